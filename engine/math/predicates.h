@@ -1,0 +1,20 @@
+#pragma once
+
+#include "math/vec.h"
+
+namespace hearth {
+
+/// Sign of the area of the triangle a, b, c, exact for all finite input that does not overflow:
+/// > 0 when c lies in front of the segment a -> b, < 0 behind it, 0 on its line.
+/// A floating-point filter decides nearly all cases; the rest is summed without rounding
+/// (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997).
+int orientation(Vec2 a, Vec2 b, Vec2 c);
+
+/// Of two segments that do not cross and that one ray from `eye` meets, whether the ray meets a
+/// before b. Exact, also where they share an end point. False for segments of one line.
+bool meetsFirst(Vec2 eye, Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1);
+
+/// The point of the segment a -> b that is nearest to p.
+Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p);
+
+}  // namespace hearth
