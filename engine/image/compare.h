@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "image/image.h"
+
+namespace hearth {
+
+/// How two pictures of one size differ. The difference of two pixels is that of the channel that
+/// differs most, in levels 0..255. Pooled scores (mean error, PSNR) are missing on purpose: they
+/// rate one level of brightness everywhere worse than a hole.
+struct PictureDifference {
+  std::int64_t differing = 0;    ///< Pixels that differ at all.
+  std::int64_t over2 = 0;        ///< Pixels that differ by more than 2 levels.
+  std::int64_t over8 = 0;        ///< Pixels that differ by more than 8 levels.
+  int largest = 0;               ///< The largest difference, in levels.
+  std::int64_t largestBlob = 0;  ///< Pixels of the largest patch of differing pixels; a patch holds
+                                 ///< together through common edges, not through corners.
+
+  friend constexpr bool operator==(PictureDifference, PictureDifference) = default;
+};
+
+/// The pictures must have the same size.
+PictureDifference compare(const Image& expected, const Image& actual);
+
+}  // namespace hearth

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hearth {
+
+struct Rgb {
+  std::uint8_t r = 0;
+  std::uint8_t g = 0;
+  std::uint8_t b = 0;
+
+  friend constexpr bool operator==(Rgb, Rgb) = default;
+};
+
+/// A picture of 8-bit RGB pixels, row by row, row 0 on top.
+class Image {
+ public:
+  Image() = default;
+  Image(int width, int height, Rgb fill = {})
+      : width_(width),
+        height_(height),
+        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  Rgb at(int x, int y) const { return pixels_[index(x, y)]; }
+  Rgb& at(int x, int y) { return pixels_[index(x, y)]; }
+  const std::vector<Rgb>& pixels() const { return pixels_; }
+
+  friend bool operator==(const Image&, const Image&) = default;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<Rgb> pixels_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,237 @@
+#include "image/image_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include "math/check.h"
+
+namespace hearth {
+namespace {
+
+/// Most bytes that decoding may ask for at once: 64 million pixels of four 16-bit channels. The
+/// decoder's own buffer grows with what a PNG unpacks to, whatever its header says; this stops it.
+constexpr std::size_t kMaxDecoderBytes = std::size_t{512} << 20;
+
+void* boundedMalloc(std::size_t bytes) {
+  return bytes <= kMaxDecoderBytes ? std::malloc(bytes) : nullptr;
+}
+
+void* boundedRealloc(void* old, std::size_t bytes) {
+  return bytes <= kMaxDecoderBytes ? std::realloc(old, bytes) : nullptr;
+}
+
+}  // namespace
+}  // namespace hearth
+
+// Only what textures come in, and without the message that stb keeps in a variable.
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_LINEAR
+#define STBI_NO_STDIO
+#define STBI_NO_FAILURE_STRINGS
+#define STBI_MALLOC(bytes) hearth::boundedMalloc(bytes)
+#define STBI_REALLOC(old, bytes) hearth::boundedRealloc(old, bytes)
+#define STBI_FREE(memory) std::free(memory)
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+// Static functions of stb that nothing here calls.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace hearth {
+namespace {
+
+/// The densest packing of the formats read here: a PNG of one bit per pixel (8 pixels a byte) under
+/// deflate, which makes at most 1032 bytes of one (258 bytes from two bits).
+constexpr std::int64_t kMaxPixelsPerByte = 8 * 1032;
+
+/// More than any real file needs: 8 bytes hold the deepest pixel, and some may not compress.
+constexpr std::int64_t kMaxBytesPerPixel = 16;
+/// Room for what a file may hold beside its pixels: colour profile, preview, comments.
+constexpr std::int64_t kMaxExtraBytes = std::int64_t{4} << 20;
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, FileCloser>;
+
+int readSome(void* file, char* bytes, int size) {
+  return static_cast<int>(
+      std::fread(bytes, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(file)));
+}
+
+void skip(void* file, int bytes) { std::fseek(static_cast<std::FILE*>(file), bytes, SEEK_CUR); }
+
+int atEnd(void* file) {
+  auto* const stream = static_cast<std::FILE*>(file);
+  return std::feof(stream) != 0 || std::ferror(stream) != 0 ? 1 : 0;
+}
+
+/// What stb reads a file through. Not a constant: the loader would have to write its addresses.
+stbi_io_callbacks fileCallbacks() { return {readSome, skip, atEnd}; }
+
+struct PixelsFree {
+  void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+tl::unexpected<std::string> failure(const std::filesystem::path& path, const std::string& what) {
+  return tl::make_unexpected(fmt::format("{}: {}", path.string(), what));
+}
+
+/// Opens a regular file: reading a directory fails late, and reading a pipe may wait for ever.
+tl::expected<File, std::string> openRegular(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    return failure(path, "there is no such file; check the path and its spelling");
+  }
+  if (error) return failure(path, fmt::format("cannot be read: {}", error.message()));
+  if (!std::filesystem::is_regular_file(status)) {
+    return failure(path, "is not a file; give the path of a picture");
+  }
+  File file(std::fopen(path.c_str(), "rb"));
+  if (!file) return failure(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+  return file;
+}
+
+tl::expected<ImageSize, std::string> sizeOf(std::FILE* file, const std::filesystem::path& path) {
+  ImageSize size;
+  int channels = 0;
+  const stbi_io_callbacks callbacks = fileCallbacks();
+  const int known =
+      stbi_info_from_callbacks(&callbacks, file, &size.width, &size.height, &channels);
+  if (known == 0 || size.width <= 0 || size.height <= 0) {
+    return failure(path,
+                   "is not a PNG, JPEG, BMP or TGA picture, or its header is damaged or claims an "
+                   "impossible size; save it anew as PNG");
+  }
+  return size;
+}
+
+/// Refuses, before any memory is taken, what is too large or cannot be true.
+tl::expected<void, std::string> checkSize(ImageSize size, std::int64_t maxPixels,
+                                          const std::filesystem::path& path) {
+  const std::int64_t pixels = std::int64_t{size.width} * size.height;
+  if (pixels > maxPixels) {
+    return failure(path, fmt::format("has {} x {} pixels, more than the limit of {}; make it "
+                                     "smaller or raise the limit",
+                                     size.width, size.height, maxPixels));
+  }
+  std::error_code error;
+  const std::uintmax_t fileBytes = std::filesystem::file_size(path, error);
+  if (error) return failure(path, fmt::format("cannot be read: {}", error.message()));
+  const bool tooShort =
+      fileBytes < static_cast<std::uintmax_t>((pixels - 1) / kMaxPixelsPerByte + 1);
+  const bool tooLong =
+      fileBytes > static_cast<std::uintmax_t>(pixels) * kMaxBytesPerPixel + kMaxExtraBytes;
+  if (tooShort || tooLong) {
+    return failure(path,
+                   fmt::format("claims {} x {} pixels, which its {} bytes cannot hold or do not "
+                               "need; save it anew",
+                               size.width, size.height, fileBytes));
+  }
+  return {};
+}
+
+/// `rgb` holds three bytes a pixel, row by row from the top.
+Image fromBytes(ImageSize size, const stbi_uc* rgb) {
+  Image image(size.width, size.height);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x, rgb += 3) image.at(x, y) = {rgb[0], rgb[1], rgb[2]};
+  }
+  return image;
+}
+
+std::vector<std::uint8_t> toBytes(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels().size() * 3);
+  for (const Rgb pixel : image.pixels()) bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
+  return bytes;
+}
+
+void writeToStream(void* stream, void* data, int size) {
+  static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
+}
+
+bool writeBytes(const std::filesystem::path& path, const Image& image) {
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+  const std::vector<std::uint8_t> bytes = toBytes(image);
+  const int encoded = stbi_write_png_to_func(writeToStream, &stream, image.width(), image.height(),
+                                             3, bytes.data(), 3 * image.width());
+  stream.close();
+  return encoded != 0 && stream.good();
+}
+
+}  // namespace
+
+tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path) {
+  const auto file = openRegular(path);
+  if (!file) return tl::make_unexpected(file.error());
+  return sizeOf(file->get(), path);
+}
+
+tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
+                                           std::int64_t maxPixels) {
+  const auto file = openRegular(path);
+  if (!file) return tl::make_unexpected(file.error());
+  const auto size = sizeOf(file->get(), path);
+  if (!size) return tl::make_unexpected(size.error());
+  if (const auto checked = checkSize(*size, maxPixels, path); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+
+  std::rewind(file->get());
+  const stbi_io_callbacks callbacks = fileCallbacks();
+  ImageSize decoded;
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, PixelsFree> rgb(stbi_load_from_callbacks(
+      &callbacks, file->get(), &decoded.width, &decoded.height, &channels, 3));
+  if (!rgb || decoded != *size) {
+    return failure(path, "is damaged or cut short; save it anew as PNG");
+  }
+  return fromBytes(decoded, rgb.get());
+}
+
+tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image) {
+  CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
+  // The encoder counts bytes in `int`, and packs into a buffer up to twice as large.
+  const std::int64_t bytes = (std::int64_t{3} * image.width() + 1) * image.height();
+  if (bytes > std::numeric_limits<int>::max() / 4) {
+    return failure(path, fmt::format("{} x {} pixels are too many for one PNG; write a smaller "
+                                     "picture",
+                                     image.width(), image.height()));
+  }
+  std::filesystem::path part = path;
+  part += ".part";
+  std::error_code error;
+  if (!writeBytes(part, image)) {
+    std::filesystem::remove(part, error);
+    return failure(path, "cannot be written; check that its folder exists and has room");
+  }
+  std::filesystem::rename(part, path, error);
+  if (error) {
+    const std::string reason = error.message();
+    std::filesystem::remove(part, error);
+    return failure(path, fmt::format("cannot be written: {}", reason));
+  }
+  return {};
+}
+
+}  // namespace hearth

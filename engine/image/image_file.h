@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "image/image.h"
+
+namespace hearth {
+
+/// Width and height in pixels.
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+
+  friend constexpr bool operator==(ImageSize, ImageSize) = default;
+};
+
+/// The size of a PNG, JPEG, BMP or TGA picture from the first bytes of its file; nothing is
+/// decoded. The kind is told by the content, not by the name. Errors are one sentence that begins
+/// with the path.
+tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path);
+
+/// Reads a picture as 8-bit RGB: alpha is ignored, 16 bits are cut to their high byte, grey is
+/// widened. Pictures of more than `maxPixels` are refused from their header, and so are files whose
+/// length cannot match their header; only then is memory taken. A PNG that is cut short is refused;
+/// the other kinds may read as black or grey where data is missing.
+/// Errors are one sentence that begins with the path.
+tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
+                                           std::int64_t maxPixels);
+
+/// Writes a PNG, the same bytes for the same picture. It is written beside the target (with
+/// `.part` at the end of its name) and renamed, so that no reader sees half a picture.
+tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image);
+
+}  // namespace hearth

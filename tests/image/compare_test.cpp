@@ -1,0 +1,85 @@
+#include "image/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hearth {
+namespace {
+
+/// `#` is a pixel that differs from black by 9 levels.
+Image drawn(const std::vector<std::string>& rows) {
+  Image image(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()));
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const bool set = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#';
+      if (set) image.at(x, y) = {0, 9, 0};
+    }
+  }
+  return image;
+}
+
+std::int64_t largestBlob(const std::vector<std::string>& rows) {
+  const Image image = drawn(rows);
+  return compare(Image(image.width(), image.height()), image).largestBlob;
+}
+
+TEST(Compare, EqualPicturesDoNotDiffer) {
+  const Image image(5, 4, {1, 2, 3});
+  EXPECT_EQ(compare(image, image), PictureDifference{});
+  EXPECT_EQ(compare(Image(), Image()), PictureDifference{});
+}
+
+TEST(Compare, CountsByTheChannelThatDiffersMost) {
+  const Image expected(5, 1, {100, 100, 100});
+  Image actual = expected;
+  actual.at(0, 0) = {102, 99, 100};  // 2: not over 2
+  actual.at(1, 0) = {100, 97, 100};  // 3: over 2
+  actual.at(2, 0) = {101, 101, 92};  // 8: not over 8
+  actual.at(3, 0) = {109, 100, 100};
+  EXPECT_EQ(
+      compare(expected, actual),
+      (PictureDifference{.differing = 4, .over2 = 3, .over8 = 1, .largest = 9, .largestBlob = 4}));
+}
+
+TEST(Compare, DoesNotDependOnWhichPictureIsExpected) {
+  const Image black(3, 3);
+  const Image white(3, 3, {255, 255, 255});
+  EXPECT_EQ(compare(black, white), compare(white, black));
+  EXPECT_EQ(compare(black, white).largest, 255);
+}
+
+TEST(Compare, BlobsJoinThroughEdgesOnly) {
+  EXPECT_EQ(largestBlob({"#.", ".#"}), 1);
+  EXPECT_EQ(largestBlob({"#.", "##"}), 3);
+}
+
+TEST(Compare, BlobsDoNotWrapAroundTheBorder) {
+  EXPECT_EQ(largestBlob({"#..#", "#..#"}), 2);
+  EXPECT_EQ(largestBlob({"..##", "##.."}), 2);
+}
+
+TEST(Compare, FindsTheLargestOfSeveralBlobs) {
+  EXPECT_EQ(largestBlob({
+                "##...#",  //
+                "#..#.#",  //
+                "...###",  //
+                "##...#",
+            }),
+            7);
+}
+
+TEST(Compare, ABlobMayBeAsLargeAsThePicture) {
+  const Image black(1000, 1000);
+  const Image grey(1000, 1000, {1, 1, 1});
+  EXPECT_EQ(compare(black, grey).largestBlob, 1'000'000);
+}
+
+TEST(CompareDeathTest, SizesMustBeEqual) {
+  EXPECT_DEATH(compare(Image(2, 3), Image(3, 2)), "width");
+}
+
+}  // namespace
+}  // namespace hearth
