@@ -1,0 +1,99 @@
+#include "textures/textures.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "image/image_file.h"
+
+namespace hearth::textures {
+namespace {
+
+int levelsApart(Rgb a, Rgb b) {
+  return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+}
+
+/// How much neighbouring columns differ, in levels per channel: inside the image, and where its
+/// right edge meets its left one.
+struct Gradient {
+  double inside = 0;
+  double acrossEdge = 0;
+};
+
+Gradient alongRows(const Image& image) {
+  std::int64_t inside = 0;
+  std::int64_t across = 0;
+  const int last = image.width() - 1;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < last; ++x) inside += levelsApart(image.at(x, y), image.at(x + 1, y));
+    across += levelsApart(image.at(last, y), image.at(0, y));
+  }
+  return {static_cast<double>(inside) / (3.0 * last * image.height()),
+          static_cast<double>(across) / (3.0 * image.height())};
+}
+
+Image transposed(const Image& image) {
+  Image turned(image.height(), image.width());
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) turned.at(y, x) = image.at(x, y);
+  }
+  return turned;
+}
+
+double meanLevel(const Image& image) {
+  std::int64_t sum = 0;
+  for (const Rgb pixel : image.pixels()) sum += pixel.r + pixel.g + pixel.b;
+  return static_cast<double>(sum) / (3.0 * static_cast<double>(image.pixels().size()));
+}
+
+std::string bytesOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+TEST(Textures, AreThoseOfTheTexturesFolderToTheByte) {
+  const auto made = std::filesystem::temp_directory_path() /
+                    ("hearth_textures_test." + std::to_string(getpid()) + ".png");
+  for (const Texture& texture : makeAll()) {
+    const auto kept =
+        std::filesystem::path(HEARTH_SOURCE_DIR) / "textures" / (texture.name + ".png");
+    ASSERT_TRUE(writePng(made, texture.image));
+    EXPECT_TRUE(bytesOf(made) == bytesOf(kept))
+        << kept << " is not what its generator makes: run hearth-textures textures";
+  }
+  std::filesystem::remove(made);
+}
+
+TEST(Textures, HaveNoSeamAtTheirEdges) {
+  for (const Texture& texture : makeAll()) {
+    const Gradient rows = alongRows(texture.image);
+    EXPECT_LE(rows.acrossEdge, 1.2 * rows.inside) << texture.name << ", left and right";
+    if (texture.name == "sky") continue;
+    const Gradient columns = alongRows(transposed(texture.image));
+    EXPECT_LE(columns.acrossEdge, 1.2 * columns.inside) << texture.name << ", top and bottom";
+  }
+}
+
+TEST(Textures, AreBrightEnoughForLightToDarkenThem) {
+  for (const Texture& texture : makeAll()) {
+    EXPECT_GE(meanLevel(texture.image), 110) << texture.name;
+    EXPECT_LE(meanLevel(texture.image), 190) << texture.name;
+  }
+}
+
+TEST(Textures, TheSkyIsPlainWhereItIsRepeatedBeyondItsImage) {
+  const Image sky = makeSky();
+  for (const int row : {0, sky.height() - 1}) {
+    for (int x = 1; x < sky.width(); ++x) ASSERT_EQ(sky.at(x, row), sky.at(0, row)) << x;
+  }
+}
+
+}  // namespace
+}  // namespace hearth::textures

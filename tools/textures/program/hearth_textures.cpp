@@ -1,0 +1,22 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "image/image_file.h"
+#include "textures/textures.h"
+
+int main(int argumentCount, char** arguments) {
+  if (argumentCount != 2) {
+    std::fputs("usage: hearth-textures OUTDIR\nWrites the project's textures as PNG files.\n",
+               stderr);
+    return 2;
+  }
+  const std::filesystem::path folder = arguments[1];
+  for (const hearth::textures::Texture& texture : hearth::textures::makeAll()) {
+    if (const auto written = hearth::writePng(folder / (texture.name + ".png"), texture.image);
+        !written) {
+      std::fprintf(stderr, "error: %s\n", written.error().c_str());
+      return 2;
+    }
+  }
+  return 0;
+}
