@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/ids.h"
+#include "math/vec.h"
+
+namespace hearth {
+
+struct CurvePoint {
+  double distance;  ///< metres
+  double level;     ///< 0..255 and beyond
+};
+
+/// A point of light, or a ball of it when `radius` > 0.
+struct LightSource {
+  Vec3 position;
+  SectorId sector;
+  double intensity = 255;         ///< levels at distance 0
+  double falloff = 0;             ///< per metre
+  std::vector<CurvePoint> curve;  ///< when not empty, instead of intensity and falloff
+  std::uint8_t color[3] = {255, 255, 255};
+  double radius = 0;  ///< metres
+
+  /// Light in levels at `distance` metres, before colour.
+  double levelAt(double distance) const;
+};
+
+/// How a bake samples light. Files give it, the command line overrides it.
+struct BakeSettings {
+  double texel = 0.125;  ///< metres
+  int samples = 1;       ///< per texel; a square number
+  bool lambert = false;  ///< multiply by the cosine at the surface
+  int bounces = 0;
+};
+
+}  // namespace hearth

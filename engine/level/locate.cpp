@@ -1,0 +1,129 @@
+#include "level/locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/check.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+bool inBox(const Sector& sector, Vec2 p, double slack) {
+  return p.x >= sector.boxMin.x - slack && p.x <= sector.boxMax.x + slack &&
+         p.y >= sector.boxMin.y - slack && p.y <= sector.boxMax.y + slack;
+}
+
+struct Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec2 point;
+  const Segment* segment = nullptr;
+};
+
+Nearest nearestWall(const Level& level, const Sector& sector, Vec2 p) {
+  Nearest best;
+  for (const Segment& segment : level.segmentsOf(sector)) {
+    const Vec2 point = nearestOnSegment(segment.p0, segment.p1, p);
+    const double distance = length(point - p);
+    if (distance < best.distance) best = {distance, point, &segment};
+  }
+  return best;
+}
+
+/// Metres that coordinates near `p` need to move to be told apart safely.
+double nudgeAt(Vec2 p) {
+  const double size = std::max(std::abs(p.x), std::abs(p.y));
+  return std::max(kNudge, 64 * std::numeric_limits<double>::epsilon() * size);
+}
+
+bool isClear(const Level& level, const Sector& sector, Vec2 p, double clearance) {
+  return contains(level, sector, p) && nearestWall(level, sector, p).distance >= clearance;
+}
+
+/// A point of the sector at least `nudge` / 16 away from its walls, as near to `p` as a growing
+/// ring of candidates finds one.
+Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
+  const double nudge = nudgeAt(p);
+  if (isClear(level, sector, p, nudge / 16)) return p;
+  const Nearest wall = nearestWall(level, sector, p);
+  const Vec2 inward = turned90(wall.segment->p1 - wall.segment->p0);
+  // In an acute corner the way inside is long: along the walls that meet there.
+  constexpr int kDirections = 1440;
+  for (double radius = nudge; radius < 1e6 * nudge; radius *= 2) {
+    Vec2 best = p;
+    double clearance = 0;
+    const Vec2 straight = wall.point + (radius / length(inward)) * inward;
+    if (isClear(level, sector, straight, nudge / 16)) return straight;
+    for (int i = 0; i < kDirections; ++i) {
+      // Points around a square ring: directions need not be even, only dense.
+      const double along = 8.0 * i / kDirections;
+      const double edge = along - std::floor(along / 2) * 2 - 1;
+      const Vec2 ring[] = {{edge, -1}, {1, edge}, {-edge, 1}, {-1, -edge}};
+      const Vec2 candidate = wall.point + radius * ring[static_cast<int>(along / 2)];
+      if (!contains(level, sector, candidate)) continue;
+      const double found = nearestWall(level, sector, candidate).distance;
+      if (found > clearance) best = candidate, clearance = found;
+    }
+    if (clearance >= nudge / 16) return best;
+  }
+  return p;
+}
+
+}  // namespace
+
+bool contains(const Level& level, const Sector& sector, Vec2 p) {
+  if (!inBox(sector, p, 0)) return false;
+  bool inside = false;
+  for (const Segment& segment : level.segmentsOf(sector)) {
+    const Vec2 a = segment.p0;
+    const Vec2 b = segment.p1;
+    const bool aBelow = a.y <= p.y;
+    const bool bBelow = b.y <= p.y;
+    const bool nearY = std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+    if (!nearY) continue;
+    const int side = orientation(a, b, p);
+    if (side == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x)) return true;
+    if (aBelow != bBelow && (side > 0) == bBelow) inside = !inside;
+  }
+  return inside;
+}
+
+bool contains(const Level& level, const Sector& sector, Vec3 p, double slack) {
+  if (!inBox(sector, p.xy(), slack)) return false;
+  if (p.z < sector.airBottom(p.xy()) - slack || p.z > sector.airTop(p.xy()) + slack) return false;
+  return contains(level, sector, p.xy()) || nearestWall(level, sector, p.xy()).distance <= slack;
+}
+
+std::vector<SectorId> sectorsAt(const Level& level, Vec3 p) {
+  std::vector<SectorId> found;
+  for (std::size_t i = 0; i < level.sectors.size(); ++i)
+    if (contains(level, level.sectors[i], p, kPositionSlack)) found.push_back(SectorId(i));
+  return found;
+}
+
+Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {
+  const Vec2 xy = nudgedInside(level, sector, p.xy());
+  const double bottom = sector.airBottom(xy);
+  const double top = sector.airTop(xy);
+  const double nudge =
+      std::min(nudgeAt({p.z, 0}), (top - bottom) / 4);  // a sector may be lower than two nudges
+  return {xy.x, xy.y, std::clamp(p.z, bottom + nudge, std::max(bottom + nudge, top - nudge))};
+}
+
+SectorId across(const Level& level, const Interface& interface, Side to, Vec2 p) {
+  const std::vector<SectorId>& members = to == Side::Upper ? interface.upper : interface.lower;
+  CHECK(!members.empty(), interface.name);
+  SectorId best = members.front();
+  double distance = std::numeric_limits<double>::infinity();
+  for (const SectorId member : members) {
+    if (contains(level, level[member], p)) return member;
+    const double found = nearestWall(level, level[member], p).distance;
+    if (found < distance) best = member, distance = found;
+  }
+  return best;
+}
+
+}  // namespace hearth

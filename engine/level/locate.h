@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// True when `p` lies in the outline of the sector, its border and the borders of its holes
+/// included. Exact.
+bool contains(const Level& level, const Sector& sector, Vec2 p);
+
+/// True when `p` lies in the air of the sector, walls, flats and slopes included, within
+/// `slack` metres.
+bool contains(const Level& level, const Sector& sector, Vec3 p, double slack);
+
+/// All sectors that contain `p` within kPositionSlack, in the order of the level.
+std::vector<SectorId> sectorsAt(const Level& level, Vec3 p);
+
+/// `p`, or where it lies on (or within kPositionSlack outside) the walls, flats or slopes of the
+/// sector, a point about kNudge inside them: from there no wall of the sector is seen edge-on.
+Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p);
+
+enum class Side { Upper, Lower };
+
+/// The sector on one side of a flat portal that contains `p`; on a common border the first of
+/// them; where rounding leaves `p` in none, the nearest.
+SectorId across(const Level& level, const Interface& interface, Side to, Vec2 p);
+
+}  // namespace hearth

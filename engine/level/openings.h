@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// The heights at which a portal changes from lower step to opening to upper step:
+/// [zBottom, zLowerTop) lower, [zLowerTop, zUpperBottom) open, [zUpperBottom, zTop) upper.
+struct PortalHeights {
+  double zBottom;
+  double zLowerTop;
+  double zUpperBottom;
+  double zTop;
+};
+
+/// A portal that reaches from `zBottom` to `zTop` on this side, seen against the flats of the next
+/// sector. Where these leave no opening, all below its floor is lower step and the rest upper.
+constexpr PortalHeights portalHeights(double zBottom, double zTop, double nextFloor,
+                                      double nextCeiling) {
+  const double zLowerTop = std::clamp(nextFloor, zBottom, zTop);
+  return {zBottom, zLowerTop, std::clamp(nextCeiling, zLowerTop, zTop), zTop};
+}
+
+/// The air of a segment's sector, `share` (0..1) of the way from p0 to p1.
+constexpr AirColumn airAt(const Segment& segment, double share) {
+  return {std::lerp(segment.air0.zBottom, segment.air1.zBottom, share),
+          std::lerp(segment.air0.zTop, segment.air1.zTop, share)};
+}
+
+/// Where the air of both sides of an opening meets, `share` of the way from the p0 of the near
+/// segment to its p1. Below zBottom stands the near slope or the far one's sidewall, likewise
+/// above.
+struct OpeningSpan {
+  double zNearBottom;  ///< the opening's piece, clipped by the near sector's air
+  double zBottom;      ///< and by the next sector's air
+  double zTop;
+  double zNearTop;
+};
+
+constexpr OpeningSpan openingSpan(const WallPiece& piece, AirColumn near, AirColumn far) {
+  const double low = std::max(piece.zBottom, near.zBottom);
+  const double high = std::max(low, std::min(piece.zTop, near.zTop));
+  const double bottom = std::clamp(far.zBottom, low, high);
+  return {low, bottom, std::clamp(far.zTop, bottom, high), high};
+}
+
+/// Calls `onSurface(SurfaceId, zBottom, zTop)` and `onOpening(const Opening&, zBottom, zTop)` for
+/// all that a segment holds above one point of it, bottom to top, clipped to the sector's air.
+/// Empty spans are left out; the others meet exactly.
+template <typename OnSurface, typename OnOpening>
+void visitWallColumn(const Level& level, const Segment& segment, double share,
+                     OnSurface&& onSurface, OnOpening&& onOpening) {
+  const AirColumn near = airAt(segment, share);
+  for (const WallPiece& piece : segment.pieces) {
+    if (const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content)) {
+      const double low = std::max(piece.zBottom, near.zBottom);
+      const double high = std::min(piece.zTop, near.zTop);
+      if (low < high) onSurface(*surface, low, high);
+      continue;
+    }
+    const Opening& opening = std::get<Opening>(piece.content);
+    const OpeningSpan span = openingSpan(piece, near, airAt(level[opening.twin], 1 - share));
+    if (opening.floorSidewall && span.zNearBottom < span.zBottom)
+      onSurface(*opening.floorSidewall, span.zNearBottom, span.zBottom);
+    if (span.zBottom < span.zTop) onOpening(opening, span.zBottom, span.zTop);
+    if (opening.ceilingSidewall && span.zTop < span.zNearTop)
+      onSurface(*opening.ceilingSidewall, span.zTop, span.zNearTop);
+  }
+}
+
+}  // namespace hearth

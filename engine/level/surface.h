@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "level/ids.h"
+#include "level/texture_mapping.h"
+
+namespace hearth {
+
+/// All kinds of surface that can show. The order is that of reports.
+enum class SurfaceKind : std::uint8_t {
+  Solid,
+  LowerStep,
+  UpperStep,
+  StackSolid,
+  StackLowerStep,
+  StackUpperStep,
+  FloorSidewall,
+  CeilingSidewall,
+  Floor,
+  Ceiling,
+  SlopeFloor,
+  SlopeCeiling,
+  SkyCeiling,
+  SkyFloor,
+  SkyUpperStep,
+  SkyLowerStep,
+};
+inline constexpr std::size_t kSurfaceKinds = 16;
+
+std::string_view name(SurfaceKind kind);
+
+constexpr bool isSky(SurfaceKind kind) { return kind >= SurfaceKind::SkyCeiling; }
+constexpr bool isSidewall(SurfaceKind kind) {
+  return kind == SurfaceKind::FloorSidewall || kind == SurfaceKind::CeilingSidewall;
+}
+constexpr bool isFlat(SurfaceKind kind) {
+  return kind == SurfaceKind::Floor || kind == SurfaceKind::Ceiling;
+}
+constexpr bool isSlope(SurfaceKind kind) {
+  return kind == SurfaceKind::SlopeFloor || kind == SurfaceKind::SlopeCeiling;
+}
+/// Stands upright on a segment (and is not sky).
+constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::CeilingSidewall; }
+/// Faces downwards.
+constexpr bool isOverhead(SurfaceKind kind) {
+  return kind == SurfaceKind::Ceiling || kind == SurfaceKind::SlopeCeiling ||
+         kind == SurfaceKind::SkyCeiling;
+}
+
+/// One thing that can show: what is drawn with one texture and lit by one lightmap.
+struct Surface {
+  SurfaceKind kind;
+  SectorId sector;                   ///< whose air it bounds, and whose `light` it takes
+  std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
+  TextureMapping mapping;            ///< for upright ones `zRef` is always there, but for sidewalls
+                                     ///< that follow their slope's edge
+  /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
+  /// that they stand in; what their slope covers of it, `wallSpan` in level/openings.h tells.
+  double zBottom = 0;
+  double zTop = 0;
+};
+
+}  // namespace hearth
