@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "level/level.h"
+#include "light/lightmap.h"
+#include "light/lit_surface.h"
+
+namespace hearth {
+
+struct BakeStats {
+  std::size_t surfaces = 0;     ///< that could be lit
+  std::size_t litSurfaces = 0;  ///< that some light reaches: those that have a lightmap
+  std::int64_t texels = 0;      ///< computed
+  std::int64_t tests = 0;       ///< pairs of a texel's sample and a light that were traced
+  std::int64_t bytes = 0;       ///< of all lightmaps
+};
+
+/// The baked light of a level. Surfaces that no light reaches have no lightmap.
+struct BakedLight {
+  LitSurfaces surfaces;                            ///< by SurfaceId
+  std::vector<std::optional<Lightmap>> lightmaps;  ///< by SurfaceId
+  BakeStats stats;
+};
+
+/// Lights every surface of the level. The bytes do not depend on `threads`.
+BakedLight bake(const Level& level, const BakeSettings& settings, int threads);
+
+}  // namespace hearth

@@ -1,0 +1,189 @@
+#include "light/grids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <variant>
+
+#include "level/openings.h"
+#include "math/planted_bug.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr Vec3 kUp = {0, 0, 1};
+
+Vec3 flatVector(Vec2 v) { return {v.x, v.y, 0}; }
+
+/// Gathers the walls that continue `seed`, whose line is the run's.
+class WallRun {
+ public:
+  WallRun(const Level& level, const VertexFan& fan, std::vector<bool>& taken, SegmentId seed)
+      : level_(level), fan_(fan), taken_(taken), seed_(level[seed]) {
+    taken_[seed.index()] = true;
+    members_ = {seed};
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      extend(members_[i], level_[members_[i]].p0, false);
+      extend(members_[i], level_[members_[i]].p1, true);
+    }
+  }
+
+  const std::vector<SegmentId>& members() const { return members_; }
+
+  TexelGrid grid(double texel) const {
+    Vec2 first = seed_.p0;
+    for (const SegmentId id : members_)
+      for (const Vec2 p : {level_[id].p0, level_[id].p1})
+        if (lessXY(p, first)) first = p;
+    const Vec2 direction = (1 / seed_.length) * (seed_.p1 - seed_.p0);
+    return {{first.x, first.y, 0}, flatVector(direction), kUp, texel};
+  }
+
+ private:
+  void extend(SegmentId from, Vec2 vertex, bool forwards) {
+    for (const VertexFan::Spoke& spoke : fan_.at(vertex)) {
+      if (spoke.startsHere != forwards || taken_[spoke.segment.index()]) continue;
+      if (!continues(level_[from], level_[spoke.segment], vertex)) continue;
+      taken_[spoke.segment.index()] = true;
+      members_.push_back(spoke.segment);
+    }
+  }
+
+  bool continues(const Segment& from, const Segment& to, Vec2 vertex) const {
+    const Vec2 direction = seed_.p1 - seed_.p0;
+    if (dot(direction, to.p1 - to.p0) <= 0) return false;
+    const double tolerance =
+        std::min(kAuthorNoise, kAuthorNoiseOfEdge * std::min(from.length, to.length));
+    for (const Vec2 p : {to.p0, to.p1})
+      if (std::abs(cross(direction, p - seed_.p0)) > tolerance * seed_.length) return false;
+    constexpr double kAny = 1e300;
+    return fan_.joined(vertex, from.sector, to.sector, -kAny, kAny);
+  }
+
+  const Level& level_;
+  const VertexFan& fan_;
+  std::vector<bool>& taken_;
+  const Segment& seed_;
+  std::vector<SegmentId> members_;
+};
+
+/// Longest first, so that a run's line is that of its longest wall.
+std::vector<SegmentId> byFallingLength(const Level& level) {
+  std::vector<SegmentId> order(level.segments.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = SegmentId(i);
+  std::stable_sort(order.begin(), order.end(), [&](SegmentId a, SegmentId b) {
+    if (level[a].length != level[b].length) return level[a].length > level[b].length;
+    return lessXY(level[a].p0, level[b].p0);
+  });
+  return order;
+}
+
+const std::optional<Slope>& slopeOf(const Sector& sector, bool floor) {
+  return floor ? sector.floorSlope : sector.ceilingSlope;
+}
+
+Vec2 firstBorderVertex(const Level& level, const Sector& sector) {
+  const Loop& border = sector.loops.front();
+  Vec2 first = level[border.first].p0;
+  for (std::size_t i = 0; i < border.count; ++i) {
+    const Vec2 p = level.segments[border.first.index() + i].p0;
+    if (lessXY(p, first)) first = p;
+  }
+  return first;
+}
+
+TexelGrid slopeGrid(const Slope& slope, Vec2 anchor, double texel) {
+  const Vec3 origin = {anchor.x, anchor.y, slope.zAt(anchor)};
+  const double steepness = length(slope.gradient);
+  if (steepness < kHeightNoise) return {origin, {1, 0, 0}, {0, 1, 0}, texel};
+  const Vec2 uphill = (1 / steepness) * slope.gradient;
+  const double run = 1 / std::sqrt(1 + steepness * steepness);
+  return {origin, flatVector(turned90(uphill)),
+          Vec3{uphill.x * run, uphill.y * run, steepness * run}, texel};
+}
+
+/// The sectors whose slopes continue that of `seed`.
+std::vector<SectorId> slopeRun(const Level& level, SectorId seed, bool floor,
+                               std::vector<bool>& taken) {
+  std::vector<SectorId> members = {seed};
+  taken[seed.index()] = true;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    for (const Segment& segment : level.segmentsOf(level[members[i]])) {
+      for (const SectorId next : openAtFoot(level, segment, floor)) {
+        const std::optional<Slope>& slope = slopeOf(level[next], floor);
+        if (taken[next.index()] || !slope) continue;
+        if (!continueInOnePlane(*slopeOf(level[seed], floor), *slope, segment)) continue;
+        taken[next.index()] = true;
+        members.push_back(next);
+      }
+    }
+  }
+  return members;
+}
+
+}  // namespace
+
+std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, double texel) {
+  std::vector<TexelGrid> grids(level.segments.size());
+  std::vector<bool> taken(level.segments.size(), false);
+  for (const SegmentId seed : byFallingLength(level)) {
+    if (taken[seed.index()]) continue;
+    const WallRun run(level, fan, taken, seed);
+    for (const SegmentId member : run.members()) {
+      grids[member.index()] = run.grid(texel);
+      if (planted(PlantedBug::GridAnchoredToPiece))
+        grids[member.index()].origin = flatVector(level[member].p0);
+    }
+  }
+  return grids;
+}
+
+TexelGrid flatGrid(double z, double texel) { return {{0, 0, z}, {1, 0, 0}, {0, 1, 0}, texel}; }
+
+std::vector<SectorId> openAtFoot(const Level& level, const Segment& segment, bool floor) {
+  std::vector<SectorId> found;
+  for (const WallPiece& piece : segment.pieces) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (!opening) continue;
+    const Segment& twin = level[opening->twin];
+    const auto opens = [&](AirColumn near, AirColumn far) {
+      const OpeningSpan span = openingSpan(piece, near, far);
+      if (span.zBottom >= span.zTop) return false;
+      return floor ? span.zBottom - near.zBottom <= kAuthorNoise
+                   : near.zTop - span.zTop <= kAuthorNoise;
+    };
+    if (opens(segment.air0, twin.air1) || opens(segment.air1, twin.air0))
+      found.push_back(opening->next);
+  }
+  return found;
+}
+
+std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) {
+  std::vector<SectorId> order;
+  for (std::size_t i = 0; i < level.sectors.size(); ++i)
+    if (slopeOf(level.sectors[i], floor)) order.push_back(SectorId(i));
+  const auto anchorOf = [&](SectorId id) { return firstBorderVertex(level, level[id]); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](SectorId a, SectorId b) { return lessXY(anchorOf(a), anchorOf(b)); });
+
+  std::vector<TexelGrid> grids(level.sectors.size());
+  std::vector<bool> taken(level.sectors.size(), false);
+  for (const SectorId seed : order) {
+    if (taken[seed.index()]) continue;
+    // In this order the first sector of a run holds the run's first vertex.
+    const TexelGrid grid = slopeGrid(*slopeOf(level[seed], floor), anchorOf(seed), texel);
+    for (const SectorId member : slopeRun(level, seed, floor, taken)) grids[member.index()] = grid;
+  }
+  return grids;
+}
+
+bool continueInOnePlane(const Slope& a, const Slope& b, const Segment& along) {
+  const double tolerance = std::min(kAuthorNoise, kAuthorNoiseOfEdge * along.length);
+  return std::abs(a.zAt(along.p0) - b.zAt(along.p0)) <= tolerance &&
+         std::abs(a.zAt(along.p1) - b.zAt(along.p1)) <= tolerance &&
+         length(a.gradient - b.gradient) <= kAuthorNoiseOfEdge;
+}
+
+}  // namespace hearth

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+#include "light/texel_grid.h"
+#include "light/vertex_fan.h"
+
+namespace hearth {
+
+/// The texel grid of every segment, by SegmentId: anchored to the first vertex, by (x, y), of the
+/// run of walls that continue one another in one plane, along the run's longest wall.
+std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, double texel);
+
+TexelGrid flatGrid(double z, double texel);
+
+/// Whether a segment opens at the very foot (head) of its sector's air, so that nothing stands
+/// between the floors (ceilings) of the two sectors; names the next sector.
+std::vector<SectorId> openAtFoot(const Level& level, const Segment& segment, bool floor);
+
+/// The texel grid of every sloped floor (ceiling), by SectorId: anchored to the first border
+/// vertex, by (x, y), of the run of slopes that continue one another in one plane; axes along the
+/// contour line and the steepest ascent. Entries of sectors without such a slope mean nothing.
+std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel);
+
+/// True when two slopes are one plane within an author's tolerance, over the given segment.
+bool continueInOnePlane(const Slope& a, const Slope& b, const Segment& along);
+
+}  // namespace hearth

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "math/planted_bug.h"
+
+namespace hearth {
+
+/// Adds up light without regard to order: every contribution is rounded once to 2^-20 of a level
+/// and added as an integer. So threads cannot change a byte, and a light can be taken away again.
+class LightSum {
+ public:
+  /// `level` >= 0.
+  void add(double level) {
+    if (planted(PlantedBug::EightBitSums)) level = std::floor(level);
+    // 2^20 levels are white thousands of times over; more would only overflow the sum.
+    constexpr double kMost = 1 << 20;
+    sum_ += static_cast<std::int64_t>(
+        std::floor(std::min(level, kMost) * static_cast<double>(kUnit) + 0.5));
+  }
+
+  /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
+  std::uint8_t mean(int samples) const {
+    const std::int64_t one = std::int64_t{samples} * kUnit;
+    return static_cast<std::uint8_t>(
+        std::clamp((sum_ + one / 2) / one, std::int64_t{0}, std::int64_t{255}));
+  }
+
+ private:
+  static constexpr std::int64_t kUnit = 1 << 20;
+
+  std::int64_t sum_ = 0;
+};
+
+}  // namespace hearth

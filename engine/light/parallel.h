@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace hearth {
+
+/// All cores of the machine.
+int availableThreads();
+
+/// Calls work(i) for every i in [0, count), on `threads` threads in no fixed order. `work` must not
+/// throw, and must write only to what belongs to i.
+void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace hearth

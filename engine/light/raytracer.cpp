@@ -1,0 +1,234 @@
+#include "light/raytracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "level/locate.h"
+#include "level/openings.h"
+#include "math/check.h"
+#include "math/planted_bug.h"
+#include "math/predicates.h"
+
+namespace hearth {
+
+namespace {
+
+/// Metres before its target within which nothing stops a ray any more: the target lies on a
+/// surface, and which side of it rounding puts the crossing is chance.
+constexpr double kArrival = 1e-7;
+
+/// Where the ray leaves a sector over its outline.
+struct Exit {
+  const Segment* segment;
+  double t;
+};
+
+class Walk {
+ public:
+  Walk(const Level& level, const Raytracer::Source& source, Vec3 target, SectorId goal)
+      : level_(level),
+        origin_(source.position),
+        delta_(target - source.position),
+        planLength2_(dot(delta_.xy(), delta_.xy())),
+        goal_(goal),
+        sector_(source.sector) {
+    const double distance = length(delta_);
+    slack_ = distance > 0 ? kArrival / distance : 1;
+  }
+
+  bool arrives() {
+    const std::size_t limit = 4 * level_.segments.size() + 16;
+    for (std::size_t step = 0; step < limit; ++step) {
+      const Exit exit = findExit();
+      const double tEnd = std::min(exit.t, 1.0);
+      if (const std::optional<FlatHit> hit = meetsFlat(tEnd)) {
+        if (hit->t >= 1 - slack_ && sector_ == goal_) return true;
+        if (!crossInterface(*hit)) return false;
+        continue;
+      }
+      if (exit.t >= 1 - slack_ && sector_ == goal_) return true;
+      if (exit.t > 1 + slack_ || !exit.segment) return goalLiesBehindFlatPortal();
+      if (!pass(exit)) return false;
+    }
+    return false;
+  }
+
+ private:
+  /// Signed distance (scaled) of a vertex to the right of the ray; the same bits for all segments
+  /// that share the vertex, so that no ray slips between two of them.
+  double sideOf(Vec2 p) const { return cross(delta_.xy(), p - origin_.xy()); }
+
+  double crossingOf(const Segment& segment, double side0, double side1) const {
+    // In a fixed order of the end points, so that a segment and its twin agree to the bit.
+    const bool swap = lessXY(segment.p1, segment.p0);
+    const Vec2 a = swap ? segment.p1 : segment.p0;
+    const Vec2 b = swap ? segment.p0 : segment.p1;
+    const double sideA = swap ? side1 : side0;
+    const double sideB = swap ? side0 : side1;
+    return dot(lerp(a, b, sideA / (sideA - sideB)) - origin_.xy(), delta_.xy()) / planLength2_;
+  }
+
+  bool isBeyondEntry(const Segment& segment, double t) const {
+    const double tiny = 1e-9 * std::max(t_, 1e-9);
+    if (t > t_ + tiny) return true;
+    if (t < t_ - tiny) return false;
+    return !entry_ || meetsFirst(origin_.xy(), entry_->p0, entry_->p1, segment.p0, segment.p1);
+  }
+
+  /// The first segment seen from its front beyond where the ray came into the sector.
+  Exit findExit() const {
+    Exit best{nullptr, std::numeric_limits<double>::infinity()};
+    if (planLength2_ == 0) return best;
+    for (const Segment& segment : level_.segmentsOf(level_[sector_])) {
+      const double side0 = sideOf(segment.p0);
+      const double side1 = sideOf(segment.p1);
+      if (side0 >= 0 || side1 < 0) continue;
+      const double t = crossingOf(segment, side0, side1);
+      if (t > best.t + 1e-9 * best.t || !isBeyondEntry(segment, t)) continue;
+      if (t >= best.t - 1e-9 * best.t && best.segment &&
+          !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
+        continue;
+      best = {&segment, t};
+    }
+    return best;
+  }
+
+  double zAt(double t) const { return origin_.z + t * delta_.z; }
+  Vec2 planAt(double t) const { return origin_.xy() + t * delta_.xy(); }
+
+  struct FlatHit {
+    double t;
+    bool isFloor;
+  };
+
+  /// Where, up to tEnd, the ray meets the sector's floor or ceiling (slopes included; skies are
+  /// none to light).
+  std::optional<FlatHit> meetsFlat(double tEnd) const {
+    const Sector& sector = level_[sector_];
+    if (planted(PlantedBug::LightThroughSlopes) && (sector.floorSlope || sector.ceilingSlope))
+      return std::nullopt;
+    if (planted(PlantedBug::LightStoppedBySky) && sector.ceiling.parallax &&
+        zAt(t_) > sector.ceiling.z)
+      return FlatHit{t_, false};
+    if (!sector.floor.parallax && (delta_.z < 0 || sector.floorSlope))
+      if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return sector.airBottom(p); }))
+        return FlatHit{*t, true};
+    if (!sector.ceiling.parallax && (delta_.z > 0 || sector.ceilingSlope))
+      if (const auto t = meetsPlane(tEnd, -1, [&](Vec2 p) { return sector.airTop(p); }))
+        return FlatHit{*t, false};
+    return std::nullopt;
+  }
+
+  template <typename HeightAt>
+  std::optional<double> meetsPlane(double tEnd, double sign, HeightAt&& heightAt) const {
+    const auto clearance = [&](double t) { return sign * (zAt(t) - heightAt(planAt(t))); };
+    const double atEnd = clearance(tEnd);
+    if (atEnd >= 0) return std::nullopt;
+    const double atStart = std::max(0.0, clearance(t_));
+    return t_ + (tEnd - t_) * (atStart / (atStart - atEnd));
+  }
+
+  const std::vector<SectorId>& membersBehind(const Flat& flat, bool isFloor) const {
+    const Interface& interface = level_[*flat.interface];
+    return isFloor ? interface.lower : interface.upper;
+  }
+
+  /// A surface can lie in the very plane of a flat portal: a slope that touches it.
+  bool goalLiesBehindFlatPortal() const {
+    const Sector& sector = level_[sector_];
+    const auto leadsToGoal = [&](const Flat& flat, bool isFloor) {
+      return flat.interface && std::abs(zAt(1) - flat.z) <= kArrival &&
+             std::ranges::find(membersBehind(flat, isFloor), goal_) !=
+                 membersBehind(flat, isFloor).end() &&
+             contains(level_, level_[goal_], planAt(1));
+    };
+    return leadsToGoal(sector.floor, true) || leadsToGoal(sector.ceiling, false);
+  }
+
+  bool crossInterface(FlatHit hit) {
+    const Sector& sector = level_[sector_];
+    const Flat& flat = hit.isFloor ? sector.floor : sector.ceiling;
+    if (!flat.interface) return false;
+    sector_ = memberAt(flat, hit);
+    t_ = hit.t;
+    entry_ = nullptr;
+    return true;
+  }
+
+  /// The sector behind a flat portal that the ray is in. Along a border of two of them it is the
+  /// one whose outline the ray's crossings say, so that it leaves what it was in.
+  SectorId memberAt(const Flat& flat, FlatHit hit) const {
+    for (const SectorId member : membersBehind(flat, hit.isFloor))
+      if (isInside(level_[member], hit.t)) return member;
+    return across(level_, level_[*flat.interface], hit.isFloor ? Side::Lower : Side::Upper,
+                  planAt(hit.t));
+  }
+
+  /// Whether the ray leaves the sector once more often than it comes in, beyond t.
+  bool isInside(const Sector& sector, double t) const {
+    int leaves = 0;
+    for (const Segment& segment : level_.segmentsOf(sector)) {
+      const double side0 = sideOf(segment.p0);
+      const double side1 = sideOf(segment.p1);
+      if ((side0 >= 0) == (side1 >= 0) || crossingOf(segment, side0, side1) <= t) continue;
+      leaves += side0 < 0 ? 1 : -1;
+    }
+    return leaves == 1;
+  }
+
+  /// Goes through the opening of the exit at the ray's height, if there is one.
+  bool pass(const Exit& exit) {
+    const double z = zAt(exit.t);
+    const double slack = exit.t >= 1 - slack_ ? kArrival : 0;
+    for (const LightOpening& opening : exit.segment->lightOpenings) {
+      if (!planted(PlantedBug::LightThroughSteps) &&
+          (z < opening.zBottom - slack || z > opening.zTop + slack))
+        continue;
+      const Segment& twin = level_[opening.twin];
+      if (!clearsSidewalls(opening, twin, exit.t, z, slack)) continue;
+      sector_ = opening.next;
+      t_ = exit.t;
+      entry_ = &twin;
+      return true;
+    }
+    return false;
+  }
+
+  bool clearsSidewalls(const LightOpening& opening, const Segment& twin, double t, double z,
+                       double slack) const {
+    const Sector& next = level_[opening.next];
+    if (!next.floorSlope && !next.ceilingSlope) return true;
+    const double share = length(planAt(t) - twin.p0) / twin.length;
+    const AirColumn air = airAt(twin, std::clamp(share, 0.0, 1.0));
+    return (!next.floorSlope || z >= air.zBottom - slack) &&
+           (!next.ceilingSlope || z <= air.zTop + slack);
+  }
+
+  const Level& level_;
+  Vec3 origin_;
+  Vec3 delta_;
+  double planLength2_;
+  double slack_ = 0;  ///< kArrival as a share of the ray
+  SectorId goal_;
+
+  SectorId sector_;                 ///< where the ray is ...
+  double t_ = 0;                    ///< ... since this share of its way ...
+  const Segment* entry_ = nullptr;  ///< ... through this segment of the sector, if through one
+};
+
+}  // namespace
+
+Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& light) {
+  const Sector& sector = level[light.sector];
+  const Vec3 inside = nudgedInside(level, sector, light.position);
+  const bool aboveSky = sector.ceiling.parallax && light.position.z > sector.ceiling.z;
+  const bool belowSky = sector.floor.parallax && light.position.z < sector.floor.z;
+  return {{inside.x, inside.y, aboveSky || belowSky ? light.position.z : inside.z}, light.sector};
+}
+
+bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector) const {
+  return Walk(level_, source, target, sector).arrives();
+}
+
+}  // namespace hearth

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// Answers whether a light sees a point: follows the straight line from the light through the
+/// openings of the sectors. It only ever enters a sector through a link, so that no light can leak
+/// through a joint of walls, and what merely overlaps in space is never met.
+class Raytracer {
+ public:
+  explicit Raytracer(const Level& level) : level_(level) {}
+
+  /// Where the line from a light to a point starts.
+  struct Source {
+    Vec3 position;  ///< inside `sector` (above or below it where that is sky), off its walls
+    SectorId sector;
+  };
+  static Source sourceOf(const Level& level, const LightSource& light);
+
+  /// True when the line from the source first meets a surface at `target`, a point on the border of
+  /// the air of `sector`. The caller has made sure that the surface there faces the source.
+  bool sees(const Source& source, Vec3 target, SectorId sector) const;
+
+ private:
+  const Level& level_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "level/level.h"
+#include "light/lit_surface.h"
+
+namespace hearth {
+
+struct SamplePoint {
+  Vec3 point;
+  SurfaceId surface;  ///< on which it lies: the one asked for, or one that continues it
+};
+
+/// Where a sample of a surface's lightmap takes its light: where it lies, when that is on the
+/// surface or on what continues it; else at the nearest point of them. So nothing dark or bright
+/// bleeds in from where no surface is, and no seam shows where a surface is merely cut.
+///
+/// A continuation counts when it is reached over common edges that are no farther from the sample
+/// than the surface itself: a floor that goes on round the end of a thin wall does not count on the
+/// other side of that wall.
+class SamplePlacement {
+ public:
+  SamplePlacement(const LitSurfaces& surfaces, SurfaceId id);
+
+  SamplePoint place(Vec2 texelPoint) const;
+
+ private:
+  /// Surfaces of one plane that are joined near a sample; the surface itself first.
+  using Patch = std::vector<SurfaceId>;
+
+  Patch patchWithin(double reach, Vec2 texelPoint) const;
+  std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
+  Vec2 nearestOf(const Patch& patch, Vec2 texelPoint) const;
+  bool isOffEdges(const Patch& patch, Vec2 texelPoint) const;
+  Vec2 movedOffEdges(const Patch& patch, Vec2 texelPoint, Vec2 from) const;
+  SamplePoint at(SurfaceId surface, Vec2 texelPoint) const;
+
+  const LitSurfaces& surfaces_;
+  SurfaceId id_;
+  double hair_;  ///< kHair in texels
+};
+
+}  // namespace hearth

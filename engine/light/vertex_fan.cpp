@@ -1,0 +1,46 @@
+#include "light/vertex_fan.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace hearth {
+
+VertexFan::VertexFan(const Level& level) : level_(level) {
+  spokes_.reserve(2 * level.segments.size());
+  for (std::size_t i = 0; i < level.segments.size(); ++i) {
+    spokes_.push_back({level.segments[i].p0, SegmentId(i), true});
+    spokes_.push_back({level.segments[i].p1, SegmentId(i), false});
+  }
+  std::stable_sort(spokes_.begin(), spokes_.end(),
+                   [](const Spoke& a, const Spoke& b) { return lessXY(a.vertex, b.vertex); });
+}
+
+std::span<const VertexFan::Spoke> VertexFan::at(Vec2 vertex) const {
+  const auto first =
+      std::lower_bound(spokes_.begin(), spokes_.end(), vertex,
+                       [](const Spoke& spoke, Vec2 v) { return lessXY(spoke.vertex, v); });
+  auto last = first;
+  while (last != spokes_.end() && last->vertex == vertex) ++last;
+  return {first, last};
+}
+
+bool VertexFan::joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const {
+  std::vector<SectorId> reached = {a};
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (reached[i] == b) return true;
+    for (const Spoke& spoke : at(vertex)) {
+      const Segment& segment = level_[spoke.segment];
+      if (segment.sector != reached[i]) continue;
+      for (const WallPiece& piece : segment.pieces) {
+        const Opening* opening = std::get_if<Opening>(&piece.content);
+        const bool meets = std::max(piece.zBottom, zBottom) < std::min(piece.zTop, zTop);
+        if (opening && meets &&
+            std::find(reached.begin(), reached.end(), opening->next) == reached.end())
+          reached.push_back(opening->next);
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace hearth

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// Which segments begin or end at a vertex: neighbours across walls and sectors.
+class VertexFan {
+ public:
+  explicit VertexFan(const Level& level);
+
+  struct Spoke {
+    Vec2 vertex;
+    SegmentId segment;
+    bool startsHere;  ///< else it ends here
+  };
+
+  std::span<const Spoke> at(Vec2 vertex) const;
+
+  /// True when one can go round `vertex` from sector `a` to sector `b` through openings that share
+  /// some height with (zBottom, zTop); a sector is always joined to itself.
+  bool joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const;
+
+ private:
+  const Level& level_;
+  std::vector<Spoke> spokes_;  ///< sorted by vertex
+};
+
+}  // namespace hearth
