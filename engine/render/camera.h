@@ -1,0 +1,74 @@
+#pragma once
+
+#include "level/level.h"
+#include "math/planted_bug.h"
+#include "math/trig.h"
+#include "math/vec.h"
+
+namespace hearth {
+
+struct Camera {
+  SectorId sector;   ///< that contains `eye`
+  Vec3 eye;          ///< metres, absolute
+  double angle = 0;  ///< degrees, 0 along +x, 90 along +y
+  double pitch = 0;  ///< degrees upwards, -60..60
+  double fov = 90;   ///< degrees, horizontal, 1..179
+  int width = 320;
+  int height = 200;
+};
+
+/// A point of the map as the camera sees it, in metres.
+struct CameraPoint {
+  double depth;    ///< along the view direction
+  double lateral;  ///< to the right
+};
+
+/// World space -> camera space -> depth space (column, 1/depth) -> screen space. Columns and rows
+/// are real numbers here; pixel (i, j) is sampled at its centre (i + 1/2, j + 1/2). Looking up and
+/// down shears: it only moves the row of the horizon.
+class Projection {
+ public:
+  /// `eye` is the camera's eye, moved off the walls it may touch.
+  Projection(const Camera& camera, Vec3 eye)
+      : eye_(eye),
+        direction_{sinCosDegrees(camera.angle).cos, sinCosDegrees(camera.angle).sin},
+        right_(turned90(direction_)),
+        centerColumn_(camera.width / 2.0),
+        distancePx_(camera.width / 2.0 / tanDegrees(camera.fov / 2)),
+        horizonRow_(camera.height / 2.0 + (planted(PlantedBug::PitchIgnored)
+                                               ? 0
+                                               : distancePx_ * tanDegrees(camera.pitch))) {}
+
+  Vec3 eye() const { return eye_; }
+  Vec2 direction() const { return direction_; }
+  double distancePx() const { return distancePx_; }
+  double horizonRow() const { return horizonRow_; }
+
+  CameraPoint toCamera(Vec2 world) const {
+    const Vec2 fromEye = world - eye_.xy();
+    return {dot(fromEye, direction_), dot(fromEye, right_)};
+  }
+  /// Of a point in front of the eye (depth > 0).
+  double columnOf(CameraPoint p) const {
+    return centerColumn_ + distancePx_ * (p.lateral / p.depth);
+  }
+  double rowOf(double z, double depth) const {
+    return horizonRow_ - (z - eye_.z) * distancePx_ / depth;
+  }
+  /// How far the ray through a column goes to the right per metre of depth.
+  double slantOf(double column) const { return (column - centerColumn_) / distancePx_; }
+  /// The ray through a column on the map, of depth 1.
+  Vec2 rayOf(double column) const { return direction_ + slantOf(column) * right_; }
+  /// How far the ray through a row goes up per metre of depth.
+  double climbOf(double row) const { return (horizonRow_ - row) / distancePx_; }
+
+ private:
+  Vec3 eye_;
+  Vec2 direction_;
+  Vec2 right_;
+  double centerColumn_;
+  double distancePx_;  ///< of the picture plane, in pixels
+  double horizonRow_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,176 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "level/locate.h"
+#include "math/planted_bug.h"
+#include "render/frame.h"
+#include "render/shading.h"
+#include "render/visibility.h"
+
+namespace hearth {
+
+namespace {
+
+/// The second phase of a frame: draws the spans with the pixels that a shader makes.
+class SpanPainter {
+ public:
+  SpanPainter(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
+              const Projection& projection, Frame& frame)
+      : level_(level), textures_(textures), light_(light), projection_(projection), frame_(frame) {}
+
+  /// What the pixels of one span are made from.
+  struct Material {
+    const Surface& surface;
+    const Image& image;
+    const Lightmap* lightmap;  ///< null where no light reaches the surface
+    const LitSurface* lit;     ///< null for sky
+    double sectorLight;
+  };
+
+  /// `pixel(material, span, fragment)` gives a pixel's colour.
+  template <typename Pixel>
+  void paint(const std::vector<Span>& spans, Pixel&& pixel) {
+    for (const Span& span : spans) {
+      const Material material = materialOf(span.surface);
+      const SurfaceShading shading(level_, material.image, material.lit, span.surface);
+      Rgb* column = frame_.column(span.column);
+      shading.forEachFragment(projection_, span, [&](const Fragment& f) {
+        column[f.row] = pixel(material, span, f, column[f.row]);
+      });
+    }
+  }
+
+ private:
+  double sectorLightOn(const Surface& surface) const {
+    const bool step =
+        surface.kind == SurfaceKind::LowerStep || surface.kind == SurfaceKind::UpperStep;
+    return planted(PlantedBug::SectorLightForgottenOnSteps) && step ? 0
+                                                                    : level_[surface.sector].light;
+  }
+
+  Material materialOf(SurfaceId id) const {
+    const Surface& surface = level_[id];
+    const auto& lit = light_.surfaces[id.index()];
+    const auto& lightmap = light_.lightmaps[id.index()];
+    return {surface, textures_[surface.mapping.texture.index()], lightmap ? &*lightmap : nullptr,
+            lit ? &*lit : nullptr, sectorLightOn(surface)};
+  }
+
+  const Level& level_;
+  const std::vector<Image>& textures_;
+  const BakedLight& light_;
+  const Projection& projection_;
+  Frame& frame_;
+};
+
+using Material = SpanPainter::Material;
+
+Rgb texel(const Image& image, const Fragment& f) {
+  return image.at(repeated(f.u, image.width()), repeated(f.v, image.height()));
+}
+
+Rgb texturedPixel(const Material& material, const Span&, const Fragment& f, Rgb) {
+  return texel(material.image, f);
+}
+
+Rgb litPixel(const Material& material, const Span&, const Fragment& f, Rgb) {
+  const Rgb color = texel(material.image, f);
+  if (isSky(material.surface.kind)) return color;
+  const double share = lightShare(material.lightmap, material.sectorLight, f);
+  return {rounded(color.r * share), rounded(color.g * share), rounded(color.b * share)};
+}
+
+Rgb lightPixel(const Material& material, const Span&, const Fragment& f, Rgb) {
+  if (isSky(material.surface.kind)) return {255, 255, 255};
+  const std::uint8_t level = rounded(255 * lightShare(material.lightmap, material.sectorLight, f));
+  return {level, level, level};
+}
+
+/// A colour that differs clearly between neighbouring indices.
+Rgb indexColor(std::size_t index) {
+  const std::uint32_t mixed = (static_cast<std::uint32_t>(index) + 1) * 2654435761U;
+  return {static_cast<std::uint8_t>(64 + (mixed >> 8) % 192),
+          static_cast<std::uint8_t>(64 + (mixed >> 16) % 192),
+          static_cast<std::uint8_t>(64 + (mixed >> 24) % 192)};
+}
+
+Rgb gray(double level) {
+  const std::uint8_t value = rounded(std::clamp(level, 0.0, 255.0));
+  return {value, value, value};
+}
+
+Rgb normalColor(const LitSurface* lit) {
+  const Vec3 n = lit ? lit->normal : Vec3{};
+  return {rounded(127.5 * (n.x + 1)), rounded(127.5 * (n.y + 1)), rounded(127.5 * (n.z + 1))};
+}
+
+Rgb uvColor(const Material& material, const Fragment& f) {
+  const auto share = [](double x, int size) {
+    return static_cast<std::uint8_t>(255 * (x / size - std::floor(x / size)));
+  };
+  return {share(f.u, material.image.width()), share(f.v, material.image.height()), 0};
+}
+
+Rgb channelPixel(Channel channel, const Material& material, const Span& span, const Fragment& f,
+                 Rgb before) {
+  switch (channel) {
+    case Channel::Sector:
+      return indexColor(material.surface.sector.index());
+    case Channel::Surface:
+      return indexColor(span.surface.index());
+    case Channel::Depth:
+      return gray(255 / (1 + f.depth));
+    case Channel::Uv:
+      return uvColor(material, f);
+    case Channel::Normal:
+      return normalColor(material.lit);
+    case Channel::Light:
+      return material.lightmap ? gray(material.lightmap->sample(f.s, f.t)) : Rgb{};
+    case Channel::Overdraw:
+      return before == kHole ? Rgb{0, 160, 0} : Rgb{255, 0, 0};
+  }
+  return kHole;
+}
+
+}  // namespace
+
+Projection projectionFor(const Level& level, const Camera& camera) {
+  return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye));
+}
+
+Image Renderer::draw(const Camera& camera, LightMode mode, FrameStats* stats) const {
+  const Projection projection = projectionFor(level_, camera);
+  const VisibleSpans visible = findVisibleSpans(level_, camera, projection);
+  if (stats) *stats = visible.stats;
+  Frame frame(camera.width, camera.height, kHole);
+  SpanPainter painter(level_, textures_, light_, projection, frame);
+  switch (mode) {
+    case LightMode::Both:
+      painter.paint(visible.spans, litPixel);
+      break;
+    case LightMode::None:
+      painter.paint(visible.spans, texturedPixel);
+      break;
+    case LightMode::Only:
+      painter.paint(visible.spans, lightPixel);
+      break;
+  }
+  return frame.toImage();
+}
+
+Image Renderer::draw(const Camera& camera, Channel channel) const {
+  const Projection projection = projectionFor(level_, camera);
+  const VisibleSpans visible = findVisibleSpans(level_, camera, projection);
+  Frame frame(camera.width, camera.height, kHole);
+  SpanPainter(level_, textures_, light_, projection, frame)
+      .paint(visible.spans,
+             [channel](const Material& material, const Span& span, const Fragment& f, Rgb before) {
+               return channelPixel(channel, material, span, f, before);
+             });
+  return frame.toImage();
+}
+
+}  // namespace hearth

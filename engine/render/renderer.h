@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "image/image.h"
+#include "level/level.h"
+#include "light/bakery.h"
+#include "render/camera.h"
+#include "render/span.h"
+
+namespace hearth {
+
+/// What of texture and light a picture shows.
+enum class LightMode {
+  Both,
+  None,  ///< the texture's colour alone
+  Only,  ///< the light in place of the texture; sky is white
+};
+
+/// Views of the renderer's own numbers, for tests and for eyes.
+enum class Channel {
+  Sector,    ///< a colour per sector
+  Surface,   ///< a colour per surface
+  Depth,     ///< 255 at the eye, 128 at 1 m depth, falling as 1 / (1 + depth)
+  Uv,        ///< red and green: u and v within the repeat
+  Normal,    ///< (normal + 1) / 2 as x, y, z
+  Light,     ///< the lightmap alone, without sector light
+  Overdraw,  ///< green where a pixel is drawn once, red where more often
+};
+
+/// The colour of a pixel that nothing covers. No enclosed level shows it.
+inline constexpr Rgb kHole = {255, 0, 255};
+
+/// Draws a level. Holds no state between frames: many cameras can share one renderer.
+class Renderer {
+ public:
+  /// All three must outlive the renderer. `textures` are by TextureId.
+  Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light)
+      : level_(level), textures_(textures), light_(light) {}
+
+  /// The camera's eye is in its sector, within kPositionSlack.
+  Image draw(const Camera& camera, LightMode mode, FrameStats* stats = nullptr) const;
+  Image draw(const Camera& camera, Channel channel) const;
+
+ private:
+  const Level& level_;
+  const std::vector<Image>& textures_;
+  const BakedLight& light_;
+};
+
+/// The projection of a camera whose eye is moved off the walls that it may touch.
+Projection projectionFor(const Level& level, const Camera& camera);
+
+}  // namespace hearth

@@ -1,0 +1,333 @@
+#include "render/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "level/openings.h"
+#include "math/check.h"
+#include "math/planted_bug.h"
+#include "math/predicates.h"
+#include "render/column_hits.h"
+
+namespace hearth {
+
+namespace {
+
+/// Rows [top, bottom) of one column through which something is still to be seen.
+struct Window {
+  int column;
+  int top;
+  int bottom;
+  double depth;  ///< metres at which the column enters the sector
+};
+
+/// A sector seen through the windows that a portal leaves open: at most one per column.
+struct Viewport {
+  SectorId sector;
+  std::optional<SegmentId> entry;  ///< the sector's own side of that portal
+  std::vector<Window> windows;     ///< by rising column
+};
+
+/// The sectors of one side of an interface, seen through the windows that a flat portal leaves.
+struct FlatPortalView {
+  InterfaceId interface;
+  bool down;
+  std::vector<Window> windows;
+};
+
+/// Depths that differ by less than this share are put in order exactly.
+constexpr double kNearTie = 1e-9;
+
+class Visibility {
+ public:
+  Visibility(const Level& level, const Camera& camera, const Projection& projection)
+      : level_(level), camera_(camera), projection_(projection) {}
+
+  VisibleSpans find() {
+    start();
+    while (!viewports_.empty() || !flatPortals_.empty()) {
+      if (!viewports_.empty()) {
+        const Viewport viewport = std::move(viewports_.back());
+        viewports_.pop_back();
+        look(viewport);
+      } else {
+        const FlatPortalView view = std::move(flatPortals_.back());
+        flatPortals_.pop_back();
+        look(view);
+      }
+    }
+    found_.stats.spans = found_.spans.size();
+    return std::move(found_);
+  }
+
+ private:
+  void start() {
+    Viewport first{camera_.sector, std::nullopt, {}};
+    for (int column = 0; column < camera_.width; ++column)
+      first.windows.push_back({column, 0, camera_.height, 0});
+    viewports_.push_back(std::move(first));
+  }
+
+  // --- sectors seen from the side ---------------------------------------------------------------
+
+  void look(const Viewport& viewport) {
+    ++found_.stats.viewports;
+    const std::size_t firstNew = viewports_.size();
+    const std::size_t firstNewFlat = flatPortals_.size();
+    const std::vector<std::optional<ColumnHit>> hits = closestHits(viewport);
+    for (std::size_t i = 0; i < viewport.windows.size(); ++i)
+      if (hits[i])
+        showColumn(viewport.sector, viewport.windows[i], *hits[i], firstNew, firstNewFlat);
+  }
+
+  /// For every window the nearest segment, seen from its front, beyond the viewport's entry.
+  std::vector<std::optional<ColumnHit>> closestHits(const Viewport& viewport) {
+    std::vector<std::optional<ColumnHit>> closest(viewport.windows.size());
+    const Sector& sector = level_[viewport.sector];
+    for (std::size_t i = 0; i < sector.segmentCount; ++i) {
+      const SegmentId id(sector.firstSegment.index() + i);
+      if (id == viewport.entry) continue;
+      ++found_.stats.segments;
+      const ProjectedSegment projected(projection_, level_[id], camera_.width);
+      if (projected.facing() == ProjectedSegment::Facing::Back) continue;
+      const auto [begin, end] = windowsIn(viewport.windows, projected.columns());
+      for (std::size_t k = begin; k < end; ++k) {
+        const Window& window = viewport.windows[k];
+        const auto [depth, share] = projected.meet(projection_.slantOf(window.column + 0.5));
+        const ColumnHit hit{id, depth, share};
+        if (isBeyond(viewport.entry, window.depth, hit) &&
+            (!closest[k] || isNearer(hit, *closest[k])))
+          closest[k] = hit;
+      }
+    }
+    return closest;
+  }
+
+  /// Indices [begin, end) of the windows whose column lies in the range.
+  static std::pair<std::size_t, std::size_t> windowsIn(const std::vector<Window>& windows,
+                                                       ColumnRange columns) {
+    const auto isLeftOf = [](const Window& window, int column) { return window.column < column; };
+    const auto begin = std::lower_bound(windows.begin(), windows.end(), columns.begin, isLeftOf);
+    const auto end = std::lower_bound(begin, windows.end(), columns.end, isLeftOf);
+    return {static_cast<std::size_t>(begin - windows.begin()),
+            static_cast<std::size_t>(end - windows.begin())};
+  }
+
+  bool isBeyond(std::optional<SegmentId> entry, double entryDepth, const ColumnHit& hit) const {
+    if (hit.depth > entryDepth * (1 + kNearTie)) return true;
+    if (!entry || hit.depth < entryDepth * (1 - kNearTie)) return false;
+    return inOrder(*entry, hit.segment);
+  }
+
+  bool isNearer(const ColumnHit& a, const ColumnHit& b) const {
+    if (planted(PlantedBug::NonConvexByFirstWall)) return false;
+    if (a.depth < b.depth * (1 - kNearTie)) return true;
+    if (a.depth > b.depth * (1 + kNearTie)) return false;
+    return inOrder(a.segment, b.segment);
+  }
+
+  bool inOrder(SegmentId a, SegmentId b) const {
+    return meetsFirst(projection_.eye().xy(), level_[a].p0, level_[a].p1, level_[b].p0,
+                      level_[b].p1);
+  }
+
+  // --- one column of one sector -----------------------------------------------------------------
+
+  /// Ceiling, wall and floor of a sector in a window, from the height at which the column leaves
+  /// it.
+  void showColumn(SectorId id, const Window& window, const ColumnHit& hit, std::size_t firstNew,
+                  std::size_t firstNewFlat) {
+    const Sector& sector = level_[id];
+    const Segment& segment = level_[hit.segment];
+    const AirColumn air = airAt(segment, hit.share);
+    const int wallTop = rowIn(window, air.zTop, hit.depth);
+    const int wallBottom = std::max(wallTop, rowIn(window, air.zBottom, hit.depth));
+    const Window above{window.column, window.top, wallTop, hit.depth};
+    const Window below{window.column, wallBottom, window.bottom, hit.depth};
+    showFlat(sector.ceiling, sector.ceilingSurface, above, false, firstNewFlat);
+    showFlat(sector.floor, sector.floorSurface, below, true, firstNewFlat);
+    if (wallTop < wallBottom)
+      showWall(segment, {window.column, wallTop, wallBottom, hit.depth}, hit, firstNew);
+  }
+
+  /// The first row of the window whose centre is not above height z.
+  int rowIn(const Window& window, double z, double depth) const {
+    const double row =
+        projection_.rowOf(z, depth) - (planted(PlantedBug::RowsRoundedDown) ? 1 : 0.5);
+    return static_cast<int>(std::ceil(
+        std::clamp(row, static_cast<double>(window.top), static_cast<double>(window.bottom))));
+  }
+
+  void showFlat(const Flat& flat, std::optional<SurfaceId> surface, const Window& window,
+                bool isFloor, std::size_t firstNewFlat) {
+    if (window.top >= window.bottom) return;
+    if (surface) {
+      found_.spans.push_back({window.column, window.top, window.bottom, *surface, window.depth});
+      return;
+    }
+    flatPortalView(*flat.interface, isFloor, firstNewFlat).windows.push_back(window);
+  }
+
+  void showWall(const Segment& segment, const Window& window, const ColumnHit& hit,
+                std::size_t firstNew) {
+    visitWallColumn(
+        level_, segment, hit.share,
+        [&](SurfaceId surface, double zBottom, double zTop) {
+          const int top = rowIn(window, zTop, hit.depth);
+          const int bottom = rowIn(window, zBottom, hit.depth);
+          if (top < bottom) addUpright(surface, {window.column, top, bottom, hit.depth}, hit);
+        },
+        [&](const Opening& opening, double zBottom, double zTop) {
+          const int top = rowIn(window, zTop, hit.depth);
+          const int bottom = rowIn(window, zBottom, hit.depth);
+          if (top < bottom)
+            viewportBehind(opening, firstNew)
+                .windows.push_back({window.column, top, bottom, hit.depth});
+        });
+  }
+
+  void addUpright(SurfaceId id, const Window& window, const ColumnHit& hit) {
+    const Surface& surface = level_[id];
+    const Segment& segment = level_[hit.segment];
+    Span span{window.column, window.top, window.bottom, id, hit.depth};
+    span.share = hit.share;
+    span.s = segment.sBefore + hit.share * segment.length;
+    if (isSidewall(surface.kind)) {
+      // A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
+      const Segment& far = level_[twinOf(segment, id)];
+      const double fromRight = planted(PlantedBug::SidewallMirrored) ? 1 - hit.share : hit.share;
+      span.s = far.sAfter + fromRight * far.length;
+      const AirColumn edge = airAt(far, 1 - hit.share);
+      span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
+    }
+    if (surface.mapping.zRef) span.zRef = *surface.mapping.zRef;
+    found_.spans.push_back(span);
+  }
+
+  static SegmentId twinOf(const Segment& segment, SurfaceId sidewall) {
+    for (const WallPiece& piece : segment.pieces) {
+      const Opening* opening = std::get_if<Opening>(&piece.content);
+      if (opening && (opening->floorSidewall == sidewall || opening->ceilingSidewall == sidewall))
+        return opening->twin;
+    }
+    CHECK(false, sidewall);
+  }
+
+  /// The viewport behind an opening, among those begun by the present look.
+  Viewport& viewportBehind(const Opening& opening, std::size_t firstNew) {
+    for (std::size_t i = viewports_.size(); i-- > firstNew;)
+      if (viewports_[i].entry == opening.twin && viewports_[i].sector == opening.next)
+        return viewports_[i];
+    viewports_.push_back({opening.next, opening.twin, {}});
+    return viewports_.back();
+  }
+
+  // --- sectors seen through flat portals --------------------------------------------------------
+
+  FlatPortalView& flatPortalView(InterfaceId id, bool down, std::size_t firstNew) {
+    for (std::size_t i = flatPortals_.size(); i-- > firstNew;)
+      if (flatPortals_[i].interface == id && flatPortals_[i].down == down) return flatPortals_[i];
+    flatPortals_.push_back({id, down, {}});
+    return flatPortals_.back();
+  }
+
+  /// Where a column's ray crosses the outline of a sector on the far side of an interface.
+  struct Crossing {
+    ColumnHit hit;
+    std::size_t member;
+    bool leaves;
+  };
+
+  /// A stretch of a column's ray inside one sector, up to `exit`.
+  struct Stretch {
+    SectorId sector;
+    ColumnHit exit;
+  };
+
+  void look(const FlatPortalView& view) {
+    ++found_.stats.flatPortals;
+    const std::size_t firstNew = viewports_.size();
+    const std::size_t firstNewFlat = flatPortals_.size();
+    const Interface& interface = level_[view.interface];
+    const std::vector<std::vector<Stretch>> stretches =
+        findStretches(view.down ? interface.lower : interface.upper, view.windows);
+    for (std::size_t i = 0; i < view.windows.size(); ++i)
+      lookThroughPlane(interface.z, view.down, view.windows[i], stretches[i], firstNew,
+                       firstNewFlat);
+  }
+
+  /// Divides a window on the plane among the stretches behind it, near to far, without gap.
+  void lookThroughPlane(double z, bool down, Window window, const std::vector<Stretch>& stretches,
+                        std::size_t firstNew, std::size_t firstNewFlat) {
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const bool last = i + 1 == stretches.size();
+      const ColumnHit& exit = stretches[i].exit;
+      const int farRow = last ? (down ? window.top : window.bottom) : rowIn(window, z, exit.depth);
+      Window part = window;
+      (down ? part.top : part.bottom) = farRow;
+      (down ? window.bottom : window.top) = farRow;
+      if (part.top < part.bottom)
+        showColumn(stretches[i].sector, part, exit, firstNew, firstNewFlat);
+    }
+  }
+
+  /// For every window the stretches of its column inside the members, by rising depth.
+  std::vector<std::vector<Stretch>> findStretches(const std::vector<SectorId>& members,
+                                                  const std::vector<Window>& windows) {
+    std::vector<std::vector<Crossing>> crossings(windows.size());
+    const std::size_t count = planted(PlantedBug::FlatPortalByName) ? 1 : members.size();
+    for (std::size_t member = 0; member < count; ++member)
+      addCrossings(members[member], member, windows, crossings);
+    std::vector<std::vector<Stretch>> stretches(windows.size());
+    for (std::size_t i = 0; i < windows.size(); ++i)
+      stretches[i] = pairUp(members, std::move(crossings[i]));
+    return stretches;
+  }
+
+  void addCrossings(SectorId id, std::size_t member, const std::vector<Window>& windows,
+                    std::vector<std::vector<Crossing>>& crossings) {
+    const Sector& sector = level_[id];
+    for (std::size_t i = 0; i < sector.segmentCount; ++i) {
+      const SegmentId segment(sector.firstSegment.index() + i);
+      ++found_.stats.segments;
+      const ProjectedSegment projected(projection_, level_[segment], camera_.width);
+      const bool leaves = projected.facing() == ProjectedSegment::Facing::Front;
+      const auto [begin, end] = windowsIn(windows, projected.columns());
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto [depth, share] = projected.meet(projection_.slantOf(windows[k].column + 0.5));
+        crossings[k].push_back({{segment, depth, share}, member, leaves});
+      }
+    }
+  }
+
+  std::vector<Stretch> pairUp(const std::vector<SectorId>& members,
+                              std::vector<Crossing> crossings) const {
+    // Only where a ray leaves a member matters: where it came in, another stretch has ended.
+    std::erase_if(crossings, [](const Crossing& crossing) { return !crossing.leaves; });
+    std::stable_sort(crossings.begin(), crossings.end(),
+                     [&](const Crossing& a, const Crossing& b) { return isNearer(a.hit, b.hit); });
+    std::vector<Stretch> stretches;
+    for (const Crossing& crossing : crossings)
+      stretches.push_back({members[crossing.member], crossing.hit});
+    return stretches;
+  }
+
+  const Level& level_;
+  const Camera& camera_;
+  const Projection& projection_;
+  VisibleSpans found_;
+  std::vector<Viewport> viewports_;
+  std::vector<FlatPortalView> flatPortals_;
+};
+
+}  // namespace
+
+VisibleSpans findVisibleSpans(const Level& level, const Camera& camera,
+                              const Projection& projection) {
+  return Visibility(level, camera, projection).find();
+}
+
+}  // namespace hearth

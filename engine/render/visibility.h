@@ -1,0 +1,14 @@
+#pragma once
+
+#include "level/level.h"
+#include "render/camera.h"
+#include "render/span.h"
+
+namespace hearth {
+
+/// The first phase of a frame: which surface shows in which rows of which column. The camera's
+/// sector must contain its eye, which `projection` has off the walls.
+VisibleSpans findVisibleSpans(const Level& level, const Camera& camera,
+                              const Projection& projection);
+
+}  // namespace hearth
