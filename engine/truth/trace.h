@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// A point of a surface, as light needs it: which surface, where, facing which way.
+struct SurfacePoint {
+  SurfaceKind kind;
+  SectorId sector;                   ///< whose air the surface bounds: the viewer's side
+  std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
+  Vec3 point;                        ///< metres
+  Vec3 normal;                       ///< unit, into the air
+};
+
+/// Where a ray ends.
+struct TruthHit : SurfacePoint {
+  double t = 0;               ///< ray parameter: point = origin + t * direction
+  std::uint32_t subWall = 0;  ///< of a stack, bottom to top
+  /// None only for light that ends beyond a sky, on the endless side of a portal.
+  std::optional<TextureMapping> texture;
+  /// Image coordinates before repeat and offset: metres to the right and down of the image's
+  /// corner (sky: turns, and tangents below the image's top edge).
+  Vec2 imageMetres;
+};
+
+enum class RayKind {
+  Look,   ///< ends at skies
+  Light,  ///< passes skies, beyond which the sides of sky sectors go on without end
+};
+
+/// Follows the ray from `origin` through portals, stacks and flat portals to the first surface that
+/// it meets from its front. `origin` lies strictly inside the air of `sector` (see nudgedInside),
+/// or for light also above its sky ceiling or below its sky floor; `direction` is not null and of
+/// any length. None only for light that leaves the level through a sky.
+///
+/// Works from what authors write (segments, flats, slopes, interfaces) and from nothing that is
+/// derived from it, so that it can be held against what is.
+std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
+                              RayKind kind);
+
+/// Whether two points are on one surface.
+bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b);
+
+}  // namespace hearth

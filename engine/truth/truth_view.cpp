@@ -1,0 +1,95 @@
+#include "truth/truth_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "level/locate.h"
+#include "math/check.h"
+#include "math/trig.h"
+
+namespace hearth {
+
+namespace {
+
+/// floor(x) mod size, in 0 .. size - 1.
+int wrapped(double x, int size) {
+  const double rest = std::fmod(std::floor(x), size);  // exact, and of the sign of x
+  return static_cast<int>(rest < 0 ? rest + size : rest);
+}
+
+std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::floor(value + 0.5)); }
+
+}  // namespace
+
+TruthView::TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera)
+    : level_(level), textures_(textures), camera_(camera), light_(level) {
+  camera_.eye = nudgedInside(level, level[camera.sector], camera.eye);
+}
+
+/// The direction of the pixel, 1 m deep along the camera's.
+Vec3 TruthView::directionTo(double i, double j) const {
+  const double pixelsPerTangent = camera_.width / 2.0 / tanDegrees(camera_.fov / 2);
+  const double centerRow = camera_.height / 2.0 + pixelsPerTangent * tanDegrees(camera_.pitch);
+  const SinCos angle = sinCosDegrees(camera_.angle);
+  const Vec2 forward{angle.cos, angle.sin};
+  const Vec2 side = (i - camera_.width / 2.0) / pixelsPerTangent * turned90(forward);
+  return {forward.x + side.x, forward.y + side.y, (centerRow - j) / pixelsPerTangent};
+}
+
+TruthHit TruthView::hit(double i, double j) const {
+  const std::optional<TruthHit> found =
+      trace(level_, camera_.sector, camera_.eye, directionTo(i, j), RayKind::Look);
+  CHECK(found && found->texture, i, j);
+  return *found;
+}
+
+Vec2 TruthView::texelAt(const TruthHit& hit) const {
+  const TextureMapping& mapping = *hit.texture;
+  const Image& image = textures_[mapping.texture.index()];
+  return Vec2{image.width() * hit.imageMetres.x / mapping.repeat.x,
+              image.height() * hit.imageMetres.y / mapping.repeat.y} -
+         mapping.offsetTexels;
+}
+
+Vec3 TruthView::textureColor(const TruthHit& hit) const {
+  const Image& image = textures_[hit.texture->texture.index()];
+  const Vec2 texel = texelAt(hit);
+  const int row = isSky(hit.kind)
+                      ? static_cast<int>(std::clamp(std::floor(texel.y), 0.0, image.height() - 1.0))
+                      : wrapped(texel.y, image.height());
+  const Rgb color = image.at(wrapped(texel.x, image.width()), row);
+  return {static_cast<double>(color.r), static_cast<double>(color.g), static_cast<double>(color.b)};
+}
+
+TruthPixel TruthView::pixel(double i, double j, TruthLightMode mode) const {
+  const TruthHit found = hit(i, j);
+  Vec3 exact = mode == TruthLightMode::Only ? Vec3{255, 255, 255} : textureColor(found);
+  if (mode != TruthLightMode::None && !isSky(found.kind)) {
+    const double baked = std::clamp(light_.at(found), 0.0, 255.0);
+    exact = std::min(1.0, baked / 255 + level_[found.sector].light) * exact;
+  }
+  return {{rounded(exact.x), rounded(exact.y), rounded(exact.z)}, exact, found};
+}
+
+bool TruthView::isClear(double i, double j, double radius) const {
+  const TruthHit center = hit(i, j);
+  const Vec2 texel = texelAt(center);
+  const Vec2 circle[] = {{1, 0},   {-1, 0},   {0, 1},    {0, -1},
+                         {.7, .7}, {-.7, .7}, {.7, -.7}, {-.7, -.7}};
+  return std::ranges::all_of(circle, [&](Vec2 to) {
+    const TruthHit there = hit(i + radius * to.x, j + radius * to.y);
+    if (!isSameSurface(there, center) || there.subWall != center.subWall) return false;
+    const Vec2 itsTexel = texelAt(there);
+    return std::floor(itsTexel.x) == std::floor(texel.x) &&
+           std::floor(itsTexel.y) == std::floor(texel.y);
+  });
+}
+
+Image TruthView::picture(TruthLightMode mode) const {
+  Image picture(camera_.width, camera_.height);
+  for (int j = 0; j < camera_.height; ++j)
+    for (int i = 0; i < camera_.width; ++i) picture.at(i, j) = pixel(i + 0.5, j + 0.5, mode).color;
+  return picture;
+}
+
+}  // namespace hearth

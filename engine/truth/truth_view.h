@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "image/image.h"
+#include "truth/trace.h"
+#include "truth/truth_light.h"
+
+namespace hearth {
+
+enum class TruthLightMode {
+  Both,
+  None,  ///< the texture's colour alone
+  Only,  ///< the light in place of the texture; skies white
+};
+
+struct TruthPixel {
+  Rgb color;   ///< rounded half up
+  Vec3 exact;  ///< red, green, blue before rounding, 0..255
+  TruthHit hit;
+};
+
+/// A level seen by one camera, pixel by pixel, with exact light: the reference for pictures.
+///
+/// Pixel positions (i, j) are real numbers, in pixels from the picture's upper left corner: the
+/// centre of the first pixel is (0.5, 0.5).
+class TruthView {
+ public:
+  /// Keeps references to level and textures (by TextureId), not to the camera, whose eye must be
+  /// in its sector.
+  TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera);
+
+  TruthHit hit(double i, double j) const;
+
+  /// Texel coordinates of a hit, not wrapped: the texel is (floor x, floor y).
+  Vec2 texelAt(const TruthHit& hit) const;
+
+  TruthPixel pixel(double i, double j, TruthLightMode mode) const;
+
+  /// Whether one surface and one texel of it cover the circle of `radius` pixels around (i, j), as
+  /// far as eight points on the circle tell.
+  bool isClear(double i, double j, double radius) const;
+
+  Image picture(TruthLightMode mode) const;
+
+ private:
+  Vec3 directionTo(double i, double j) const;
+  Vec3 textureColor(const TruthHit& hit) const;
+
+  const Level& level_;
+  const std::vector<Image>& textures_;
+  Shot camera_;  ///< its eye clear of walls and flats
+  TruthLight light_;
+};
+
+}  // namespace hearth

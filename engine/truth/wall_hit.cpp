@@ -1,0 +1,173 @@
+#include "truth/wall_hit.h"
+
+#include <algorithm>
+
+#include "math/check.h"
+#include "math/tolerance.h"
+#include "math/trig.h"
+
+namespace hearth {
+
+namespace {
+
+/// The wall or sub-wall that the ray meets.
+struct WallPart {
+  SubWallKind kind;
+  std::uint32_t index;
+  bool inStack;
+  bool atFloor;
+  bool atCeiling;
+  double zTop;
+};
+
+WallPart partAt(const Segment& segment, const Sector& sector, double z) {
+  if (const Solid* solid = std::get_if<Solid>(&segment.kind))
+    return {*solid, 0, false, true, true, sector.ceiling.z};
+  if (const Portal* portal = std::get_if<Portal>(&segment.kind))
+    return {*portal, 0, false, true, true, sector.ceiling.z};
+  const std::vector<SubWall>& subWalls = std::get<Stack>(segment.kind).subWalls;
+  std::size_t i = 0;
+  while (i + 1 < subWalls.size() && z >= subWalls[i].zTop) ++i;
+  const bool isLast = i + 1 == subWalls.size();
+  return {subWalls[i].kind, static_cast<std::uint32_t>(i), true, i == 0, isLast, subWalls[i].zTop};
+}
+
+SegmentId findTwin(const Level& level, SectorId next, const Segment& segment) {
+  for (const Segment& candidate : level.segmentsOf(level[next]))
+    if (candidate.p0 == segment.p1 && candidate.p1 == segment.p0)
+      return SegmentId(static_cast<std::size_t>(&candidate - level.segments.data()));
+  checkFailed(__FILE__, __LINE__, "a portal has a twin", level[next].name);
+}
+
+/// One ray at one segment.
+class Meeting {
+ public:
+  Meeting(const Level& level, const Ray& ray, SegmentId id, double t)
+      : level_(level),
+        ray_(ray),
+        id_(id),
+        segment_(level[id]),
+        sector_(level[segment_.sector]),
+        t_(t),
+        point_(ray.at(t)),
+        part_() {
+    // Rounding may take the ray out of the air that it is in; only light is ever truly out of it.
+    const bool isLight = ray.kind == RayKind::Light;
+    const double bottom = sector_.airBottom(point_.xy());
+    const double top = sector_.airTop(point_.xy());
+    if (!(isLight && sector_.floor.parallax)) point_.z = std::max(point_.z, bottom);
+    if (!(isLight && sector_.ceiling.parallax)) point_.z = std::min(point_.z, top);
+    part_ = partAt(segment_, sector_, point_.z);
+  }
+
+  std::variant<TruthHit, Passage> result() const {
+    if (const Portal* portal = std::get_if<Portal>(&part_.kind)) return throughPortal(*portal);
+    return hit(part_.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid,
+               std::get<Solid>(part_.kind).texture, part_.zTop);
+  }
+
+ private:
+  std::variant<TruthHit, Passage> throughPortal(const Portal& portal) const {
+    const Sector& next = level_[portal.next];
+    const double z = point_.z;
+    const bool isClosed = next.floor.z >= next.ceiling.z;
+    if (z < std::max(sector_.floor.z, next.floor.z)) {
+      const bool isSky = part_.atFloor && sector_.floor.parallax && next.floor.parallax;
+      if (const auto step = isSky ? skyStep(false) : lowerStep(portal, next)) return *step;
+    } else if (z > std::min(sector_.ceiling.z, next.ceiling.z) || isClosed) {
+      const bool isSky = part_.atCeiling && sector_.ceiling.parallax && next.ceiling.parallax;
+      if (const auto step = isSky ? skyStep(true) : upperStep(portal, next)) return *step;
+    }
+    const SegmentId twin = findTwin(level_, portal.next, segment_);
+    if (const auto wedge = sidewall(next, level_[twin])) return *wedge;
+    return Passage{portal.next, twin};
+  }
+
+  std::optional<TruthHit> lowerStep(const Portal& portal, const Sector& next) const {
+    return step(part_.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, portal.lower,
+                next.floor.z);
+  }
+
+  std::optional<TruthHit> upperStep(const Portal& portal, const Sector& next) const {
+    return step(part_.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, portal.upper,
+                next.ceiling.z);
+  }
+
+  /// Where a step or sidewall shows it has a texture: a look at one without is the rounding of
+  /// slopes. Light may meet it beyond a sky, where nobody looks.
+  std::optional<TruthHit> step(SurfaceKind kind, const std::optional<TextureMapping>& texture,
+                               double zRef) const {
+    if (!texture && ray_.kind == RayKind::Look) return std::nullopt;
+    return hit(kind, texture, zRef);
+  }
+
+  std::optional<TruthHit> skyStep(bool isUpper) const {
+    if (ray_.kind == RayKind::Light) return std::nullopt;
+    const Flat& sky = isUpper ? sector_.ceiling : sector_.floor;
+    TruthHit found =
+        hit(isUpper ? SurfaceKind::SkyUpperStep : SurfaceKind::SkyLowerStep, sky.texture, sky.z);
+    found.imageMetres = skyImageMetres(ray_.direction, *sky.texture, !isUpper);
+    return found;
+  }
+
+  /// The next sector's wedge, where it stands in the opening by more than rounding.
+  std::optional<TruthHit> sidewall(const Sector& next, const Segment& twin) const {
+    const Vec2 p = point_.xy();
+    if (next.floorSlope && point_.z < next.airBottom(p) - kHeightNoise)
+      return sidewall(SurfaceKind::FloorSidewall, *next.floorSlope, next.floor.z, twin);
+    if (next.ceilingSlope && point_.z > next.airTop(p) + kHeightNoise)
+      return sidewall(SurfaceKind::CeilingSidewall, *next.ceilingSlope, next.ceiling.z, twin);
+    return std::nullopt;
+  }
+
+  std::optional<TruthHit> sidewall(SurfaceKind kind, const Slope& slope, double zFlat,
+                                   const Segment& twin) const {
+    std::optional<TruthHit> found =
+        step(kind, slope.sidewall, slope.isRelative ? slope.zAt(point_.xy()) : zFlat);
+    // It belongs to the wedge: s starts at the left end of the wedge's own wall.
+    if (found) found->imageMetres.x += twin.sAfter - segment_.sBefore;
+    return found;
+  }
+
+  TruthHit hit(SurfaceKind kind, const std::optional<TextureMapping>& texture, double zRef) const {
+    const Vec2 along = segment_.p1 - segment_.p0;
+    const double wallLength = length(along);
+    const Vec2 normal = (1 / wallLength) * turned90(along);
+    TruthHit found;
+    static_cast<SurfacePoint&>(found) = {
+        kind, segment_.sector, id_, point_, {normal.x, normal.y, 0}};
+    found.t = t_;
+    found.subWall = part_.index;
+    found.texture = texture;
+    if (texture) {
+      const double s = dot(point_.xy() - segment_.p0, along) / wallLength;
+      found.imageMetres = {texture->along + segment_.sBefore + s,
+                           texture->zRef.value_or(zRef) - point_.z};
+    }
+    return found;
+  }
+
+  const Level& level_;
+  const Ray& ray_;
+  SegmentId id_;
+  const Segment& segment_;
+  const Sector& sector_;
+  double t_;
+  Vec3 point_;
+  WallPart part_;
+};
+
+}  // namespace
+
+std::variant<TruthHit, Passage> meetWall(const Level& level, const Ray& ray, SegmentId segment,
+                                         double t) {
+  return Meeting(level, ray, segment, t).result();
+}
+
+Vec2 skyImageMetres(Vec3 direction, const TextureMapping& sky, bool isBelow) {
+  const double elevation = direction.z / length(direction.xy());
+  const double turns = compassDegrees(direction.xy()) / 360;
+  return {turns, sky.repeat.y - (isBelow ? -elevation : elevation)};
+}
+
+}  // namespace hearth
