@@ -1,0 +1,89 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "level/finish.h"
+#include "level/level.h"
+#include "load/description.h"
+#include "load/outline.h"
+#include "load/report.h"
+#include "load/textures.h"
+#include "load/weld.h"
+
+namespace hearth {
+
+/// Sectors by name.
+class SectorNames {
+ public:
+  explicit SectorNames(const LevelDescription& description);
+
+  /// Reports a name that no sector has. Nothing for one that several have: that has been reported.
+  std::optional<SectorId> link(Report& report, const NameReference& name) const;
+
+ private:
+  std::unordered_map<std::string, std::optional<SectorId>> ids_;  ///< none: several sectors
+  std::vector<std::string_view> names_;
+};
+
+/// A level on its way from names to ids.
+struct Linking {
+  const LevelDescription& description;
+  Report& report;
+  const SectorNames& names;
+  TextureTable& textures;
+  Level level;
+  Outlines outlines;
+  std::vector<std::optional<Wall>> walls;  ///< by edge; none where the file's could not be linked
+  std::vector<std::uint32_t> edgeOf;       ///< by segment
+  /// By sector: whether a mistake in its heights or outline has been reported. Then nothing is said
+  /// about what shows in it.
+  std::vector<bool> isDoubtful;
+
+  const SectorDescription& describedSector(const Edge& edge) const {
+    return description.sectors[edge.sector];
+  }
+  const LoopDescription& describedLoop(const Edge& edge) const {
+    const OutlineLoop& loop = outlines.sectors[edge.sector].loops[edge.loop];
+    return describedSector(edge).loops[loop.described];
+  }
+  const WallDescription& describedWall(const Edge& edge) const {
+    return describedLoop(edge).wall(edge.wall);
+  }
+  const WallDescription& describedWall(SegmentId segment) const {
+    return describedWall(outlines.edges[edgeOf[segment.index()]]);
+  }
+};
+
+/// The sectors that a wall leads to, each once.
+std::vector<SectorId> targetsOf(const Wall& wall);
+
+// The steps of linking, in this order. Each reports what it cannot link and puts a stand-in in its
+// place, so that the next ones and `finishLevel` find a level without holes.
+
+/// Heights, textures, interfaces and light of all sectors.
+void linkFlats(Linking& linking);
+/// Names of walls to ids, sub-walls to absolute heights.
+void linkWalls(Linking& linking);
+/// Fits the outlines of linked sectors together and makes the level's loops and segments of them.
+/// A portal that has no wall of the next sector behind it becomes solid.
+void linkSegments(Linking& linking);
+/// The planes of slopes, the origins of relative flats.
+void linkSlopes(Linking& linking);
+
+// What is asked of the linked level.
+
+/// One-way portals, pairs that open different heights: warnings. After `finishLevel`.
+void validatePortals(Linking& linking);
+/// Members of one side that overlap, sides that cover different areas.
+void validateInterfaces(Linking& linking);
+/// Tells what `finishLevel` found, at its cause.
+void reportFaults(Linking& linking, std::span<const LevelFault> faults);
+/// Sectors of player, shots and lights. After `finishLevel`. A position is not looked for where a
+/// mistake has been reported about a sector that may hold it.
+void linkPositions(Linking& linking, const LightsDescription& lights);
+
+}  // namespace hearth

@@ -1,0 +1,72 @@
+#include "load/link.h"
+#include "load/positions.h"
+
+namespace hearth {
+
+namespace {
+
+class PositionLinker {
+ public:
+  explicit PositionLinker(Linking& linking) : linking_(linking), locator_(linking.level) {
+    for (const bool isDoubtful : linking.isDoubtful) anyDoubtful_ |= isDoubtful;
+  }
+
+  void linkPlayer(const PlayerDescription& described) {
+    const auto sector =
+        locate(described.place, described.eye, described.sector, PositionOf::Camera);
+    if (!sector) return;
+    linking_.level.player = Player{*sector,          described.eye,       described.angle,
+                                   described.height, described.eyeHeight, described.radius,
+                                   described.step};
+  }
+
+  void linkShot(const ShotDescription& described) {
+    const auto sector =
+        locate(described.cameraPlace, described.eye, described.sector, PositionOf::Camera);
+    if (!sector) return;
+    linking_.level.shots.push_back({described.name, *sector, described.eye, described.angle,
+                                    described.pitch, described.fov, described.width,
+                                    described.height});
+  }
+
+  void linkLight(const LightDescription& described) {
+    const auto sector =
+        locate(described.place, described.source.position, described.sector, PositionOf::Light);
+    if (!sector) return;
+    linking_.level.lights.push_back(described.source);
+    linking_.level.lights.back().sector = *sector;
+  }
+
+ private:
+  std::optional<SectorId> locate(Place place, Vec3 p, const std::optional<NameReference>& name,
+                                 PositionOf what) {
+    std::optional<SectorId> sector;
+    if (name) {
+      sector = linking_.names.link(linking_.report, *name);
+      if (!sector) return std::nullopt;
+    }
+    // It may be in a sector about which a mistake has been reported.
+    if (sector ? linking_.isDoubtful[sector->index()] : anyDoubtful_) return std::nullopt;
+    if (linking_.report.isFull()) return std::nullopt;
+    const auto found = locator_.locate(p, sector, what);
+    if (found) return *found;
+    linking_.report.error(place, found.error().message, found.error().advice);
+    return std::nullopt;
+  }
+
+  Linking& linking_;
+  Locator locator_;
+  bool anyDoubtful_ = false;
+};
+
+}  // namespace
+
+void linkPositions(Linking& linking, const LightsDescription& lights) {
+  PositionLinker linker(linking);
+  if (linking.description.player) linker.linkPlayer(*linking.description.player);
+  for (const ShotDescription& shot : linking.description.shots) linker.linkShot(shot);
+  for (const LightDescription& light : lights.lights) linker.linkLight(light);
+  linking.level.bake = lights.bake;
+}
+
+}  // namespace hearth

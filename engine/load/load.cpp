@@ -1,0 +1,163 @@
+#include "load/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "level/finish.h"
+#include "load/link.h"
+#include "load/parse.h"
+#include "load/read.h"
+
+namespace hearth {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Loader {
+ public:
+  Loader(const fs::path& file, const LoadLimits& limits) : file_(file), limits_(limits) {
+    documents_.reserve(2);  // values point into them
+  }
+
+  LoadResult load() {
+    LoadResult result;
+    if (const std::optional<JsonValue> root = readDocument(file_)) {
+      const LevelDescription description = readLevel(report_, *root, limits_);
+      const LightsDescription lights = readLightsOf(description);
+      result.loaded = link(description, lights);
+    }
+    result.diagnostics = report_.resolve(documents_);
+    return result;
+  }
+
+ private:
+  /// The two files of a load.
+  static constexpr std::uint32_t kLevel = 0;
+  static constexpr std::uint32_t kLights = 1;
+
+  std::optional<JsonValue> readDocument(const fs::path& path);
+  bool readText(const fs::path& path, Document& document, Place place);
+  LightsDescription readLightsOf(const LevelDescription& description);
+  std::optional<LoadedLevel> link(const LevelDescription& description,
+                                  const LightsDescription& lights);
+  void lightFully(Linking& linking) const;
+
+  const fs::path& file_;
+  const LoadLimits& limits_;
+  Report report_;
+  std::vector<Document> documents_;
+  std::vector<fs::path> files_;
+};
+
+/// The root of a file; reported when there is none.
+std::optional<JsonValue> Loader::readDocument(const fs::path& path) {
+  const auto index = static_cast<std::uint32_t>(documents_.size());
+  Document& document = documents_.emplace_back();
+  document.file = path.string();
+  files_.push_back(path);
+  if (!readText(path, document, {index, 0})) return std::nullopt;
+  if (!parse(document, index, report_)) return std::nullopt;
+  return JsonValue(document, index, 0);
+}
+
+bool Loader::readText(const fs::path& path, Document& document, Place place) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    report_.error(place, fs::exists(path, error) ? "not a regular file" : "no such file",
+                  "name a JSON file");
+    return false;
+  }
+  const std::uintmax_t size = fs::file_size(path, error);
+  // Places are offsets of 32 bits.
+  const std::uint64_t limit = std::min<std::uint64_t>(limits_.fileBytes, 0xFFFFFFFE);
+  if (error || size > limit) {
+    report_.error(place,
+                  error ? error.message() : fmt::format("{} bytes are more than {}", size, limit),
+                  error ? "make it readable" : "raise the limit with --max-file-bytes");
+    return false;
+  }
+  document.text.resize(size);
+  std::ifstream in(path, std::ios::binary);
+  if (!in.read(document.text.data(), static_cast<std::streamsize>(size))) {
+    document.text.clear();
+    report_.error(place, "cannot be read", "check its permissions");
+    return false;
+  }
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (document.text.starts_with(kByteOrderMark)) document.text.erase(0, kByteOrderMark.size());
+  return true;
+}
+
+LightsDescription Loader::readLightsOf(const LevelDescription& description) {
+  fs::path path = file_.parent_path();
+  if (description.lights) {
+    path /= description.lights->name;
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
+      report_.error(description.lights->place, fmt::format("there is no file {}", path.string()),
+                    "correct the path, which is relative to the level file");
+      return {};
+    }
+  } else {
+    path /= file_.stem().string() + ".lights.json";
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return {};
+  }
+  const std::optional<JsonValue> root = readDocument(path);
+  return root ? readLights(report_, *root, limits_) : LightsDescription{};
+}
+
+/// A level that says nothing about light shows everything.
+void Loader::lightFully(Linking& linking) const {
+  for (Sector& sector : linking.level.sectors) sector.light = 1;
+  linking.report.warning(linking.description.place,
+                         "no lights and no \"light\": all is fully bright",
+                         "write a lights file, or give the level or its sectors a \"light\"");
+}
+
+bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
+  if (!lights.lights.empty() || description.light) return false;
+  for (const SectorDescription& sector : description.sectors)
+    if (sector.light) return false;
+  return true;
+}
+
+std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
+                                        const LightsDescription& lights) {
+  if (description.sectors.empty()) return std::nullopt;
+  const SectorNames names(description);
+  TextureTable table;
+  Linking linking{description, report_, names, table, {}, {}, {}, {}, {}};
+  linking.level.name = description.name.empty() ? file_.stem().string() : description.name;
+  linking.outlines = makeOutlines(description);
+  validateOutlines(report_, description, linking.outlines);
+  linkFlats(linking);
+  linkWalls(linking);
+  linkSegments(linking);
+  linkSlopes(linking);
+  validateInterfaces(linking);
+  TextureFiles textures = readTextures(report_, table, file_, description.textures, limits_);
+  if (linking.level.segments.empty()) return std::nullopt;
+
+  const std::vector<LevelFault> faults = finishLevel(linking.level);
+  reportFaults(linking, faults);
+  validatePortals(linking);
+  linkPositions(linking, lights);
+  if (report_.hasErrors()) return std::nullopt;
+  if (saysNothingOfLight(description, lights)) lightFully(linking);
+
+  for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
+  files_.insert(files_.end(), textures.files.begin(), textures.files.end());
+  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_};
+}
+
+}  // namespace
+
+LoadResult loadLevel(const fs::path& file, const LoadLimits& limits) {
+  return Loader(file, limits).load();
+}
+
+}  // namespace hearth

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "image/image.h"
+#include "level/level.h"
+#include "load/diagnostic.h"
+#include "load/limits.h"
+#include "load/positions.h"
+
+namespace hearth {
+
+struct LoadedLevel {
+  Level level;                  ///< finished
+  std::vector<Image> textures;  ///< by TextureId; none of them empty
+  std::filesystem::path path;
+  /// All that was read: the level first, then its lights if it has any, then the images. A program
+  /// that watches these knows when to load again.
+  std::vector<std::filesystem::path> files;
+};
+
+struct LoadResult {
+  std::optional<LoadedLevel> loaded;    ///< none after an error
+  std::vector<Diagnostic> diagnostics;  ///< errors and warnings, in the order of the files
+};
+
+/// Reads a level with its lights and textures. All mistakes are reported together, each at its
+/// place; there is no level unless there is none. levels/README.md says what the files hold.
+LoadResult loadLevel(const std::filesystem::path& file, const LoadLimits& limits = {});
+
+}  // namespace hearth

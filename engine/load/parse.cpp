@@ -1,0 +1,252 @@
+#include "load/parse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace hearth {
+
+namespace {
+
+using nlohmann::json;
+
+/// Feeds bytes to the JSON library and counts them: that count is all the library lets us know
+/// about where a value stands.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, std::size_t* consumed) : at_(at), consumed_(consumed) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    ++at_;
+    ++*consumed_;
+    return *this;
+  }
+  friend bool operator==(const CountingIterator& a, const CountingIterator& b) {
+    return a.at_ == b.at_;
+  }
+
+ private:
+  const char* at_;
+  std::size_t* consumed_;
+};
+
+bool isIgnored(std::string_view key) { return key.starts_with('$') || key.starts_with("//"); }
+
+/// Receives the values of a text in order and builds the tree.
+///
+/// Where a value starts: the library reports it directly after its last byte (after a number, one
+/// byte later). From the end of the previous value only blanks, one comma or one colon lie before
+/// it, so its first byte is found by stepping over these.
+class TreeBuilder {
+ public:
+  TreeBuilder(Document& document, std::uint32_t documentIndex, Report& report,
+              const std::size_t& consumed)
+      : document_(document), documentIndex_(documentIndex), report_(report), consumed_(consumed) {}
+
+  // The interface that the JSON library calls; `false` stops it.
+  bool null() { return addLiteral(JsonKind::Null); }
+  bool boolean(bool value) { return addLiteral(value ? JsonKind::True : JsonKind::False); }
+  bool number_integer(json::number_integer_t value) {
+    return addNumber(static_cast<double>(value));
+  }
+  bool number_unsigned(json::number_unsigned_t value) {
+    return addNumber(static_cast<double>(value));
+  }
+  bool number_float(json::number_float_t value, const json::string_t&) { return addNumber(value); }
+  bool string(json::string_t& value) { return addString(value); }
+  bool binary(json::binary_t&) { return false; }  // not a part of JSON text
+  bool key(json::string_t& value) { return addKey(value); }
+  bool start_object(std::size_t) { return open(JsonKind::Object); }
+  bool start_array(std::size_t) { return open(JsonKind::Array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t, const std::string& token, const json::exception& error);
+
+ private:
+  /// An array or object that is being read.
+  struct Open {
+    std::uint32_t node;
+    std::uint32_t children = 0;  ///< elements or members so far
+    std::vector<std::uint32_t> keys;
+  };
+
+  std::size_t startOfToken() const;
+  bool addLiteral(JsonKind kind);
+  bool addNumber(double value);
+  bool addString(const std::string& value);
+  bool addKey(const std::string& value);
+  bool open(JsonKind kind);
+  bool close();
+  bool isSkipping() const { return skipNext_ || skippedDepth_ > 0; }
+  std::uint32_t addNode(JsonKind kind, std::uint32_t content);
+  std::uint32_t addText(const std::string& value);
+  void reportDuplicates(const Open& object);
+  void finishValue() {
+    skipNext_ = false;
+    cursor_ = consumed_;
+  }
+
+  Document& document_;
+  std::uint32_t documentIndex_;
+  Report& report_;
+  const std::size_t& consumed_;
+  std::size_t cursor_ = 0;  ///< end of what has been understood
+  std::vector<Open> stack_;
+  std::size_t depth_ = 0;
+  bool skipNext_ = false;         ///< an ignored key was read, its value comes next
+  std::size_t skippedDepth_ = 0;  ///< arrays and objects open inside an ignored value
+};
+
+std::size_t TreeBuilder::startOfToken() const {
+  const std::string& text = document_.text;
+  std::size_t start = text.find_first_not_of(" \t\r\n", cursor_);
+  if (start != std::string::npos && (text[start] == ',' || text[start] == ':'))
+    start = text.find_first_not_of(" \t\r\n", start + 1);
+  return std::min(start, text.size());
+}
+
+std::uint32_t TreeBuilder::addNode(JsonKind kind, std::uint32_t content) {
+  const auto index = static_cast<std::uint32_t>(document_.nodes.size());
+  const std::uint32_t parent = stack_.empty() ? index : stack_.back().node;
+  const std::uint32_t ordinal = stack_.empty() ? 0 : stack_.back().children;
+  const bool isOpen = kind == JsonKind::Array || kind == JsonKind::Object;
+  document_.nodes.push_back({static_cast<std::uint32_t>(startOfToken()), parent, ordinal,
+                             isOpen ? 0 : index + 1, content, kind});
+  if (!stack_.empty() && kind != JsonKind::Key) ++stack_.back().children;
+  return index;
+}
+
+std::uint32_t TreeBuilder::addText(const std::string& value) {
+  document_.texts += value;
+  document_.textEnds.push_back(static_cast<std::uint32_t>(document_.texts.size()));
+  return static_cast<std::uint32_t>(document_.textEnds.size() - 1);
+}
+
+bool TreeBuilder::addLiteral(JsonKind kind) {
+  if (!isSkipping()) addNode(kind, 0);
+  finishValue();
+  return true;
+}
+
+bool TreeBuilder::addNumber(double value) {
+  const std::size_t start = startOfToken();
+  if (!isSkipping()) {
+    document_.numbers.push_back(value + 0.0);  // -0 becomes 0: heights and points compare by bits
+    addNode(JsonKind::Number, static_cast<std::uint32_t>(document_.numbers.size() - 1));
+  }
+  finishValue();
+  // The library has looked at the byte after the number, which may be the comma.
+  cursor_ =
+      std::min(document_.text.find_first_not_of("+-.0123456789eE", start), document_.text.size());
+  return true;
+}
+
+bool TreeBuilder::addString(const std::string& value) {
+  if (!isSkipping()) addNode(JsonKind::String, addText(value));
+  finishValue();
+  return true;
+}
+
+bool TreeBuilder::addKey(const std::string& value) {
+  if (!isSkipping()) {
+    skipNext_ = isIgnored(value);
+    if (!skipNext_) stack_.back().keys.push_back(addNode(JsonKind::Key, addText(value)));
+  }
+  cursor_ = consumed_;
+  return true;
+}
+
+bool TreeBuilder::open(JsonKind kind) {
+  if (++depth_ > kMaxJsonDepth) {
+    report_.error({documentIndex_, static_cast<std::uint32_t>(startOfToken())},
+                  fmt::format("more than {} arrays and objects inside one another", kMaxJsonDepth),
+                  "nest less deeply");
+    return false;
+  }
+  if (isSkipping())
+    ++skippedDepth_;
+  else
+    stack_.push_back({addNode(kind, 0), 0, {}});
+  finishValue();
+  return true;
+}
+
+bool TreeBuilder::close() {
+  --depth_;
+  cursor_ = consumed_;
+  if (skippedDepth_ > 0) {
+    --skippedDepth_;
+    return true;
+  }
+  document_.nodes[stack_.back().node].end = static_cast<std::uint32_t>(document_.nodes.size());
+  reportDuplicates(stack_.back());
+  stack_.pop_back();
+  return true;
+}
+
+void TreeBuilder::reportDuplicates(const Open& object) {
+  std::vector<std::uint32_t> keys = object.keys;
+  const auto text = [&](std::uint32_t key) { return document_.textOf(document_.nodes[key]); };
+  std::stable_sort(keys.begin(), keys.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return text(a) < text(b); });
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (text(keys[i - 1]) != text(keys[i])) continue;
+    report_.error({documentIndex_, document_.nodes[keys[i]].offset},
+                  fmt::format("the key \"{}\" is given twice", text(keys[i])),
+                  "remove or rename one of them");
+  }
+}
+
+/// The part of the library's message that an author can use: what it expected and found.
+std::string grammarMessage(std::string_view text) {
+  const std::size_t dash = text.find(" - ");
+  if (dash != std::string_view::npos) text.remove_prefix(dash + 3);
+  const std::size_t last = text.find("; last read: ");
+  std::string message(text.substr(0, last));
+  const std::size_t expected = last == std::string_view::npos ? last : text.rfind("; expected ");
+  if (expected != std::string_view::npos && expected > last) message += text.substr(expected);
+  return "not valid JSON: " + message;
+}
+
+bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json::exception& error) {
+  // An unexpected comma or colon may itself be what startOfToken() steps over.
+  const std::size_t lastRead = consumed_ == 0 ? 0 : consumed_ - 1;
+  const bool atEnd = startOfToken() >= document_.text.size() && consumed_ == document_.text.size();
+  const std::size_t start = atEnd ? document_.text.size() : std::min(startOfToken(), lastRead);
+  const Place place{documentIndex_, static_cast<std::uint32_t>(start)};
+  constexpr int kOutOfRange = 406;
+  if (error.id == kOutOfRange)
+    report_.error(place, fmt::format("the number {} is too large", token), "give a smaller one");
+  else
+    report_.error(place, grammarMessage(error.what()), "correct the JSON here or just before");
+  return false;
+}
+
+}  // namespace
+
+bool parse(Document& document, std::uint32_t documentIndex, Report& report) {
+  std::size_t consumed = 0;
+  TreeBuilder builder(document, documentIndex, report, consumed);
+  const char* begin = document.text.data();
+  const char* end = begin + document.text.size();
+  if (!json::sax_parse(CountingIterator(begin, &consumed), CountingIterator(end, &consumed),
+                       &builder))
+    return false;
+  // The library takes a zero byte for the end of the text.
+  if (consumed < document.text.size() || document.text.ends_with('\0')) {
+    report.error({documentIndex, static_cast<std::uint32_t>(consumed - 1)},
+                 "a zero byte in the text", "remove it");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace hearth

@@ -1,0 +1,176 @@
+#include "load/positions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "level/locate.h"
+#include "load/suggest.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+BoxTree boxesOf(const Level& level) {
+  std::vector<Box> boxes;
+  for (const Sector& sector : level.sectors) boxes.push_back({sector.boxMin, sector.boxMax});
+  return BoxTree(std::move(boxes));
+}
+
+double distanceToWall(const Segment& segment, Vec2 p) {
+  return length(nearestOnSegment(segment.p0, segment.p1, p) - p);
+}
+
+bool liesInOutline(const Level& level, const Sector& sector, Vec2 p) {
+  if (contains(level, sector, p)) return true;
+  const auto segments = level.segmentsOf(sector);
+  return std::any_of(segments.begin(), segments.end(), [&](const Segment& segment) {
+    return distanceToWall(segment, p) <= kPositionSlack;
+  });
+}
+
+/// Whether `z` is in the endless column above a sector's sky, or below its sky floor.
+bool liesInSky(const Sector& sector, double z) {
+  return (sector.ceiling.parallax && z > sector.ceiling.z) ||
+         (sector.floor.parallax && z < sector.floor.z);
+}
+
+bool isMember(const std::vector<SectorId>& members, SectorId sector) {
+  return std::find(members.begin(), members.end(), sector) != members.end();
+}
+
+/// Whether `p` lies in an opening from one sector to another.
+bool opensTo(const Level& level, const Sector& sector, SectorId next, Vec3 p) {
+  for (const Segment& segment : level.segmentsOf(sector))
+    for (const LightOpening& opening : segment.lightOpenings)
+      if (opening.next == next && p.z >= opening.zBottom - kPositionSlack &&
+          p.z <= opening.zTop + kPositionSlack && distanceToWall(segment, p.xy()) <= kPositionSlack)
+        return true;
+  for (const Flat* flat : {&sector.floor, &sector.ceiling}) {
+    if (!flat->interface || std::abs(flat->z - p.z) > kPositionSlack) continue;
+    const Interface& interface = level[*flat->interface];
+    if (isMember(flat == &sector.floor ? interface.lower : interface.upper, next)) return true;
+  }
+  return false;
+}
+
+/// Metres from `p` to the air of a sector, nearly: its slopes are taken as they are above `p`.
+double distanceTo(const Level& level, const Sector& sector, Vec3 p) {
+  double aside = 0;
+  if (!contains(level, sector, p.xy())) {
+    aside = std::numeric_limits<double>::infinity();
+    for (const Segment& segment : level.segmentsOf(sector))
+      aside = std::min(aside, distanceToWall(segment, p.xy()));
+  }
+  const double above = std::max({0.0, sector.airBottom(p.xy()) - p.z, p.z - sector.airTop(p.xy())});
+  return std::sqrt(aside * aside + above * above);
+}
+
+double distanceToBox(const Sector& sector, Vec2 p) {
+  const Vec2 gap{std::max({0.0, sector.boxMin.x - p.x, p.x - sector.boxMax.x}),
+                 std::max({0.0, sector.boxMin.y - p.y, p.y - sector.boxMax.y})};
+  return length(gap);
+}
+
+std::string text(Vec3 p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
+
+}  // namespace
+
+Locator::Locator(const Level& level) : level_(level), sectors_(boxesOf(level)) {}
+
+std::vector<SectorId> Locator::sectorsAt(Vec3 p) const {
+  std::vector<SectorId> found;
+  sectors_.query(grown({p.xy(), p.xy()}, kPositionSlack), [&](std::uint32_t i) {
+    if (contains(level_, level_.sectors[i], p, kPositionSlack)) found.push_back(SectorId(i));
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<SectorId> Locator::skySectorsAt(Vec3 p) const {
+  std::vector<SectorId> found;
+  sectors_.query(grown({p.xy(), p.xy()}, kPositionSlack), [&](std::uint32_t i) {
+    const Sector& sector = level_.sectors[i];
+    if (liesInSky(sector, p.z) && liesInOutline(level_, sector, p.xy()))
+      found.push_back(SectorId(i));
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+tl::expected<SectorId, Locator::Failure> Locator::locate(Vec3 p, std::optional<SectorId> sector,
+                                                         PositionOf what) const {
+  if (sector) {
+    const Sector& named = level_[*sector];
+    if (contains(level_, named, p, kPositionSlack)) return *sector;
+    if (what == PositionOf::Light && liesInSky(named, p.z) && liesInOutline(level_, named, p.xy()))
+      return *sector;
+    return tl::unexpected(outside(p, sector));
+  }
+  std::vector<SectorId> found = sectorsAt(p);
+  if (found.empty() && what == PositionOf::Light) found = skySectorsAt(p);
+  if (found.empty()) return tl::unexpected(outside(p, std::nullopt));
+  return choose(p, found);
+}
+
+/// Where all of several sectors are open to each other at `p`, directly or through others of them,
+/// any of them gives the same picture.
+tl::expected<SectorId, Locator::Failure> Locator::choose(Vec3 p,
+                                                         const std::vector<SectorId>& found) const {
+  std::vector<SectorId> reached{found.front()};
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const SectorId other : found)
+      if (!isMember(reached, other) && (opensTo(level_, level_[reached[i]], other, p) ||
+                                        opensTo(level_, level_[other], reached[i], p)))
+        reached.push_back(other);
+  if (reached.size() == found.size()) return found.front();
+  std::vector<std::string> names;
+  for (const SectorId id : found) names.push_back(fmt::format("\"{}\"", level_[id].name));
+  if (names.size() > 8) names.resize(8);
+  return tl::unexpected(
+      Failure{fmt::format("{} lies in several sectors: {}", text(p), fmt::join(names, ", ")),
+              "say in which with \"sector\""});
+}
+
+Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const {
+  const std::vector<SectorId> found = sectorsAt(p);
+  const std::string where =
+      sector ? fmt::format("outside its sector \"{}\"", level_[*sector].name) : "in no sector";
+  if (!found.empty())
+    return {fmt::format("{} lies {}, in \"{}\"", text(p), where, level_[found.front()].name),
+            fmt::format("name that sector, or move it into \"{}\"", level_[*sector].name)};
+  const Sector* nearest = nullptr;
+  double best = std::numeric_limits<double>::infinity();
+  for (const Sector& candidate : level_.sectors) {
+    if (candidate.segmentCount == 0 || distanceToBox(candidate, p.xy()) >= best) continue;
+    const double distance = distanceTo(level_, candidate, p);
+    if (distance < best) nearest = &candidate, best = distance;
+  }
+  if (!nearest) return {fmt::format("{} lies {}", text(p), where), "move it"};
+  return {fmt::format("{} lies {}; the nearest is \"{}\", {:.6g} m away", text(p), where,
+                      nearest->name, best),
+          "move it inside a sector"};
+}
+
+tl::expected<SectorId, std::string> locatePosition(const Level& level, Vec3 p,
+                                                   std::optional<std::string_view> sectorName) {
+  std::optional<SectorId> sector;
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < level.sectors.size(); ++i) {
+    names.push_back(level.sectors[i].name);
+    if (sectorName == level.sectors[i].name) sector = SectorId(i);
+  }
+  if (sectorName && !sector)
+    return tl::unexpected(fmt::format("there is no sector \"{}\", {}", *sectorName,
+                                      suggest(*sectorName, names, "name a sector of the level")));
+  const auto found = Locator(level).locate(p, sector, PositionOf::Camera);
+  if (found) return *found;
+  return tl::unexpected(found.error().message + ", " + found.error().advice);
+}
+
+}  // namespace hearth

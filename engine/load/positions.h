@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "level/level.h"
+#include "load/box_tree.h"
+
+namespace hearth {
+
+/// What is looked for: a light may also stand above a sky ceiling or below a sky floor.
+enum class PositionOf { Camera, Light };
+
+/// Finds the sector that a position is in, by one rule for players, shots, lights and cameras of
+/// the command line: the position lies inside the sector within kPositionSlack; where several
+/// contain it, they must be open to each other there.
+class Locator {
+ public:
+  struct Failure {
+    std::string message;
+    std::string advice;
+  };
+
+  /// `level` is finished.
+  explicit Locator(const Level& level);
+
+  tl::expected<SectorId, Failure> locate(Vec3 p, std::optional<SectorId> sector,
+                                         PositionOf what) const;
+
+ private:
+  tl::expected<SectorId, Failure> choose(Vec3 p, const std::vector<SectorId>& found) const;
+  std::vector<SectorId> sectorsAt(Vec3 p) const;
+  std::vector<SectorId> skySectorsAt(Vec3 p) const;
+  Failure outside(Vec3 p, std::optional<SectorId> sector) const;
+
+  const Level& level_;
+  BoxTree sectors_;
+};
+
+/// The sector of a position that the user gave, with or without the name of its sector. The error
+/// says what is wrong and what to do.
+tl::expected<SectorId, std::string> locatePosition(const Level& level, Vec3 p,
+                                                   std::optional<std::string_view> sectorName);
+
+}  // namespace hearth

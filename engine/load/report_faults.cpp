@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <set>
+#include <tuple>
+
+#include "load/link.h"
+#include "math/check.h"
+
+namespace hearth {
+
+namespace {
+
+struct StepWords {
+  std::string_view what;
+  std::string_view key;
+};
+
+StepWords wordsOf(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::LowerStep:
+    case SurfaceKind::StackLowerStep:
+      return {"step up", "lower"};
+    case SurfaceKind::UpperStep:
+    case SurfaceKind::StackUpperStep:
+      return {"step down", "upper"};
+    default:
+      return {"wall", "texture"};
+  }
+}
+
+class FaultReporter {
+ public:
+  explicit FaultReporter(Linking& linking) : linking_(linking) {}
+
+  void tell(const MissingTexture& fault) {
+    const Segment& segment = linking_.level[fault.segment];
+    const std::optional<SectorId> next = nextOf(segment, fault.subWall);
+    if (linking_.isDoubtful[segment.sector.index()]) return;
+    if (next && linking_.isDoubtful[next->index()]) return;
+    if (isSidewall(fault.kind) && next)
+      tellSidewall(*next, segment.sector, fault.kind == SurfaceKind::FloorSidewall);
+    else
+      tellStep(fault, next);
+  }
+
+  /// Linking has found every portal's twin, or made it solid.
+  void tell(const MissingTwin& fault) { CHECK(false, fault.segment, fault.subWall); }
+
+ private:
+  static std::optional<SectorId> nextOf(const Segment& segment, std::uint32_t subWall) {
+    const Portal* portal = std::get_if<Portal>(&segment.kind);
+    if (const Stack* stack = std::get_if<Stack>(&segment.kind))
+      portal = std::get_if<Portal>(&stack->subWalls[subWall].kind);
+    return portal ? std::optional(portal->next) : std::nullopt;
+  }
+
+  void tellSidewall(SectorId sloped, SectorId seenFrom, bool isFloor) {
+    if (!sidewalls_.insert({sloped, isFloor}).second) return;
+    const SectorDescription& sector = linking_.description.sectors[sloped.index()];
+    linking_.report.error(
+        (isFloor ? sector.slopeFloor : sector.slopeCeil)->place,
+        fmt::format("sector \"{}\" sees the side of this slope, which has no texture",
+                    linking_.level[seenFrom].name),
+        "give the slope a \"sidewall\"");
+  }
+
+  void tellStep(const MissingTexture& fault, std::optional<SectorId> next) {
+    const std::uint32_t edge = linking_.edgeOf[fault.segment.index()];
+    if (!steps_.insert({edge, fault.subWall, fault.kind}).second) return;
+    const WallDescription& wall = linking_.describedWall(fault.segment);
+    const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
+    const auto [what, key] = wordsOf(fault.kind);
+    linking_.report.error(stack ? stack->subWalls[fault.subWall].place : wall.place,
+                          fmt::format("the {} to sector \"{}\" shows and has no texture", what,
+                                      next ? linking_.level[*next].name : ""),
+                          fmt::format("give the wall \"{}\" or \"texture\"", key));
+  }
+
+  Linking& linking_;
+  std::set<std::pair<SectorId, bool>> sidewalls_;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, SurfaceKind>> steps_;
+};
+
+}  // namespace
+
+void reportFaults(Linking& linking, std::span<const LevelFault> faults) {
+  FaultReporter reporter(linking);
+  for (const LevelFault& fault : faults)
+    std::visit([&](const auto& found) { reporter.tell(found); }, fault);
+}
+
+}  // namespace hearth

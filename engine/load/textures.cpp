@@ -1,0 +1,153 @@
+#include "load/textures.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "image/image_file.h"
+#include "load/color.h"
+#include "load/suggest.h"
+
+namespace hearth {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".bmp", ".tga"};
+
+class ImageFinder {
+ public:
+  ImageFinder(const fs::path& levelFile, const std::optional<NameReference>& folder) {
+    const fs::path home = levelFile.parent_path();
+    if (folder)
+      folders_ = {home / folder->name};
+    else
+      folders_ = {home / ".." / "textures", home};
+  }
+
+  std::optional<fs::path> find(const std::string& name) const {
+    for (const fs::path& folder : folders_)
+      for (const std::string_view extension : kExtensions) {
+        const fs::path candidate = folder / fmt::format("{}{}", name, extension);
+        std::error_code ignored;  // what cannot be asked about does not exist for us
+        if (fs::is_regular_file(candidate, ignored)) return candidate;
+      }
+    return std::nullopt;
+  }
+
+  /// Names of all images that could be meant.
+  std::vector<std::string> known() const {
+    std::vector<std::string> names;
+    for (const fs::path& folder : folders_) {
+      std::error_code ignored;
+      for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+           entry.increment(ignored)) {
+        const fs::path& path = entry->path();
+        if (std::find(kExtensions.begin(), kExtensions.end(), path.extension().string()) !=
+            kExtensions.end())
+          names.push_back(path.stem().string());
+      }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+  }
+
+  std::string searched() const {
+    std::vector<std::string> names;
+    for (const fs::path& folder : folders_)
+      names.push_back(folder.empty() ? "." : folder.lexically_normal().string());
+    return fmt::format("{}", fmt::join(names, " or "));
+  }
+
+ private:
+  std::vector<fs::path> folders_;
+};
+
+void reportMissing(Report& report, const NameReference& name, const ImageFinder& finder) {
+  if (report.isFull()) return report.error(name.place, "", "");
+  const std::vector<std::string> known = finder.known();
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  report.error(name.place, fmt::format("there is no image \"{}\"", name.name),
+               suggest(name.name, views, "put it into " + finder.searched()));
+}
+
+std::optional<Image> readFile(Report& report, const NameReference& name, const fs::path& path,
+                              const LoadLimits& limits) {
+  const auto size = readImageSize(path);
+  if (!size) {
+    report.error(name.place, size.error(), "replace the image");
+    return std::nullopt;
+  }
+  const std::int64_t pixels = std::int64_t{size->width} * size->height;
+  if (pixels > limits.imagePixels) {
+    report.error(name.place,
+                 fmt::format("{} has {} x {} pixels, more than {}", path.string(), size->width,
+                             size->height, limits.imagePixels),
+                 "raise the limit with --max-image-pixels");
+    return std::nullopt;
+  }
+  auto image = readImage(path, limits.imagePixels);
+  if (image) return *std::move(image);
+  report.error(name.place, image.error(), "replace the image");
+  return std::nullopt;
+}
+
+}  // namespace
+
+TextureMapping TextureTable::link(const TextureDescription& texture) {
+  TextureMapping mapping;
+  mapping.texture = idOf(texture.name);
+  mapping.repeat = texture.scale;
+  mapping.offsetTexels = texture.offset;
+  mapping.along = texture.along;
+  mapping.zRef = texture.zRef;
+  return mapping;
+}
+
+TextureMapping TextureTable::standIn() {
+  TextureMapping mapping;
+  mapping.texture = idOf({"#ff00ff", {}});
+  return mapping;
+}
+
+TextureId TextureTable::idOf(const NameReference& name) {
+  const auto [found, isNew] = ids_.emplace(name.name, TextureId(names_.size()));
+  if (isNew) names_.push_back(name);
+  return found->second;
+}
+
+TextureFiles readTextures(Report& report, const TextureTable& table, const fs::path& levelFile,
+                          const std::optional<NameReference>& folder, const LoadLimits& limits) {
+  const ImageFinder finder(levelFile, folder);
+  TextureFiles textures;
+  for (const NameReference& name : table.names()) {
+    Image& image = textures.images.emplace_back();
+    if (name.name.starts_with('#')) {
+      if (const std::optional<Rgb> color = parseColor(name.name))
+        image = Image(1, 1, *color);
+      else
+        report.error(name.place, fmt::format("\"{}\" is no colour", name.name),
+                     "write \"#rrggbb\" with hexadecimal digits");
+      continue;
+    }
+    if (name.name.find_first_of("/\\") != std::string::npos) {
+      report.error(name.place, fmt::format("\"{}\" is a path", name.name),
+                   "write the name of an image of the textures folder");
+      continue;
+    }
+    const std::optional<fs::path> path = finder.find(name.name);
+    if (!path) {
+      reportMissing(report, name, finder);
+      continue;
+    }
+    textures.files.push_back(*path);
+    if (auto read = readFile(report, name, *path, limits)) image = *std::move(read);
+  }
+  return textures;
+}
+
+}  // namespace hearth

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "level/texture_mapping.h"
+#include "load/description.h"
+#include "load/limits.h"
+#include "load/report.h"
+
+namespace hearth {
+
+/// Gives every distinct texture name an id, in the order of first use.
+class TextureTable {
+ public:
+  TextureMapping link(const TextureDescription& texture);
+  /// For what could not be read: the level it goes into is not to be used.
+  TextureMapping standIn();
+
+  const std::vector<NameReference>& names() const { return names_; }  ///< at their first use
+
+ private:
+  TextureId idOf(const NameReference& name);
+
+  std::vector<NameReference> names_;
+  std::map<std::string, TextureId> ids_;
+};
+
+struct TextureFiles {
+  std::vector<Image> images;                 ///< by TextureId
+  std::vector<std::filesystem::path> files;  ///< that were read
+};
+
+/// Reads the images. `folder` is what the level file names, if it does. A missing or broken image
+/// is reported where it is first used.
+TextureFiles readTextures(Report& report, const TextureTable& table,
+                          const std::filesystem::path& levelFile,
+                          const std::optional<NameReference>& folder, const LoadLimits& limits);
+
+}  // namespace hearth
