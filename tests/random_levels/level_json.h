@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "random_levels/places.h"
+
+namespace hearth::random_levels {
+
+/// How the files are spelled where the format leaves a choice.
+struct Spelling {
+  bool hasSectorArray = false;
+  bool hasLoopArrays = false;
+  bool namesLightsFile = true;
+  bool hasLightArray = false;  ///< then `texel` is the format's default
+  bool omitsDefaults = false;  ///< heights that are the format's defaults
+  std::optional<double> levelLight;
+  double texel = 0.25;  ///< m
+};
+
+std::string levelJson(const Model& model, const std::string& name,
+                      const std::vector<RandomView>& views, const Spelling& spelling);
+std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
+                       const Spelling& spelling);
+
+}  // namespace hearth::random_levels

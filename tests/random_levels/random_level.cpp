@@ -1,0 +1,210 @@
+#include "random_levels/random_level.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "image/image_file.h"
+#include "random_levels/features.h"
+#include "random_levels/level_json.h"
+#include "random_levels/mesh.h"
+#include "random_levels/places.h"
+#include "random_levels/slopes.h"
+#include "random_levels/storeys.h"
+#include "random_levels/walls.h"
+
+namespace hearth {
+namespace random_levels {
+namespace {
+
+constexpr std::size_t kLeastSectors = 3;
+constexpr std::size_t kMostSectors = 25;
+constexpr double kMostTexels = 10'000;
+constexpr double kDefaultTexel = 0.125;  // m
+
+struct LevelStyle {
+  MeshStyle mesh;
+  StoreyStyle storeys;
+  WallStyle walls;
+  double slopeShare = 0;
+};
+
+void chooseMesh(Random& random, LevelStyle& style) {
+  MeshStyle& mesh = style.mesh;
+  const bool isSmall = random.chance(0.4);
+  mesh.cellMin = isSmall ? 700'000 : 1'250'000;
+  mesh.cellMax = isSmall ? 1'300'000 : 3'000'000;
+  mesh.unit = random.pick<Um>({125'000, 62'500, 1'000, 100});
+  mesh.isJittered = random.chance(0.6);
+  mesh.turn = random.pick({Turn::None, Turn::None, Turn::None, Turn::Triangle345,
+                           Turn::Triangle7And24And25, Turn::Quarter});
+  mesh.columns = static_cast<std::size_t>(random.between(2, 4));
+  mesh.rows = static_cast<std::size_t>(random.between(2, 4));
+  mesh.insets = random.chance(0.7) ? static_cast<std::size_t>(random.between(1, 4)) : 0;
+  mesh.splitShare = random.chance(0.5) ? random.pick({0.1, 0.2, 0.4}) : 0;
+  mesh.nearVertices = random.chance(0.35) ? static_cast<std::size_t>(random.between(1, 3)) : 0;
+}
+
+/// A row of small rooms to look along, and at times a second row of something else.
+void makeChain(Random& random, LevelStyle& style) {
+  style.mesh.columns = static_cast<std::size_t>(random.between(13, 16));
+  style.mesh.rows = random.chance(0.5) ? 2 : 1;
+  style.mesh.firstInsetRow = 1;
+  style.mesh.cellMin = 500'000;
+  style.mesh.cellMax = 1'000'000;
+  style.storeys.chainLinks = style.mesh.columns;
+  style.storeys.groundSectors = 3;
+}
+
+LevelStyle chooseStyle(Random& random) {
+  LevelStyle style;
+  chooseMesh(random, style);
+  style.storeys.groundSectors = static_cast<std::size_t>(random.between(2, 7));
+  style.storeys.voidShare = random.pick({0.0, 0.0, 0.1, 0.25});
+  style.storeys.storeys = random.pick<std::size_t>({1, 1, 1, 2, 2, 2, 3, 3, 4});
+  style.storeys.skyShare = random.chance(0.5) ? random.pick({0.4, 0.7, 1.0}) : 0;
+  style.storeys.skyFloorShare = random.chance(0.3) ? random.pick({0.3, 0.7}) : 0;
+  style.storeys.hasDoors = random.chance(0.4);
+  style.storeys.hasHyphens = random.chance(0.35);
+  style.walls.stackShare = random.pick({0.0, 0.15, 0.3, 0.6});
+  style.walls.mergeShare = random.pick({0.2, 0.5, 0.8});
+  style.walls.wrongWinding = random.chance(0.2) ? 0.3 : 0;
+  style.slopeShare = random.pick({0.0, 0.0, 0.25, 0.4, 0.7});
+  if (random.chance(0.15)) makeChain(random, style);
+  return style;
+}
+
+/// About the area of all surfaces: m^2.
+double surfaceArea(const Model& model) {
+  double area = 0;
+  for (const Sector& sector : model.sectors) {
+    area += 2 * model.floorArea(sector);
+    for (const Loop& loop : sector.loops) {
+      for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+        const VertexId next = loop.vertices[(i + 1) % loop.vertices.size()];
+        area += distance(model.mesh.vertices[loop.vertices[i]], model.mesh.vertices[next]) *
+                metres(sector.height());
+      }
+    }
+  }
+  return area;
+}
+
+Spelling chooseSpelling(Random& random, const Model& model) {
+  Spelling spelling;
+  spelling.hasSectorArray = random.chance(0.3);
+  spelling.hasLoopArrays = random.chance(0.3);
+  spelling.namesLightsFile = random.chance(0.5);
+  spelling.omitsDefaults = random.chance(0.5);
+  if (random.chance(0.5)) spelling.levelLight = random.pick({0.0, 0.1, 0.3, 0.6});
+  const double area = surfaceArea(model);
+  std::vector<double> texels;
+  for (const double texel : {0.125, 0.25, 0.5, 1.0}) {
+    if (area / (texel * texel) <= kMostTexels) texels.push_back(texel);
+  }
+  spelling.texel = texels.empty() ? 1 : random.chance(0.6) ? texels[0] : random.pickFrom(texels);
+  spelling.hasLightArray = spelling.texel == kDefaultTexel && random.chance(0.3);
+  return spelling;
+}
+
+bool hasRoomForCameras(const Model& model) {
+  return std::any_of(model.sectors.begin(), model.sectors.end(),
+                     [](const Sector& sector) { return sector.height() >= kMetre; });
+}
+
+Model makeModel(Random& random) {
+  while (true) {
+    const LevelStyle style = chooseStyle(random);
+    Model model = makeStoreys(random, makeMesh(random, style.mesh), style.storeys);
+    if (model.sectors.size() < kLeastSectors || model.sectors.size() > kMostSectors ||
+        !hasRoomForCameras(model)) {
+      continue;
+    }
+    makeWalls(random, model, style.walls);
+    makeSlopes(random, model, style.slopeShare);
+    return model;
+  }
+}
+
+}  // namespace
+}  // namespace random_levels
+
+namespace {
+
+// ---- files
+
+tl::expected<void, std::string> writeText(const std::filesystem::path& path,
+                                          const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) return tl::unexpected(fmt::format("{}: cannot be written", path.string()));
+  return {};
+}
+
+tl::expected<void, std::string> makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    return tl::unexpected(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+  }
+  return {};
+}
+
+/// Every texel of all the images gets another number; the odd factor spreads these over all
+/// colours and is a bijection of 24-bit numbers.
+Rgb colourOf(std::uint32_t number) {
+  const std::uint32_t mixed = number * 0x9E3779B1u & 0xFFFFFFu;
+  return {static_cast<std::uint8_t>(mixed >> 16), static_cast<std::uint8_t>(mixed >> 8 & 0xFF),
+          static_cast<std::uint8_t>(mixed & 0xFF)};
+}
+
+}  // namespace
+
+RandomLevel makeRandomLevel(std::uint64_t seed) {
+  using namespace random_levels;
+  Random random(seed);
+  const Model model = makeModel(random);
+  RandomLevel level;
+  level.name = fmt::format("level_{}", seed);
+  level.features = featuresOf(model);
+  Places places(random, model, level.features);
+  level.views = places.views(static_cast<std::size_t>(random.between(4, 6)));
+  const std::vector<RandomLight> lights =
+      places.lights(static_cast<std::size_t>(random.between(0, 6)));
+  const Spelling spelling = chooseSpelling(random, model);
+  level.levelJson = levelJson(model, level.name, level.views, spelling);
+  level.lightsJson = lightsJson(model, lights, spelling);
+  if (lights.empty()) level.features.insert(Feature::NoLights);
+  const bool hasArrays = spelling.hasSectorArray || spelling.hasLoopArrays;
+  const bool hasObjects = !spelling.hasSectorArray || !spelling.hasLoopArrays;
+  if (hasArrays) level.features.insert(Feature::Arrays);
+  if (hasObjects) level.features.insert(Feature::Objects);
+  return level;
+}
+
+tl::expected<void, std::string> writeRandomLevelTextures(const std::filesystem::path& folder) {
+  if (auto made = makeFolder(folder); !made) return made;
+  std::uint32_t number = 0;
+  for (const RandomTexture& texture : kRandomLevelTextures) {
+    Image image(texture.width, texture.height);
+    for (int y = 0; y < texture.height; ++y) {
+      for (int x = 0; x < texture.width; ++x) image.at(x, y) = colourOf(++number);
+    }
+    const auto written = writePng(folder / fmt::format("{}.png", texture.name), image);
+    if (!written) return written;
+  }
+  return {};
+}
+
+tl::expected<void, std::string> writeRandomLevel(const std::filesystem::path& folder,
+                                                 const RandomLevel& level) {
+  if (auto made = makeFolder(folder); !made) return made;
+  if (auto written = writeText(folder / (level.name + ".json"), level.levelJson); !written) {
+    return written;
+  }
+  return writeText(folder / (level.name + ".lights.json"), level.lightsJson);
+}
+
+}  // namespace hearth
