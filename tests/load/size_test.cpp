@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "load_text.h"
+
+/// Large levels load in seconds. The bounds are a multiple of what they take on a machine of two
+/// slow cores: they tell n log n from n squared, no more.
+namespace hearth {
+namespace {
+
+constexpr double kSeconds = 60;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string wallTo(int x, int y, int side) {
+  if (x < 0 || y < 0 || x >= side || y >= side) return "{'texture': '#808080'}";
+  return fmt::format("{{'next': 'r{}_{}'}}", x, y);
+}
+
+std::string grid(int side) {
+  std::string text;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      if (!text.empty()) text += ",";
+      text +=
+          sectorText(fmt::format("r{}_{}", x, y),
+                     fmt::format("{0},{1}, {2},{1}, {2},{3}, {0},{3}", x, y, x + 1, y + 1),
+                     fmt::format("[{}, {}, {}, {}]", wallTo(x, y - 1, side), wallTo(x + 1, y, side),
+                                 wallTo(x, y + 1, side), wallTo(x - 1, y, side)));
+    }
+  return text;
+}
+
+TEST(Size, aHundredThousandSectors) {
+  const std::string text = "{'light': 1, 'sectors': {" + grid(317) + "}}";
+  const Stopwatch watch;
+  const LoadResult result = loadText(text);
+  EXPECT_LT(watch.seconds(), kSeconds);
+  ASSERT_TRUE(result.loaded);
+  EXPECT_EQ(result.loaded->level.sectors.size(), 317U * 317U);
+  expectTwins(result.loaded->level);
+}
+
+/// Vertices of a circle; with `step` -1 the other way round.
+std::string circle(int vertices, int radius, int step) {
+  std::string text;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = step * 2 * 3.14159265358979 * i / vertices;
+    if (i > 0) text += ",";
+    text += fmt::format("{},{}", radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return text;
+}
+
+TEST(Size, sectorsOfTenThousandVerticesThatShareAllTheirWalls) {
+  const std::string text =
+      "{'light': 1, 'sectors': {'ring': {'floor': {'texture': '#808080'}, 'ceiling': {'texture': "
+      "'#404040'}, 'loops': {'border': {'v': [" +
+      circle(10'000, 200, 1) + "], 'walls': {'texture': '#808080'}}, 'hole': {'v': [" +
+      circle(10'000, 100, -1) + "], 'walls': {'next': 'disc'}}}}," +
+      sectorText("disc", circle(10'000, 100, 1), "{'next': 'ring'}") + "}}";
+  const Stopwatch watch;
+  const LoadResult result = loadText(text);
+  EXPECT_LT(watch.seconds(), kSeconds);
+  ASSERT_TRUE(result.loaded) << listed(result);
+  EXPECT_EQ(result.loaded->level.segments.size(), 30'000U);
+}
+
+TEST(Size, aWallThatTenThousandOthersSplit) {
+  std::string vertices = "0,-5, 10000,-5";
+  std::string walls = "{'texture': '#808080'}, {'texture': '#808080'}";
+  for (int x = 10'000; x >= 0; --x) {
+    vertices += fmt::format(", {},0", x);
+    walls += x > 0 ? ", {'next': 'hall'}" : ", {'texture': '#808080'}";
+  }
+  const std::string text =
+      "{'light': 1, 'sectors': {" +
+      sectorText("hall", "0,0, 10000,0, 10000,10, 0,10",
+                 "[{'next': 'comb'}, {'texture': '#808080'}, {'texture': '#808080'}, {'texture': "
+                 "'#808080'}]") +
+      "," + sectorText("comb", vertices, "[" + walls + "]") + "}}";
+  const Stopwatch watch;
+  const LoadResult result = loadText(text);
+  EXPECT_LT(watch.seconds(), kSeconds);
+  ASSERT_TRUE(result.loaded) << listed(result);
+  EXPECT_EQ(result.loaded->level.segments.size(), 10'003U + 10'003U);
+}
+
+TEST(Size, sixtyFourMegabytesOfSpaces) {
+  const Stopwatch watch;
+  EXPECT_FALSE(loadText(std::string(std::size_t{64} << 20, ' ')).loaded);
+  EXPECT_LT(watch.seconds(), kSeconds);
+}
+
+TEST(Size, thirtyMillionZeros) {
+  std::string zeros = "[0";
+  while (zeros.size() + 3 < std::size_t{60} << 20) zeros += ",0";
+  const Stopwatch watch;
+  EXPECT_FALSE(loadText(zeros + "]").loaded);
+  EXPECT_LT(watch.seconds(), kSeconds);
+}
+
+}  // namespace
+}  // namespace hearth

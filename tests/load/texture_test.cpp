@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include "image/image_file.h"
+#include "load_text.h"
+#include "temporary_folder.h"
+
+namespace hearth {
+namespace {
+
+const std::string kRoom = "0,0, 4,0, 4,4, 0,4";
+
+TextureMapping mappingOf(const std::string& texture) {
+  const Level level = loadSectors(sectorText("a", kRoom, "{'texture': " + texture + "}")).level;
+  return std::get<Solid>(level.segments[0].kind).texture;
+}
+
+TEST(Texture, isReadInAllItsForms) {
+  const TextureMapping plain = mappingOf("'#010203'");
+  EXPECT_EQ(plain.repeat, (Vec2{1, 1}));
+  EXPECT_EQ(plain.offsetTexels, (Vec2{0, 0}));
+  EXPECT_EQ(plain.along, 0);
+  EXPECT_FALSE(plain.zRef);
+  EXPECT_EQ(mappingOf("'#010203 2,0.5'").repeat, (Vec2{2, 0.5}));
+  EXPECT_EQ(mappingOf("'#010203 2,0.5 -3,1e9'").offsetTexels, (Vec2{-3, 1e9}));
+  const TextureMapping full =
+      mappingOf("{'name': '#010203', 'scale': [2, 3], 'offset': [4, 5.5], 'along': -6, 'zref': 0}");
+  EXPECT_EQ(full.repeat, (Vec2{2, 3}));
+  EXPECT_EQ(full.offsetTexels, (Vec2{4, 5.5}));
+  EXPECT_EQ(full.along, -6);
+  EXPECT_EQ(full.zRef, 0.0);
+}
+
+TEST(Texture, ofAPortalIsThatOfBothItsSteps) {
+  const Level level =
+      loadSectors(sectorText("a", kRoom,
+                             "[{'texture': '#808080'}, {'next': 'b', 'texture': '#123456'}, "
+                             "{'texture': '#808080'}, {'texture': '#808080'}]") +
+                  "," +
+                  sectorText("b", "4,0, 8,0, 8,4, 4,4",
+                             "[{'texture': '#808080'}, {'texture': '#808080'}, {'texture': "
+                             "'#808080'}, {'next': 'a'}]",
+                             "'floor': {'z': 1, 'texture': '#111111'}, 'ceiling': {'z': 3, "
+                             "'texture': '#111111'}"))
+          .level;
+  const Portal& portal = std::get<Portal>(level.segments[1].kind);
+  EXPECT_EQ(level.textures[portal.upper.value().texture.index()], "#123456");
+  EXPECT_EQ(level.textures[portal.lower.value().texture.index()], "#123456");
+}
+
+TEST(Texture, ofAPlainColourIsOnePixel) {
+  const LoadedLevel loaded = loadSectors(sectorText("a", kRoom, "{'texture': '#0a0B0c'}"));
+  ASSERT_EQ(loaded.textures.size(), loaded.level.textures.size());
+  const TextureId id = std::get<Solid>(loaded.level.segments[0].kind).texture.texture;
+  EXPECT_EQ(loaded.textures[id.index()], Image(1, 1, {10, 11, 12}));
+}
+
+TEST(Texture, ofOneNameIsLoadedOnce) {
+  const LoadedLevel loaded =
+      loadSectors(sectorText("a", kRoom,
+                             "[{'texture': '#808080'}, {'texture': '#808080 2,2'}, {'texture': "
+                             "'#808080'}, {'texture': {'name': '#404040'}}]"));
+  EXPECT_EQ(loaded.level.textures.size(), 2U);
+}
+
+/// A level in `levels/` of a folder of its own, whose only image is called "wall".
+class TextureSearch : public testing::Test {
+ protected:
+  void addImage(const std::filesystem::path& path, Rgb color) {
+    std::filesystem::create_directories((folder_.path() / path).parent_path());
+    ASSERT_TRUE(writePng(folder_.path() / path, Image(1, 1, color)));
+  }
+
+  Rgb load(const std::string& more = "") {
+    const LoadResult result = loadLevel(folder_.write(
+        "levels/level.json",
+        "{\"light\": 1, " + more +
+            "\"sectors\": {\"a\": {\"floor\": {\"texture\": \"wall\"}, \"ceiling\": {\"texture\": "
+            "\"wall\"}, \"loops\": {\"border\": {\"v\": [0,0, 1,0, 1,1], \"walls\": {\"texture\": "
+            "\"wall\"}}}}}}"));
+    EXPECT_TRUE(result.loaded) << listed(result);
+    return result.loaded ? result.loaded->textures.at(0).at(0, 0) : Rgb{};
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(TextureSearch, looksIntoTexturesBesideTheLevelsFolderThenIntoThatItself) {
+  addImage("levels/wall.png", {1, 0, 0});
+  EXPECT_EQ(load(), (Rgb{1, 0, 0}));
+  addImage("textures/wall.png", {2, 0, 0});
+  EXPECT_EQ(load(), (Rgb{2, 0, 0}));
+}
+
+TEST_F(TextureSearch, looksOnlyIntoTheFolderThatTheLevelNames) {
+  addImage("textures/wall.png", {2, 0, 0});
+  addImage("mine/wall.png", {3, 0, 0});
+  EXPECT_EQ(load("\"textures\": \"../mine\", "), (Rgb{3, 0, 0}));
+}
+
+TEST_F(TextureSearch, prefersPngToTheOtherKinds) {
+  addImage("textures/wall.bmp", {4, 0, 0});  // its content tells that it is a PNG
+  EXPECT_EQ(load(), (Rgb{4, 0, 0}));
+  addImage("textures/wall.jpg", {5, 0, 0});
+  EXPECT_EQ(load(), (Rgb{5, 0, 0}));
+  addImage("textures/wall.png", {6, 0, 0});
+  EXPECT_EQ(load(), (Rgb{6, 0, 0}));
+}
+
+}  // namespace
+}  // namespace hearth
