@@ -1,0 +1,102 @@
+// Texel grids: anchored to the plane and not to the piece, so that cutting moves no texel.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/baked_room.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+using test::BakedRoom;
+using test::sectorText;
+
+constexpr std::string_view kLights =
+    "[{'x':1.3,'y':1.1,'z':2.3,'falloff':0.5},{'x':4.9,'y':3.2,'z':0.7,'falloff':0.9}]";
+
+std::string levelOf(const std::string& sectors) {
+  return fmt::format("{{'light': 0, 'sectors': {{{}}}}}", sectors);
+}
+
+std::string wholeRoom() {
+  return levelOf(sectorText("room", "0.1,0.2, 6.3,0.2, 6.3,4.1, 0.1,4.1", 0, 3));
+}
+
+/// Of coordinates only: one texel that differs by one level shows as far more.
+constexpr double kRounding = 1e-9;
+
+/// The light of two levels, compared all over the room that both describe.
+void expectSameLight(const BakedRoom& a, const BakedRoom& b) {
+  for (double x = 0.15; x < 6.3; x += 0.0937)
+    for (double y = 0.25; y < 4.1; y += 0.0871) {
+      EXPECT_NEAR(a.at(SurfaceKind::Floor, {x, y, 0}), b.at(SurfaceKind::Floor, {x, y, 0}),
+                  kRounding)
+          << x << ' ' << y;
+      EXPECT_NEAR(a.at(SurfaceKind::Ceiling, {x, y, 3}), b.at(SurfaceKind::Ceiling, {x, y, 3}),
+                  kRounding)
+          << x << ' ' << y;
+    }
+  for (double x = 0.15; x < 6.3; x += 0.0937)
+    for (double z = 0.05; z < 3; z += 0.0871) {
+      EXPECT_NEAR(a.at(SurfaceKind::Solid, {x, 0.2, z}), b.at(SurfaceKind::Solid, {x, 0.2, z}),
+                  kRounding)
+          << x << ' ' << z;
+      EXPECT_NEAR(a.at(SurfaceKind::Solid, {x, 4.1, z}), b.at(SurfaceKind::Solid, {x, 4.1, z}),
+                  kRounding)
+          << x << ' ' << z;
+    }
+}
+
+TEST(TexelGrid, staysWhenAWallIsCut) {
+  const BakedRoom whole(wholeRoom(), kLights);
+  const BakedRoom cut(
+      levelOf(sectorText("room", "0.1,0.2, 2.77,0.2, 6.3,0.2, 6.3,4.1, 3.33,4.1, 0.1,4.1", 0, 3)),
+      kLights);
+  expectSameLight(whole, cut);
+}
+
+TEST(TexelGrid, staysWhenASectorIsCut) {
+  const BakedRoom whole(wholeRoom(), kLights);
+  const std::string_view solid = "{'texture':'#808080'}";
+  const BakedRoom cut(levelOf(sectorText("west", "0.1,0.2, 2.7,0.2, 3.3,4.1, 0.1,4.1", 0, 3,
+                                         fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid)) +
+                              "," +
+                              sectorText("east", "2.7,0.2, 6.3,0.2, 6.3,4.1, 3.3,4.1", 0, 3,
+                                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid))),
+                      kLights);
+  expectSameLight(whole, cut);
+}
+
+TEST(TexelGrid, doesNotTakeLightFromBehindAThinWall) {
+  const std::string_view solid = "{'texture':'#808080'}";
+  // Two rooms side by side whose floors are one plane, joined far away by a third.
+  const BakedRoom rooms(
+      levelOf(sectorText("bright", "0,0, 4,0, 4,8, 0,8", 0, 3,
+                         fmt::format("[{0},{0},{{'next':'hall'}},{0}]", solid)) +
+              "," +
+              sectorText("dark", "4.01,0, 8,0, 8,8, 4.01,8", 0, 3,
+                         fmt::format("[{0},{0},{{'next':'hall'}},{0}]", solid)) +
+              "," +
+              sectorText(
+                  "hall", "0,8, 4,8, 4.01,8, 8,8, 8,9, 0,9", 0, 3,
+                  fmt::format("[{{'next':'bright'}},{0},{{'next':'dark'}},{0},{0},{0}]", solid))),
+      "[{'x':3.5,'y':1,'z':1.5,'intensity':200}]");
+  for (double y = 0.5; y < 7; y += 0.31) {
+    EXPECT_EQ(rooms.at(SurfaceKind::Floor, {4.02, y, 0}, "dark"), 0) << y;
+    EXPECT_EQ(rooms.at(SurfaceKind::Floor, {3.99, y, 0}, "bright"), 200) << y;
+  }
+}
+
+TEST(TexelGrid, isAnchoredToTheFirstVertexOfTheRun) {
+  const BakedRoom room(wholeRoom(), kLights);
+  const auto surface = room.surfaceAt(SurfaceKind::Solid, {6.3, 2, 1}, "room");
+  ASSERT_TRUE(surface);
+  const TexelGrid& grid = room.light().surfaces[surface->index()]->grid;
+  EXPECT_EQ(grid.toTexels({6.3, 0.2, 0}), (Vec2{0, 0}));
+  EXPECT_NEAR(grid.toTexels({6.3, 1.2, 0.5}).x, 8, 1e-12);
+  EXPECT_NEAR(grid.toTexels({6.3, 1.2, 0.5}).y, 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace hearth

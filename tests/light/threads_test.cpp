@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+#include "light/parallel.h"
+#include "support/baked_room.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+TEST(ParallelFor, doesEveryIndexOnce) {
+  for (const int threads : {1, 2, 7, 64}) {
+    std::vector<std::atomic<int>> done(1000);
+    parallelFor(done.size(), threads, [&](std::size_t i) { ++done[i]; });
+    for (const auto& count : done) EXPECT_EQ(count, 1) << threads << " threads";
+  }
+}
+
+TEST(ParallelFor, doesNothingForNothing) {
+  parallelFor(0, 4, [](std::size_t) { FAIL(); });
+}
+
+TEST(Bake, givesTheSameBytesForAnyNumberOfThreads) {
+  const std::string level =
+      "{'light': 0.1, 'sectors': {" +
+      test::sectorText("a", "0,0, 6,0, 6,2, 6,3, 6,5, 0,5", 0, 3,
+                       "[{'texture':'#808080'},{'texture':'#808080'},{'next':'b','texture':"
+                       "'#808080'},{'texture':'#808080'},{'texture':'#808080'},{'texture':"
+                       "'#808080'}]") +
+      "," +
+      test::sectorText("b", "6,2, 9,1, 9,4, 6,3", 0.3, 2.5,
+                       "[{'texture':'#808080'},{'texture':'#808080'},{'texture':'#808080'},"
+                       "{'next':'a','texture':'#808080'}]") +
+      "}}";
+  const std::string lights =
+      "[{'x':1,'y':1,'z':2.5,'falloff':0.4},{'x':8,'y':2.2,'z':1,'falloff':0.7},"
+      "{'x':3.3,'y':4.1,'z':0.4,'intensity':90}]";
+  const test::BakedRoom one(level, lights, 1);
+  for (const int threads : {2, 7, 64}) {
+    const test::BakedRoom many(level, lights, threads);
+    for (std::size_t i = 0; i < one.light().lightmaps.size(); ++i) {
+      ASSERT_EQ(one.light().lightmaps[i].has_value(), many.light().lightmaps[i].has_value());
+      if (one.light().lightmaps[i]) {
+        EXPECT_EQ(one.light().lightmaps[i]->levels, many.light().lightmaps[i]->levels);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,36 @@
+#include "support/baked_room.h"
+
+#include <cmath>
+
+#include "math/check.h"
+#include "support/level_text.h"
+
+namespace hearth::test {
+
+BakedRoom::BakedRoom(std::string_view levelText, std::string_view lightsText, int threads)
+    : loaded_(levelFrom(levelText, lightsText)),
+      light_(bake(loaded_.level, loaded_.level.bake, threads)) {}
+
+double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector) const {
+  const std::optional<SurfaceId> id = surfaceAt(kind, p, sector);
+  CHECK(id, name(kind), p.x, p.y, p.z);
+  const auto& lightmap = light_.lightmaps[id->index()];
+  const Vec2 texels = light_.surfaces[id->index()]->grid.toTexels(p);
+  return lightmap ? lightmap->sample(texels.x, texels.y) : 0;
+}
+
+std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
+                                              std::string_view sector) const {
+  constexpr double kNear = 1e-6;
+  for (std::size_t i = 0; i < level().surfaces.size(); ++i) {
+    const Surface& surface = level().surfaces[i];
+    const auto& lit = light_.surfaces[i];
+    if (surface.kind != kind || !lit || std::abs(lit->distanceInFront(p)) > kNear) continue;
+    if (!sector.empty() && level()[surface.sector].name != sector) continue;
+    const Vec2 texels = lit->grid.toTexels(p);
+    if (lit->contains(texels) || length(lit->nearest(texels) - texels) < kNear) return SurfaceId(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace hearth::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "light/bakery.h"
+#include "load/load.h"
+
+namespace hearth::test {
+
+/// A level with its light, to be read at points of the world.
+class BakedRoom {
+ public:
+  BakedRoom(std::string_view levelText, std::string_view lightsText, int threads = 2);
+
+  const Level& level() const { return loaded_.level; }
+  const BakedLight& light() const { return light_; }
+
+  /// Baked levels on the surface of a kind that shows at `p`, as the renderer would show them;
+  /// 0 where it has no lightmap. `segmentSector` tells apart surfaces of several sectors.
+  double at(SurfaceKind kind, Vec3 p, std::string_view sector = "") const;
+
+  std::optional<SurfaceId> surfaceAt(SurfaceKind kind, Vec3 p, std::string_view sector) const;
+
+ private:
+  LoadedLevel loaded_;
+  BakedLight light_;
+};
+
+}  // namespace hearth::test

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "load/load.h"
+
+namespace hearth::test {
+
+/// A level from the text of its file and of its lights file. Single quotes may stand for double
+/// ones. Stops the test program with the loader's messages when the level has a mistake.
+LoadedLevel levelFrom(std::string_view levelText, std::string_view lightsText = "[]");
+
+/// A sector of plain colours: `'name': { ... }`, whose walls are all `walls`.
+std::string sectorText(std::string_view name, std::string_view vertices, double floor,
+                       double ceiling, std::string_view walls = "{'texture': '#808080'}",
+                       std::string_view more = "");
+
+}  // namespace hearth::test
