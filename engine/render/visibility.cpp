@@ -263,9 +263,11 @@ class Visibility {
   void lookThroughPlane(double z, bool down, Window window, const std::vector<Stretch>& stretches,
                         std::size_t firstNew, std::size_t firstNewFlat) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const bool last = i + 1 == stretches.size();
       const ColumnHit& exit = stretches[i].exit;
-      const int farRow = last ? (down ? window.top : window.bottom) : rowIn(window, z, exit.depth);
+      // The farthest stretch ends where the window does, whatever rounding says; one that ends
+      // before the window begins must not turn the look back, or it might go on for ever.
+      const bool rest = i + 1 == stretches.size() && exit.depth > window.depth * (1 - kNearTie);
+      const int farRow = rest ? (down ? window.top : window.bottom) : rowIn(window, z, exit.depth);
       Window part = window;
       (down ? part.top : part.bottom) = farRow;
       (down ? window.bottom : window.top) = farRow;

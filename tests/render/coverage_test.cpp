@@ -1,0 +1,113 @@
+// Every pixel of an enclosed level is covered exactly once, from wherever one looks.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "level/locate.h"
+#include "load/load.h"
+#include "render/renderer.h"
+
+namespace hearth {
+namespace {
+
+constexpr Rgb kOnce = {0, 160, 0};  // of Channel::Overdraw
+
+class Coverage : public testing::Test {
+ protected:
+  Coverage()
+      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
+        light_{LitSurfaces(loaded_.level.surfaces.size()),
+               std::vector<std::optional<Lightmap>>(loaded_.level.surfaces.size()),
+               {}},
+        renderer_(loaded_.level, loaded_.textures, light_) {}
+
+  const Level& level() const { return loaded_.level; }
+
+  Camera cameraAt(const Shot& shot) const {
+    return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
+  }
+
+  void expectCoveredOnce(const Camera& camera) const {
+    const Image drawn = renderer_.draw(camera, Channel::Overdraw);
+    int wrong = 0;
+    for (const Rgb pixel : drawn.pixels()) wrong += pixel == kOnce ? 0 : 1;
+    EXPECT_EQ(wrong, 0) << fmt::format("{}x{} at {},{},{} in {} angle {} pitch {} fov {}",
+                                       camera.width, camera.height, camera.eye.x, camera.eye.y,
+                                       camera.eye.z, level()[camera.sector].name, camera.angle,
+                                       camera.pitch, camera.fov);
+  }
+
+ private:
+  LoadedLevel loaded_;
+  BakedLight light_;
+  Renderer renderer_;
+};
+
+TEST_F(Coverage, isCompleteAtEverySize) {
+  constexpr std::pair<int, int> kSizes[] = {{1, 1}, {1, 200},   {200, 1},
+                                            {3, 3}, {320, 200}, {2045, 960}};
+  for (const Shot& shot : level().shots)
+    for (const auto& [width, height] : kSizes) {
+      Camera camera = cameraAt(shot);
+      camera.width = width;
+      camera.height = height;
+      expectCoveredOnce(camera);
+    }
+}
+
+TEST_F(Coverage, isCompleteForEveryFieldOfViewAndPitch) {
+  for (const Shot& shot : level().shots)
+    for (const double fov : {1.0, 30.0, 90.0, 150.0, 179.0})
+      for (const double pitch : {-60.0, -7.0, 0.0, 45.0, 60.0}) {
+        Camera camera = cameraAt(shot);
+        camera.fov = fov;
+        camera.pitch = pitch;
+        expectCoveredOnce(camera);
+      }
+}
+
+TEST_F(Coverage, isCompleteFromEveryVertexAndEveryMiddleOfAWall) {
+  for (const Segment& segment : level().segments) {
+    const Sector& sector = level()[segment.sector];
+    for (const double share : {0.0, 0.5}) {
+      const Vec2 p = lerp(segment.p0, segment.p1, share);
+      const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
+      for (const double angle : {0.0, 45.0, 90.0, 137.0, 180.0, 270.0, 301.0})
+        expectCoveredOnce({segment.sector, {p.x, p.y, z}, angle, 0, 100, 61, 31});
+    }
+  }
+}
+
+TEST_F(Coverage, isCompleteALittleOffEveryWall) {
+  for (const Segment& segment : level().segments) {
+    const Sector& sector = level()[segment.sector];
+    const Vec2 along = segment.p1 - segment.p0;
+    const double angle = compassDegrees(along);
+    for (const double distance : {1e-12, 1e-9, 1e-6, 1e-3}) {
+      const Vec2 p =
+          lerp(segment.p0, segment.p1, 0.37) + (distance / segment.length) * turned90(along);
+      if (!contains(level(), sector, p)) continue;
+      const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
+      for (const double turn : {0.0, 90.0, 180.0, 270.0})
+        expectCoveredOnce({segment.sector, {p.x, p.y, z}, angle + turn, 0, 90, 61, 31});
+    }
+  }
+}
+
+TEST_F(Coverage, isCompleteWithTheEyeOnFloorsAndCeilings) {
+  for (const Shot& shot : level().shots) {
+    const Sector& sector = level()[shot.sector];
+    for (const double z : {sector.airBottom(shot.eye.xy()), sector.airTop(shot.eye.xy())})
+      for (const double pitch : {-60.0, 0.0, 60.0}) {
+        Camera camera = cameraAt(shot);
+        camera.eye.z = z;
+        camera.pitch = pitch;
+        expectCoveredOnce(camera);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,101 @@
+// Pictures that were looked at and kept. The same bytes must come out of every build.
+//
+// After a change that is meant to be seen, look at the new pictures and keep them with
+//   HEARTH_UPDATE_GOLDENS=1 build/release/tests/render/test_render --gtest_filter='Golden*'
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "image/compare.h"
+#include "image/image_file.h"
+#include "load/load.h"
+#include "render/renderer.h"
+
+namespace hearth {
+namespace {
+
+class Golden : public testing::Test {
+ protected:
+  Golden()
+      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
+        light_(bake(loaded_.level, loaded_.level.bake, 2)),
+        renderer_(loaded_.level, loaded_.textures, light_) {}
+
+  void expectGolden(const std::filesystem::path& file, const Image& drawn) const {
+    if (std::getenv("HEARTH_UPDATE_GOLDENS")) {
+      std::filesystem::create_directories(file.parent_path());
+      ASSERT_TRUE(writePng(file, drawn));
+      return;
+    }
+    const auto golden = readImage(file, 1 << 24);
+    ASSERT_TRUE(golden) << golden.error();
+    ASSERT_EQ(golden->width(), drawn.width());
+    ASSERT_EQ(golden->height(), drawn.height());
+    const PictureDifference difference = compare(*golden, drawn);
+    if (difference.differing == 0) return;
+    const auto actual = std::filesystem::path(testing::TempDir()) / file.filename();
+    (void)writePng(actual, drawn);
+    ADD_FAILURE() << fmt::format("{}: {} pixels differ, {} by more than 8; drawn: {}",
+                                 file.string(), difference.differing, difference.over8,
+                                 actual.string());
+  }
+
+  static Camera cameraOf(const Shot& shot) {
+    return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
+  }
+
+  LoadedLevel loaded_;
+  BakedLight light_;
+  Renderer renderer_;
+};
+
+TEST_F(Golden, shotsOfTheTutorialAreAsKept) {
+  ASSERT_GE(loaded_.level.shots.size(), 20U);
+  const std::filesystem::path folder = HEARTH_SOURCE_DIR "/levels/tutorial.golden";
+  for (const Shot& shot : loaded_.level.shots)
+    expectGolden(folder / (shot.name + ".png"), renderer_.draw(cameraOf(shot), LightMode::Both));
+}
+
+TEST_F(Golden, channelsAreAsKept) {
+  constexpr std::pair<std::string_view, Channel> kChannels[] = {
+      {"sector", Channel::Sector},    {"surface", Channel::Surface},
+      {"depth", Channel::Depth},      {"uv", Channel::Uv},
+      {"normal", Channel::Normal},    {"light", Channel::Light},
+      {"overdraw", Channel::Overdraw}};
+  const std::filesystem::path folder = HEARTH_SOURCE_DIR "/tests/render/golden";
+  for (const std::string_view name : {"arrival", "gallery", "cellar"})
+    for (const Shot& shot : loaded_.level.shots)
+      for (const auto& [channelName, channel] : kChannels) {
+        if (shot.name != name) continue;
+        Camera camera = cameraOf(shot);
+        camera.width = 160;
+        camera.height = 100;
+        expectGolden(folder / fmt::format("{}-{}.png", name, channelName),
+                     renderer_.draw(camera, channel));
+      }
+}
+
+TEST_F(Golden, lightModesAreAsKept) {
+  const std::filesystem::path folder = HEARTH_SOURCE_DIR "/tests/render/golden";
+  const Shot& shot = loaded_.level.shots.front();
+  expectGolden(folder / "arrival-none.png", renderer_.draw(cameraOf(shot), LightMode::None));
+  expectGolden(folder / "arrival-only.png", renderer_.draw(cameraOf(shot), LightMode::Only));
+}
+
+TEST_F(Golden, twoThreadsAndSevenBakeTheSame) {
+  for (const int threads : {1, 7}) {
+    const BakedLight again = bake(loaded_.level, loaded_.level.bake, threads);
+    for (std::size_t i = 0; i < light_.lightmaps.size(); ++i) {
+      ASSERT_EQ(again.lightmaps[i].has_value(), light_.lightmaps[i].has_value());
+      if (again.lightmaps[i]) {
+        EXPECT_EQ(again.lightmaps[i]->levels, light_.lightmaps[i]->levels);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hearth
