@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+struct MeshTriangle {
+  std::array<Vec3, 3> corners;
+  SurfaceId surface;
+  Vec3 normal;  ///< into the air, not of unit length; the triangle is seen from there only
+};
+
+/// All surfaces of a level, skies included, as triangles: from the level's derived walls (which the
+/// truth does not use), and flats cut into trapezoids.
+std::vector<MeshTriangle> meshOf(const Level& level);
+
+/// The outline of a sector as triangles on the map.
+std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& sector);
+
+/// Metres from the straight line between two points to the nearest edge of a triangle.
+double distanceToEdge(const std::vector<MeshTriangle>& mesh, Vec3 from, Vec3 to);
+
+}  // namespace hearth

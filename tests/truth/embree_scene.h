@@ -1,0 +1,41 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <array>
+#include <vector>
+
+#include "embree_mesh.h"
+
+namespace hearth {
+
+using Float3 = std::array<float, 3>;
+
+struct FloatRay {
+  Float3 origin;
+  Float3 direction;
+};
+
+/// A mesh in Embree, in single precision.
+class EmbreeScene {
+ public:
+  /// Keeps a pointer to the mesh.
+  explicit EmbreeScene(std::vector<MeshTriangle>& mesh);
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+  ~EmbreeScene();
+
+  struct Hit {
+    double t;           ///< ray parameter; infinity for none
+    unsigned triangle;  ///< index into the mesh
+  };
+
+  /// The first hit from the front.
+  Hit trace(const FloatRay& ray) const;
+
+ private:
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+}  // namespace hearth
