@@ -1,0 +1,74 @@
+#include "agreement/tally.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hearth::agreement {
+
+Count& Count::operator+=(const Count& other) {
+  tested += other.tested;
+  missed += other.missed;
+  excused += other.excused;
+  return *this;
+}
+
+Tally& Tally::operator+=(const Tally& other) {
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    kinds[i].texture += other.kinds[i].texture;
+    kinds[i].gridLight += other.kinds[i].gridLight;
+    kinds[i].exactLight += other.kinds[i].exactLight;
+  }
+  levels += other.levels;
+  views += other.views;
+  holes += other.holes;
+  if (firstMiss.empty()) firstMiss = other.firstMiss;
+  return *this;
+}
+
+std::int64_t Tally::missed() const {
+  std::int64_t sum = 0;
+  for (const KindTally& kind : kinds)
+    sum += kind.texture.missed + kind.gridLight.missed + kind.exactLight.missed;
+  return sum;
+}
+
+std::int64_t Tally::leastTested() const {
+  return std::ranges::min(kinds, {}, [](const KindTally& k) { return k.texture.tested; })
+      .texture.tested;
+}
+
+namespace {
+
+std::string columns(const Count& count) {
+  return fmt::format(" | {:>11} {:>8} {:>8}", count.tested, count.excused, count.missed);
+}
+
+std::string row(std::string_view name, const KindTally& kind) {
+  return fmt::format("{:<17}{}{}{}\n", name, columns(kind.texture), columns(kind.gridLight),
+                     columns(kind.exactLight));
+}
+
+}  // namespace
+
+std::string table(const Tally& tally) {
+  std::string text = fmt::format("{:<17} | {:^29} | {:^29} | {:^29}\n", "", "texture, exact",
+                                 "light at texels, +-1", "exact light, +-3");
+  text += fmt::format("{:<17}", "surface");
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format(" | {:>11} {:>8} {:>8}", "tested", "at edge", "missed");
+  text += '\n';
+  KindTally all;
+  for (std::size_t i = 0; i < tally.kinds.size(); ++i) {
+    const KindTally& kind = tally.kinds[i];
+    text += row(name(static_cast<SurfaceKind>(i)), kind);
+    all.texture += kind.texture;
+    all.gridLight += kind.gridLight;
+    all.exactLight += kind.exactLight;
+  }
+  text += row("all", all);
+  text += fmt::format("{} levels, {} views, {} holes\n", tally.levels, tally.views, tally.holes);
+  return text;
+}
+
+}  // namespace hearth::agreement

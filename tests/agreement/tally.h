@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "level/surface.h"
+
+namespace hearth::agreement {
+
+/// How many pixels were compared, and how many of them disagreed.
+struct Count {
+  std::int64_t tested = 0;
+  std::int64_t missed = 0;
+  std::int64_t excused = 0;  ///< disagreed, but too near to an edge to be told apart
+
+  Count& operator+=(const Count& other);
+};
+
+struct KindTally {
+  Count texture;     ///< `--light none`, every pixel, exact
+  Count gridLight;   ///< `--light only` against truth at texel centres, within 1 level
+  Count exactLight;  ///< `--light only` against truth at the pixel, within 3 levels
+};
+
+struct Tally {
+  std::array<KindTally, kSurfaceKinds> kinds;
+  std::int64_t levels = 0;
+  std::int64_t views = 0;
+  std::int64_t holes = 0;  ///< pixels that no surface covered
+  std::string firstMiss;   ///< how to see it
+
+  Tally& operator+=(const Tally& other);
+  std::int64_t missed() const;
+  /// The least number of pixels tested of any kind.
+  std::int64_t leastTested() const;
+};
+
+/// A line per kind of surface, and one for all.
+std::string table(const Tally& tally);
+
+}  // namespace hearth::agreement
