@@ -1,0 +1,382 @@
+#include "render/views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "level/openings.h"
+#include "math/tolerance.h"
+#include "render/line.h"
+#include "render/renderer.h"
+#include "render/visibility.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr Rgb kBackground = {16, 18, 28};
+constexpr Rgb kAxis = {52, 58, 80};
+constexpr Rgb kWall = {255, 255, 255};
+constexpr Rgb kWayOn = {255, 160, 48};
+constexpr Rgb kEye = {96, 200, 255};
+constexpr Rgb kFieldOfView = {48, 120, 176};
+
+/// Share of the picture's shorter side that stays free round a plan.
+constexpr double kMargin = 0.06;
+
+/// Metres of depth. The pictures leave out what is nearer than authors can mean: 1/depth has no
+/// end.
+constexpr double kNearPlane = kAuthorNoise;
+
+Rgb dimmed(Rgb color) {
+  const auto dim = [](std::uint8_t c) { return static_cast<std::uint8_t>(c / 4 + 16); };
+  return {dim(color.r), dim(color.g), dim(color.b)};
+}
+
+bool leadsOn(const Segment& segment) {
+  return std::ranges::any_of(segment.pieces, [](const WallPiece& piece) {
+    return std::holds_alternative<Opening>(piece.content);
+  });
+}
+
+Rgb colorOf(const Segment& segment) { return leadsOn(segment) ? kWayOn : kWall; }
+
+void drawLine(Image& image, Vec2 a, Vec2 b, Rgb color) {
+  forEachPixelOfLine(a, b, image.width(), image.height(),
+                     [&](int x, int y, double) { image.at(x, y) = color; });
+}
+
+/// The eye, as a small cross.
+void drawEye(Image& image, Vec2 p) {
+  constexpr double kArm = 3;  // pixels
+  drawLine(image, p - Vec2{kArm, 0}, p + Vec2{kArm, 0}, kEye);
+  drawLine(image, p - Vec2{0, kArm}, p + Vec2{0, kArm}, kEye);
+}
+
+/// Walls that lead on come last: they stay visible where they share a line with others.
+template <typename Draw>
+void forWallsThenWaysOn(const Level& level, Draw&& draw) {
+  for (const bool ways : {false, true})
+    for (const Segment& segment : level.segments)
+      if (leadsOn(segment) == ways) draw(segment);
+}
+
+/// Half the width of the field of view at a depth of one metre.
+double slantOfEdge(const Camera& camera, const Projection& projection) {
+  return camera.width / 2.0 / projection.distancePx();
+}
+
+/// A segment in camera space and the part of it that lies in the field of view.
+struct ViewedSegment {
+  CameraPoint p0;
+  CameraPoint p1;
+  std::optional<LinePart> part;
+
+  CameraPoint at(double share) const {
+    return {std::lerp(p0.depth, p1.depth, share), std::lerp(p0.lateral, p1.lateral, share)};
+  }
+};
+
+ViewedSegment viewed(const Projection& projection, const Segment& segment, double edge) {
+  ViewedSegment result{projection.toCamera(segment.p0), projection.toCamera(segment.p1), {}};
+  const auto& [p0, p1, part] = result;
+  std::optional<LinePart> left = keepPositive({}, p0.depth - kNearPlane, p1.depth - kNearPlane);
+  if (left) left = keepPositive(*left, p0.lateral + edge * p0.depth, p1.lateral + edge * p1.depth);
+  if (left) left = keepPositive(*left, edge * p0.depth - p0.lateral, edge * p1.depth - p1.lateral);
+  result.part = left;
+  return result;
+}
+
+bool facesEye(const ViewedSegment& segment) {
+  // Seen from the front, p0 is on the left.
+  return segment.p0.lateral * segment.p1.depth < segment.p1.lateral * segment.p0.depth;
+}
+
+// --- World -----------------------------------------------------------------------------------
+
+/// Fits a part of the map into a picture.
+struct Fit {
+  double scale;  ///< pixels per metre
+  Vec2 middle;   ///< of the map
+  Vec2 center;   ///< of the picture
+
+  Vec2 operator()(Vec2 world) const { return center + scale * (world - middle); }
+};
+
+Fit fitPlan(const Level& level, const Camera& camera) {
+  Vec2 low = camera.eye.xy();
+  Vec2 high = low;
+  for (const Segment& segment : level.segments) {
+    low = {std::min(low.x, segment.p0.x), std::min(low.y, segment.p0.y)};
+    high = {std::max(high.x, segment.p0.x), std::max(high.y, segment.p0.y)};
+  }
+  const Vec2 size = high - low;
+  const double free = 1 - 2 * kMargin;
+  const double scale = std::min(camera.width * free / std::max(size.x, kNearPlane),
+                                camera.height * free / std::max(size.y, kNearPlane));
+  return {scale, low + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
+}
+
+Image drawWorld(const Level& level, const Camera& camera, const Projection& projection) {
+  Image image(camera.width, camera.height, kBackground);
+  const Fit fit = fitPlan(level, camera);
+  const double far = (camera.width + camera.height) / fit.scale;  // metres, past every edge
+  const Vec2 origin = fit({0, 0});
+  drawLine(image, {0, origin.y}, {image.width() + 0.0, origin.y}, kAxis);
+  drawLine(image, {origin.x, 0}, {origin.x, image.height() + 0.0}, kAxis);
+
+  const Vec2 eye = camera.eye.xy();
+  for (const double column : {0.0, camera.width + 0.0}) {
+    const Vec2 ray = projection.rayOf(column);
+    drawLine(image, fit(eye), fit(eye + (far / length(ray)) * ray), kFieldOfView);
+  }
+  drawLine(image, fit(eye), fit(eye + far * projection.direction()), kAxis);
+
+  forWallsThenWaysOn(level, [&](const Segment& segment) {
+    drawLine(image, fit(segment.p0), fit(segment.p1), colorOf(segment));
+  });
+  const double arrow = 12 / fit.scale;  // metres that 12 pixels are
+  drawLine(image, fit(eye), fit(eye + arrow * projection.direction()), kEye);
+  drawEye(image, fit(eye));
+  return image;
+}
+
+// --- Camera ----------------------------------------------------------------------------------
+
+/// Pixels per metre at which all that lies in the field of view fits above the eye.
+double fitView(const Level& level, const Camera& camera, const Projection& projection,
+               double eyeRow) {
+  const double edge = slantOfEdge(camera, projection);
+  double depth = kNearPlane;
+  double lateral = kNearPlane;
+  for (const Segment& segment : level.segments) {
+    const ViewedSegment seen = viewed(projection, segment, edge);
+    if (!seen.part) continue;
+    for (const double share : {seen.part->from, seen.part->to}) {
+      depth = std::max(depth, seen.at(share).depth);
+      lateral = std::max(lateral, std::abs(seen.at(share).lateral));
+    }
+  }
+  return std::min(eyeRow / depth, camera.width / 2.0 / lateral) * (1 - kMargin);
+}
+
+Image drawCamera(const Level& level, const Camera& camera, const Projection& projection) {
+  Image image(camera.width, camera.height, kBackground);
+  const double edge = slantOfEdge(camera, projection);
+  const Vec2 eye = {camera.width / 2.0, camera.height * 0.9};
+  const double scale = fitView(level, camera, projection, eye.y);
+  const auto toPicture = [&](CameraPoint p) { return eye + scale * Vec2{p.lateral, -p.depth}; };
+
+  const double far = (camera.width + camera.height) / scale;
+  drawLine(image, {0, eye.y}, {image.width() + 0.0, eye.y}, kAxis);
+  drawLine(image, eye, toPicture({far, 0}), kAxis);
+  drawLine(image, eye, toPicture({far, far * edge}), kFieldOfView);
+  drawLine(image, eye, toPicture({far, -far * edge}), kFieldOfView);
+  forWallsThenWaysOn(level, [&](const Segment& segment) {
+    drawLine(image, toPicture(projection.toCamera(segment.p0)),
+             toPicture(projection.toCamera(segment.p1)), dimmed(colorOf(segment)));
+  });
+  forWallsThenWaysOn(level, [&](const Segment& segment) {
+    const ViewedSegment seen = viewed(projection, segment, edge);
+    if (seen.part)
+      drawLine(image, toPicture(seen.at(seen.part->from)), toPicture(seen.at(seen.part->to)),
+               colorOf(segment));
+  });
+  drawEye(image, eye);
+  return image;
+}
+
+// --- What is in view -------------------------------------------------------------------------
+
+/// What a pixel shows: a surface of which sector, and how far away that can be.
+struct Shown {
+  SectorId sector;
+  double depth = 0;  ///< metres; 0 where nothing shows
+};
+
+/// The frame that the renderer would draw, as sectors and depths.
+class ShownPixels {
+ public:
+  ShownPixels(const Level& level, const Camera& camera, const Projection& projection)
+      : width_(camera.width),
+        height_(camera.height),
+        pixels_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)),
+        seenSectors_(level.sectors.size(), false) {
+    seenSectors_[camera.sector.index()] = true;
+    for (const Span& span : findVisibleSpans(level, camera, projection).spans) {
+      const SectorId sector = level[span.surface].sector;
+      seenSectors_[sector.index()] = true;
+      for (int row = span.rowBegin; row < span.rowEnd; ++row)
+        pixels_[index(span.column, row)] = {sector, span.depth};
+    }
+  }
+
+  bool isSeen(SectorId sector) const { return seenSectors_[sector.index()]; }
+
+  /// Whether a point of a wall of the sector shows: at its pixel or beside it there is air of that
+  /// sector which reaches as deep.
+  bool shows(int x, int y, SectorId sector, double depth) const {
+    for (int row = std::max(0, y - 1); row <= std::min(height_ - 1, y + 1); ++row)
+      for (int column = std::max(0, x - 1); column <= std::min(width_ - 1, x + 1); ++column) {
+        const Shown& pixel = pixels_[index(column, row)];
+        constexpr double kSlack = 0.98;  // depth changes within the pixel
+        if (pixel.sector == sector && pixel.depth >= kSlack * depth) return true;
+      }
+    return false;
+  }
+
+ private:
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(column);
+  }
+
+  int width_;
+  int height_;
+  std::vector<Shown> pixels_;
+  std::vector<bool> seenSectors_;
+};
+
+/// Calls `draw(segment, viewed)` for the segments in view: in the field of view, from their front,
+/// of sectors of which something shows.
+template <typename Draw>
+void forSegmentsInView(const Level& level, const Camera& camera, const Projection& projection,
+                       const ShownPixels& shown, Draw&& draw) {
+  const double edge = slantOfEdge(camera, projection);
+  forWallsThenWaysOn(level, [&](const Segment& segment) {
+    if (!shown.isSeen(segment.sector)) return;
+    const ViewedSegment seen = viewed(projection, segment, edge);
+    if (seen.part && facesEye(seen)) draw(segment, seen);
+  });
+}
+
+// --- Depth space -----------------------------------------------------------------------------
+
+Image drawDepthSpace(const Level& level, const Camera& camera, const Projection& projection) {
+  Image image(camera.width, camera.height, kBackground);
+  const ShownPixels shown(level, camera, projection);
+  double nearest = 0;  // the greatest 1/depth, which goes to the lower edge
+  forSegmentsInView(level, camera, projection, shown,
+                    [&](const Segment&, const ViewedSegment& seen) {
+                      for (const double share : {seen.part->from, seen.part->to})
+                        nearest = std::max(nearest, 1 / seen.at(share).depth);
+                    });
+
+  const double top = kMargin * camera.height;  // where 1/depth is 0
+  const double scale = nearest > 0 ? (camera.height - 2 * top) / nearest : 0;
+  drawLine(image, {0, top}, {image.width() + 0.0, top}, kAxis);
+  drawLine(image, {camera.width / 2.0, 0}, {camera.width / 2.0, image.height() + 0.0}, kAxis);
+  forSegmentsInView(
+      level, camera, projection, shown, [&](const Segment& segment, const ViewedSegment& seen) {
+        const auto toPicture = [&](double share) {
+          const CameraPoint p = seen.at(share);
+          return Vec2{projection.columnOf(p), top + scale / p.depth};
+        };
+        drawLine(image, toPicture(seen.part->from), toPicture(seen.part->to), colorOf(segment));
+      });
+  return image;
+}
+
+// --- Screen ----------------------------------------------------------------------------------
+
+/// Draws the edges of one segment, dim where something hides them.
+class EdgeDrawer {
+ public:
+  EdgeDrawer(Image& image, const Level& level, const Projection& projection,
+             const ShownPixels& shown, const Segment& segment, const ViewedSegment& seen)
+      : image_(image),
+        level_(level),
+        projection_(projection),
+        shown_(shown),
+        segment_(segment),
+        seen_(seen) {}
+
+  void draw() const {
+    along(kWall, [&](double share) { return airAt(segment_, share).zBottom; });
+    along(kWall, [&](double share) { return airAt(segment_, share).zTop; });
+    if (seen_.part->from == 0) upright(0);
+    if (seen_.part->to == 1) upright(1);
+    for (const WallPiece& piece : segment_.pieces)
+      if (const Opening* opening = std::get_if<Opening>(&piece.content)) frame(piece, *opening);
+  }
+
+ private:
+  /// The lower and upper edge of an opening.
+  void frame(const WallPiece& piece, const Opening& opening) const {
+    const auto span = [&](double share) {
+      return openingSpan(piece, airAt(segment_, share), airAt(level_[opening.twin], 1 - share));
+    };
+    along(kWayOn, [&](double share) { return span(share).zBottom; });
+    along(kWayOn, [&](double share) { return span(share).zTop; });
+  }
+
+  void upright(double share) const {
+    const AirColumn air = airAt(segment_, share);
+    line(share, air.zBottom, share, air.zTop, colorOf(segment_));
+  }
+
+  /// A line along the segment. Heights may bend where two slopes cross, hence the pieces.
+  template <typename Height>
+  void along(Rgb color, Height&& height) const {
+    constexpr int kPieces = 16;
+    for (int i = 0; i < kPieces; ++i) {
+      const auto& [from, to] = *seen_.part;
+      const double a = std::lerp(from, to, static_cast<double>(i) / kPieces);
+      const double b = std::lerp(from, to, (i + 1.0) / kPieces);
+      line(a, height(a), b, height(b), color);
+    }
+  }
+
+  void line(double shareA, double zA, double shareB, double zB, Rgb color) const {
+    const CameraPoint a = seen_.at(shareA);
+    const CameraPoint b = seen_.at(shareB);
+    const Vec2 onScreenA{projection_.columnOf(a), projection_.rowOf(zA, a.depth)};
+    const Vec2 onScreenB{projection_.columnOf(b), projection_.rowOf(zB, b.depth)};
+    forEachPixelOfLine(onScreenA, onScreenB, image_.width(), image_.height(),
+                       [&](int x, int y, double share) {
+                         const double depth = 1 / std::lerp(1 / a.depth, 1 / b.depth, share);
+                         const bool shows = shown_.shows(x, y, segment_.sector, depth);
+                         Rgb& pixel = image_.at(x, y);
+                         if (shows) pixel = color;
+                         if (!shows && pixel == kBackground) pixel = dimmed(color);
+                       });
+  }
+
+  Image& image_;
+  const Level& level_;
+  const Projection& projection_;
+  const ShownPixels& shown_;
+  const Segment& segment_;
+  const ViewedSegment& seen_;
+};
+
+Image drawScreen(const Level& level, const Camera& camera, const Projection& projection) {
+  Image image(camera.width, camera.height, kBackground);
+  const ShownPixels shown(level, camera, projection);
+  forSegmentsInView(level, camera, projection, shown,
+                    [&](const Segment& segment, const ViewedSegment& seen) {
+                      EdgeDrawer(image, level, projection, shown, segment, seen).draw();
+                    });
+  return image;
+}
+
+}  // namespace
+
+Image drawView(const Level& level, const Camera& camera, View view) {
+  const Projection projection = projectionFor(level, camera);
+  switch (view) {
+    case View::World:
+      return drawWorld(level, camera, projection);
+    case View::Camera:
+      return drawCamera(level, camera, projection);
+    case View::DepthSpace:
+      return drawDepthSpace(level, camera, projection);
+    case View::Screen:
+      return drawScreen(level, camera, projection);
+  }
+  return {};
+}
+
+}  // namespace hearth

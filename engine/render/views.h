@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "image/image.h"
+#include "level/level.h"
+#include "render/camera.h"
+
+namespace hearth {
+
+/// The four spaces through which a wall passes on its way to the screen, each as a picture. Walls
+/// that lead nowhere are white, those with an opening orange.
+enum class View : std::uint8_t {
+  World,       ///< the map, y down: all segments, the eye and its field of view
+  Camera,      ///< as the camera turns it: the eye below, looking up; dim what it cannot see
+  DepthSpace,  ///< columns to the right, 1/depth downwards: the segments in view, still straight
+  Screen,      ///< edges of the walls in view, dim where something hides them
+};
+
+/// Draws a picture of the camera's size. The camera's sector contains its eye. Distant or huge
+/// geometry is clipped; lines past the range of double are left out.
+Image drawView(const Level& level, const Camera& camera, View view);
+
+}  // namespace hearth

@@ -1,0 +1,179 @@
+#include "render/views.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "load/load.h"
+#include "render/line.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr Rgb kWall = {255, 255, 255};
+constexpr Rgb kWayOn = {255, 160, 48};
+
+LoadedLevel loaded(const std::string& path) {
+  LoadResult result = loadLevel(std::string(HEARTH_SOURCE_DIR) + "/" + path);
+  return std::move(result.loaded).value();
+}
+
+/// In the hall of the test level, 4 m x 4 m x 3 m with a window in its eastern wall, looking east.
+/// With these 200 columns and 90 degrees the picture plane is 100 pixels away.
+Camera eastward(const Level& level) {
+  Camera camera;
+  camera.sector = level.player->sector;
+  camera.eye = {1, 2, 1.5};
+  camera.width = 200;
+  camera.height = 120;
+  return camera;
+}
+
+int count(const Image& image, Rgb color) {
+  return static_cast<int>(std::ranges::count(image.pixels(), color));
+}
+
+bool isNear(const Image& image, int x, int y, Rgb color) {
+  for (int j = std::max(0, y - 1); j <= std::min(image.height() - 1, y + 1); ++j)
+    for (int i = std::max(0, x - 1); i <= std::min(image.width() - 1, x + 1); ++i)
+      if (image.at(i, j) == color) return true;
+  return false;
+}
+
+class Views : public testing::Test {
+ protected:
+  Image draw(View view) const { return drawView(level, eastward(level), view); }
+
+  LoadedLevel rooms = loaded("tests/levels/rooms.json");
+  const Level& level = rooms.level;
+};
+
+TEST_F(Views, TheMapHasSouthBelowAndTheWayOutInTheEast) {
+  const Image image = draw(View::World);
+  // The plan is 8 m x 8 m, so 120 pixels with 6 % margins are 13.2 pixels a metre about (4, 4).
+  const auto pixel = [](double x, double y) {
+    return std::pair(static_cast<int>(100 + 13.2 * (x - 4)), static_cast<int>(60 + 13.2 * (y - 4)));
+  };
+  const auto [westX, westY] = pixel(0, 2);
+  EXPECT_TRUE(isNear(image, westX, westY, kWall));
+  const auto [windowX, windowY] = pixel(4, 2);
+  EXPECT_TRUE(isNear(image, windowX, windowY, kWayOn));
+  const auto [endX, endY] = pixel(2, 8);
+  EXPECT_TRUE(isNear(image, endX, endY, kWall));
+}
+
+TEST_F(Views, TheCameraLooksUpThePicture) {
+  const Image image = draw(View::Camera);
+  // The far end of the garden, 7 m ahead, is the topmost wall; the wall behind the eye is dim.
+  int first = 0;
+  while (count(image, kWall) > 0 && image.at(100, first) != kWall) ++first;
+  EXPECT_LT(first, 20);
+  int window = first;
+  while (window < 120 && image.at(100, window) != kWayOn) ++window;
+  // The eye's row is 108: depths of 7 m and 3 m.
+  EXPECT_NEAR((108.0 - window) / (108.0 - first), 3.0 / 7.0, 0.02);
+}
+
+TEST_F(Views, InDepthSpaceAWallStraightAheadIsLevel) {
+  const Image image = draw(View::DepthSpace);
+  // The eastern wall, 3 m ahead, reaches from y = 0 to 4: columns 100 -+ 100 * 2 / 3.
+  int row = 0;
+  while (row < 120 && image.at(60, row) != kWall) ++row;
+  ASSERT_LT(row, 120);
+  EXPECT_TRUE(isNear(image, 36, row, kWall));
+  EXPECT_TRUE(isNear(image, 164, row, kWall));
+  EXPECT_TRUE(isNear(image, 100, row, kWayOn));
+}
+
+TEST_F(Views, OnTheScreenEdgesAreWhereTheProjectionHasThem) {
+  const Image image = draw(View::Screen);
+  // The foot of the eastern wall, 3 m ahead and 1.5 m below: row 60 + 50; its corners.
+  for (const int column : {40, 100, 160}) EXPECT_TRUE(isNear(image, column, 110, kWall)) << column;
+  for (const int row : {30, 60, 90}) EXPECT_TRUE(isNear(image, 33, row, kWall)) << row;
+  // The window's sill, 0.5 m below the eye: row 60 + 100 * 0.5 / 3.
+  EXPECT_TRUE(isNear(image, 100, 77, kWayOn));
+}
+
+TEST_F(Views, ArePicturesOfTheCamerasSize) {
+  for (const View view : {View::World, View::Camera, View::DepthSpace, View::Screen})
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 200}, {33, 7}}) {
+      Camera camera = eastward(level);
+      camera.width = width;
+      camera.height = height;
+      const Image image = drawView(level, camera, view);
+      EXPECT_EQ(image.width(), width);
+      EXPECT_EQ(image.height(), height);
+    }
+}
+
+TEST_F(Views, TakeEveryFieldOfViewAndPlace) {
+  for (const View view : {View::World, View::Camera, View::DepthSpace, View::Screen})
+    for (const double fov : {1.0, 179.0})
+      for (const Vec3 eye : {Vec3{0, 0, 0}, Vec3{4, 2, 1.5}, Vec3{1e-9, 2, 1.5}, Vec3{2, 4, 3}}) {
+        Camera camera = eastward(level);
+        camera.fov = fov;
+        camera.pitch = 60;
+        camera.eye = eye;
+        EXPECT_GT(count(drawView(level, camera, view), {16, 18, 28}), 0);
+      }
+}
+
+// --- Lines -----------------------------------------------------------------------------------
+
+using Pixels = std::set<std::pair<int, int>>;
+
+Pixels pixelsOf(Vec2 a, Vec2 b) {
+  Pixels pixels;
+  forEachPixelOfLine(a, b, 40, 30, [&](int x, int y, double share) {
+    EXPECT_TRUE(x >= 0 && x < 40 && y >= 0 && y < 30) << x << ' ' << y;
+    EXPECT_TRUE(share >= 0 && share <= 1) << share;
+    pixels.emplace(x, y);
+  });
+  return pixels;
+}
+
+TEST(Line, HasAPixelInEveryColumnOrRowItPasses) {
+  EXPECT_EQ(pixelsOf({0.5, 3.5}, {39.5, 9.5}).size(), 40U);
+  EXPECT_EQ(pixelsOf({5.5, 29.5}, {9.5, 0.5}).size(), 30U);
+  EXPECT_EQ(pixelsOf({7.5, 7.5}, {7.5, 7.5}), (Pixels{{7, 7}}));
+}
+
+TEST(Line, IsClippedToThePicture) {
+  EXPECT_TRUE(pixelsOf({-10, -1}, {100, -1}).empty());
+  EXPECT_TRUE(pixelsOf({-10, 5}, {-1, 25}).empty());
+  EXPECT_TRUE(pixelsOf({30, -20}, {60, 10}).empty());
+  EXPECT_EQ(pixelsOf({-1e6, 10.5}, {1e6, 10.5}).size(), 40U);
+}
+
+TEST(Line, StaysInThePictureHoweverFarItsEndsAre) {
+  const double huge = std::numeric_limits<double>::max();
+  for (const double far : {1e9, 1e18, 1e200, huge}) {
+    pixelsOf({-far, -far}, {far, far});
+    pixelsOf({20, 15}, {far, -far});
+    pixelsOf({far, 3}, {-far, 4});
+  }
+}
+
+TEST(Line, OfNoNumberIsLeftOut) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(pixelsOf({1, 1}, {infinite, 1}).empty());
+  EXPECT_TRUE(pixelsOf({1, none}, {9, 9}).empty());
+}
+
+TEST(Line, ShareGrowsEvenlyAlongIt) {
+  double last = -1;
+  forEachPixelOfLine({-20, 5}, {60, 5}, 40, 30, [&](int x, int, double share) {
+    EXPECT_NEAR(share, (20.0 + x) / 80, 1.0 / 80);
+    EXPECT_GT(share, last);
+    last = share;
+  });
+}
+
+}  // namespace
+
+}  // namespace hearth
