@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "hearth/atlas.h"
+#include "hearth/command.h"
+#include "hearth/format_features.h"
+#include "hearth/options.h"
+#include "loaded.h"
+
+namespace hearth {
+
+namespace {
+
+TEST(Options, EveryRowIsFoundUnderItsOwnNumber) {
+  const auto last = static_cast<int>(Option::MaxLights);
+  std::set<std::string_view> names;
+  for (int i = 0; i <= last; ++i) names.insert(row(static_cast<Option>(i)).name);
+  EXPECT_EQ(std::ssize(names), last + 1);
+}
+
+TEST(Options, SizesAreTwoWholeNumbersInRange) {
+  EXPECT_EQ(parseSize("640x400")->width, 640);
+  EXPECT_EQ(parseSize("1x16384")->height, 16384);
+  for (const char* wrong : {"", "x", "640", "640x", "x400", "640x400x2", "0x1", "-1x1", "1x16385",
+                            "6.4x4", " 1x1", "1x1 ", "99999999999x1"})
+    EXPECT_FALSE(parseSize(wrong)) << wrong;
+}
+
+TEST(Options, NumbersAreFiniteAndWholeLists) {
+  EXPECT_EQ(parseNumbers("1,-2.5,3e1"), (std::vector<double>{1, -2.5, 30}));
+  for (const char* wrong : {"", ",", "1,", "1,,2", "1 2", "inf", "nan", "1e999", "0x10", "1;2"})
+    EXPECT_FALSE(parseNumbers(wrong)) << wrong;
+}
+
+TEST(FormatFeatures, NamesStandInTheOrderOfTheEnumeration) {
+  for (std::size_t i = 0; i < kFormatFeatures.size(); ++i)
+    EXPECT_EQ(static_cast<std::size_t>(kFormatFeatures[i].feature), i) << kFormatFeatures[i].name;
+}
+
+TEST(FormatFeatures, SectorsOverlapOnlyWhereTheyShareAir) {
+  FeatureCounts counts;
+  countGeometry(loaded("tests/levels/overlap.json").level, counts);
+  // The two corridors, and the closet in one of them; the cellar only touches.
+  EXPECT_EQ(counts[FormatFeature::OverlappingSectors], 2);
+  FeatureCounts none;
+  countGeometry(loaded("tests/levels/rooms.json").level, none);
+  EXPECT_EQ(none[FormatFeature::OverlappingSectors], 0);
+}
+
+TEST(FormatFeatures, CommentsAreNotCounted) {
+  FeatureCounts counts;
+  const std::string room =
+      R"({"floor": {"texture": "a"}, "$old": {"texture": "#000000"}, "loops": [
+          {"v": [0,0, 1,0, 1,1], "// walls": [], "walls": {"texture": "b 2,2 1,1"}}]})";
+  countSpellings(R"({"sectors": {"// was": )" + room + R"(, "room": )" + room + "}}", "", counts);
+  EXPECT_EQ(counts[FormatFeature::SolidWall], 1);
+  EXPECT_EQ(counts[FormatFeature::TextureOffset], 1);
+  EXPECT_EQ(counts[FormatFeature::PlainColour], 0);
+}
+
+TEST(Atlas, ShowsEveryTexelOfEveryLightmapOnce) {
+  const LoadedLevel rooms = loaded("tests/levels/rooms.json");
+  const BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
+  std::array<std::int64_t, 256> wanted{};
+  for (const auto& map : light.lightmaps)
+    if (map)
+      for (const std::uint8_t level : map->levels) ++wanted[level];
+  std::array<std::int64_t, 256> found{};
+  const Image atlas = lightmapAtlas(light);
+  for (const Rgb pixel : atlas.pixels())
+    if (pixel.r == pixel.g && pixel.g == pixel.b) ++found[pixel.r];
+  EXPECT_EQ(found, wanted);
+  EXPECT_GT(light.stats.litSurfaces, 5U);
+}
+
+TEST(Atlas, OfADarkLevelIsEmptyButStillAPicture) {
+  const Image image = lightmapAtlas(BakedLight{});
+  EXPECT_GE(image.width(), 1);
+  EXPECT_GE(image.height(), 1);
+}
+
+}  // namespace
+
+}  // namespace hearth

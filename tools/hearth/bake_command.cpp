@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "hearth/atlas.h"
+#include "hearth/command.h"
+#include "hearth/session.h"
+#include "image/image_file.h"
+
+namespace hearth {
+
+namespace {
+
+void print(const Bake& bake) {
+  const BakeStats& stats = bake.light.stats;
+  // A clock that did not move must not divide by zero.
+  const double seconds = std::max(bake.seconds, 1e-9);
+  fmt::print("surfaces  {} of {} lit\n", stats.litSurfaces, stats.surfaces);
+  fmt::print("texels    {} of {} m, {} sample(s) each\n", stats.texels, bake.settings.texel,
+             bake.settings.samples);
+  fmt::print("speed     {:.0f} texels/s; {:.3g} texel-light tests/s on {} thread(s)\n",
+             static_cast<double>(stats.texels) / seconds,
+             static_cast<double>(stats.tests) / seconds, bake.threads);
+  fmt::print("bytes     {}\n", stats.bytes);
+  fmt::print("time      {:.3f} s\n", bake.seconds);
+}
+
+ExitStatus run(const OptionValues& values) {
+  const std::optional<std::string> output = values.text(Option::Output);
+  if (output && std::filesystem::path(*output).extension() != ".png")
+    return fail(fmt::format("-o: {}: lightmaps are written as a .png picture only", *output));
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const auto bake = bakeFor(loaded->level, values);
+  if (!bake) return fail(bake.error());
+  print(*bake);
+  if (!output) return ExitStatus::Done;
+  const auto written = writePng(*output, lightmapAtlas(bake->light));
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+}  // namespace
+
+Command bakeCommand() {
+  return {"bake",
+          "bakes the light and says what that took",
+          std::vector<Option>{Option::Output} + bakeOptions(),
+          {},
+          run};
+}
+
+}  // namespace hearth

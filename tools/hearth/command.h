@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hearth/options.h"
+
+namespace hearth {
+
+/// What the program returns to the shell.
+enum class ExitStatus { Done = 0, BadInput = 2 };
+
+/// Prints `hearth: error: MESSAGE` to stderr, one line.
+ExitStatus fail(std::string_view message);
+
+/// A command of the program, as help lists it.
+struct Command {
+  std::string_view name;
+  std::string_view help;
+  std::vector<Option> options;
+  std::vector<Option> required;  ///< of the options
+  ExitStatus (*run)(const OptionValues& values);
+};
+
+Command walkCommand();
+Command shotCommand();
+Command bakeCommand();
+Command infoCommand();
+
+/// Options that all commands share: limits of loading.
+std::vector<Option> limitOptions();
+/// Limits of loading, and how to bake.
+std::vector<Option> bakeOptions();
+std::vector<Option> operator+(std::vector<Option> a, const std::vector<Option>& b);
+
+}  // namespace hearth

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hearth/command.h"
+#include "math/check.h"
+
+namespace hearth {
+
+namespace {
+
+std::string helpOf(const OptionRow& row) {
+  const bool isNumber = row.kind == ValueKind::Number || row.kind == ValueKind::Integer;
+  std::string help(row.help);
+  if (isNumber) help += fmt::format(", {}..{}", row.min, row.max);
+  if (!row.standard.empty()) help += fmt::format(" (default: {})", row.standard);
+  return help;
+}
+
+/// Adds a row of the table to a command; what is given ends in `values`.
+void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValues& values) {
+  const std::string name(row.name);
+  if (row.kind == ValueKind::Flag) {
+    app.add_flag_callback(
+        name, [&] { values.set(row.id, ""); }, helpOf(row));
+    return;
+  }
+  const auto take = [&](const std::string& value) { values.set(row.id, value); };
+  app.add_option_function<std::string>(name, take, helpOf(row))
+      ->type_name(std::string(row.value))
+      ->required(isRequired)
+      ->check(CLI::Validator(
+          [&](std::string& value) { return mistakeIn(row, value).value_or(std::string()); }, ""));
+}
+
+void addCommand(CLI::App& program, const Command& command, OptionValues& values) {
+  CLI::App& app = *program.add_subcommand(std::string(command.name), std::string(command.help));
+  app.add_option("LEVEL", values.level, "the level file")->required()->type_name("");
+  for (const Option option : command.options) {
+    const bool isRequired = std::ranges::find(command.required, option) != command.required.end();
+    addOption(app, row(option), isRequired, values);
+  }
+}
+
+ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
+                       const OptionValues& values, int argc, char** argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto command = std::ranges::find(commands, first, &Command::name);
+  if (command == commands.end() && first != "-h" && first != "--help") {
+    std::vector<std::string_view> names;
+    for (const Command& known : commands) names.push_back(known.name);
+    return fail(fmt::format(
+        "{}; there are: {}; see `hearth --help`",
+        first.empty() ? "name a command" : fmt::format("there is no command \"{}\"", first),
+        fmt::join(names, ", ")));
+  }
+  const std::string_view name = command == commands.end() ? "" : command->name;
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    program.exit(help);
+    return ExitStatus::Done;
+  } catch (const CLI::ParseError& mistake) {
+    return fail(
+        fmt::format("{}; see `hearth {}{}--help`", mistake.what(), name, name.empty() ? "" : " "));
+  }
+  CHECK(command != commands.end(), first);  // asked for help, and gave none
+  return command->run(values);
+}
+
+ExitStatus runProgram(int argc, char** argv) {
+  CLI::App program("Hearth draws sector and portal levels with baked light.", "hearth");
+  program.require_subcommand(1);
+  const std::array commands = {walkCommand(), shotCommand(), bakeCommand(), infoCommand()};
+  OptionValues values;
+  for (const Command& command : commands) addCommand(program, command, values);
+  return parseAndRun(program, commands, values, argc, argv);
+}
+
+}  // namespace
+
+}  // namespace hearth
+
+int main(int argc, char** argv) { return static_cast<int>(hearth::runProgram(argc, argv)); }

@@ -1,0 +1,162 @@
+#include "hearth/options.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+#include "load/limits.h"
+#include "math/check.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr int kMaxPictureSide = 16384;  // pixels; 2^14 squared still fits the renderer's ints
+constexpr double kMost = 4e9;           // of counts and bytes
+
+constexpr std::array kTable = {
+    OptionRow{Option::Output, "-o", ValueKind::Text, "FILE", 0, 0, "", "the file to write"},
+    OptionRow{Option::Camera, "--camera", ValueKind::Text, "X,Y,Z,ANGLE[,PITCH]", 0, 0,
+              "the player's", "where the eye is (metres) and looks (degrees; pitch -60..60)"},
+    OptionRow{Option::Sector, "--sector", ValueKind::Text, "NAME", 0, 0, "found from the position",
+              "the sector that the camera is in"},
+    OptionRow{Option::Shot, "--shot", ValueKind::Text, "NAME", 0, 0, "",
+              "the camera, field of view and size of one of the level's shots"},
+    OptionRow{Option::Size, "--size", ValueKind::Text, "WxH", 1, kMaxPictureSide,
+              "320x200; in a window 640x400", "size of the picture in pixels"},
+    OptionRow{Option::Fov, "--fov", ValueKind::Number, "DEGREES", 1, 179, "90",
+              "horizontal field of view"},
+    OptionRow{Option::Light, "--light", ValueKind::Choice, "both|none|only", 0, 0, "both",
+              "what the picture shows of texture and light"},
+    OptionRow{Option::Channel, "--channel", ValueKind::Choice,
+              "sector|surface|depth|uv|normal|light|overdraw|world|camera|depthspace|screen", 0, 0,
+              "", "the renderer's own numbers, or a view of the geometry, as a picture"},
+    OptionRow{Option::Json, "--json", ValueKind::Flag, "", 0, 0, "", "print JSON"},
+    OptionRow{Option::Texel, "--texel", ValueKind::Number, "METRES", 1e-6, 1e6, "0.125",
+              "size of a lightmap's texels"},
+    OptionRow{Option::Samples, "--samples", ValueKind::Integer, "COUNT", 1, 4096, "1",
+              "samples per texel, a square number"},
+    OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 0, "0",
+              "reflections of light that are followed"},
+    OptionRow{Option::Lambert, "--lambert", ValueKind::Flag, "", 0, 0, "",
+              "multiply light by the cosine at the surface"},
+    OptionRow{Option::NoLambert, "--no-lambert", ValueKind::Flag, "", 0, 0, "the default",
+              "do not"},
+    OptionRow{Option::Threads, "--threads", ValueKind::Integer, "COUNT", 1, 1024, "all cores",
+              "threads that bake; the light does not depend on them"},
+    OptionRow{Option::MaxFileBytes, "--max-file-bytes", ValueKind::Integer, "BYTES", 1,
+              4294967294.0, "67108864", "refuse longer JSON files"},
+    OptionRow{Option::MaxImagePixels, "--max-image-pixels", ValueKind::Integer, "PIXELS", 1, kMost,
+              "67108864", "refuse larger images"},
+    OptionRow{Option::MaxVertices, "--max-vertices", ValueKind::Integer, "COUNT", 1, kMost,
+              "1000000", "refuse levels of more vertices"},
+    OptionRow{Option::MaxLights, "--max-lights", ValueKind::Integer, "COUNT", 1, kMost, "100000",
+              "refuse more lights"},
+};
+
+static_assert(LoadLimits{}.fileBytes == 67108864 && LoadLimits{}.imagePixels == 67108864 &&
+                  LoadLimits{}.vertices == 1000000 && LoadLimits{}.lights == 100000,
+              "the table's defaults are those of the loader");
+
+std::optional<double> parseNumber(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+std::optional<std::string> mistakeInChoice(const OptionRow& row, const std::string& value) {
+  for (const std::string_view choice : split(row.value, '|'))
+    if (choice == value) return std::nullopt;
+  return fmt::format("\"{}\" is none of {}", value, row.value);
+}
+
+std::optional<std::string> mistakeInNumber(const OptionRow& row, const std::string& value) {
+  const std::optional<double> number = parseNumber(value);
+  if (!number) return fmt::format("\"{}\" is no number", value);
+  if (row.kind == ValueKind::Integer && *number != std::floor(*number))
+    return fmt::format("{} is no whole number", value);
+  if (*number < row.min || *number > row.max)
+    return fmt::format("{} is outside {}..{}", value, row.min, row.max);
+  return std::nullopt;
+}
+
+std::optional<std::string> mistakeInSize(const OptionRow& row, const std::string& value) {
+  if (parseSize(value)) return std::nullopt;
+  return fmt::format("\"{}\" is no WIDTHxHEIGHT with both in {}..{}", value, row.min, row.max);
+}
+
+}  // namespace
+
+const OptionRow& row(Option option) {
+  const OptionRow& found = kTable[static_cast<std::size_t>(option)];
+  CHECK(found.id == option, found.name);
+  return found;
+}
+
+std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value) {
+  if (row.id == Option::Size) return mistakeInSize(row, value);
+  switch (row.kind) {
+    case ValueKind::Flag:
+    case ValueKind::Text:
+      return std::nullopt;
+    case ValueKind::Choice:
+      return mistakeInChoice(row, value);
+    case ValueKind::Number:
+    case ValueKind::Integer:
+      return mistakeInNumber(row, value);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> OptionValues::text(Option option) const {
+  const auto found = values_.find(option);
+  return found == values_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> OptionValues::number(Option option) const {
+  const auto found = values_.find(option);
+  return found == values_.end() ? std::nullopt : parseNumber(found->second);
+}
+
+std::optional<PictureSize> parseSize(std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, 'x');
+  if (parts.size() != 2) return std::nullopt;
+  const auto side = [](std::string_view digits) -> std::optional<int> {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool isWhole = error == std::errc{} && end == digits.data() + digits.size();
+    if (!isWhole || value < 1 || value > kMaxPictureSide) return std::nullopt;
+    return value;
+  };
+  const std::optional<int> width = side(parts[0]);
+  const std::optional<int> height = side(parts[1]);
+  if (!width || !height) return std::nullopt;
+  return PictureSize{*width, *height};
+}
+
+std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view part : split(text, ',')) {
+    const std::optional<double> number = parseNumber(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+}  // namespace hearth

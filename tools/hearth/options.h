@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hearth {
+
+/// Every option of every command. A name means the same wherever it is taken.
+enum class Option {
+  Output,
+  Camera,
+  Sector,
+  Shot,
+  Size,
+  Fov,
+  Light,
+  Channel,
+  Json,
+  Texel,
+  Samples,
+  Bounces,
+  Lambert,
+  NoLambert,
+  Threads,
+  MaxFileBytes,
+  MaxImagePixels,
+  MaxVertices,
+  MaxLights,
+};
+
+enum class ValueKind { Flag, Text, Choice, Number, Integer };
+
+/// One row of the table from which help is printed and input is checked.
+struct OptionRow {
+  Option id;
+  std::string_view name;  ///< as it is typed
+  ValueKind kind;
+  std::string_view value;  ///< what stands for the value in the help; of a choice, all of them
+  double min;              ///< of numbers, both included
+  double max;
+  std::string_view standard;  ///< in words: what holds without the option; empty where nothing does
+  std::string_view help;
+};
+
+/// The rows of the table, by Option.
+const OptionRow& row(Option option);
+
+/// What is wrong with a value, or nothing.
+std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value);
+
+/// The options that were given, their values checked against the table.
+class OptionValues {
+ public:
+  std::string level;  ///< the level file
+
+  void set(Option option, std::string value) { values_[option] = std::move(value); }
+  bool has(Option option) const { return values_.contains(option); }
+  std::optional<std::string> text(Option option) const;
+  std::optional<double> number(Option option) const;
+
+ private:
+  std::map<Option, std::string> values_;
+};
+
+/// Width and height in pixels, from `WxH`.
+struct PictureSize {
+  int width;
+  int height;
+};
+std::optional<PictureSize> parseSize(std::string_view text);
+
+/// Numbers separated by commas, all of them finite.
+std::optional<std::vector<double>> parseNumbers(std::string_view text);
+
+}  // namespace hearth

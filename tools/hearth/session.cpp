@@ -1,0 +1,135 @@
+#include "hearth/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "light/parallel.h"
+
+namespace hearth {
+
+namespace {
+
+/// Texels of one bake. More than that is a slip of the pen in `texel`: 4 GiB of light.
+constexpr double kMostTexels = 4294967296.0;
+
+LoadLimits limitsFrom(const OptionValues& values) {
+  LoadLimits limits;
+  const auto take = [&](Option option, auto& limit) {
+    if (const auto given = values.number(option))
+      limit = static_cast<std::remove_reference_t<decltype(limit)>>(*given);
+  };
+  take(Option::MaxFileBytes, limits.fileBytes);
+  take(Option::MaxImagePixels, limits.imagePixels);
+  take(Option::MaxVertices, limits.vertices);
+  take(Option::MaxLights, limits.lights);
+  return limits;
+}
+
+/// Texels from the origin of their grid; beyond, whole numbers of 32 bits would not count them.
+constexpr double kFarthestTexel = 1 << 30;
+
+/// Metres. No coordinate of the level is greater.
+double reachOf(const Level& level) {
+  double reach = 0;
+  for (const Sector& sector : level.sectors)
+    for (const double coordinate : {sector.boxMin.x, sector.boxMin.y, sector.boxMax.x,
+                                    sector.boxMax.y, sector.floor.z, sector.ceiling.z})
+      reach = std::max(reach, std::abs(coordinate));
+  return reach;
+}
+
+/// At least as many texels as a bake computes: every wall and flat as a rectangle.
+double texelBound(const Level& level, double texel) {
+  const auto cells = [texel](double metres) { return metres / texel + 3; };
+  double sum = 0;
+  for (const Sector& sector : level.sectors) {
+    const Vec2 size = sector.boxMax - sector.boxMin;
+    sum += 2 * cells(size.x) * cells(size.y);
+    for (const Segment& segment : level.segmentsOf(sector))
+      sum += cells(segment.length) * cells(sector.ceiling.z - sector.floor.z);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<LoadedLevel> openLevel(const OptionValues& values) {
+  LoadResult result = loadLevel(values.level, limitsFrom(values));
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    fmt::print(stderr, "{}\n", format(diagnostic));
+  return std::move(result.loaded);
+}
+
+tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
+                                                        const OptionValues& values) {
+  BakeSettings settings = level.bake;
+  settings.texel = values.number(Option::Texel).value_or(settings.texel);
+  if (const auto samples = values.number(Option::Samples))
+    settings.samples = static_cast<int>(*samples);
+  if (const auto bounces = values.number(Option::Bounces))
+    settings.bounces = static_cast<int>(*bounces);
+  if (values.has(Option::Lambert) && values.has(Option::NoLambert))
+    return tl::unexpected<std::string>("give --lambert or --no-lambert, not both");
+  if (values.has(Option::Lambert)) settings.lambert = true;
+  if (values.has(Option::NoLambert)) settings.lambert = false;
+
+  const double side = std::round(std::sqrt(settings.samples));
+  if (side * side != settings.samples)
+    return tl::unexpected(
+        fmt::format("--samples: {} is no square number, try {}", settings.samples, side * side));
+  if (const double texels = texelBound(level, settings.texel); texels > kMostTexels)
+    return tl::unexpected(
+        fmt::format("--texel: {} m would take up to {:.3g} texels, more than "
+                    "{:.3g}: use larger ones",
+                    settings.texel, texels, kMostTexels));
+  if (const double reach = reachOf(level); reach / settings.texel > kFarthestTexel)
+    return tl::unexpected(fmt::format(
+        "--texel: a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least",
+        reach, reach / kFarthestTexel));
+  return settings;
+}
+
+std::vector<std::string> unbakedFeatures(const Level& level) {
+  std::size_t coloured = 0;
+  std::size_t balls = 0;
+  for (const LightSource& light : level.lights) {
+    if (light.color[0] != 255 || light.color[1] != 255 || light.color[2] != 255) ++coloured;
+    if (light.radius > 0) ++balls;
+  }
+  std::vector<std::string> found;
+  if (coloured > 0)
+    found.push_back(
+        fmt::format("coloured light is not baked yet: {} lights are taken as white", coloured));
+  if (balls > 0)
+    found.push_back(
+        fmt::format("the radius of lights is not baked yet: {} are taken as points", balls));
+  return found;
+}
+
+LightMode lightModeFrom(const OptionValues& values) {
+  const std::string mode = values.text(Option::Light).value_or("both");
+  if (mode == "none") return LightMode::None;
+  return mode == "only" ? LightMode::Only : LightMode::Both;
+}
+
+tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values) {
+  const auto settings = bakeSettingsFor(level, values);
+  if (!settings) return tl::unexpected(settings.error());
+  if (settings->bounces != 0)
+    return tl::unexpected(fmt::format(
+        "{} bounces: reflected light is not baked yet, use --bounces 0", settings->bounces));
+  for (const std::string& feature : unbakedFeatures(level))
+    fmt::print(stderr, "{}:1:1: warning: {}\n", values.level, feature);
+
+  const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
+  const auto start = std::chrono::steady_clock::now();
+  BakedLight light = bake(level, *settings, threads);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  return Bake{std::move(light), *settings, threads, seconds.count()};
+}
+
+}  // namespace hearth

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "hearth/options.h"
+#include "light/bakery.h"
+#include "load/load.h"
+#include "render/camera.h"
+#include "render/renderer.h"
+
+/// What the commands have in common: from options to a level, a bake and a camera.
+namespace hearth {
+
+/// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
+/// stderr, one per line; nothing after errors.
+std::optional<LoadedLevel> openLevel(const OptionValues& values);
+
+/// The settings of a bake: the command line overrides the file. Errors name the option to change.
+tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
+                                                        const OptionValues& values);
+
+/// What of a level's lights the bakery does not know yet, a sentence each.
+std::vector<std::string> unbakedFeatures(const Level& level);
+
+/// What `--light` asks for.
+LightMode lightModeFrom(const OptionValues& values);
+
+struct Bake {
+  BakedLight light;
+  BakeSettings settings;
+  int threads;
+  double seconds;
+};
+
+/// Bakes with the settings above; warns of lights that are taken for simpler ones.
+tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values);
+
+/// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
+tl::expected<Camera, std::string> cameraFor(const Level& level, const OptionValues& values,
+                                            PictureSize standardSize);
+
+}  // namespace hearth

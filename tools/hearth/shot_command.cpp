@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "hearth/command.h"
+#include "hearth/session.h"
+#include "image/image_file.h"
+#include "render/renderer.h"
+#include "render/views.h"
+
+namespace hearth {
+
+namespace {
+
+/// What a shot can show besides the lit picture, by the names that `--channel` takes.
+constexpr std::array kChannels = {
+    std::pair{std::string_view("sector"), Channel::Sector},
+    std::pair{std::string_view("surface"), Channel::Surface},
+    std::pair{std::string_view("depth"), Channel::Depth},
+    std::pair{std::string_view("uv"), Channel::Uv},
+    std::pair{std::string_view("normal"), Channel::Normal},
+    std::pair{std::string_view("light"), Channel::Light},
+    std::pair{std::string_view("overdraw"), Channel::Overdraw},
+};
+constexpr std::array kViews = {
+    std::pair{std::string_view("world"), View::World},
+    std::pair{std::string_view("camera"), View::Camera},
+    std::pair{std::string_view("depthspace"), View::DepthSpace},
+    std::pair{std::string_view("screen"), View::Screen},
+};
+
+template <typename Table>
+auto find(const Table& table, std::string_view name) -> std::optional<decltype(table[0].second)> {
+  for (const auto& [key, value] : table)
+    if (key == name) return value;
+  return std::nullopt;
+}
+
+/// The picture that the options ask for. Light is baked only where it shows.
+tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera& camera,
+                                         const OptionValues& values) {
+  const std::string channel = values.text(Option::Channel).value_or("");
+  if (const auto view = find(kViews, channel)) return drawView(loaded.level, camera, *view);
+  const auto bake = bakeFor(loaded.level, values);
+  if (!bake) return tl::unexpected(bake.error());
+  const Renderer renderer(loaded.level, loaded.textures, bake->light);
+  if (const auto shown = find(kChannels, channel)) return renderer.draw(camera, *shown);
+  return renderer.draw(camera, lightModeFrom(values));
+}
+
+ExitStatus run(const OptionValues& values) {
+  if (values.has(Option::Channel) && values.has(Option::Light))
+    return fail("give --light or --channel, not both");
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const auto camera = cameraFor(loaded->level, values, {320, 200});
+  if (!camera) return fail(camera.error());
+  const auto image = picture(*loaded, *camera, values);
+  if (!image) return fail(image.error());
+  const auto written = writePng(*values.text(Option::Output), *image);
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+}  // namespace
+
+Command shotCommand() {
+  return {"shot",
+          "bakes and draws one picture; needs no display",
+          std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
+                              Option::Size, Option::Fov, Option::Light, Option::Channel} +
+              bakeOptions(),
+          {Option::Output},
+          run};
+}
+
+}  // namespace hearth
