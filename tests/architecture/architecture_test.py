@@ -1,0 +1,172 @@
+"""Holds the source tree to its own rules: layers, writable globals, sizes.
+
+usage: architecture_test.py SOURCE_DIR ARCHIVE... [-- TEST...]
+"""
+
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+# What each folder of engine/ may include of the others: all of it, nothing is inherited.
+LAYERS = {
+    "math": [],
+    "image": ["math"],
+    "level": ["math"],
+    "load": ["level", "image", "math"],
+    "light": ["level", "math"],
+    "render": ["level", "light", "image", "math"],
+    "truth": ["level", "image", "math"],
+}
+
+# Who may see the libraries that are not ours. A header passes on what it includes, so those named
+# *.cpp here are kept to the inside of their folder.
+OUTSIDERS = {
+    r"SDL.*": ["tools/*/*"],
+    r"CLI/.*": ["tools/*/*.cpp", "tests/*/*.cpp"],
+    r"nlohmann/.*": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
+    r"stb_.*": ["engine/image/*.cpp"],
+    r"embree.*": ["tests/*/*"],
+    r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
+}
+
+# The C library's transcendental functions pick other code on other processors, so the engine has
+# its own (engine/math/trig.h). Square root, fmod and rounding are exact by IEEE 754.
+INEXACT = r"\bstd::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|log(2|10|1p)?|pow|hypot|cbrt)\s*\("
+
+# stb_image_write's tables lack a `const`; nothing writes them.
+ALLOWED_GLOBALS = {"mapping", "firstmap"}
+
+MAX_FUNCTION_LINES = 80
+MAX_FILE_LINES = 500
+
+SOURCE = Path()
+ARCHIVES = []
+
+
+def sources(*folders):
+    for folder in folders:
+        for path in sorted((SOURCE / folder).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                yield path.relative_to(SOURCE)
+
+
+def code_lines(path):
+    """Numbered lines without their // comments."""
+    for number, line in enumerate((SOURCE / path).read_text().splitlines(), 1):
+        yield number, re.sub(r"//.*", "", line)
+
+
+def includes(path):
+    for number, line in code_lines(path):
+        match = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+        if match:
+            yield number, match[1]
+
+
+class Architecture(unittest.TestCase):
+    def expect_none(self, offences):
+        self.assertEqual(len(offences), 0, "\n" + "\n".join(offences))
+
+    def test_every_folder_of_the_engine_is_in_the_table_of_layers(self):
+        folders = {path.name for path in (SOURCE / "engine").iterdir() if path.is_dir()}
+        self.assertEqual(folders, set(LAYERS))
+
+    def test_layers_include_only_what_lies_below_them(self):
+        offences = []
+        for path in sources("engine"):
+            folder = path.parts[1]
+            for number, name in includes(path):
+                target = name.split("/")[0]
+                is_ours = (SOURCE / "engine" / target).is_dir() or (SOURCE / "tools" / target).is_dir()
+                if is_ours and "/" in name and target not in [folder, *LAYERS[folder]]:
+                    offences.append(f"{path}:{number}: {folder} must not include {name}")
+        self.expect_none(offences)
+
+    def test_headers_of_the_project_are_included_by_folder_and_name(self):
+        offences = []
+        for path in sources("engine", "tools"):
+            for number, name in includes(path):
+                if name.startswith(".") or (SOURCE / path.parent / name).exists():
+                    offences.append(f"{path}:{number}: write the folder of {name}")
+        self.expect_none(offences)
+
+    def test_libraries_of_others_are_seen_only_where_they_are_used(self):
+        offences = []
+        for path in sources("engine", "tools", "tests"):
+            for number, name in includes(path):
+                for library, places in OUTSIDERS.items():
+                    allowed = any(path.match(place) or path.match(place.replace("*/*", "*/*/*"))
+                                  for place in places)
+                    if re.fullmatch(library, name) and not allowed:
+                        offences.append(f"{path}:{number}: {name} belongs to {', '.join(places)}")
+        self.expect_none(offences)
+
+    def test_the_engine_computes_the_same_on_every_processor(self):
+        offences = [f"{path}:{number}: {match[0]} is not exact"
+                    for path in sources("engine")
+                    for number, line in code_lines(path)
+                    if (match := re.search(INEXACT, line))]
+        self.expect_none(offences)
+
+    def test_the_engine_has_no_writable_globals(self):
+        self.assertTrue(ARCHIVES)
+        offences = []
+        for archive in ARCHIVES:
+            table = subprocess.run(["objdump", "-t", "-C", archive], capture_output=True, text=True,
+                                   check=True).stdout
+            for line in table.splitlines():
+                # address, flags, section, size, name: `0...0 l O .bss 0...4 frameCount`
+                match = re.match(r"[0-9a-f]+ .{7} (\.\S+)\t([0-9a-f]+) +(.*)", line)
+                if match and is_writable(match[1]) and int(match[2], 16) > 0:
+                    name = match[3].removeprefix(".hidden ")
+                    if name.split("::")[-1] not in ALLOWED_GLOBALS and not name.startswith("DW.ref."):
+                        offences.append(f"{Path(archive).name}: {name} in {match[1]}")
+        self.expect_none(offences)
+
+    def test_functions_fit_on_a_page(self):
+        files = [str(SOURCE / path) for path in sources("engine", "tools")]
+        tags = subprocess.run(
+            ["ctags", "--language-force=C++", "--kinds-C++=f", "--fields=+ne", "-o", "-", *files],
+            capture_output=True, text=True, check=True).stdout
+        lengths = []
+        for line in tags.splitlines():
+            match = re.search(r"^(\S+)\t(\S+)\t.*\tline:(\d+).*\tend:(\d+)", line)
+            if match:
+                lengths.append((int(match[4]) - int(match[3]) + 1, f"{match[2]}:{match[3]}: {match[1]}"))
+        self.assertGreater(len(lengths), 100, "ctags must have found the functions")
+        self.expect_none([f"{place} has {length} lines" for length, place in lengths
+                          if length > MAX_FUNCTION_LINES])
+
+    def test_files_stay_readable(self):
+        self.expect_none([f"{path} has {length} lines" for path in sources("engine", "tools")
+                          if (length := (SOURCE / path).read_text().count("\n")) > MAX_FILE_LINES])
+
+
+def is_writable(section):
+    """Data that is only written while the program is linked (.data.rel.ro) is constant."""
+    return re.match(r"\.(t?data|t?bss)\b", section) and not section.startswith(".data.rel.ro")
+
+
+class TheRulesThemselves(unittest.TestCase):
+    """That the checks above see what they look for."""
+
+    def test_sections(self):
+        for section in [".data", ".bss", ".tbss", ".data.rel.local", ".bss._ZN6hearth5countE"]:
+            self.assertTrue(is_writable(section), section)
+        for section in [".data.rel.ro", ".data.rel.ro.local", ".rodata", ".text"]:
+            self.assertFalse(is_writable(section), section)
+
+    def test_inexact_functions(self):
+        for line in ["x = std::sin(y);", "std::pow (a, b)", "std::atan2(a, b)"]:
+            self.assertTrue(re.search(INEXACT, line), line)
+        for line in ["std::sqrt(x)", "std::fmod(x, y)", "sinCosDegrees(x)", "std::log_like(x)"]:
+            self.assertFalse(re.search(INEXACT, line), line)
+
+
+if __name__ == "__main__":
+    arguments = sys.argv[1:]
+    end = arguments.index("--") if "--" in arguments else len(arguments)
+    SOURCE, ARCHIVES = Path(arguments[0]), arguments[1:end]
+    unittest.main(argv=sys.argv[:1] + arguments[end + 1:])
