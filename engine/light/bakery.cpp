@@ -72,7 +72,7 @@ class SurfaceBaker {
     for (const std::size_t i : facing_) {
       const LightSource& light = level_.lights[i];
       ++tests_;
-      if (raytracer_.sees(sources_[i], at.point, level_[at.surface].sector))
+      if (raytracer_.sees(sources_[i], at.target, level_[at.surface].sector))
         sum.add(levelFrom(light, at.point));
     }
   }

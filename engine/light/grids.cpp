@@ -27,6 +27,7 @@ class WallRun {
     for (std::size_t i = 0; i < members_.size(); ++i) {
       extend(members_[i], level_[members_[i]].p0, false);
       extend(members_[i], level_[members_[i]].p1, true);
+      for (const SegmentId beyond : fan.acrossFlatPortals(members_[i])) take(beyond);
     }
   }
 
@@ -45,10 +46,14 @@ class WallRun {
   void extend(SegmentId from, Vec2 vertex, bool forwards) {
     for (const VertexFan::Spoke& spoke : fan_.at(vertex)) {
       if (spoke.startsHere != forwards || taken_[spoke.segment.index()]) continue;
-      if (!continues(level_[from], level_[spoke.segment], vertex)) continue;
-      taken_[spoke.segment.index()] = true;
-      members_.push_back(spoke.segment);
+      if (continues(level_[from], level_[spoke.segment], vertex)) take(spoke.segment);
     }
+  }
+
+  void take(SegmentId id) {
+    if (taken_[id.index()]) return;
+    taken_[id.index()] = true;
+    members_.push_back(id);
   }
 
   bool continues(const Segment& from, const Segment& to, Vec2 vertex) const {

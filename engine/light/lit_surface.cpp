@@ -103,6 +103,7 @@ class LitSurfaceBuilder {
     }
     for (std::size_t i = 0; i < level_.segments.size(); ++i) {
       joinAbove(SegmentId(i));
+      joinAcrossFlatPortals(SegmentId(i));
       joinAfter(SegmentId(i));
       joinFlats(level_.segments[i], true);
       joinFlats(level_.segments[i], false);
@@ -186,6 +187,20 @@ class LitSurfaceBuilder {
       for (std::size_t k = i + 1; k < walls.size(); ++k)
         if (const auto edge = commonEdge(walls[i].air, walls[k].air))
           join(walls[i].id, walls[k].id, onGrid(id, edge->first), onGrid(id, edge->second));
+  }
+
+  /// Joins the surfaces of this segment to those of the walls that go on below a flat portal.
+  void joinAcrossFlatPortals(SegmentId id) {
+    const Sector& sector = level_[level_[id].sector];
+    if (!sector.floor.interface) return;
+    for (const SegmentId below : fan_.acrossFlatPortals(id)) {
+      const Sector& other = level_[level_[below].sector];
+      if (other.ceiling.interface != sector.floor.interface) continue;
+      for (const Upright& a : upright_[id.index()])
+        for (const Upright& b : upright_[below.index()])
+          if (const auto edge = commonEdge(a.air, b.air))
+            join(a.id, b.id, onGrid(id, edge->first), onGrid(id, edge->second));
+    }
   }
 
   /// A point of a segment's plane, given as (share, z), in texel coordinates.

@@ -179,26 +179,26 @@ class Walk {
 
   /// Goes through the opening of the exit at the ray's height, if there is one.
   bool pass(const Exit& exit) {
-    const double z = zAt(exit.t);
     const double slack = exit.t >= 1 - slack_ ? kArrival : 0;
     for (const LightOpening& opening : exit.segment->lightOpenings) {
-      if (!planted(PlantedBug::LightThroughSteps) &&
-          (z < opening.zBottom - slack || z > opening.zTop + slack))
-        continue;
-      const Segment& twin = level_[opening.twin];
-      if (!clearsSidewalls(opening, twin, exit.t, z, slack)) continue;
+      if (!isOpenAt(opening, exit.t, slack)) continue;
       sector_ = opening.next;
       t_ = exit.t;
-      entry_ = &twin;
+      entry_ = &level_[opening.twin];
       return true;
     }
     return false;
   }
 
-  bool clearsSidewalls(const LightOpening& opening, const Segment& twin, double t, double z,
-                       double slack) const {
+  /// Whether the opening, and the slopes of the sector behind it, leave the ray's height free.
+  bool isOpenAt(const LightOpening& opening, double t, double slack) const {
+    const double z = zAt(t);
+    if (!planted(PlantedBug::LightThroughSteps) &&
+        (z < opening.zBottom - slack || z > opening.zTop + slack))
+      return false;
     const Sector& next = level_[opening.next];
     if (!next.floorSlope && !next.ceilingSlope) return true;
+    const Segment& twin = level_[opening.twin];
     const double share = length(planAt(t) - twin.p0) / twin.length;
     const AirColumn air = airAt(twin, std::clamp(share, 0.0, 1.0));
     return (!next.floorSlope || z >= air.zBottom - slack) &&

@@ -9,8 +9,8 @@ namespace hearth {
 
 namespace {
 
-/// Metres. Samples keep about this far off the edges of their surface, so that on which side of a
-/// wall's foot a ray arrives is not left to rounding. A shadow moves by no more.
+/// Metres. Rays arrive at least about this far off the edges of a surface. A shadow moves by no
+/// more.
 constexpr double kHair = 1e-6;
 
 constexpr std::array<Vec2, 16> kWays = {{{1, 0},
@@ -37,18 +37,22 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id)
 
 SamplePoint SamplePlacement::place(Vec2 p) const {
   const LitSurface& own = *surfaces_[id_.index()];
-  const double distance = length(own.nearest(p) - p);
-  const bool inside = own.contains(p);
-  if (inside && distance > hair_) return at(id_, p);
-
-  const Patch patch = patchWithin(inside ? hair_ : distance + hair_, p);
-  const Vec2 onPatch = surfaceAt(patch, p) ? p : nearestOf(patch, p);
-  const Vec2 settled = isOffEdges(patch, onPatch) ? onPatch : movedOffEdges(patch, onPatch, p);
-  return at(surfaceAt(patch, settled).value_or(id_), settled);
+  if (own.contains(p)) return at(id_, p, p);
+  const Patch patch = patchWithin(length(own.nearest(p) - p) + hair_, p);
+  if (const std::optional<SurfaceId> other = surfaceAt(patch, p)) return at(*other, p, p);
+  SurfaceId surface = id_;
+  Vec2 best = own.nearest(p);
+  for (const SurfaceId id : patch) {
+    const Vec2 q = surfaces_[id.index()]->nearest(p);
+    if (length(q - p) < length(best - p)) surface = id, best = q;
+  }
+  return at(surface, best, p);
 }
 
-SamplePoint SamplePlacement::at(SurfaceId surface, Vec2 texelPoint) const {
-  return {surfaces_[surface.index()]->toWorld(texelPoint), surface};
+SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
+  const LitSurface& surface = *surfaces_[id.index()];
+  const bool onEdge = length(surface.nearest(p) - p) < hair_;
+  return {surface.toWorld(p), id, surface.toWorld(onEdge ? movedInside(surface, p, from) : p)};
 }
 
 SamplePlacement::Patch SamplePlacement::patchWithin(double reach, Vec2 p) const {
@@ -67,35 +71,19 @@ std::optional<SurfaceId> SamplePlacement::surfaceAt(const Patch& patch, Vec2 p) 
   return std::nullopt;
 }
 
-Vec2 SamplePlacement::nearestOf(const Patch& patch, Vec2 p) const {
-  Vec2 best = surfaces_[id_.index()]->nearest(p);
-  for (const SurfaceId id : patch) {
-    const Vec2 q = surfaces_[id.index()]->nearest(p);
-    if (length(q - p) < length(best - p)) best = q;
-  }
-  return best;
-}
-
-/// Whether the patch goes on all around the point: a cut between two of its surfaces is no edge.
-bool SamplePlacement::isOffEdges(const Patch& patch, Vec2 p) const {
-  return std::ranges::all_of(
-      kWays, [&](Vec2 way) { return surfaceAt(patch, p + (hair_ / 2) * way).has_value(); });
-}
-
-/// A hair away from the edges that `p` lies on: straight on from where the sample was, or the first
-/// way that is clear. In a corner too acute for that, the way that leads farthest off its edges.
-Vec2 SamplePlacement::movedOffEdges(const Patch& patch, Vec2 p, Vec2 from) const {
+/// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
+/// a corner, where that may run along the other edge, the way that leads farthest inside.
+Vec2 SamplePlacement::movedInside(const LitSurface& surface, Vec2 edgePoint, Vec2 from) const {
   std::vector<Vec2> ways;
-  if (p != from) ways.push_back((1 / length(p - from)) * (p - from));
+  if (edgePoint != from) ways.push_back((1 / length(edgePoint - from)) * (edgePoint - from));
   ways.insert(ways.end(), kWays.begin(), kWays.end());
-  Vec2 best = p;
+  Vec2 best = edgePoint;
   double clearance = 0;
   for (const Vec2 way : ways) {
-    const Vec2 candidate = p + hair_ * way;
-    const std::optional<SurfaceId> surface = surfaceAt(patch, candidate);
-    if (!surface) continue;
-    if (isOffEdges(patch, candidate)) return candidate;
-    const double found = length(surfaces_[surface->index()]->nearest(candidate) - candidate);
+    const Vec2 candidate = edgePoint + hair_ * way;
+    if (!surface.contains(candidate)) continue;
+    const double found = length(surface.nearest(candidate) - candidate);
+    if (found > 0.9 * hair_) return candidate;
     if (found > clearance) best = candidate, clearance = found;
   }
   return best;

@@ -11,6 +11,10 @@ namespace hearth {
 struct SamplePoint {
   Vec3 point;
   SurfaceId surface;  ///< on which it lies: the one asked for, or one that continues it
+  /// Where a ray to the point is to arrive: the point itself, or, when that lies on an edge of its
+  /// surface, a micrometre inside. On which side of a wall's foot a ray comes down is then not left
+  /// to rounding.
+  Vec3 target;
 };
 
 /// Where a sample of a surface's lightmap takes its light: where it lies, when that is on the
@@ -33,9 +37,8 @@ class SamplePlacement {
   Patch patchWithin(double reach, Vec2 texelPoint) const;
   std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
   Vec2 nearestOf(const Patch& patch, Vec2 texelPoint) const;
-  bool isOffEdges(const Patch& patch, Vec2 texelPoint) const;
-  Vec2 movedOffEdges(const Patch& patch, Vec2 texelPoint, Vec2 from) const;
-  SamplePoint at(SurfaceId surface, Vec2 texelPoint) const;
+  SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;
+  Vec2 movedInside(const LitSurface& surface, Vec2 edgePoint, Vec2 from) const;
 
   const LitSurfaces& surfaces_;
   SurfaceId id_;

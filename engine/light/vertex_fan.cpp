@@ -24,6 +24,23 @@ std::span<const VertexFan::Spoke> VertexFan::at(Vec2 vertex) const {
   return {first, last};
 }
 
+std::vector<SegmentId> VertexFan::acrossFlatPortals(SegmentId id) const {
+  const Segment& segment = level_[id];
+  const Sector& sector = level_[segment.sector];
+  std::vector<SegmentId> found;
+  if (!sector.floor.interface && !sector.ceiling.interface) return found;
+  for (const Spoke& spoke : at(segment.p0)) {
+    const Segment& other = level_[spoke.segment];
+    if (!spoke.startsHere || other.p1 != segment.p1) continue;
+    const Sector& beyond = level_[other.sector];
+    const bool below = sector.floor.interface && beyond.ceiling.interface == sector.floor.interface;
+    const bool above =
+        sector.ceiling.interface && beyond.floor.interface == sector.ceiling.interface;
+    if (below || above) found.push_back(spoke.segment);
+  }
+  return found;
+}
+
 bool VertexFan::joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const {
   std::vector<SectorId> reached = {a};
   for (std::size_t i = 0; i < reached.size(); ++i) {

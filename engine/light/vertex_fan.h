@@ -20,6 +20,10 @@ class VertexFan {
 
   std::span<const Spoke> at(Vec2 vertex) const;
 
+  /// Segments above or below this one, in its plane and with its ends, that a flat portal of its
+  /// sector leads to. Linking cuts both sides of flat portals alike.
+  std::vector<SegmentId> acrossFlatPortals(SegmentId id) const;
+
   /// True when one can go round `vertex` from sector `a` to sector `b` through openings that share
   /// some height with (zBottom, zTop); a sector is always joined to itself.
   bool joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const;

@@ -178,7 +178,7 @@ class Comparison {
       const SamplePoint at = SamplePlacement(light_.surfaces, id).place(center);
       const Surface& surface = level_[at.surface];
       const LitSurface& lit = *light_.surfaces[at.surface.index()];
-      entry->second.place = {surface.kind, surface.sector, surface.segment, at.point, lit.normal};
+      entry->second.place = {surface.kind, surface.sector, surface.segment, at.target, lit.normal};
       const double level = truthLight_.at(entry->second.place);
       entry->second.level = std::min(level, 255.0);
       entry->second.clips = level > 255;

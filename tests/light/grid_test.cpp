@@ -68,6 +68,45 @@ TEST(TexelGrid, staysWhenASectorIsCut) {
   expectSameLight(whole, cut);
 }
 
+TEST(TexelGrid, staysWhenASectorIsCutAcrossATexelsCentre) {
+  // 2.8125 is a texel's centre: its sample lies on the very end of the portal.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const BakedRoom whole(wholeRoom(), kLights);
+  const BakedRoom cut(levelOf(sectorText("west", "0.1,0.2, 2.8125,0.2, 2.8125,4.1, 0.1,4.1", 0, 3,
+                                         fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid)) +
+                              "," +
+                              sectorText("east", "2.8125,0.2, 6.3,0.2, 6.3,4.1, 2.8125,4.1", 0, 3,
+                                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid))),
+                      kLights);
+  expectSameLight(whole, cut);
+  // Walls along x have their texels' centres at 0.1 + (i + 1/2) / 8.
+  const BakedRoom cutOnWall(
+      levelOf(sectorText("west", "0.1,0.2, 2.7875,0.2, 2.7875,4.1, 0.1,4.1", 0, 3,
+                         fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid)) +
+              "," +
+              sectorText("east", "2.7875,0.2, 6.3,0.2, 6.3,4.1, 2.7875,4.1", 0, 3,
+                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid))),
+      kLights);
+  expectSameLight(whole, cutOnWall);
+}
+
+TEST(TexelGrid, staysWhenASectorIsCutByAFlatPortal) {
+  const BakedRoom whole(wholeRoom(), kLights);
+  for (const double z : {1.3, 1.3125}) {
+    const auto half = [&](std::string_view name, std::string_view floor, std::string_view ceiling) {
+      return fmt::format(
+          "'{}':{{'floor':{},'ceiling':{},'loops':{{'border':{{'v':[0.1,0.2, 6.3,0.2, 6.3,4.1, "
+          "0.1,4.1],'walls':{{'texture':'#808080'}}}}}}}}",
+          name, floor, ceiling);
+    };
+    const std::string portal = fmt::format("{{'z':{},'next':'up-low'}}", z);
+    const BakedRoom cut(levelOf(half("up", portal, "{'z':3,'texture':'#808080'}") + "," +
+                                half("low", "{'texture':'#808080'}", portal)),
+                        kLights);
+    expectSameLight(whole, cut);
+  }
+}
+
 TEST(TexelGrid, doesNotTakeLightFromBehindAThinWall) {
   const std::string_view solid = "{'texture':'#808080'}";
   // Two rooms side by side whose floors are one plane, joined far away by a third.
