@@ -60,7 +60,7 @@ namespace {
 
 /// The densest packing of the formats read here: a PNG of one bit per pixel (8 pixels a byte) under
 /// deflate, which makes at most 1032 bytes of one (258 bytes from two bits).
-constexpr std::int64_t kMaxPixelsPerByte = 8 * 1032;
+constexpr std::int64_t kMaxPixelsPerByte = std::int64_t{8} * 1032;
 
 /// More than any real file needs: 8 bytes hold the deepest pixel, and some may not compress.
 constexpr std::int64_t kMaxBytesPerPixel = 16;

@@ -47,9 +47,9 @@ class WallLinker {
       const SubWallDescription& subWall = described.subWalls[i];
       const bool isLast = i + 1 == described.subWalls.size();
       const std::optional<double> zTop = topOf(subWall, isLast, zBelow);
-      std::optional<SubWallKind> kind = linkSubWall(subWall);
+      const std::optional<SubWallKind> kind = linkSubWall(subWall);
       isGood &= zTop && kind;
-      if (zTop && kind) stack.subWalls.push_back({*zTop, *std::move(kind)});
+      if (zTop && kind) stack.subWalls.push_back({*zTop, *kind});
       zBelow = zTop.value_or(zBelow);
     }
     return isGood ? std::optional(std::move(stack)) : std::nullopt;

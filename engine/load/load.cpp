@@ -34,10 +34,6 @@ class Loader {
   }
 
  private:
-  /// The two files of a load.
-  static constexpr std::uint32_t kLevel = 0;
-  static constexpr std::uint32_t kLights = 1;
-
   std::optional<JsonValue> readDocument(const fs::path& path);
   bool readText(const fs::path& path, Document& document, Place place);
   LightsDescription readLightsOf(const LevelDescription& description);

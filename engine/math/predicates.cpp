@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace hearth {
@@ -15,7 +16,7 @@ constexpr double kUlp = std::numeric_limits<double>::epsilon() / 2;
 class ExactSum {
  public:
   void add(double value) {
-    for (int i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
       const double sum = terms_[i] + value;
       const double virtualValue = sum - terms_[i];
       const double error = (terms_[i] - (sum - virtualValue)) + (value - virtualValue);
@@ -34,7 +35,7 @@ class ExactSum {
   }
 
   int sign() const {
-    for (int i = count_ - 1; i >= 0; --i)
+    for (std::size_t i = count_; i-- > 0;)
       if (terms_[i] != 0) return terms_[i] > 0 ? 1 : -1;
     return 0;
   }
@@ -53,7 +54,7 @@ class ExactSum {
   }
 
   std::array<double, 12> terms_{};
-  int count_ = 0;
+  std::size_t count_ = 0;
 };
 
 int exactOrientation(Vec2 a, Vec2 b, Vec2 c) {

@@ -29,7 +29,7 @@ constexpr Ramp kJointRamp{
 
 int cellOf(int along) {
   int cell = 0;
-  while (along >= kLines[static_cast<std::size_t>(cell + 1)]) ++cell;
+  while (along >= kLines[static_cast<std::size_t>(cell) + 1]) ++cell;
   return cell;
 }
 
@@ -49,7 +49,7 @@ Extent extentOf(int cell, SameStone same) {
   int last = cell;
   while (first > 0 && same(first - 1)) --first;
   while (last < 3 && same(last + 1)) ++last;
-  return {kLines[static_cast<std::size_t>(first)], kLines[static_cast<std::size_t>(last + 1)]};
+  return {kLines[static_cast<std::size_t>(first)], kLines[static_cast<std::size_t>(last) + 1]};
 }
 
 const Ramp& rampOf(char stone) {
