@@ -64,7 +64,8 @@ class WallRun {
     for (const Vec2 p : {to.p0, to.p1})
       if (std::abs(cross(direction, p - seed_.p0)) > tolerance * seed_.length) return false;
     constexpr double kAny = 1e300;
-    return fan_.joined(vertex, from.sector, to.sector, -kAny, kAny);
+    return fan_.joined(vertex, from.sector, to.sector, -kAny, kAny) ||
+           fan_.joined(vertex, to.sector, from.sector, -kAny, kAny);
   }
 
   const Level& level_;

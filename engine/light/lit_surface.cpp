@@ -237,9 +237,15 @@ class LitSurfaceBuilder {
           const auto [bLow, bHigh] = heightsAt(b.air, 0);
           const double low = std::max(aLow, bLow);
           const double high = std::min(aHigh, bHigh);
-          if (high - low > kHeightNoise &&
-              fan_.joined(segment.p1, segment.sector, level_[spoke.segment].sector, low, high))
-            join(a.id, b.id, onGrid(id, {1, low}), onGrid(id, {1, high}));
+          if (high - low <= kHeightNoise) continue;
+          const Continuation edge{b.id, onGrid(id, {1, low}), onGrid(id, {1, high})};
+          // One-way portals let a wall go on only their way.
+          const SectorId sectorA = segment.sector;
+          const SectorId sectorB = level_[spoke.segment].sector;
+          if (fan_.joined(segment.p1, sectorA, sectorB, low, high))
+            lit_[a.id.index()]->continuations.push_back(edge);
+          if (fan_.joined(segment.p1, sectorB, sectorA, low, high))
+            lit_[b.id.index()]->continuations.push_back({a.id, edge.edge0, edge.edge1});
         }
     }
   }

@@ -107,6 +107,19 @@ TEST(TexelGrid, staysWhenASectorIsCutByAFlatPortal) {
   }
 }
 
+TEST(TexelGrid, goesOnThroughAOneWayPortalOnlyItsWay) {
+  // The walls along y = 0 are one plane; "open" looks into "closed", which does not look back.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string rooms =
+      levelOf(sectorText("open", "0,0, 2,0, 2,2, 0,2", 0, 3,
+                         fmt::format("[{0},{{'next':'closed'}},{0},{0}]", solid)) +
+              "," + sectorText("closed", "2,0, 4,0, 4,2, 2,2", 0, 3));
+  const BakedRoom lit(rooms, "[{'x':3,'y':1,'z':1.5,'intensity':200}]");
+  EXPECT_EQ(lit.at(SurfaceKind::Solid, {2.01, 0, 1}, "closed"), 200);
+  EXPECT_NEAR(lit.at(SurfaceKind::Solid, {2 - 1e-9, 0, 1}, "open"), 100, 1e-3)
+      << "half way to the first texel beyond the portal";
+}
+
 TEST(TexelGrid, doesNotTakeLightFromBehindAThinWall) {
   const std::string_view solid = "{'texture':'#808080'}";
   // Two rooms side by side whose floors are one plane, joined far away by a third.
