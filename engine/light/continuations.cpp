@@ -1,0 +1,148 @@
+#include "light/continuations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "light/grids.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+class Joiner {
+ public:
+  Joiner(const Level& level, const VertexFan& fan,
+         const std::vector<std::vector<UprightSurface>>& upright, LitSurfaces& surfaces)
+      : level_(level), fan_(fan), upright_(upright), lit_(surfaces) {}
+
+  void joinAll() {
+    for (std::size_t i = 0; i < level_.segments.size(); ++i) {
+      joinAbove(SegmentId(i));
+      joinAcrossFlatPortals(SegmentId(i));
+      joinAfter(SegmentId(i));
+      joinFlats(level_.segments[i], true);
+      joinFlats(level_.segments[i], false);
+    }
+  }
+
+ private:
+  void join(SurfaceId from, SurfaceId to, Vec2 edge0, Vec2 edge1) {
+    lit_[from.index()]->continuations.push_back({to, edge0, edge1});
+  }
+
+  void joinBoth(const UprightSurface& a, const UprightSurface& b, std::pair<Vec2, Vec2> edge) {
+    join(a.id, b.id, onGrid(a, edge.first), onGrid(a, edge.second));
+    join(b.id, a.id, onGrid(a, edge.first), onGrid(a, edge.second));
+  }
+
+  /// Joins the surfaces of one segment that stand on one another.
+  void joinAbove(SegmentId id) {
+    const std::vector<UprightSurface>& walls = upright_[id.index()];
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      for (std::size_t k = i + 1; k < walls.size(); ++k)
+        if (const auto edge = commonEdge(walls[i].air, walls[k].air))
+          joinBoth(walls[i], walls[k], *edge);
+  }
+
+  /// Joins the surfaces of this segment to those of the walls that go on below a flat portal.
+  void joinAcrossFlatPortals(SegmentId id) {
+    const Sector& sector = level_[level_[id].sector];
+    if (!sector.floor.interface) return;
+    for (const SegmentId below : fan_.acrossFlatPortals(id)) {
+      const Sector& other = level_[level_[below].sector];
+      if (other.ceiling.interface != sector.floor.interface) continue;
+      for (const UprightSurface& a : upright_[id.index()])
+        for (const UprightSurface& b : upright_[below.index()])
+          if (const auto edge = commonEdge(a.air, b.air)) joinBoth(a, b, *edge);
+    }
+  }
+
+  /// A point of an upright surface's plane, given as (share, z), in texel coordinates.
+  Vec2 onGrid(const UprightSurface& wall, Vec2 p) const {
+    const Segment& segment = level_[*level_[wall.id].segment];
+    const Vec2 xy = lerp(segment.p0, segment.p1, p.x);
+    return lit_[wall.id.index()]->grid.toTexels({xy.x, xy.y, p.y});
+  }
+
+  /// Joins surfaces of this segment to those of walls that continue it beyond its p1.
+  void joinAfter(SegmentId id) {
+    for (const VertexFan::Spoke& spoke : fan_.at(level_[id].p1)) {
+      if (!spoke.startsHere || spoke.segment == id) continue;
+      for (const UprightSurface& a : upright_[id.index()])
+        for (const UprightSurface& b : upright_[spoke.segment.index()])
+          if (onOneGrid(a.id, b.id)) joinAtVertex(a, b, level_[id].p1);
+    }
+  }
+
+  /// `a` ends at the vertex where `b` begins. One-way portals let a wall go on only their way.
+  void joinAtVertex(const UprightSurface& a, const UprightSurface& b, Vec2 vertex) {
+    const auto [aLow, aHigh] = heightsAt(a.air, 1);
+    const auto [bLow, bHigh] = heightsAt(b.air, 0);
+    const double low = std::max(aLow, bLow);
+    const double high = std::min(aHigh, bHigh);
+    if (high - low <= kHeightNoise) return;
+    const SectorId sectorA = level_[a.id].sector;
+    const SectorId sectorB = level_[b.id].sector;
+    const Vec2 edge0 = onGrid(a, {1, low});
+    const Vec2 edge1 = onGrid(a, {1, high});
+    if (fan_.joined(vertex, sectorA, sectorB, low, high)) join(a.id, b.id, edge0, edge1);
+    if (fan_.joined(vertex, sectorB, sectorA, low, high)) join(b.id, a.id, edge0, edge1);
+  }
+
+  bool onOneGrid(SurfaceId a, SurfaceId b) const {
+    return lit_[a.index()]->grid == lit_[b.index()]->grid;
+  }
+
+  /// Joins floors (ceilings) that are one plane on both sides of an opening. The other side's own
+  /// segment says the same the other way round, where it opens.
+  void joinFlats(const Segment& segment, bool floor) {
+    const std::optional<SurfaceId> mine = flatOf(segment.sector, floor);
+    if (!mine) return;
+    const Sector& sector = level_[segment.sector];
+    const auto onMyGrid = [&](Vec2 p) {
+      const double z = floor ? sector.airBottom(p) : sector.airTop(p);
+      return lit_[mine->index()]->grid.toTexels({p.x, p.y, z});
+    };
+    for (const SectorId next : openAtFoot(level_, segment, floor)) {
+      const std::optional<SurfaceId> other = flatOf(next, floor);
+      if (other && other != mine && areOnePlane(*mine, *other, segment))
+        join(*mine, *other, onMyGrid(segment.p0), onMyGrid(segment.p1));
+    }
+  }
+
+  std::optional<SurfaceId> flatOf(SectorId id, bool floor) const {
+    const Sector& sector = level_[id];
+    const std::optional<SurfaceId> surface = floor ? sector.floorSurface : sector.ceilingSurface;
+    return surface && lit_[surface->index()] ? surface : std::nullopt;
+  }
+
+  bool areOnePlane(SurfaceId idA, SurfaceId idB, const Segment& along) const {
+    const Surface& a = level_[idA];
+    const Surface& b = level_[idB];
+    if (a.kind != b.kind) return false;
+    if (isFlat(a.kind)) return std::abs(a.zBottom - b.zBottom) <= kAuthorNoise;
+    const auto slopeOf = [&](const Surface& surface) -> const Slope& {
+      const Sector& sector = level_[surface.sector];
+      return surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
+    };
+    return onOneGrid(idA, idB) && continueInOnePlane(slopeOf(a), slopeOf(b), along);
+  }
+
+  const Level& level_;
+  const VertexFan& fan_;
+  const std::vector<std::vector<UprightSurface>>& upright_;
+  LitSurfaces& lit_;
+};
+
+}  // namespace
+
+void joinContinuations(const Level& level, const VertexFan& fan,
+                       const std::vector<std::vector<UprightSurface>>& upright,
+                       LitSurfaces& surfaces) {
+  Joiner(level, fan, upright, surfaces).joinAll();
+}
+
+}  // namespace hearth

@@ -1,0 +1,84 @@
+#include "light/upright_air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "math/planted_bug.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// z over a segment: one height at p0 and one at p1.
+struct Line {
+  double at0;
+  double at1;
+};
+
+/// The part of a convex polygon in (share, z) that lies above the line (below it for `sign` -1).
+UprightOutline clipped(const UprightOutline& polygon, Line line, double sign) {
+  const auto height = [&](Vec2 p) { return sign * (p.y - std::lerp(line.at0, line.at1, p.x)); };
+  UprightOutline kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i];
+    const Vec2 b = polygon[(i + 1) % polygon.size()];
+    const double ha = height(a);
+    const double hb = height(b);
+    if (ha >= 0) kept.push_back(a);
+    if ((ha > 0 && hb < 0) || (ha < 0 && hb > 0)) kept.push_back(lerp(a, b, ha / (ha - hb)));
+  }
+  return kept;
+}
+
+}  // namespace
+
+// Convex, because what limits it from below is a maximum of lines and from above a minimum.
+UprightOutline uprightAir(const Level& level, const Surface& surface) {
+  const Segment& segment = level[*surface.segment];
+  UprightOutline air = {
+      {0, surface.zBottom}, {1, surface.zBottom}, {1, surface.zTop}, {0, surface.zTop}};
+  air = clipped(air, {segment.air0.zBottom, segment.air1.zBottom}, 1);
+  air = clipped(air, {segment.air0.zTop, segment.air1.zTop}, -1);
+  if (planted(PlantedBug::StackPieceLitOverWholeWall) && surface.kind == SurfaceKind::StackSolid)
+    for (Vec2& p : air) p.y = p.y == surface.zTop ? level[surface.sector].ceiling.z : p.y;
+  if (!isSidewall(surface.kind)) return air;
+  for (const WallPiece& piece : segment.pieces) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (!opening || piece.zBottom != surface.zBottom) continue;
+    const Segment& twin = level[opening->twin];
+    if (surface.kind == SurfaceKind::FloorSidewall)
+      return clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, -1);
+    return clipped(air, {twin.air1.zTop, twin.air0.zTop}, 1);
+  }
+  return air;
+}
+
+std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b) {
+  UprightOutline common;
+  const auto gather = [&](const UprightOutline& from, const UprightOutline& to) {
+    for (const Vec2 p : from)
+      for (std::size_t i = 0; i < to.size(); ++i)
+        if (length(nearestOnSegment(to[i], to[(i + 1) % to.size()], p) - p) <= kHeightNoise)
+          common.push_back(p);
+  };
+  gather(a, b);
+  gather(b, a);
+  if (common.empty()) return std::nullopt;
+  const auto [low, high] = std::ranges::minmax_element(common, lessXY);
+  if (length(*high - *low) <= kHeightNoise) return std::nullopt;
+  return std::pair(*low, *high);
+}
+
+std::pair<double, double> heightsAt(const UprightOutline& air, double share) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Vec2 p : air)
+    if (std::abs(p.x - share) <= kHeightNoise) low = std::min(low, p.y), high = std::max(high, p.y);
+  return {low, high};
+}
+
+}  // namespace hearth

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// A polygon in the plane of a segment, as (share of the way from its p0 to its p1, z in metres).
+using UprightOutline = std::vector<Vec2>;
+
+/// The part of an upright surface that bounds air: what the slopes on both sides leave of it.
+/// Convex; fewer than three points where nothing shows.
+UprightOutline uprightAir(const Level& level, const Surface& surface);
+
+/// The ends of what two convex outlines that do not overlap have in common, if that has a length.
+std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b);
+
+/// The heights, low and high, that a convex outline covers at one end of its segment (share 0 or
+/// 1); low > high where it does not reach that end.
+std::pair<double, double> heightsAt(const UprightOutline& air, double share);
+
+}  // namespace hearth
