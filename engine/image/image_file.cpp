@@ -218,14 +218,21 @@ tl::expected<void, std::string> writePng(const std::filesystem::path& path, cons
                                      "picture",
                                      image.width(), image.height()));
   }
-  std::filesystem::path part = path;
-  part += ".part";
   std::error_code error;
+  const std::filesystem::file_status target = std::filesystem::status(path, error);
+  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+    return failure(path, "is not a regular file; name a file to write");
+  }
+  // Through a symbolic link, so that the link stays and what it names is replaced.
+  const std::filesystem::path file =
+      std::filesystem::exists(target) ? std::filesystem::canonical(path, error) : path;
+  std::filesystem::path part = file;
+  part += ".part";
   if (!writeBytes(part, image)) {
     std::filesystem::remove(part, error);
     return failure(path, "cannot be written; check that its folder exists and has room");
   }
-  std::filesystem::rename(part, path, error);
+  std::filesystem::rename(part, file, error);
   if (error) {
     const std::string reason = error.message();
     std::filesystem::remove(part, error);

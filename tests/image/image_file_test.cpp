@@ -1,6 +1,7 @@
 #include "image/image_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -135,6 +136,25 @@ TEST_F(ImageFile, SaysWhichFileCouldNotBeWritten) {
   const auto written = writePng(path("no_such_folder/a.png"), ramp(2, 2));
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().find("no_such_folder/a.png"), std::string::npos) << written.error();
+}
+
+TEST_F(ImageFile, RefusesToReplaceWhatIsNoFile) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  std::filesystem::create_directory(path("folder"));
+  for (const char* name : {"pipe", "folder"}) {
+    const auto written = writePng(path(name), ramp(2, 2));
+    ASSERT_FALSE(written) << name;
+    EXPECT_NE(written.error().find("not a regular file"), std::string::npos) << written.error();
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+}
+
+TEST_F(ImageFile, WritesThroughASymbolicLink) {
+  fileOf("target.png", {1, 2, 3});
+  std::filesystem::create_symlink(path("target.png"), path("link.png"));
+  ASSERT_TRUE(writePng(path("link.png"), ramp(2, 2)));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.png")));
+  EXPECT_TRUE(readImage(path("target.png"), kMaxPixels));
 }
 
 TEST_F(ImageFile, ReadsTheSizeWithoutDecoding) {

@@ -26,7 +26,7 @@ constexpr std::array kTable = {
     OptionRow{Option::Shot, "--shot", ValueKind::Text, "NAME", 0, 0, "",
               "the camera, field of view and size of one of the level's shots"},
     OptionRow{Option::Size, "--size", ValueKind::Text, "WxH", 1, kMaxPictureSide,
-              "320x200; in a window 640x400", "size of the picture in pixels"},
+              "320x200; of the picture in the window, 640x400", "size of the picture in pixels"},
     OptionRow{Option::Fov, "--fov", ValueKind::Number, "DEGREES", 1, 179, "90",
               "horizontal field of view"},
     OptionRow{Option::Light, "--light", ValueKind::Choice, "both|none|only", 0, 0, "both",

@@ -103,10 +103,10 @@ std::vector<std::string> unbakedFeatures(const Level& level) {
   std::vector<std::string> found;
   if (coloured > 0)
     found.push_back(
-        fmt::format("coloured light is not baked yet: {} lights are taken as white", coloured));
+        fmt::format("coloured light is not baked yet: taken as white, lights: {}", coloured));
   if (balls > 0)
     found.push_back(
-        fmt::format("the radius of lights is not baked yet: {} are taken as points", balls));
+        fmt::format("the radius of lights is not baked yet: taken as points, lights: {}", balls));
   return found;
 }
 
@@ -129,6 +129,11 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
   const auto start = std::chrono::steady_clock::now();
   BakedLight light = bake(level, *settings, threads);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (light.stats.litSurfaces == 0)
+    fmt::print(stderr,
+               "{}:1:1: warning: no light reaches any surface, so only sector light shows, at "
+               "/lights, add lights or raise their intensity\n",
+               values.level);
   return Bake{std::move(light), *settings, threads, seconds.count()};
 }
 
