@@ -97,13 +97,6 @@ bool contains(const Level& level, const Sector& sector, Vec3 p, double slack) {
   return contains(level, sector, p.xy()) || nearestWall(level, sector, p.xy()).distance <= slack;
 }
 
-std::vector<SectorId> sectorsAt(const Level& level, Vec3 p) {
-  std::vector<SectorId> found;
-  for (std::size_t i = 0; i < level.sectors.size(); ++i)
-    if (contains(level, level.sectors[i], p, kPositionSlack)) found.push_back(SectorId(i));
-  return found;
-}
-
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {
   const Vec2 xy = nudgedInside(level, sector, p.xy());
   const double bottom = sector.airBottom(xy);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "level/level.h"
 
 namespace hearth {
@@ -13,9 +11,6 @@ bool contains(const Level& level, const Sector& sector, Vec2 p);
 /// True when `p` lies in the air of the sector, walls, flats and slopes included, within
 /// `slack` metres.
 bool contains(const Level& level, const Sector& sector, Vec3 p, double slack);
-
-/// All sectors that contain `p` within kPositionSlack, in the order of the level.
-std::vector<SectorId> sectorsAt(const Level& level, Vec3 p);
 
 /// `p`, or where it lies on (or within kPositionSlack outside) the walls, flats or slopes of the
 /// sector, a point about kNudge inside them: from there no wall of the sector is seen edge-on.

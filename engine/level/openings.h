@@ -64,11 +64,12 @@ void visitWallColumn(const Level& level, const Segment& segment, double share,
     }
     const Opening& opening = std::get<Opening>(piece.content);
     const OpeningSpan span = openingSpan(piece, near, airAt(level[opening.twin], 1 - share));
-    if (opening.floorSidewall && span.zNearBottom < span.zBottom)
-      onSurface(*opening.floorSidewall, span.zNearBottom, span.zBottom);
-    if (span.zBottom < span.zTop) onOpening(opening, span.zBottom, span.zTop);
-    if (opening.ceilingSidewall && span.zTop < span.zNearTop)
-      onSurface(*opening.ceilingSidewall, span.zTop, span.zNearTop);
+    // Where a slope leaves no more than rounding of a sidewall, there is none: the opening goes on.
+    const double zBottom = opening.floorSidewall ? span.zBottom : span.zNearBottom;
+    const double zTop = opening.ceilingSidewall ? span.zTop : span.zNearTop;
+    if (span.zNearBottom < zBottom) onSurface(*opening.floorSidewall, span.zNearBottom, zBottom);
+    if (zBottom < zTop) onOpening(opening, zBottom, zTop);
+    if (zTop < span.zNearTop) onSurface(*opening.ceilingSidewall, zTop, span.zNearTop);
   }
 }
 

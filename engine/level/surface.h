@@ -59,7 +59,7 @@ struct Surface {
   TextureMapping mapping;            ///< for upright ones `zRef` is always there, but for sidewalls
                                      ///< that follow their slope's edge
   /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
-  /// that they stand in; what their slope covers of it, `wallSpan` in level/openings.h tells.
+  /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.
   double zBottom = 0;
   double zTop = 0;
 };

@@ -23,7 +23,9 @@ class SurfaceBaker {
       : level_(level),
         sources_(sources),
         settings_(settings),
+        surfaces_(surfaces),
         surface_(*surfaces[id.index()]),
+        id_(id),
         kind_(level[id].kind),
         placement_(surfaces, id),
         raytracer_(level) {
@@ -35,7 +37,7 @@ class SurfaceBaker {
 
   /// None where no light reaches the surface.
   std::optional<Lightmap> bake() {
-    if (isPlantedUnlit()) return std::nullopt;
+    if (facing_.empty() || isPlantedUnlit()) return std::nullopt;
     const TexelRect rect = surface_.texels;
     Lightmap map{rect, {}};
     map.levels.reserve(static_cast<std::size_t>(rect.width) *
@@ -43,7 +45,7 @@ class SurfaceBaker {
     bool lit = false;
     for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
       for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
-        map.levels.push_back(facing_.empty() ? std::uint8_t{0} : texelLevel(i, j));
+        map.levels.push_back(texelLevel(i, j));
         lit = lit || map.levels.back() != 0;
       }
     if (!lit) return std::nullopt;
@@ -69,25 +71,30 @@ class SurfaceBaker {
   void addSample(Vec2 texelPoint, LightSum& sum) {
     if (planted(PlantedBug::BorderTexelsBlack) && !surface_.contains(texelPoint)) return;
     const SamplePoint at = placement_.place(texelPoint);
+    const LitSurface& there = *surfaces_[at.surface.index()];
     for (const std::size_t i : facing_) {
       const LightSource& light = level_.lights[i];
+      // What continues a surface may lie a tolerance off its plane.
+      if (there.distanceInFront(light.position) <= kInPlane && at.surface != id_) continue;
       ++tests_;
       if (raytracer_.sees(sources_[i], at.target, level_[at.surface].sector))
-        sum.add(levelFrom(light, at.point));
+        sum.add(levelFrom(light, at.point, there.normal));
     }
   }
 
-  double levelFrom(const LightSource& light, Vec3 point) const {
+  double levelFrom(const LightSource& light, Vec3 point, Vec3 normal) const {
     const Vec3 toLight = light.position - point;
     const double distance = length(toLight);
     const double level = light.levelAt(distance);
-    return settings_.lambert ? level * (dot(toLight, surface_.normal) / distance) : level;
+    return settings_.lambert ? level * (dot(toLight, normal) / distance) : level;
   }
 
   const Level& level_;
   const std::vector<Raytracer::Source>& sources_;
   const BakeSettings& settings_;
+  const LitSurfaces& surfaces_;
   const LitSurface& surface_;
+  SurfaceId id_;
   SurfaceKind kind_;
   SamplePlacement placement_;
   Raytracer raytracer_;

@@ -137,8 +137,9 @@ std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, doubl
   for (const SegmentId seed : byFallingLength(level)) {
     if (taken[seed.index()]) continue;
     const WallRun run(level, fan, taken, seed);
+    const TexelGrid grid = run.grid(texel);
     for (const SegmentId member : run.members()) {
-      grids[member.index()] = run.grid(texel);
+      grids[member.index()] = grid;
       if (planted(PlantedBug::GridAnchoredToPiece))
         grids[member.index()].origin = flatVector(level[member].p0);
     }

@@ -14,8 +14,8 @@ std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, doubl
 
 TexelGrid flatGrid(double z, double texel);
 
-/// Whether a segment opens at the very foot (head) of its sector's air, so that nothing stands
-/// between the floors (ceilings) of the two sectors; names the next sector.
+/// The sectors to which a segment opens at the very foot (head) of its sector's air, so that
+/// nothing stands between the floors (ceilings) of both.
 std::vector<SectorId> openAtFoot(const Level& level, const Segment& segment, bool floor);
 
 /// The texel grid of every sloped floor (ceiling), by SectorId: anchored to the first border

@@ -10,15 +10,15 @@ namespace hearth {
 
 /// Adds up light without regard to order: every contribution is rounded once to 2^-20 of a level
 /// and added as an integer. So threads cannot change a byte, and a light can be taken away again.
+/// Sums past 2^41 levels, which no scene has, stay there rather than overflow.
 class LightSum {
  public:
   /// `level` >= 0.
   void add(double level) {
     if (planted(PlantedBug::EightBitSums)) level = std::floor(level);
-    // 2^20 levels are white thousands of times over; more would only overflow the sum.
-    constexpr double kMost = 1 << 20;
-    sum_ += static_cast<std::int64_t>(
-        std::floor(std::min(level, kMost) * static_cast<double>(kUnit) + 0.5));
+    constexpr double kMost = static_cast<double>(kFull / kUnit);
+    const double units = std::floor(std::min(level, kMost) * static_cast<double>(kUnit) + 0.5);
+    sum_ = std::min(sum_ + static_cast<std::int64_t>(units), kFull);
   }
 
   /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
@@ -30,6 +30,7 @@ class LightSum {
 
  private:
   static constexpr std::int64_t kUnit = 1 << 20;
+  static constexpr std::int64_t kFull = std::int64_t{1} << 61;
 
   std::int64_t sum_ = 0;
 };

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "level/locate.h"
 #include "level/openings.h"
-#include "math/check.h"
 #include "math/planted_bug.h"
 #include "math/predicates.h"
 

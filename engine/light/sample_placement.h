@@ -36,7 +36,6 @@ class SamplePlacement {
 
   Patch patchWithin(double reach, Vec2 texelPoint) const;
   std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
-  Vec2 nearestOf(const Patch& patch, Vec2 texelPoint) const;
   SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;
   Vec2 movedInside(const LitSurface& surface, Vec2 edgePoint, Vec2 from) const;
 

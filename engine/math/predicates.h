@@ -4,9 +4,9 @@
 
 namespace hearth {
 
-/// Sign of the area of the triangle a, b, c, exact for all finite input that does not overflow:
-/// > 0 when c lies in front of the segment a -> b, < 0 behind it, 0 on its line.
-/// A floating-point filter decides nearly all cases; the rest is summed without rounding
+/// Sign of the area of the triangle a, b, c, exact for all finite input whose products neither
+/// overflow nor underflow: > 0 when c lies in front of the segment a -> b, < 0 behind it, 0 on its
+/// line. A floating-point filter decides nearly all cases; the rest is summed without rounding
 /// (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997).
 int orientation(Vec2 a, Vec2 b, Vec2 c);
 

@@ -24,7 +24,7 @@ double cosSeries(double x) {
   return 1 + sum;
 }
 
-/// Euler's halving brings the argument below tan(pi/16), where 14 terms suffice.
+/// Euler's halving brings the argument below tan(pi/16), where 15 terms suffice.
 double atanSeries(double x) {
   for (int i = 0; i < 2; ++i) x = x / (1 + std::sqrt(1 + x * x));
   const double q = x * x;

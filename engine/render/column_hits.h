@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "level/level.h"
 #include "render/camera.h"
 

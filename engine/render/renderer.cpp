@@ -1,7 +1,6 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "level/locate.h"
@@ -30,7 +29,7 @@ class SpanPainter {
     double sectorLight;
   };
 
-  /// `pixel(material, span, fragment)` gives a pixel's colour.
+  /// `pixel(material, span, fragment, before)` gives a pixel's colour.
   template <typename Pixel>
   void paint(const std::vector<Span>& spans, Pixel&& pixel) {
     for (const Span& span : spans) {

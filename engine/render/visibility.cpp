@@ -21,10 +21,10 @@ struct Window {
   int column;
   int top;
   int bottom;
-  double depth;  ///< metres at which the column enters the sector
+  double depth;  ///< metres at which the column leaves the sector in front
 };
 
-/// A sector seen through the windows that a portal leaves open: at most one per column.
+/// A sector seen through the windows that a portal leaves open.
 struct Viewport {
   SectorId sector;
   std::optional<SegmentId> entry;  ///< the sector's own side of that portal
@@ -234,13 +234,6 @@ class Visibility {
     return flatPortals_.back();
   }
 
-  /// Where a column's ray crosses the outline of a sector on the far side of an interface.
-  struct Crossing {
-    ColumnHit hit;
-    std::size_t member;
-    bool leaves;
-  };
-
   /// A stretch of a column's ray inside one sector, up to `exit`.
   struct Stretch {
     SectorId sector;
@@ -276,45 +269,40 @@ class Visibility {
     }
   }
 
-  /// For every window the stretches of its column inside the members, by rising depth.
+  /// For every window the stretches of its column inside the members, by rising depth. Only where
+  /// the ray leaves a member matters: where it came in, another stretch has ended.
   std::vector<std::vector<Stretch>> findStretches(const std::vector<SectorId>& members,
                                                   const std::vector<Window>& windows) {
-    std::vector<std::vector<Crossing>> crossings(windows.size());
+    std::vector<std::vector<Stretch>> stretches(windows.size());
     const std::size_t count = planted(PlantedBug::FlatPortalByName) ? 1 : members.size();
     for (std::size_t member = 0; member < count; ++member)
-      addCrossings(members[member], member, windows, crossings);
-    std::vector<std::vector<Stretch>> stretches(windows.size());
-    for (std::size_t i = 0; i < windows.size(); ++i)
-      stretches[i] = pairUp(members, std::move(crossings[i]));
+      addStretches(members[member], windows, stretches);
+    for (std::vector<Stretch>& ofColumn : stretches) sortByDepth(ofColumn);
     return stretches;
   }
 
-  void addCrossings(SectorId id, std::size_t member, const std::vector<Window>& windows,
-                    std::vector<std::vector<Crossing>>& crossings) {
+  void addStretches(SectorId id, const std::vector<Window>& windows,
+                    std::vector<std::vector<Stretch>>& stretches) {
     const Sector& sector = level_[id];
     for (std::size_t i = 0; i < sector.segmentCount; ++i) {
       const SegmentId segment(sector.firstSegment.index() + i);
       ++found_.stats.segments;
       const ProjectedSegment projected(projection_, level_[segment], camera_.width);
-      const bool leaves = projected.facing() == ProjectedSegment::Facing::Front;
+      if (projected.facing() == ProjectedSegment::Facing::Back) continue;
       const auto [begin, end] = windowsIn(windows, projected.columns());
       for (std::size_t k = begin; k < end; ++k) {
         const auto [depth, share] = projected.meet(projection_.slantOf(windows[k].column + 0.5));
-        crossings[k].push_back({{segment, depth, share}, member, leaves});
+        stretches[k].push_back({id, {segment, depth, share}});
       }
     }
   }
 
-  std::vector<Stretch> pairUp(const std::vector<SectorId>& members,
-                              std::vector<Crossing> crossings) const {
-    // Only where a ray leaves a member matters: where it came in, another stretch has ended.
-    std::erase_if(crossings, [](const Crossing& crossing) { return !crossing.leaves; });
-    std::stable_sort(crossings.begin(), crossings.end(),
-                     [&](const Crossing& a, const Crossing& b) { return isNearer(a.hit, b.hit); });
-    std::vector<Stretch> stretches;
-    for (const Crossing& crossing : crossings)
-      stretches.push_back({members[crossing.member], crossing.hit});
-    return stretches;
+  /// Near to far, near ties in exact order.
+  void sortByDepth(std::vector<Stretch>& stretches) const {
+    std::ranges::sort(stretches, {}, [](const Stretch& stretch) { return stretch.exit.depth; });
+    for (std::size_t i = 1; i < stretches.size(); ++i)
+      for (std::size_t k = i; k > 0 && isNearer(stretches[k].exit, stretches[k - 1].exit); --k)
+        std::swap(stretches[k], stretches[k - 1]);
   }
 
   const Level& level_;

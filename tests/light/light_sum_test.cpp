@@ -46,6 +46,9 @@ TEST(LightSum, clampsTheMeanAndNotTheSamples) {
 TEST(LightSum, survivesAbsurdIntensities) {
   EXPECT_EQ(meanOf(std::vector<double>(10'000, 1e38), 1), 255);
   EXPECT_EQ(meanOf({1e-30}, 1), 0);
+  std::vector<double> oneOfMany(4096, 0.0);
+  oneOfMany[7] = 1e9;
+  EXPECT_EQ(meanOf(oneOfMany, 4096), 255) << "clamped only after the mean";
 }
 
 }  // namespace
