@@ -48,6 +48,8 @@ class SpellingCounter {
       countPosition(light);
       addIf(light.contains("falloff"), FormatFeature::LightFalloff);
       addIf(light.contains("curve"), FormatFeature::LightCurve);
+      addIf(light.contains("color"), FormatFeature::LightColor);
+      addIf(light.contains("radius"), FormatFeature::LightRadius);
     });
   }
 
