@@ -176,12 +176,11 @@ std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& s
 
 std::vector<MeshTriangle> meshOf(const Level& level) { return Mesher(level).mesh(); }
 
-double distanceToEdge(const std::vector<MeshTriangle>& mesh, Vec3 from, Vec3 to) {
+double distanceToEdge(const MeshTriangle& triangle, Vec3 from, Vec3 to) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const MeshTriangle& triangle : mesh)
-    for (std::size_t i = 0; i < 3; ++i)
-      nearest = std::min(nearest, distanceBetween({from, to}, {triangle.corners[i],
-                                                               triangle.corners[(i + 1) % 3]}));
+  for (std::size_t i = 0; i < 3; ++i)
+    nearest = std::min(
+        nearest, distanceBetween({from, to}, {triangle.corners[i], triangle.corners[(i + 1) % 3]}));
   return nearest;
 }
 

@@ -20,7 +20,7 @@ std::vector<MeshTriangle> meshOf(const Level& level);
 /// The outline of a sector as triangles on the map.
 std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& sector);
 
-/// Metres from the straight line between two points to the nearest edge of a triangle.
-double distanceToEdge(const std::vector<MeshTriangle>& mesh, Vec3 from, Vec3 to);
+/// Metres from the straight line between two points to the nearest edge of the triangle.
+double distanceToEdge(const MeshTriangle& triangle, Vec3 from, Vec3 to);
 
 }  // namespace hearth

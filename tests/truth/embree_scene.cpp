@@ -21,7 +21,7 @@ void turnDownBacks(const RTCFilterFunctionNArguments* arguments) {
 }  // namespace
 
 EmbreeScene::EmbreeScene(std::vector<MeshTriangle>& mesh)
-    : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
+    : mesh_(mesh), device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * mesh.size()));
@@ -46,7 +46,7 @@ EmbreeScene::~EmbreeScene() {
   rtcReleaseDevice(device_);
 }
 
-EmbreeScene::Hit EmbreeScene::trace(const FloatRay& ray) const {
+const MeshTriangle* EmbreeScene::firstMet(const FloatRay& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query{};
@@ -61,7 +61,7 @@ EmbreeScene::Hit EmbreeScene::trace(const FloatRay& ray) const {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.primID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context, &query);
-  return {query.ray.tfar, query.hit.primID};
+  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nullptr : &mesh_[query.hit.primID];
 }
 
 }  // namespace hearth

@@ -25,15 +25,11 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  struct Hit {
-    double t;           ///< ray parameter; infinity for none
-    unsigned triangle;  ///< index into the mesh
-  };
-
-  /// The first hit from the front.
-  Hit trace(const FloatRay& ray) const;
+  /// The first triangle of the mesh that the ray meets from its front, or null.
+  const MeshTriangle* firstMet(const FloatRay& ray) const;
 
  private:
+  const std::vector<MeshTriangle>& mesh_;
   RTCDevice device_;
   RTCScene scene_;
 };
