@@ -12,6 +12,7 @@ namespace {
 using test::BakedRoom;
 using test::sectorText;
 
+constexpr std::string_view kSolid = "{'texture':'#808080'}";
 constexpr std::string_view kLights =
     "[{'x':1.3,'y':1.1,'z':2.3,'falloff':0.5},{'x':4.9,'y':3.2,'z':0.7,'falloff':0.9}]";
 
@@ -56,38 +57,25 @@ TEST(TexelGrid, staysWhenAWallIsCut) {
   expectSameLight(whole, cut);
 }
 
+/// The room as two sectors, open to each other from (x0, 0.2) to (x1, 4.1).
+std::string roomCutBetween(double x0, double x1) {
+  return levelOf(sectorText("west", fmt::format("0.1,0.2, {},0.2, {},4.1, 0.1,4.1", x0, x1), 0, 3,
+                            fmt::format("[{0},{{'next':'east'}},{0},{0}]", kSolid)) +
+                 "," +
+                 sectorText("east", fmt::format("{},0.2, 6.3,0.2, 6.3,4.1, {},4.1", x0, x1), 0, 3,
+                            fmt::format("[{0},{0},{0},{{'next':'west'}}]", kSolid)));
+}
+
 TEST(TexelGrid, staysWhenASectorIsCut) {
-  const BakedRoom whole(wholeRoom(), kLights);
-  const std::string_view solid = "{'texture':'#808080'}";
-  const BakedRoom cut(levelOf(sectorText("west", "0.1,0.2, 2.7,0.2, 3.3,4.1, 0.1,4.1", 0, 3,
-                                         fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid)) +
-                              "," +
-                              sectorText("east", "2.7,0.2, 6.3,0.2, 6.3,4.1, 3.3,4.1", 0, 3,
-                                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid))),
-                      kLights);
-  expectSameLight(whole, cut);
+  expectSameLight(BakedRoom(wholeRoom(), kLights), BakedRoom(roomCutBetween(2.7, 3.3), kLights));
 }
 
 TEST(TexelGrid, staysWhenASectorIsCutAcrossATexelsCentre) {
-  // 2.8125 is a texel's centre: its sample lies on the very end of the portal.
-  const std::string_view solid = "{'texture':'#808080'}";
+  // 2.8125 is a centre of floor texels: samples lie on the very end of the portal. Walls along x
+  // have their texels' centres at 0.1 + (i + 1/2) / 8.
   const BakedRoom whole(wholeRoom(), kLights);
-  const BakedRoom cut(levelOf(sectorText("west", "0.1,0.2, 2.8125,0.2, 2.8125,4.1, 0.1,4.1", 0, 3,
-                                         fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid)) +
-                              "," +
-                              sectorText("east", "2.8125,0.2, 6.3,0.2, 6.3,4.1, 2.8125,4.1", 0, 3,
-                                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid))),
-                      kLights);
-  expectSameLight(whole, cut);
-  // Walls along x have their texels' centres at 0.1 + (i + 1/2) / 8.
-  const BakedRoom cutOnWall(
-      levelOf(sectorText("west", "0.1,0.2, 2.7875,0.2, 2.7875,4.1, 0.1,4.1", 0, 3,
-                         fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid)) +
-              "," +
-              sectorText("east", "2.7875,0.2, 6.3,0.2, 6.3,4.1, 2.7875,4.1", 0, 3,
-                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid))),
-      kLights);
-  expectSameLight(whole, cutOnWall);
+  for (const double x : {2.8125, 2.7875})
+    expectSameLight(whole, BakedRoom(roomCutBetween(x, x), kLights));
 }
 
 TEST(TexelGrid, staysWhenASectorIsCutByAFlatPortal) {
@@ -109,10 +97,9 @@ TEST(TexelGrid, staysWhenASectorIsCutByAFlatPortal) {
 
 TEST(TexelGrid, goesOnThroughAOneWayPortalOnlyItsWay) {
   // The walls along y = 0 are one plane; "open" looks into "closed", which does not look back.
-  const std::string_view solid = "{'texture':'#808080'}";
   const std::string rooms =
       levelOf(sectorText("open", "0,0, 2,0, 2,2, 0,2", 0, 3,
-                         fmt::format("[{0},{{'next':'closed'}},{0},{0}]", solid)) +
+                         fmt::format("[{0},{{'next':'closed'}},{0},{0}]", kSolid)) +
               "," + sectorText("closed", "2,0, 4,0, 4,2, 2,2", 0, 3));
   const BakedRoom lit(rooms, "[{'x':3,'y':1,'z':1.5,'intensity':200}]");
   EXPECT_EQ(lit.at(SurfaceKind::Solid, {2.01, 0, 1}, "closed"), 200);
@@ -121,18 +108,17 @@ TEST(TexelGrid, goesOnThroughAOneWayPortalOnlyItsWay) {
 }
 
 TEST(TexelGrid, doesNotTakeLightFromBehindAThinWall) {
-  const std::string_view solid = "{'texture':'#808080'}";
   // Two rooms side by side whose floors are one plane, joined far away by a third.
   const BakedRoom rooms(
       levelOf(sectorText("bright", "0,0, 4,0, 4,8, 0,8", 0, 3,
-                         fmt::format("[{0},{0},{{'next':'hall'}},{0}]", solid)) +
+                         fmt::format("[{0},{0},{{'next':'hall'}},{0}]", kSolid)) +
               "," +
               sectorText("dark", "4.01,0, 8,0, 8,8, 4.01,8", 0, 3,
-                         fmt::format("[{0},{0},{{'next':'hall'}},{0}]", solid)) +
+                         fmt::format("[{0},{0},{{'next':'hall'}},{0}]", kSolid)) +
               "," +
               sectorText(
                   "hall", "0,8, 4,8, 4.01,8, 8,8, 8,9, 0,9", 0, 3,
-                  fmt::format("[{{'next':'bright'}},{0},{{'next':'dark'}},{0},{0},{0}]", solid))),
+                  fmt::format("[{{'next':'bright'}},{0},{{'next':'dark'}},{0},{0},{0}]", kSolid))),
       "[{'x':3.5,'y':1,'z':1.5,'intensity':200}]");
   for (double y = 0.5; y < 7; y += 0.31) {
     EXPECT_EQ(rooms.at(SurfaceKind::Floor, {4.02, y, 0}, "dark"), 0) << y;
