@@ -77,19 +77,21 @@ class Joiner {
     }
   }
 
-  /// `a` ends at the vertex where `b` begins. One-way portals let a wall go on only their way.
+  /// `a` ends at the vertex where `b` begins. A wall goes on where something opens: not past solid
+  /// pieces of stacks, and through one-way portals only their way.
   void joinAtVertex(const UprightSurface& a, const UprightSurface& b, Vec2 vertex) {
     const auto [aLow, aHigh] = heightsAt(a.air, 1);
     const auto [bLow, bHigh] = heightsAt(b.air, 0);
     const double low = std::max(aLow, bLow);
     const double high = std::min(aHigh, bHigh);
     if (high - low <= kHeightNoise) return;
-    const SectorId sectorA = level_[a.id].sector;
-    const SectorId sectorB = level_[b.id].sector;
-    const Vec2 edge0 = onGrid(a, {1, low});
-    const Vec2 edge1 = onGrid(a, {1, high});
-    if (fan_.joined(vertex, sectorA, sectorB, low, high)) join(a.id, b.id, edge0, edge1);
-    if (fan_.joined(vertex, sectorB, sectorA, low, high)) join(b.id, a.id, edge0, edge1);
+    const auto joinOneWay = [&](SurfaceId from, SurfaceId to) {
+      for (const auto& [zBottom, zTop] :
+           fan_.joinedHeights(vertex, level_[from].sector, level_[to].sector, low, high))
+        join(from, to, onGrid(a, {1, zBottom}), onGrid(a, {1, zTop}));
+    };
+    joinOneWay(a.id, b.id);
+    joinOneWay(b.id, a.id);
   }
 
   bool onOneGrid(SurfaceId a, SurfaceId b) const {

@@ -60,4 +60,24 @@ bool VertexFan::joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, doub
   return false;
 }
 
+std::vector<std::pair<double, double>> VertexFan::joinedHeights(Vec2 vertex, SectorId a, SectorId b,
+                                                                double zBottom, double zTop) const {
+  // Between two successive ends of pieces, all heights are alike.
+  std::vector<double> ends = {zBottom, zTop};
+  for (const Spoke& spoke : at(vertex))
+    for (const WallPiece& piece : level_[spoke.segment].pieces)
+      for (const double z : {piece.zBottom, piece.zTop})
+        if (zBottom < z && z < zTop) ends.push_back(z);
+  std::ranges::sort(ends);
+  std::vector<std::pair<double, double>> found;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (!joined(vertex, a, b, ends[i - 1], ends[i])) continue;
+    if (!found.empty() && found.back().second == ends[i - 1])
+      found.back().second = ends[i];
+    else
+      found.emplace_back(ends[i - 1], ends[i]);
+  }
+  return found;
+}
+
 }  // namespace hearth

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "level/level.h"
@@ -27,6 +28,10 @@ class VertexFan {
   /// True when one can go round `vertex` from sector `a` to sector `b` through openings that share
   /// some height with (zBottom, zTop); a sector is always joined to itself.
   bool joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const;
+
+  /// The parts of (zBottom, zTop), in metres and rising, at whose every height that holds.
+  std::vector<std::pair<double, double>> joinedHeights(Vec2 vertex, SectorId a, SectorId b,
+                                                       double zBottom, double zTop) const;
 
  private:
   const Level& level_;
