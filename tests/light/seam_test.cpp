@@ -109,5 +109,59 @@ TEST(Seam, besideAOneWayStackInOnePlaneIsLitOnItsOwnSideOnly) {
   }
 }
 
+/// A turned room.
+class Shaft {
+ public:
+  Vec3 at(double x, double y, double z) const {
+    return {3 + cos_ * x - sin_ * y, 1 + sin_ * x + cos_ * y, z};
+  }
+
+  std::string sector(std::string_view name, std::string_view floor,
+                     std::string_view ceiling) const {
+    std::string vertices;
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{kWidth, 0}, Vec2{kWidth, kDepth}, Vec2{0, kDepth}}) {
+      const Vec3 p = at(corner.x, corner.y, 0);
+      vertices += fmt::format("{}{},{}", vertices.empty() ? "" : ", ", p.x, p.y);
+    }
+    return fmt::format(
+        "'{}':{{'floor':{},'ceiling':{},'loops':{{'border':{{'v':[{}],'walls':{}}}}}}}", name,
+        floor, ceiling, vertices, kSolid);
+  }
+
+  static constexpr double kWidth = 3.1;
+  static constexpr double kDepth = 2.3;
+
+ private:
+  static constexpr double kTurn = 17 * std::numbers::pi / 180;
+  double cos_ = std::cos(kTurn);
+  double sin_ = std::sin(kTurn);
+};
+
+TEST(Seam, atAFlatPortalOfATurnedRoomDoesNotShow) {
+  const Shaft shaft;
+  constexpr std::string_view kFlat = "{{'z':{},'texture':'#808080'}}";
+  const std::string floor = fmt::format(kFlat, 0);
+  const std::string ceiling = fmt::format(kFlat, 3);
+  const Vec3 light = shaft.at(0.9, 1.4, 0.8);
+  const std::string lights =
+      fmt::format("[{{'x':{},'y':{},'z':{},'falloff':0.5}}]", light.x, light.y, light.z);
+  const BakedRoom whole(levelOf(shaft.sector("whole", floor, ceiling)), lights);
+  // Through the centres of a row of texels, and between them; at and above the light.
+  for (const double row : {6.4, 9.5, 10.5, 11.5, 12.5, 12.74}) {
+    const std::string portal = fmt::format("{{'z':{},'next':'up-low'}}", row / 8);
+    const BakedRoom cut(
+        levelOf(shaft.sector("up", portal, ceiling) + "," + shaft.sector("low", floor, portal)),
+        lights);
+    for (double z = 0.01; z < 3; z += 0.0213)
+      for (double share = 0.003; share < 1; share += 0.0271)
+        for (const Vec3 p : {shaft.at(share * Shaft::kWidth, 0, z),
+                             shaft.at(share * Shaft::kWidth, Shaft::kDepth, z),
+                             shaft.at(0, share * Shaft::kDepth, z),
+                             shaft.at(Shaft::kWidth, share * Shaft::kDepth, z)})
+          EXPECT_NEAR(cut.at(SurfaceKind::Solid, p), whole.at(SurfaceKind::Solid, p), 1e-9)
+              << row << ' ' << p.x << ' ' << p.y << ' ' << z;
+  }
+}
+
 }  // namespace
 }  // namespace hearth
