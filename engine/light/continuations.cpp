@@ -43,7 +43,7 @@ class Joiner {
     const std::vector<UprightSurface>& walls = upright_[id.index()];
     for (std::size_t i = 0; i < walls.size(); ++i)
       for (std::size_t k = i + 1; k < walls.size(); ++k)
-        if (const auto edge = commonEdge(walls[i].air, walls[k].air))
+        if (const auto edge = commonEdge(walls[i].air, walls[k].air, level_[id].length))
           joinBoth(walls[i], walls[k], *edge);
   }
 
@@ -56,7 +56,7 @@ class Joiner {
       if (other.ceiling.interface != sector.floor.interface) continue;
       for (const UprightSurface& a : upright_[id.index()])
         for (const UprightSurface& b : upright_[below.index()])
-          if (const auto edge = commonEdge(a.air, b.air)) joinBoth(a, b, *edge);
+          if (const auto edge = commonEdge(a.air, b.air, level_[id].length)) joinBoth(a, b, *edge);
     }
   }
 
@@ -80,8 +80,8 @@ class Joiner {
   /// `a` ends at the vertex where `b` begins. A wall goes on where something opens: not past solid
   /// pieces of stacks, and through one-way portals only their way.
   void joinAtVertex(const UprightSurface& a, const UprightSurface& b, Vec2 vertex) {
-    const auto [aLow, aHigh] = heightsAt(a.air, 1);
-    const auto [bLow, bHigh] = heightsAt(b.air, 0);
+    const auto [aLow, aHigh] = heightsAt(a.air, 1, lengthOf(a));
+    const auto [bLow, bHigh] = heightsAt(b.air, 0, lengthOf(b));
     const double low = std::max(aLow, bLow);
     const double high = std::min(aHigh, bHigh);
     if (high - low <= kHeightNoise) return;
@@ -92,6 +92,10 @@ class Joiner {
     };
     joinOneWay(a.id, b.id);
     joinOneWay(b.id, a.id);
+  }
+
+  double lengthOf(const UprightSurface& wall) const {
+    return level_[*level_[wall.id].segment].length;
   }
 
   bool onOneGrid(SurfaceId a, SurfaceId b) const {

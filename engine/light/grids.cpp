@@ -100,10 +100,11 @@ Vec2 firstBorderVertex(const Level& level, const Sector& sector) {
   return first;
 }
 
-TexelGrid slopeGrid(const Slope& slope, Vec2 anchor, double texel) {
+TexelGrid slopeGrid(const Sector& sector, const Slope& slope, Vec2 anchor, double texel) {
   const Vec3 origin = {anchor.x, anchor.y, slope.zAt(anchor)};
   const double steepness = length(slope.gradient);
-  if (steepness < kHeightNoise) return {origin, {1, 0, 0}, {0, 1, 0}, texel};
+  const double rise = steepness * length(sector.boxMax - sector.boxMin);
+  if (rise < kHeightNoise) return {origin, {1, 0, 0}, {0, 1, 0}, texel};
   const Vec2 uphill = (1 / steepness) * slope.gradient;
   const double run = 1 / std::sqrt(1 + steepness * steepness);
   return {origin, flatVector(turned90(uphill)),
@@ -180,7 +181,8 @@ std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) 
   for (const SectorId seed : order) {
     if (taken[seed.index()]) continue;
     // In this order the first sector of a run holds the run's first vertex.
-    const TexelGrid grid = slopeGrid(*slopeOf(level[seed], floor), anchorOf(seed), texel);
+    const TexelGrid grid =
+        slopeGrid(level[seed], *slopeOf(level[seed], floor), anchorOf(seed), texel);
     for (const SectorId member : slopeRun(level, seed, floor, taken)) grids[member.index()] = grid;
   }
   return grids;

@@ -10,6 +10,7 @@
 #include "light/upright_air.h"
 #include "light/vertex_fan.h"
 #include "math/predicates.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
@@ -28,7 +29,6 @@ TexelRect texelsOf(const std::vector<Polygon>& outlines) {
     }
   // Bilinear filtering at p reads texels floor(p - 1/2) and the one after it. A whisker more, so
   // that a point on the edge may be rounded outwards.
-  constexpr double kWhisker = 1e-6;
   const auto first = [](double p) { return static_cast<int>(std::floor(p - 0.5 - kWhisker)); };
   const auto last = [](double p) { return static_cast<int>(std::floor(p - 0.5 + kWhisker)) + 1; };
   const int i0 = first(low.x);

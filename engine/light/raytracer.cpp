@@ -9,14 +9,11 @@
 #include "level/openings.h"
 #include "math/planted_bug.h"
 #include "math/predicates.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
-
-/// Metres before its target within which nothing stops a ray any more: the target lies on a
-/// surface, and which side of it rounding puts the crossing is chance.
-constexpr double kArrival = 1e-7;
 
 /// Where the ray leaves a sector over its outline.
 struct Exit {
@@ -70,7 +67,7 @@ class Walk {
   }
 
   bool isBeyondEntry(const Segment& segment, double t) const {
-    const double tiny = 1e-9 * std::max(t_, 1e-9);
+    const double tiny = kNearTie * std::max(t_, kNearTie);
     if (t > t_ + tiny) return true;
     if (t < t_ - tiny) return false;
     return !entry_ || meetsFirst(origin_.xy(), entry_->p0, entry_->p1, segment.p0, segment.p1);
@@ -85,8 +82,8 @@ class Walk {
       const double side1 = sideOf(segment.p1);
       if (side0 >= 0 || side1 < 0) continue;
       const double t = crossingOf(segment, side0, side1);
-      if (t > best.t + 1e-9 * best.t || !isBeyondEntry(segment, t)) continue;
-      if (t >= best.t - 1e-9 * best.t && best.segment &&
+      if (t > best.t + kNearTie * best.t || !isBeyondEntry(segment, t)) continue;
+      if (t >= best.t - kNearTie * best.t && best.segment &&
           !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
         continue;
       best = {&segment, t};

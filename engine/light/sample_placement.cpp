@@ -4,14 +4,11 @@
 #include <array>
 
 #include "math/predicates.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
-
-/// Metres. Rays arrive at least about this far off the edges of a surface. A shadow moves by no
-/// more.
-constexpr double kHair = 1e-6;
 
 constexpr std::array<Vec2, 16> kWays = {{{1, 0},
                                          {0, 1},

@@ -57,27 +57,33 @@ UprightOutline uprightAir(const Level& level, const Surface& surface) {
   return air;
 }
 
-std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b) {
+std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b,
+                                                double segmentLength) {
+  const auto metres = [&](Vec2 p) { return Vec2{p.x * segmentLength, p.y}; };
   UprightOutline common;
   const auto gather = [&](const UprightOutline& from, const UprightOutline& to) {
     for (const Vec2 p : from)
-      for (std::size_t i = 0; i < to.size(); ++i)
-        if (length(nearestOnSegment(to[i], to[(i + 1) % to.size()], p) - p) <= kHeightNoise)
+      for (std::size_t i = 0; i < to.size(); ++i) {
+        const Vec2 end0 = metres(to[i]);
+        const Vec2 end1 = metres(to[(i + 1) % to.size()]);
+        if (length(nearestOnSegment(end0, end1, metres(p)) - metres(p)) <= kHeightNoise)
           common.push_back(p);
+      }
   };
   gather(a, b);
   gather(b, a);
   if (common.empty()) return std::nullopt;
   const auto [low, high] = std::ranges::minmax_element(common, lessXY);
-  if (length(*high - *low) <= kHeightNoise) return std::nullopt;
+  if (length(metres(*high) - metres(*low)) <= kHeightNoise) return std::nullopt;
   return std::pair(*low, *high);
 }
 
-std::pair<double, double> heightsAt(const UprightOutline& air, double share) {
+std::pair<double, double> heightsAt(const UprightOutline& air, double share, double segmentLength) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const Vec2 p : air)
-    if (std::abs(p.x - share) <= kHeightNoise) low = std::min(low, p.y), high = std::max(high, p.y);
+    if (std::abs(p.x - share) * segmentLength <= kHeightNoise)
+      low = std::min(low, p.y), high = std::max(high, p.y);
   return {low, high};
 }
 

@@ -16,10 +16,12 @@ using UprightOutline = std::vector<Vec2>;
 UprightOutline uprightAir(const Level& level, const Surface& surface);
 
 /// The ends of what two convex outlines that do not overlap have in common, if that has a length.
-std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b);
+/// Both are of one segment, or of two with the same ends, `segmentLength` metres long.
+std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b,
+                                                double segmentLength);
 
 /// The heights, low and high, that a convex outline covers at one end of its segment (share 0 or
-/// 1); low > high where it does not reach that end.
-std::pair<double, double> heightsAt(const UprightOutline& air, double share);
+/// 1), `segmentLength` metres long; low > high where it does not reach that end.
+std::pair<double, double> heightsAt(const UprightOutline& air, double share, double segmentLength);
 
 }  // namespace hearth

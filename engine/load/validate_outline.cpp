@@ -14,9 +14,6 @@ namespace hearth {
 
 namespace {
 
-/// Metres. Shorter walls are refused, whatever the scale of a level: the slack of positions.
-constexpr double kShortestWall = kPositionSlack;
-
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 double distanceTo(Vec2 a, Vec2 b, Vec2 p) { return length(nearestOnSegment(a, b, p) - p); }
@@ -297,7 +294,7 @@ void SectorChecker::checkArea() {
   double holes = 0;
   for (std::size_t i = 1; i < sector_.loops.size(); ++i)
     holes += std::abs(sector_.loops[i].twiceArea);
-  if (sector_.isSound && holes >= border * (1 - 1e-12))
+  if (sector_.isSound && holes >= border * (1 - kAreaNoise))
     fail(description_.place,
          fmt::format("the holes of sector \"{}\" leave no area", description_.name),
          "make them smaller");

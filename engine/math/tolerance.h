@@ -11,6 +11,9 @@ inline constexpr double kAuthorNoiseOfEdge = 1e-3;
 /// Metres. How far a position (player, camera, light) may miss the sector that it is in.
 inline constexpr double kPositionSlack = 1e-6;
 
+/// Metres. Shorter walls are refused, whatever the scale of a level: the slack of positions.
+inline constexpr double kShortestWall = kPositionSlack;
+
 /// Metres. A light no farther than this in front of a plane lies in it, and does not light it: the
 /// slack that positions have.
 inline constexpr double kInPlane = 1e-6;
@@ -20,7 +23,30 @@ inline constexpr double kInPlane = 1e-6;
 /// coordinates of 4 km, and a millionth of a pixel at 1 mm.
 inline constexpr double kNudge = 1e-9;
 
-/// Metres. Less of a sidewall than this is rounding between two slopes that continue each other.
+/// Metres. Lengths and heights that two pieces of one level share differ by no more than this
+/// through rounding: ten times that of coordinates of 10^6 m. Less of a sidewall, of a common edge
+/// or of a slope's rise is none.
 inline constexpr double kHeightNoise = 1e-9;
+
+/// Metres before its target within which nothing stops a ray of light any more: the target lies on
+/// a surface, and which side of it rounding puts the crossing is chance. A tenth of kHair, so that
+/// a ray to the edge of a surface is still stopped by what stands beside that.
+inline constexpr double kArrival = 1e-7;
+
+/// Metres. Rays of light arrive at least about this far off the edges of a surface: the slack that
+/// positions have. A shadow moves by no more.
+inline constexpr double kHair = 1e-6;
+
+/// Share of a distance from the eye or the light. Crossings that are nearer to each other are put
+/// in order exactly; their rounding, a few 10^-16 of the distance, is far less unless the ray is
+/// nearly in line with a wall.
+inline constexpr double kNearTie = 1e-9;
+
+/// Texels. So far outside its surface bilinear filtering may be asked for a point of it that
+/// rounding has moved: thousands of times the rounding of coordinates of 2^20 texels.
+inline constexpr double kWhisker = 1e-6;
+
+/// Share of an area, of a sum of triangles: what rounding of its coordinates may change it by.
+inline constexpr double kAreaNoise = 1e-12;
 
 }  // namespace hearth

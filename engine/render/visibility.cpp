@@ -10,6 +10,7 @@
 #include "math/check.h"
 #include "math/planted_bug.h"
 #include "math/predicates.h"
+#include "math/tolerance.h"
 #include "render/column_hits.h"
 
 namespace hearth {
@@ -37,9 +38,6 @@ struct FlatPortalView {
   bool down;
   std::vector<Window> windows;
 };
-
-/// Depths that differ by less than this share are put in order exactly.
-constexpr double kNearTie = 1e-9;
 
 class Visibility {
  public:

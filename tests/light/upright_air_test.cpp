@@ -1,0 +1,45 @@
+#include "light/upright_air.h"
+
+#include <gtest/gtest.h>
+
+#include "light/grids.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+/// Two triangles that stand on 0 and reach 1 m high, the first up to the share 0.5 of their
+/// segment, the second from `gap` beyond it.
+const UprightOutline kFirst = {{0, 0}, {0.5, 0}, {0.5, 1}};
+UprightOutline second(double gap) { return {{0.5 + gap, 0}, {1, 0}, {0.5 + gap, 1}}; }
+
+TEST(UprightAir, hasACommonEdgeWhereTheGapInMetresIsRounding) {
+  // 4e-10 of a segment: rounding on one of 1 m, 0.4 mm on one of 1000 km.
+  EXPECT_TRUE(commonEdge(kFirst, second(4e-10), 1));
+  EXPECT_FALSE(commonEdge(kFirst, second(4e-10), 1e6));
+  EXPECT_TRUE(commonEdge(kFirst, second(0), 1e6));
+  // 2 mm of common height are a length, on a segment of any length.
+  EXPECT_TRUE(commonEdge({{0, 0}, {0.5, 0}, {0.5, 0.002}}, {{0.5, 0}, {1, 0}, {0.5, 0.002}}, 1e6));
+}
+
+TEST(UprightAir, reachesAnEndOfItsSegmentWhereTheGapInMetresIsRounding) {
+  const UprightOutline air = {{0, 0}, {1 - 4e-10, 0}, {1 - 4e-10, 2}, {0, 2}};
+  EXPECT_EQ(heightsAt(air, 1, 1), (std::pair<double, double>(0, 2)));
+  const auto [low, high] = heightsAt(air, 1, 1e6);
+  EXPECT_GT(low, high);
+}
+
+TEST(SlopeGrid, runsUphillHoweverGentleTheSlopeOfALargeSector) {
+  // 0.8 mm over 1000 km.
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':1,'sectors':{" +
+      test::sectorText("plain", "0,0, 1e6,0, 1e6,1e6, 0,1e6", 0, 3, "{'texture':'#808080'}",
+                       ",'slopeFloor':{'z':[0,8e-4,8e-4,0]}") +
+      "}}");
+  const std::vector<TexelGrid> grids = slopeGrids(loaded.level, true, 1);
+  EXPECT_NEAR(grids.front().axisT.x, 1, 1e-9);
+  EXPECT_NEAR(grids.front().axisT.z, 8e-10, 1e-12);
+}
+
+}  // namespace
+}  // namespace hearth
