@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "level/openings.h"
+#include "level/twins.h"
+#include "math/check.h"
 #include "math/planted_bug.h"
 #include "math/tolerance.h"
 
@@ -47,8 +49,9 @@ double tallest(const std::vector<Line>& upper, const std::vector<Line>& lower) {
 /// Adds the pieces of one segment, bottom to top.
 class PieceBuilder {
  public:
-  PieceBuilder(Level& level, SegmentId id, std::vector<LevelFault>& faults)
+  PieceBuilder(Level& level, const TwinIndex& twins, SegmentId id, std::vector<LevelFault>& faults)
       : level_(level),
+        twins_(twins),
         id_(id),
         segment_(level[id]),
         sector_(level[level[id].sector]),
@@ -104,7 +107,7 @@ class PieceBuilder {
       addSurface(range.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, portal.lower,
                  heights.zBottom, heights.zLowerTop, next.floor.z, range);
 
-    const std::optional<SegmentId> twin = findTwin(portal.next);
+    const std::optional<SegmentId> twin = twins_.find(segment_, portal.next);
     if (!twin) {
       faults_.push_back(MissingTwin{id_, range.subWall});
       return;
@@ -118,16 +121,6 @@ class PieceBuilder {
     else
       addSurface(range.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, portal.upper,
                  heights.zUpperBottom, heights.zTop, next.ceiling.z, range);
-  }
-
-  std::optional<SegmentId> findTwin(SectorId nextId) const {
-    const Sector& next = level_[nextId];
-    for (std::size_t i = 0; i < next.segmentCount; ++i) {
-      const SegmentId candidate(next.firstSegment.index() + i);
-      if (level_[candidate].p0 == segment_.p1 && level_[candidate].p1 == segment_.p0)
-        return candidate;
-    }
-    return std::nullopt;
   }
 
   Line nearBottom() const { return {segment_.air0.zBottom, segment_.air1.zBottom}; }
@@ -204,6 +197,7 @@ class PieceBuilder {
   }
 
   Level& level_;
+  const TwinIndex& twins_;
   SegmentId id_;
   Segment& segment_;
   const Sector& sector_;
@@ -236,6 +230,7 @@ std::optional<SurfaceId> addFlat(Level& level, SectorId sector, const Flat& flat
   SurfaceKind kind = isFloor ? SurfaceKind::Floor : SurfaceKind::Ceiling;
   if (hasSlope) kind = isFloor ? SurfaceKind::SlopeFloor : SurfaceKind::SlopeCeiling;
   if (flat.parallax) kind = isFloor ? SurfaceKind::SkyFloor : SurfaceKind::SkyCeiling;
+  CHECK(flat.texture, level[sector].name, name(kind));
   level.surfaces.push_back({kind, sector, std::nullopt, *flat.texture, flat.z, flat.z});
   return SurfaceId(level.surfaces.size() - 1);
 }
@@ -253,8 +248,9 @@ std::vector<LevelFault> finishLevel(Level& level) {
     sector.ceilingSurface =
         addFlat(level, SectorId(i), sector.ceiling, false, sector.ceilingSlope.has_value());
   }
+  const TwinIndex twins(level);
   for (std::size_t i = 0; i < level.segments.size(); ++i)
-    PieceBuilder(level, SegmentId(i), faults).build();
+    PieceBuilder(level, twins, SegmentId(i), faults).build();
   return faults;
 }
 

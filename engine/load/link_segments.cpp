@@ -2,8 +2,8 @@
 
 #include <set>
 
+#include "level/twins.h"
 #include "load/link.h"
-#include "load/twins.h"
 #include "math/tolerance.h"
 
 namespace hearth {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "level/twins.h"
 #include "load/link.h"
-#include "load/twins.h"
 #include "math/tolerance.h"
 
 namespace hearth {

@@ -1,4 +1,4 @@
-#include "load/twins.h"
+#include "level/twins.h"
 
 #include <algorithm>
 #include <tuple>
