@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 #include "load/outline.h"
 #include "math/predicates.h"
@@ -35,6 +36,9 @@ class SectorChecker {
     findTouches();
     if (!sector_.isSound) return;
     findCrossings();
+    if (!sector_.isSound) return;
+    for (const OutlineLoop& loop : sector_.loops)
+      if (hasNoArea(loop)) failForArea(loop);
     if (!sector_.isSound) return;
     for (std::size_t i = 1; i < sector_.loops.size(); ++i) checkPlace(i);
     checkArea();
@@ -78,6 +82,10 @@ class SectorChecker {
   };
 
   void checkShape(const OutlineLoop& loop);
+  double shortestEdge(const OutlineLoop& loop) const;
+  bool hasNoArea(const OutlineLoop& loop) const;
+  bool liesInLine(const OutlineLoop& loop) const;
+  void failForArea(const OutlineLoop& loop);
   void findTouches();
   void findTouchesOf(const Edge& incoming, std::uint32_t vertex, double noise);
   void reportSelfTouch(const OutlineLoop& loop, std::uint32_t vertex, const Edge& other,
@@ -105,23 +113,46 @@ class SectorChecker {
 
 /// What a loop alone can get wrong but for touching and crossing.
 void SectorChecker::checkShape(const OutlineLoop& loop) {
-  double perimeter = 0;
-  double shortest = kEndless;
   for (std::uint32_t i = 0; i < loop.edgeCount; ++i) {
     const Edge& wall = outlines_.edges[loop.firstEdge + i];
-    const double length = outlines_.length(wall);
-    perimeter += length;
-    shortest = std::min(shortest, length);
-    if (length < kShortestWall) {
+    if (outlines_.length(wall) < kShortestWall) {
       const std::uint32_t second = loop.firstVertex + (wall.wall + 1) % loop.edgeCount;
       return fail(placeOf(loop, second),
                   fmt::format("{} repeats the one before it", vertexName(loop, second)),
                   fmt::format("remove it, or move it at least {} m away", kShortestWall));
     }
   }
-  if (std::abs(loop.twiceArea) <= noiseOf(shortest) * perimeter)
-    fail(described(loop).place, fmt::format("loop \"{}\" encloses no area", described(loop).name),
-         "spread its vertices out");
+  if (liesInLine(loop)) failForArea(loop);
+}
+
+double SectorChecker::shortestEdge(const OutlineLoop& loop) const {
+  double shortest = kEndless;
+  for (std::uint32_t i = 0; i < loop.edgeCount; ++i)
+    shortest = std::min(shortest, outlines_.length(outlines_.edges[loop.firstEdge + i]));
+  return shortest;
+}
+
+/// Whether the two sides of a loop are no farther apart than noise. A loop that crosses itself may
+/// seem so, too, as what it runs round the wrong way counts against the rest.
+bool SectorChecker::hasNoArea(const OutlineLoop& loop) const {
+  double perimeter = 0;
+  for (std::uint32_t i = 0; i < loop.edgeCount; ++i)
+    perimeter += outlines_.length(outlines_.edges[loop.firstEdge + i]);
+  return std::abs(loop.twiceArea) <= noiseOf(shortestEdge(loop)) * perimeter;
+}
+
+bool SectorChecker::liesInLine(const OutlineLoop& loop) const {
+  const std::span<const Vec2> vertices(&outlines_.points[loop.firstVertex], loop.edgeCount);
+  const auto fromFirst = [&](Vec2 p) { return length(p - vertices.front()); };
+  const Vec2 last = *std::ranges::max_element(vertices, {}, fromFirst);
+  const double noise = noiseOf(shortestEdge(loop));
+  return std::ranges::all_of(
+      vertices, [&](Vec2 p) { return distanceTo(vertices.front(), last, p) <= noise; });
+}
+
+void SectorChecker::failForArea(const OutlineLoop& loop) {
+  fail(described(loop).place, fmt::format("loop \"{}\" encloses no area", described(loop).name),
+       "spread its vertices out");
 }
 
 void SectorChecker::findTouches() {
