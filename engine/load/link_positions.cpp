@@ -35,6 +35,7 @@ class PositionLinker {
     if (!sector) return;
     linking_.level.lights.push_back(described.source);
     linking_.level.lights.back().sector = *sector;
+    validateLight(linking_.report, linking_.level, described.place, linking_.level.lights.back());
   }
 
  private:
