@@ -17,6 +17,10 @@ struct Camera {
   int height = 200;
 };
 
+inline Camera cameraOf(const Shot& shot) {
+  return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
+}
+
 /// A point of the map as the camera sees it, in metres.
 struct CameraPoint {
   double depth;    ///< along the view direction

@@ -28,10 +28,6 @@ constexpr double kExactTolerance = 3;  ///< levels
 constexpr double kFineTexel = 0.125;   ///< metres: exact light is promised up to this texel
 constexpr int kLightStride = 7;        ///< light is compared on every so many pixels
 
-Camera cameraOf(const Shot& shot) {
-  return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
-}
-
 /// Compares one level, whose light is baked once for all views.
 class Comparison {
  public:

@@ -25,10 +25,6 @@ class Coverage : public testing::Test {
 
   const Level& level() const { return loaded_.level; }
 
-  Camera cameraAt(const Shot& shot) const {
-    return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
-  }
-
   void expectCoveredOnce(const Camera& camera) const {
     const Image drawn = renderer_.draw(camera, Channel::Overdraw);
     int wrong = 0;
@@ -50,7 +46,7 @@ TEST_F(Coverage, isCompleteAtEverySize) {
                                             {3, 3}, {320, 200}, {2045, 960}};
   for (const Shot& shot : level().shots)
     for (const auto& [width, height] : kSizes) {
-      Camera camera = cameraAt(shot);
+      Camera camera = cameraOf(shot);
       camera.width = width;
       camera.height = height;
       expectCoveredOnce(camera);
@@ -61,7 +57,7 @@ TEST_F(Coverage, isCompleteForEveryFieldOfViewAndPitch) {
   for (const Shot& shot : level().shots)
     for (const double fov : {1.0, 30.0, 90.0, 150.0, 179.0})
       for (const double pitch : {-60.0, -7.0, 0.0, 45.0, 60.0}) {
-        Camera camera = cameraAt(shot);
+        Camera camera = cameraOf(shot);
         camera.fov = fov;
         camera.pitch = pitch;
         expectCoveredOnce(camera);
@@ -101,7 +97,7 @@ TEST_F(Coverage, isCompleteWithTheEyeOnFloorsAndCeilings) {
     const Sector& sector = level()[shot.sector];
     for (const double z : {sector.airBottom(shot.eye.xy()), sector.airTop(shot.eye.xy())})
       for (const double pitch : {-60.0, 0.0, 60.0}) {
-        Camera camera = cameraAt(shot);
+        Camera camera = cameraOf(shot);
         camera.eye.z = z;
         camera.pitch = pitch;
         expectCoveredOnce(camera);

@@ -43,10 +43,6 @@ class Golden : public testing::Test {
                                  actual.string());
   }
 
-  static Camera cameraOf(const Shot& shot) {
-    return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
-  }
-
   LoadedLevel loaded_;
   BakedLight light_;
   Renderer renderer_;

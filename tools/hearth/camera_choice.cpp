@@ -42,9 +42,7 @@ CameraResult fromText(const Level& level, const std::string& text,
 
 CameraResult fromShot(const Level& level, const std::string& name) {
   const auto found = std::ranges::find(level.shots, name, &Shot::name);
-  if (found != level.shots.end())
-    return Camera{found->sector, found->eye,   found->angle, found->pitch,
-                  found->fov,    found->width, found->height};
+  if (found != level.shots.end()) return cameraOf(*found);
   std::vector<std::string_view> names;
   for (const Shot& shot : level.shots) names.push_back(shot.name);
   return tl::unexpected(
