@@ -6,12 +6,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <system_error>
 #include <vector>
 
+#include "image/replace_file.h"
 #include "math/check.h"
 
 namespace hearth {
@@ -167,16 +168,13 @@ std::vector<std::uint8_t> toBytes(const Image& image) {
 }
 
 void writeToStream(void* stream, void* data, int size) {
-  static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(data), size);
+  static_cast<std::ostream*>(stream)->write(static_cast<const char*>(data), size);
 }
 
-bool writeBytes(const std::filesystem::path& path, const Image& image) {
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+bool encodePng(std::ostream& stream, const Image& image) {
   const std::vector<std::uint8_t> bytes = toBytes(image);
-  const int encoded = stbi_write_png_to_func(writeToStream, &stream, image.width(), image.height(),
-                                             3, bytes.data(), 3 * image.width());
-  stream.close();
-  return encoded != 0 && stream.good();
+  return stbi_write_png_to_func(writeToStream, &stream, image.width(), image.height(), 3,
+                                bytes.data(), 3 * image.width()) != 0;
 }
 
 }  // namespace
@@ -218,27 +216,7 @@ tl::expected<void, std::string> writePng(const std::filesystem::path& path, cons
                                      "picture",
                                      image.width(), image.height()));
   }
-  std::error_code error;
-  const std::filesystem::file_status target = std::filesystem::status(path, error);
-  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
-    return failure(path, "is not a regular file; name a file to write");
-  }
-  // Through a symbolic link, so that the link stays and what it names is replaced.
-  const std::filesystem::path file =
-      std::filesystem::exists(target) ? std::filesystem::canonical(path, error) : path;
-  std::filesystem::path part = file;
-  part += ".part";
-  if (!writeBytes(part, image)) {
-    std::filesystem::remove(part, error);
-    return failure(path, "cannot be written; check that its folder exists and has room");
-  }
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(part, error);
-    return failure(path, fmt::format("cannot be written: {}", reason));
-  }
-  return {};
+  return replaceFile(path, [&](std::ostream& stream) { return encodePng(stream, image); });
 }
 
 }  // namespace hearth

@@ -30,8 +30,7 @@ tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& 
 tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
                                            std::int64_t maxPixels);
 
-/// Writes a PNG, the same bytes for the same picture. It is written beside the target (with
-/// `.part` at the end of its name) and renamed, so that no reader sees half a picture.
+/// Writes a PNG, the same bytes for the same picture, and never half of it: see replaceFile.
 tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image);
 
 }  // namespace hearth
