@@ -14,6 +14,15 @@ int levelsApart(Rgb a, Rgb b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
+void checkSameSize(const Image& a, const Image& b) {
+  CHECK(a.width() == b.width() && a.height() == b.height(), a.width(), a.height(), b.width(),
+        b.height());
+}
+
+std::uint8_t amplified(int a, int b) {
+  return a == b ? 0 : static_cast<std::uint8_t>(std::min(255, 64 + 24 * std::abs(a - b)));
+}
+
 /// The pixels that differ, as a mask that patches are taken out of one by one.
 class DifferenceMask {
  public:
@@ -71,8 +80,7 @@ class DifferenceMask {
 }  // namespace
 
 PictureDifference compare(const Image& expected, const Image& actual) {
-  CHECK(expected.width() == actual.width() && expected.height() == actual.height(),
-        expected.width(), expected.height(), actual.width(), actual.height());
+  checkSameSize(expected, actual);
   PictureDifference difference;
   DifferenceMask mask(expected.width(), expected.height());
   for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
@@ -85,6 +93,19 @@ PictureDifference compare(const Image& expected, const Image& actual) {
     difference.largest = std::max(difference.largest, levels);
   }
   if (difference.differing > 0) difference.largestBlob = mask.largestPatch();
+  return difference;
+}
+
+Image amplifiedDifference(const Image& expected, const Image& actual) {
+  checkSameSize(expected, actual);
+  Image difference(expected.width(), expected.height());
+  for (int y = 0; y < expected.height(); ++y) {
+    for (int x = 0; x < expected.width(); ++x) {
+      const Rgb a = expected.at(x, y);
+      const Rgb b = actual.at(x, y);
+      difference.at(x, y) = {amplified(a.r, b.r), amplified(a.g, b.g), amplified(a.b, b.b)};
+    }
+  }
   return difference;
 }
 

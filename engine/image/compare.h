@@ -23,4 +23,8 @@ struct PictureDifference {
 /// The pictures must have the same size.
 PictureDifference compare(const Image& expected, const Image& actual);
 
+/// The difference of every channel, made visible: none is black, one level is 88 and each further
+/// one 24 more, up to 255. The pictures must have the same size.
+Image amplifiedDifference(const Image& expected, const Image& actual);
+
 }  // namespace hearth

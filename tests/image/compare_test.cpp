@@ -77,8 +77,23 @@ TEST(Compare, ABlobMayBeAsLargeAsThePicture) {
   EXPECT_EQ(compare(black, grey).largestBlob, 1'000'000);
 }
 
+TEST(AmplifiedDifference, ShowsEveryLevelOfEveryChannel) {
+  const Image expected(4, 1, {100, 100, 100});
+  Image actual = expected;
+  actual.at(1, 0) = {101, 100, 98};
+  actual.at(2, 0) = {107, 92, 0};
+  actual.at(3, 0) = {255, 100, 99};
+  const Image difference = amplifiedDifference(expected, actual);
+  EXPECT_EQ(difference.at(0, 0), (Rgb{0, 0, 0}));
+  EXPECT_EQ(difference.at(1, 0), (Rgb{88, 0, 112}));
+  EXPECT_EQ(difference.at(2, 0), (Rgb{232, 255, 255}));
+  EXPECT_EQ(difference.at(3, 0), (Rgb{255, 0, 88}));
+  EXPECT_EQ(amplifiedDifference(actual, expected), difference);
+}
+
 TEST(CompareDeathTest, SizesMustBeEqual) {
   EXPECT_DEATH(compare(Image(2, 3), Image(3, 2)), "width");
+  EXPECT_DEATH(amplifiedDifference(Image(2, 3), Image(3, 2)), "width");
 }
 
 }  // namespace
