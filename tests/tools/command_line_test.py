@@ -14,7 +14,7 @@ from pathlib import Path
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["walk", "shot", "bake", "info"]
+COMMANDS = ["walk", "shot", "bake", "check", "info"]
 
 
 def run(*arguments, **options):
@@ -142,7 +142,7 @@ class Mistakes(InFolder):
         self.refuse(run("bake", self.level, "-o", self.folder / "out.bake"), "-o: .*png")
 
     def test_a_mistyped_command(self):
-        self.refuse(run("shoot", self.level), 'no command "shoot".*walk, shot, bake, info')
+        self.refuse(run("shoot", self.level), 'no command "shoot".*walk, shot, bake, check, info')
         self.refuse(run(), "name a command")
         self.refuse(run("--frobnicate"), "hearth: error")
 

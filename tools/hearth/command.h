@@ -8,7 +8,7 @@
 namespace hearth {
 
 /// What the program returns to the shell.
-enum class ExitStatus { Done = 0, BadInput = 2 };
+enum class ExitStatus { Done = 0, Differs = 1, BadInput = 2 };
 
 /// Prints `hearth: error: MESSAGE` to stderr, one line.
 ExitStatus fail(std::string_view message);
@@ -20,11 +20,13 @@ struct Command {
   std::vector<Option> options;
   std::vector<Option> required;  ///< of the options
   ExitStatus (*run)(const OptionValues& values);
+  bool takesSeveralLevels = false;
 };
 
 Command walkCommand();
 Command shotCommand();
 Command bakeCommand();
+Command checkCommand();
 Command infoCommand();
 
 /// Options that all commands share: limits of loading.

@@ -42,7 +42,10 @@ void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValue
 
 void addCommand(CLI::App& program, const Command& command, OptionValues& values) {
   CLI::App& app = *program.add_subcommand(std::string(command.name), std::string(command.help));
-  app.add_option("LEVEL", values.level, "the level file")->required()->type_name("");
+  if (command.takesSeveralLevels)
+    app.add_option("LEVEL", values.levels, "the level files")->required()->type_name("");
+  else
+    app.add_option("LEVEL", values.level, "the level file")->required()->type_name("");
   for (const Option option : command.options) {
     const bool isRequired = std::ranges::find(command.required, option) != command.required.end();
     addOption(app, row(option), isRequired, values);
@@ -78,7 +81,8 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Hearth draws sector and portal levels with baked light.", "hearth");
   program.require_subcommand(1);
-  const std::array commands = {walkCommand(), shotCommand(), bakeCommand(), infoCommand()};
+  const std::array commands = {walkCommand(), shotCommand(), bakeCommand(), checkCommand(),
+                               infoCommand()};
   OptionValues values;
   for (const Command& command : commands) addCommand(program, command, values);
   return parseAndRun(program, commands, values, argc, argv);

@@ -20,6 +20,9 @@ enum class Option {
   Light,
   Channel,
   Json,
+  Golden,
+  Update,
+  Report,
   Texel,
   Samples,
   Bounces,
@@ -55,7 +58,8 @@ std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& va
 /// The options that were given, their values checked against the table.
 class OptionValues {
  public:
-  std::string level;  ///< the level file
+  std::string level;                ///< the level file
+  std::vector<std::string> levels;  ///< in its place, of a command that takes several
 
   void set(Option option, std::string value) { values_[option] = std::move(value); }
   bool has(Option option) const { return values_.contains(option); }
