@@ -25,6 +25,9 @@ struct LightSource {
 
   /// Light in levels at `distance` metres, before colour.
   double levelAt(double distance) const;
+  /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
+  double share(int channel) const { return color[channel] / 255.0; }
+  bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
 };
 
 /// How a bake samples light. Files give it, the command line overrides it.

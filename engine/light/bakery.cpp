@@ -1,7 +1,10 @@
 #include "light/bakery.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "light/light_sum.h"
 #include "light/parallel.h"
@@ -13,6 +16,19 @@
 namespace hearth {
 
 namespace {
+
+/// The map itself, or with one channel where no coloured light arrived.
+Lightmap withoutNeedlessChannels(Lightmap map) {
+  if (map.channels == 1) return map;
+  const std::size_t texels = map.levels.size() / 3;
+  const auto texel = [&](std::size_t i) { return std::span(map.levels).subspan(3 * i, 3); };
+  for (std::size_t i = 0; i < texels; ++i)
+    if (texel(i)[0] != texel(i)[1] || texel(i)[1] != texel(i)[2]) return map;
+  Lightmap white{map.rect, {}, 1};
+  white.levels.reserve(texels);
+  for (std::size_t i = 0; i < texels; ++i) white.levels.push_back(texel(i)[0]);
+  return white;
+}
 
 /// Traces the light on single samples of one surface.
 class SurfaceBaker {
@@ -33,23 +49,22 @@ class SurfaceBaker {
       if (surface_.distanceInFront(level.lights[i].position) >
           (planted(PlantedBug::LightInPlaneShines) ? -kInPlane : kInPlane))
         facing_.push_back(i);
+    const auto isColored = [&](std::size_t i) { return level.lights[i].isColored(); };
+    channels_ = std::ranges::any_of(facing_, isColored) ? 3 : 1;
   }
 
   /// None where no light reaches the surface.
   std::optional<Lightmap> bake() {
     if (facing_.empty() || isPlantedUnlit()) return std::nullopt;
     const TexelRect rect = surface_.texels;
-    Lightmap map{rect, {}};
+    Lightmap map{rect, {}, channels_};
     map.levels.reserve(static_cast<std::size_t>(rect.width) *
-                       static_cast<std::size_t>(rect.height));
-    bool lit = false;
+                       static_cast<std::size_t>(rect.height) * static_cast<std::size_t>(channels_));
     for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
-      for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
-        map.levels.push_back(texelLevel(i, j));
-        lit = lit || map.levels.back() != 0;
-      }
-    if (!lit) return std::nullopt;
-    return map;
+      for (int i = rect.i0; i < rect.i0 + rect.width; ++i) addTexel(i, j, map.levels);
+    if (std::ranges::all_of(map.levels, [](std::uint8_t level) { return level == 0; }))
+      return std::nullopt;
+    return withoutNeedlessChannels(std::move(map));
   }
 
   std::int64_t tests() const { return tests_; }
@@ -60,15 +75,18 @@ class SurfaceBaker {
            (planted(PlantedBug::LowerStepsUnlit) && kind_ == SurfaceKind::LowerStep);
   }
 
-  std::uint8_t texelLevel(int i, int j) {
+  using Sums = std::array<LightSum, 3>;  ///< by channel, of which `channels_` count
+
+  void addTexel(int i, int j, std::vector<std::uint8_t>& levels) {
     const int side = static_cast<int>(std::lround(std::sqrt(settings_.samples)));
-    LightSum sum;
+    Sums sums;
     for (int b = 0; b < side; ++b)
-      for (int a = 0; a < side; ++a) addSample({i + (a + 0.5) / side, j + (b + 0.5) / side}, sum);
-    return sum.mean(side * side);
+      for (int a = 0; a < side; ++a) addSample({i + (a + 0.5) / side, j + (b + 0.5) / side}, sums);
+    for (int channel = 0; channel < channels_; ++channel)
+      levels.push_back(sums[static_cast<std::size_t>(channel)].mean(side * side));
   }
 
-  void addSample(Vec2 texelPoint, LightSum& sum) {
+  void addSample(Vec2 texelPoint, Sums& sums) {
     if (planted(PlantedBug::BorderTexelsBlack) && !surface_.contains(texelPoint)) return;
     const SamplePoint at = placement_.place(texelPoint);
     const LitSurface& there = *surfaces_[at.surface.index()];
@@ -77,8 +95,10 @@ class SurfaceBaker {
       // What continues a surface may lie a tolerance off its plane.
       if (there.distanceInFront(light.position) <= kInPlane && at.surface != id_) continue;
       ++tests_;
-      if (raytracer_.sees(sources_[i], at.target, level_[at.surface].sector))
-        sum.add(levelFrom(light, at.point, there.normal));
+      if (!raytracer_.sees(sources_[i], at.target, level_[at.surface].sector)) continue;
+      const double level = levelFrom(light, at.point, there.normal);
+      for (int channel = 0; channel < channels_; ++channel)
+        sums[static_cast<std::size_t>(channel)].add(level * light.share(channel));
     }
   }
 
@@ -99,6 +119,7 @@ class SurfaceBaker {
   SamplePlacement placement_;
   Raytracer raytracer_;
   std::vector<std::size_t> facing_;  ///< lights in front of the surface's plane
+  int channels_ = 1;                 ///< 3 where one of them is coloured
   std::int64_t tests_ = 0;
 };
 
@@ -125,6 +146,7 @@ BakeStats statsOf(const BakedLight& baked, const std::vector<std::int64_t>& test
     stats.tests += tests[i];
     if (!baked.lightmaps[i]) continue;
     ++stats.litSurfaces;
+    if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
     stats.bytes += static_cast<std::int64_t>(baked.lightmaps[i]->levels.size());
   }
   return stats;

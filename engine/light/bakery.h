@@ -11,11 +11,12 @@
 namespace hearth {
 
 struct BakeStats {
-  std::size_t surfaces = 0;     ///< that could be lit
-  std::size_t litSurfaces = 0;  ///< that some light reaches: those that have a lightmap
-  std::int64_t texels = 0;      ///< computed
-  std::int64_t tests = 0;       ///< pairs of a texel's sample and a light that were traced
-  std::int64_t bytes = 0;       ///< of all lightmaps
+  std::size_t surfaces = 0;         ///< that could be lit
+  std::size_t litSurfaces = 0;      ///< that some light reaches: those that have a lightmap
+  std::size_t coloredSurfaces = 0;  ///< of those, the ones with three channels
+  std::int64_t texels = 0;          ///< computed
+  std::int64_t tests = 0;           ///< pairs of a texel's sample and a light that were traced
+  std::int64_t bytes = 0;           ///< of all lightmaps
 };
 
 /// The baked light of a level. Surfaces that no light reaches have no lightmap.

@@ -38,9 +38,10 @@ enum class PlantedBug {
   SectorLightForgottenOnSteps,
   NonConvexByFirstWall,
   RoundingTruncates,
+  ChannelLost,
 };
 
-inline constexpr std::array<std::string_view, 28> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 29> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -69,6 +70,7 @@ inline constexpr std::array<std::string_view, 28> kPlantedBugNames = {
     "sector-light-forgotten-on-steps",
     "non-convex-by-first-wall",
     "rounding-truncates",
+    "channel-lost",
 };
 
 #ifdef HEARTH_PLANTED_BUGS

@@ -78,14 +78,12 @@ Rgb texturedPixel(const Material& material, const Span&, const Fragment& f, Rgb)
 Rgb litPixel(const Material& material, const Span&, const Fragment& f, Rgb) {
   const Rgb color = texel(material.image, f);
   if (isSky(material.surface.kind)) return color;
-  const double share = lightShare(material.lightmap, material.sectorLight, f);
-  return {rounded(color.r * share), rounded(color.g * share), rounded(color.b * share)};
+  return shaded(color.r, color.g, color.b, lightShares(material.lightmap, material.sectorLight, f));
 }
 
 Rgb lightPixel(const Material& material, const Span&, const Fragment& f, Rgb) {
   if (isSky(material.surface.kind)) return {255, 255, 255};
-  const std::uint8_t level = rounded(255 * lightShare(material.lightmap, material.sectorLight, f));
-  return {level, level, level};
+  return shaded(255, 255, 255, lightShares(material.lightmap, material.sectorLight, f));
 }
 
 /// A colour that differs clearly between neighbouring indices.
@@ -127,7 +125,7 @@ Rgb channelPixel(Channel channel, const Material& material, const Span& span, co
     case Channel::Normal:
       return normalColor(material.lit);
     case Channel::Light:
-      return material.lightmap ? gray(material.lightmap->sample(f.s, f.t)) : Rgb{};
+      return shaded(255, 255, 255, lightShares(material.lightmap, 0, f));
     case Channel::Overdraw:
       return before == kHole ? Rgb{0, 160, 0} : Rgb{255, 0, 0};
   }

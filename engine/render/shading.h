@@ -145,10 +145,26 @@ class SurfaceShading {
   const LitSurface* lit_;
 };
 
-/// The share of a texture's colour that shows: min(1, lightmap/255 + sector light).
-inline double lightShare(const Lightmap* lightmap, double sectorLight, const Fragment& f) {
-  const double baked = lightmap ? lightmap->sample(f.s, f.t) / 255 : 0;
-  return std::min(1.0, baked + sectorLight);
+/// The shares of a texture's red, green and blue that show: min(1, lightmap/255 + sector light).
+struct LightShares {
+  double r;
+  double g;
+  double b;
+};
+
+inline LightShares lightShares(const Lightmap* lightmap, double sectorLight, const Fragment& f) {
+  const auto share = [&](int channel) {
+    const double baked = lightmap ? lightmap->sample(f.s, f.t, channel) / 255 : 0;
+    return std::min(1.0, baked + sectorLight);
+  };
+  const double first = share(0);
+  if (!lightmap || lightmap->channels == 1) return {first, first, first};
+  return {first, share(1), planted(PlantedBug::ChannelLost) ? share(1) : share(2)};
+}
+
+/// Each channel rounded half up, once.
+inline Rgb shaded(double r, double g, double b, LightShares light) {
+  return {rounded(r * light.r), rounded(g * light.g), rounded(b * light.b)};
 }
 
 }  // namespace hearth

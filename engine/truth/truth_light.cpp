@@ -24,9 +24,12 @@ TruthLight::TruthLight(const Level& level) : level_(level) {
   for (const LightSource& light : level.lights) origins_.push_back(rayOrigin(level, light));
 }
 
-double TruthLight::at(const SurfacePoint& place) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < origins_.size(); ++i) sum += from(i, place);
+Vec3 TruthLight::at(const SurfacePoint& place) const {
+  Vec3 sum;
+  for (std::size_t i = 0; i < origins_.size(); ++i) {
+    const LightSource& light = level_.lights[i];
+    sum = sum + from(i, place) * Vec3{light.share(0), light.share(1), light.share(2)};
+  }
   return sum;
 }
 

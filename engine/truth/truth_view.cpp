@@ -65,8 +65,11 @@ TruthPixel TruthView::pixel(double i, double j, TruthLightMode mode) const {
   const TruthHit found = hit(i, j);
   Vec3 exact = mode == TruthLightMode::Only ? Vec3{255, 255, 255} : textureColor(found);
   if (mode != TruthLightMode::None && !isSky(found.kind)) {
-    const double baked = std::clamp(light_.at(found), 0.0, 255.0);
-    exact = std::min(1.0, baked / 255 + level_[found.sector].light) * exact;
+    const Vec3 baked = light_.at(found);
+    const double sector = level_[found.sector].light;
+    exact = {exact.x * std::min(1.0, baked.x / 255 + sector),
+             exact.y * std::min(1.0, baked.y / 255 + sector),
+             exact.z * std::min(1.0, baked.z / 255 + sector)};
   }
   return {{rounded(exact.x), rounded(exact.y), rounded(exact.z)}, exact, found};
 }

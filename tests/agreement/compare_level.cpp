@@ -105,7 +105,7 @@ class Comparison {
     count(kind.gridLight, same, atEdge, [&] { noteMiss(view, "light at texels", i, j); });
 
     if (level_.bake.texel > kFineTexel || isUnsteady(patch, hit)) return;
-    const double exact = shown(std::clamp(truthLight_.at(hit), 0.0, 255.0));
+    const double exact = shown(std::clamp(truthLight_.at(hit).x, 0.0, 255.0));
     count(kind.exactLight, std::abs(drawn - exact) <= kExactTolerance, atEdge,
           [&] { noteMiss(view, "exact light", i, j); });
   }
@@ -175,7 +175,7 @@ class Comparison {
       const Surface& surface = level_[at.surface];
       const LitSurface& lit = *light_.surfaces[at.surface.index()];
       entry->second.place = {surface.kind, surface.sector, surface.segment, at.target, lit.normal};
-      const double level = truthLight_.at(entry->second.place);
+      const double level = truthLight_.at(entry->second.place).x;
       entry->second.level = std::min(level, 255.0);
       entry->second.clips = level > 255;
     }
@@ -184,13 +184,13 @@ class Comparison {
 
   bool isAtShadowEdge(const Patch& patch) const {
     return std::ranges::any_of(patch.places, [&](const SurfacePoint& place) {
-      const double here = truthLight_.at(place);
+      const double here = truthLight_.at(place).x;
       for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
         for (const double sign : {-1.0, 1.0}) {
           const Vec3 inPlane = way - dot(way, place.normal) * place.normal;
           SurfacePoint moved = place;
           moved.point = place.point + (sign * kEdgeMetres) * inPlane;
-          if (std::abs(truthLight_.at(moved) - here) > 0.25) return true;
+          if (std::abs(truthLight_.at(moved).x - here) > 0.25) return true;
         }
       return false;
     });

@@ -19,5 +19,14 @@ TEST(Lightmap, interpolatesBetweenCentres) {
   EXPECT_DOUBLE_EQ(kMap.sample(1.0, 5.0), (100 + 200 + 50 + 60) / 4.0);
 }
 
+TEST(Lightmap, keepsChannelsApart) {
+  const Lightmap map{{0, 0, 2, 2}, {0, 1, 2, 10, 11, 12, 20, 21, 22, 30, 31, 32}, 3};
+  EXPECT_EQ(map.at(1, 0, 2), 12);
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_DOUBLE_EQ(map.sample(1, 1, channel), 15 + channel);
+}
+
+TEST(Lightmap, ofWhiteLightAnswersForEveryChannel) { EXPECT_EQ(kMap.sample(0.0, 4.5, 2), 50); }
+
 }  // namespace
 }  // namespace hearth

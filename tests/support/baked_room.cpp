@@ -11,12 +11,12 @@ BakedRoom::BakedRoom(std::string_view levelText, std::string_view lightsText, in
     : loaded_(levelFrom(levelText, lightsText)),
       light_(bake(loaded_.level, loaded_.level.bake, threads)) {}
 
-double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector) const {
+double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector, int channel) const {
   const std::optional<SurfaceId> id = surfaceAt(kind, p, sector);
   CHECK(id, name(kind), p.x, p.y, p.z);
   const auto& lightmap = light_.lightmaps[id->index()];
   const Vec2 texels = light_.surfaces[id->index()]->grid.toTexels(p);
-  return lightmap ? lightmap->sample(texels.x, texels.y) : 0;
+  return lightmap ? lightmap->sample(texels.x, texels.y, channel) : 0;
 }
 
 std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,

@@ -18,7 +18,7 @@ class BakedRoom {
 
   /// Baked levels on the surface of a kind that shows at `p`, as the renderer would show them;
   /// 0 where it has no lightmap. `segmentSector` tells apart surfaces of several sectors.
-  double at(SurfaceKind kind, Vec3 p, std::string_view sector = "") const;
+  double at(SurfaceKind kind, Vec3 p, std::string_view sector = "", int channel = 0) const;
 
   std::optional<SurfaceId> surfaceAt(SurfaceKind kind, Vec3 p, std::string_view sector) const;
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -19,6 +21,13 @@ SurfacePoint ceilingPoint(SectorId sector, Vec3 point) {
   return {SurfaceKind::Ceiling, sector, std::nullopt, point, {0, 0, -1}};
 }
 
+/// What white lights add up to: the same in every channel.
+double whiteLevel(const TruthLight& light, const SurfacePoint& place) {
+  const Vec3 levels = light.at(place);
+  EXPECT_EQ(levels, (Vec3{levels.x, levels.x, levels.x}));
+  return levels.x;
+}
+
 /// A point of wall 1 of a box: the one at xMax.
 SurfacePoint eastWallPoint(const TestLevel& test, SectorId box, Vec3 point,
                            SurfaceKind kind = SurfaceKind::Solid) {
@@ -30,9 +39,9 @@ TEST(TruthLight, FallsOffWithDistance) {
   const SectorId box = test.addBox("box", {0, 0}, {8, 8}, {0, 4});
   test.addLight(box, {4, 4, 3}, 200, 0.5);
   const TruthLight light(test.finished());
-  EXPECT_NEAR(light.at(floorPoint(box, {4, 4, 0})), 200 / (3 * 0.5 + 1), 1e-12);
-  EXPECT_NEAR(light.at(floorPoint(box, {4, 8 - 1e-6, 0})), 200 / (5 * 0.5 + 1), 1e-5);
-  EXPECT_NEAR(light.at(eastWallPoint(test, box, {8, 4, 3})), 200 / (4 * 0.5 + 1), 1e-12);
+  EXPECT_NEAR(whiteLevel(light, floorPoint(box, {4, 4, 0})), 200 / (3 * 0.5 + 1), 1e-12);
+  EXPECT_NEAR(whiteLevel(light, floorPoint(box, {4, 8 - 1e-6, 0})), 200 / (5 * 0.5 + 1), 1e-5);
+  EXPECT_NEAR(whiteLevel(light, eastWallPoint(test, box, {8, 4, 3})), 200 / (4 * 0.5 + 1), 1e-12);
 }
 
 TEST(TruthLight, IsTheSameOnASphereAroundTheLight) {
@@ -44,9 +53,9 @@ TEST(TruthLight, IsTheSameOnASphereAroundTheLight) {
   for (double angle = 0; angle < 6.28; angle += 0.01) {
     const double c = 3 * std::cos(angle);
     const double s = 3 * std::sin(angle);
-    ASSERT_NEAR(light.at(floorPoint(box, {4 + c, 4 + s, 0})), 255 / 6.0, 1e-12);
-    ASSERT_NEAR(light.at(ceilingPoint(box, {4 + c, 4 + s, 8})), 255 / 6.0, 1e-12);
-    ASSERT_NEAR(light.at(eastWallPoint(test, box, {8, 4 + c, 4 + s})), 255 / 6.0, 1e-12);
+    ASSERT_NEAR(whiteLevel(light, floorPoint(box, {4 + c, 4 + s, 0})), 255 / 6.0, 1e-12);
+    ASSERT_NEAR(whiteLevel(light, ceilingPoint(box, {4 + c, 4 + s, 8})), 255 / 6.0, 1e-12);
+    ASSERT_NEAR(whiteLevel(light, eastWallPoint(test, box, {8, 4 + c, 4 + s})), 255 / 6.0, 1e-12);
   }
 }
 
@@ -56,8 +65,21 @@ TEST(TruthLight, LambertMultipliesByTheCosine) {
   test.addLight(box, {4, 4, 3}, 100);
   Level level = test.finished();
   level.bake.lambert = true;
-  EXPECT_NEAR(TruthLight(level).at(floorPoint(box, {4, 7.999, 0})), 100 * 3 / std::hypot(3, 3.999),
-              1e-12);
+  EXPECT_NEAR(whiteLevel(TruthLight(level), floorPoint(box, {4, 7.999, 0})),
+              100 * 3 / std::hypot(3, 3.999), 1e-12);
+}
+
+TEST(TruthLight, MultipliesByColour) {
+  TestLevel test;
+  const SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
+  test.addLight(box, {1, 1, 1}, 255);
+  test.addLight(box, {2, 2, 1}, 100);
+  Level level = test.finished();
+  std::ranges::copy(std::array<std::uint8_t, 3>{255, 51, 0}, level.lights[0].color);
+  const Vec3 levels = TruthLight(level).at(floorPoint(box, {3, 3, 0}));
+  EXPECT_NEAR(levels.x, 355, 1e-12);
+  EXPECT_NEAR(levels.y, 151, 1e-12);
+  EXPECT_NEAR(levels.z, 100, 1e-12);
 }
 
 TEST(TruthLight, SumsLightsWithoutClampingOrRounding) {
@@ -65,7 +87,7 @@ TEST(TruthLight, SumsLightsWithoutClampingOrRounding) {
   const SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
   test.addLight(box, {1, 1, 1}, 200.25);
   test.addLight(box, {2, 2, 1}, 100.5);
-  EXPECT_DOUBLE_EQ(TruthLight(test.finished()).at(floorPoint(box, {3, 3, 0})), 300.75);
+  EXPECT_DOUBLE_EQ(whiteLevel(TruthLight(test.finished()), floorPoint(box, {3, 3, 0})), 300.75);
 }
 
 TEST(TruthLight, DoesNotLightTheSurfaceInWhosePlaneItLies) {
@@ -73,9 +95,9 @@ TEST(TruthLight, DoesNotLightTheSurfaceInWhosePlaneItLies) {
   const SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
   test.addLight(box, {4, 2, 0}, 100);  // where the floor meets the east wall
   const TruthLight light(test.finished());
-  EXPECT_EQ(light.at(floorPoint(box, {3, 3, 0})), 0);
-  EXPECT_EQ(light.at(eastWallPoint(test, box, {4, 3, 1})), 0);
-  EXPECT_EQ(light.at(ceilingPoint(box, {3, 3, 4})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(box, {3, 3, 0})), 0);
+  EXPECT_EQ(whiteLevel(light, eastWallPoint(test, box, {4, 3, 1})), 0);
+  EXPECT_EQ(whiteLevel(light, ceilingPoint(box, {3, 3, 4})), 100);
 }
 
 TEST(TruthLight, InAPlaneMeansWithinAMicrometre) {
@@ -83,7 +105,7 @@ TEST(TruthLight, InAPlaneMeansWithinAMicrometre) {
   const SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
   test.addLight(box, {2, 2, 0.9e-6}, 1);
   test.addLight(box, {2, 2, 1.1e-6}, 2);
-  EXPECT_EQ(TruthLight(test.finished()).at(floorPoint(box, {3, 3, 0})), 2);
+  EXPECT_EQ(whiteLevel(TruthLight(test.finished()), floorPoint(box, {3, 3, 0})), 2);
 }
 
 TEST(TruthLight, AStepThrowsItsShadowWhereTheGeometrySays) {
@@ -96,10 +118,10 @@ TEST(TruthLight, AStepThrowsItsShadowWhereTheGeometrySays) {
   test.addLight(west, {1, 2, 3}, 100);
   const TruthLight light(test.finished());
   // Over the sill's far edge (5, 1) light falls 2 m in 4 m: the floor is lit from x = 7 on.
-  EXPECT_EQ(light.at(floorPoint(east, {7 - 1e-9, 2, 0})), 0);
-  EXPECT_EQ(light.at(floorPoint(east, {7 + 1e-9, 2, 0})), 100);
-  EXPECT_EQ(light.at(floorPoint(sill, {4.5, 2, 1})), 100);
-  EXPECT_EQ(light.at(eastWallPoint(test, west, {4, 2, 0.5}, SurfaceKind::LowerStep)), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(east, {7 - 1e-9, 2, 0})), 0);
+  EXPECT_EQ(whiteLevel(light, floorPoint(east, {7 + 1e-9, 2, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(sill, {4.5, 2, 1})), 100);
+  EXPECT_EQ(whiteLevel(light, eastWallPoint(test, west, {4, 2, 0.5}, SurfaceKind::LowerStep)), 100);
 }
 
 TEST(TruthLight, DoesNotReachWhatMerelyOverlapsInSpace) {
@@ -108,8 +130,8 @@ TEST(TruthLight, DoesNotReachWhatMerelyOverlapsInSpace) {
   const SectorId b = test.addBox("b", {0, 0}, {4, 4}, {0, 4});
   test.addLight(a, {2, 2, 2}, 100);
   const TruthLight light(test.finished());
-  EXPECT_EQ(light.at(floorPoint(a, {1, 1, 0})), 100);
-  EXPECT_EQ(light.at(floorPoint(b, {1, 1, 0})), 0);
+  EXPECT_EQ(whiteLevel(light, floorPoint(a, {1, 1, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(b, {1, 1, 0})), 0);
 }
 
 TEST(TruthLight, LeavesASealedRoomDarkThroughAllJointsOfItsWalls) {
@@ -119,7 +141,8 @@ TEST(TruthLight, LeavesASealedRoomDarkThroughAllJointsOfItsWalls) {
   test.addLight(bright, {3, 1, 3}, 1000);
   const TruthLight light(test.finished());
   for (double x = 4; x <= 8; x += 0.25)
-    for (double y = 0; y <= 4; y += 0.25) ASSERT_EQ(light.at(floorPoint(dark, {x, y, 0})), 0);
+    for (double y = 0; y <= 4; y += 0.25)
+      ASSERT_EQ(whiteLevel(light, floorPoint(dark, {x, y, 0})), 0);
 }
 
 /// A yard under a sky at 3 m, and east of it a place whose ceiling is at 5 m.
@@ -139,17 +162,17 @@ TEST(TruthLight, PassesSkyFromAboveAndBetweenSkies) {
   Yard scene(true);
   scene.test.addLight(scene.yard, {2, 2, 10}, 100);
   const TruthLight light(scene.test.finished());
-  EXPECT_EQ(light.at(floorPoint(scene.yard, {1, 1, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(scene.yard, {1, 1, 0})), 100);
   // Into the east at z = 5, over both skies.
-  EXPECT_EQ(light.at(floorPoint(scene.east, {6, 2, 0})), 100);
-  EXPECT_EQ(light.at(eastWallPoint(scene.test, scene.east, {8, 2, 4})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(scene.east, {6, 2, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, eastWallPoint(scene.test, scene.east, {8, 2, 4})), 100);
 }
 
 TEST(TruthLight, RisesThroughTheSkyIntoAHigherOne) {
   Yard scene(true);
   scene.test.addLight(scene.yard, {1, 2, 2.9}, 100);
   const TruthLight light(scene.test.finished());
-  EXPECT_EQ(light.at(eastWallPoint(scene.test, scene.east, {8, 2, 4.5})), 100);
+  EXPECT_EQ(whiteLevel(light, eastWallPoint(scene.test, scene.east, {8, 2, 4.5})), 100);
 }
 
 TEST(TruthLight, PassesSkyFloorsFromBelow) {
@@ -162,11 +185,11 @@ TEST(TruthLight, PassesSkyFloorsFromBelow) {
   test.link(west, room);
   test.addLight(west, {2, 2, -10}, 100);
   const TruthLight light(test.finished());
-  EXPECT_EQ(light.at(ceilingPoint(west, {1, 1, 5})), 100);
-  EXPECT_EQ(light.at(eastWallPoint(test, east, {8, 2, 4})), 100);
+  EXPECT_EQ(whiteLevel(light, ceilingPoint(west, {1, 1, 5})), 100);
+  EXPECT_EQ(whiteLevel(light, eastWallPoint(test, east, {8, 2, 4})), 100);
   // Into the room only over west's own floor: through (0, 2) it rises 6 m per m.
-  EXPECT_EQ(light.at(ceilingPoint(room, {-0.5 + 1e-9, 2, 5})), 100);
-  EXPECT_EQ(light.at(ceilingPoint(room, {-0.5 - 1e-9, 2, 5})), 0);
+  EXPECT_EQ(whiteLevel(light, ceilingPoint(room, {-0.5 + 1e-9, 2, 5})), 100);
+  EXPECT_EQ(whiteLevel(light, ceilingPoint(room, {-0.5 - 1e-9, 2, 5})), 0);
 }
 
 TEST(TruthLight, IsStoppedBesideASkyWhereNothingShowsAndNothingIsTextured) {
@@ -177,7 +200,7 @@ TEST(TruthLight, IsStoppedBesideASkyWhereNothingShowsAndNothingIsTextured) {
   test.sector(yard).ceiling.parallax = true;
   std::get<Portal>(test.wall(yard, 1).kind).upper.reset();
   test.addLight(yard, {2, 2, 10}, 100);
-  EXPECT_EQ(TruthLight(test.finished()).at(floorPoint(room, {6, 2, 0})), 0);
+  EXPECT_EQ(whiteLevel(TruthLight(test.finished()), floorPoint(room, {6, 2, 0})), 0);
 }
 
 TEST(TruthLight, PassesOnlyTheSharedOpeningIntoARoomWithoutSky) {
@@ -185,8 +208,8 @@ TEST(TruthLight, PassesOnlyTheSharedOpeningIntoARoomWithoutSky) {
   scene.test.addLight(scene.yard, {2, 2, 10}, 100);
   const TruthLight light(scene.test.finished());
   // From (2, 10) through (4, 3), the top of the opening: 3.5 m down per m, so lit up to 6/7 m east.
-  EXPECT_EQ(light.at(floorPoint(scene.east, {4 + 6.0 / 7 - 1e-9, 2, 0})), 100);
-  EXPECT_EQ(light.at(floorPoint(scene.east, {4 + 6.0 / 7 + 1e-9, 2, 0})), 0);
+  EXPECT_EQ(whiteLevel(light, floorPoint(scene.east, {4 + 6.0 / 7 - 1e-9, 2, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(scene.east, {4 + 6.0 / 7 + 1e-9, 2, 0})), 0);
 }
 
 TEST(TruthLight, SidesOfASkySectorAreSolidWithoutEndAboveItsSky) {
@@ -196,8 +219,8 @@ TEST(TruthLight, SidesOfASkySectorAreSolidWithoutEndAboveItsSky) {
   for (const SectorId id : {yard, next}) test.sector(id).ceiling.parallax = true;
   test.addLight(yard, {2, 2, 1000}, 100);
   const TruthLight light(test.finished());
-  EXPECT_EQ(light.at(floorPoint(yard, {1, 1, 0})), 100);
-  EXPECT_EQ(light.at(floorPoint(next, {4.001, 2, 0})), 0);
+  EXPECT_EQ(whiteLevel(light, floorPoint(yard, {1, 1, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(next, {4.001, 2, 0})), 0);
 }
 
 TEST(TruthLight, InAStackOnlyThePieceThatReachesTheSkyIsOpenAboveIt) {
@@ -209,7 +232,7 @@ TEST(TruthLight, InAStackOnlyThePieceThatReachesTheSkyIsOpenAboveIt) {
   scene.test.addLight(scene.yard, {2, 2, 10}, 100);
   scene.test.addLight(scene.yard, {2, 2, 0.5}, 7);
   const TruthLight light(scene.test.finished());
-  EXPECT_EQ(light.at(floorPoint(scene.east, {6, 2, 0})), 7);
+  EXPECT_EQ(whiteLevel(light, floorPoint(scene.east, {6, 2, 0})), 7);
 }
 
 TEST(TruthLight, ShinesThroughFlatPortals) {
@@ -220,11 +243,11 @@ TEST(TruthLight, ShinesThroughFlatPortals) {
   test.connect({above}, {left, right});
   test.addLight(above, {0.5, 2, 3}, 100);
   const TruthLight light(test.finished());
-  EXPECT_EQ(light.at(floorPoint(left, {0.25, 2, 0})), 100);
-  EXPECT_EQ(light.at(floorPoint(right, {3, 2, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(left, {0.25, 2, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(right, {3, 2, 0})), 100);
   // Behind the wall between left and right: over its top edge (1, 2), 0.5 m in 1 m.
-  EXPECT_EQ(light.at(floorPoint(right, {2 - 1e-9, 2, 0})), 0);
-  EXPECT_EQ(light.at(floorPoint(right, {2 + 1e-9, 2, 0})), 100);
+  EXPECT_EQ(whiteLevel(light, floorPoint(right, {2 - 1e-9, 2, 0})), 0);
+  EXPECT_EQ(whiteLevel(light, floorPoint(right, {2 + 1e-9, 2, 0})), 100);
 }
 
 TEST(TruthLight, ALightAtTheEyeLightsAllThatTheEyeSees) {
@@ -247,7 +270,7 @@ TEST(TruthLight, ALightAtTheEyeLightsAllThatTheEyeSees) {
       const Vec3 direction{unit(random), unit(random), unit(random)};
       const auto hit = trace(level, sector, eye, direction, RayKind::Look);
       if (isSky(hit->kind)) continue;
-      ASSERT_EQ(light.at(*hit), 1) << name(hit->kind);
+      ASSERT_EQ(whiteLevel(light, *hit), 1) << name(hit->kind);
       ++seen;
     }
   }

@@ -51,6 +51,10 @@ Shelves placeOnShelves(const BakedLight& light) {
   return shelves;
 }
 
+Rgb colorOf(const Lightmap& map, int i, int j) {
+  return {map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)};
+}
+
 }  // namespace
 
 Image lightmapAtlas(const BakedLight& light) {
@@ -61,8 +65,8 @@ Image lightmapAtlas(const BakedLight& light) {
     const bool isTurned = light.surfaces[surface]->grid.axisT.z > 0;  // its rows rise
     for (int j = 0; j < map.rect.height; ++j)
       for (int i = 0; i < map.rect.width; ++i) {
-        const std::uint8_t level = map.at(map.rect.i0 + i, map.rect.j0 + j);
-        image.at(x + i, y + (isTurned ? map.rect.height - 1 - j : j)) = {level, level, level};
+        image.at(x + i, y + (isTurned ? map.rect.height - 1 - j : j)) =
+            colorOf(map, map.rect.i0 + i, map.rect.j0 + j);
       }
   }
   return image;

@@ -94,16 +94,10 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
 }
 
 std::vector<std::string> unbakedFeatures(const Level& level) {
-  std::size_t coloured = 0;
   std::size_t balls = 0;
-  for (const LightSource& light : level.lights) {
-    if (light.color[0] != 255 || light.color[1] != 255 || light.color[2] != 255) ++coloured;
+  for (const LightSource& light : level.lights)
     if (light.radius > 0) ++balls;
-  }
   std::vector<std::string> found;
-  if (coloured > 0)
-    found.push_back(
-        fmt::format("coloured light is not baked yet: taken as white, lights: {}", coloured));
   if (balls > 0)
     found.push_back(
         fmt::format("the radius of lights is not baked yet: taken as points, lights: {}", balls));
