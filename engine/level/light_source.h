@@ -34,6 +34,7 @@ struct LightSource {
 struct BakeSettings {
   double texel = 0.125;  ///< metres
   int samples = 1;       ///< per texel; a square number
+  int softSamples = 64;  ///< per sample and light with a radius; a square number
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
 };

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
+#include "light/light_sight.h"
 #include "light/light_sum.h"
 #include "light/parallel.h"
-#include "light/raytracer.h"
 #include "light/sample_placement.h"
 #include "math/planted_bug.h"
 #include "math/tolerance.h"
@@ -30,25 +30,27 @@ Lightmap withoutNeedlessChannels(Lightmap map) {
   return white;
 }
 
+/// Whether any of the light can shine on the plane of the surface.
+bool isInFront(const LightSource& light, const LitSurface& surface) {
+  const double least = planted(PlantedBug::LightInPlaneShines) ? -kInPlane : kInPlane;
+  return surface.distanceInFront(light.position) > least - light.radius;
+}
+
 /// Traces the light on single samples of one surface.
 class SurfaceBaker {
  public:
   SurfaceBaker(const Level& level, const LitSurfaces& surfaces,
-               const std::vector<Raytracer::Source>& sources, const BakeSettings& settings,
-               SurfaceId id)
+               const std::vector<LightSight>& sights, const BakeSettings& settings, SurfaceId id)
       : level_(level),
-        sources_(sources),
+        sights_(sights),
         settings_(settings),
         surfaces_(surfaces),
         surface_(*surfaces[id.index()]),
         id_(id),
         kind_(level[id].kind),
-        placement_(surfaces, id),
-        raytracer_(level) {
+        placement_(surfaces, id) {
     for (std::size_t i = 0; i < level.lights.size(); ++i)
-      if (surface_.distanceInFront(level.lights[i].position) >
-          (planted(PlantedBug::LightInPlaneShines) ? -kInPlane : kInPlane))
-        facing_.push_back(i);
+      if (isInFront(level.lights[i], surface_)) facing_.push_back(i);
     const auto isColored = [&](std::size_t i) { return level.lights[i].isColored(); };
     channels_ = std::ranges::any_of(facing_, isColored) ? 3 : 1;
   }
@@ -67,7 +69,7 @@ class SurfaceBaker {
     return withoutNeedlessChannels(std::move(map));
   }
 
-  std::int64_t tests() const { return tests_; }
+  std::int64_t rays() const { return rays_; }
 
  private:
   bool isPlantedUnlit() const {
@@ -93,10 +95,11 @@ class SurfaceBaker {
     for (const std::size_t i : facing_) {
       const LightSource& light = level_.lights[i];
       // What continues a surface may lie a tolerance off its plane.
-      if (there.distanceInFront(light.position) <= kInPlane && at.surface != id_) continue;
-      ++tests_;
-      if (!raytracer_.sees(sources_[i], at.target, level_[at.surface].sector)) continue;
-      const double level = levelFrom(light, at.point, there.normal);
+      if (at.surface != id_ && !isInFront(light, there)) continue;
+      const double seen = sights_[i].seenShare(
+          {at.target, level_[at.surface].sector, {there.anchor, there.normal}}, rays_);
+      if (seen == 0) continue;
+      const double level = seen * levelFrom(light, at.point, there.normal);
       for (int channel = 0; channel < channels_; ++channel)
         sums[static_cast<std::size_t>(channel)].add(level * light.share(channel));
     }
@@ -106,21 +109,21 @@ class SurfaceBaker {
     const Vec3 toLight = light.position - point;
     const double distance = length(toLight);
     const double level = light.levelAt(distance);
-    return settings_.lambert ? level * (dot(toLight, normal) / distance) : level;
+    // The middle of a ball can lie behind a plane that a part of it lights.
+    return settings_.lambert ? level * std::max(0.0, dot(toLight, normal) / distance) : level;
   }
 
   const Level& level_;
-  const std::vector<Raytracer::Source>& sources_;
+  const std::vector<LightSight>& sights_;
   const BakeSettings& settings_;
   const LitSurfaces& surfaces_;
   const LitSurface& surface_;
   SurfaceId id_;
   SurfaceKind kind_;
   SamplePlacement placement_;
-  Raytracer raytracer_;
   std::vector<std::size_t> facing_;  ///< lights in front of the surface's plane
   int channels_ = 1;                 ///< 3 where one of them is coloured
-  std::int64_t tests_ = 0;
+  std::int64_t rays_ = 0;
 };
 
 /// Largest first, so that no thread starts the longest job last.
@@ -136,14 +139,14 @@ std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
   return order;
 }
 
-BakeStats statsOf(const BakedLight& baked, const std::vector<std::int64_t>& tests) {
+BakeStats statsOf(const BakedLight& baked, const std::vector<std::int64_t>& rays) {
   BakeStats stats;
   for (std::size_t i = 0; i < baked.surfaces.size(); ++i) {
     if (!baked.surfaces[i]) continue;
     const TexelRect& rect = baked.surfaces[i]->texels;
     ++stats.surfaces;
     stats.texels += std::int64_t{rect.width} * rect.height;
-    stats.tests += tests[i];
+    stats.rays += rays[i];
     if (!baked.lightmaps[i]) continue;
     ++stats.litSurfaces;
     if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
@@ -159,19 +162,19 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads) {
   baked.surfaces = makeLitSurfaces(level, settings.texel);
   baked.lightmaps.resize(baked.surfaces.size());
 
-  std::vector<Raytracer::Source> sources;
+  std::vector<LightSight> sights;
   for (const LightSource& light : level.lights)
-    sources.push_back(Raytracer::sourceOf(level, light));
+    sights.emplace_back(level, light, settings.softSamples);
 
-  std::vector<std::int64_t> tests(baked.surfaces.size(), 0);
+  std::vector<std::int64_t> rays(baked.surfaces.size(), 0);
   const std::vector<std::size_t> order = byFallingSize(baked.surfaces);
   parallelFor(order.size(), threads, [&](std::size_t job) {
     const std::size_t i = order[job];
-    SurfaceBaker baker(level, baked.surfaces, sources, settings, SurfaceId(i));
+    SurfaceBaker baker(level, baked.surfaces, sights, settings, SurfaceId(i));
     baked.lightmaps[i] = baker.bake();
-    tests[i] = baker.tests();
+    rays[i] = baker.rays();
   });
-  baked.stats = statsOf(baked, tests);
+  baked.stats = statsOf(baked, rays);
   return baked;
 }
 

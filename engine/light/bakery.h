@@ -15,7 +15,7 @@ struct BakeStats {
   std::size_t litSurfaces = 0;      ///< that some light reaches: those that have a lightmap
   std::size_t coloredSurfaces = 0;  ///< of those, the ones with three channels
   std::int64_t texels = 0;          ///< computed
-  std::int64_t tests = 0;           ///< pairs of a texel's sample and a light that were traced
+  std::int64_t rays = 0;            ///< that were traced
   std::int64_t bytes = 0;           ///< of all lightmaps
 };
 

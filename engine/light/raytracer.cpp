@@ -23,35 +23,50 @@ struct Exit {
 
 class Walk {
  public:
-  Walk(const Level& level, const Raytracer::Source& source, Vec3 target, SectorId goal)
+  Walk(const Level& level, const Raytracer::Source& source, Vec3 target)
       : level_(level),
         origin_(source.position),
         delta_(target - source.position),
         planLength2_(dot(delta_.xy(), delta_.xy())),
-        goal_(goal),
         sector_(source.sector) {
     const double distance = length(delta_);
     slack_ = distance > 0 ? kArrival / distance : 1;
   }
 
-  bool arrives() {
-    const std::size_t limit = 4 * level_.segments.size() + 16;
-    for (std::size_t step = 0; step < limit; ++step) {
+  /// Whether the ray's end is a point on the border of the air of `goal` that it reaches.
+  bool arrivesAt(SectorId goal) {
+    for (std::size_t step = 0; step < stepLimit(); ++step) {
       const Exit exit = findExit();
-      const double tEnd = std::min(exit.t, 1.0);
-      if (const std::optional<FlatHit> hit = meetsFlat(tEnd)) {
-        if (hit->t >= 1 - slack_ && sector_ == goal_) return true;
+      if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
+        if (hit->t >= 1 - slack_ && sector_ == goal) return true;
         if (!crossInterface(*hit)) return false;
         continue;
       }
-      if (exit.t >= 1 - slack_ && sector_ == goal_) return true;
-      if (exit.t > 1 + slack_ || !exit.segment) return goalLiesBehindFlatPortal();
+      if (exit.t >= 1 - slack_ && sector_ == goal) return true;
+      if (exit.t > 1 + slack_ || !exit.segment) return liesBehindFlatPortal(goal);
       if (!pass(exit)) return false;
     }
     return false;
   }
 
+  /// The sector of the ray's end, a point of the air; none where it does not get there.
+  std::optional<SectorId> sectorAtEnd() {
+    for (std::size_t step = 0; step < stepLimit(); ++step) {
+      const Exit exit = findExit();
+      if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
+        if (!crossInterface(*hit)) return std::nullopt;
+        continue;
+      }
+      if (exit.t > 1) return sector_;
+      if (!pass(exit)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
  private:
+  /// No line through a level that means something crosses so many sectors.
+  std::size_t stepLimit() const { return 4 * level_.segments.size() + 16; }
+
   /// Signed distance (scaled) of a vertex to the right of the ray; the same bits for all segments
   /// that share the vertex, so that no ray slips between two of them.
   double sideOf(Vec2 p) const { return cross(delta_.xy(), p - origin_.xy()); }
@@ -132,13 +147,13 @@ class Walk {
   }
 
   /// A surface can lie in the very plane of a flat portal: a slope that touches it.
-  bool goalLiesBehindFlatPortal() const {
+  bool liesBehindFlatPortal(SectorId goal) const {
     const Sector& sector = level_[sector_];
     const auto leadsToGoal = [&](const Flat& flat, bool isFloor) {
       return flat.interface && std::abs(zAt(1) - flat.z) <= kArrival &&
-             std::ranges::find(membersBehind(flat, isFloor), goal_) !=
+             std::ranges::find(membersBehind(flat, isFloor), goal) !=
                  membersBehind(flat, isFloor).end() &&
-             contains(level_, level_[goal_], planAt(1));
+             contains(level_, level_[goal], planAt(1));
     };
     return leadsToGoal(sector.floor, true) || leadsToGoal(sector.ceiling, false);
   }
@@ -207,7 +222,6 @@ class Walk {
   Vec3 delta_;
   double planLength2_;
   double slack_ = 0;  ///< kArrival as a share of the ray
-  SectorId goal_;
 
   SectorId sector_;                 ///< where the ray is ...
   double t_ = 0;                    ///< ... since this share of its way ...
@@ -225,7 +239,11 @@ Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& lig
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector) const {
-  return Walk(level_, source, target, sector).arrives();
+  return Walk(level_, source, target).arrivesAt(sector);
+}
+
+std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point) const {
+  return Walk(level_, source, point).sectorAtEnd();
 }
 
 }  // namespace hearth

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "level/level.h"
 
 namespace hearth {
@@ -21,6 +23,10 @@ class Raytracer {
   /// True when the line from the source first meets a surface at `target`, a point on the border of
   /// the air of `sector`. The caller has made sure that the surface there faces the source.
   bool sees(const Source& source, Vec3 target, SectorId sector) const;
+
+  /// The sector in which the line from the source arrives at a point of the air; none where it
+  /// meets a surface before.
+  std::optional<SectorId> sectorAt(const Source& source, Vec3 point) const;
 
  private:
   const Level& level_;

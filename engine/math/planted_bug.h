@@ -39,9 +39,10 @@ enum class PlantedBug {
   NonConvexByFirstWall,
   RoundingTruncates,
   ChannelLost,
+  RadiusIgnored,
 };
 
-inline constexpr std::array<std::string_view, 29> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 30> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -71,6 +72,7 @@ inline constexpr std::array<std::string_view, 29> kPlantedBugNames = {
     "non-convex-by-first-wall",
     "rounding-truncates",
     "channel-lost",
+    "radius-ignored",
 };
 
 #ifdef HEARTH_PLANTED_BUGS

@@ -152,11 +152,10 @@ std::variant<TruthHit, Stage> throughFlat(const Level& level, const Ray& ray, Se
   return Stage{sectorAcross(level, ray, level[*flat.interface], to, place), t, place};
 }
 
-}  // namespace
-
-std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
-                              RayKind kind) {
-  const Ray ray = makeRay(origin, direction, kind);
+/// The surface that the ray meets first, or the sector in which it is at `tEnd`: with kNever, the
+/// sky sector through which light leaves the level.
+std::variant<TruthHit, SectorId> follow(const Level& level, SectorId sector, const Ray& ray,
+                                        double tEnd) {
   Stage stage{sector, 0, {}};
   for (int step = 0; step < kMaxSteps; ++step) {
     const std::optional<SegmentId> exit = findExit(level, ray, stage);
@@ -164,8 +163,7 @@ std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, 
     const double tFloor = meetFlat(ray, level[stage.sector], true);
     const double tCeiling = meetFlat(ray, level[stage.sector], false);
     const double tFirst = std::min({tWall, tFloor, tCeiling});
-    if (tFirst == kNever && kind == RayKind::Light) return std::nullopt;
-    CHECK(tFirst < kNever, level[stage.sector].name, stage.t);
+    if (tFirst >= tEnd) return stage.sector;
 
     const double t = std::max(tFirst, stage.t);  // what was behind us by rounding is here
     const auto next = tFirst == tWall ? throughWall(level, ray, *exit, t)
@@ -174,6 +172,23 @@ std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, 
     stage = std::get<Stage>(next);
   }
   checkFailed(__FILE__, __LINE__, "a ray ends", level[sector].name);
+}
+
+}  // namespace
+
+std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
+                              RayKind kind) {
+  const auto end = follow(level, sector, makeRay(origin, direction, kind), kNever);
+  if (const TruthHit* hit = std::get_if<TruthHit>(&end)) return *hit;
+  CHECK(kind == RayKind::Light, level[std::get<SectorId>(end)].name);
+  return std::nullopt;
+}
+
+std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end) {
+  const Ray ray = makeRay(origin, end - origin, RayKind::Light);
+  const auto arrived = follow(level, sector, ray, 1);
+  const SectorId* there = std::get_if<SectorId>(&arrived);
+  return there ? std::optional(*there) : std::nullopt;
 }
 
 bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b) {

@@ -42,6 +42,10 @@ enum class RayKind {
 std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                               RayKind kind);
 
+/// The sector in which light arrives on the straight line from `origin`, as above, to `end`; none
+/// where a surface stops it before.
+std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end);
+
 /// Whether two points are on one surface.
 bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b);
 

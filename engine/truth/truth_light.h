@@ -7,7 +7,7 @@
 namespace hearth {
 
 /// The light at points of surfaces as the file format defines it, not as any bake samples it: the
-/// reference for bakes. Points of light only: the radius of lights is ignored.
+/// reference for bakes.
 class TruthLight {
  public:
   /// Keeps a reference to the level.
@@ -22,8 +22,24 @@ class TruthLight {
   double from(std::size_t light, const SurfacePoint& place) const;
 
  private:
+  /// A point from which a light shines.
+  struct Origin {
+    Vec3 point;
+    SectorId sector;
+  };
+
+  /// Many points of a light that is a ball, all alike; one of a point. What of a ball its middle
+  /// does not see counts as points that shine nowhere.
+  struct Shape {
+    std::vector<Origin> origins;
+    int count = 1;  ///< with those that shine nowhere
+  };
+
+  Shape shapeOf(const LightSource& light) const;
+  bool sees(const Origin& origin, const SurfacePoint& place) const;
+
   const Level& level_;
-  std::vector<Vec3> origins_;  ///< of the lights' rays, by index of light
+  std::vector<Shape> shapes_;  ///< by index of light
 };
 
 }  // namespace hearth

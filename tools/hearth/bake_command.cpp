@@ -19,9 +19,9 @@ void print(const Bake& bake) {
   fmt::print("surfaces  {} of {} lit\n", stats.litSurfaces, stats.surfaces);
   fmt::print("texels    {} of {} m, {} sample(s) each\n", stats.texels, bake.settings.texel,
              bake.settings.samples);
-  fmt::print("speed     {:.0f} texels/s; {:.3g} texel-light tests/s on {} thread(s)\n",
-             static_cast<double>(stats.texels) / seconds,
-             static_cast<double>(stats.tests) / seconds, bake.threads);
+  fmt::print("speed     {:.0f} texels/s; {:.3g} rays/s on {} thread(s)\n",
+             static_cast<double>(stats.texels) / seconds, static_cast<double>(stats.rays) / seconds,
+             bake.threads);
   fmt::print("bytes     {}\n", stats.bytes);
   fmt::print("time      {:.3f} s\n", bake.seconds);
 }

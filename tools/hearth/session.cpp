@@ -93,17 +93,6 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
   return settings;
 }
 
-std::vector<std::string> unbakedFeatures(const Level& level) {
-  std::size_t balls = 0;
-  for (const LightSource& light : level.lights)
-    if (light.radius > 0) ++balls;
-  std::vector<std::string> found;
-  if (balls > 0)
-    found.push_back(
-        fmt::format("the radius of lights is not baked yet: taken as points, lights: {}", balls));
-  return found;
-}
-
 LightMode lightModeFrom(const OptionValues& values) {
   const std::string mode = values.text(Option::Light).value_or("both");
   if (mode == "none") return LightMode::None;
@@ -116,8 +105,6 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
   if (settings->bounces != 0)
     return tl::unexpected(fmt::format(
         "{} bounces: reflected light is not baked yet, use --bounces 0", settings->bounces));
-  for (const std::string& feature : unbakedFeatures(level))
-    fmt::print(stderr, "{}:1:1: warning: {}\n", values.level, feature);
 
   const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
   const auto start = std::chrono::steady_clock::now();

@@ -22,9 +22,6 @@ std::optional<LoadedLevel> openLevel(const OptionValues& values);
 tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
                                                         const OptionValues& values);
 
-/// What of a level's lights the bakery does not know yet, a sentence each.
-std::vector<std::string> unbakedFeatures(const Level& level);
-
 /// What `--light` asks for.
 LightMode lightModeFrom(const OptionValues& values);
 
@@ -35,7 +32,7 @@ struct Bake {
   double seconds;
 };
 
-/// Bakes with the settings above; warns of lights that are taken for simpler ones.
+/// Bakes with the settings above.
 tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values);
 
 /// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.

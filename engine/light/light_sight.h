@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/level.h"
+#include "light/raytracer.h"
+
+namespace hearth {
+
+struct Plane {
+  Vec3 point;
+  Vec3 normal;  ///< unit
+  /// Metres in front of the plane.
+  double inFront(Vec3 p) const { return dot(p - point, normal); }
+};
+
+/// A point of a surface that is to be lit.
+struct LightTarget {
+  Vec3 point;       ///< where rays arrive: on the border of the air of `sector`
+  SectorId sector;  ///< whose air the surface bounds
+  Plane plane;      ///< the surface's, its normal into the air
+};
+
+/// Answers which share of a light a point of a surface sees: of a point of light all or nothing, of
+/// a ball the share of its volume. What of a ball its own middle does not see, because a wall runs
+/// through it, does not shine.
+class LightSight {
+ public:
+  /// `softSamples` to a ball, a square number: its disc, as it is seen, is divided into so many
+  /// cells, and shadows' edges cut these exactly where they run straight. Where a ball is cut by
+  /// more than planes, or seen from too near, 32 times as many points are spread over it instead.
+  LightSight(const Level& level, const LightSource& light, int softSamples);
+
+  /// 0..1. Adds the rays that it took to `rays`.
+  double seenShare(const LightTarget& target, std::int64_t& rays) const;
+
+ private:
+  bool isBeforePlanes(Vec3 p) const;
+  bool sees(const LightTarget& target, const Raytracer::Source& source) const;
+  double seenOfDisc(const LightTarget& target, std::int64_t& rays) const;
+  double seenOfPoints(const LightTarget& target, std::int64_t& rays) const;
+
+  Raytracer raytracer_;
+  Raytracer::Source middle_;
+  double radius_;              ///< metres
+  int cells_;                  ///< along the disc's diameter
+  std::vector<Plane> planes_;  ///< of the walls and flats that come into the ball
+  /// Points spread evenly over the ball, without those that its middle does not see; and how many
+  /// there are with these.
+  std::vector<Raytracer::Source> points_;
+  int pointCount_ = 0;
+  bool isCutByPlanes_ =
+      false;  ///< what shines is what lies in front of all planes, if there are any
+};
+
+}  // namespace hearth
