@@ -129,6 +129,13 @@ class LitSurfaceBuilder {
   std::vector<std::vector<UprightSurface>> upright_;
 };
 
+/// A cheap bound: to the upright box round a segment, by the longer of its two coordinates.
+double distanceToBox(Vec2 a, Vec2 b, Vec2 p) {
+  const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
+  const double y = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
+  return std::max(x, y);
+}
+
 }  // namespace
 
 Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
@@ -156,11 +163,26 @@ Vec2 LitSurface::nearest(Vec2 p) const {
   double distance = std::numeric_limits<double>::infinity();
   for (const Polygon& outline : outlines)
     for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 q = nearestOnSegment(outline[i], outline[(i + 1) % outline.size()], p);
-      const double found = dot(q - p, q - p);
+      const Vec2 a = outline[i];
+      const Vec2 b = outline[(i + 1) % outline.size()];
+      if (distanceToBox(a, b, p) > distance) continue;
+      const Vec2 q = nearestOnSegment(a, b, p);
+      const double found = length(q - p);
       if (found < distance) best = q, distance = found;
     }
   return best;
+}
+
+std::vector<LitSurface::Edge> LitSurface::edgesWithin(Vec2 p, double reach) const {
+  std::vector<Edge> edges;
+  for (const Polygon& outline : outlines)
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Edge edge{outline[i], outline[(i + 1) % outline.size()]};
+      if (distanceToBox(edge.a, edge.b, p) <= reach &&
+          length(nearestOnSegment(edge.a, edge.b, p) - p) <= reach)
+        edges.push_back(edge);
+    }
+  return edges;
 }
 
 LitSurfaces makeLitSurfaces(const Level& level, double texel) {

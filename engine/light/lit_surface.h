@@ -41,7 +41,15 @@ struct LitSurface {
   /// The point of the surface's own plane at texel coordinates.
   Vec3 toWorld(Vec2 texelPoint) const;
   bool contains(Vec2 texelPoint) const;
+  /// The point of the outlines that is nearest.
   Vec2 nearest(Vec2 texelPoint) const;
+
+  struct Edge {
+    Vec2 a;
+    Vec2 b;
+  };
+  /// Of the outlines, no farther than `reach` texels.
+  std::vector<Edge> edgesWithin(Vec2 texelPoint, double reach) const;
 };
 
 /// By SurfaceId; none for sky and for surfaces of which nothing can show.

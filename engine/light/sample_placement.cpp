@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "math/predicates.h"
 #include "math/tolerance.h"
@@ -27,6 +28,13 @@ constexpr std::array<Vec2, 16> kWays = {{{1, 0},
                                          {0.4, -0.9},
                                          {0.9, -0.4}}};
 
+double distanceTo(const std::vector<LitSurface::Edge>& edges, Vec2 p) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : edges)
+    distance = std::min(distance, length(nearestOnSegment(a, b, p) - p));
+  return distance;
+}
+
 }  // namespace
 
 SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id)
@@ -48,8 +56,11 @@ SamplePoint SamplePlacement::place(Vec2 p) const {
 
 SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
   const LitSurface& surface = *surfaces_[id.index()];
-  const bool onEdge = length(surface.nearest(p) - p) < hair_;
-  return {surface.toWorld(p), id, surface.toWorld(onEdge ? movedInside(surface, p, from) : p)};
+  // Edges farther away than these are more than a hair from wherever it is moved.
+  const std::vector<LitSurface::Edge> edges = surface.edgesWithin(p, 2.5 * hair_);
+  const bool isOnEdge = distanceTo(edges, p) < hair_;
+  return {surface.toWorld(p), id,
+          surface.toWorld(isOnEdge ? movedInside(surface, edges, p, from) : p), p != from};
 }
 
 SamplePlacement::Patch SamplePlacement::patchWithin(double reach, Vec2 p) const {
@@ -70,19 +81,21 @@ std::optional<SurfaceId> SamplePlacement::surfaceAt(const Patch& patch, Vec2 p) 
 
 /// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
 /// a corner, where that may run along the other edge, the way that leads farthest inside.
-Vec2 SamplePlacement::movedInside(const LitSurface& surface, Vec2 edgePoint, Vec2 from) const {
-  std::vector<Vec2> ways;
-  if (edgePoint != from) ways.push_back((1 / length(edgePoint - from)) * (edgePoint - from));
-  ways.insert(ways.end(), kWays.begin(), kWays.end());
+Vec2 SamplePlacement::movedInside(const LitSurface& surface,
+                                  const std::vector<LitSurface::Edge>& edges, Vec2 edgePoint,
+                                  Vec2 from) const {
   Vec2 best = edgePoint;
   double clearance = 0;
-  for (const Vec2 way : ways) {
+  const auto isGood = [&](Vec2 way) {
     const Vec2 candidate = edgePoint + hair_ * way;
-    if (!surface.contains(candidate)) continue;
-    const double found = length(surface.nearest(candidate) - candidate);
-    if (found > 0.9 * hair_) return candidate;
-    if (found > clearance) best = candidate, clearance = found;
-  }
+    const double found = distanceTo(edges, candidate);
+    if (found <= clearance || !surface.contains(candidate)) return false;
+    best = candidate;
+    clearance = found;
+    return clearance > 0.9 * hair_;
+  };
+  if (edgePoint != from && isGood((1 / length(edgePoint - from)) * (edgePoint - from))) return best;
+  (void)std::ranges::any_of(kWays, isGood);
   return best;
 }
 

@@ -15,6 +15,7 @@ struct SamplePoint {
   /// surface, a micrometre inside. On which side of a wall's foot a ray comes down is then not left
   /// to rounding.
   Vec3 target;
+  bool isMoved;  ///< to the surface's edge, from beyond it
 };
 
 /// Where a sample of a surface's lightmap takes its light: where it lies, when that is on the
@@ -37,7 +38,8 @@ class SamplePlacement {
   Patch patchWithin(double reach, Vec2 texelPoint) const;
   std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
   SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;
-  Vec2 movedInside(const LitSurface& surface, Vec2 edgePoint, Vec2 from) const;
+  Vec2 movedInside(const LitSurface& surface, const std::vector<LitSurface::Edge>& edges,
+                   Vec2 edgePoint, Vec2 from) const;
 
   const LitSurfaces& surfaces_;
   SurfaceId id_;
