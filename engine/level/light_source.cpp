@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/planted_bug.h"
+
 namespace hearth {
 
 namespace {
@@ -12,7 +14,8 @@ double curveAt(const std::vector<CurvePoint>& curve, double distance) {
                        [](double d, const CurvePoint& point) { return d < point.distance; });
   if (after == curve.begin()) return curve.front().level;
   const CurvePoint a = *(after - 1);
-  if (after == curve.end()) return a.level;
+  if (after == curve.end())
+    return planted(PlantedBug::CurveExtrapolated) ? a.level / (1 + distance - a.distance) : a.level;
   const double share = (distance - a.distance) / (after->distance - a.distance);
   return a.level + share * (after->level - a.level);
 }

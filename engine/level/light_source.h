@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "level/ids.h"
@@ -33,7 +34,8 @@ struct LightSource {
 /// How a bake samples light. Files give it, the command line overrides it.
 struct BakeSettings {
   double texel = 0.125;  ///< metres
-  int samples = 1;       ///< per texel; a square number
+  /// Per texel, a square number; none for as many as the edges of shadows need.
+  std::optional<int> samples = 1;
   int softSamples = 64;  ///< per sample and light with a radius; a square number
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;

@@ -1,130 +1,52 @@
 #include "light/bakery.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
-#include <utility>
 
-#include "light/light_sight.h"
-#include "light/light_sum.h"
+#include "light/clipped_light.h"
 #include "light/parallel.h"
-#include "light/sample_placement.h"
 #include "math/planted_bug.h"
-#include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
 
-/// The map itself, or with one channel where no coloured light arrived.
-Lightmap withoutNeedlessChannels(Lightmap map) {
-  if (map.channels == 1) return map;
-  const std::size_t texels = map.levels.size() / 3;
-  const auto texel = [&](std::size_t i) { return std::span(map.levels).subspan(3 * i, 3); };
-  for (std::size_t i = 0; i < texels; ++i)
-    if (texel(i)[0] != texel(i)[1] || texel(i)[1] != texel(i)[2]) return map;
-  Lightmap white{map.rect, {}, 1};
-  white.levels.reserve(texels);
-  for (std::size_t i = 0; i < texels; ++i) white.levels.push_back(texel(i)[0]);
-  return white;
+bool isPlantedUnlit(SurfaceKind kind) {
+  return (planted(PlantedBug::SidewallsUnlit) && isSidewall(kind)) ||
+         (planted(PlantedBug::LowerStepsUnlit) && kind == SurfaceKind::LowerStep);
 }
 
-/// Whether any of the light can shine on the plane of the surface.
-bool isInFront(const LightSource& light, const LitSurface& surface) {
-  const double least = planted(PlantedBug::LightInPlaneShines) ? -kInPlane : kInPlane;
-  return surface.distanceInFront(light.position) > least - light.radius;
+void addSample(Vec2 texelPoint, int i, int j, SurfaceLight& surface, TexelSums& sums) {
+  const SamplePoint at = surface.place(texelPoint);
+  if (planted(PlantedBug::BorderTexelsBlack) && at.point != at.target) return;
+  for (const std::size_t light : surface.facing()) {
+    const double seen = surface.seenShare(light, at);
+    if (seen > 0) sums.add(i, j, surface.light(light), seen * surface.fullLevel(light, at));
+  }
 }
 
-/// Traces the light on single samples of one surface.
-class SurfaceBaker {
- public:
-  SurfaceBaker(const Level& level, const LitSurfaces& surfaces,
-               const std::vector<LightSight>& sights, const BakeSettings& settings, SurfaceId id)
-      : level_(level),
-        sights_(sights),
-        settings_(settings),
-        surfaces_(surfaces),
-        surface_(*surfaces[id.index()]),
-        id_(id),
-        kind_(level[id].kind),
-        placement_(surfaces, id) {
-    for (std::size_t i = 0; i < level.lights.size(); ++i)
-      if (isInFront(level.lights[i], surface_)) facing_.push_back(i);
-    const auto isColored = [&](std::size_t i) { return level.lights[i].isColored(); };
-    channels_ = std::ranges::any_of(facing_, isColored) ? 3 : 1;
-  }
+/// side x side samples to each texel.
+void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums) {
+  const double reach = planted(PlantedBug::SamplesOutsideTexel) ? 2 : 1;
+  const auto offset = [&](int k) { return 0.5 + reach * ((k + 0.5) / side - 0.5); };
+  const TexelRect rect = surface.texels();
+  for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+    for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
+      for (int b = 0; b < side; ++b)
+        for (int a = 0; a < side; ++a)
+          addSample({i + offset(a), j + offset(b)}, i, j, surface, sums);
+}
 
-  /// None where no light reaches the surface.
-  std::optional<Lightmap> bake() {
-    if (facing_.empty() || isPlantedUnlit()) return std::nullopt;
-    const TexelRect rect = surface_.texels;
-    Lightmap map{rect, {}, channels_};
-    map.levels.reserve(static_cast<std::size_t>(rect.width) *
-                       static_cast<std::size_t>(rect.height) * static_cast<std::size_t>(channels_));
-    for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
-      for (int i = rect.i0; i < rect.i0 + rect.width; ++i) addTexel(i, j, map.levels);
-    if (std::ranges::all_of(map.levels, [](std::uint8_t level) { return level == 0; }))
-      return std::nullopt;
-    return withoutNeedlessChannels(std::move(map));
-  }
-
-  std::int64_t rays() const { return rays_; }
-
- private:
-  bool isPlantedUnlit() const {
-    return (planted(PlantedBug::SidewallsUnlit) && isSidewall(kind_)) ||
-           (planted(PlantedBug::LowerStepsUnlit) && kind_ == SurfaceKind::LowerStep);
-  }
-
-  using Sums = std::array<LightSum, 3>;  ///< by channel, of which `channels_` count
-
-  void addTexel(int i, int j, std::vector<std::uint8_t>& levels) {
-    const int side = static_cast<int>(std::lround(std::sqrt(settings_.samples)));
-    Sums sums;
-    for (int b = 0; b < side; ++b)
-      for (int a = 0; a < side; ++a) addSample({i + (a + 0.5) / side, j + (b + 0.5) / side}, sums);
-    for (int channel = 0; channel < channels_; ++channel)
-      levels.push_back(sums[static_cast<std::size_t>(channel)].mean(side * side));
-  }
-
-  void addSample(Vec2 texelPoint, Sums& sums) {
-    if (planted(PlantedBug::BorderTexelsBlack) && !surface_.contains(texelPoint)) return;
-    const SamplePoint at = placement_.place(texelPoint);
-    const LitSurface& there = *surfaces_[at.surface.index()];
-    for (const std::size_t i : facing_) {
-      const LightSource& light = level_.lights[i];
-      // What continues a surface may lie a tolerance off its plane.
-      if (at.surface != id_ && !isInFront(light, there)) continue;
-      const double seen = sights_[i].seenShare(
-          {at.target, level_[at.surface].sector, {there.anchor, there.normal}}, rays_);
-      if (seen == 0) continue;
-      const double level = seen * levelFrom(light, at.point, there.normal);
-      for (int channel = 0; channel < channels_; ++channel)
-        sums[static_cast<std::size_t>(channel)].add(level * light.share(channel));
-    }
-  }
-
-  double levelFrom(const LightSource& light, Vec3 point, Vec3 normal) const {
-    const Vec3 toLight = light.position - point;
-    const double distance = length(toLight);
-    const double level = light.levelAt(distance);
-    // The middle of a ball can lie behind a plane that a part of it lights.
-    return settings_.lambert ? level * std::max(0.0, dot(toLight, normal) / distance) : level;
-  }
-
-  const Level& level_;
-  const std::vector<LightSight>& sights_;
-  const BakeSettings& settings_;
-  const LitSurfaces& surfaces_;
-  const LitSurface& surface_;
-  SurfaceId id_;
-  SurfaceKind kind_;
-  SamplePlacement placement_;
-  std::vector<std::size_t> facing_;  ///< lights in front of the surface's plane
-  int channels_ = 1;                 ///< 3 where one of them is coloured
-  std::int64_t rays_ = 0;
-};
+/// None where no light reaches the surface.
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, std::optional<int> samples) {
+  if (surface.facing().empty()) return std::nullopt;
+  TexelSums sums(surface.texels(), surface.channels());
+  if (samples)
+    addSampledLight(static_cast<int>(std::lround(std::sqrt(*samples))), surface, sums);
+  else
+    addClippedLight(surface, sums);
+  return sums.toLightmap(samples.value_or(1));
+}
 
 /// Largest first, so that no thread starts the longest job last.
 std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
@@ -170,9 +92,10 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads) {
   const std::vector<std::size_t> order = byFallingSize(baked.surfaces);
   parallelFor(order.size(), threads, [&](std::size_t job) {
     const std::size_t i = order[job];
-    SurfaceBaker baker(level, baked.surfaces, sights, settings, SurfaceId(i));
-    baked.lightmaps[i] = baker.bake();
-    rays[i] = baker.rays();
+    if (isPlantedUnlit(level.surfaces[i].kind)) return;
+    SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, SurfaceId(i));
+    baked.lightmaps[i] = bakeSurface(surface, settings.samples);
+    rays[i] = surface.rays();
   });
   baked.stats = statsOf(baked, rays);
   return baked;

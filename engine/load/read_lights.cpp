@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, 9> kLightKeys{
 constexpr std::array<std::string_view, 3> kFileKeys{"version", "lights", "bake"};
 constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
 
+constexpr std::string_view kAutoSamples = "auto";
+
 /// Light in levels, and falloff per metre: as far as a float reaches.
 constexpr NumberRange kLevels{0, 1e38};
 
@@ -88,9 +90,17 @@ bool isSquare(int number) {
   return root * root == number;
 }
 
+void readSampleCount(Report& report, JsonValue value, BakeSettings& bake) {
+  constexpr NumberRange kSamples{1, 1 << 20};
+  const std::optional<int> count = readInteger(report, value, kSamples);
+  if (count && !isSquare(*count))
+    report.error(value.place(), fmt::format("{} samples are no square grid", *count),
+                 fmt::format("give a square number, 1, 4, 9, 16, ..., or \"{}\"", kAutoSamples));
+  bake.samples = count;
+}
+
 BakeSettings readBake(Report& report, JsonValue value) {
   constexpr NumberRange kTexel{1e-6, kWorldLimit};  // metres
-  constexpr NumberRange kSamples{1, 1 << 20};
   constexpr NumberRange kBounces{0, 1000};
   const Fields fields(report, value, kBakeKeys);
   BakeSettings bake;
@@ -99,10 +109,10 @@ BakeSettings readBake(Report& report, JsonValue value) {
   if (const auto bounces = fields.find("bounces"))
     bake.bounces = readInteger(report, *bounces, kBounces).value_or(bake.bounces);
   if (const auto samples = fields.find("samples")) {
-    bake.samples = readInteger(report, *samples, kSamples).value_or(bake.samples);
-    if (!isSquare(bake.samples))
-      report.error(samples->place(), fmt::format("{} samples are no square grid", bake.samples),
-                   "give a square number: 1, 4, 9, 16, ...");
+    if (samples->isString() && samples->text() == kAutoSamples)
+      bake.samples.reset();
+    else
+      readSampleCount(report, *samples, bake);
   }
   return bake;
 }

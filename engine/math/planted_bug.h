@@ -40,9 +40,12 @@ enum class PlantedBug {
   RoundingTruncates,
   ChannelLost,
   RadiusIgnored,
+  SamplesOutsideTexel,
+  CurveExtrapolated,
+  CosineOfWrongNormal,
 };
 
-inline constexpr std::array<std::string_view, 30> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 33> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -73,6 +76,9 @@ inline constexpr std::array<std::string_view, 30> kPlantedBugNames = {
     "rounding-truncates",
     "channel-lost",
     "radius-ignored",
+    "samples-outside-texel",
+    "curve-extrapolated",
+    "cosine-of-wrong-normal",
 };
 
 #ifdef HEARTH_PLANTED_BUGS

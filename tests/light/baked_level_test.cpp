@@ -123,20 +123,6 @@ TEST(BakedRoomTest, stopsLightAtASlope) {
   EXPECT_EQ(rooms.at(SurfaceKind::FloorSidewall, {6, 2, 1.2}), 200);
 }
 
-TEST(BakedRoomTest, leavesASealedRoomDark) {
-  for (const double gap : {1.0, 0.1, 0.01, 0.0}) {
-    const double x = 6 + gap;
-    const BakedRoom rooms(
-        levelOf(sectorText("bright", "0,0, 6,0, 6,4, 0,4", 0, 3) + "," +
-                sectorText("dark", fmt::format("{0},0, {1},0, {1},4, {0},4", x, x + 4), 0, 3)),
-        "[{'x':5.9,'y':2,'z':1.5},{'x':1,'y':1,'z':1.5}]");
-    for (std::size_t i = 0; i < rooms.level().surfaces.size(); ++i)
-      if (rooms.level()[rooms.level().surfaces[i].sector].name == "dark") {
-        EXPECT_FALSE(rooms.light().lightmaps[i].has_value()) << "wall of " << gap << " m";
-      }
-  }
-}
-
 TEST(BakedRoomTest, givesNoLightToTheSurfaceThatALightLiesIn) {
   const std::string room = levelOf(sectorText("room", "0,0, 6,0, 6,4, 0,4", 0, 3));
   const BakedRoom onFloor(room, "[{'x':3,'y':2,'z':0}]");

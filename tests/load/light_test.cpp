@@ -30,6 +30,12 @@ TEST(Light, hasTheDefaultsOfItsKeys) {
   EXPECT_EQ(level.bake.bounces, 0);
 }
 
+TEST(Light, readsThatSamplesAreToBeAsManyAsNeeded) {
+  const Level level =
+      loadSectors(sectorText("a", kRoom), "{'lights': [], 'bake': {'samples': 'auto'}}").level;
+  EXPECT_FALSE(level.bake.samples.has_value());
+}
+
 TEST(Light, readsEveryKey) {
   const Level level =
       loadSectors(sectorText("a", kRoom),

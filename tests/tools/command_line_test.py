@@ -94,6 +94,7 @@ class Mistakes(InFolder):
                 (("--texel", "-1"), "--texel"),
                 (("--samples", "1.5"), "--samples.*whole"),
                 (("--samples", "8"), "--samples.*square.* 9"),
+                (("--samples", "some"), "--samples.*no number"),
                 (("--bounces", "1"), "--bounces"),
                 (("--threads", "0"), "--threads"),
                 (("--light", "some"), "--light.*both.none.only"),
@@ -171,6 +172,11 @@ class Bake(InFolder):
         for word in ["surfaces", "texels", "rays/s", "bytes", "time"]:
             self.assertIn(word, result.stdout)
         self.assertGreater(png_size(self.out)[0], 16)
+
+    def test_takes_samples_as_needed(self):
+        result = run("bake", self.level, "--samples", "auto")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("samples where shadows' edges need them", result.stdout)
 
 
 class Info(InFolder):

@@ -43,8 +43,8 @@ constexpr std::array kTable = {
               "write a page that shows the shots, also when all are as kept"},
     OptionRow{Option::Texel, "--texel", ValueKind::Number, "METRES", 1e-6, 1e6, "0.125",
               "size of a lightmap's texels"},
-    OptionRow{Option::Samples, "--samples", ValueKind::Integer, "COUNT", 1, 4096, "1",
-              "samples per texel, a square number"},
+    OptionRow{Option::Samples, "--samples", ValueKind::Integer, "COUNT|auto", 1, 4096, "1",
+              "samples per texel, a square number; auto: as many as shadows' edges need"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 0, "0",
               "reflections of light that are followed"},
     OptionRow{Option::Lambert, "--lambert", ValueKind::Flag, "", 0, 0, "",
@@ -116,6 +116,7 @@ const OptionRow& row(Option option) {
 
 std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value) {
   if (row.id == Option::Size) return mistakeInSize(row, value);
+  if (row.id == Option::Samples && value == "auto") return std::nullopt;
   switch (row.kind) {
     case ValueKind::Flag:
     case ValueKind::Text:

@@ -70,6 +70,8 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
   settings.texel = values.number(Option::Texel).value_or(settings.texel);
   if (const auto samples = values.number(Option::Samples))
     settings.samples = static_cast<int>(*samples);
+  else if (values.has(Option::Samples))
+    settings.samples.reset();  // "auto"
   if (const auto bounces = values.number(Option::Bounces))
     settings.bounces = static_cast<int>(*bounces);
   if (values.has(Option::Lambert) && values.has(Option::NoLambert))
@@ -77,10 +79,10 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
   if (values.has(Option::Lambert)) settings.lambert = true;
   if (values.has(Option::NoLambert)) settings.lambert = false;
 
-  const double side = std::round(std::sqrt(settings.samples));
-  if (side * side != settings.samples)
+  const double side = std::round(std::sqrt(settings.samples.value_or(1)));
+  if (side * side != settings.samples.value_or(1))
     return tl::unexpected(
-        fmt::format("--samples: {} is no square number, try {}", settings.samples, side * side));
+        fmt::format("--samples: {} is no square number, try {}", *settings.samples, side * side));
   if (const double texels = texelBound(level, settings.texel); texels > kMostTexels)
     return tl::unexpected(
         fmt::format("--texel: {} m would take up to {:.3g} texels, more than "

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "light/surface_light.h"
+#include "light/texel_sums.h"
+
+namespace hearth {
+
+/// Adds the light of a surface with as many rays as its shadows need: one to each corner of a
+/// texel, which four texels share, and some more to each edge between corners of which one is lit.
+/// The polygon that these make of a texel's lit part is as exact as the shadow's edge is straight;
+/// a texel that no edge crosses costs one ray for each light.
+void addClippedLight(SurfaceLight& surface, TexelSums& sums);
+
+}  // namespace hearth
