@@ -62,8 +62,7 @@ class Joiner {
 
   /// A point of an upright surface's plane, given as (share, z), in texel coordinates.
   Vec2 onGrid(const UprightSurface& wall, Vec2 p) const {
-    const Segment& segment = level_[*level_[wall.id].segment];
-    const Vec2 xy = lerp(segment.p0, segment.p1, p.x);
+    const Vec2 xy = lerp(wallOf(wall).p0, wallOf(wall).p1, p.x);
     return lit_[wall.id.index()]->grid.toTexels({xy.x, xy.y, p.y});
   }
 
@@ -77,25 +76,23 @@ class Joiner {
     }
   }
 
-  /// `a` ends at the vertex where `b` begins. A wall goes on where something opens: not past solid
-  /// pieces of stacks, and through one-way portals only their way.
+  /// `a` ends at the vertex where `b` begins. One-way portals let a wall go on only their way.
   void joinAtVertex(const UprightSurface& a, const UprightSurface& b, Vec2 vertex) {
-    const auto [aLow, aHigh] = heightsAt(a.air, 1, lengthOf(a));
-    const auto [bLow, bHigh] = heightsAt(b.air, 0, lengthOf(b));
-    const double low = std::max(aLow, bLow);
-    const double high = std::min(aHigh, bHigh);
-    if (high - low <= kHeightNoise) return;
-    const auto joinOneWay = [&](SurfaceId from, SurfaceId to) {
+    const auto [aLow, aHigh] = heightsAt(a.air, 1, wallOf(a).length);
+    const auto [bLow, bHigh] = heightsAt(b.air, 0, wallOf(b).length);
+    const VertexFan::Heights both = {std::max(aLow, bLow), std::min(aHigh, bHigh)};
+    if (both.zTop - both.zBottom <= kHeightNoise) return;
+    const auto joinOneWay = [&](const UprightSurface& from, const UprightSurface& to) {
       for (const auto& [zBottom, zTop] :
-           fan_.joinedHeights(vertex, level_[from].sector, level_[to].sector, low, high))
-        join(from, to, onGrid(a, {1, zBottom}), onGrid(a, {1, zTop}));
+           fan_.waysRound(wallOf(from), vertex, wallOf(to).sector, both))
+        join(from.id, to.id, onGrid(a, {1, zBottom}), onGrid(a, {1, zTop}));
     };
-    joinOneWay(a.id, b.id);
-    joinOneWay(b.id, a.id);
+    joinOneWay(a, b);
+    joinOneWay(b, a);
   }
 
-  double lengthOf(const UprightSurface& wall) const {
-    return level_[*level_[wall.id].segment].length;
+  const Segment& wallOf(const UprightSurface& surface) const {
+    return level_[*level_[surface.id].segment];
   }
 
   bool onOneGrid(SurfaceId a, SurfaceId b) const {

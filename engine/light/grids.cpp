@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <variant>
 
@@ -63,9 +64,9 @@ class WallRun {
         std::min(kAuthorNoise, kAuthorNoiseOfEdge * std::min(from.length, to.length));
     for (const Vec2 p : {to.p0, to.p1})
       if (std::abs(cross(direction, p - seed_.p0)) > tolerance * seed_.length) return false;
-    constexpr double kAny = 1e300;
-    return fan_.joined(vertex, from.sector, to.sector, -kAny, kAny) ||
-           fan_.joined(vertex, to.sector, from.sector, -kAny, kAny);
+    constexpr double kAny = std::numeric_limits<double>::max();
+    return !fan_.waysRound(from, vertex, to.sector, {-kAny, kAny}).empty() ||
+           !fan_.waysRound(to, vertex, from.sector, {-kAny, kAny}).empty();
   }
 
   const Level& level_;

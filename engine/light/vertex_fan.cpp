@@ -3,7 +3,22 @@
 #include <algorithm>
 #include <variant>
 
+#include "level/openings.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
 namespace hearth {
+
+namespace {
+
+/// Whether a segment from `vertex` to `end` leaves the wall's plane to its front by more than an
+/// author cannot mean.
+bool standsBefore(const Segment& wall, Vec2 vertex, Vec2 end) {
+  return cross(wall.p1 - wall.p0, end - vertex) >
+         kAuthorNoiseOfEdge * wall.length * length(end - vertex);
+}
+
+}  // namespace
 
 VertexFan::VertexFan(const Level& level) : level_(level) {
   spokes_.reserve(2 * level.segments.size());
@@ -41,41 +56,47 @@ std::vector<SegmentId> VertexFan::acrossFlatPortals(SegmentId id) const {
   return found;
 }
 
-bool VertexFan::joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const {
-  std::vector<SectorId> reached = {a};
+std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 vertex, SectorId to,
+                                                     Heights within) const {
+  if (wall.sector == to) return {within};
+  const bool isAfter = wall.p1 == vertex;
+  const auto turnsOn = [&](Vec2 from, Vec2 towards) {
+    const int turn = orientation(vertex, from, towards);
+    return (isAfter ? turn < 0 : turn > 0) && standsBefore(wall, vertex, towards);
+  };
+  std::vector<Heights> ways;
+  std::vector<Air> reached = {{wall.sector, within, isAfter ? wall.p0 : wall.p1}};
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    if (reached[i] == b) return true;
+    const Air here = reached[i];
+    if (here.sector == to) ways.push_back(here.heights);
     for (const Spoke& spoke : at(vertex)) {
-      const Segment& segment = level_[spoke.segment];
-      if (segment.sector != reached[i]) continue;
-      for (const WallPiece& piece : segment.pieces) {
-        const Opening* opening = std::get_if<Opening>(&piece.content);
-        const bool meets = std::max(piece.zBottom, zBottom) < std::min(piece.zTop, zTop);
-        if (opening && meets &&
-            std::find(reached.begin(), reached.end(), opening->next) == reached.end())
-          reached.push_back(opening->next);
-      }
+      if (level_[spoke.segment].sector != here.sector) continue;
+      if (!turnsOn(here.from, farEnd(spoke))) continue;
+      for (const Air& air : beyond(spoke, here.heights))
+        if (std::ranges::none_of(reached, [&](const Air& known) { return known.holds(air); }))
+          reached.push_back(air);
     }
   }
-  return false;
+  return ways;
 }
 
-std::vector<std::pair<double, double>> VertexFan::joinedHeights(Vec2 vertex, SectorId a, SectorId b,
-                                                                double zBottom, double zTop) const {
-  // Between two successive ends of pieces, all heights are alike.
-  std::vector<double> ends = {zBottom, zTop};
-  for (const Spoke& spoke : at(vertex))
-    for (const WallPiece& piece : level_[spoke.segment].pieces)
-      for (const double z : {piece.zBottom, piece.zTop})
-        if (zBottom < z && z < zTop) ends.push_back(z);
-  std::ranges::sort(ends);
-  std::vector<std::pair<double, double>> found;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (!joined(vertex, a, b, ends[i - 1], ends[i])) continue;
-    if (!found.empty() && found.back().second == ends[i - 1])
-      found.back().second = ends[i];
-    else
-      found.emplace_back(ends[i - 1], ends[i]);
+Vec2 VertexFan::farEnd(const Spoke& spoke) const {
+  const Segment& segment = level_[spoke.segment];
+  return spoke.startsHere ? segment.p1 : segment.p0;
+}
+
+std::vector<VertexFan::Air> VertexFan::beyond(const Spoke& spoke, Heights near) const {
+  const Segment& segment = level_[spoke.segment];
+  const double share = spoke.startsHere ? 0 : 1;
+  std::vector<Air> found;
+  for (const WallPiece& piece : segment.pieces) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (!opening) continue;
+    const OpeningSpan span =
+        openingSpan(piece, airAt(segment, share), airAt(level_[opening->twin], 1 - share));
+    const Heights open = {std::max(near.zBottom, span.zBottom), std::min(near.zTop, span.zTop)};
+    if (open.zTop - open.zBottom > kHeightNoise)
+      found.push_back({opening->next, open, farEnd(spoke)});
   }
   return found;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "level/level.h"
@@ -25,15 +24,35 @@ class VertexFan {
   /// sector leads to. Linking cuts both sides of flat portals alike.
   std::vector<SegmentId> acrossFlatPortals(SegmentId id) const;
 
-  /// True when one can go round `vertex` from sector `a` to sector `b` through openings that share
-  /// some height with (zBottom, zTop); a sector is always joined to itself.
-  bool joined(Vec2 vertex, SectorId a, SectorId b, double zBottom, double zTop) const;
+  /// Metres, absolute: a stretch of the vertical edge over a vertex.
+  struct Heights {
+    double zBottom;
+    double zTop;
+  };
 
-  /// The parts of (zBottom, zTop), in metres and rising, at whose every height that holds.
-  std::vector<std::pair<double, double>> joinedHeights(Vec2 vertex, SectorId a, SectorId b,
-                                                       double zBottom, double zTop) const;
+  /// The parts of `within` at which one can go round `vertex`, an end of the wall, from the air
+  /// before the wall to the air of sector `to`: through openings before the wall's plane, and never
+  /// back. All of it where that is the wall's own sector. Parts may overlap.
+  std::vector<Heights> waysRound(const Segment& wall, Vec2 vertex, SectorId to,
+                                 Heights within) const;
 
  private:
+  /// The air of a sector beside a vertex, and the far end of the segment where one came in.
+  struct Air {
+    SectorId sector;
+    Heights heights;
+    Vec2 from;
+
+    bool holds(const Air& other) const {
+      return sector == other.sector && from == other.from &&
+             heights.zBottom <= other.heights.zBottom && heights.zTop >= other.heights.zTop;
+    }
+  };
+
+  Vec2 farEnd(const Spoke& spoke) const;
+  /// What air one comes to from those heights through the openings of a segment, at its vertex.
+  std::vector<Air> beyond(const Spoke& spoke, Heights near) const;
+
   const Level& level_;
   std::vector<Spoke> spokes_;  ///< sorted by vertex
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "math/trig.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
 
@@ -124,6 +125,174 @@ TEST(TexelGrid, doesNotTakeLightFromBehindAThinWall) {
     EXPECT_EQ(rooms.at(SurfaceKind::Floor, {4.02, y, 0}, "dark"), 0) << y;
     EXPECT_EQ(rooms.at(SurfaceKind::Floor, {3.99, y, 0}, "bright"), 200) << y;
   }
+}
+
+TEST(TexelGrid, doesNotTakeLightPastTheSolidPartOfAStack) {
+  // The walls along y = 0 are one plane; between the rooms the wall is solid up to 2 m.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const auto stackTo = [&](std::string_view next) {
+    return fmt::format("{{'walls':[{{'texture':'#808080','z':2}},{{'next':'{}'}}]}}", next);
+  };
+  const BakedRoom rooms(
+      levelOf(sectorText("dark", "0,0, 2,0, 2,2, 0,2", 0, 3,
+                         fmt::format("[{0},{1},{0},{0}]", solid, stackTo("bright"))) +
+              "," +
+              sectorText("bright", "2,0, 4,0, 4,2, 2,2", 0, 3,
+                         fmt::format("[{0},{0},{0},{1}]", solid, stackTo("dark")))),
+      "[{'x':3,'y':1,'z':0.5,'intensity':200}]");
+  EXPECT_EQ(rooms.at(SurfaceKind::Solid, {2.01, 0, 1}, "bright"), 200);
+  EXPECT_EQ(rooms.at(SurfaceKind::Solid, {2 - 1e-9, 0, 1}, "dark"), 0);
+}
+
+/// The texels of a surface at a point.
+TexelGrid gridAt(const BakedRoom& rooms, SurfaceKind kind, Vec3 p, std::string_view sector) {
+  const auto surface = rooms.surfaceAt(kind, p, sector);
+  return surface ? rooms.light().surfaces[surface->index()]->grid : TexelGrid{};
+}
+
+TEST(TexelGrid, isNotOneForWallsThatOnlyAHallBehindThemJoins) {
+  // "low" and, over it, "high" have walls along y = 0 and look through them into "hall".
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string hallWalls = fmt::format(
+      "[{{'next':'low','upper':'#808080'}},{{'walls':[{{'next':'low','upper':'#808080','z':1.5}},"
+      "{{'next':'high','lower':'#808080'}}]}},{0},{0},{0}]",
+      solid);
+  const BakedRoom rooms(
+      levelOf(sectorText("low", "-1,-2, 3,-2, 3,0, 0.3,0, -1,0", 0, 1,
+                         fmt::format("[{0},{0},{{'next':'hall'}},{{'next':'hall'}},{0}]", solid)) +
+              "," +
+              sectorText("high", "0.3,-2, 3,-2, 3,0, 0.3,0", 2, 3,
+                         fmt::format("[{0},{0},{{'walls':[{{'texture':'#808080','z':0.5}},"
+                                     "{{'next':'hall'}}]}},{0}]",
+                                     solid)) +
+              "," + sectorText("hall", "-1,0, 0.3,0, 3,0, 3,2, -1,2", 0, 3, hallWalls)),
+      "[]");
+  EXPECT_EQ(gridAt(rooms, SurfaceKind::StackSolid, {1, 0, 2.2}, "high").toTexels({0.3, 0, 0}),
+            (Vec2{0, 0}));
+}
+
+enum class Open { Whole, BelowOneMetre, AboveTwoMetres };
+
+std::string portalTo(std::string_view next, Open open) {
+  if (open == Open::BelowOneMetre)
+    return fmt::format("{{'walls':[{{'next':'{}','z':1}},{{'texture':'#808080'}}]}}", next);
+  if (open == Open::AboveTwoMetres)
+    return fmt::format("{{'walls':[{{'texture':'#808080','z':2}},{{'next':'{}'}}]}}", next);
+  return fmt::format("{{'next':'{}'}}", next);
+}
+
+/// "west" and "east", whose walls along y = 0 are one plane, and the wedge-shaped "mid" between
+/// them, with its tip at (2, 0).
+std::string fan(Open west, Open east, std::string_view slope) {
+  const std::string_view solid = "{'texture':'#808080'}";
+  return levelOf(
+      sectorText("west", "0,0, 2,0, 1,2, 0,2", 0, 3,
+                 fmt::format("[{0},{1},{0},{0}]", solid, portalTo("mid", west))) +
+      "," +
+      sectorText("mid", "2,0, 3,2, 1,2", 0, 3,
+                 fmt::format("[{},{},{}]", portalTo("east", east), solid, portalTo("west", west)),
+                 slope) +
+      "," +
+      sectorText("east", "2,0, 4,0, 4,2, 3,2", 0, 3,
+                 fmt::format("[{0},{0},{0},{1}]", solid, portalTo("mid", east))));
+}
+
+std::string wedgeAtTip(double height) {
+  return fmt::format(", 'slopeFloor':{{'z':[{},0,0],'sidewall':'#808080'}}", height);
+}
+
+TEST(TexelGrid, isNotOneForWallsBetweenWhichNothingIsOpen) {
+  const auto originOfEast = [](const std::string& level) {
+    const BakedRoom rooms(level, "[]");
+    return gridAt(rooms, SurfaceKind::Solid, {3, 0, 1}, "east").origin.xy();
+  };
+  EXPECT_EQ(originOfEast(fan(Open::Whole, Open::Whole, "")), (Vec2{0, 0}));
+  EXPECT_EQ(originOfEast(fan(Open::Whole, Open::Whole, wedgeAtTip(2.5))), (Vec2{0, 0}));
+  EXPECT_EQ(originOfEast(fan(Open::Whole, Open::Whole, wedgeAtTip(3))), (Vec2{2, 0}));
+  EXPECT_EQ(originOfEast(fan(Open::BelowOneMetre, Open::AboveTwoMetres, "")), (Vec2{2, 0}));
+}
+
+TEST(TexelGrid, doesNotTakeLightPastAWedge) {
+  const BakedRoom rooms(fan(Open::Whole, Open::Whole, wedgeAtTip(1.5)),
+                        "[{'x':3.5,'y':0.8,'z':0.4,'intensity':200}]");
+  for (double z = 0.1; z < 1.3; z += 0.0431) {
+    EXPECT_EQ(rooms.at(SurfaceKind::Solid, {2.01, 0, z}, "east"), 200) << z;
+    EXPECT_EQ(rooms.at(SurfaceKind::Solid, {2 - 1e-9, 0, z}, "west"), 0) << z;
+  }
+}
+
+TEST(TexelGrid, isFoundWhereTheCornersOfManyPillarsMeet) {
+  // "west" and "east" meet along x = 0; each has 20 pillars with a corner at (0, 0), all of them
+  // open: there are 2^40 ways to go round.
+  std::string pillars;
+  const auto half = [&](std::string_view name, std::string_view v, std::string_view walls,
+                        double from) {
+    std::string loops;
+    for (int i = 0; i < 20; ++i) {
+      const SinCos a = sinCosDegrees(from + 4 * i + 1);
+      const SinCos b = sinCosDegrees(from + 4 * i + 3);
+      const std::string pillar = fmt::format("{}{}", name, i);
+      pillars +=
+          "," + sectorText(pillar, fmt::format("0,0, {},{}, {},{}", a.cos, a.sin, b.cos, b.sin), 0,
+                           3, fmt::format("{{'next':'{}'}}", name));
+      loops += fmt::format(",'{}':{{'v':[0,0, {},{}, {},{}],'walls':{{'next':'{}'}}}}", pillar,
+                           b.cos, b.sin, a.cos, a.sin, pillar);
+    }
+    return fmt::format(
+        "'{}':{{'floor':{{'z':0,'texture':'#808080'}},'ceiling':{{'z':3,'texture':'#808080'}},"
+        "'loops':{{'border':{{'v':[{}],'walls':{}}}{}}}}}",
+        name, v, walls, loops);
+  };
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string west = half("west", "-2,0, 0,0, 0,2, -2,2",
+                                fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid), 95);
+  const std::string east =
+      half("east", "0,0, 2,0, 2,2, 0,2", fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid), 5);
+  const BakedRoom rooms(levelOf(west + "," + east + pillars), "[]");
+  EXPECT_EQ(gridAt(rooms, SurfaceKind::Solid, {1, 0, 1}, "east").origin.xy(), (Vec2{-2, 0}));
+}
+
+TEST(TexelGrid, doesNotTakeLightFromASidewallRoundAThinWall) {
+  // "dark" and "bright" lie side by side; both see the wedge of "hall", which joins them behind it.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string walls = fmt::format("[{0},{0},{{'next':'hall'}},{0}]", solid);
+  const BakedRoom rooms(
+      levelOf(sectorText("dark", "0,-2, 2,-2, 2,0, 0,0", 0, 3, walls) + "," +
+              sectorText("bright", "2,-2, 4,-2, 4,0, 2,0", 0, 3, walls) + "," +
+              sectorText("hall", "0,0, 2,0, 4,0, 4,2, 0,2", 0, 3,
+                         fmt::format("[{{'next':'dark'}},{{'next':'bright'}},{0},{0},{0}]", solid),
+                         ", 'slopeFloor':{'z':[1,1,1,0,0],'sidewall':'#808080'}")),
+      "[{'x':3,'y':-1,'z':0.5,'intensity':200}]");
+  for (double z = 0.1; z < 1; z += 0.0431) {
+    EXPECT_EQ(rooms.at(SurfaceKind::FloorSidewall, {2.01, 0, z}, "bright"), 200) << z;
+    EXPECT_EQ(rooms.at(SurfaceKind::FloorSidewall, {2 - 1e-9, 0, z}, "dark"), 0) << z;
+  }
+}
+
+TEST(TexelGrid, staysWhereAPortalFromThePointOfAPillarCutsASector) {
+  // The pillar's point touches the wall at (2, 0), where the cut begins.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string_view pillar = ", 'pillar':{'v':[2,0, 2.2,0.9, 2.9,0.8],'walls':";
+  const auto room = [&](std::string_view name, std::string_view v, std::string_view walls,
+                        bool hasPillar) {
+    return fmt::format(
+        "'{}':{{'floor':{{'z':0,'texture':'#808080'}},'ceiling':{{'z':3,'texture':'#808080'}},"
+        "'loops':{{'border':{{'v':[{}],'walls':{}}}{}}}}}",
+        name, v, walls, hasPillar ? fmt::format("{}{}}}", pillar, solid) : "");
+  };
+  const std::string_view light = "[{'x':3.3,'y':0.3,'z':1.5,'falloff':0.5}]";
+  const BakedRoom whole(levelOf(room("room", "0,0, 2,0, 4,0, 4,2, 0,2", solid, true)), light);
+  const BakedRoom cut(levelOf(room("west", "0,0, 2,0, 1,2, 0,2",
+                                   fmt::format("[{0},{{'next':'east'}},{0},{0}]", solid), false) +
+                              "," +
+                              room("east", "2,0, 4,0, 4,2, 1,2",
+                                   fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid), true)),
+                      light);
+  for (double x = 0.01; x < 4; x += 0.0217)
+    for (double z = 0.01; z < 3; z += 0.0431)
+      EXPECT_NEAR(cut.at(SurfaceKind::Solid, {x, 0, z}), whole.at(SurfaceKind::Solid, {x, 0, z}),
+                  kRounding)
+          << x << ' ' << z;
 }
 
 TEST(TexelGrid, isAnchoredToTheFirstVertexOfTheRun) {
