@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "light/grids.h"
+#include "light/open_stretches.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -109,10 +110,11 @@ class Joiner {
       const double z = floor ? sector.airBottom(p) : sector.airTop(p);
       return lit_[mine->index()]->grid.toTexels({p.x, p.y, z});
     };
-    for (const SectorId next : openAtFoot(level_, segment, floor)) {
-      const std::optional<SurfaceId> other = flatOf(next, floor);
-      if (other && other != mine && areOnePlane(*mine, *other, segment))
-        join(*mine, *other, onMyGrid(segment.p0), onMyGrid(segment.p1));
+    for (const OpenStretch& open : openAtFoot(level_, segment, floor)) {
+      const std::optional<SurfaceId> other = flatOf(open.next, floor);
+      if (!other || other == mine || !areOnePlane(*mine, *other, segment)) continue;
+      join(*mine, *other, onMyGrid(lerp(segment.p0, segment.p1, open.begin)),
+           onMyGrid(lerp(segment.p0, segment.p1, open.end)));
     }
   }
 

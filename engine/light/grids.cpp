@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <variant>
 
-#include "level/openings.h"
+#include "light/open_stretches.h"
 #include "math/planted_bug.h"
 #include "math/tolerance.h"
 
@@ -119,7 +118,8 @@ std::vector<SectorId> slopeRun(const Level& level, SectorId seed, bool floor,
   taken[seed.index()] = true;
   for (std::size_t i = 0; i < members.size(); ++i) {
     for (const Segment& segment : level.segmentsOf(level[members[i]])) {
-      for (const SectorId next : openAtFoot(level, segment, floor)) {
+      for (const OpenStretch& open : openAtFoot(level, segment, floor)) {
+        const SectorId next = open.next;
         const std::optional<Slope>& slope = slopeOf(level[next], floor);
         if (taken[next.index()] || !slope) continue;
         if (!continueInOnePlane(*slopeOf(level[seed], floor), *slope, segment)) continue;
@@ -150,24 +150,6 @@ std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, doubl
 }
 
 TexelGrid flatGrid(double z, double texel) { return {{0, 0, z}, {1, 0, 0}, {0, 1, 0}, texel}; }
-
-std::vector<SectorId> openAtFoot(const Level& level, const Segment& segment, bool floor) {
-  std::vector<SectorId> found;
-  for (const WallPiece& piece : segment.pieces) {
-    const Opening* opening = std::get_if<Opening>(&piece.content);
-    if (!opening) continue;
-    const Segment& twin = level[opening->twin];
-    const auto opens = [&](AirColumn near, AirColumn far) {
-      const OpeningSpan span = openingSpan(piece, near, far);
-      if (span.zBottom >= span.zTop) return false;
-      return floor ? span.zBottom - near.zBottom <= kAuthorNoise
-                   : near.zTop - span.zTop <= kAuthorNoise;
-    };
-    if (opens(segment.air0, twin.air1) || opens(segment.air1, twin.air0))
-      found.push_back(opening->next);
-  }
-  return found;
-}
 
 std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) {
   std::vector<SectorId> order;

@@ -14,10 +14,6 @@ std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, doubl
 
 TexelGrid flatGrid(double z, double texel);
 
-/// The sectors to which a segment opens at the very foot (head) of its sector's air, so that
-/// nothing stands between the floors (ceilings) of both.
-std::vector<SectorId> openAtFoot(const Level& level, const Segment& segment, bool floor);
-
 /// The texel grid of every sloped floor (ceiling), by SectorId: anchored to the first border
 /// vertex, by (x, y), of the run of slopes that continue one another in one plane; axes along the
 /// contour line and the steepest ascent. Entries of sectors without such a slope mean nothing.

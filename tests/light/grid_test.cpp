@@ -144,6 +144,24 @@ TEST(TexelGrid, doesNotTakeLightPastTheSolidPartOfAStack) {
   EXPECT_EQ(rooms.at(SurfaceKind::Solid, {2 - 1e-9, 0, 1}, "dark"), 0);
 }
 
+TEST(TexelGrid, doesNotTakeLightPastWhereASlopeClosesAPortal) {
+  // The slopes are one plane, and the portal between them ends at 1 m: it is open up to y = 1.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string_view slope = ", 'slopeFloor':{'z':[0,0,2,2],'sidewall':'#808080'}";
+  const auto stackTo = [&](std::string_view next) {
+    return fmt::format("{{'walls':[{{'next':'{}','z':1}},{{'texture':'#808080'}}]}}", next);
+  };
+  const BakedRoom rooms(
+      levelOf(sectorText("dark", "0,0, 2,0, 2,2, 0,2", 0, 3,
+                         fmt::format("[{0},{1},{0},{0}]", solid, stackTo("bright")), slope) +
+              "," +
+              sectorText("bright", "2,0, 4,0, 4,2, 2,2", 0, 3,
+                         fmt::format("[{0},{0},{0},{1}]", solid, stackTo("dark")), slope)),
+      "[{'x':3.5,'y':1.7,'z':2.8,'intensity':200}]");
+  EXPECT_EQ(rooms.at(SurfaceKind::SlopeFloor, {2.01, 1.8, 1.8}, "bright"), 200);
+  EXPECT_EQ(rooms.at(SurfaceKind::SlopeFloor, {2 - 1e-9, 1.8, 1.8}, "dark"), 0);
+}
+
 /// The texels of a surface at a point.
 TexelGrid gridAt(const BakedRoom& rooms, SurfaceKind kind, Vec3 p, std::string_view sector) {
   const auto surface = rooms.surfaceAt(kind, p, sector);
@@ -266,6 +284,44 @@ TEST(TexelGrid, doesNotTakeLightFromASidewallRoundAThinWall) {
   for (double z = 0.1; z < 1; z += 0.0431) {
     EXPECT_EQ(rooms.at(SurfaceKind::FloorSidewall, {2.01, 0, z}, "bright"), 200) << z;
     EXPECT_EQ(rooms.at(SurfaceKind::FloorSidewall, {2 - 1e-9, 0, z}, "dark"), 0) << z;
+  }
+}
+
+/// Corners turned about (0, 0), as `v` of a loop.
+std::string turned(double degrees, std::initializer_list<Vec2> corners) {
+  const SinCos way = sinCosDegrees(degrees);
+  std::string text;
+  for (const Vec2 p : corners)
+    text += fmt::format("{}{},{}", text.empty() ? "" : ", ", way.cos * p.x - way.sin * p.y,
+                        way.sin * p.x + way.cos * p.y);
+  return text;
+}
+
+Vec3 turned(double degrees, Vec3 p) {
+  const SinCos way = sinCosDegrees(degrees);
+  return {way.cos * p.x - way.sin * p.y, way.sin * p.x + way.cos * p.y, p.z};
+}
+
+std::string lightAt(Vec3 p) {
+  return fmt::format("[{{'x':{},'y':{},'z':{},'intensity':200}}]", p.x, p.y, p.z);
+}
+
+TEST(TexelGrid, doesNotTakeLightPastAPortalThatAWedgeClosesUpToTheCeiling) {
+  const std::string_view solid = "{'texture':'#808080'}";
+  for (double degrees = -80; degrees < 80; degrees += 7.3) {
+    const BakedRoom rooms(
+        levelOf(sectorText("dark", turned(degrees, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}), 0.5, 1.7,
+                           fmt::format("[{0},{{'next':'bright'}},{0},{0}]", solid)) +
+                "," +
+                sectorText("bright", turned(degrees, {{2, 0}, {4, 0}, {4, 2}, {2, 2}}), 0.5, 1.7,
+                           fmt::format("[{0},{0},{0},{{'next':'dark'}}]", solid),
+                           ", 'slopeFloor':{'z':[1.2,0,0,1.2],'sidewall':'#808080'}")),
+        lightAt(turned(degrees, Vec3{3.5, 1, 1.6})));
+    for (double y = 0.1; y < 2; y += 0.0631) {
+      EXPECT_EQ(rooms.at(SurfaceKind::Ceiling, turned(degrees, Vec3{2 - 1e-5, y, 1.7}), "dark"), 0)
+          << degrees << ' ' << y;
+    }
+    EXPECT_EQ(rooms.at(SurfaceKind::Ceiling, turned(degrees, Vec3{3, 1, 1.7}), "bright"), 200);
   }
 }
 

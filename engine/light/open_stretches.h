@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// Where a segment opens at the very foot (head) of its sector's air.
+struct OpenStretch {
+  SectorId next;
+  double begin;  ///< share of the way from p0 to p1
+  double end;
+};
+
+/// The stretches of a segment where nothing stands between the floors (ceilings) of its sector and
+/// the next: neither a step nor a slope.
+std::vector<OpenStretch> openAtFoot(const Level& level, const Segment& segment, bool floor);
+
+}  // namespace hearth
