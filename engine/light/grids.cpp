@@ -111,21 +111,38 @@ TexelGrid slopeGrid(const Sector& sector, const Slope& slope, Vec2 anchor, doubl
           Vec3{uphill.x * run, uphill.y * run, steepness * run}, texel};
 }
 
+/// An edge at which a sector opens to another, or the other to it, with nothing between their
+/// floors (ceilings).
+struct Joint {
+  SectorId to;
+  SegmentId along;
+};
+
+/// By SectorId. A one-way portal joins its two sectors like any other.
+std::vector<std::vector<Joint>> jointsOf(const Level& level, bool floor) {
+  std::vector<std::vector<Joint>> joints(level.sectors.size());
+  for (std::size_t i = 0; i < level.segments.size(); ++i) {
+    const Segment& segment = level.segments[i];
+    for (const OpenStretch& open : openAtFoot(level, segment, floor)) {
+      joints[segment.sector.index()].push_back({open.next, SegmentId(i)});
+      joints[open.next.index()].push_back({segment.sector, SegmentId(i)});
+    }
+  }
+  return joints;
+}
+
 /// The sectors whose slopes continue that of `seed`.
-std::vector<SectorId> slopeRun(const Level& level, SectorId seed, bool floor,
-                               std::vector<bool>& taken) {
+std::vector<SectorId> slopeRun(const Level& level, const std::vector<std::vector<Joint>>& joints,
+                               SectorId seed, bool floor, std::vector<bool>& taken) {
   std::vector<SectorId> members = {seed};
   taken[seed.index()] = true;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    for (const Segment& segment : level.segmentsOf(level[members[i]])) {
-      for (const OpenStretch& open : openAtFoot(level, segment, floor)) {
-        const SectorId next = open.next;
-        const std::optional<Slope>& slope = slopeOf(level[next], floor);
-        if (taken[next.index()] || !slope) continue;
-        if (!continueInOnePlane(*slopeOf(level[seed], floor), *slope, segment)) continue;
-        taken[next.index()] = true;
-        members.push_back(next);
-      }
+    for (const Joint& joint : joints[members[i].index()]) {
+      const std::optional<Slope>& slope = slopeOf(level[joint.to], floor);
+      if (taken[joint.to.index()] || !slope) continue;
+      if (!continueInOnePlane(*slopeOf(level[seed], floor), *slope, level[joint.along])) continue;
+      taken[joint.to.index()] = true;
+      members.push_back(joint.to);
     }
   }
   return members;
@@ -161,12 +178,14 @@ std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) 
 
   std::vector<TexelGrid> grids(level.sectors.size());
   std::vector<bool> taken(level.sectors.size(), false);
+  const std::vector<std::vector<Joint>> joints = jointsOf(level, floor);
   for (const SectorId seed : order) {
     if (taken[seed.index()]) continue;
     // In this order the first sector of a run holds the run's first vertex.
     const TexelGrid grid =
         slopeGrid(level[seed], *slopeOf(level[seed], floor), anchorOf(seed), texel);
-    for (const SectorId member : slopeRun(level, seed, floor, taken)) grids[member.index()] = grid;
+    for (const SectorId member : slopeRun(level, joints, seed, floor, taken))
+      grids[member.index()] = grid;
   }
   return grids;
 }

@@ -162,6 +162,21 @@ TEST(TexelGrid, doesNotTakeLightPastWhereASlopeClosesAPortal) {
   EXPECT_EQ(rooms.at(SurfaceKind::SlopeFloor, {2 - 1e-9, 1.8, 1.8}, "dark"), 0);
 }
 
+TEST(TexelGrid, isOneForSlopesThatAOneWayPortalJoins) {
+  const std::string_view solid = "{'texture':'#808080'}";
+  const std::string_view slope = ", 'slopeFloor':{'z':[0,0,2,2],'sidewall':'#808080'}";
+  const BakedRoom rooms(
+      levelOf(sectorText("west", "0,0, 2,0, 2,2, 0,2", 0, 3, "{'texture':'#808080'}", slope) + "," +
+              sectorText("east", "2,0, 4,0, 4,2, 2,2", 0, 3,
+                         fmt::format("[{0},{0},{0},{{'next':'west'}}]", solid), slope)),
+      "[]");
+  const auto west = rooms.surfaceAt(SurfaceKind::SlopeFloor, {1, 1, 1}, "west");
+  const auto east = rooms.surfaceAt(SurfaceKind::SlopeFloor, {3, 1, 1}, "east");
+  ASSERT_TRUE(west && east);
+  EXPECT_EQ(rooms.light().surfaces[west->index()]->grid,
+            rooms.light().surfaces[east->index()]->grid);
+}
+
 /// The texels of a surface at a point.
 TexelGrid gridAt(const BakedRoom& rooms, SurfaceKind kind, Vec3 p, std::string_view sector) {
   const auto surface = rooms.surfaceAt(kind, p, sector);
