@@ -27,9 +27,16 @@ class Joiner {
       joinFlats(level_.segments[i], true);
       joinFlats(level_.segments[i], false);
     }
+    sortByPlaceInLevel();
   }
 
  private:
+  /// Which of several continuations a sample is on shall not depend on the order of joining.
+  void sortByPlaceInLevel() {
+    for (std::optional<LitSurface>& surface : lit_)
+      if (surface) std::ranges::stable_sort(surface->continuations, {}, &Continuation::surface);
+  }
+
   void join(SurfaceId from, SurfaceId to, Vec2 edge0, Vec2 edge1) {
     lit_[from.index()]->continuations.push_back({to, edge0, edge1});
   }

@@ -42,14 +42,14 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id)
 
 SamplePoint SamplePlacement::place(Vec2 p) const {
   const LitSurface& own = *surfaces_[id_.index()];
-  if (own.contains(p)) return at(id_, p, p);
+  if (holds(own, p)) return at(id_, p, p);
   const Patch patch = patchWithin(length(own.nearest(p) - p) + hair_, p);
   if (const std::optional<SurfaceId> other = surfaceAt(patch, p)) return at(*other, p, p);
   SurfaceId surface = id_;
   Vec2 best = own.nearest(p);
   for (const SurfaceId id : patch) {
     const Vec2 q = surfaces_[id.index()]->nearest(p);
-    if (length(q - p) < length(best - p)) surface = id, best = q;
+    if (length(q - p) < length(best - p) - hair_) surface = id, best = q;
   }
   return at(surface, best, p);
 }
@@ -73,9 +73,14 @@ SamplePlacement::Patch SamplePlacement::patchWithin(double reach, Vec2 p) const 
   return patch;
 }
 
+/// On the very edge it is not left to rounding.
+bool SamplePlacement::holds(const LitSurface& surface, Vec2 p) const {
+  return surface.contains(p) || length(surface.nearest(p) - p) < hair_;
+}
+
 std::optional<SurfaceId> SamplePlacement::surfaceAt(const Patch& patch, Vec2 p) const {
   for (const SurfaceId id : patch)
-    if (surfaces_[id.index()]->contains(p)) return id;
+    if (holds(*surfaces_[id.index()], p)) return id;
   return std::nullopt;
 }
 

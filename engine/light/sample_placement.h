@@ -24,7 +24,8 @@ struct SamplePoint {
 ///
 /// A continuation counts when it is reached over common edges that are no farther from the sample
 /// than the surface itself: a floor that goes on round the end of a thin wall does not count on the
-/// other side of that wall.
+/// other side of that wall. Where several continuations hold the sample, since sectors may overlap,
+/// it is the one over the fewest edges, of these the first in the level.
 class SamplePlacement {
  public:
   SamplePlacement(const LitSurfaces& surfaces, SurfaceId id);
@@ -36,6 +37,7 @@ class SamplePlacement {
   using Patch = std::vector<SurfaceId>;
 
   Patch patchWithin(double reach, Vec2 texelPoint) const;
+  bool holds(const LitSurface& surface, Vec2 texelPoint) const;
   std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
   SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;
   Vec2 movedInside(const LitSurface& surface, const std::vector<LitSurface::Edge>& edges,

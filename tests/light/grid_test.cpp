@@ -340,6 +340,25 @@ TEST(TexelGrid, doesNotTakeLightPastAPortalThatAWedgeClosesUpToTheCeiling) {
   }
 }
 
+TEST(TexelGrid, takesItsOwnLightOnTheVeryEdgeOfItsSurface) {
+  // A column of texel centres lies where the walls along y = 0 meet: "open" looks into "closed",
+  // which is lit and does not look back.
+  const std::string_view solid = "{'texture':'#808080'}";
+  for (double degrees = -80; degrees < 80; degrees += 3.7) {
+    const BakedRoom rooms(
+        levelOf(sectorText("open", turned(degrees, {{0, 0}, {2.0625, 0}, {2.0625, 2}, {0, 2}}), 0,
+                           3, fmt::format("[{0},{{'next':'closed'}},{0},{0}]", solid)) +
+                "," +
+                sectorText("closed", turned(degrees, {{2.0625, 0}, {4, 0}, {4, 2}, {2.0625, 2}}), 0,
+                           3)),
+        lightAt(turned(degrees, Vec3{3, 1, 1.5})));
+    for (double z = 0.1; z < 3; z += 0.0431)
+      EXPECT_NEAR(rooms.at(SurfaceKind::Solid, turned(degrees, Vec3{2.0625 - 1e-5, 0, z}), "open"),
+                  0, 0.02)
+          << degrees << ' ' << z;
+  }
+}
+
 TEST(TexelGrid, staysWhereAPortalFromThePointOfAPillarCutsASector) {
   // The pillar's point touches the wall at (2, 0), where the cut begins.
   const std::string_view solid = "{'texture':'#808080'}";
