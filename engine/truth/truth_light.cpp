@@ -66,13 +66,17 @@ double TruthLight::from(std::size_t index, const SurfacePoint& place) const {
   const Shape& shape = shapes_[index];
   const auto seen = std::ranges::count_if(
       shape.origins, [&](const Origin& origin) { return sees(origin, place); });
+  return unshaded(index, place) * static_cast<double>(seen) / shape.count;
+}
+
+double TruthLight::unshaded(std::size_t index, const SurfacePoint& place) const {
   const LightSource& light = level_.lights[index];
   const Vec3 toLight = light.position - place.point;
   if (std::abs(dot(place.normal, toLight)) <= kInPlane) return 0;
   const double distance = length(toLight);
   const double cosine =
       level_.bake.lambert ? std::max(0.0, dot(place.normal, toLight)) / distance : 1;
-  return light.levelAt(distance) * cosine * static_cast<double>(seen) / shape.count;
+  return light.levelAt(distance) * cosine;
 }
 
 bool TruthLight::sees(const Origin& origin, const SurfacePoint& place) const {

@@ -21,6 +21,10 @@ class TruthLight {
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
 
+  /// What it would add if nothing stood between, to a point that need not lie on a surface; 0 in
+  /// the plane of the light.
+  double unshaded(std::size_t light, const SurfacePoint& place) const;
+
  private:
   /// A point from which a light shines.
   struct Origin {

@@ -19,6 +19,7 @@ Tally& Tally::operator+=(const Tally& other) {
     kinds[i].gridLight += other.kinds[i].gridLight;
     kinds[i].exactLight += other.kinds[i].exactLight;
   }
+  for (std::size_t i = 0; i < kLeftOut; ++i) leftOut[i] += other.leftOut[i];
   levels += other.levels;
   views += other.views;
   holes += other.holes;
@@ -67,6 +68,11 @@ std::string table(const Tally& tally) {
     all.exactLight += kind.exactLight;
   }
   text += row("all", all);
+  text += fmt::format(
+      "left out of exact light: {} texel over 1/8 m, {} light nearer than 0.3 m, "
+      "{} shadow's edge between texels, {} clipping at full between texels, "
+      "{} steep light at an edge beyond which texels are centred\n",
+      tally.leftOut[0], tally.leftOut[1], tally.leftOut[2], tally.leftOut[3], tally.leftOut[4]);
   text += fmt::format("{} levels, {} views, {} holes\n", tally.levels, tally.views, tally.holes);
   return text;
 }

@@ -23,12 +23,17 @@ struct KindTally {
   Count exactLight;  ///< `--light only` against truth at the pixel, within 3 levels
 };
 
+/// Why exact light is not compared at a pixel: the first that holds.
+enum class LeftOut { CoarseTexel, NearLight, ShadowEdge, Clip, BeyondEdge };
+inline constexpr std::size_t kLeftOut = 5;
+
 struct Tally {
   std::array<KindTally, kSurfaceKinds> kinds;
   std::int64_t levels = 0;
   std::int64_t views = 0;
-  std::int64_t holes = 0;  ///< pixels that no surface covered
-  std::string firstMiss;   ///< how to see it
+  std::int64_t holes = 0;                        ///< pixels that no surface covered
+  std::array<std::int64_t, kLeftOut> leftOut{};  ///< pixels, by LeftOut
+  std::string firstMiss;                         ///< how to see it
 
   Tally& operator+=(const Tally& other);
   std::int64_t missed() const;

@@ -59,6 +59,16 @@ TEST(TruthLight, IsTheSameOnASphereAroundTheLight) {
   }
 }
 
+TEST(TruthLight, UnshadedPassesWalls) {
+  TestLevel test;
+  const SectorId box = test.addBox("box", {0, 0}, {8, 8}, {0, 4});
+  test.addLight(box, {4, 4, 3}, 200, 0.5);
+  const TruthLight light(test.finished());
+  const SurfacePoint beyondWall = floorPoint(box, {4, 8 + 1e-6, 0});
+  EXPECT_EQ(light.from(0, beyondWall), 0);
+  EXPECT_NEAR(light.unshaded(0, beyondWall), 200 / (5 * 0.5 + 1), 1e-5);
+}
+
 TEST(TruthLight, LambertMultipliesByTheCosine) {
   TestLevel test;
   const SectorId box = test.addBox("box", {0, 0}, {8, 8}, {0, 4});

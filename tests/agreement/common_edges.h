@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "agreement/panel.h"
+
+namespace hearth::agreement {
+
+/// A stretch at which one panel goes on in another. Ends in the axes of the first.
+struct CommonEdge {
+  std::size_t to;  ///< index of the other panel
+  Edge edge;
+};
+
+/// Those of the panels, and of what walls hold: there, what opens at an edge changes.
+std::vector<Vec3> cornersOf(const Level& level, const std::vector<std::optional<Panel>>& panels);
+
+/// Where `from` goes on in `to`: the two lie in one plane, face the same way and have an edge in
+/// common, round which openings lead from the air before the one to the air before the other.
+/// `corners` are those of the level.
+std::vector<Edge> commonEdges(const Level& level, const std::vector<Vec3>& corners,
+                              const Panel& from, const Panel& to);
+
+}  // namespace hearth::agreement

@@ -1,0 +1,165 @@
+#include "agreement/panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth::agreement {
+
+namespace {
+
+/// Heights over a wall: at its p0 and at its p1.
+struct Heights {
+  double at0;
+  double at1;
+};
+
+/// A convex outline of a part of a wall, of `length` metres: s to the right, z up.
+class WallOutline {
+ public:
+  WallOutline(double length, double zBottom, double zTop)
+      : length_(length), corners_{{0, zBottom}, {length, zBottom}, {length, zTop}, {0, zTop}} {}
+
+  void keepAbove(Heights z) { keep(z, 1); }
+  void keepBelow(Heights z) { keep(z, -1); }
+
+  std::vector<Edge> edges() const {
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Edge edge{corners_[i], corners_[(i + 1) % corners_.size()]};
+      if (length(edge.b - edge.a) > 0) edges.push_back(edge);
+    }
+    return edges;
+  }
+
+ private:
+  void keep(Heights z, double sign) {
+    const auto above = [&](Vec2 p) {
+      return sign * (p.y - std::lerp(z.at0, z.at1, p.x / length_));
+    };
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Vec2 a = corners_[i];
+      const Vec2 b = corners_[(i + 1) % corners_.size()];
+      if (above(a) >= 0) kept.push_back(a);
+      if ((above(a) < 0) != (above(b) < 0))
+        kept.push_back(lerp(a, b, above(a) / (above(a) - above(b))));
+    }
+    corners_ = kept;
+  }
+
+  double length_;
+  std::vector<Vec2> corners_;
+};
+
+Heights floorOver(const Sector& sector, const Segment& wall) {
+  return {sector.airBottom(wall.p0), sector.airBottom(wall.p1)};
+}
+
+Heights ceilingOver(const Sector& sector, const Segment& wall) {
+  return {sector.airTop(wall.p0), sector.airTop(wall.p1)};
+}
+
+/// The sector whose wedge the sidewall belongs to.
+const Sector& sectorBehind(const Level& level, const Segment& wall, const Surface& sidewall) {
+  for (const WallPiece& piece : wall.pieces)
+    if (const Opening* opening = std::get_if<Opening>(&piece.content))
+      if (piece.zBottom == sidewall.zBottom && piece.zTop == sidewall.zTop)
+        return level[opening->next];
+  return level[wall.sector];
+}
+
+Panel wallPanel(const Level& level, const Segment& wall, WallOutline outline) {
+  outline.keepAbove(floorOver(level[wall.sector], wall));
+  outline.keepBelow(ceilingOver(level[wall.sector], wall));
+  const Vec2 along = (1 / wall.length) * (wall.p1 - wall.p0);
+  const Vec2 normal = turned90(along);
+  return {wall.sector,
+          {normal.x, normal.y, 0},
+          {{wall.p0.x, wall.p0.y, 0}, {along.x, along.y, 0}, {0, 0, 1}},
+          outline.edges()};
+}
+
+/// Contour line and steepest ascent; x and y where there is none.
+Axes axesOf(Vec2 gradient, Vec3 origin) {
+  const double steepness = length(gradient);
+  if (steepness < 1e-9) return {origin, {1, 0, 0}, {0, 1, 0}};
+  const Vec2 up = (1 / steepness) * gradient;
+  const double scale = 1 / std::sqrt(1 + steepness * steepness);
+  return {origin, {up.y, -up.x, 0}, scale * Vec3{up.x, up.y, steepness}};
+}
+
+Panel flatPanel(const Level& level, const Surface& surface) {
+  const Sector& sector = level[surface.sector];
+  const bool isOver = isOverhead(surface.kind);
+  const auto z = [&](Vec2 p) { return isOver ? sector.airTop(p) : sector.airBottom(p); };
+  const std::optional<Slope>& slope = isOver ? sector.ceilingSlope : sector.floorSlope;
+  const Vec2 gradient = slope ? slope->gradient : Vec2{};
+  const double scale = (isOver ? -1 : 1) / std::sqrt(1 + dot(gradient, gradient));
+  Panel panel{surface.sector,
+              scale * Vec3{-gradient.x, -gradient.y, 1},
+              axesOf(gradient, {0, 0, z({0, 0})}),
+              {}};
+  for (const Segment& wall : level.segmentsOf(sector))
+    panel.edges.push_back({panel.axes.of({wall.p0.x, wall.p0.y, z(wall.p0)}),
+                           panel.axes.of({wall.p1.x, wall.p1.y, z(wall.p1)})});
+  return panel;
+}
+
+}  // namespace
+
+Vec2 inward(const Edge& edge) {
+  const Vec2 along = edge.b - edge.a;
+  return (1 / length(along)) * turned90(along);
+}
+
+bool Panel::contains(Vec2 st) const {
+  bool inside = false;
+  for (const Edge& edge : edges)
+    if ((edge.a.y <= st.y) != (edge.b.y <= st.y))
+      if ((orientation(edge.a, edge.b, st) > 0) == (edge.b.y <= st.y)) inside = !inside;
+  return inside;
+}
+
+Vec2 Panel::nearestOnEdge(Vec2 st) const {
+  Vec2 best = edges.front().a;
+  for (const Edge& edge : edges) {
+    const Vec2 point = nearestOnSegment(edge.a, edge.b, st);
+    if (length(point - st) < length(best - st)) best = point;
+  }
+  return best;
+}
+
+double Panel::distanceTo(Vec2 st) const {
+  return contains(st) ? 0 : length(nearestOnEdge(st) - st);
+}
+
+Vec2 Panel::movedInside(Vec2 st, double margin) const {
+  // In a corner the edges take turns: each step towards one may come nearer to the other.
+  for (int turn = 0; turn < 100; ++turn)
+    for (const Edge& edge : edges) {
+      if (length(nearestOnSegment(edge.a, edge.b, st) - st) >= margin) continue;
+      st = st + (margin - dot(st - edge.a, inward(edge))) * inward(edge);
+    }
+  return st;
+}
+
+Panel panelOf(const Level& level, const Segment& wall) {
+  const Sector& sector = level[wall.sector];
+  return wallPanel(level, wall, {wall.length, sector.floor.z, sector.ceiling.z});
+}
+
+Panel panelOf(const Level& level, const Surface& surface) {
+  if (!surface.segment) return flatPanel(level, surface);
+  const Segment& wall = level[*surface.segment];
+  WallOutline outline(wall.length, surface.zBottom, surface.zTop);
+  if (surface.kind == SurfaceKind::FloorSidewall)
+    outline.keepBelow(floorOver(sectorBehind(level, wall, surface), wall));
+  if (surface.kind == SurfaceKind::CeilingSidewall)
+    outline.keepAbove(ceilingOver(sectorBehind(level, wall, surface), wall));
+  return wallPanel(level, wall, outline);
+}
+
+}  // namespace hearth::agreement

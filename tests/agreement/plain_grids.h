@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "agreement/panel.h"
+
+namespace hearth::agreement {
+
+/// The axes along which the texels of each surface lie, (0, 0) at their origin; by index of
+/// surface. `panels` are those of the surfaces.
+std::vector<Axes> plainGrids(const Level& level, const std::vector<std::optional<Panel>>& panels);
+
+}  // namespace hearth::agreement

@@ -1,0 +1,125 @@
+#include "agreement/plain_texels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "agreement/plain_grids.h"
+#include "math/predicates.h"
+#include "math/trig.h"
+
+namespace hearth::agreement {
+
+namespace {
+
+constexpr double kInsideEdge = 1e-6;  ///< metres that samples keep from the edges of surfaces
+constexpr double kRounding = 1e-9;    ///< metres
+
+}  // namespace
+
+PlainTexels::PlainTexels(const Level& level)
+    : level_(level), continuations_(level.surfaces.size()) {
+  for (const Surface& surface : level.surfaces) {
+    panels_.emplace_back();
+    if (!isSky(surface.kind)) panels_.back() = panelOf(level, surface);
+  }
+  corners_ = cornersOf(level, panels_);
+  grids_ = plainGrids(level, panels_);
+}
+
+std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) {
+  const std::optional<std::size_t> surface = surfaceOf(hit);
+  if (!surface) return std::nullopt;
+  const Vec2 texels = (1 / level_.bake.texel) * grids_[*surface].of(hit.point);
+  const double i = std::floor(texels.x - 0.5);
+  const double j = std::floor(texels.y - 0.5);
+  TexelPatch patch{{}, {}, texels.x - 0.5 - i, texels.y - 0.5 - j};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Texel texel{*surface, i + static_cast<double>(k % 2), j + static_cast<double>(k / 2)};
+    patch.centers[k] = centerOf(texel);
+    patch.samples[k] = sampleAt(texel);
+  }
+  return patch;
+}
+
+std::vector<SurfacePoint> PlainTexels::ringAround(const SurfacePoint& place,
+                                                  double radiusMetres) const {
+  constexpr int kWays = 16;
+  std::vector<SurfacePoint> ring;
+  const Panel& panel = *panels_[*surfaceOf(place)];
+  const Vec2 center = panel.axes.of(place.point);
+  for (int i = 0; i < kWays; ++i) {
+    const SinCos way = sinCosDegrees(360.0 * i / kWays);
+    const Vec2 st = center + radiusMetres * Vec2{way.cos, way.sin};
+    if (!panel.contains(st)) continue;
+    ring.push_back(place);
+    ring.back().point = panel.axes.at(st);
+  }
+  return ring;
+}
+
+std::optional<std::size_t> PlainTexels::surfaceOf(const SurfacePoint& hit) const {
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    const Surface& surface = level_.surfaces[i];
+    if (surface.kind != hit.kind || surface.sector != hit.sector) continue;
+    if (surface.segment != hit.segment || isSky(surface.kind)) continue;
+    if (!surface.segment) return i;
+    if (hit.point.z >= surface.zBottom - 1e-6 && hit.point.z <= surface.zTop + 1e-6) return i;
+  }
+  return std::nullopt;
+}
+
+Vec3 PlainTexels::centerOf(const Texel& texel) const {
+  return grids_[texel.surface].at(level_.bake.texel * Vec2{texel.i + 0.5, texel.j + 0.5});
+}
+
+const SurfacePoint& PlainTexels::sampleAt(const Texel& texel) {
+  const auto [entry, isNew] = samples_.try_emplace(texel);
+  if (isNew) entry->second = placeOf(texel.surface, centerOf(texel));
+  return entry->second;
+}
+
+/// Of the surface and what continues it near the sample, the point that is nearest to it.
+SurfacePoint PlainTexels::placeOf(std::size_t surface, Vec3 sample) {
+  double least = panels_[surface]->distanceTo(panels_[surface]->axes.of(sample));
+  if (least <= kInsideEdge) least = 0;  // it lies on the surface, up to what samples keep off edges
+  for (const std::size_t other : reachedFrom(surface, sample, least)) {
+    const double distance = panels_[other]->distanceTo(panels_[other]->axes.of(sample));
+    if (distance >= least - kInsideEdge) continue;
+    least = distance;
+    surface = other;
+  }
+  const Panel& panel = *panels_[surface];
+  const Vec2 st = panel.axes.of(sample);
+  const Vec2 nearest = panel.contains(st) ? st : panel.nearestOnEdge(st);
+  const Surface& found = level_.surfaces[surface];
+  return {found.kind, found.sector, found.segment,
+          panel.axes.at(panel.movedInside(nearest, kInsideEdge)), panel.normal};
+}
+
+/// What continues the surface, reached over common edges no more than `distance` from the sample.
+std::vector<std::size_t> PlainTexels::reachedFrom(std::size_t surface, Vec3 sample,
+                                                  double distance) {
+  std::vector<std::size_t> reached{surface};
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const Vec2 st = panels_[reached[next]]->axes.of(sample);
+    for (const auto& [to, edge] : continuationsOf(reached[next])) {
+      if (length(nearestOnSegment(edge.a, edge.b, st) - st) > distance + kRounding) continue;
+      if (std::ranges::find(reached, to) == reached.end()) reached.push_back(to);
+    }
+  }
+  return reached;
+}
+
+const std::vector<CommonEdge>& PlainTexels::continuationsOf(std::size_t surface) {
+  if (!continuations_[surface]) {
+    continuations_[surface].emplace();
+    for (std::size_t to = 0; to < panels_.size(); ++to) {
+      if (to == surface || !panels_[to]) continue;
+      for (const Edge& edge : commonEdges(level_, corners_, *panels_[surface], *panels_[to]))
+        continuations_[surface]->push_back({to, edge});
+    }
+  }
+  return *continuations_[surface];
+}
+
+}  // namespace hearth::agreement
