@@ -2,19 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "light/parallel.h"
+#include "light/texel_limits.h"
 
 namespace hearth {
 
 namespace {
-
-/// Texels of one bake. More than that is a slip of the pen in `texel`: 4 GiB of light.
-constexpr double kMostTexels = 4294967296.0;
 
 LoadLimits limitsFrom(const OptionValues& values) {
   LoadLimits limits;
@@ -27,32 +24,6 @@ LoadLimits limitsFrom(const OptionValues& values) {
   take(Option::MaxVertices, limits.vertices);
   take(Option::MaxLights, limits.lights);
   return limits;
-}
-
-/// Texels from the origin of their grid; beyond, whole numbers of 32 bits would not count them.
-constexpr double kFarthestTexel = 1 << 30;
-
-/// Metres. No coordinate of the level is greater.
-double reachOf(const Level& level) {
-  double reach = 0;
-  for (const Sector& sector : level.sectors)
-    for (const double coordinate : {sector.boxMin.x, sector.boxMin.y, sector.boxMax.x,
-                                    sector.boxMax.y, sector.floor.z, sector.ceiling.z})
-      reach = std::max(reach, std::abs(coordinate));
-  return reach;
-}
-
-/// At least as many texels as a bake computes: every wall and flat as a rectangle.
-double texelBound(const Level& level, double texel) {
-  const auto cells = [texel](double metres) { return metres / texel + 3; };
-  double sum = 0;
-  for (const Sector& sector : level.sectors) {
-    const Vec2 size = sector.boxMax - sector.boxMin;
-    sum += 2 * cells(size.x) * cells(size.y);
-    for (const Segment& segment : level.segmentsOf(sector))
-      sum += cells(segment.length) * cells(sector.ceiling.z - sector.floor.z);
-  }
-  return sum;
 }
 
 }  // namespace
@@ -83,15 +54,8 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
   if (side * side != settings.samples.value_or(1))
     return tl::unexpected(
         fmt::format("--samples: {} is no square number, try {}", *settings.samples, side * side));
-  if (const double texels = texelBound(level, settings.texel); texels > kMostTexels)
-    return tl::unexpected(
-        fmt::format("--texel: {} m would take up to {:.3g} texels, more than "
-                    "{:.3g}: use larger ones",
-                    settings.texel, texels, kMostTexels));
-  if (const double reach = reachOf(level); reach / settings.texel > kFarthestTexel)
-    return tl::unexpected(fmt::format(
-        "--texel: a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least",
-        reach, reach / kFarthestTexel));
+  if (const auto mistake = mistakeInTexel(level, settings.texel))
+    return tl::unexpected(fmt::format("--texel: {}", *mistake));
   return settings;
 }
 
