@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "light/clipped_light.h"
 #include "light/parallel.h"
@@ -61,14 +62,15 @@ std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
   return order;
 }
 
-BakeStats statsOf(const BakedLight& baked, const std::vector<std::int64_t>& rays) {
+}  // namespace
+
+BakeStats statsOf(const BakedLight& baked) {
   BakeStats stats;
   for (std::size_t i = 0; i < baked.surfaces.size(); ++i) {
     if (!baked.surfaces[i]) continue;
     const TexelRect& rect = baked.surfaces[i]->texels;
     ++stats.surfaces;
     stats.texels += std::int64_t{rect.width} * rect.height;
-    stats.rays += rays[i];
     if (!baked.lightmaps[i]) continue;
     ++stats.litSurfaces;
     if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
@@ -76,8 +78,6 @@ BakeStats statsOf(const BakedLight& baked, const std::vector<std::int64_t>& rays
   }
   return stats;
 }
-
-}  // namespace
 
 BakedLight bake(const Level& level, const BakeSettings& settings, int threads) {
   BakedLight baked;
@@ -97,7 +97,8 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads) {
     baked.lightmaps[i] = bakeSurface(surface, settings.samples);
     rays[i] = surface.rays();
   });
-  baked.stats = statsOf(baked, rays);
+  baked.stats = statsOf(baked);
+  baked.stats.rays = std::accumulate(rays.begin(), rays.end(), std::int64_t{0});
   return baked;
 }
 

@@ -26,6 +26,9 @@ struct BakedLight {
   BakeStats stats;
 };
 
+/// What the lightmaps show of how they came about: all but the rays.
+BakeStats statsOf(const BakedLight& baked);
+
 /// Lights every surface of the level. The bytes do not depend on `threads`.
 BakedLight bake(const Level& level, const BakeSettings& settings, int threads);
 

@@ -14,6 +14,8 @@ struct TexelRect {
   int j0 = 0;
   int width = 0;
   int height = 0;
+
+  friend bool operator==(const TexelRect&, const TexelRect&) = default;
 };
 
 /// A surface that continues another in its plane, and the edge that they share, in texel

@@ -43,9 +43,10 @@ enum class PlantedBug {
   SamplesOutsideTexel,
   CurveExtrapolated,
   CosineOfWrongNormal,
+  StaleSavedBakeAccepted,
 };
 
-inline constexpr std::array<std::string_view, 33> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 34> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -79,6 +80,7 @@ inline constexpr std::array<std::string_view, 33> kPlantedBugNames = {
     "samples-outside-texel",
     "curve-extrapolated",
     "cosine-of-wrong-normal",
+    "stale-saved-bake-accepted",
 };
 
 #ifdef HEARTH_PLANTED_BUGS

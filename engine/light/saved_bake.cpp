@@ -1,0 +1,268 @@
+#include "light/saved_bake.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+#include "light/geometry_hash.h"
+#include "light/texel_limits.h"
+#include "math/check.h"
+#include "math/planted_bug.h"
+
+namespace hearth {
+
+namespace {
+
+// The layout, of which saved_bake.md has the table. Numbers are little-endian.
+constexpr std::string_view kMagic = "\x89HEARTH\n";
+/// To be raised with the layout, and with the rules of surfaces, their order and texel grids.
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kVersionEnd = 12;
+constexpr std::size_t kHeaderBytes = 44;
+/// Surface, i0, j0, width, height and channels, before the texels of each lightmap.
+constexpr std::size_t kMapNumbers = 6;
+constexpr std::size_t kChecksumBytes = 4;
+
+using Mistake = std::optional<std::string>;
+
+/// CRC-32 as in zlib, PNG and gzip.
+std::uint32_t checksum(std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+template <typename Unsigned>
+void put(std::string& bytes, Unsigned number) {
+  for (std::size_t i = 0; i < sizeof number; ++i)
+    bytes.push_back(static_cast<char>((number >> (8 * i)) & 0xff));
+}
+
+/// Seven bits a byte, the lowest first, a top bit for more to come (LEB128): of small numbers, one
+/// byte.
+void putShort(std::string& bytes, std::uint32_t number) {
+  for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<char>(number | 0x80));
+  bytes.push_back(static_cast<char>(number));
+}
+
+/// 0, -1, 1, -2 and so on as 0, 1, 2, 3.
+std::uint32_t folded(int number) {
+  const auto twice = static_cast<std::uint32_t>(number) << 1;
+  return number < 0 ? ~twice : twice;
+}
+
+int unfolded(std::uint32_t number) {
+  return static_cast<int>((number & 1) != 0 ? ~(number >> 1) : number >> 1);
+}
+
+/// Takes numbers from the front of what is left. Who calls has made sure that they are there.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : left_(bytes) {}
+
+  std::size_t left() const { return left_.size(); }
+
+  std::string_view take(std::size_t count) {
+    CHECK(count <= left_.size(), count, left_.size());
+    const std::string_view taken = left_.substr(0, count);
+    left_.remove_prefix(count);
+    return taken;
+  }
+
+  std::uint32_t take32() { return static_cast<std::uint32_t>(number(4)); }
+  std::uint64_t take64() { return number(8); }
+
+  /// None where no number of 32 bits stands.
+  std::optional<std::uint32_t> takeShort() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 32 && !left_.empty(); shift += 7) {
+      const auto byte = static_cast<unsigned char>(take(1).front());
+      value |= std::uint64_t{byte & 0x7fU} << shift;
+      if (byte < 0x80 && value <= 0xffffffff) return static_cast<std::uint32_t>(value);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::uint64_t number(std::size_t size) {
+    std::uint64_t value = 0;
+    const std::string_view bytes = take(size);
+    for (std::size_t i = 0; i < size; ++i)
+      value |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+    return value;
+  }
+
+  std::string_view left_;
+};
+
+std::size_t texelsIn(const TexelRect& rect) {
+  return static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+}
+
+void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
+  const TexelRect& rect = map.rect;
+  for (const std::uint32_t number :
+       {surface, folded(rect.i0), folded(rect.j0), static_cast<std::uint32_t>(rect.width),
+        static_cast<std::uint32_t>(rect.height), static_cast<std::uint32_t>(map.channels)})
+    putShort(bytes, number);
+  bytes.append(map.levels.begin(), map.levels.end());
+}
+
+struct Header {
+  std::uint32_t settingsBytes;
+  std::uint64_t fileBytes;
+  std::uint64_t geometry;
+  double texel;
+  std::uint32_t lightmaps;
+};
+
+Header takeHeader(Reader& in) {
+  Header header;
+  header.settingsBytes = in.take32();
+  header.fileBytes = in.take64();
+  header.geometry = in.take64();
+  header.texel = std::bit_cast<double>(in.take64());
+  header.lightmaps = in.take32();
+  return header;
+}
+
+/// That the bytes are a saved bake of this version, all of it and as it was written.
+Mistake mistakeInFrame(std::string_view bytes) {
+  if (!bytes.starts_with(kMagic.substr(0, bytes.size()))) return "is no saved bake";
+  const auto cutShort = [&](std::uint64_t whole) {
+    return fmt::format("is cut short: {} of {} bytes are there", bytes.size(), whole);
+  };
+  if (bytes.size() < kVersionEnd) return cutShort(kHeaderBytes + kChecksumBytes);
+  Reader in(bytes.substr(kMagic.size()));
+  if (const std::uint32_t version = in.take32(); version != kVersion)
+    return fmt::format("is a saved bake of version {}, and only version {} can be read", version,
+                       kVersion);
+  if (bytes.size() < kHeaderBytes + kChecksumBytes) return cutShort(kHeaderBytes + kChecksumBytes);
+  const Header header = takeHeader(in);
+  if (bytes.size() < header.fileBytes) return cutShort(header.fileBytes);
+  if (bytes.size() > header.fileBytes)
+    return fmt::format("goes on for {} bytes after its end", bytes.size() - header.fileBytes);
+  Reader end(bytes.substr(bytes.size() - kChecksumBytes));
+  if (end.take32() != checksum(bytes.substr(0, bytes.size() - kChecksumBytes)))
+    return "was altered: its checksum is not that of its bytes";
+  return std::nullopt;
+}
+
+Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_view settings) {
+  if (const auto mistake = mistakeInTexel(level, header.texel))
+    return fmt::format("has texels that cannot be: {}", *mistake);
+  if (header.geometry == geometryHash(level, header.texel)) return std::nullopt;
+  if (planted(PlantedBug::StaleSavedBakeAccepted)) return std::nullopt;
+  return fmt::format("was baked for other geometry than the level has now; its settings were {:?}",
+                     settings);
+}
+
+/// Takes the lightmaps of a file whose frame and geometry are right.
+class LightmapReader {
+ public:
+  LightmapReader(const Level& level, BakedLight& light, Reader& in)
+      : level_(level), light_(light), in_(in) {}
+
+  Mistake readAll(std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (in_.left() == 0)
+        return fmt::format("has only {} of the {} lightmaps that it counts", i, count);
+      if (auto mistake = readOne()) return mistake;
+    }
+    if (in_.left() > 0) return fmt::format("has {} bytes after its lightmaps", in_.left());
+    return std::nullopt;
+  }
+
+ private:
+  Mistake readOne() {
+    std::array<std::uint32_t, kMapNumbers> numbers{};
+    for (std::uint32_t& number : numbers) {
+      const auto taken = in_.takeShort();
+      if (!taken) return "has a lightmap that does not begin with six numbers";
+      number = *taken;
+    }
+    const auto [surface, i0, j0, width, height, channels] = numbers;
+    if (surface >= light_.surfaces.size())
+      return fmt::format("has a lightmap for surface {}, of a level with {}", surface,
+                         light_.surfaces.size());
+    const auto& lit = light_.surfaces[surface];
+    std::optional<Lightmap>& map = light_.lightmaps[surface];
+    if (!lit) return wrong(surface, "that never shows light");
+    if (map) return wrong(surface, "that has one already");
+    const TexelRect rect{unfolded(i0), unfolded(j0), static_cast<int>(width),
+                         static_cast<int>(height)};
+    if (rect != lit->texels)
+      return wrong(surface,
+                   fmt::format("with texels {} instead of {}", words(rect), words(lit->texels)));
+    if (channels != 1 && channels != 3)
+      return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
+    if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
+    const std::string_view levels = in_.take(channels * texelsIn(rect));
+    map = Lightmap{rect, {levels.begin(), levels.end()}, static_cast<int>(channels)};
+    return std::nullopt;
+  }
+
+  std::string wrong(std::uint32_t surface, std::string_view what) const {
+    return fmt::format("has a lightmap for surface {} ({}) {}", surface,
+                       name(level_.surfaces[surface].kind), what);
+  }
+
+  static std::string words(const TexelRect& rect) {
+    return fmt::format("({}, {}) {} x {}", rect.i0, rect.j0, rect.width, rect.height);
+  }
+
+  const Level& level_;
+  BakedLight& light_;
+  Reader& in_;
+};
+
+}  // namespace
+
+std::string encodeBake(const Level& level, const BakedLight& light, double texel,
+                       std::string_view settings) {
+  CHECK(settings.size() <= kMostSettingsBytes, settings);
+  std::string lightmaps;
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < light.lightmaps.size(); ++i) {
+    if (!light.lightmaps[i]) continue;
+    put(lightmaps, static_cast<std::uint32_t>(i), *light.lightmaps[i]);
+    ++count;
+  }
+  std::string bytes(kMagic);
+  put(bytes, kVersion);
+  put(bytes, static_cast<std::uint32_t>(settings.size()));
+  put(bytes, std::uint64_t{kHeaderBytes + settings.size() + lightmaps.size() + kChecksumBytes});
+  put(bytes, geometryHash(level, texel));
+  put(bytes, std::bit_cast<std::uint64_t>(texel));
+  put(bytes, count);
+  bytes += settings;
+  bytes += lightmaps;
+  put(bytes, checksum(bytes));
+  return bytes;
+}
+
+tl::expected<BakedLight, std::string> decodeBake(const Level& level, std::string_view bytes) {
+  if (auto mistake = mistakeInFrame(bytes)) return tl::unexpected(std::move(*mistake));
+  Reader in(bytes.substr(kVersionEnd, bytes.size() - kVersionEnd - kChecksumBytes));
+  const Header header = takeHeader(in);
+  if (const std::size_t most = std::min(kMostSettingsBytes, in.left()); header.settingsBytes > most)
+    return tl::unexpected(fmt::format("has settings of {} bytes, where at most {} can be",
+                                      header.settingsBytes, most));
+  const std::string_view settings = in.take(header.settingsBytes);
+  if (auto mistake = mistakeInGeometry(level, header, settings))
+    return tl::unexpected(std::move(*mistake));
+
+  BakedLight light;
+  light.surfaces = makeLitSurfaces(level, header.texel);
+  light.lightmaps.resize(light.surfaces.size());
+  if (auto mistake = LightmapReader(level, light, in).readAll(header.lightmaps))
+    return tl::unexpected(std::move(*mistake));
+  light.stats = statsOf(light);
+  return light;
+}
+
+}  // namespace hearth
