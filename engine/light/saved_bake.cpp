@@ -157,7 +157,7 @@ Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_
     return fmt::format("has texels that cannot be: {}", *mistake);
   if (header.geometry == geometryHash(level, header.texel)) return std::nullopt;
   if (planted(PlantedBug::StaleSavedBakeAccepted)) return std::nullopt;
-  return fmt::format("was baked for other geometry than the level has now; its settings were {:?}",
+  return fmt::format("was baked for other geometry than the level has now, with the settings {:?}",
                      settings);
 }
 

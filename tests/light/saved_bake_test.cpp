@@ -169,7 +169,7 @@ TEST_F(SavedRoom, isRefusedByALevelOfOtherGeometry) {
   const auto read = decodeBake(moved.level(), saved());
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error(),
-            "was baked for other geometry than the level has now; its settings were "
+            "was baked for other geometry than the level has now, with the settings "
             "\"--samples 4\"");
 }
 

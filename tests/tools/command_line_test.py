@@ -4,7 +4,10 @@ usage: command_line_test.py HEARTH SOURCE_DIR [THREADS]
 """
 
 import json
+import os
 import re
+import resource
+import signal
 import struct
 import subprocess
 import sys
@@ -139,8 +142,9 @@ class Mistakes(InFolder):
                 self.assertEqual(result.returncode, 2, result.stderr)
                 self.assertRegex(result.stderr, f"tutorial.*error: .*{option}")
 
-    def test_a_bake_is_written_as_a_picture_only(self):
-        self.refuse(run("bake", self.level, "-o", self.folder / "out.bake"), "-o: .*png")
+    def test_a_bake_is_written_as_a_picture_or_to_be_used_again(self):
+        self.refuse(run("bake", self.level, "-o", self.folder / "out.jpg"), r"-o: .*\.bake.*\.png")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_mistyped_command(self):
         self.refuse(run("shoot", self.level), 'no command "shoot".*walk, shot, bake, check, info')
@@ -165,6 +169,14 @@ class NoDisplay(InFolder):
                 self.refuse(result, "no window.*hearth shot")
 
 
+    def test_a_walk_takes_its_light_from_a_file_too(self):
+        bake = self.folder / "rooms.bake"
+        bake.write_text("{}")
+        result = run("walk", self.level, "--light-from", bake, timeout=20,
+                     env={"PATH": "/usr/bin:/bin", "SDL_VIDEODRIVER": "dummy"})
+        self.refuse(result, r"rooms\.bake is no saved bake")
+
+
 class Bake(InFolder):
     def test_prints_its_figures_and_writes_the_lightmaps(self):
         result = run("bake", self.level, "-o", self.out, "--samples", "4", "--texel", "0.25")
@@ -177,6 +189,134 @@ class Bake(InFolder):
         result = run("bake", self.level, "--samples", "auto")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("samples where shadows' edges need them", result.stdout)
+
+
+class SavedBake(InFolder):
+    """A bake of texels of half a metre, and what is drawn with it."""
+
+    def setUp(self):
+        super().setUp()
+        self.bake = self.folder / "rooms.bake"
+        self.bake_again("--texel", "0.5")
+
+    def bake_again(self, *options):
+        result = run("bake", self.level, "-o", self.bake, *options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def copy_level(self, old="", new=""):
+        """The level with a change to its text, and its lights with half the intensity."""
+        text = self.level.read_text()
+        self.assertIn(old, text)
+        level = self.folder / "copy.json"
+        level.write_text(text.replace(old, new, 1))
+        lights = self.level.with_suffix(".lights.json").read_text()
+        (self.folder / "copy.lights.json").write_text(lights.replace("220", "110"))
+        return level
+
+    def draw(self, *options, level=None):
+        result = run("shot", level or self.level, "-o", self.out, *options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return self.out.read_bytes()
+
+    def refuse_bake(self, message, *options):
+        self.refuse(self.shot("--light-from", self.bake, *options), "hearth: error: .*" + message)
+
+    def test_draws_what_a_bake_draws(self):
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["rooms.bake"])
+        saved = self.draw("--light-from", self.bake)
+        self.assertEqual(saved, self.draw("--texel", "0.5"))
+        self.assertNotEqual(saved, self.draw())
+
+    def test_is_the_same_file_for_any_number_of_threads(self):
+        before = self.bake.read_bytes()
+        self.bake_again("--texel", "0.5", "--threads", "7")
+        self.assertEqual(self.bake.read_bytes(), before)
+
+    def test_is_light_whatever_the_lights_are_now(self):
+        dimmed = self.copy_level()
+        self.assertNotEqual(self.draw("--texel", "0.5", level=dimmed), self.draw("--texel", "0.5"))
+        self.assertEqual(self.draw("--light-from", self.bake, level=dimmed),
+                         self.draw("--texel", "0.5"))
+
+    def test_is_refused_once_the_geometry_has_changed(self):
+        # By so little that no texel moves.
+        self.level = self.copy_level('"v": [0,4, 4,4, 4,8, 0,8]', '"v": [0,4, 4,4, 4,7.9999, 0,7.9999]')
+        self.refuse_bake(r"rooms\.bake was baked for other geometry than the level has now, with the "
+                         r'settings "--texel 0\.5 --samples 1 --bounces 0 --no-lambert": '
+                         r"bake again with `hearth bake \S*copy\.json -o \S*rooms\.bake`")
+        self.bake_again()
+        self.draw("--light-from", self.bake)
+
+    def test_is_refused_beside_options_of_a_bake(self):
+        for options in [("--texel", "0.5"), ("--samples", "4"), ("--bounces", "0"), ("--lambert",),
+                        ("--no-lambert",), ("--threads", "1")]:
+            with self.subTest(options=options):
+                self.refuse_bake(f"--light-from: .*baked already; leave out {' '.join(options)}$",
+                                 *options)
+
+    def test_is_refused_when_it_is_not_what_was_written(self):
+        data = self.bake.read_bytes()
+        for wrong, message in [(data[:-1], "is cut short: "), (data + b"x", "goes on for 1 bytes"),
+                               (data[:99] + b"x" + data[100:], "was altered: "),
+                               (b"", "is cut short: "), (b"{}", "is no saved bake")]:
+            self.bake.write_bytes(wrong)
+            self.refuse_bake(message + ".*: bake again with `hearth bake ")
+
+    def test_is_refused_unread_when_it_is_no_file_or_too_long(self):
+        self.bake_again("--texel", "0.125")
+        self.refuse_bake(r"rooms\.bake: \d+ bytes are more than 3000: .*--max-file-bytes",
+                         "--max-file-bytes", "3000")
+        self.bake.unlink()
+        self.refuse_bake(r"rooms\.bake: there is no such file")
+        os.mkfifo(self.bake)
+        self.refuse_bake(r"rooms\.bake: is not a regular file")
+
+    def test_that_cannot_be_written_is_an_error(self):
+        for place in [self.folder / "missing/out.bake", self.level / "out.bake"]:
+            result = run("bake", self.level, "-o", place)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, r"hearth: error: .*out\.bake: cannot be written")
+
+    def write_100_bytes(self, is_killed):
+        """A bake over the old one, of which no more can be written; the old one stays."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+            signal.signal(signal.SIGXFSZ, signal.SIG_DFL if is_killed else signal.SIG_IGN)
+
+        before = self.bake.read_bytes()
+        result = run("bake", self.level, "-o", self.bake, preexec_fn=limit)
+        self.assertEqual(self.bake.read_bytes(), before)
+        return result
+
+    def test_killed_while_it_is_written_leaves_the_old_one(self):
+        self.assertEqual(self.write_100_bytes(is_killed=True).returncode, -signal.SIGXFSZ)
+        self.bake_again()
+
+    def test_a_full_disk_leaves_the_old_one(self):
+        result = self.write_100_bytes(is_killed=False)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"rooms\.bake: cannot be written")
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["rooms.bake"])
+
+    def test_is_what_a_check_draws_with(self):
+        level = self.copy_level()
+        check = ["check", level, "--golden", self.folder, "--light-from", self.bake]
+        self.assertEqual(run(*check, "--update").returncode, 0)
+        self.assertEqual(run(*check).returncode, 0)
+        result = run("check", level, "--golden", self.folder)
+        self.assertEqual(result.returncode, 1, "the level's own light is another")
+        self.bake.write_bytes(self.bake.read_bytes()[:-1])
+        result = run(*check)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"hearth: error: .*rooms\.bake is cut short")
+
+    def test_a_failed_check_prints_a_command_that_draws_with_it(self):
+        level = self.copy_level()
+        check = ["check", level, "--golden", self.folder]
+        self.assertEqual(run(*check, "--update").returncode, 0)
+        result = run(*check, "--light-from", self.bake)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stdout, r"hearth shot .* --light-from \S*rooms\.bake -o ramp\.png")
 
 
 class Info(InFolder):

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "hearth/atlas.h"
+#include "hearth/bake_file.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
 #include "image/image_file.h"
@@ -29,15 +30,18 @@ void print(const Bake& bake) {
 
 ExitStatus run(const OptionValues& values) {
   const std::optional<std::string> output = values.text(Option::Output);
-  if (output && std::filesystem::path(*output).extension() != ".png")
-    return fail(fmt::format("-o: {}: lightmaps are written as a .png picture only", *output));
+  const auto extension = std::filesystem::path(output.value_or("")).extension();
+  if (output && extension != ".png" && extension != ".bake")
+    return fail(fmt::format(
+        "-o: {}: light is written as a .bake to draw with or as a .png to look at", *output));
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeFor(loaded->level, values);
   if (!bake) return fail(bake.error());
   print(*bake);
   if (!output) return ExitStatus::Done;
-  const auto written = writePng(*output, lightmapAtlas(bake->light));
+  const auto written = extension == ".bake" ? writeBake(*output, loaded->level, *bake)
+                                            : writePng(*output, lightmapAtlas(bake->light));
   return written ? ExitStatus::Done : fail(written.error());
 }
 

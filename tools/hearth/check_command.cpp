@@ -77,7 +77,7 @@ ExitStatus run(const OptionValues& values) {
 Command checkCommand() {
   return {"check",
           "bakes, draws every shot and compares it with its golden picture",
-          std::vector<Option>{Option::Golden, Option::Update, Option::Report} + bakeOptions(),
+          std::vector<Option>{Option::Golden, Option::Update, Option::Report} + lightOptions(),
           {},
           run,
           true};

@@ -75,7 +75,7 @@ class LevelCheck {
     findings_.level = values.level;
     findings_.acceptCommand =
         fmt::format("hearth check {}{} --update", shellWord(values.level),
-                    typedOptions(values, std::vector{Option::Golden} + bakeOptions()));
+                    typedOptions(values, std::vector{Option::Golden} + lightOptions()));
     findings_.page = folders_.failed / kPage;
   }
 
@@ -83,11 +83,11 @@ class LevelCheck {
     const auto loaded = openLevel(values_);
     if (!loaded) return refused();
     if (const auto mistake = mistakeInShots(loaded->level)) return refused(*mistake);
-    const auto bake = bakeFor(loaded->level, values_);
-    if (!bake) return refused(bake.error());
+    const auto light = lightFor(loaded->level, values_);
+    if (!light) return refused(light.error());
 
     removeFailed(folders_.failed);
-    const Renderer renderer(loaded->level, loaded->textures, bake->light);
+    const Renderer renderer(loaded->level, loaded->textures, *light);
     for (const Shot& shot : loaded->level.shots)
       judge(shot.name, renderer.draw(cameraOf(shot), LightMode::Both));
     for (const std::string& name : staleGoldens(folders_.golden, loaded->level.shots))
@@ -179,7 +179,7 @@ class LevelCheck {
 
   std::string reproduction(const std::string& name) const {
     return fmt::format("hearth shot {} --shot {}{} -o {}", shellWord(values_.level),
-                       shellWord(name), typedOptions(values_, bakeOptions()),
+                       shellWord(name), typedOptions(values_, lightOptions()),
                        shellWord(name + ".png"));
   }
 

@@ -15,10 +15,15 @@ std::vector<Option> limitOptions() {
   return {Option::MaxFileBytes, Option::MaxImagePixels, Option::MaxVertices, Option::MaxLights};
 }
 
-std::vector<Option> bakeOptions() {
-  return std::vector<Option>{Option::Texel,   Option::Samples,   Option::Bounces,
-                             Option::Lambert, Option::NoLambert, Option::Threads} +
-         limitOptions();
+std::vector<Option> settingOptions() {
+  return {Option::Texel,   Option::Samples,   Option::Bounces,
+          Option::Lambert, Option::NoLambert, Option::Threads};
+}
+
+std::vector<Option> bakeOptions() { return settingOptions() + limitOptions(); }
+
+std::vector<Option> lightOptions() {
+  return std::vector<Option>{Option::LightFrom} + bakeOptions();
 }
 
 std::vector<Option> operator+(std::vector<Option> a, const std::vector<Option>& b) {

@@ -31,8 +31,12 @@ Command infoCommand();
 
 /// Options that all commands share: limits of loading.
 std::vector<Option> limitOptions();
-/// Limits of loading, and how to bake.
+/// How to bake.
+std::vector<Option> settingOptions();
+/// How to bake, and limits of loading.
 std::vector<Option> bakeOptions();
+/// Where light is taken from, how to bake, and limits of loading.
+std::vector<Option> lightOptions();
 std::vector<Option> operator+(std::vector<Option> a, const std::vector<Option>& b);
 
 }  // namespace hearth

@@ -19,6 +19,7 @@ enum class Option {
   Fov,
   Light,
   Channel,
+  LightFrom,
   Json,
   Golden,
   Update,

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "hearth/bake_file.h"
+#include "hearth/command.h"
+#include "hearth/shell_text.h"
 #include "light/parallel.h"
 #include "light/texel_limits.h"
 
@@ -82,6 +85,15 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
                "/lights, add lights or raise their intensity\n",
                values.level);
   return Bake{std::move(light), *settings, threads, seconds.count()};
+}
+
+tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values) {
+  if (!values.has(Option::LightFrom))
+    return bakeFor(level, values).map([](Bake&& bake) { return std::move(bake.light); });
+  if (const std::string given = typedOptions(values, settingOptions()); !given.empty())
+    return tl::unexpected(
+        fmt::format("--light-from: this light is baked already; leave out{}", given));
+  return readBake(level, values);
 }
 
 }  // namespace hearth

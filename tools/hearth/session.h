@@ -35,6 +35,9 @@ struct Bake {
 /// Bakes with the settings above.
 tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values);
 
+/// The light to draw with: from the file that `--light-from` names, or baked.
+tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);
+
 /// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
 tl::expected<Camera, std::string> cameraFor(const Level& level, const OptionValues& values,
                                             PictureSize standardSize);

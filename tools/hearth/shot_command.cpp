@@ -42,9 +42,9 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
                                          const OptionValues& values) {
   const std::string channel = values.text(Option::Channel).value_or("");
   if (const auto view = find(kViews, channel)) return drawView(loaded.level, camera, *view);
-  const auto bake = bakeFor(loaded.level, values);
-  if (!bake) return tl::unexpected(bake.error());
-  const Renderer renderer(loaded.level, loaded.textures, bake->light);
+  const auto light = lightFor(loaded.level, values);
+  if (!light) return tl::unexpected(light.error());
+  const Renderer renderer(loaded.level, loaded.textures, *light);
   if (const auto shown = find(kChannels, channel)) return renderer.draw(camera, *shown);
   return renderer.draw(camera, lightModeFrom(values));
 }
@@ -69,7 +69,7 @@ Command shotCommand() {
           "bakes and draws one picture; needs no display",
           std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
                               Option::Size, Option::Fov, Option::Light, Option::Channel} +
-              bakeOptions(),
+              lightOptions(),
           {Option::Output},
           run};
 }

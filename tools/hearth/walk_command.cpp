@@ -174,9 +174,9 @@ ExitStatus run(const OptionValues& values) {
   if (!window)
     return fail(
         fmt::format("no window can be opened: {}; `hearth shot` needs no display", window.error()));
-  const auto bake = bakeFor(loaded->level, values);
-  if (!bake) return fail(bake.error());
-  fly(*window, *loaded, bake->light, *camera, lightModeFrom(values));
+  const auto light = lightFor(loaded->level, values);
+  if (!light) return fail(light.error());
+  fly(*window, *loaded, *light, *camera, lightModeFrom(values));
   return ExitStatus::Done;
 }
 
@@ -188,7 +188,7 @@ Command walkCommand() {
           "down, Shift faster, a click for the mouse, 1 2 3 for light, Esc to leave",
           std::vector<Option>{Option::Camera, Option::Sector, Option::Shot, Option::Size,
                               Option::Fov, Option::Light} +
-              bakeOptions(),
+              lightOptions(),
           {},
           run};
 }
