@@ -4,6 +4,7 @@ usage: command_line_test.py HEARTH SOURCE_DIR [THREADS]
 """
 
 import json
+import math
 import os
 import re
 import resource
@@ -13,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 
 HEARTH = ""
@@ -319,6 +321,82 @@ class SavedBake(InFolder):
         self.assertRegex(result.stdout, r"hearth shot .* --light-from \S*rooms\.bake -o ramp\.png")
 
 
+def short(number):
+    """LEB128."""
+    more, byte = number >> 7, number & 0x7f
+    return bytes([byte | 0x80]) + short(more) if more else bytes([byte])
+
+
+def folded(number):
+    return short(2 * number if number >= 0 else -2 * number - 1)
+
+
+def write_bake(bake, light):
+    """A saved bake by its description alone; `light(point)` gives the channels of a texel."""
+    maps = b""
+    for surface in bake["surfaces"]:
+        i0, j0, width, height = surface["texels"]
+        texels = b""
+        for j in range(j0, j0 + height):
+            for i in range(i0, i0 + width):
+                texels += bytes(light([
+                    origin + bake["texelMetres"] * ((i + 0.5) * s + (j + 0.5) * t) for origin, s, t in
+                    zip(surface["origin"], surface["axisS"], surface["axisT"])]))
+        channels = len(texels) // (width * height)
+        maps += short(surface["surface"]) + folded(i0) + folded(j0)
+        maps += short(width) + short(height) + short(channels) + texels
+    settings = b"a test"
+    whole = b"\x89HEARTH\n" + struct.pack(
+        "<IIQQdI", 1, len(settings), 44 + len(settings) + len(maps) + 4, int(bake["geometry"], 16),
+        bake["texelMetres"], len(bake["surfaces"])) + settings + maps
+    return whole + struct.pack("<I", zlib.crc32(whole))
+
+
+class LightOfAnother(InFolder):
+    """Bakes of a program that knows only what `hearth info` says and what is documented."""
+
+    def setUp(self):
+        super().setUp()
+        self.level = self.folder / "rooms.json"
+        self.level.write_text((SOURCE / "tests/levels/rooms.json").read_text())
+        (self.folder / "rooms.lights.json").write_text(
+            '[{"x": 2, "y": 3, "z": 2.5, "intensity": 220, "falloff": 0.4}]')
+        info = run("info", self.level, "--json", "--surfaces", "--texel", "0.17")
+        self.assertEqual((info.returncode, info.stderr), (0, ""))
+        self.bake = json.loads(info.stdout)["bake"]
+
+    def draw(self, light, *options):
+        file = self.folder / "another.bake"
+        file.write_bytes(write_bake(self.bake, light))
+        result = self.shot("--light-from", file, *options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return self.out.read_bytes()
+
+    def test_of_full_light_everywhere_shows_the_textures(self):
+        self.assertEqual(self.draw(lambda point: [255]), self.draw(lambda point: [0], "--light", "none"))
+
+    def test_in_three_channels_of_one_level_is_white_light(self):
+        self.assertEqual(self.draw(lambda point: [90, 90, 90]), self.draw(lambda point: [90]))
+        self.assertNotEqual(self.draw(lambda point: [90, 90, 80]), self.draw(lambda point: [90]))
+
+    def test_is_where_it_was_put(self):
+        # The level's lamp, on a wall that sees all of it.
+        def lamp(point):
+            distance = sum((a - b) ** 2 for a, b in zip(point, (2, 3, 2.5))) ** 0.5
+            return [math.floor(220 / (0.4 * distance + 1) + 0.5)]
+
+        camera = ["--camera", "2,1,1.5,270,0", "--light", "only", "--fov", "40"]
+        another = self.draw(lamp, *camera)
+        self.assertEqual(self.shot("--texel", "0.17", *camera).returncode, 0)
+        self.assertEqual(another, self.out.read_bytes())
+
+    def test_of_another_size_of_texels_is_refused(self):
+        self.bake["texelMetres"] = 0.16
+        file = self.folder / "another.bake"
+        file.write_bytes(write_bake(self.bake, lambda point: [0]))
+        self.refuse(self.shot("--light-from", file), "other geometry .* settings \"a test\"")
+
+
 class Info(InFolder):
     def test_json_counts_what_the_level_holds(self):
         result = run("info", self.level, "--json")
@@ -328,6 +406,15 @@ class Info(InFolder):
         self.assertEqual(info["features"]["stack"], 2)
         self.assertEqual(info["features"]["slope floor"], 1)
         self.assertEqual(info["features"]["closed door"], 0)
+
+    def test_surfaces_are_printed_as_json_only(self):
+        self.refuse(run("info", self.level, "--surfaces"), "--surfaces: .*--json")
+        bakes = [json.loads(run("info", self.level, "--json", *more).stdout)["bake"]
+                 for more in [[], ["--surfaces"]]]
+        surfaces = bakes[1].pop("surfaces")
+        self.assertEqual(bakes[0], bakes[1])
+        self.assertRegex(bakes[0]["geometry"], "^[0-9a-f]{16}$")
+        self.assertIn(("sloped floor", "ramp"), {(row["kind"], row["sector"]) for row in surfaces})
 
     def test_the_tutorial_shows_every_feature_of_the_format(self):
         result = run("info", SOURCE / "levels/tutorial.json", "--json")

@@ -10,6 +10,7 @@
 #include "hearth/command.h"
 #include "hearth/format_features.h"
 #include "hearth/session.h"
+#include "light/geometry_hash.h"
 #include "light/lit_surface.h"
 
 namespace hearth {
@@ -21,6 +22,7 @@ struct Contents {
   std::array<std::int64_t, kSurfaceKinds> surfaces{};
   std::int64_t loops = 0;
   std::int64_t textureBytes = 0;
+  LitSurfaces litSurfaces;
   std::int64_t lightmapTexels = 0;  ///< at most: surfaces that no light reaches need none
   FeatureCounts features;
 };
@@ -38,7 +40,8 @@ Contents contentsOf(const LoadedLevel& loaded, const BakeSettings& settings) {
   for (const Sector& sector : level.sectors) contents.loops += std::ssize(sector.loops);
   for (const Image& image : loaded.textures)
     contents.textureBytes += std::int64_t{3} * image.width() * image.height();
-  for (const auto& surface : makeLitSurfaces(level, settings.texel))
+  contents.litSurfaces = makeLitSurfaces(level, settings.texel);
+  for (const auto& surface : contents.litSurfaces)
     if (surface)
       contents.lightmapTexels += std::int64_t{surface->texels.width} * surface->texels.height;
 
@@ -47,6 +50,33 @@ Contents contentsOf(const LoadedLevel& loaded, const BakeSettings& settings) {
   countGeometry(level, contents.features);
   countSpellings(levelText, lights.empty() ? std::string() : textOf(lights), contents.features);
   return contents;
+}
+
+nlohmann::ordered_json toJson(Vec3 v) { return {v.x, v.y, v.z}; }
+
+/// The texel grids that a saved bake must have: engine/light/saved_bake.md describes the keys.
+nlohmann::ordered_json toJson(const Level& level, const LitSurfaces& surfaces) {
+  auto list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i]) continue;
+    const LitSurface& lit = *surfaces[i];
+    const TexelRect& rect = lit.texels;
+    auto outlines = nlohmann::ordered_json::array();
+    for (const std::vector<Vec2>& outline : lit.outlines) {
+      auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
+      for (const Vec2 p : outline) points.push_back({p.x, p.y});
+    }
+    list.push_back({{"surface", i},
+                    {"kind", name(level.surfaces[i].kind)},
+                    {"sector", level[level.surfaces[i].sector].name},
+                    {"origin", toJson(lit.grid.origin)},
+                    {"axisS", toJson(lit.grid.axisS)},
+                    {"axisT", toJson(lit.grid.axisT)},
+                    {"normal", toJson(lit.normal)},
+                    {"texels", {rect.i0, rect.j0, rect.width, rect.height}},
+                    {"outlines", std::move(outlines)}});
+  }
+  return list;
 }
 
 /// The counts of what there is; in an order that does not change.
@@ -71,6 +101,8 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
   json["requires"] = {{"textureBytes", contents.textureBytes},
                       {"lightmapBytesAtMost", contents.lightmapTexels},
                       {"texelMetres", settings.texel}};
+  json["bake"] = {{"texelMetres", settings.texel},
+                  {"geometry", fmt::format("{:016x}", geometryHash(level, settings.texel))}};
   for (const auto& [feature, name] : kFormatFeatures)
     json["features"][std::string(name)] = contents.features[feature];
   return json;
@@ -101,15 +133,21 @@ void print(const LoadedLevel& loaded, const Contents& contents, const BakeSettin
 }
 
 ExitStatus run(const OptionValues& values) {
+  if (values.has(Option::Surfaces) && !values.has(Option::Json))
+    return fail("--surfaces: they are printed as JSON only; give --json, too");
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto settings = bakeSettingsFor(loaded->level, values);
   if (!settings) return fail(settings.error());
   const Contents contents = contentsOf(*loaded, *settings);
-  if (values.has(Option::Json))
-    fmt::print("{}\n", toJson(*loaded, contents, *settings).dump(2));
-  else
+  if (!values.has(Option::Json)) {
     print(*loaded, contents, *settings);
+    return ExitStatus::Done;
+  }
+  nlohmann::ordered_json json = toJson(*loaded, contents, *settings);
+  if (values.has(Option::Surfaces))
+    json["bake"]["surfaces"] = toJson(loaded->level, contents.litSurfaces);
+  fmt::print("{}\n", json.dump(2));
   return ExitStatus::Done;
 }
 
@@ -118,7 +156,7 @@ ExitStatus run(const OptionValues& values) {
 Command infoCommand() {
   return {"info",
           "prints what the level holds and what it requires",
-          std::vector<Option>{Option::Json, Option::Texel} + limitOptions(),
+          std::vector<Option>{Option::Json, Option::Surfaces, Option::Texel} + limitOptions(),
           {},
           run};
 }

@@ -21,6 +21,7 @@ enum class Option {
   Channel,
   LightFrom,
   Json,
+  Surfaces,
   Golden,
   Update,
   Report,
