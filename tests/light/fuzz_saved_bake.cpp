@@ -1,0 +1,84 @@
+// Bytes of a fuzzer as saved bakes of one level: each is refused with a message, or is light that
+// can be drawn and saved again. With the preset `fuzz`; tests/light/fuzz says how.
+
+#include <zlib.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include "light/geometry_hash.h"
+#include "light/saved_bake.h"
+#include "light/texel_limits.h"
+#include "load/load.h"
+#include "math/check.h"
+#include "render/renderer.h"
+
+namespace hearth {
+namespace {
+
+// Offsets of the header: the table of engine/light/saved_bake.md.
+constexpr std::size_t kFileBytesAt = 16;
+constexpr std::size_t kGeometryAt = 24;
+constexpr std::size_t kTexelAt = 32;
+constexpr std::size_t kHeaderBytes = 44;
+constexpr std::size_t kChecksumBytes = 4;
+
+/// The level is the program's argument to every input, so it is loaded once.
+const LoadedLevel& level() {
+  static const LoadedLevel loaded =
+      loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json").loaded.value();
+  return loaded;
+}
+
+void put(std::string& bytes, std::size_t at, std::uint64_t number, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) bytes[at + i] = static_cast<char>(number >> (8 * i));
+}
+
+std::uint64_t take64(const std::string& bytes, std::size_t at) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+    number |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  return number;
+}
+
+/// With the length, checksum and hash that no fuzzer would guess, so that it reaches what is behind
+/// them. Sizes of texels that are refused are left to be refused.
+std::string sealed(std::string bytes) {
+  const std::size_t end = bytes.size() - kChecksumBytes;
+  const auto texel = std::bit_cast<double>(take64(bytes, kTexelAt));
+  if (!mistakeInTexel(level().level, texel))
+    put(bytes, kGeometryAt, geometryHash(level().level, texel), 8);
+  put(bytes, kFileBytesAt, bytes.size(), 8);
+  put(bytes, end, crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), end), kChecksumBytes);
+  return bytes;
+}
+
+void expectUsable(const BakedLight& light, double texel) {
+  const Camera camera{SectorId(0), {1, 2, 1.5}, 30, -20, 90, 12, 8};
+  (void)Renderer(level().level, level().textures, light).draw(camera, LightMode::Both);
+  const auto again = decodeBake(level().level, encodeBake(level().level, light, texel, ""));
+  CHECK(again);
+  for (std::size_t i = 0; i < light.lightmaps.size(); ++i)
+    CHECK(again->lightmaps[i].has_value() == light.lightmaps[i].has_value() &&
+              (!light.lightmaps[i] || again->lightmaps[i]->levels == light.lightmaps[i]->levels),
+          i);
+}
+
+void tryOut(const std::string& bytes) {
+  const auto light = decodeBake(level().level, bytes);
+  if (light)
+    expectUsable(*light, std::bit_cast<double>(take64(bytes, kTexelAt)));
+  else
+    CHECK(!light.error().empty());
+}
+
+}  // namespace
+}  // namespace hearth
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(data, data + size);
+  hearth::tryOut(bytes);
+  if (size >= hearth::kHeaderBytes + hearth::kChecksumBytes) hearth::tryOut(hearth::sealed(bytes));
+  return 0;
+}
