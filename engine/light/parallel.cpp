@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -13,13 +15,23 @@ int availableThreads() {
 
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
+  std::once_flag isThrown;
+  std::exception_ptr thrown;
   const auto drain = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
+    try {
+      for (std::size_t i = next++; i < count; i = next++) work(i);
+    } catch (...) {
+      next = count;  // the other threads stop after what they are at
+      std::call_once(isThrown, [&] { thrown = std::current_exception(); });
+    }
   };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i)
-    helpers.emplace_back(drain);
-  drain();
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i)
+      helpers.emplace_back(drain);
+    drain();
+  }
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace hearth

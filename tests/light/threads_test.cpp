@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <new>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "light/parallel.h"
@@ -41,6 +44,25 @@ std::string lightsWith(std::string_view samples) {
       "{{'x':8,'y':2.2,'z':1,'falloff':0.7,'radius':0.2}},"
       "{{'x':3.3,'y':4.1,'z':0.4,'intensity':90}}],'bake':{{'samples':{}}}}}",
       samples);
+}
+
+TEST(ParallelFor, throwsOnWhatAnyThreadThrows) {
+  for (const int threads : {1, 2, 7}) {
+    const auto work = [](std::size_t i) {
+      if (i == 500) throw std::bad_alloc();
+    };
+    EXPECT_THROW(parallelFor(1000, threads, work), std::bad_alloc) << threads << " threads";
+  }
+}
+
+TEST(ParallelFor, throwsOneExceptionOfManyAndBeginsNoMoreWork) {
+  std::atomic<int> begun = 0;
+  const auto work = [&](std::size_t i) {
+    ++begun;
+    throw std::out_of_range(std::to_string(i));
+  };
+  EXPECT_THROW(parallelFor(1000, 7, work), std::out_of_range);
+  EXPECT_LE(begun, 7);
 }
 
 TEST(Bake, givesTheSameBytesForAnyNumberOfThreads) {

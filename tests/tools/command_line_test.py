@@ -163,6 +163,20 @@ class Mistakes(InFolder):
         self.assertRegex(result.stderr, rf"wrong\.json:{line}:\d+: error: .*rampp")
 
 
+class Memory(InFolder):
+    def test_too_little_of_it_is_an_error_like_others(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (192 << 20, 192 << 20))
+        for threads in [1, 2]:
+            with self.subTest(threads=threads):
+                result = run("shot", self.level, "-o", self.out, "--size", "16384x16384", "--texel",
+                             "0.5", "--threads", threads, preexec_fn=limit)
+                self.refuse(result, "hearth: error: not enough memory")
+                result = run("bake", self.level, "-o", self.out, "--texel", "0.00026", "--threads",
+                             threads, preexec_fn=limit)
+                self.refuse(result, "hearth: error: not enough memory")
+
+
 class NoDisplay(InFolder):
     def test_no_window_without_a_display(self):
         for display in [{}, {"DISPLAY": ":4711"}, {"SDL_VIDEODRIVER": "x11"}]:

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -92,4 +93,12 @@ ExitStatus runProgram(int argc, char** argv) {
 
 }  // namespace hearth
 
-int main(int argc, char** argv) { return static_cast<int>(hearth::runProgram(argc, argv)); }
+int main(int argc, char** argv) {
+  hearth::ExitStatus status{};
+  try {
+    status = hearth::runProgram(argc, argv);
+  } catch (const std::bad_alloc&) {
+    status = hearth::fail("not enough memory; larger --texel or a smaller --size needs less");
+  }
+  return static_cast<int>(status);
+}
