@@ -27,11 +27,12 @@ void addSample(Vec2 texelPoint, int i, int j, SurfaceLight& surface, TexelSums& 
 }
 
 /// side x side samples to each texel.
-void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums) {
+void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums, BakeProgress& progress) {
   const double reach = planted(PlantedBug::SamplesOutsideTexel) ? 2 : 1;
   const auto offset = [&](int k) { return 0.5 + reach * ((k + 0.5) / side - 0.5); };
   const TexelRect rect = surface.texels();
-  for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+  SurfaceProgress rows(progress, rect.count(), rect.height);
+  for (int j = rect.j0; j < rect.j0 + rect.height; ++j, rows.step())
     for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
       for (int b = 0; b < side; ++b)
         for (int a = 0; a < side; ++a)
@@ -39,13 +40,17 @@ void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums) {
 }
 
 /// None where no light reaches the surface.
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, std::optional<int> samples) {
-  if (surface.facing().empty()) return std::nullopt;
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, std::optional<int> samples,
+                                    BakeProgress& progress) {
+  if (surface.facing().empty()) {
+    progress.add(surface.texels().count());
+    return std::nullopt;
+  }
   TexelSums sums(surface.texels(), surface.channels());
   if (samples)
-    addSampledLight(static_cast<int>(std::lround(std::sqrt(*samples))), surface, sums);
+    addSampledLight(static_cast<int>(std::lround(std::sqrt(*samples))), surface, sums, progress);
   else
-    addClippedLight(surface, sums);
+    addClippedLight(surface, sums, progress);
   return sums.toLightmap(samples.value_or(1));
 }
 
@@ -54,12 +59,17 @@ std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i]) order.push_back(i);
-  const auto texels = [&](std::size_t i) {
-    return std::int64_t{surfaces[i]->texels.width} * surfaces[i]->texels.height;
-  };
+  const auto texels = [&](std::size_t i) { return surfaces[i]->texels.count(); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return texels(a) > texels(b); });
   return order;
+}
+
+std::int64_t texelsOf(const LitSurfaces& surfaces) {
+  std::int64_t sum = 0;
+  for (const auto& surface : surfaces)
+    if (surface) sum += surface->texels.count();
+  return sum;
 }
 
 }  // namespace
@@ -68,9 +78,8 @@ BakeStats statsOf(const BakedLight& baked) {
   BakeStats stats;
   for (std::size_t i = 0; i < baked.surfaces.size(); ++i) {
     if (!baked.surfaces[i]) continue;
-    const TexelRect& rect = baked.surfaces[i]->texels;
     ++stats.surfaces;
-    stats.texels += std::int64_t{rect.width} * rect.height;
+    stats.texels += baked.surfaces[i]->texels.count();
     if (!baked.lightmaps[i]) continue;
     ++stats.litSurfaces;
     if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
@@ -79,7 +88,10 @@ BakeStats statsOf(const BakedLight& baked) {
   return stats;
 }
 
-BakedLight bake(const Level& level, const BakeSettings& settings, int threads) {
+BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
+                BakeProgress* progress) {
+  BakeProgress unwatched;
+  BakeProgress& done = progress ? *progress : unwatched;
   BakedLight baked;
   baked.surfaces = makeLitSurfaces(level, settings.texel);
   baked.lightmaps.resize(baked.surfaces.size());
@@ -88,13 +100,14 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads) {
   for (const LightSource& light : level.lights)
     sights.emplace_back(level, light, settings.softSamples);
 
+  done.begin(texelsOf(baked.surfaces));
   std::vector<std::int64_t> rays(baked.surfaces.size(), 0);
   const std::vector<std::size_t> order = byFallingSize(baked.surfaces);
   parallelFor(order.size(), threads, [&](std::size_t job) {
     const std::size_t i = order[job];
     if (isPlantedUnlit(level.surfaces[i].kind)) return;
     SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, SurfaceId(i));
-    baked.lightmaps[i] = bakeSurface(surface, settings.samples);
+    baked.lightmaps[i] = bakeSurface(surface, settings.samples, done);
     rays[i] = surface.rays();
   });
   baked.stats = statsOf(baked);

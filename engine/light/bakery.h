@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "level/level.h"
+#include "light/bake_progress.h"
 #include "light/lightmap.h"
 #include "light/lit_surface.h"
 
@@ -29,7 +30,9 @@ struct BakedLight {
 /// What the lightmaps show of how they came about: all but the rays.
 BakeStats statsOf(const BakedLight& baked);
 
-/// Lights every surface of the level. The bytes do not depend on `threads`.
-BakedLight bake(const Level& level, const BakeSettings& settings, int threads);
+/// Lights every surface of the level. The bytes do not depend on `threads`. `progress`, if any, is
+/// new, and has all texels done when the bake is.
+BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
+                BakeProgress* progress = nullptr);
 
 }  // namespace hearth

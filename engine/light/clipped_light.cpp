@@ -143,9 +143,13 @@ class ClippedLight {
 
 }  // namespace
 
-void addClippedLight(SurfaceLight& surface, TexelSums& sums) {
+void addClippedLight(SurfaceLight& surface, TexelSums& sums, BakeProgress& progress) {
+  SurfaceProgress lights(progress, surface.texels().count(), std::ssize(surface.facing()));
   ClippedLight clipped(surface, sums);
-  for (const std::size_t light : surface.facing()) clipped.add(light);
+  for (const std::size_t light : surface.facing()) {
+    clipped.add(light);
+    lights.step();
+  }
 }
 
 }  // namespace hearth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "light/bake_progress.h"
 #include "light/surface_light.h"
 #include "light/texel_sums.h"
 
@@ -9,6 +10,6 @@ namespace hearth {
 /// texel, which four texels share, and some more to each edge between corners of which one is lit.
 /// The polygon that these make of a texel's lit part is as exact as the shadow's edge is straight;
 /// a texel that no edge crosses costs one ray for each light.
-void addClippedLight(SurfaceLight& surface, TexelSums& sums);
+void addClippedLight(SurfaceLight& surface, TexelSums& sums, BakeProgress& progress);
 
 }  // namespace hearth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct TexelRect {
   int j0 = 0;
   int width = 0;
   int height = 0;
+
+  std::int64_t count() const { return std::int64_t{width} * height; }
 
   friend bool operator==(const TexelRect&, const TexelRect&) = default;
 };

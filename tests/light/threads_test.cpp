@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "light/parallel.h"
@@ -26,6 +29,47 @@ TEST(ParallelFor, doesNothingForNothing) {
   parallelFor(0, 4, [](std::size_t) { FAIL(); });
 }
 
+TEST(ParallelFor, throwsOnWhatAnyThreadThrows) {
+  for (const int threads : {1, 2, 7}) {
+    const auto work = [](std::size_t i) {
+      if (i == 500) throw std::bad_alloc();
+    };
+    EXPECT_THROW(parallelFor(1000, threads, work), std::bad_alloc) << threads << " threads";
+  }
+}
+
+TEST(ParallelFor, throwsOneExceptionOfManyAndBeginsNoMoreWork) {
+  std::atomic<int> begun = 0;
+  const auto work = [&](std::size_t i) {
+    ++begun;
+    throw std::out_of_range(std::to_string(i));
+  };
+  EXPECT_THROW(parallelFor(1000, 7, work), std::out_of_range);
+  EXPECT_LE(begun, 7);
+}
+
+TEST(SurfaceProgress, countsEveryTexelOnceInStepsOfAboutEqualSize) {
+  BakeProgress bake;
+  {
+    SurfaceProgress seven(bake, 100, 7);
+    for (int step = 1; step <= 7; ++step) {
+      seven.step();
+      EXPECT_EQ(bake.texelsDone(), 100 * step / 7);
+    }
+  }
+  EXPECT_EQ(bake.texelsDone(), 100);
+}
+
+TEST(SurfaceProgress, countsTheRestWhenItEndsEarly) {
+  BakeProgress bake;
+  {
+    SurfaceProgress early(bake, 100, 7);
+    early.step();
+  }
+  EXPECT_EQ(bake.texelsDone(), 100);
+}
+
+/// Two rooms and three lights.
 const std::string kRooms =
     "{'light': 0.1, 'sectors': {" +
     test::sectorText("a", "0,0, 6,0, 6,2, 6,3, 6,5, 0,5", 0, 3,
@@ -46,25 +90,6 @@ std::string lightsWith(std::string_view samples) {
       samples);
 }
 
-TEST(ParallelFor, throwsOnWhatAnyThreadThrows) {
-  for (const int threads : {1, 2, 7}) {
-    const auto work = [](std::size_t i) {
-      if (i == 500) throw std::bad_alloc();
-    };
-    EXPECT_THROW(parallelFor(1000, threads, work), std::bad_alloc) << threads << " threads";
-  }
-}
-
-TEST(ParallelFor, throwsOneExceptionOfManyAndBeginsNoMoreWork) {
-  std::atomic<int> begun = 0;
-  const auto work = [&](std::size_t i) {
-    ++begun;
-    throw std::out_of_range(std::to_string(i));
-  };
-  EXPECT_THROW(parallelFor(1000, 7, work), std::out_of_range);
-  EXPECT_LE(begun, 7);
-}
-
 TEST(Bake, givesTheSameBytesForAnyNumberOfThreads) {
   for (const std::string_view samples : {"1", "4", "'auto'"}) {
     const test::BakedRoom one(kRooms, lightsWith(samples), 1);
@@ -79,6 +104,64 @@ TEST(Bake, givesTheSameBytesForAnyNumberOfThreads) {
       }
     }
   }
+}
+
+/// What another thread sees of a bake's progress.
+struct Watched {
+  BakedLight light;
+  std::int64_t texels;
+  std::vector<std::int64_t> done;  ///< each value once
+};
+
+Watched watchedBake(const Level& level, const BakeSettings& settings, int threads) {
+  BakeProgress progress;
+  std::vector<std::int64_t> seen = {0};
+  std::atomic<bool> isWatching = false;
+  std::jthread watcher([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      if (const std::int64_t done = progress.texelsDone(); done != seen.back())
+        seen.push_back(done);
+      isWatching = true;
+    }
+  });
+  while (!isWatching) std::this_thread::yield();
+  BakedLight light = bake(level, settings, threads, &progress);
+  watcher.request_stop();
+  watcher.join();
+  EXPECT_EQ(progress.texelsDone(), progress.texels());
+  return {std::move(light), progress.texels(), std::move(seen)};
+}
+
+TEST(BakeProgress, growsToAllTexelsForAnyNumberOfThreads) {
+  const LoadedLevel rooms = test::levelFrom(kRooms, lightsWith("1"));
+  const BakedLight unwatched = bake(rooms.level, {}, 1);
+  for (const int threads : {1, 2, 7}) {
+    const Watched watched = watchedBake(rooms.level, {}, threads);
+    EXPECT_EQ(watched.texels, watched.light.stats.texels);
+    EXPECT_TRUE(std::ranges::is_sorted(watched.done));
+    EXPECT_LE(watched.done.back(), watched.texels);
+    for (std::size_t i = 0; i < unwatched.lightmaps.size(); ++i) {
+      ASSERT_EQ(unwatched.lightmaps[i].has_value(), watched.light.lightmaps[i].has_value());
+      if (unwatched.lightmaps[i]) {
+        EXPECT_EQ(unwatched.lightmaps[i]->levels, watched.light.lightmaps[i]->levels);
+      }
+    }
+  }
+}
+
+TEST(BakeProgress, isSeenWithinASurface) {
+  const LoadedLevel room = test::levelFrom(
+      "{'light': 0.1, 'sectors': {" + test::sectorText("a", "0,0, 9,0, 9,9, 0,9", 0, 1) + "}}",
+      "[{'x':1,'y':1,'z':0.5}]");
+  const BakeSettings settings{.texel = 0.02};
+  std::int64_t floor = 0;  // the largest surface, which one thread begins with
+  for (const auto& surface : makeLitSurfaces(room.level, settings.texel))
+    floor = std::max(floor, surface ? surface->texels.count() : 0);
+  const auto isWithinFloor = [&](std::int64_t done) { return 0 < done && done < floor; };
+  // The watcher may sleep through a bake, but hardly through as many.
+  for (int i = 0; i < 100; ++i)
+    if (std::ranges::any_of(watchedBake(room.level, settings, 1).done, isWithinFloor)) return;
+  FAIL() << "no bake was seen before its first surface was done";
 }
 
 }  // namespace
