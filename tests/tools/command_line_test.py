@@ -201,6 +201,18 @@ class Bake(InFolder):
             self.assertIn(word, result.stdout)
         self.assertGreater(png_size(self.out)[0], 16)
 
+    def test_is_quiet_when_asked(self):
+        result = run("bake", self.level, "-o", self.out, "--quiet")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertTrue(self.out.exists())
+
+    def test_quiet_keeps_errors_and_warnings(self):
+        dark = self.folder / "dark.json"
+        dark.write_text(self.level.read_text())
+        (self.folder / "dark.lights.json").write_text("[]")
+        self.assertRegex(run("bake", dark, "--quiet").stderr, "dark.json:1:1: warning: no light")
+        self.refuse(run("bake", self.level, "--samples", "8", "--quiet"), "--samples.*square")
+
     def test_takes_samples_as_needed(self):
         result = run("bake", self.level, "--samples", "auto")
         self.assertEqual(result.returncode, 0, result.stderr)

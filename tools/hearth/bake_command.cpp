@@ -36,12 +36,15 @@ ExitStatus run(const OptionValues& values) {
         "-o: {}: light is written as a .bake to draw with or as a .png to look at", *output));
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto bake = bakeFor(loaded->level, values);
+  const auto bake = bakeFor(loaded->level, values, ProgressStyle::Lines);
   if (!bake) return fail(bake.error());
-  print(*bake);
+  if (!values.has(Option::Quiet)) print(*bake);
   if (!output) return ExitStatus::Done;
-  const auto written = extension == ".bake" ? writeBake(*output, loaded->level, *bake)
-                                            : writePng(*output, lightmapAtlas(bake->light));
+  const auto written = [&] {
+    const ProgressDisplay display(progressStyle(values), Stage::Writing);
+    return extension == ".bake" ? writeBake(*output, loaded->level, *bake)
+                                : writePng(*output, lightmapAtlas(bake->light));
+  }();
   return written ? ExitStatus::Done : fail(written.error());
 }
 
@@ -50,7 +53,7 @@ ExitStatus run(const OptionValues& values) {
 Command bakeCommand() {
   return {"bake",
           "bakes the light and says what that took",
-          std::vector<Option>{Option::Output} + bakeOptions(),
+          std::vector<Option>{Option::Output, Option::Quiet} + bakeOptions(),
           {},
           run};
 }

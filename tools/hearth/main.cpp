@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "hearth/command.h"
@@ -99,6 +100,8 @@ int main(int argc, char** argv) {
     status = hearth::runProgram(argc, argv);
   } catch (const std::bad_alloc&) {
     status = hearth::fail("not enough memory; larger --texel or a smaller --size needs less");
+  } catch (const std::system_error& error) {  // no more threads to be had
+    status = hearth::fail(error.what());
   }
   return static_cast<int>(status);
 }

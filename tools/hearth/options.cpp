@@ -39,6 +39,8 @@ constexpr std::array kTable = {
     OptionRow{Option::Json, "--json", ValueKind::Flag, "", 0, 0, "", "print JSON"},
     OptionRow{Option::Surfaces, "--surfaces", ValueKind::Flag, "", 0, 0, "",
               "with --json: print the texel grids of all surfaces that light shows on, too"},
+    OptionRow{Option::Quiet, "--quiet", ValueKind::Flag, "", 0, 0, "",
+              "print neither progress nor figures; only errors and warnings"},
     OptionRow{Option::Golden, "--golden", ValueKind::Text, "DIR", 0, 0, "the level's own",
               "the folder that holds the folders of golden pictures"},
     OptionRow{Option::Update, "--update", ValueKind::Flag, "", 0, 0, "",

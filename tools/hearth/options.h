@@ -22,6 +22,7 @@ enum class Option {
   LightFrom,
   Json,
   Surfaces,
+  Quiet,
   Golden,
   Update,
   Report,

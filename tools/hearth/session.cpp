@@ -32,7 +32,10 @@ LoadLimits limitsFrom(const OptionValues& values) {
 }  // namespace
 
 std::optional<LoadedLevel> openLevel(const OptionValues& values) {
-  LoadResult result = loadLevel(values.level, limitsFrom(values));
+  LoadResult result = [&] {
+    const ProgressDisplay display(progressStyle(values), Stage::Loading);
+    return loadLevel(values.level, limitsFrom(values));
+  }();
   for (const Diagnostic& diagnostic : result.diagnostics)
     fmt::print(stderr, "{}\n", format(diagnostic));
   return std::move(result.loaded);
@@ -68,7 +71,8 @@ LightMode lightModeFrom(const OptionValues& values) {
   return mode == "only" ? LightMode::Only : LightMode::Both;
 }
 
-tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values) {
+tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
+                                        ProgressStyle inFile) {
   const auto settings = bakeSettingsFor(level, values);
   if (!settings) return tl::unexpected(settings.error());
   if (settings->bounces != 0)
@@ -77,7 +81,11 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
 
   const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
   const auto start = std::chrono::steady_clock::now();
-  BakedLight light = bake(level, *settings, threads);
+  BakedLight light = [&] {
+    BakeProgress progress;
+    const ProgressDisplay display(progressStyle(values, inFile), progress);
+    return bake(level, *settings, threads, &progress);
+  }();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (light.stats.litSurfaces == 0)
     fmt::print(stderr,

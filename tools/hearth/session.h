@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hearth/options.h"
+#include "hearth/progress.h"
 #include "light/bakery.h"
 #include "load/load.h"
 #include "render/camera.h"
@@ -32,8 +33,10 @@ struct Bake {
   double seconds;
 };
 
-/// Bakes with the settings above.
-tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values);
+/// Bakes with the settings above. A terminal shows the progress of a long bake; where stderr is no
+/// terminal, it is told in the style that is given.
+tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
+                                        ProgressStyle inFile = ProgressStyle::None);
 
 /// The light to draw with: from the file that `--light-from` names, or baked.
 tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);

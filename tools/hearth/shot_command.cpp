@@ -68,7 +68,8 @@ Command shotCommand() {
   return {"shot",
           "bakes and draws one picture; needs no display",
           std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
-                              Option::Size, Option::Fov, Option::Light, Option::Channel} +
+                              Option::Size, Option::Fov, Option::Light, Option::Channel,
+                              Option::Quiet} +
               lightOptions(),
           {Option::Output},
           run};

@@ -187,7 +187,7 @@ Command walkCommand() {
           "opens a window and flies through the level: W A S D or the arrow keys, E and Q up and "
           "down, Shift faster, a click for the mouse, 1 2 3 for light, Esc to leave",
           std::vector<Option>{Option::Camera, Option::Sector, Option::Shot, Option::Size,
-                              Option::Fov, Option::Light} +
+                              Option::Fov, Option::Light, Option::Quiet} +
               lightOptions(),
           {},
           run};
