@@ -26,7 +26,7 @@ OUTSIDERS = {
     r"SDL.*": ["tools/*/*"],
     r"CLI/.*": ["tools/*/*.cpp", "tests/*/*.cpp"],
     r"nlohmann/.*": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
-    r"stb_.*": ["engine/image/*.cpp"],
+    r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/light/*.cpp", "tests/*/*.cpp"],
     r"embree.*": ["tests/*/*"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],

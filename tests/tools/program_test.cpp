@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "hearth/atlas.h"
 #include "hearth/command.h"
 #include "hearth/format_features.h"
 #include "hearth/options.h"
@@ -57,27 +56,6 @@ TEST(FormatFeatures, CommentsAreNotCounted) {
   EXPECT_EQ(counts[FormatFeature::SolidWall], 1);
   EXPECT_EQ(counts[FormatFeature::TextureOffset], 1);
   EXPECT_EQ(counts[FormatFeature::PlainColour], 0);
-}
-
-TEST(Atlas, ShowsEveryTexelOfEveryLightmapOnce) {
-  const LoadedLevel rooms = loaded("tests/levels/rooms.json");
-  const BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
-  std::array<std::int64_t, 256> wanted{};
-  for (const auto& map : light.lightmaps)
-    if (map)
-      for (const std::uint8_t level : map->levels) ++wanted[level];
-  std::array<std::int64_t, 256> found{};
-  const Image atlas = lightmapAtlas(light);
-  for (const Rgb pixel : atlas.pixels())
-    if (pixel.r == pixel.g && pixel.g == pixel.b) ++found[pixel.r];
-  EXPECT_EQ(found, wanted);
-  EXPECT_GT(light.stats.litSurfaces, 5U);
-}
-
-TEST(Atlas, OfADarkLevelIsEmptyButStillAPicture) {
-  const Image image = lightmapAtlas(BakedLight{});
-  EXPECT_GE(image.width(), 1);
-  EXPECT_GE(image.height(), 1);
 }
 
 }  // namespace

@@ -40,10 +40,12 @@ ExitStatus run(const OptionValues& values) {
   if (!bake) return fail(bake.error());
   if (!values.has(Option::Quiet)) print(*bake);
   if (!output) return ExitStatus::Done;
-  const auto written = [&] {
+  const auto written = [&]() -> tl::expected<void, std::string> {
     const ProgressDisplay display(progressStyle(values), Stage::Writing);
-    return extension == ".bake" ? writeBake(*output, loaded->level, *bake)
-                                : writePng(*output, lightmapAtlas(bake->light));
+    if (extension == ".bake") return writeBake(*output, loaded->level, *bake);
+    const auto image = lightmapAtlas(loaded->level, bake->light);
+    if (!image) return tl::unexpected(image.error());
+    return writePng(*output, *image);
   }();
   return written ? ExitStatus::Done : fail(written.error());
 }

@@ -14,8 +14,7 @@ namespace hearth {
 
 namespace {
 
-constexpr int kMaxPictureSide = 16384;  // pixels; 2^14 squared still fits the renderer's ints
-constexpr double kMost = 4e9;           // of counts and bytes
+constexpr double kMost = 4e9;  // of counts and bytes
 
 constexpr std::array kTable = {
     OptionRow{Option::Output, "-o", ValueKind::Text, "FILE", 0, 0, "", "the file to write"},

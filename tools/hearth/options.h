@@ -73,6 +73,9 @@ class OptionValues {
   std::map<Option, std::string> values_;
 };
 
+/// Pixels of a picture's side: 2^14 squared still fits the renderer's ints.
+inline constexpr int kMaxPictureSide = 16384;
+
 /// Width and height in pixels, from `WxH`.
 struct PictureSize {
   int width;

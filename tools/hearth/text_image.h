@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+#include "image/image.h"
+
+namespace hearth {
+
+/// Pixels from the top of a line of text to the bottom of its lowest letters: stb_easy_font's.
+inline constexpr int kTextHeight = 9;
+
+/// Pixels that `drawText` takes. Signs that are not printable ASCII show as `?`, one for each byte.
+int textWidth(std::string_view text);
+
+/// Draws one line of small letters, its left top corner at (x, y). What lies outside the image is
+/// cut off.
+void drawText(Image& image, int x, int y, std::string_view text, Rgb color);
+
+}  // namespace hearth
