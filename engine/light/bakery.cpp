@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <mutex>
 
 #include "light/clipped_light.h"
 #include "light/parallel.h"
@@ -65,6 +65,18 @@ std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
   return order;
 }
 
+/// Returns the rays that it added.
+std::int64_t addTo(std::vector<LightCost>& sum, const std::vector<LightCost>& costs) {
+  std::int64_t rays = 0;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    sum[i].samples += costs[i].samples;
+    sum[i].seenSamples += costs[i].seenSamples;
+    sum[i].rays += costs[i].rays;
+    rays += costs[i].rays;
+  }
+  return rays;
+}
+
 std::int64_t texelsOf(const LitSurfaces& surfaces) {
   std::int64_t sum = 0;
   for (const auto& surface : surfaces)
@@ -80,6 +92,7 @@ BakeStats statsOf(const BakedLight& baked) {
     if (!baked.surfaces[i]) continue;
     ++stats.surfaces;
     stats.texels += baked.surfaces[i]->texels.count();
+    if (!baked.surfaceCosts.empty()) stats.rays += baked.surfaceCosts[i].rays;
     if (!baked.lightmaps[i]) continue;
     ++stats.litSurfaces;
     if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
@@ -101,17 +114,19 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
     sights.emplace_back(level, light, settings.softSamples);
 
   done.begin(texelsOf(baked.surfaces));
-  std::vector<std::int64_t> rays(baked.surfaces.size(), 0);
+  baked.surfaceCosts.resize(baked.surfaces.size());
+  baked.lightCosts.resize(level.lights.size());
+  std::mutex addsLightCosts;
   const std::vector<std::size_t> order = byFallingSize(baked.surfaces);
   parallelFor(order.size(), threads, [&](std::size_t job) {
     const std::size_t i = order[job];
     if (isPlantedUnlit(level.surfaces[i].kind)) return;
     SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, SurfaceId(i));
     baked.lightmaps[i] = bakeSurface(surface, settings.samples, done);
-    rays[i] = surface.rays();
+    const std::scoped_lock lock(addsLightCosts);
+    baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });
   baked.stats = statsOf(baked);
-  baked.stats.rays = std::accumulate(rays.begin(), rays.end(), std::int64_t{0});
   return baked;
 }
 

@@ -6,6 +6,7 @@
 
 #include "level/level.h"
 #include "light/bake_progress.h"
+#include "light/light_cost.h"
 #include "light/lightmap.h"
 #include "light/lit_surface.h"
 
@@ -20,11 +21,19 @@ struct BakeStats {
   std::int64_t bytes = 0;           ///< of all lightmaps
 };
 
+/// What a bake did for one surface.
+struct SurfaceCost {
+  std::size_t facingLights = 0;  ///< that can shine on the front of its plane
+  std::int64_t rays = 0;
+};
+
 /// The baked light of a level. Surfaces that no light reaches have no lightmap.
 struct BakedLight {
   LitSurfaces surfaces;                            ///< by SurfaceId
   std::vector<std::optional<Lightmap>> lightmaps;  ///< by SurfaceId
   BakeStats stats;
+  std::vector<SurfaceCost> surfaceCosts;  ///< by SurfaceId
+  std::vector<LightCost> lightCosts;      ///< in the order of the level's lights
 };
 
 /// What the lightmaps show of how they came about: all but the rays.

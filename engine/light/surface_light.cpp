@@ -28,7 +28,8 @@ SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
       surface_(*surfaces[id.index()]),
       id_(id),
       lambert_(lambert),
-      placement_(surfaces, id) {
+      placement_(surfaces, id),
+      costs_(level.lights.size()) {
   for (std::size_t i = 0; i < level.lights.size(); ++i)
     if (isInFront(level.lights[i], surface_)) facing_.push_back(i);
 }
@@ -45,7 +46,11 @@ double SurfaceLight::seenShare(std::size_t index, const SamplePoint& at) {
   // What continues a surface may lie a tolerance off its plane.
   if (at.surface != id_ && !isInFront(light(index), there)) return 0;
   const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
-  return sights_[index].seenShare(target, rays_);
+  LightCost& cost = costs_[index];
+  const double seen = sights_[index].seenShare(target, cost.rays);
+  ++cost.samples;
+  if (seen > 0) ++cost.seenSamples;
+  return seen;
 }
 
 double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "level/level.h"
+#include "light/light_cost.h"
 #include "light/light_sight.h"
 #include "light/lit_surface.h"
 #include "light/sample_placement.h"
@@ -32,7 +33,8 @@ class SurfaceLight {
   /// What all of the light would bring to the point, in levels, before colour.
   double fullLevel(std::size_t light, const SamplePoint& at) const;
 
-  std::int64_t rays() const { return rays_; }
+  /// In the order of the level's lights.
+  const std::vector<LightCost>& costs() const { return costs_; }
 
  private:
   const Level& level_;
@@ -43,7 +45,7 @@ class SurfaceLight {
   bool lambert_;
   SamplePlacement placement_;
   std::vector<std::size_t> facing_;
-  std::int64_t rays_ = 0;
+  std::vector<LightCost> costs_;
 };
 
 }  // namespace hearth

@@ -14,13 +14,18 @@ namespace {
 
 constexpr Rgb kOnce = {0, 160, 0};  // of Channel::Overdraw
 
+BakedLight withoutLight(const Level& level) {
+  BakedLight light;
+  light.surfaces.resize(level.surfaces.size());
+  light.lightmaps.resize(level.surfaces.size());
+  return light;
+}
+
 class Coverage : public testing::Test {
  protected:
   Coverage()
       : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
-        light_{LitSurfaces(loaded_.level.surfaces.size()),
-               std::vector<std::optional<Lightmap>>(loaded_.level.surfaces.size()),
-               {}},
+        light_(withoutLight(loaded_.level)),
         renderer_(loaded_.level, loaded_.textures, light_) {}
 
   const Level& level() const { return loaded_.level; }

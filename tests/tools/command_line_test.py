@@ -442,6 +442,37 @@ class Info(InFolder):
         self.assertRegex(bakes[0]["geometry"], "^[0-9a-f]{16}$")
         self.assertIn(("sloped floor", "ramp"), {(row["kind"], row["sector"]) for row in surfaces})
 
+    def test_json_says_what_was_modelled_and_what_was_left_out(self):
+        info = json.loads(run("info", self.level, "--json", "--texel", "0.5").stdout)
+        counted = ["bare", "unfaced", "unreached", "oneChannel", "threeChannels"]
+        kinds = info["light"]["kinds"]
+        for kind, count in info["surfaces"].items():
+            self.assertEqual(sum(kinds[kind][key] for key in counted), count, kind)
+        for key, total in info["light"]["all"].items():
+            self.assertEqual(sum(kind[key] for kind in kinds.values()), total, key)
+        self.assertGreater(info["light"]["all"]["bare"], 0)
+        self.assertEqual(info["requires"]["lightmapBytes"], info["light"]["all"]["bytes"])
+        self.assertEqual(info["light"]["points"]["rays"], info["requires"]["rays"])
+        self.assertEqual(info["models"]["sectors with a slope"], {"used": 1, "of": 4})
+        self.assertEqual(info["models"]["lights with a radius"], {"used": 0, "of": 2})
+
+    def test_its_bytes_and_rays_are_those_of_the_bake_that_is_asked_for(self):
+        for options in [(), ("--texel", "0.5"), ("--samples", "4"), ("--lambert",)]:
+            with self.subTest(options=options):
+                info = json.loads(run("info", self.level, "--json", *options).stdout)
+                bake = run("bake", self.level, *options).stdout
+                self.assertRegex(bake, rf"bytes +{info['requires']['lightmapBytes']}\n")
+        rays = [json.loads(run("info", self.level, "--json", "--samples", count).stdout)
+                ["requires"]["rays"] for count in (1, 4)]
+        self.assertEqual(4 * rays[0], rays[1])
+
+    def test_says_the_same_every_time_for_any_number_of_threads(self):
+        for options in [(), ("--json",)]:
+            texts = {run("info", self.level, "--threads", count, *options).stdout
+                     for count in (1, 2, 7, 7)}
+            self.assertEqual(len(texts), 1)
+            self.assertIn("rays", texts.pop())
+
     def test_the_tutorial_shows_every_feature_of_the_format(self):
         result = run("info", SOURCE / "levels/tutorial.json", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -19,8 +19,7 @@ void print(const Bake& bake) {
   const double seconds = std::max(bake.seconds, 1e-9);
   fmt::print("surfaces  {} of {} lit\n", stats.litSurfaces, stats.surfaces);
   fmt::print("texels    {} of {} m, {}\n", stats.texels, bake.settings.texel,
-             bake.settings.samples ? fmt::format("{} sample(s) each", *bake.settings.samples)
-                                   : "samples where shadows' edges need them");
+             samplesInWords(bake.settings));
   fmt::print("speed     {:.0f} texels/s; {:.3g} rays/s on {} thread(s)\n",
              static_cast<double>(stats.texels) / seconds, static_cast<double>(stats.rays) / seconds,
              bake.threads);

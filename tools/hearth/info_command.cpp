@@ -1,17 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <tuple>
 
 #include "hearth/command.h"
 #include "hearth/format_features.h"
+#include "hearth/light_report.h"
 #include "hearth/session.h"
 #include "light/geometry_hash.h"
-#include "light/lit_surface.h"
 
 namespace hearth {
 
@@ -19,11 +18,10 @@ namespace {
 
 /// What a level holds, and what drawing it needs.
 struct Contents {
-  std::array<std::int64_t, kSurfaceKinds> surfaces{};
   std::int64_t loops = 0;
   std::int64_t textureBytes = 0;
-  LitSurfaces litSurfaces;
-  std::int64_t lightmapTexels = 0;  ///< at most: surfaces that no light reaches need none
+  BakeSettings settings;  ///< of the light
+  LightReport light;
   FeatureCounts features;
 };
 
@@ -32,18 +30,14 @@ std::string textOf(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Contents contentsOf(const LoadedLevel& loaded, const BakeSettings& settings) {
+Contents contentsOf(const LoadedLevel& loaded, const Bake& bake) {
   const Level& level = loaded.level;
   Contents contents;
-  for (const Surface& surface : level.surfaces)
-    ++contents.surfaces[static_cast<std::size_t>(surface.kind)];
+  contents.settings = bake.settings;
+  contents.light = lightReport(level, bake.light);
   for (const Sector& sector : level.sectors) contents.loops += std::ssize(sector.loops);
   for (const Image& image : loaded.textures)
     contents.textureBytes += std::int64_t{3} * image.width() * image.height();
-  contents.litSurfaces = makeLitSurfaces(level, settings.texel);
-  for (const auto& surface : contents.litSurfaces)
-    if (surface)
-      contents.lightmapTexels += std::int64_t{surface->texels.width} * surface->texels.height;
 
   const std::string levelText = textOf(loaded.path);
   const std::string lights = lightsPath(loaded.path, levelText);
@@ -79,9 +73,46 @@ nlohmann::ordered_json toJson(const Level& level, const LitSurfaces& surfaces) {
   return list;
 }
 
+nlohmann::ordered_json toJson(const SurfaceReport& report) {
+  return {{"surfaces", report.surfaces()},
+          {"bare", report.bare},
+          {"unfaced", report.unfaced},
+          {"unreached", report.unreached},
+          {"oneChannel", report.white},
+          {"threeChannels", report.colored},
+          {"texels", report.whiteTexels + report.coloredTexels},
+          {"skippedTexels", report.skippedTexels},
+          {"bytes", report.bytes()},
+          {"rays", report.rays}};
+}
+
+nlohmann::ordered_json toJson(const LightKindReport& report) {
+  return {{"lights", report.lights},
+          {"samples", report.samples},
+          {"rays", report.rays},
+          {"raysPerSample", report.raysPerSample()}};
+}
+
+nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightReport& report) {
+  nlohmann::ordered_json json;
+  json["texelMetres"] = settings.texel;
+  if (settings.samples)
+    json["samples"] = *settings.samples;
+  else
+    json["samples"] = "auto";
+  json["lambert"] = settings.lambert;
+  json["all"] = toJson(report.all);
+  for (std::size_t i = 0; i < kSurfaceKinds; ++i)
+    json["kinds"][std::string(name(static_cast<SurfaceKind>(i)))] = toJson(report.kinds[i]);
+  json["points"] = toJson(report.points);
+  json["balls"] = toJson(report.balls);
+  json["coloredLights"] = report.coloredLights;
+  json["uselessLights"] = report.uselessLights;
+  return json;
+}
+
 /// The counts of what there is; in an order that does not change.
-nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& contents,
-                              const BakeSettings& settings) {
+nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& contents) {
   const Level& level = loaded.level;
   nlohmann::ordered_json json;
   json["name"] = level.name;
@@ -92,28 +123,61 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
   json["lights"] = level.lights.size();
   json["shots"] = level.shots.size();
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)
-    json["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] = contents.surfaces[i];
+    json["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] =
+        contents.light.kinds[i].surfaces();
   json["textures"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < level.textures.size(); ++i)
     json["textures"].push_back({{"name", level.textures[i]},
                                 {"width", loaded.textures[i].width()},
                                 {"height", loaded.textures[i].height()}});
   json["requires"] = {{"textureBytes", contents.textureBytes},
-                      {"lightmapBytesAtMost", contents.lightmapTexels},
-                      {"texelMetres", settings.texel}};
-  json["bake"] = {{"texelMetres", settings.texel},
-                  {"geometry", fmt::format("{:016x}", geometryHash(level, settings.texel))}};
+                      {"lightmapBytes", contents.light.all.bytes()},
+                      {"rays", contents.light.all.rays}};
+  json["light"] = lightToJson(contents.settings, contents.light);
+  for (const auto& [name, used, of] : featureUses(level, contents.light))
+    json["models"][std::string(name)] = {{"used", used}, {"of", of}};
+  json["bake"] = {
+      {"texelMetres", contents.settings.texel},
+      {"geometry", fmt::format("{:016x}", geometryHash(level, contents.settings.texel))}};
   for (const auto& [feature, name] : kFormatFeatures)
     json["features"][std::string(name)] = contents.features[feature];
   return json;
 }
 
-void print(const LoadedLevel& loaded, const Contents& contents, const BakeSettings& settings) {
+void printLine(std::string_view what, std::int64_t count) {
+  if (count > 0) fmt::print("{:>11}  {}\n", count, what);
+}
+
+void printRow(std::string_view name, const SurfaceReport& row) {
+  if (row.surfaces() == 0) return;
+  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>11} {:>13}\n", name, row.surfaces(),
+             row.bare, row.unfaced, row.unreached, row.white, row.colored, row.bytes(), row.rays);
+}
+
+void printLight(const Contents& contents) {
+  const auto& [settings, light] = std::tie(contents.settings, contents.light);
+  fmt::print("\nlight, with texels of {} m, {}\n", settings.texel, samplesInWords(settings));
+  fmt::print("{:<16} {:>8} {:>26} {:>14}\n", "", "", "without a lightmap", "of channels");
+  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>11} {:>13}\n", "", "surfaces", "bare",
+             "unfaced", "unreached", "one", "three", "bytes", "rays");
+  for (std::size_t i = 0; i < kSurfaceKinds; ++i)
+    printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
+  printRow("all", light.all);
+  const auto printLights = [](std::string_view what, const LightKindReport& kind) {
+    if (kind.lights > 0)
+      fmt::print("{:>11}  {}: {:.1f} rays a sample, {} rays\n", kind.lights, what,
+                 kind.raysPerSample(), kind.rays);
+  };
+  printLine("texels of surfaces without a lightmap", light.all.skippedTexels);
+  printLights("points of light", light.points);
+  printLights("balls of light", light.balls);
+  printLine("lights that reach nothing", light.uselessLights);
+}
+
+void print(const LoadedLevel& loaded, const Contents& contents) {
   const Level& level = loaded.level;
   fmt::print("{}\n\nholds\n", level.name);
-  const auto line = [](std::string_view what, std::int64_t count) {
-    if (count > 0) fmt::print("{:>9}  {}\n", count, what);
-  };
+  const auto line = printLine;
   line("sectors", std::ssize(level.sectors));
   line("loops", contents.loops);
   line("segments", std::ssize(level.segments));
@@ -122,12 +186,14 @@ void print(const LoadedLevel& loaded, const Contents& contents, const BakeSettin
   line("shots", std::ssize(level.shots));
   line("textures", std::ssize(level.textures));
   line("surfaces", std::ssize(level.surfaces));
-  for (std::size_t i = 0; i < kSurfaceKinds; ++i)
-    line(fmt::format("  {}", name(static_cast<SurfaceKind>(i))), contents.surfaces[i]);
   fmt::print("\nrequires\n");
   line("bytes of textures", contents.textureBytes);
-  line(fmt::format("bytes of lightmaps at most, with texels of {} m", settings.texel),
-       contents.lightmapTexels);
+  line("bytes of lightmaps", contents.light.all.bytes());
+  line("rays to bake them", contents.light.all.rays);
+  printLight(contents);
+  fmt::print("\nmodels only\n");
+  for (const auto& [name, used, of] : featureUses(level, contents.light))
+    fmt::print("{:>11}  of {} {}\n", used, of, name);
   fmt::print("\nuses\n");
   for (const auto& [feature, name] : kFormatFeatures) line(name, contents.features[feature]);
 }
@@ -137,16 +203,16 @@ ExitStatus run(const OptionValues& values) {
     return fail("--surfaces: they are printed as JSON only; give --json, too");
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto settings = bakeSettingsFor(loaded->level, values);
-  if (!settings) return fail(settings.error());
-  const Contents contents = contentsOf(*loaded, *settings);
+  const auto bake = bakeFor(loaded->level, values);
+  if (!bake) return fail(bake.error());
+  const Contents contents = contentsOf(*loaded, *bake);
   if (!values.has(Option::Json)) {
-    print(*loaded, contents, *settings);
+    print(*loaded, contents);
     return ExitStatus::Done;
   }
-  nlohmann::ordered_json json = toJson(*loaded, contents, *settings);
+  nlohmann::ordered_json json = toJson(*loaded, contents);
   if (values.has(Option::Surfaces))
-    json["bake"]["surfaces"] = toJson(loaded->level, contents.litSurfaces);
+    json["bake"]["surfaces"] = toJson(loaded->level, bake->light.surfaces);
   fmt::print("{}\n", json.dump(2));
   return ExitStatus::Done;
 }
@@ -155,8 +221,8 @@ ExitStatus run(const OptionValues& values) {
 
 Command infoCommand() {
   return {"info",
-          "prints what the level holds and what it requires",
-          std::vector<Option>{Option::Json, Option::Surfaces, Option::Texel} + limitOptions(),
+          "bakes, and prints what the level holds, what it requires and what of it is modelled",
+          std::vector<Option>{Option::Json, Option::Surfaces} + bakeOptions(),
           {},
           run};
 }

@@ -65,6 +65,11 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
   return settings;
 }
 
+std::string samplesInWords(const BakeSettings& settings) {
+  if (!settings.samples) return "samples where shadows' edges need them";
+  return fmt::format("{} sample(s) each", *settings.samples);
+}
+
 LightMode lightModeFrom(const OptionValues& values) {
   const std::string mode = values.text(Option::Light).value_or("both");
   if (mode == "none") return LightMode::None;

@@ -23,6 +23,9 @@ std::optional<LoadedLevel> openLevel(const OptionValues& values);
 tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
                                                         const OptionValues& values);
 
+/// How many samples a texel has.
+std::string samplesInWords(const BakeSettings& settings);
+
 /// What `--light` asks for.
 LightMode lightModeFrom(const OptionValues& values);
 

@@ -1,0 +1,105 @@
+#include "hearth/light_report.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "loaded.h"
+#include "support/level_text.h"
+
+namespace hearth {
+
+namespace {
+
+/// Two rooms of 6 surfaces that see nothing of each other.
+LoadedLevel twoRooms(const std::string& lights) {
+  return test::levelFrom("{'light': 0.1, 'sectors': {" +
+                             test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "," +
+                             test::sectorText("b", "10,0, 14,0, 14,4, 10,4", 0, 3) + "}}",
+                         lights);
+}
+
+LightReport reportOf(const LoadedLevel& loaded, const BakeSettings& settings = {.texel = 0.5}) {
+  return lightReport(loaded.level, bake(loaded.level, settings, 2));
+}
+
+TEST(LightReport, SaysWhySurfacesHaveNoLightmap) {
+  const LightReport report = reportOf(twoRooms("[{'x':2,'y':2,'z':1}]"));
+  EXPECT_EQ(report.all.white, 6);
+  EXPECT_EQ(report.all.unfaced, 1) << "the far room's west wall";
+  EXPECT_EQ(report.all.unreached, 5);
+  EXPECT_EQ(report.all.bare, 0);
+  EXPECT_EQ(report.all.surfaces(), 12);
+  EXPECT_EQ(report.all.whiteTexels, report.all.bytes());
+  EXPECT_EQ(report.all.skippedTexels, report.all.whiteTexels) << "the rooms are alike";
+}
+
+TEST(LightReport, HasThreeChannelsOnlyWhereColorArrives) {
+  const LightReport report =
+      reportOf(twoRooms("[{'x':2,'y':2,'z':1,'color':'#ff8000'},{'x':12,'y':2,'z':1}]"));
+  EXPECT_EQ(report.all.colored, 6);
+  EXPECT_EQ(report.all.white, 6);
+  EXPECT_EQ(report.all.bytes(), 4 * report.all.whiteTexels);
+  EXPECT_EQ(report.coloredLights, 1);
+}
+
+TEST(LightReport, TellsBallsFromPoints) {
+  const LightReport report =
+      reportOf(twoRooms("[{'x':2,'y':2,'z':1},{'x':12,'y':2,'z':1,'radius':0.2}]"));
+  EXPECT_EQ(report.points.lights, 1);
+  EXPECT_EQ(report.points.raysPerSample(), 1);
+  EXPECT_EQ(report.balls.lights, 1);
+  EXPECT_GT(report.balls.raysPerSample(), 10);
+  EXPECT_EQ(report.points.rays + report.balls.rays, report.all.rays);
+}
+
+TEST(LightReport, CountsLightsThatReachNothing) {
+  const LoadedLevel rooms = twoRooms(
+      "[{'x':2,'y':2,'z':1},{'x':2,'y':2,'z':1,'intensity':0},{'x':2,'y':2,'z':1,'color':'#000000'}"
+      ","
+      "{'x':2,'y':2,'z':1,'curve':[[0,0],[9,0]]},{'x':2,'y':2,'z':1,'curve':[[0,0],[1,9]]}]");
+  BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
+  EXPECT_EQ(lightReport(rooms.level, light).uselessLights, 3);
+  light.lightCosts[0].seenSamples = 0;
+  EXPECT_EQ(lightReport(rooms.level, light).uselessLights, 4);
+}
+
+TEST(LightReport, OfALevelWithoutLightsCostsNothing) {
+  const LightReport report = reportOf(twoRooms("[]"));
+  EXPECT_EQ(report.all.rays, 0);
+  EXPECT_EQ(report.all.bytes(), 0);
+  EXPECT_EQ(report.points.raysPerSample(), 0);
+}
+
+TEST(LightReport, AddsUpToTheStatisticsOfTheBake) {
+  const LoadedLevel rooms = loaded("tests/levels/rooms.json");
+  const BakedLight light = bake(rooms.level, {.texel = 0.25}, 2);
+  const LightReport report = lightReport(rooms.level, light);
+  SurfaceReport sum;
+  for (const SurfaceReport& kind : report.kinds) sum += kind;
+  EXPECT_EQ(sum.surfaces(), std::ssize(rooms.level.surfaces));
+  EXPECT_EQ(sum.surfaces() - sum.bare, static_cast<std::int64_t>(light.stats.surfaces));
+  EXPECT_EQ(sum.white + sum.colored, static_cast<std::int64_t>(light.stats.litSurfaces));
+  EXPECT_EQ(sum.whiteTexels + sum.coloredTexels + sum.skippedTexels, light.stats.texels);
+  EXPECT_EQ(sum.bytes(), light.stats.bytes);
+  EXPECT_EQ(sum.rays, light.stats.rays);
+  EXPECT_EQ(sum.bytes(), report.all.bytes());
+}
+
+TEST(FeatureUses, CountWallsAsTheyWereWritten) {
+  const LoadedLevel tutorial = loaded("levels/tutorial.json");
+  std::map<std::string_view, FeatureUse> uses;
+  for (const FeatureUse& use : featureUses(tutorial.level, reportOf(tutorial)))
+    uses.insert({use.name, use});
+  EXPECT_EQ(uses.at("walls that are stacks").used, 18);
+  EXPECT_EQ(uses.at("sectors with a slope").of, std::ssize(tutorial.level.sectors));
+  EXPECT_LT(uses.at("walls that are stacks").of, std::ssize(tutorial.level.segments));
+  for (const auto& [name, use] : uses) {
+    EXPECT_LE(0, use.used) << name;
+    EXPECT_LE(use.used, use.of) << name;
+  }
+}
+
+}  // namespace
+
+}  // namespace hearth

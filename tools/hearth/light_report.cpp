@@ -1,0 +1,124 @@
+#include "hearth/light_report.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace hearth {
+
+namespace {
+
+SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
+  SurfaceReport report;
+  report.rays = light.surfaceCosts[i].rays;
+  if (!light.surfaces[i]) {
+    report.bare = 1;
+    return report;
+  }
+  const std::int64_t texels = light.surfaces[i]->texels.count();
+  if (const auto& map = light.lightmaps[i]) {
+    const bool isWhite = map->channels == 1;
+    (isWhite ? report.white : report.colored) = 1;
+    (isWhite ? report.whiteTexels : report.coloredTexels) = texels;
+  } else {
+    (light.surfaceCosts[i].facingLights == 0 ? report.unfaced : report.unreached) = 1;
+    report.skippedTexels = texels;
+  }
+  return report;
+}
+
+/// Whether a light is dark at any distance.
+bool isDark(const LightSource& light) {
+  if (std::ranges::all_of(light.color, [](std::uint8_t share) { return share == 0; })) return true;
+  if (light.curve.empty()) return light.intensity == 0;
+  return std::ranges::all_of(light.curve, [](const CurvePoint& point) { return point.level == 0; });
+}
+
+void addLights(const Level& level, const BakedLight& baked, LightReport& report) {
+  for (std::size_t i = 0; i < level.lights.size(); ++i) {
+    const LightSource& light = level.lights[i];
+    const LightCost& cost = baked.lightCosts[i];
+    LightKindReport& kind = light.radius > 0 ? report.balls : report.points;
+    ++kind.lights;
+    kind.samples += cost.samples;
+    kind.rays += cost.rays;
+    report.coloredLights += light.isColored() ? 1 : 0;
+    report.uselessLights += isDark(light) || cost.seenSamples == 0 ? 1 : 0;
+  }
+}
+
+/// Of authored walls, which linking may have cut.
+struct WallCounts {
+  std::int64_t all = 0;
+  std::int64_t stacks = 0;
+};
+
+WallCounts countWalls(const Level& level) {
+  std::set<std::pair<const Sector*, std::pair<std::uint32_t, std::uint32_t>>> seen;
+  WallCounts counts;
+  for (const Segment& segment : level.segments) {
+    if (!seen.insert({&level[segment.sector], {segment.loop, segment.wall}}).second) continue;
+    ++counts.all;
+    counts.stacks += std::holds_alternative<Stack>(segment.kind) ? 1 : 0;
+  }
+  return counts;
+}
+
+}  // namespace
+
+SurfaceReport& SurfaceReport::operator+=(const SurfaceReport& other) {
+  bare += other.bare;
+  unfaced += other.unfaced;
+  unreached += other.unreached;
+  white += other.white;
+  colored += other.colored;
+  whiteTexels += other.whiteTexels;
+  coloredTexels += other.coloredTexels;
+  skippedTexels += other.skippedTexels;
+  rays += other.rays;
+  return *this;
+}
+
+double LightKindReport::raysPerSample() const {
+  return samples == 0 ? 0 : static_cast<double>(rays) / static_cast<double>(samples);
+}
+
+LightReport lightReport(const Level& level, const BakedLight& light) {
+  LightReport report;
+  for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
+    const SurfaceReport surface = reportOf(light, i);
+    report.kinds[static_cast<std::size_t>(level.surfaces[i].kind)] += surface;
+    report.all += surface;
+  }
+  addLights(level, light, report);
+  return report;
+}
+
+std::vector<FeatureUse> featureUses(const Level& level, const LightReport& light) {
+  const auto count = [](const auto& range, auto&& isUsed) {
+    return static_cast<std::int64_t>(std::ranges::count_if(range, isUsed));
+  };
+  const auto sectorsWith = [&](auto&& isUsed) { return count(level.sectors, isUsed); };
+  const std::int64_t sectors = std::ssize(level.sectors);
+  const WallCounts walls = countWalls(level);
+  return {
+      {"sectors with a slope",
+       sectorsWith([](const Sector& s) { return s.floorSlope || s.ceilingSlope; }), sectors},
+      {"sectors with a sky",
+       sectorsWith([](const Sector& s) { return s.floor.parallax || s.ceiling.parallax; }),
+       sectors},
+      {"sectors with a flat portal",
+       sectorsWith([](const Sector& s) { return s.floor.interface || s.ceiling.interface; }),
+       sectors},
+      {"walls that are stacks", walls.stacks, walls.all},
+      {"surfaces that are sidewalls",
+       count(level.surfaces, [](const Surface& s) { return isSidewall(s.kind); }),
+       std::ssize(level.surfaces)},
+      {"surfaces with a lightmap", light.all.white + light.all.colored, std::ssize(level.surfaces)},
+      {"lightmaps of three channels", light.all.colored, light.all.white + light.all.colored},
+      {"lights with a colour", light.coloredLights, std::ssize(level.lights)},
+      {"lights with a radius", light.balls.lights, std::ssize(level.lights)},
+  };
+}
+
+}  // namespace hearth

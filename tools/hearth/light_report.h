@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "level/level.h"
+#include "light/bakery.h"
+
+namespace hearth {
+
+/// Surfaces, and what their light took. The first five counts add up to all surfaces.
+struct SurfaceReport {
+  std::int64_t bare = 0;       ///< no lightmap: sky, or nothing of it can show
+  std::int64_t unfaced = 0;    ///< no lightmap: all lights are behind its plane
+  std::int64_t unreached = 0;  ///< no lightmap: lights face it, but none of their light arrives
+  std::int64_t white = 0;      ///< lightmaps of one channel
+  std::int64_t colored = 0;    ///< lightmaps of three
+  std::int64_t whiteTexels = 0;
+  std::int64_t coloredTexels = 0;
+  std::int64_t skippedTexels = 0;  ///< of surfaces without a lightmap
+  std::int64_t rays = 0;
+
+  std::int64_t surfaces() const { return bare + unfaced + unreached + white + colored; }
+  std::int64_t bytes() const { return whiteTexels + 3 * coloredTexels; }
+  SurfaceReport& operator+=(const SurfaceReport& other);
+};
+
+/// Lights of a kind, and what they took.
+struct LightKindReport {
+  std::int64_t lights = 0;
+  std::int64_t samples = 0;  ///< that asked what they see of such a light
+  std::int64_t rays = 0;
+
+  double raysPerSample() const;  ///< 0 without samples
+};
+
+/// What of a level's light was modelled, what was left out and why.
+struct LightReport {
+  std::array<SurfaceReport, kSurfaceKinds> kinds{};  ///< by SurfaceKind
+  SurfaceReport all;
+  LightKindReport points;
+  LightKindReport balls;
+  std::int64_t coloredLights = 0;
+  std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
+};
+
+LightReport lightReport(const Level& level, const BakedLight& light);
+
+/// How many there are of a part of the level that could be modelled, and how many are.
+struct FeatureUse {
+  std::string_view name;  ///< stable: scripts read it
+  std::int64_t used;
+  std::int64_t of;
+};
+
+/// What a level pays for only where it has it.
+std::vector<FeatureUse> featureUses(const Level& level, const LightReport& light);
+
+}  // namespace hearth
