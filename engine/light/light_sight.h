@@ -50,8 +50,8 @@ class LightSight {
   /// there are with these.
   std::vector<Raytracer::Source> points_;
   int pointCount_ = 0;
-  bool isCutByPlanes_ =
-      false;  ///< what shines is what lies in front of all planes, if there are any
+  /// Whether what shines is what lies in front of all planes, if there are any.
+  bool isCutByPlanes_ = false;
 };
 
 }  // namespace hearth
