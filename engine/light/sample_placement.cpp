@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "math/predicates.h"
@@ -33,6 +34,20 @@ double distanceTo(const std::vector<LitSurface::Edge>& edges, Vec2 p) {
   for (const auto& [a, b] : edges)
     distance = std::min(distance, length(nearestOnSegment(a, b, p) - p));
   return distance;
+}
+
+/// Between two edges that meet, the point that is `margin` from both. Clipping can leave an edge
+/// between them that is all rounding.
+std::optional<Vec2> insideCorner(const LitSurface::Edge& before, const LitSurface::Edge& after,
+                                 double margin) {
+  if (length(before.b - after.a) > margin) return std::nullopt;
+  if (length(before.b - before.a) <= margin || length(after.b - after.a) <= margin)
+    return std::nullopt;
+  const Vec2 back = (1 / length(before.a - before.b)) * (before.a - before.b);
+  const Vec2 on = (1 / length(after.b - after.a)) * (after.b - after.a);
+  const double sine = std::abs(cross(back, on)) / length(back + on);  // of half the angle
+  if (!(sine > 0)) return std::nullopt;
+  return after.a + margin / (sine * length(back + on)) * (back + on);
 }
 
 }  // namespace
@@ -85,7 +100,8 @@ std::optional<SurfaceId> SamplePlacement::surfaceAt(const Patch& patch, Vec2 p) 
 }
 
 /// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
-/// a corner, where that may run along the other edge, the way that leads farthest inside.
+/// a corner, where that may run along the other edge, the way that leads farthest inside; in a
+/// sharp one to where its edges are a hair away.
 Vec2 SamplePlacement::movedInside(const LitSurface& surface,
                                   const std::vector<LitSurface::Edge>& edges, Vec2 edgePoint,
                                   Vec2 from) const {
@@ -100,7 +116,13 @@ Vec2 SamplePlacement::movedInside(const LitSurface& surface,
     return clearance > 0.9 * hair_;
   };
   if (edgePoint != from && isGood((1 / length(edgePoint - from)) * (edgePoint - from))) return best;
-  (void)std::ranges::any_of(kWays, isGood);
+  if (std::ranges::any_of(kWays, isGood) || clearance > 0.5 * hair_) return best;
+  // A sharp corner, into which none of the ways leads, or not far from its edges.
+  for (const LitSurface::Edge& before : edges)
+    for (const LitSurface::Edge& after : edges) {
+      const std::optional<Vec2> inside = insideCorner(before, after, hair_);
+      if (inside && surface.contains(*inside)) return *inside;
+    }
   return best;
 }
 

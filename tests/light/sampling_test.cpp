@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "light/bakery.h"
+#include "light/sample_placement.h"
+#include "math/tolerance.h"
+#include "math/trig.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
 
@@ -13,6 +16,7 @@ namespace hearth {
 namespace {
 
 using test::BakedRoom;
+using test::levelFrom;
 using test::sectorText;
 
 TEST(Sampling, asShadowsNeedIsTheSampleInTheMiddleWhereThereAreNone) {
@@ -55,6 +59,30 @@ TEST(Sampling, asShadowsNeedClipsTexelsAtTheShadowsEdge) {
         lit += std::clamp(j + 1 - y / 0.5, 0.0, 1.0) / 1000;
       }
       EXPECT_NEAR(floor.at(i, j), 200 * lit, 3) << i << ' ' << j;
+    }
+}
+
+TEST(SamplePlacement, keepsAHairOffBothEdgesOfASharpCorner) {
+  for (const double angle : {1.0, 3.0, 10.0, 21.0})
+    for (const double turn : {0.0, 7.0, 100.0, 201.5}) {
+      // The floor of a room with a corner at (0, 0), which opens from `turn` on.
+      const SinCos a = sinCosDegrees(turn);
+      const SinCos b = sinCosDegrees(turn + angle);
+      const std::string vertices =
+          fmt::format("0,0, {},{}, {},{}", 4 * a.cos, 4 * a.sin, 4 * b.cos, 4 * b.sin);
+      const LoadedLevel loaded = levelFrom(
+          fmt::format("{{'light': 0, 'sectors': {{{}}}}}", sectorText("room", vertices, 0, 3)));
+      const LitSurfaces surfaces = makeLitSurfaces(loaded.level, 0.25);
+      for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (loaded.level.surfaces[i].kind != SurfaceKind::Floor) continue;
+        const LitSurface& floor = *surfaces[i];
+        const SinCos beyond = sinCosDegrees(turn + angle / 2 + 180);
+        const Vec2 sample = floor.grid.toTexels({0.1 * beyond.cos, 0.1 * beyond.sin, 0});
+        const Vec3 target = SamplePlacement(surfaces, SurfaceId(i)).place(sample).target;
+        const Vec2 found = floor.grid.toTexels(target);
+        EXPECT_TRUE(floor.contains(found)) << angle << ' ' << turn;
+        EXPECT_GT(0.25 * length(floor.nearest(found) - found), 0.9 * kHair) << angle << ' ' << turn;
+      }
     }
 }
 
