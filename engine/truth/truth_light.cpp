@@ -63,10 +63,14 @@ Vec3 TruthLight::at(const SurfacePoint& place) const {
 }
 
 double TruthLight::from(std::size_t index, const SurfacePoint& place) const {
+  return unshaded(index, place) * seenShare(index, place);
+}
+
+double TruthLight::seenShare(std::size_t index, const SurfacePoint& place) const {
   const Shape& shape = shapes_[index];
   const auto seen = std::ranges::count_if(
       shape.origins, [&](const Origin& origin) { return sees(origin, place); });
-  return unshaded(index, place) * static_cast<double>(seen) / shape.count;
+  return static_cast<double>(seen) / shape.count;
 }
 
 double TruthLight::unshaded(std::size_t index, const SurfacePoint& place) const {

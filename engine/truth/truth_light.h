@@ -21,6 +21,9 @@ class TruthLight {
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
 
+  /// Which share of it sees the point, 0..1.
+  double seenShare(std::size_t light, const SurfacePoint& place) const;
+
   /// What it would add if nothing stood between, to a point that need not lie on a surface; 0 in
   /// the plane of the light.
   double unshaded(std::size_t light, const SurfacePoint& place) const;
