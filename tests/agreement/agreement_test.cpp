@@ -30,5 +30,15 @@ TEST(Agreement, isCompleteOnTheTutorial) {
   EXPECT_EQ(tally.missed(), 0) << tally.firstMiss << '\n' << table(tally);
 }
 
+TEST(Agreement, takesBallsForPointsAndAutoForOneSample) {
+  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json");
+  ASSERT_TRUE(result.loaded);
+  LoadedLevel level = *result.loaded;
+  const std::string expected = table(compareLevel(level, "points", 1));
+  for (LightSource& light : level.level.lights) light.radius = 0.5;
+  level.level.bake.samples.reset();
+  EXPECT_EQ(table(compareLevel(level, "balls", 1)), expected);
+}
+
 }  // namespace
 }  // namespace hearth::agreement

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <optional>
 
-#include "agreement/plain_texels.h"
+#include "agreement/texel_truth.h"
 #include "light/bakery.h"
 #include "load/load.h"
 #include "random_levels/random_level.h"
@@ -19,15 +19,11 @@ namespace hearth::agreement {
 
 namespace {
 
-constexpr double kEdgePx = 0.02;  ///< pixels so near to an edge may show either side
-/// Metres around a sample. One on an edge is taken a micrometre inside it, and in a corner the
-/// format does not say which way: two that are both right lie less than two of these apart.
-/// Elsewhere only rounding moves a sample: that of coordinates, and the 10^-7 m that the bakery
-/// leaves before it. Where many pixels are excused, a light, a wall and a row of samples are in one
-/// line: 406 pixels of a sloped floor of seed 1949, where that line is y = 2.125.
-constexpr std::array kHairs{1e-6, 2e-6};
-constexpr double kStep = 0.25;      ///< levels: more is a shadow's edge, so near to a sample
+constexpr double kEdgePx = 0.02;    ///< pixels so near to an edge may show either side
 constexpr double kNearLight = 0.3;  ///< metres around a light where light changes too fast
+/// With the cosine at the surface: right under a light of i levels, d above it, light interpolated
+/// over texels of h misses i h^2 / (4 d^2), which at i = 255 and h = 1/8 m makes 2 levels.
+constexpr double kNearLightWithCosine = 0.7;
 /// Levels: half for the rounding of texels, half for that of pixels, both of which can be exact
 /// halves; and what doubles add to that.
 constexpr double kGridTolerance = 1 + 1e-9;
@@ -38,20 +34,44 @@ constexpr double kGridTolerance = 1 + 1e-9;
 /// d falls by g = 255 f / (d f + 1) there: with f = 1 and d = 0.3 m by 196, which makes 6 levels at
 /// h = 1/8 m.
 constexpr double kExactTolerance = 3;
+/// Levels of those three that interpolation may miss: half a level each is for rounding.
+constexpr double kInterpolation = kExactTolerance - kGridTolerance;
+/// ... because of curves; the rest is for light that falls smoothly.
+constexpr double kInterpolationAtCurves = kInterpolation / 2;
 constexpr double kFineTexel = 0.125;  ///< metres: exact light is promised up to this texel
 constexpr int kLightStride = 7;       ///< light is compared on every so many pixels
+
+/// Levels that a channel may miss where it is not compared.
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+/// Whether each channel of the one is within its tolerance, in levels, of the other's.
+bool areWithin(const Channels& tolerance, const Channels& a, const Channels& b) {
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    if (std::abs(a[channel] - b[channel]) > tolerance[channel]) return false;
+  return true;
+}
+
+Channels sum(const Channels& a, const Channels& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// With lights and samples as truth can follow them.
+Level comparable(Level level) {
+  for (LightSource& light : level.lights) light.radius = 0;
+  if (!level.bake.samples) level.bake.samples = 1;
+  return level;
+}
 
 /// Compares one level, whose light is baked once for all views.
 class Comparison {
  public:
   Comparison(const LoadedLevel& loaded, std::string_view name)
-      : level_(loaded.level),
+      : level_(comparable(loaded.level)),
         textures_(loaded.textures),
         name_(name),
         light_(bake(level_, level_.bake, 1)),
         renderer_(level_, textures_, light_),
-        truthLight_(level_),
-        texels_(level_) {}
+        truth_(level_) {}
 
   Tally run(std::size_t shots) {
     tally_.levels = 1;
@@ -106,88 +126,76 @@ class Comparison {
   }
 
   void compareLight(const View& view, const TruthHit& hit, KindTally& kind, int i, int j) {
-    const std::optional<Patch> found = patchAt(hit);
-    if (!found) return;
-    const Patch& patch = *found;
-    const double drawn = view.lit.at(i, j).r;
-    const double sector = level_[hit.sector].light;
-    const auto shown = [&](double level) { return 255 * std::min(1.0, level / 255 + sector); };
-    const auto atEdge = [&] {
-      return !view.truth.isClear(i + 0.5, j + 0.5, kEdgePx) || isAtShadowEdge(patch);
+    const std::optional<PatchLight> patch = truth_.around(hit);
+    if (!patch) return;
+    const Rgb color = view.lit.at(i, j);
+    const Channels drawn{1.0 * color.r, 1.0 * color.g, 1.0 * color.b};
+    const auto compare = [&](Count& sort, const Channels& levels, const Channels& tolerance,
+                             std::string_view what) {
+      const Channels expected = shown(levels, level_[hit.sector].light);
+      const auto atEdge = [&] {
+        if (!view.truth.isClear(i + 0.5, j + 0.5, kEdgePx)) return true;
+        if (!areWithin(sum(tolerance, truth_.hairSlack(*patch)), drawn, expected)) return false;
+        tally_.atJumps += truth_.isAtJump(*patch) ? 1 : 0;
+        return true;
+      };
+      count(sort, areWithin(tolerance, drawn, expected), atEdge,
+            [&] { noteMiss(view, what, i, j); });
     };
-    const bool same = std::abs(drawn - shown(patch.interpolated())) <= kGridTolerance;
-    count(kind.gridLight, same, atEdge, [&] { noteMiss(view, "light at texels", i, j); });
-
-    if (const std::optional<LeftOut> why = whyLeftOut(patch, hit)) {
-      ++tally_.leftOut[static_cast<std::size_t>(*why)];
-      return;
-    }
-    const double exact = shown(std::clamp(truthLight_.at(hit).x, 0.0, 255.0));
-    count(kind.exactLight, std::abs(drawn - exact) <= kExactTolerance, atEdge,
-          [&] { noteMiss(view, "exact light", i, j); });
+    const Channels grid{patch->interpolated(0), patch->interpolated(1), patch->interpolated(2)};
+    compare(kind.gridLight, grid, {kGridTolerance, kGridTolerance, kGridTolerance},
+            "light at texels");
+    if (const std::optional<Channels> tolerance = exactTolerance(*patch, hit))
+      compare(kind.exactLight, truth_.at(hit), *tolerance, "exact light");
   }
 
-  /// Truth's light at the four texels around a point.
-  struct Patch : TexelPatch {
-    std::array<double, 4> levels{};
-    int clipped = 0;  ///< how many of them are more than full
-
-    double interpolated() const {
-      return std::inner_product(levels.begin(), levels.end(), weights().begin(), 0.0);
-    }
-  };
-
-  std::optional<Patch> patchAt(const TruthHit& hit) {
-    const std::optional<TexelPatch> texels = texels_.around(hit);
-    if (!texels) return std::nullopt;
-    Patch patch{*texels};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double level = truthLight_.at(patch.samples[k]).x;
-      patch.levels[k] = std::min(level, 255.0);
-      patch.clipped += level > 255 ? 1 : 0;
-    }
-    return patch;
+  /// As a picture shows it with the sector's own light.
+  static Channels shown(const Channels& levels, double sectorLight) {
+    Channels shown{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      shown[channel] =
+          255 * std::min(1.0, std::clamp(levels[channel], 0.0, 255.0) / 255 + sectorLight);
+    return shown;
   }
 
-  bool isAtShadowEdge(const Patch& patch) const {
-    return std::ranges::any_of(patch.samples, [&](const SurfacePoint& place) {
-      const double here = truthLight_.at(place).x;
-      return std::ranges::any_of(kHairs, [&](double hair) {
-        return std::ranges::any_of(texels_.ringAround(place, hair), [&](const SurfacePoint& moved) {
-          return std::abs(truthLight_.at(moved).x - here) > kStep;
-        });
-      });
-    });
+  /// Levels that exact light may miss; counts the pixel as left out where no channel is compared.
+  std::optional<Channels> exactTolerance(const PatchLight& patch, const TruthHit& hit) {
+    const auto why = whyLeftOut(patch, hit);
+    if (std::ranges::all_of(why, [](const auto& reason) { return reason.has_value(); })) {
+      ++tally_.leftOut[static_cast<std::size_t>(*std::ranges::min(why))];
+      return std::nullopt;
+    }
+    Channels tolerance{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      tolerance[channel] = why[channel] ? kAny : kExactTolerance;
+    return tolerance;
   }
 
-  /// Why exact light is not compared at a pixel, if it is not.
-  std::optional<LeftOut> whyLeftOut(const Patch& patch, const TruthHit& hit) const {
+  /// Why exact light is not compared at a pixel, if it is not; of each channel.
+  std::array<std::optional<LeftOut>, 3> whyLeftOut(const PatchLight& patch,
+                                                   const TruthHit& hit) const {
+    if (const auto why = whyAllLeftOut(patch, hit)) return {why, why, why};
+    std::array<std::optional<LeftOut>, 3> why;
+    const Channels atCurves = truth_.missAtCurves(patch, hit);
+    const Channels beyondEdge = truth_.missBeyondEdge(patch);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (atCurves[channel] > kInterpolationAtCurves)
+        why[channel] = LeftOut::CurveJump;
+      else if (patch.clipsBetween(channel))
+        why[channel] = LeftOut::Clip;
+      else if (atCurves[channel] + beyondEdge[channel] > kInterpolation)
+        why[channel] = LeftOut::BeyondEdge;
+    }
+    return why;
+  }
+
+  std::optional<LeftOut> whyAllLeftOut(const PatchLight& patch, const TruthHit& hit) const {
     if (level_.bake.texel > kFineTexel) return LeftOut::CoarseTexel;
+    const double near = level_.bake.lambert ? kNearLightWithCosine : kNearLight;
     for (const LightSource& light : level_.lights)
-      if (length(light.position - hit.point) < kNearLight) return LeftOut::NearLight;
-    for (std::size_t light = 0; light < level_.lights.size(); ++light) {
-      const bool seen = truthLight_.from(light, hit) > 0;
-      for (const SurfacePoint& place : patch.samples)
-        if ((truthLight_.from(light, place) > 0) != seen) return LeftOut::ShadowEdge;
-    }
-    if (patch.clipped != 0 && patch.clipped != 4) return LeftOut::Clip;
-    if (missBeyondEdge(patch) > kExactTolerance - kGridTolerance) return LeftOut::BeyondEdge;
+      if (length(light.position - hit.point) < near) return LeftOut::NearLight;
+    if (!truth_.seesAlike(patch, hit)) return LeftOut::ShadowEdge;
     return std::nullopt;
-  }
-
-  /// Levels by which the texels' light is another than where their centres are, at the pixel:
-  /// samples from beyond an edge take the light of the nearest point of the surface.
-  double missBeyondEdge(const Patch& patch) const {
-    double miss = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t light = 0; light < level_.lights.size(); ++light) {
-        if (truthLight_.from(light, patch.samples[k]) == 0) continue;
-        SurfacePoint center = patch.samples[k];
-        center.point = patch.centers[k];
-        miss += patch.weights()[k] * std::abs(truthLight_.unshaded(light, center) -
-                                              truthLight_.unshaded(light, patch.samples[k]));
-      }
-    return miss;
   }
 
   void noteMiss(const View& view, std::string_view what, int i, int j) {
@@ -196,13 +204,12 @@ class Comparison {
           fmt::format("{} at pixel {},{} of shot {} of {}", what, i, j, view.shot.name, name_);
   }
 
-  const Level& level_;
+  Level level_;
   const std::vector<Image>& textures_;
   std::string_view name_;
   BakedLight light_;
   Renderer renderer_;
-  TruthLight truthLight_;
-  PlainTexels texels_;
+  TexelTruth truth_;
   Tally tally_;
 };
 

@@ -10,7 +10,9 @@
 namespace hearth::agreement {
 
 /// Draws and bakes a level and holds every pixel of its first `shots` shots against truth. `name`
-/// says which level it was in the note of a miss.
+/// says which level it was in the note of a miss. Lights with a radius are compared as points, and
+/// `samples: "auto"` as one sample: truth would take 20,000 rays for a ball at every texel, and as
+/// many samples as "auto" is better than. tests/light holds both against truth.
 Tally compareLevel(const LoadedLevel& loaded, std::string_view name, std::size_t shots);
 
 /// The same for four shots of the random level of `seed`. `folder` holds the textures of random

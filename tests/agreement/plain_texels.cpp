@@ -12,7 +12,6 @@ namespace hearth::agreement {
 namespace {
 
 constexpr double kInsideEdge = 1e-6;  ///< metres that samples keep from the edges of surfaces
-constexpr double kRounding = 1e-9;    ///< metres
 
 }  // namespace
 
@@ -26,19 +25,29 @@ PlainTexels::PlainTexels(const Level& level)
   grids_ = plainGrids(level, panels_);
 }
 
-std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) {
+std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) const {
   const std::optional<std::size_t> surface = surfaceOf(hit);
   if (!surface) return std::nullopt;
   const Vec2 texels = (1 / level_.bake.texel) * grids_[*surface].of(hit.point);
   const double i = std::floor(texels.x - 0.5);
   const double j = std::floor(texels.y - 0.5);
-  TexelPatch patch{{}, {}, texels.x - 0.5 - i, texels.y - 0.5 - j};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Texel texel{*surface, i + static_cast<double>(k % 2), j + static_cast<double>(k / 2)};
-    patch.centers[k] = centerOf(texel);
-    patch.samples[k] = sampleAt(texel);
-  }
-  return patch;
+  const double fs = texels.x - 0.5 - i;
+  const double ft = texels.y - 0.5 - j;
+  return TexelPatch{
+      {{{*surface, i, j}, {*surface, i + 1, j}, {*surface, i, j + 1}, {*surface, i + 1, j + 1}}},
+      {(1 - fs) * (1 - ft), fs * (1 - ft), (1 - fs) * ft, fs * ft}};
+}
+
+std::vector<TexelSample> PlainTexels::samplesOf(const Texel& texel) {
+  const double side = std::sqrt(level_.bake.samples.value());
+  std::vector<TexelSample> samples;
+  for (double t = 0.5; t < side; ++t)
+    for (double s = 0.5; s < side; ++s) {
+      const Vec2 inTexels{texel.i + s / side, texel.j + t / side};
+      const Vec3 center = grids_[texel.surface].at(level_.bake.texel * inTexels);
+      samples.push_back({center, placeOf(texel.surface, center)});
+    }
+  return samples;
 }
 
 std::vector<SurfacePoint> PlainTexels::ringAround(const SurfacePoint& place,
@@ -68,16 +77,6 @@ std::optional<std::size_t> PlainTexels::surfaceOf(const SurfacePoint& hit) const
   return std::nullopt;
 }
 
-Vec3 PlainTexels::centerOf(const Texel& texel) const {
-  return grids_[texel.surface].at(level_.bake.texel * Vec2{texel.i + 0.5, texel.j + 0.5});
-}
-
-const SurfacePoint& PlainTexels::sampleAt(const Texel& texel) {
-  const auto [entry, isNew] = samples_.try_emplace(texel);
-  if (isNew) entry->second = placeOf(texel.surface, centerOf(texel));
-  return entry->second;
-}
-
 /// Of the surface and what continues it near the sample, the point that is nearest to it.
 SurfacePoint PlainTexels::placeOf(std::size_t surface, Vec3 sample) {
   double least = panels_[surface]->distanceTo(panels_[surface]->axes.of(sample));
@@ -96,14 +95,15 @@ SurfacePoint PlainTexels::placeOf(std::size_t surface, Vec3 sample) {
           panel.axes.at(panel.movedInside(nearest, kInsideEdge)), panel.normal};
 }
 
-/// What continues the surface, reached over common edges no more than `distance` from the sample.
+/// What continues the surface, reached over common edges no more than `distance` from the sample,
+/// up to what samples keep off edges.
 std::vector<std::size_t> PlainTexels::reachedFrom(std::size_t surface, Vec3 sample,
                                                   double distance) {
   std::vector<std::size_t> reached{surface};
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const Vec2 st = panels_[reached[next]]->axes.of(sample);
     for (const auto& [to, edge] : continuationsOf(reached[next])) {
-      if (length(nearestOnSegment(edge.a, edge.b, st) - st) > distance + kRounding) continue;
+      if (length(nearestOnSegment(edge.a, edge.b, st) - st) > distance + kInsideEdge) continue;
       if (std::ranges::find(reached, to) == reached.end()) reached.push_back(to);
     }
   }

@@ -23,6 +23,7 @@ Tally& Tally::operator+=(const Tally& other) {
   levels += other.levels;
   views += other.views;
   holes += other.holes;
+  atJumps += other.atJumps;
   if (firstMiss.empty()) firstMiss = other.firstMiss;
   return *this;
 }
@@ -69,10 +70,14 @@ std::string table(const Tally& tally) {
   }
   text += row("all", all);
   text += fmt::format(
-      "left out of exact light: {} texel over 1/8 m, {} light nearer than 0.3 m, "
-      "{} shadow's edge between texels, {} clipping at full between texels, "
+      "left out of exact light: {} texel over 1/8 m, {} light nearer than 0.3 m (0.7 m with "
+      "lambert), "
+      "{} shadow's edge between texels, {} jump or sharp bend of a curve between texels, "
+      "{} clipping at full between texels, "
       "{} steep light at an edge beyond which texels are centred\n",
-      tally.leftOut[0], tally.leftOut[1], tally.leftOut[2], tally.leftOut[3], tally.leftOut[4]);
+      tally.leftOut[0], tally.leftOut[1], tally.leftOut[2], tally.leftOut[3], tally.leftOut[4],
+      tally.leftOut[5]);
+  text += fmt::format("at edge because of a jump of a curve: {}\n", tally.atJumps);
   text += fmt::format("{} levels, {} views, {} holes\n", tally.levels, tally.views, tally.holes);
   return text;
 }

@@ -23,9 +23,10 @@ struct KindTally {
   Count exactLight;  ///< `--light only` against truth at the pixel, within 3 levels
 };
 
-/// Why exact light is not compared at a pixel: the first that holds.
-enum class LeftOut { CoarseTexel, NearLight, ShadowEdge, Clip, BeyondEdge };
-inline constexpr std::size_t kLeftOut = 5;
+/// Why exact light is not compared at a pixel: the first that holds. The last three can hold for
+/// some channels only: then the others are compared.
+enum class LeftOut { CoarseTexel, NearLight, ShadowEdge, CurveJump, Clip, BeyondEdge };
+inline constexpr std::size_t kLeftOut = 6;
 
 struct Tally {
   std::array<KindTally, kSurfaceKinds> kinds;
@@ -33,6 +34,7 @@ struct Tally {
   std::int64_t views = 0;
   std::int64_t holes = 0;                        ///< pixels that no surface covered
   std::array<std::int64_t, kLeftOut> leftOut{};  ///< pixels, by LeftOut
+  std::int64_t atJumps = 0;                      ///< excused comparisons at jumps of curves
   std::string firstMiss;                         ///< how to see it
 
   Tally& operator+=(const Tally& other);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "level/light_source.h"
+
+namespace hearth::agreement {
+
+/// A place that light is interpolated from.
+struct WeightedDistance {
+  double metres;  ///< from the light
+  double weight;  ///< of all places together 1
+};
+
+/// Levels of the curve's jumps at distances from `nearest` to `farthest`, in metres.
+double jumpsBetween(const std::vector<CurvePoint>& curve, double nearest, double farthest);
+
+/// Levels by which light interpolated between the places misses the curve because of its bends.
+double missAtBends(const std::vector<CurvePoint>& curve,
+                   const std::vector<WeightedDistance>& places);
+
+/// Levels by which it misses the curve `metres` from the light over texels of `texel` metres
+/// because the distance to the light does not grow evenly.
+double missOfSlope(const std::vector<CurvePoint>& curve, double metres, double texel);
+
+}  // namespace hearth::agreement
