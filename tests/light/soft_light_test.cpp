@@ -119,6 +119,7 @@ Level withBalls(Level level) {
     level.lights[i].radius = 0.1 + 0.13 * static_cast<double>(i % 4);
     level.lights[i].intensity = 255;
     level.lights[i].falloff = 0;
+    level.lights[i].curve.clear();
   }
   return level;
 }

@@ -72,6 +72,13 @@ enum class Feature {
   LightOnPortalLine,
   LightInLineWithWall,
   LightWithoutSector,
+  ColoredLight,
+  GreyLight,
+  LightCurve,
+  CurveJump,
+  CurveOfOnePoint,
+  CurveFromBeyondZero,
+  CurveGoesOnPastItsEnd,
   ViewOnPortalLine,
   ViewInLineWithWall,
   ViewAlongAxis,
@@ -79,7 +86,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 68> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 75> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -144,6 +151,13 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 68> kFeatures{
     {Feature::LightOnPortalLine, "light on a portal line"},
     {Feature::LightInLineWithWall, "light in line with a wall"},
     {Feature::LightWithoutSector, "light without its sector"},
+    {Feature::ColoredLight, "coloured light"},
+    {Feature::GreyLight, "grey light"},
+    {Feature::LightCurve, "light with a curve"},
+    {Feature::CurveJump, "curve with a jump"},
+    {Feature::CurveOfOnePoint, "curve of one point"},
+    {Feature::CurveFromBeyondZero, "curve that begins beyond distance 0"},
+    {Feature::CurveGoesOnPastItsEnd, "curve that shines on past its end"},
     {Feature::ViewOnPortalLine, "view from a portal line"},
     {Feature::ViewInLineWithWall, "view in line with a wall"},
     {Feature::ViewAlongAxis, "view along an axis or diagonal"},

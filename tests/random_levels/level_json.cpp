@@ -200,8 +200,12 @@ std::string lightsJson(const Model& model, const std::vector<RandomLight>& light
     const Vec3 p = light.place.position;
     Json json{{"x", number(p.x)}, {"y", number(p.y)}, {"z", number(p.z)}};
     if (light.namesSector) json["sector"] = model.sectors[light.place.sector].name;
-    json["intensity"] = number(light.intensity);
-    json["falloff"] = number(light.falloff);
+    if (light.curve.empty()) {
+      json["intensity"] = number(light.intensity);
+      json["falloff"] = number(light.falloff);
+    }
+    for (const auto& point : light.curve) json["curve"].push_back(pairOf(point));
+    if (!light.color.empty()) json["color"] = light.color;
     list.push_back(std::move(json));
   }
   if (spelling.hasLightArray) return list.dump(1) + "\n";

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "random_levels/feature.h"
@@ -20,6 +22,8 @@ struct RandomLight {
   bool namesSector = true;
   double intensity = 255;
   double falloff = 0;
+  std::vector<std::array<double, 2>> curve;  ///< when not empty, instead of these: m, levels
+  std::string color;                         ///< "#rrggbb"; none when empty
 };
 
 /// Finds places for lights and cameras, and notes what is special about them.

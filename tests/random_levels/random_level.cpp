@@ -8,6 +8,7 @@
 #include "image/image_file.h"
 #include "random_levels/features.h"
 #include "random_levels/level_json.h"
+#include "random_levels/light_colors.h"
 #include "random_levels/mesh.h"
 #include "random_levels/places.h"
 #include "random_levels/slopes.h"
@@ -171,9 +172,9 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   level.features = featuresOf(model);
   Places places(random, model, level.features);
   level.views = places.views(static_cast<std::size_t>(random.between(4, 6)));
-  const std::vector<RandomLight> lights =
-      places.lights(static_cast<std::size_t>(random.between(0, 6)));
+  std::vector<RandomLight> lights = places.lights(static_cast<std::size_t>(random.between(0, 6)));
   const Spelling spelling = chooseSpelling(random, model);
+  makeColorsAndCurves(random, lights, level.features);
   level.levelJson = levelJson(model, level.name, level.views, spelling);
   level.lightsJson = lightsJson(model, lights, spelling);
   if (lights.empty()) level.features.insert(Feature::NoLights);

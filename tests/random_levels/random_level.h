@@ -38,7 +38,7 @@ struct RandomLevel {
 };
 
 /// The same seed gives the same bytes on every machine. A level has 3 to 25 sectors, is at most
-/// 30 m across, and has lights that are white, of no size, with `intensity` and `falloff` only.
+/// 30 m across, and has lights of no size.
 RandomLevel makeRandomLevel(std::uint64_t seed);
 
 struct RandomTexture {
