@@ -113,8 +113,9 @@ std::vector<SamplePoint> placesOn(const Level& level, const LitSurfaces& surface
   return places;
 }
 
-/// All lights as balls of several sizes, 255 levels at any distance.
+/// All lights as balls of several sizes, 255 levels at any distance and angle.
 Level withBalls(Level level) {
+  level.bake.lambert = false;
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     level.lights[i].radius = 0.1 + 0.13 * static_cast<double>(i % 4);
     level.lights[i].intensity = 255;

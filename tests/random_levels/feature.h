@@ -79,6 +79,9 @@ enum class Feature {
   CurveOfOnePoint,
   CurveFromBeyondZero,
   CurveGoesOnPastItsEnd,
+  FourSamples,
+  NineSamples,
+  Lambert,
   ViewOnPortalLine,
   ViewInLineWithWall,
   ViewAlongAxis,
@@ -86,7 +89,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 75> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 78> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -158,6 +161,9 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 75> kFeatures{
     {Feature::CurveOfOnePoint, "curve of one point"},
     {Feature::CurveFromBeyondZero, "curve that begins beyond distance 0"},
     {Feature::CurveGoesOnPastItsEnd, "curve that shines on past its end"},
+    {Feature::FourSamples, "four samples a texel"},
+    {Feature::NineSamples, "nine samples a texel"},
+    {Feature::Lambert, "lambert"},
     {Feature::ViewOnPortalLine, "view from a portal line"},
     {Feature::ViewInLineWithWall, "view in line with a wall"},
     {Feature::ViewAlongAxis, "view along an axis or diagonal"},

@@ -209,7 +209,10 @@ std::string lightsJson(const Model& model, const std::vector<RandomLight>& light
     list.push_back(std::move(json));
   }
   if (spelling.hasLightArray) return list.dump(1) + "\n";
-  const Json file{{"version", 1}, {"lights", list}, {"bake", {{"texel", number(spelling.texel)}}}};
+  Json bake{{"texel", number(spelling.texel)}};
+  if (spelling.samples != 1) bake["samples"] = spelling.samples;
+  if (spelling.lambert) bake["lambert"] = true;
+  const Json file{{"version", 1}, {"lights", list}, {"bake", bake}};
   return file.dump(1) + "\n";
 }
 

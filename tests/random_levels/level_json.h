@@ -12,10 +12,12 @@ struct Spelling {
   bool hasSectorArray = false;
   bool hasLoopArrays = false;
   bool namesLightsFile = true;
-  bool hasLightArray = false;  ///< then `texel` is the format's default
+  bool hasLightArray = false;  ///< then the bake is the format's default
   bool omitsDefaults = false;  ///< heights that are the format's defaults
   std::optional<double> levelLight;
   double texel = 0.25;  ///< m
+  int samples = 1;      ///< per texel
+  bool lambert = false;
 };
 
 std::string levelJson(const Model& model, const std::string& name,

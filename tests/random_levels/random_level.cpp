@@ -109,6 +109,16 @@ Spelling chooseSpelling(Random& random, const Model& model) {
   return spelling;
 }
 
+void chooseBake(Random& random, Spelling& spelling, std::set<Feature>& features) {
+  if (spelling.hasLightArray) return;
+  const double dice = random.unit();
+  spelling.samples = dice < 0.09 ? 9 : dice < 0.23 ? 4 : 1;
+  spelling.lambert = random.chance(0.25);
+  if (spelling.samples == 4) features.insert(Feature::FourSamples);
+  if (spelling.samples == 9) features.insert(Feature::NineSamples);
+  if (spelling.lambert) features.insert(Feature::Lambert);
+}
+
 bool hasRoomForCameras(const Model& model) {
   return std::any_of(model.sectors.begin(), model.sectors.end(),
                      [](const Sector& sector) { return sector.height() >= kMetre; });
@@ -173,8 +183,9 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   Places places(random, model, level.features);
   level.views = places.views(static_cast<std::size_t>(random.between(4, 6)));
   std::vector<RandomLight> lights = places.lights(static_cast<std::size_t>(random.between(0, 6)));
-  const Spelling spelling = chooseSpelling(random, model);
+  Spelling spelling = chooseSpelling(random, model);
   makeColorsAndCurves(random, lights, level.features);
+  chooseBake(random, spelling, level.features);
   level.levelJson = levelJson(model, level.name, level.views, spelling);
   level.lightsJson = lightsJson(model, lights, spelling);
   if (lights.empty()) level.features.insert(Feature::NoLights);
