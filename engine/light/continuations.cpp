@@ -119,7 +119,8 @@ class Joiner {
     };
     for (const OpenStretch& open : openAtFoot(level_, segment, floor)) {
       const std::optional<SurfaceId> other = flatOf(open.next, floor);
-      if (!other || other == mine || !areOnePlane(*mine, *other, segment)) continue;
+      if (!other || other == mine) continue;
+      if (!continueInOnePlane(sector, level_[open.next], floor, segment)) continue;
       join(*mine, *other, onMyGrid(lerp(segment.p0, segment.p1, open.begin)),
            onMyGrid(lerp(segment.p0, segment.p1, open.end)));
     }
@@ -129,18 +130,6 @@ class Joiner {
     const Sector& sector = level_[id];
     const std::optional<SurfaceId> surface = floor ? sector.floorSurface : sector.ceilingSurface;
     return surface && lit_[surface->index()] ? surface : std::nullopt;
-  }
-
-  bool areOnePlane(SurfaceId idA, SurfaceId idB, const Segment& along) const {
-    const Surface& a = level_[idA];
-    const Surface& b = level_[idB];
-    if (a.kind != b.kind) return false;
-    if (isFlat(a.kind)) return std::abs(a.zBottom - b.zBottom) <= kAuthorNoise;
-    const auto slopeOf = [&](const Surface& surface) -> const Slope& {
-      const Sector& sector = level_[surface.sector];
-      return surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
-    };
-    return onOneGrid(idA, idB) && continueInOnePlane(slopeOf(a), slopeOf(b), along);
   }
 
   const Level& level_;

@@ -138,9 +138,8 @@ std::vector<SectorId> slopeRun(const Level& level, const std::vector<std::vector
   taken[seed.index()] = true;
   for (std::size_t i = 0; i < members.size(); ++i) {
     for (const Joint& joint : joints[members[i].index()]) {
-      const std::optional<Slope>& slope = slopeOf(level[joint.to], floor);
-      if (taken[joint.to.index()] || !slope) continue;
-      if (!continueInOnePlane(*slopeOf(level[seed], floor), *slope, level[joint.along])) continue;
+      if (taken[joint.to.index()] || !slopeOf(level[joint.to], floor)) continue;
+      if (!continueInOnePlane(level[seed], level[joint.to], floor, level[joint.along])) continue;
       taken[joint.to.index()] = true;
       members.push_back(joint.to);
     }
@@ -190,11 +189,18 @@ std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) 
   return grids;
 }
 
-bool continueInOnePlane(const Slope& a, const Slope& b, const Segment& along) {
+bool continueInOnePlane(const Sector& a, const Sector& b, bool floor, const Segment& along) {
   const double tolerance = std::min(kAuthorNoise, kAuthorNoiseOfEdge * along.length);
-  return std::abs(a.zAt(along.p0) - b.zAt(along.p0)) <= tolerance &&
-         std::abs(a.zAt(along.p1) - b.zAt(along.p1)) <= tolerance &&
-         length(a.gradient - b.gradient) <= kAuthorNoiseOfEdge;
+  const auto isLevelAt = [&](Vec2 p) {
+    const double step = floor ? b.airBottom(p) - a.airBottom(p) : b.airTop(p) - a.airTop(p);
+    return std::abs(step) <= tolerance;
+  };
+  const auto gradientOf = [&](const Sector& sector) {
+    const std::optional<Slope>& slope = slopeOf(sector, floor);
+    return slope ? slope->gradient : Vec2{0, 0};
+  };
+  return isLevelAt(along.p0) && isLevelAt(along.p1) &&
+         length(gradientOf(a) - gradientOf(b)) <= kAuthorNoiseOfEdge;
 }
 
 }  // namespace hearth

@@ -19,7 +19,8 @@ TexelGrid flatGrid(double z, double texel);
 /// contour line and the steepest ascent. Entries of sectors without such a slope mean nothing.
 std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel);
 
-/// True when two slopes are one plane within an author's tolerance, over the given segment.
-bool continueInOnePlane(const Slope& a, const Slope& b, const Segment& along);
+/// True when the floors (ceilings) of two sectors, flats or slopes, are one plane within an
+/// author's tolerance, over the given segment.
+bool continueInOnePlane(const Sector& a, const Sector& b, bool floor, const Segment& along);
 
 }  // namespace hearth

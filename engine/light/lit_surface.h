@@ -22,7 +22,7 @@ struct TexelRect {
 };
 
 /// A surface that continues another in its plane, and the edge that they share, in texel
-/// coordinates.
+/// coordinates of that other one.
 struct Continuation {
   SurfaceId surface;
   Vec2 edge0;

@@ -59,14 +59,24 @@ SamplePoint SamplePlacement::place(Vec2 p) const {
   const LitSurface& own = *surfaces_[id_.index()];
   if (holds(own, p)) return at(id_, p, p);
   const Patch patch = patchWithin(length(own.nearest(p) - p) + hair_, p);
-  if (const std::optional<SurfaceId> other = surfaceAt(patch, p)) return at(*other, p, p);
+  if (const std::optional<SurfaceId> other = surfaceAt(patch, p))
+    return at(*other, onGridOf(*other, p), onGridOf(*other, p));
   SurfaceId surface = id_;
+  Vec2 from = p;
   Vec2 best = own.nearest(p);
   for (const SurfaceId id : patch) {
-    const Vec2 q = surfaces_[id.index()]->nearest(p);
-    if (length(q - p) < length(best - p) - hair_) surface = id, best = q;
+    const Vec2 there = onGridOf(id, p);
+    const Vec2 q = surfaces_[id.index()]->nearest(there);
+    if (length(q - there) < length(best - from) - hair_) surface = id, from = there, best = q;
   }
-  return at(surface, best, p);
+  return at(surface, best, from);
+}
+
+/// A flat and a level wedge that continue one another have texels of their own each.
+Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
+  const TexelGrid& own = surfaces_[id_.index()]->grid;
+  const TexelGrid& other = surfaces_[id.index()]->grid;
+  return other == own ? p : other.toTexels(own.toWorld(p));
 }
 
 SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
@@ -80,11 +90,13 @@ SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
 
 SamplePlacement::Patch SamplePlacement::patchWithin(double reach, Vec2 p) const {
   Patch patch = {id_};
-  for (std::size_t i = 0; i < patch.size(); ++i)
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    const Vec2 there = onGridOf(patch[i], p);
     for (const Continuation& next : surfaces_[patch[i].index()]->continuations)
       if (std::ranges::find(patch, next.surface) == patch.end() &&
-          length(nearestOnSegment(next.edge0, next.edge1, p) - p) <= reach)
+          length(nearestOnSegment(next.edge0, next.edge1, there) - there) <= reach)
         patch.push_back(next.surface);
+  }
   return patch;
 }
 
@@ -95,7 +107,7 @@ bool SamplePlacement::holds(const LitSurface& surface, Vec2 p) const {
 
 std::optional<SurfaceId> SamplePlacement::surfaceAt(const Patch& patch, Vec2 p) const {
   for (const SurfaceId id : patch)
-    if (holds(*surfaces_[id.index()], p)) return id;
+    if (holds(*surfaces_[id.index()], onGridOf(id, p))) return id;
   return std::nullopt;
 }
 

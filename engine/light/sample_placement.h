@@ -37,6 +37,7 @@ class SamplePlacement {
   using Patch = std::vector<SurfaceId>;
 
   Patch patchWithin(double reach, Vec2 texelPoint) const;
+  Vec2 onGridOf(SurfaceId surface, Vec2 texelPoint) const;
   bool holds(const LitSurface& surface, Vec2 texelPoint) const;
   std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
   SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;

@@ -79,6 +79,44 @@ TEST(TexelGrid, staysWhenASectorIsCutAcrossATexelsCentre) {
     expectSameLight(whole, BakedRoom(roomCutBetween(x, x), kLights));
 }
 
+/// The room cut at x = 2.6, east of which a wedge makes up floor and ceiling; all of it if `west`
+/// has one too.
+std::string roomOfWedges(bool west) {
+  const std::string_view wedges =
+      ", 'slopeFloor':{'z':[0.5,0.5,0.5,0.5],'sidewall':'#808080'}"
+      ", 'slopeCeil':{'z':[0.5,0.5,0.5,0.5],'sidewall':'#808080'}";
+  if (west)
+    return levelOf(
+        sectorText("room", "0.1,0.2, 6.3,0.2, 6.3,4.1, 0.1,4.1", -0.5, 3.5, kSolid, wedges));
+  return levelOf(
+      sectorText("west", "0.1,0.2, 2.6,0.2, 2.6,4.1, 0.1,4.1", 0, 3,
+                 fmt::format("[{0},{{'next':'east'}},{0},{0}]", kSolid)) +
+      "," +
+      sectorText("east", "2.6,0.2, 6.3,0.2, 6.3,4.1, 2.6,4.1", -0.5, 3.5,
+                 fmt::format("[{0},{0},{0},{{'next':'west','upper':'#808080','lower':'#808080'}}]",
+                             kSolid),
+                 wedges));
+}
+
+TEST(TexelGrid, goesOnFromAFlatToAWedgeInItsPlane) {
+  const BakedRoom flats(wholeRoom(), kLights);
+  const BakedRoom wedges(roomOfWedges(true), kLights);
+  const BakedRoom both(roomOfWedges(false), kLights);
+  const auto expectLightOf = [&](const BakedRoom& whole, SurfaceKind kind, Vec3 p) {
+    EXPECT_NEAR(both.at(kind, p), whole.at(kind, p), kRounding) << p.x << ' ' << p.y << ' ' << p.z;
+  };
+  for (const double x : {2.4, 2.53, 2.59})
+    for (double y = 0.25; y < 4.1; y += 0.0871) {
+      expectLightOf(flats, SurfaceKind::Floor, {x, y, 0});
+      expectLightOf(flats, SurfaceKind::Ceiling, {x, y, 3});
+    }
+  for (const double x : {2.61, 2.65, 2.8})
+    for (double y = 0.25; y < 4.1; y += 0.0871) {
+      expectLightOf(wedges, SurfaceKind::SlopeFloor, {x, y, 0});
+      expectLightOf(wedges, SurfaceKind::SlopeCeiling, {x, y, 3});
+    }
+}
+
 TEST(TexelGrid, staysWhenASectorIsCutByAFlatPortal) {
   const BakedRoom whole(wholeRoom(), kLights);
   for (const double z : {1.3, 1.3125}) {
