@@ -57,14 +57,18 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id)
 
 SamplePoint SamplePlacement::place(Vec2 p) const {
   const LitSurface& own = *surfaces_[id_.index()];
-  if (holds(own, p)) return at(id_, p, p);
-  const Patch patch = patchWithin(length(own.nearest(p) - p) + hair_, p);
-  if (const std::optional<SurfaceId> other = surfaceAt(patch, p))
-    return at(*other, onGridOf(*other, p), onGridOf(*other, p));
+  if (own.contains(p)) return at(id_, p, p);
+  const Vec2 nearest = own.nearest(p);
+  const double distance = length(nearest - p);
+  if (distance < hair_) return at(id_, p, p);
+  const std::vector<SurfaceId> others = joinedWithin(distance + hair_, p);
+  for (const SurfaceId id : others)
+    if (const Vec2 there = onGridOf(id, p); holds(*surfaces_[id.index()], there))
+      return at(id, there, there);
   SurfaceId surface = id_;
   Vec2 from = p;
-  Vec2 best = own.nearest(p);
-  for (const SurfaceId id : patch) {
+  Vec2 best = nearest;
+  for (const SurfaceId id : others) {
     const Vec2 there = onGridOf(id, p);
     const Vec2 q = surfaces_[id.index()]->nearest(there);
     if (length(q - there) < length(best - from) - hair_) surface = id, from = there, best = q;
@@ -88,27 +92,22 @@ SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
           surface.toWorld(isOnEdge ? movedInside(surface, edges, p, from) : p), p != from};
 }
 
-SamplePlacement::Patch SamplePlacement::patchWithin(double reach, Vec2 p) const {
-  Patch patch = {id_};
-  for (std::size_t i = 0; i < patch.size(); ++i) {
-    const Vec2 there = onGridOf(patch[i], p);
-    for (const Continuation& next : surfaces_[patch[i].index()]->continuations)
-      if (std::ranges::find(patch, next.surface) == patch.end() &&
+std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const {
+  std::vector<SurfaceId> joined = {id_};
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    const Vec2 there = onGridOf(joined[i], p);
+    for (const Continuation& next : surfaces_[joined[i].index()]->continuations)
+      if (std::ranges::find(joined, next.surface) == joined.end() &&
           length(nearestOnSegment(next.edge0, next.edge1, there) - there) <= reach)
-        patch.push_back(next.surface);
+        joined.push_back(next.surface);
   }
-  return patch;
+  joined.erase(joined.begin());
+  return joined;
 }
 
 /// On the very edge it is not left to rounding.
 bool SamplePlacement::holds(const LitSurface& surface, Vec2 p) const {
   return surface.contains(p) || length(surface.nearest(p) - p) < hair_;
-}
-
-std::optional<SurfaceId> SamplePlacement::surfaceAt(const Patch& patch, Vec2 p) const {
-  for (const SurfaceId id : patch)
-    if (holds(*surfaces_[id.index()], onGridOf(id, p))) return id;
-  return std::nullopt;
 }
 
 /// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in

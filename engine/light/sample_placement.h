@@ -33,13 +33,10 @@ class SamplePlacement {
   SamplePoint place(Vec2 texelPoint) const;
 
  private:
-  /// Surfaces of one plane that are joined near a sample; the surface itself first.
-  using Patch = std::vector<SurfaceId>;
-
-  Patch patchWithin(double reach, Vec2 texelPoint) const;
+  /// The other surfaces of the plane that are joined to this one near a sample.
+  std::vector<SurfaceId> joinedWithin(double reach, Vec2 texelPoint) const;
   Vec2 onGridOf(SurfaceId surface, Vec2 texelPoint) const;
   bool holds(const LitSurface& surface, Vec2 texelPoint) const;
-  std::optional<SurfaceId> surfaceAt(const Patch& patch, Vec2 texelPoint) const;
   SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;
   Vec2 movedInside(const LitSurface& surface, const std::vector<LitSurface::Edge>& edges,
                    Vec2 edgePoint, Vec2 from) const;
