@@ -109,9 +109,7 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
   baked.surfaces = makeLitSurfaces(level, settings.texel);
   baked.lightmaps.resize(baked.surfaces.size());
 
-  std::vector<LightSight> sights;
-  for (const LightSource& light : level.lights)
-    sights.emplace_back(level, light, settings.softSamples);
+  const LightSights sights(level, settings.softSamples);
 
   done.begin(texelsOf(baked.surfaces));
   baked.surfaceCosts.resize(baked.surfaces.size());

@@ -1,7 +1,9 @@
 #include "light/clipped_light.h"
 
+#include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "light/lit_lattice.h"
@@ -24,10 +26,19 @@ struct CornerLevels {
   }
 
   double mean() const { return (at00 + at10 + at01 + at11) / 4; }
+
+  double spread() const {
+    const auto [least, most] = std::minmax({at00, at10, at01, at11});
+    return most - least;
+  }
 };
 
-/// Samples along a texel's side, where its lit part is no polygon.
-constexpr int kSide = 4;
+/// Levels between the corners of a cell. Where they are more, the cell is cut in four ...
+constexpr double kSteep = 8;
+/// ... but for cells of a texel's side divided by this: of the light of a point, where no line
+/// divides lit from dark, and of that of a ball, which changes less suddenly and costs more.
+constexpr int kFinest = 8;
+constexpr int kFinestSoft = 4;
 
 class ClippedLight {
  public:
@@ -69,25 +80,41 @@ class ClippedLight {
            corners_[index(i, j + 1)].isMoved || corners_[index(i + 1, j + 1)].isMoved;
   }
 
-  /// Beyond an edge the nearest points of a surface can lie apart, and no line divides lit from
-  /// dark.
-  double sampledLevel(std::size_t light, int i, int j) {
-    double sum = 0;
-    for (const SamplePoint& at : samplesOf(i, j)) {
-      const double seen = surface_.seenShare(light, at);
-      if (seen > 0) sum += seen * surface_.fullLevel(light, at);
-    }
-    return sum / (kSide * kSide);
+  /// What a light brings to a point between corners, in levels.
+  double levelBetween(std::size_t light, Vec2 p) {
+    const auto cells = [](double x) { return static_cast<int>(kFinest * x); };
+    const auto [entry, isNew] = between_.try_emplace({cells(p.x), cells(p.y)});
+    if (!isNew) return entry->second;
+    const SamplePoint at = surface_.place(corner(p.x, p.y));
+    return entry->second = levelAt(light, at, surface_.roughlySeenShare(light, at));
   }
 
-  const std::vector<SamplePoint>& samplesOf(int i, int j) {
-    std::vector<SamplePoint>& samples = samples_[index(i, j)];
-    if (samples.empty())
-      for (int b = 0; b < kSide; ++b)
-        for (int a = 0; a < kSide; ++a)
-          samples.push_back(surface_.place(corner(i + (a + 0.5) / kSide, j + (b + 0.5) / kSide)));
-    return samples;
+  double levelAt(std::size_t light, const SamplePoint& at, double seen) const {
+    return seen > 0 ? seen * surface_.fullLevel(light, at) : 0;
   }
+
+  /// The mean over a square cell from `p` on, cut in four wherever its corners differ by much.
+  double refinedLevel(std::size_t light, Vec2 p, double side, double finest,
+                      const CornerLevels& corners) {
+    if (corners.spread() <= kSteep || side <= finest) return corners.mean();
+    const double half = side / 2;
+    const auto at = [&](double x, double y) { return levelBetween(light, p + Vec2{x, y}); };
+    const double top = at(half, 0);
+    const double left = at(0, half);
+    const double middle = at(half, half);
+    const double right = at(side, half);
+    const double bottom = at(half, side);
+    const auto part = [&](double x, double y, const CornerLevels& levels) {
+      return refinedLevel(light, p + Vec2{x, y}, half, finest, levels);
+    };
+    return (part(0, 0, {corners.at00, top, left, middle}) +
+            part(half, 0, {top, corners.at10, middle, right}) +
+            part(0, half, {left, middle, corners.at01, bottom}) +
+            part(half, half, {middle, right, bottom, corners.at11})) /
+           4;
+  }
+
+  static Vec2 texel(int i, int j) { return {static_cast<double>(i), static_cast<double>(j)}; }
 
   CornerLevels levelsAt(const std::vector<double>& levels, int i, int j) const {
     const double* upper = &levels[index(i, j)];
@@ -95,8 +122,17 @@ class ClippedLight {
     return {upper[0], upper[1], lower[0], lower[1]};
   }
 
+  /// Of a cell, with nothing where no light arrives.
+  template <typename Lattice>
+  static CornerLevels litOnly(const CornerLevels& full, const Lattice& lattice, int i, int j) {
+    return {lattice.isLitAt(i, j) ? full.at00 : 0, lattice.isLitAt(i + 1, j) ? full.at10 : 0,
+            lattice.isLitAt(i, j + 1) ? full.at01 : 0,
+            lattice.isLitAt(i + 1, j + 1) ? full.at11 : 0};
+  }
+
   template <typename LevelOf>
   void addTexels(std::size_t light, LevelOf&& levelOf) {
+    between_.clear();
     for (int j = 0; j < rect_.height; ++j)
       for (int i = 0; i < rect_.width; ++i)
         if (const double level = levelOf(i, j); level > 0)
@@ -110,35 +146,39 @@ class ClippedLight {
     };
     const LitLattice lattice(rect_.width, rect_.height, isLit, isCornerLit);
     if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return;
-    std::vector<double> levels;
-    levels.reserve(corners_.size());
-    for (const SamplePoint& at : corners_) levels.push_back(surface_.fullLevel(light, at));
+    std::vector<double> full;
+    full.reserve(corners_.size());
+    for (const SamplePoint& at : corners_) full.push_back(surface_.fullLevel(light, at));
     addTexels(light, [&](int i, int j) {
       const int lit = lattice.litCorners(i, j);
       if (lit == 0) return 0.0;
-      if (lit == 4) return levelsAt(levels, i, j).mean();
-      return hasEdge(i, j) ? sampledLevel(light, i, j)
-                           : lattice.part(i, j).integral([&, corners = levelsAt(levels, i, j)](
-                                                             Vec2 p) { return corners.at(p); });
+      const CornerLevels levels = levelsAt(full, i, j);
+      if (lit == 4) return levels.mean();
+      // Beyond an edge the nearest points of a surface can lie apart, and no line divides lit from
+      // dark.
+      if (hasEdge(i, j))
+        return refinedLevel(light, texel(i, j), 1, 1.0 / kFinest, litOnly(levels, lattice, i, j));
+      return lattice.part(i, j).integral([&](Vec2 p) { return levels.at(p); });
     });
   }
 
   /// What is seen of a ball changes gradually, so that its share too is interpolated.
   void addSoft(std::size_t light) {
-    std::vector<double> levels;
-    levels.reserve(corners_.size());
-    for (const SamplePoint& at : corners_) {
-      const double seen = surface_.seenShare(light, at);
-      levels.push_back(seen > 0 ? seen * surface_.fullLevel(light, at) : 0);
-    }
-    addTexels(light, [&](int i, int j) { return levelsAt(levels, i, j).mean(); });
+    std::vector<double> seen;
+    seen.reserve(corners_.size());
+    for (const SamplePoint& at : corners_)
+      seen.push_back(levelAt(light, at, surface_.seenShare(light, at)));
+    addTexels(light, [&](int i, int j) {
+      return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(seen, i, j));
+    });
   }
 
   SurfaceLight& surface_;
   TexelSums& sums_;
   TexelRect rect_;
   std::vector<SamplePoint> corners_;  ///< row by row, one more each way than texels
-  std::unordered_map<std::size_t, std::vector<SamplePoint>> samples_;  ///< of texels that need them
+  /// Levels of the light at hand, by finest cells from the first corner on.
+  std::map<std::pair<int, int>, double> between_;
 };
 
 }  // namespace

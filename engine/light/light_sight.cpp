@@ -189,16 +189,25 @@ double LightSight::seenOfDisc(const LightTarget& target, std::int64_t& rays) con
   for (int j = 0; j < cells_; ++j)
     for (int i = 0; i < cells_; ++i) {
       const Vec2 cell{static_cast<double>(i), static_cast<double>(j)};
-      seen += lattice.part(i, j).integral([&](Vec2 inCell) {
-        const Vec2 p = onDisc(cell + inCell);
-        return disc.volumeOf(disc.shiningChord(p), p);
-      });
-      whole += kWholeCell.integral([&](Vec2 inCell) {
+      const double all = kWholeCell.integral([&](Vec2 inCell) {
         const Vec2 p = onDisc(cell + inCell);
         return disc.volumeOf(disc.wholeChord(p), p);
       });
+      const bool isAllSeen = lattice.litCorners(i, j) == 4 && planes_.empty();
+      whole += all;
+      seen += isAllSeen ? all : lattice.part(i, j).integral([&](Vec2 inCell) {
+        const Vec2 p = onDisc(cell + inCell);
+        return disc.volumeOf(disc.shiningChord(p), p);
+      });
     }
   return seen / whole;
+}
+
+LightSights::LightSights(const Level& level, int softSamples) {
+  for (const LightSource& light : level.lights) {
+    fine.emplace_back(level, light, softSamples);
+    rough.emplace_back(level, light, std::max(1, softSamples / 4));
+  }
 }
 
 }  // namespace hearth

@@ -54,4 +54,13 @@ class LightSight {
   bool isCutByPlanes_ = false;
 };
 
+/// How points see the lights of a level, in their order.
+struct LightSights {
+  LightSights(const Level& level, int softSamples);
+
+  std::vector<LightSight> fine;
+  /// With a quarter of the samples to a ball: for points of which the mean is taken.
+  std::vector<LightSight> rough;
+};
+
 }  // namespace hearth

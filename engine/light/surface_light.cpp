@@ -21,7 +21,7 @@ bool isInFront(const LightSource& light, const LitSurface& surface) {
 }  // namespace
 
 SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
-                           const std::vector<LightSight>& sights, bool lambert, SurfaceId id)
+                           const LightSights& sights, bool lambert, SurfaceId id)
     : level_(level),
       surfaces_(surfaces),
       sights_(sights),
@@ -41,13 +41,13 @@ int SurfaceLight::channels() const {
 
 SamplePoint SurfaceLight::place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
 
-double SurfaceLight::seenShare(std::size_t index, const SamplePoint& at) {
+double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const SamplePoint& at) {
   const LitSurface& there = *surfaces_[at.surface.index()];
   // What continues a surface may lie a tolerance off its plane.
   if (at.surface != id_ && !isInFront(light(index), there)) return 0;
   const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
   LightCost& cost = costs_[index];
-  const double seen = sights_[index].seenShare(target, cost.rays);
+  const double seen = sight.seenShare(target, cost.rays);
   ++cost.samples;
   if (seen > 0) ++cost.seenSamples;
   return seen;

@@ -14,9 +14,9 @@ namespace hearth {
 /// What of the level's lights arrives at points of one surface.
 class SurfaceLight {
  public:
-  /// `sights` are those of the level's lights, in their order. Keeps references to all but `id`.
-  SurfaceLight(const Level& level, const LitSurfaces& surfaces,
-               const std::vector<LightSight>& sights, bool lambert, SurfaceId id);
+  /// Keeps references to all but `id`.
+  SurfaceLight(const Level& level, const LitSurfaces& surfaces, const LightSights& sights,
+               bool lambert, SurfaceId id);
 
   const TexelRect& texels() const { return surface_.texels; }
   /// Indices of the lights that can shine on the surface's plane.
@@ -28,7 +28,13 @@ class SurfaceLight {
   SamplePoint place(Vec2 texelPoint) const;
 
   /// Which share of a light the point sees, 0..1.
-  double seenShare(std::size_t light, const SamplePoint& at);
+  double seenShare(std::size_t light, const SamplePoint& at) {
+    return seenShare(sights_.fine[light], light, at);
+  }
+  /// With fewer rays to a ball.
+  double roughlySeenShare(std::size_t light, const SamplePoint& at) {
+    return seenShare(sights_.rough[light], light, at);
+  }
 
   /// What all of the light would bring to the point, in levels, before colour.
   double fullLevel(std::size_t light, const SamplePoint& at) const;
@@ -37,9 +43,11 @@ class SurfaceLight {
   const std::vector<LightCost>& costs() const { return costs_; }
 
  private:
+  double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at);
+
   const Level& level_;
   const LitSurfaces& surfaces_;
-  const std::vector<LightSight>& sights_;
+  const LightSights& sights_;
   const LitSurface& surface_;
   SurfaceId id_;
   bool lambert_;
