@@ -18,6 +18,7 @@ LAYERS = {
     "light": ["level", "math"],
     "render": ["level", "light", "image", "math"],
     "truth": ["level", "image", "math"],
+    "walk": ["level", "math"],
 }
 
 # Who may see the libraries that are not ours. A header passes on what it includes, so those named

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "walk/walker.h"
+
+namespace hearth {
+
+/// A walker with its sector's name instead of its number, which other levels give to others.
+struct RecordedState {
+  std::string sector;
+  Walker walker;  ///< its `sector` means nothing here
+
+  friend bool operator==(const RecordedState& a, const RecordedState& b);
+};
+
+RecordedState recordedState(const Level& level, const Walker& walker);
+
+/// Where a recording begins: the eye that `walkerAt` is given.
+struct RecordedStart {
+  std::string sector;
+  Vec3 eye;
+  double angle = 0;
+  double pitch = 0;
+
+  friend bool operator==(const RecordedStart&, const RecordedStart&) = default;
+};
+
+/// A walk: what was asked for in every tick, and where it led to the bit.
+struct Recording {
+  RecordedStart start;
+  std::vector<WalkInput> inputs;
+  RecordedState end;
+
+  friend bool operator==(const Recording&, const Recording&) = default;
+};
+
+/// Recordings hold eight hours at most: longer ones are refused before memory is taken.
+inline constexpr std::size_t kMostRecordedTicks = std::size_t{8} * 3600 * kTicksPerSecond;
+
+/// As text, all numbers exact. engine/README.md says what a line means.
+std::string writeRecording(const Recording& recording);
+
+struct RecordingError {
+  std::size_t line = 0;  ///< from 1
+  std::string message;
+};
+
+tl::expected<Recording, RecordingError> readRecording(std::string_view text);
+
+/// The walker at the start of a recording; the error says what of it the level does not have.
+tl::expected<Walker, std::string> startOf(const Level& level, const RecordedStart& start);
+
+}  // namespace hearth

@@ -1,0 +1,27 @@
+#pragma once
+
+namespace hearth {
+
+/// The simulation's fixed tick: 1/64 s is exact in binary.
+inline constexpr int kTicksPerSecond = 64;
+
+/// What a full share of speed is in WalkInput.
+inline constexpr int kFullShare = 127;
+
+/// What the player asks for during one tick: integers, so that a recording is exact. Shares beyond
+/// the full one count as full.
+struct WalkInput {
+  int forward = 0;  ///< -127..127: share of full speed
+  int right = 0;    ///< -127..127
+  int up = 0;       ///< -127..127, in flight only
+  int turn = 0;     ///< 1/1000 degree in this tick, to the right
+  int pitch = 0;    ///< 1/1000 degree in this tick, upwards
+  bool run = false;
+  bool jump = false;          ///< held
+  bool crouch = false;        ///< held
+  bool toggleFlight = false;  ///< pressed in this tick
+
+  friend bool operator==(const WalkInput&, const WalkInput&) = default;
+};
+
+}  // namespace hearth

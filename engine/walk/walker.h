@@ -1,0 +1,43 @@
+#pragma once
+
+#include "level/level.h"
+#include "walk/walk_input.h"
+
+namespace hearth {
+
+/// The player's body: a cylinder that stands upright on its feet.
+struct Walker {
+  SectorId sector;        ///< contains `feet` within kPositionSlack, always
+  Vec3 feet;              ///< the middle of the footprint, metres, absolute
+  Vec3 velocity;          ///< metres per second
+  double angle = 0;       ///< degrees, [0, 360)
+  double pitch = 0;       ///< degrees upwards, -60..60
+  double crouch = 0;      ///< 0 standing upright .. 1 crouching
+  bool isFlying = false;  ///< without weight, but with a body
+  bool isOnGround = false;
+
+  friend bool operator==(const Walker&, const Walker&) = default;
+};
+
+/// Stands the player where his eye is, which the sector contains. Where the floor is in the way he
+/// is raised, where there is no head room he crouches; where he does not fit even so, he is stuck.
+/// In the air he starts to fall.
+Walker walkerAt(const Level& level, SectorId sector, Vec3 eye, double angle, double pitch);
+
+/// The walker one tick later. Depends on nothing but its arguments, to the bit.
+Walker walked(const Level& level, const Walker& walker, const WalkInput& input);
+
+struct Eye {
+  SectorId sector;  ///< contains `point` within kPositionSlack; it can lie above a flat portal
+                    ///< that the feet are below
+  Vec3 point;       ///< metres, absolute
+  double angle = 0;
+  double pitch = 0;
+};
+
+Eye eyeOf(const Level& level, const Walker& walker);
+
+/// What is seen `share` (0..1) of a tick after `before`. Angles go the short way round.
+Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double share);
+
+}  // namespace hearth
