@@ -2,75 +2,204 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "level/locate.h"
-#include "level/openings.h"
-#include "math/predicates.h"
-#include "math/tolerance.h"
 #include "math/trig.h"
+#include "walk/stand.h"
 
 namespace hearth {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
+constexpr double kTick = 1.0 / kTicksPerSecond;  // s
 
-bool isIn(const Level& level, SectorId sector, Vec3 p) {
-  return contains(level, level[sector], p, kPositionSlack);
+constexpr double kWalkSpeed = 2.5;      // m/s
+constexpr double kRunSpeed = 5;         // m/s
+constexpr double kFlySpeed = 5;         // m/s
+constexpr double kFastFlySpeed = 10;    // m/s
+constexpr double kCrouchedSpeed = 0.5;  // share of the others
+
+constexpr double kGravity = 9.81;    // m/s^2
+constexpr double kJumpSpeed = 3.3;   // m/s: v^2 / 2g = 0.555 m high
+constexpr double kFastestFall = 50;  // m/s, about that of a falling body in air
+
+/// Share of what his speed lacks to the one that he wants, made up for in each tick: to a hundredth
+/// in a quarter of a second on the ground, in two seconds in the air.
+constexpr double kGripOnGround = 0.25;
+constexpr double kGripInAir = 1.0 / 32;
+
+constexpr double kNoSpeed = 1e-6;  // m/s: a skin in a second
+
+constexpr double kCrouchPerTick = 0.125;
+constexpr double kMaxPitch = 60;  // degrees, what the projection takes
+
+/// A tick's move is made in parts of at most half a radius, so that the feet follow the ground, but
+/// not in more than this: nothing is passed in longer ones either.
+constexpr int kMostParts = 16;
+
+double shareOf(int input) {
+  return std::clamp(input, -kFullShare, kFullShare) / double(kFullShare);
 }
 
-/// The sector that a short move from `sector` to `p` leads to.
-std::optional<SectorId> sectorAfter(const Level& level, SectorId sector, Vec3 p) {
-  if (isIn(level, sector, p)) return sector;
-  for (const Segment& segment : level.segmentsOf(level[sector]))
-    for (const WallPiece& piece : segment.pieces)
-      if (const Opening* opening = std::get_if<Opening>(&piece.content))
-        if (isIn(level, opening->next, p)) return opening->next;
-  return std::nullopt;
+/// An angle in degrees, in [0, 360).
+double wrapped(double angle) {
+  const double turned = std::fmod(angle, 360);
+  const double positive = turned < 0 ? turned + 360 : turned;
+  return positive < 360 ? positive : 0;  // a tiny negative angle rounds up to 360
 }
 
-double eyeHeight(const Level& level) { return level.player.value_or(Player{}).eyeHeight; }
+void turn(Walker& walker, const WalkInput& input) {
+  walker.angle = wrapped(walker.angle + input.turn / 1000.0);
+  walker.pitch = std::clamp(walker.pitch + input.pitch / 1000.0, -kMaxPitch, kMaxPitch);
+}
+
+/// Forwards, to the right and up, of the length of the greatest share.
+Vec3 wantedDirection(const Walker& walker, const WalkInput& input) {
+  const double forward = shareOf(input.forward);
+  const double right = shareOf(input.right);
+  const double up = walker.isFlying ? shareOf(input.up) : 0;
+  const SinCos heading = sinCosDegrees(walker.angle);
+  const Vec2 ahead{heading.cos, heading.sin};
+  const Vec2 level = forward * ahead + right * turned90(ahead);
+  const Vec3 wanted{level.x, level.y, up};
+  const double size = length(wanted);
+  return size > 1 ? (1 / size) * wanted : wanted;
+}
+
+double speedOf(const Walker& walker, const WalkInput& input) {
+  if (walker.isFlying) return input.run ? kFastFlySpeed : kFlySpeed;
+  return (input.run ? kRunSpeed : kWalkSpeed) * (1 - (1 - kCrouchedSpeed) * walker.crouch);
+}
+
+/// `speed` brought nearer to the one that is wanted, and at last to it.
+double nearer(double speed, double wanted, double grip) {
+  const double lack = wanted - speed;
+  return std::abs(lack) < kNoSpeed ? wanted : speed + grip * lack;
+}
+
+void accelerate(Walker& walker, const WalkInput& input) {
+  const Vec3 wanted = speedOf(walker, input) * wantedDirection(walker, input);
+  const bool hasGrip = walker.isOnGround || walker.isFlying;
+  const double grip = hasGrip ? kGripOnGround : kGripInAir;
+  Vec3& v = walker.velocity;
+  // Who asks for nothing in the air keeps his speed.
+  if (hasGrip || wanted != Vec3{}) {
+    v.x = nearer(v.x, wanted.x, grip);
+    v.y = nearer(v.y, wanted.y, grip);
+  }
+  if (walker.isFlying) v.z = nearer(v.z, wanted.z, grip);
+}
+
+/// Down at once; up as far as there is room.
+void crouch(const Level& level, Walker& walker, const Stand& stand, bool wantsCrouch) {
+  const double wanted =
+      std::clamp(walker.crouch + (wantsCrouch ? kCrouchPerTick : -kCrouchPerTick), 0.0, 1.0);
+  if (wanted > walker.crouch || stand.hasRoomFor(bodyOf(level, wanted).height))
+    walker.crouch = wanted;
+}
+
+/// The walker's place, known as far up and down as he can rise, fall and straighten up in a tick.
+std::optional<Stand> standOf(const Level& level, const Walker& walker, const Body& body) {
+  const double fall = std::max(0.0, -walker.velocity.z) * kTick + kGravity * kTick * kTick;
+  const double rise = std::max(0.0, walker.velocity.z) * kTick;
+  const double bend = bodyOf(level, 0).height - body.height;
+  return standAt(level, body, walker.sector, walker.feet, walker.feet.z, std::max(body.step, fall),
+                 std::max({body.step, rise, bend}));
+}
+
+/// Over the ground, which he does not leave where it falls by a step or a walkable slope.
+Stand moveOverGround(const Level& level, const Body& body, Walker& walker, Stand stand) {
+  const Vec2 motion = kTick * walker.velocity.xy();
+  const double distance = length(motion);
+  if (distance == 0) return stand;
+  const double longest = std::max(body.radius / 2, distance / kMostParts);
+  const int parts = static_cast<int>(std::ceil(distance / longest));
+  Vec2 moved{0, 0};
+  bool wasStopped = false;
+  for (int i = 0; i < parts; ++i) {
+    const Move move = movedAlong(level, body, stand, (1.0 / parts) * motion);
+    wasStopped = wasStopped || move.wasStopped;
+    moved = moved + move.moved;
+    stand = move.stand;
+    const double drop = std::max(body.step, kSteepestWalk * length(move.moved)) + kSkin;
+    if (walker.isOnGround && stand.feet.z - stand.zSupport <= drop)
+      stand = risen(level, body, stand, stand.zSupport - stand.feet.z);
+    if (move.moved == Vec2{}) break;
+  }
+  if (wasStopped) {
+    walker.velocity.x = kTicksPerSecond * moved.x;
+    walker.velocity.y = kTicksPerSecond * moved.y;
+  }
+  return stand;
+}
+
+/// Up or down, by his own will or by weight.
+Stand moveUpright(const Level& level, const Body& body, Walker& walker, const Stand& stand) {
+  double& speed = walker.velocity.z;
+  const double gravity = walker.isFlying ? 0 : kGravity;
+  const double rise = kTick * (speed - gravity * kTick / 2);
+  speed = std::max(speed - gravity * kTick, -kFastestFall);
+  const Stand to = risen(level, body, stand, rise);
+  const bool wasStopped = to.feet.z != stand.feet.z + rise;
+  if (wasStopped) speed = 0;
+  walker.isOnGround = wasStopped && rise < 0 && !walker.isFlying;
+  return to;
+}
+
+void put(Walker& walker, const Stand& stand) {
+  walker.sector = stand.sector;
+  walker.feet = stand.feet;
+}
 
 }  // namespace
 
 Walker walkerAt(const Level& level, SectorId sector, Vec3 eye, double angle, double pitch) {
-  const double zFloor = level[sector].airBottom(eye.xy());
-  return {sector, {eye.x, eye.y, std::max(zFloor, eye.z - eyeHeight(level))}, {}, angle, pitch};
-}
-
-Walker walked(const Level& level, const Walker& walker, const WalkInput& input) {
-  Walker after = walker;
-  const double turned = std::fmod(walker.angle + input.turn / 1000.0, 360.0);
-  after.angle = turned < 0 ? turned + 360 : turned;
-  after.pitch = std::clamp(walker.pitch + input.pitch / 1000.0, -60.0, 60.0);
-  const SinCos heading = sinCosDegrees(after.angle);
-  const Vec2 ahead{heading.cos, heading.sin};
-  const double speed = (input.run ? 5.0 : 2.5) / kFullShare;
-  const Vec2 velocity = speed * (input.forward * ahead + input.right * turned90(ahead));
-  const Vec3 wanted = walker.feet + kTick * Vec3{velocity.x, velocity.y, 0};
-  if (const auto sector = sectorAfter(level, walker.sector, wanted)) {
-    after.sector = *sector;
-    after.feet = wanted;
+  Walker walker{sector, eye, {}, wrapped(angle), std::clamp(pitch, -kMaxPitch, kMaxPitch)};
+  for (const double crouch : {0.0, 1.0}) {
+    const Body body = bodyOf(level, crouch);
+    // Down from the eye, and not through a floor; then up onto what else is under the disc.
+    const Body point{0, 0, 0, 0};
+    const auto column = standAt(level, point, sector, eye, eye.z, body.eyeHeight, 0);
+    if (!column) return walker;
+    const Stand below = risen(level, point, *column, -body.eyeHeight);
+    put(walker, below);
+    const double zClimb = below.feet.z + body.step;
+    const auto stand = standAt(level, body, below.sector, below.feet, zClimb, 0, body.step);
+    if (!stand || !stand->hasRoomFor(body.height)) continue;
+    put(walker, *stand);
+    walker.crouch = crouch;
+    return walker;
   }
-  return after;
+  return walker;
 }
 
-Eye eyeOf(const Level& level, const Walker& walker) {
-  const double top = level[walker.sector].airTop(walker.feet.xy());
-  const double z = std::min(walker.feet.z + eyeHeight(level), top);
-  return {walker.sector, {walker.feet.x, walker.feet.y, z}, walker.angle, walker.pitch};
-}
-
-Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double share) {
-  const Eye from = eyeOf(level, before);
-  Eye eye = eyeOf(level, after);
-  const Vec3 point = from.point + share * (eye.point - from.point);
-  const double turn = std::remainder(eye.angle - from.angle, 360.0);
-  eye.angle = from.angle + share * turn;
-  eye.pitch = from.pitch + share * (eye.pitch - from.pitch);
-  if (isIn(level, eye.sector, point)) eye.point = point;
-  return eye;
+Walker walked(const Level& level, const Walker& before, const WalkInput& input) {
+  Walker walker = before;
+  turn(walker, input);
+  if (input.toggleFlight) walker.isFlying = !walker.isFlying;
+  if (walker.isFlying) walker.isOnGround = false;
+  auto stand = standOf(level, walker, bodyOf(level, walker.crouch));
+  if (!stand || !stand->hasRoomFor(bodyOf(level, walker.crouch).height)) {
+    walker.velocity = {};
+    return walker;
+  }
+  crouch(level, walker, *stand, input.crouch);
+  const Body body = bodyOf(level, walker.crouch);
+  accelerate(walker, input);
+  if (input.jump && walker.isOnGround) {
+    walker.velocity.z = kJumpSpeed;
+    walker.isOnGround = false;
+  }
+  put(walker, moveOverGround(level, body, walker, *stand));
+  stand = standOf(level, walker, body);
+  if (!stand) return walker;
+  if (!walker.isFlying && walker.velocity.z <= 0 && stand->feet.z <= stand->zSupport + kSkin) {
+    walker.velocity.z = 0;
+    walker.isOnGround = true;
+  } else {
+    stand = moveUpright(level, body, walker, *stand);
+  }
+  put(walker, *stand);
+  return walker;
 }
 
 }  // namespace hearth

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <cmath>
+
+#include "level/locate.h"
+#include "math/tolerance.h"
+#include "walk/surroundings.h"
+#include "walk/walker.h"
+
+namespace hearth {
+
+Eye eyeOf(const Level& level, const Walker& walker) {
+  Eye eye{walker.sector, walker.feet, walker.angle, walker.pitch};
+  const Vec2 p = walker.feet.xy();
+  eye.point.z += bodyOf(level, walker.crouch).eyeHeight;
+  while (level[eye.sector].ceiling.interface && eye.point.z > level[eye.sector].ceiling.z)
+    eye.sector = across(level, level[*level[eye.sector].ceiling.interface], Side::Upper, p);
+  eye.point.z = std::min(eye.point.z, std::max(walker.feet.z, level[eye.sector].airTop(p)));
+  return eye;
+}
+
+Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double share) {
+  const Eye from = eyeOf(level, before);
+  const Eye to = eyeOf(level, after);
+  const double turn = std::remainder(to.angle - from.angle, 360.0);
+  Eye eye = share < 0.5 ? from : to;
+  eye.angle = std::fmod(from.angle + share * turn + 360, 360.0);
+  eye.pitch = std::lerp(from.pitch, to.pitch, share);
+
+  const Vec3 point = from.point + share * (to.point - from.point);
+  const double travel = length(to.point.xy() - from.point.xy());
+  const double climb = std::abs(after.feet.z - before.feet.z);
+  const Body body = bodyOf(level, before.crouch);
+  const Reach reach{before.feet.xy(),
+                    body.radius + kSkin,
+                    travel,
+                    {before.feet.z, before.feet.z + climb, body.height},
+                    before.feet.z - climb,
+                    before.feet.z + climb + body.height};
+  const Surroundings around(level, before.sector, reach);
+  const auto isAt = [&](SectorId sector) {
+    return contains(level, level[sector], point, kPositionSlack);
+  };
+  std::optional<SectorId> found;
+  if (isAt(to.sector)) found = to.sector;
+  if (isAt(from.sector)) found = from.sector;
+  for (const SectorId sector : around.sectors())
+    if (!found && isAt(sector)) found = sector;
+  // Without a body the straight line between two eyes can cut a corner: then it is the nearer eye.
+  if (!found) return eye;
+  eye.sector = *found;
+  eye.point = point;
+  return eye;
+}
+
+}  // namespace hearth

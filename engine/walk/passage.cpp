@@ -1,0 +1,125 @@
+#include "walk/passage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "walk/body.h"
+
+namespace hearth {
+
+namespace {
+
+const Opening& openingAt(const Segment& segment, std::size_t piece) {
+  return std::get<Opening>(segment.pieces[piece].content);
+}
+
+/// Whether two pieces that meet let a body be in both at once: no floor or ceiling parts them.
+bool areJoined(const Level& level, const Segment& segment, std::size_t lower, std::size_t upper) {
+  const WallPiece& below = segment.pieces[lower];
+  const WallPiece& above = segment.pieces[upper];
+  if (!std::holds_alternative<Opening>(above.content) || below.zTop != above.zBottom) return false;
+  const SectorId nextBelow = openingAt(segment, lower).next;
+  const SectorId nextAbove = openingAt(segment, upper).next;
+  if (nextBelow == nextAbove) return true;
+  const auto& ceiling = level[nextBelow].ceiling.interface;
+  return ceiling && ceiling == level[nextAbove].floor.interface;
+}
+
+/// Where along a line from `at0` to `at1` it is at most `limit`.
+Shares whereAtMost(double at0, double at1, double limit) {
+  if (at0 <= limit && at1 <= limit) return {0, 1};
+  if (at0 > limit && at1 > limit) return {1, 0};
+  const double share = (limit - at0) / (at1 - at0);
+  return at0 <= limit ? Shares{0, share} : Shares{share, 1};
+}
+
+}  // namespace
+
+Shares common(Shares a, Shares b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
+
+Shares chordOf(Vec2 a, Vec2 b, double radius) {
+  const Vec2 along = b - a;
+  const double size = length(along);
+  if (size == 0) return {1, 0};
+  const double distance = cross(along, a) / size;
+  const double halfSquared = (radius - distance) * (radius + distance);
+  if (!(halfSquared > 0)) return {1, 0};
+  const double middle = -dot(a, along) / (size * size);
+  const double half = std::sqrt(halfSquared) / size;
+  return common({0, 1}, {middle - half, middle + half});
+}
+
+Passage::Passage(const Level& level, const Segment& segment, std::size_t first, std::size_t last)
+    : first_(first), last_(last) {
+  const Sector& sector = level[segment.sector];
+  const auto line = [](double z) { return Line{z, z}; };
+
+  const WallPiece& lowest = segment.pieces[first];
+  const Opening& below = openingAt(segment, first);
+  const Flat& nextFloor = level[below.next].floor;
+  const bool isOpenBelow = sector.floor.interface && lowest.zBottom <= sector.floor.z &&
+                           (nextFloor.interface || nextFloor.z < lowest.zBottom);
+  bottoms_ = {{line(-kNowhere), line(-kNowhere), line(-kNowhere)}};
+  if (!isOpenBelow) {
+    const Segment& far = level[below.twin];
+    bottoms_ = {{line(lowest.zBottom),
+                 {segment.air0.zBottom, segment.air1.zBottom},
+                 {far.air1.zBottom, far.air0.zBottom}}};
+  }
+
+  const WallPiece& highest = segment.pieces[last];
+  const Opening& above = openingAt(segment, last);
+  const Flat& nextCeiling = level[above.next].ceiling;
+  const bool isOpenAbove = sector.ceiling.interface && highest.zTop >= sector.ceiling.z &&
+                           (nextCeiling.interface || nextCeiling.z > highest.zTop);
+  tops_ = {{line(kNowhere), line(kNowhere), line(kNowhere)}};
+  if (!isOpenAbove) {
+    const Segment& far = level[above.twin];
+    tops_ = {{line(highest.zTop),
+              {segment.air0.zTop, segment.air1.zTop},
+              {far.air1.zTop, far.air0.zTop}}};
+  }
+}
+
+Shares Passage::openTo(const UprightBody& body) const {
+  Shares open{0, 1};
+  for (const Line& bottom : bottoms_.lines)
+    open = common(open, whereAtMost(bottom.at0, bottom.at1, body.zClimb + kSkin));
+  for (const Line& top : tops_.lines)
+    open = common(open, whereAtMost(-top.at0, -top.at1, -body.zHead() + kSkin));
+  for (const Line& bottom : bottoms_.lines)
+    for (const Line& top : tops_.lines)
+      open = common(open,
+                    whereAtMost(bottom.at0 - top.at0, bottom.at1 - top.at1, -body.height + kSkin));
+  return open;
+}
+
+double Passage::zBottom(Shares within) const {
+  double z = -kNowhere;
+  for (const Line& line : bottoms_.lines)
+    if (line.at0 > -kNowhere)
+      for (const double share : {within.low, within.high})
+        z = std::max(z, std::lerp(line.at0, line.at1, share));
+  return z;
+}
+
+double Passage::zTop(Shares within) const {
+  double z = kNowhere;
+  for (const Line& line : tops_.lines)
+    if (line.at0 < kNowhere)
+      for (const double share : {within.low, within.high})
+        z = std::min(z, std::lerp(line.at0, line.at1, share));
+  return z;
+}
+
+void findPassages(const Level& level, const Segment& segment, std::pmr::vector<Passage>& passages) {
+  for (std::size_t first = 0; first < segment.pieces.size(); ++first) {
+    if (!std::holds_alternative<Opening>(segment.pieces[first].content)) continue;
+    std::size_t last = first;
+    while (last + 1 < segment.pieces.size() && areJoined(level, segment, last, last + 1)) ++last;
+    passages.emplace_back(level, segment, first, last);
+    first = last;
+  }
+}
+
+}  // namespace hearth

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory_resource>
+#include <optional>
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// Shares of a segment, 0 at its p0 and 1 at its p1; empty unless low < high.
+struct Shares {
+  double low;
+  double high;
+  bool isEmpty() const { return !(low < high); }
+};
+
+Shares common(Shares a, Shares b);
+
+/// The part of a segment within `radius` of the origin, its ends being given relative to that.
+Shares chordOf(Vec2 a, Vec2 b, double radius);
+
+/// The upright room that a body takes up and may rise to.
+struct UprightBody {
+  double zFeet;
+  double zClimb;  ///< the highest that the feet may step up to, >= zFeet
+  double height;
+  double zHead() const { return zFeet + height; }
+};
+
+/// Openings of a segment one above the other that a body can pass as one. Heights are absolute and
+/// those at p0 and p1; of several lines the highest bottom (the lowest top) counts.
+class Passage {
+ public:
+  /// The pieces [first, last] of a segment.
+  Passage(const Level& level, const Segment& segment, std::size_t first, std::size_t last);
+
+  /// Where along the segment the body fits through, having stepped up if need be.
+  Shares openTo(const UprightBody& body) const;
+
+  /// The highest bottom and the lowest top within some shares of the segment; infinite where the
+  /// opening goes on through a flat portal of the sector.
+  double zBottom(Shares within) const;
+  double zTop(Shares within) const;
+
+  std::size_t first() const { return first_; }
+  std::size_t last() const { return last_; }
+
+ private:
+  struct Line {
+    double at0;
+    double at1;
+  };
+
+  /// The sector's edge, that of the opening and that of the sector behind it.
+  struct Lines {
+    Line lines[3];
+  };
+
+  std::size_t first_;
+  std::size_t last_;
+  Lines bottoms_;
+  Lines tops_;
+};
+
+/// All passages of a segment, bottom to top, appended to `passages`.
+void findPassages(const Level& level, const Segment& segment, std::pmr::vector<Passage>& passages);
+
+}  // namespace hearth

@@ -1,0 +1,213 @@
+#include "walk/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "level/locate.h"
+#include "math/predicates.h"
+
+namespace hearth {
+
+namespace {
+
+double signedDistance(Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  return cross(along, Vec2{} - a) / length(along);
+}
+
+/// A flat, or the slope that replaces it.
+struct PlaneAt {
+  double z;
+  Vec2 gradient;
+};
+
+PlaneAt planeAt(const Flat& flat, const std::optional<Slope>& slope, Vec2 p) {
+  if (slope) return {slope->zAt(p), slope->gradient};
+  return {flat.z, {0, 0}};
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const Level& level, SectorId from, const Reach& reach)
+    : level_(level), reach_(reach), radius_(reach.radius + reach.travel) {
+  add(from);
+  for (std::size_t i = 0; i < sectors_.size(); ++i) lookRound(level_[sectors_[i]]);
+}
+
+void Surroundings::add(SectorId sector) {
+  if (std::ranges::find(sectors_, sector) == sectors_.end()) sectors_.push_back(sector);
+}
+
+void Surroundings::lookRound(const Sector& sector) {
+  for (const Segment& segment : level_.segmentsOf(sector)) lookAtWall(segment);
+  takeFlats(sector);
+  if (sector.floorSlope || sector.ceilingSlope) takeSlopes(sector);
+}
+
+void Surroundings::lookAtWall(const Segment& segment) {
+  const Vec2 a = segment.p0 - reach_.center;
+  const Vec2 b = segment.p1 - reach_.center;
+  const Shares chord = chordOf(a, b, radius_);
+  if (chord.isEmpty() || signedDistance(a, b) < -reach_.travel - kSkin) return;
+  passages_.clear();
+  open_.clear();
+  findPassages(level_, segment, passages_);
+  const Sector& sector = level_[segment.sector];
+  if (sector.ceiling.interface && sector.ceiling.z <= reach_.body.zClimb + kSkin)
+    return lookAtWallBelow(segment, chord);
+  if (sector.floor.interface && sector.floor.z >= reach_.body.zHead() - kSkin)
+    return lookAtWallAbove(segment, chord);
+
+  for (const Passage& passage : passages_) {
+    const Shares open = passage.openTo(reach_.body);
+    if (open.isEmpty()) continue;
+    open_.push_back(open);
+    const Shares reached = common(open, chord);
+    if (reached.isEmpty()) continue;
+    bear(passage.zBottom(reached));
+    zCap_ = std::min(zCap_, passage.zTop(reached));
+    for (std::size_t i = passage.first(); i <= passage.last(); ++i)
+      add(std::get<Opening>(segment.pieces[i].content).next);
+  }
+  block(segment, chord);
+}
+
+void Surroundings::bear(double z) {
+  if (z <= reach_.body.zClimb + kSkin)
+    zSupport_ = std::max(zSupport_, z);
+  else
+    isBuried_ = true;
+}
+
+/// A wall that the body is above: its top bears.
+void Surroundings::lookAtWallBelow(const Segment& segment, Shares chord) {
+  const bool isOpen = !passages_.empty() && passages_.back().zTop(chord) == kNowhere;
+  const double zTop = isOpen ? passages_.back().zBottom(chord) : level_[segment.sector].ceiling.z;
+  bear(zTop);
+}
+
+/// A wall that the body is below.
+void Surroundings::lookAtWallAbove(const Segment& segment, Shares chord) {
+  const bool isOpen = !passages_.empty() && passages_.front().zBottom(chord) == -kNowhere;
+  const double zBottom = isOpen ? passages_.front().zTop(chord) : level_[segment.sector].floor.z;
+  zCap_ = std::min(zCap_, zBottom);
+}
+
+/// What of a wall no passage leaves open.
+void Surroundings::block(const Segment& segment, Shares chord) {
+  std::ranges::sort(open_, {}, &Shares::low);
+  double from = chord.low;
+  const auto blockUpTo = [&](double to) {
+    if (!(from < to)) return;
+    const Vec2 along = segment.p1 - segment.p0;
+    const Vec2 a = segment.p0 - reach_.center;
+    // The ends of a wall are its vertices to the bit: its neighbours share them.
+    blockers_.push_back({from == 0 ? a : a + from * along,
+                         to == 1 ? segment.p1 - reach_.center : a + to * along,
+                         segment.sector == sectors_.front()});
+  };
+  for (const Shares& open : open_) {
+    blockUpTo(std::min(open.low, chord.high));
+    from = std::max(from, open.high);
+  }
+  blockUpTo(chord.high);
+}
+
+void Surroundings::takeFlats(const Sector& sector) {
+  if (sector.floor.interface) {
+    if (sector.floor.z >= reach_.zLow) followFlat(level_[*sector.floor.interface].lower);
+  } else {
+    const double z = sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : sector.floor.z;
+    bear(z);
+  }
+  if (sector.ceiling.interface) {
+    if (sector.ceiling.z <= reach_.zHigh) followFlat(level_[*sector.ceiling.interface].upper);
+  } else {
+    const double z =
+        sector.ceilingSlope ? -highest(sector, *sector.ceilingSlope, -1) : sector.ceiling.z;
+    zCap_ = std::min(zCap_, z);
+  }
+}
+
+void Surroundings::followFlat(const std::vector<SectorId>& members) {
+  for (const SectorId member : members)
+    if (touches(level_[member])) add(member);
+}
+
+bool Surroundings::touches(const Sector& sector) const {
+  const Vec2 p = reach_.center;
+  if (p.x < sector.boxMin.x - radius_ || p.x > sector.boxMax.x + radius_ ||
+      p.y < sector.boxMin.y - radius_ || p.y > sector.boxMax.y + radius_)
+    return false;
+  return contains(level_, sector, p) ||
+         std::ranges::any_of(level_.segmentsOf(sector), [&](const Segment& segment) {
+           return !chordOf(segment.p0 - p, segment.p1 - p, radius_).isEmpty();
+         });
+}
+
+/// `sign` times the slope's height where that is greatest, of what the disc covers of the sector.
+/// It is greatest at the disc's edge straight up, or where the sector's outline leaves the disc.
+double Surroundings::highest(const Sector& sector, const Slope& slope, double sign) const {
+  double best = -kNowhere;
+  const auto take = [&](Vec2 p) { best = std::max(best, sign * slope.zAt(p)); };
+  const Vec2 p = reach_.center;
+  const double steepness = length(slope.gradient);
+  const Vec2 uphill = steepness > 0 ? (sign * radius_ / steepness) * slope.gradient : Vec2{};
+  if (contains(level_, sector, p)) take(p);
+  if (contains(level_, sector, p + uphill)) take(p + uphill);
+  for (const Segment& segment : level_.segmentsOf(sector)) {
+    const Shares chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
+    if (chord.isEmpty()) continue;
+    take(lerp(segment.p0, segment.p1, chord.low));
+    take(lerp(segment.p0, segment.p1, chord.high));
+  }
+  if (best == -kNowhere) take(p);  // a body without breadth can miss its sector by the slack
+  return best;
+}
+
+/// Where a slope comes down to the head, rises too steeply from the feet, or leaves too little room
+/// to the other flat, it stops the body like a wall that stands on that contour line.
+void Surroundings::takeSlopes(const Sector& sector) {
+  const UprightBody& body = reach_.body;
+  const PlaneAt floor = planeAt(sector.floor, sector.floorSlope, reach_.center);
+  const PlaneAt ceiling = planeAt(sector.ceiling, sector.ceilingSlope, reach_.center);
+  if (sector.ceilingSlope)
+    blockWhereAbove0(sector, body.zHead() - kSkin - ceiling.z, -1 * ceiling.gradient);
+  const double steepness = length(floor.gradient);
+  if (steepness > kSteepestWalk)
+    blockWhereAbove0(sector, floor.z - body.zFeet - kSkin, floor.gradient);
+  if (!sector.floorSlope) return;
+  // Floor and ceiling are each nearest to the body at another point of the disc's edge; the line
+  // is moved so that a disc that touches it just fits between them.
+  const Vec2 narrowing = floor.gradient - ceiling.gradient;
+  const double apart = steepness + length(ceiling.gradient) - length(narrowing);
+  const double needed = body.height - kSkin + reach_.radius * apart;
+  blockWhereAbove0(sector, needed - (ceiling.z - floor.z), narrowing);
+}
+
+/// Blocks the contour line on which a value that is known at the centre becomes 0.
+void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, Vec2 gradient) {
+  const double steepness = length(gradient);
+  if (!(std::abs(valueAtCenter) < radius_ * steepness)) return;
+  const Vec2 foot = (-valueAtCenter / (steepness * steepness)) * gradient;
+  const Vec2 along = (1 / steepness) * turned90(gradient);
+  const double half = std::sqrt(radius_ * radius_ - dot(foot, foot));
+  std::pmr::vector<double> cuts({-half, half}, &arena_);
+  for (const Segment& segment : level_.segmentsOf(sector)) {
+    const Vec2 a = segment.p0 - reach_.center - foot;
+    const Vec2 b = segment.p1 - reach_.center - foot;
+    const double aSide = cross(along, a);
+    const double bSide = cross(along, b);
+    if ((aSide > 0) == (bSide > 0)) continue;
+    const double cut = dot(along, lerp(a, b, aSide / (aSide - bSide)));
+    if (cut > -half && cut < half) cuts.push_back(cut);
+  }
+  std::ranges::sort(cuts);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Vec2 middle = foot + ((cuts[i] + cuts[i + 1]) / 2) * along;
+    if (contains(level_, sector, reach_.center + middle))
+      blockers_.push_back({foot + cuts[i] * along, foot + cuts[i + 1] * along, false});
+  }
+}
+
+}  // namespace hearth

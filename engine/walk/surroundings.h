@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+#include <vector>
+
+#include "level/level.h"
+#include "walk/body.h"
+#include "walk/passage.h"
+
+namespace hearth {
+
+/// What stops a body that comes from the front of a -> b. Relative to Reach::center, in metres.
+struct Blocker {
+  Vec2 a;
+  Vec2 b;
+  bool isOfOwnSector;  ///< the one that the body's middle is in
+};
+
+/// How far to look round a body.
+struct Reach {
+  Vec2 center;
+  double radius;  ///< of the disc
+  double travel;  ///< that the disc may move from `center`
+  UprightBody body;
+  double zLow;   ///< the lowest that the feet may come to ...
+  double zHigh;  ///< ... and the highest that the head may: flat portals between are followed
+};
+
+/// What a body at `center` meets within reach: found by following links from its sector, through
+/// what the body fits through. So sectors that merely overlap in space are not in it, and a wall
+/// stops only those who are in front of it.
+class Surroundings {
+ public:
+  Surroundings(const Level& level, SectorId from, const Reach& reach);
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+  /// `from` first; none farther by links before a nearer one.
+  const std::pmr::vector<SectorId>& sectors() const { return sectors_; }
+  const std::pmr::vector<Blocker>& blockers() const { return blockers_; }
+  /// The highest that the feet can stand on of all that is within reach, and no higher than they
+  /// can step up to; -infinity for nothing.
+  double zSupport() const { return zSupport_; }
+  /// Something that would bear him is higher than that.
+  bool isBuried() const { return isBuried_; }
+  /// The lowest that is above the head.
+  double zCap() const { return zCap_; }
+
+ private:
+  void add(SectorId sector);
+  void lookRound(const Sector& sector);
+  void lookAtWall(const Segment& segment);
+  void lookAtWallBelow(const Segment& segment, Shares chord);
+  void lookAtWallAbove(const Segment& segment, Shares chord);
+  void takeFlats(const Sector& sector);
+  void followFlat(const std::vector<SectorId>& members);
+  bool touches(const Sector& sector) const;
+  void bear(double z);
+  void block(const Segment& segment, Shares chord);
+  void takeSlopes(const Sector& sector);
+  void blockWhereAbove0(const Sector& sector, double valueAtCenter, Vec2 gradient);
+  double highest(const Sector& sector, const Slope& slope, double sign) const;
+
+  // Enough for what is near a player as a rule, so that a tick takes no memory from the heap.
+  std::array<std::byte, 16384> buffer_;
+  std::pmr::monotonic_buffer_resource arena_{buffer_.data(), buffer_.size()};
+
+  const Level& level_;
+  Reach reach_;
+  double radius_;  // of all that the disc can come to
+  std::pmr::vector<SectorId> sectors_{&arena_};
+  std::pmr::vector<Blocker> blockers_{&arena_};
+  std::pmr::vector<Passage> passages_{&arena_};  // of the wall that is looked at
+  std::pmr::vector<Shares> open_{&arena_};
+  double zSupport_ = -kNowhere;
+  bool isBuried_ = false;
+  double zCap_ = kNowhere;
+};
+
+}  // namespace hearth
