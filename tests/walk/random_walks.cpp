@@ -1,0 +1,250 @@
+#include "walk_tests/random_walks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "level/locate.h"
+#include "load/load.h"
+#include "math/tolerance.h"
+#include "math/trig.h"
+#include "random_levels/random.h"
+#include "random_levels/random_level.h"
+#include "walk/body.h"
+#include "walk/walker.h"
+#include "walk_tests/solids.h"
+#include "walk_tests/starts.h"
+
+namespace hearth::random_walks {
+
+namespace {
+
+using random_levels::Random;
+
+constexpr double kHair = 4 * kSkin;
+constexpr double kTick = 1.0 / kTicksPerSecond;
+
+/// Bodies of all sizes: a player's, a child's, one without breadth, a stout one without a step,
+/// and one so small that a tick takes it past whole sectors.
+constexpr std::array<Player, 5> kBodies{{
+    {{}, {}, 0, 1.8, 1.6, 0.3, 0.4},
+    {{}, {}, 0, 0.9, 0.8, 0.15, 0.2},
+    {{}, {}, 0, 1.2, 1.2, 0, 0.3},
+    {{}, {}, 0, 1.0, 0.5, 0.45, 0},
+    {{}, {}, 0, 0.0018, 0.0016, 0.0003, 0.0004},
+}};
+
+bool isIn(const Level& level, SectorId sector, Vec3 p) {
+  return contains(level, level[sector], p, kPositionSlack);
+}
+
+/// Inputs that last, as a player's do: now and then some of them change.
+WalkInput changed(WalkInput input, Random& random) {
+  input.toggleFlight = random.chance(0.002);
+  if (!random.chance(0.05)) return input;
+  const auto share = [&] { return static_cast<int>(random.between(-1, 1) * 127); };
+  input.forward = random.chance(0.7) ? 127 : share();
+  input.right = share();
+  input.up = share();
+  input.turn = random.chance(0.5) ? 0 : static_cast<int>(random.between(-4000, 4000));
+  input.run = random.chance(0.5);
+  input.jump = random.chance(0.2);
+  input.crouch = random.chance(0.2);
+  return input;
+}
+
+class Walk {
+ public:
+  Walk(const Level& level, const Solids& solids, const Walker& start, std::uint64_t seed, int lines)
+      : level_(level),
+        solids_(solids),
+        walker_(start),
+        inputs_(seed),
+        checks_(seed),
+        lines_(lines) {}
+
+  Report run(int ticks) {
+    report_.walks = 1;
+    WalkInput input;
+    for (int tick = 0; tick < ticks && report_.failures == 0; ++tick) {
+      input = changed(input, inputs_);
+      const Walker before = walker_;
+      walker_ = walked(level_, before, input);
+      check(before, input);
+      if (report_.failures > 0)
+        report_.first = fmt::format(
+            "{} in tick {}: {} {:.17g},{:.17g},{:.17g} from {} {:.17g},{:.17g},{:.17g} speed "
+            "{:.4g},{:.4g},{:.4g} angle {:.17g} crouch {} flying {} ground {}",
+            fault_, tick, level_[walker_.sector].name, walker_.feet.x, walker_.feet.y,
+            walker_.feet.z, level_[before.sector].name, before.feet.x, before.feet.y, before.feet.z,
+            before.velocity.x, before.velocity.y, before.velocity.z, before.angle, before.crouch,
+            before.isFlying, before.isOnGround);
+    }
+    return report_;
+  }
+
+ private:
+  void fail(std::string fault) {
+    if (report_.failures == 0) fault_ = std::move(fault);
+    report_.failures = 1;
+  }
+  void expect(bool holds, const char* fault) {
+    if (!holds) fail(fault);
+  }
+
+  void check(const Walker& before, const WalkInput& input) {
+    count(before);
+    expect(isIn(level_, walker_.sector, walker_.feet), "the sector does not contain the feet");
+    const Eye eye = eyeOf(level_, walker_);
+    expect(isIn(level_, eye.sector, eye.point), "the sector does not contain the eye");
+    const Eye between = eyeBetween(level_, before, walker_, checks_.unit());
+    expect(isIn(level_, between.sector, between.point), "an eye between ticks is nowhere");
+    expectPhysics(before, input);
+    expectFree();
+  }
+
+  void count(const Walker& before) {
+    ++report_.ticks;
+    report_.onGround += walker_.isOnGround;
+    report_.inFlight += walker_.isFlying;
+    if (walker_.sector == before.sector) return;
+    ++report_.crossings;
+    const Sector& from = level_[before.sector];
+    const Sector& to = level_[walker_.sector];
+    report_.throughFlats +=
+        (from.floor.interface && from.floor.interface == to.ceiling.interface) ||
+        (from.ceiling.interface && from.ceiling.interface == to.floor.interface);
+  }
+
+  /// No farther than the greater of the speeds before and wanted takes him, plus what steps and
+  /// slopes lift or lower him by.
+  void expectPhysics(const Walker& before, const WalkInput& input) {
+    const Body body = bodyOf(level_, walker_.crouch);
+    const double wanted = walker_.isFlying ? (input.run ? 10 : 5) : (input.run ? 5 : 2.5);
+    const double speed = std::max(length(before.velocity.xy()), wanted);
+    const Vec3 moved = walker_.feet - before.feet;
+    const double reach = speed * kTick + kHair;
+    expect(length(moved.xy()) <= reach, "faster than physics allows");
+    const double parts = std::clamp(std::ceil(2 * reach / std::max(body.radius, 1e-9)), 1.0, 16.0);
+    const double lift = parts * body.step + reach;
+    const double rise = std::max({before.velocity.z, walker_.isFlying ? wanted : 3.3});
+    const double fall = std::max({-before.velocity.z, walker_.isFlying ? wanted : 0.0});
+    expect(moved.z <= rise * kTick + lift, "higher than physics allows");
+    expect(-moved.z <= fall * kTick + 9.81 * kTick * kTick + lift, "deeper than physics allows");
+  }
+
+  /// A few lines out of the axis, at the feet, the head and between.
+  void expectFree() {
+    const Body body = bodyOf(level_, walker_.crouch);
+    const bool isHeld = !solids_.isBesideOneWay(walker_.feet.xy(), body.radius);
+    isClear_ = isHeld && (isClear_ || solids_.isFree(walker_.sector, walker_.feet, body, 90));
+    if (!isClear_) {
+      ++report_.besideOneWay;
+      return;
+    }
+    for (int i = 0; i < lines_; ++i) {
+      const double share = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : checks_.unit();
+      const double z = walker_.feet.z + kHair + share * (body.height - 2 * kHair);
+      const Vec3 axis{walker_.feet.x, walker_.feet.y, z};
+      const SectorId sector = solids_.inColumn(walker_.sector, axis);
+      expect(isIn(level_, sector, axis), "the axis is in solid");
+      const SinCos turn = sinCosDegrees(checks_.real(0, 360));
+      const double free = solids_.freeAlong(sector, axis, {turn.cos, turn.sin}, body.radius);
+      if (free < body.radius - kHair)
+        fail(fmt::format(
+            "in solid {:.3g} of {} m off the axis at height {:.6g} of {} towards {:.5g},{:.5g}",
+            free, body.radius, z - walker_.feet.z, body.height, turn.cos, turn.sin));
+    }
+  }
+
+  const Level& level_;
+  const Solids& solids_;
+  Walker walker_;
+  Random inputs_;
+  Random checks_;  // apart, so that other checks see the same walk
+  int lines_;
+  bool isClear_ = true;  // not in what he went into through a one-way wall
+  Report report_;
+  std::string fault_;
+};
+
+std::optional<SectorId> sectorNamed(const Level& level, const std::string& name) {
+  for (std::size_t i = 0; i < level.sectors.size(); ++i)
+    if (level.sectors[i].name == name) return SectorId(i);
+  return std::nullopt;
+}
+
+Report failed(std::string why) { return {.failures = 1, .first = std::move(why)}; }
+
+}  // namespace
+
+std::optional<Level> loadRandom(const RandomLevel& random, const std::filesystem::path& folder) {
+  if (!writeRandomLevel(folder, random)) return std::nullopt;
+  LoadResult result = loadLevel(folder / (random.name + ".json"));
+  std::filesystem::remove(folder / (random.name + ".json"));
+  std::filesystem::remove(folder / (random.name + ".lights.json"));
+  if (!result.loaded) return std::nullopt;
+  return std::move(result.loaded->level);
+}
+
+std::optional<Walker> standIn(const Level& level, const Solids& solids, const RandomView& view) {
+  const auto sector = sectorNamed(level, view.sector);
+  if (!sector || !isIn(level, *sector, {view.x, view.y, view.z})) return std::nullopt;
+  const Walker walker = walkerAt(level, *sector, {view.x, view.y, view.z}, view.angle, 0);
+  const Body body = bodyOf(level, walker.crouch);
+  if (!solids.isFree(walker.sector, walker.feet, body, 720)) return std::nullopt;
+  return walker;
+}
+
+Report& Report::operator+=(const Report& other) {
+  if (first.empty()) first = other.first;
+  walks += other.walks;
+  ticks += other.ticks;
+  failures += other.failures;
+  onGround += other.onGround;
+  inFlight += other.inFlight;
+  crossings += other.crossings;
+  throughFlats += other.throughFlats;
+  stuck += other.stuck;
+  besideOneWay += other.besideOneWay;
+  return *this;
+}
+
+Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
+                       int ticks, int lines) {
+  const RandomLevel random = makeRandomLevel(seed);
+  std::optional<Level> loaded = loadRandom(random, folder);
+  if (!loaded) return failed(fmt::format("seed {} does not load", seed));
+  Level& level = *loaded;
+  const Solids solids(level);
+  Random choices(seed);
+  Report report;
+  for (int i = 0; i < walks; ++i) {
+    level.player = kBodies[static_cast<std::size_t>(i) % kBodies.size()];
+    std::optional<Walker> start;
+    for (int attempt = 0; !start && attempt < 8; ++attempt)
+      start = standIn(level, solids, choices.pickFrom(random.views));
+    if (!start) {
+      ++report.stuck;
+      continue;
+    }
+    Report one = Walk(level, solids, *start, choices.next(), lines).run(ticks);
+    if (!one.first.empty()) one.first = fmt::format("seed {} walk {}: {}", seed, i, one.first);
+    report += one;
+  }
+  return report;
+}
+
+std::string inWords(const Report& report) {
+  return fmt::format(
+      "{} walks, {} ticks: {} on the ground, {} in flight, {} into another sector, {} of these "
+      "through flat portals; {} beside one-way walls, where solids are not looked for; {} starts "
+      "without room; {} walks failed\n{}",
+      report.walks, report.ticks, report.onGround, report.inFlight, report.crossings,
+      report.throughFlats, report.besideOneWay, report.stuck, report.failures, report.first);
+}
+
+}  // namespace hearth::random_walks

@@ -1,0 +1,37 @@
+#include "walk_tests/random_walks.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "random_levels/random_level.h"
+
+namespace hearth::random_walks {
+namespace {
+
+TEST(RandomWalks, KeepEveryPromise) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / fmt::format("hearth-walks-{}", ::getpid());
+  ASSERT_TRUE(writeRandomLevelTextures(folder / "textures"));
+  Report report;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+    report += walkRandomLevel(seed, folder, 5, 400, 3);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(report.failures, 0u) << report.first;
+  EXPECT_GT(report.crossings, 300u) << "he must get around";
+  EXPECT_GT(report.throughFlats, 10u);
+}
+
+TEST(RandomWalks, TakeEveryStraightWayThatASearchCallsOpen) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / fmt::format("hearth-ways-{}", ::getpid());
+  ASSERT_TRUE(writeRandomLevelTextures(folder / "textures"));
+  WaysReport report;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) report += tryWays(seed, folder, 10);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(report.taken, report.asked) << report.first;
+  EXPECT_GT(report.asked, 100);
+}
+
+}  // namespace
+}  // namespace hearth::random_walks

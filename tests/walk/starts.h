@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "random_levels/random_level.h"
+#include "walk/walker.h"
+#include "walk_tests/solids.h"
+
+namespace hearth::random_walks {
+
+/// None where it does not load.
+std::optional<Level> loadRandom(const RandomLevel& random, const std::filesystem::path& folder);
+
+/// Stands in a view of the level; nobody where he would have no room.
+std::optional<Walker> standIn(const Level& level, const Solids& solids, const RandomView& view);
+
+}  // namespace hearth::random_walks
