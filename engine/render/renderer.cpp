@@ -5,7 +5,6 @@
 
 #include "level/locate.h"
 #include "math/planted_bug.h"
-#include "render/frame.h"
 #include "render/shading.h"
 #include "render/visibility.h"
 
@@ -138,36 +137,46 @@ Projection projectionFor(const Level& level, const Camera& camera) {
   return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye));
 }
 
-Image Renderer::draw(const Camera& camera, LightMode mode, FrameStats* stats) const {
+void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
+                    Image& picture) const {
   const Projection projection = projectionFor(level_, camera);
-  const VisibleSpans visible = findVisibleSpans(level_, camera, projection);
-  if (stats) *stats = visible.stats;
-  Frame frame(camera.width, camera.height, kHole);
-  SpanPainter painter(level_, textures_, light_, projection, frame);
+  const std::vector<Span>& spans =
+      findVisibleSpans(level_, camera, projection, scratch.visibility).spans;
+  scratch.frame.clear(camera.width, camera.height, kHole);
+  SpanPainter painter(level_, textures_, light_, projection, scratch.frame);
   switch (mode) {
     case LightMode::Both:
-      painter.paint(visible.spans, litPixel);
+      painter.paint(spans, litPixel);
       break;
     case LightMode::None:
-      painter.paint(visible.spans, texturedPixel);
+      painter.paint(spans, texturedPixel);
       break;
     case LightMode::Only:
-      painter.paint(visible.spans, lightPixel);
+      painter.paint(spans, lightPixel);
       break;
   }
-  return frame.toImage();
+  scratch.frame.copyTo(picture);
+}
+
+Image Renderer::draw(const Camera& camera, LightMode mode) const {
+  FrameScratch scratch;
+  Image picture;
+  draw(camera, mode, scratch, picture);
+  return picture;
 }
 
 Image Renderer::draw(const Camera& camera, Channel channel) const {
+  FrameScratch scratch;
   const Projection projection = projectionFor(level_, camera);
-  const VisibleSpans visible = findVisibleSpans(level_, camera, projection);
-  Frame frame(camera.width, camera.height, kHole);
-  SpanPainter(level_, textures_, light_, projection, frame)
-      .paint(visible.spans,
+  scratch.frame.clear(camera.width, camera.height, kHole);
+  SpanPainter(level_, textures_, light_, projection, scratch.frame)
+      .paint(findVisibleSpans(level_, camera, projection, scratch.visibility).spans,
              [channel](const Material& material, const Span& span, const Fragment& f, Rgb before) {
                return channelPixel(channel, material, span, f, before);
              });
-  return frame.toImage();
+  Image picture;
+  scratch.frame.copyTo(picture);
+  return picture;
 }
 
 }  // namespace hearth

@@ -6,7 +6,8 @@
 #include "level/level.h"
 #include "light/bakery.h"
 #include "render/camera.h"
-#include "render/span.h"
+#include "render/frame.h"
+#include "render/visibility_scratch.h"
 
 namespace hearth {
 
@@ -31,6 +32,13 @@ enum class Channel {
 /// The colour of a pixel that nothing covers. No enclosed level shows it.
 inline constexpr Rgb kHole = {255, 0, 255};
 
+/// What frames are drawn in. Who keeps it from frame to frame draws without taking memory anew;
+/// each thread that draws needs its own. No frame depends on an earlier one.
+struct FrameScratch {
+  VisibilityScratch visibility;  ///< with the spans of the last frame
+  Frame frame;
+};
+
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
 class Renderer {
  public:
@@ -38,8 +46,10 @@ class Renderer {
   Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light)
       : level_(level), textures_(textures), light_(light) {}
 
-  /// The camera's eye is in its sector, within kPositionSlack.
-  Image draw(const Camera& camera, LightMode mode, FrameStats* stats = nullptr) const;
+  /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size.
+  void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture) const;
+  /// Single pictures.
+  Image draw(const Camera& camera, LightMode mode) const;
   Image draw(const Camera& camera, Channel channel) const;
 
  private:

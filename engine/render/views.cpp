@@ -205,7 +205,8 @@ class ShownPixels {
         pixels_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)),
         seenSectors_(level.sectors.size(), false) {
     seenSectors_[camera.sector.index()] = true;
-    for (const Span& span : findVisibleSpans(level, camera, projection).spans) {
+    VisibilityScratch scratch;
+    for (const Span& span : findVisibleSpans(level, camera, projection, scratch).spans) {
       const SectorId sector = level[span.surface].sector;
       seenSectors_[sector.index()] = true;
       for (int row = span.rowBegin; row < span.rowEnd; ++row)

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -17,57 +19,49 @@ namespace hearth {
 
 namespace {
 
-/// Rows [top, bottom) of one column through which something is still to be seen.
-struct Window {
-  int column;
-  int top;
-  int bottom;
-  double depth;  ///< metres at which the column leaves the sector in front
-};
-
-/// A sector seen through the windows that a portal leaves open.
-struct Viewport {
-  SectorId sector;
-  std::optional<SegmentId> entry;  ///< the sector's own side of that portal
-  std::vector<Window> windows;     ///< by rising column
-};
-
-/// The sectors of one side of an interface, seen through the windows that a flat portal leaves.
-struct FlatPortalView {
-  InterfaceId interface;
-  bool down;
-  std::vector<Window> windows;
-};
-
 class Visibility {
  public:
-  Visibility(const Level& level, const Camera& camera, const Projection& projection)
-      : level_(level), camera_(camera), projection_(projection) {}
+  Visibility(const Level& level, const Camera& camera, const Projection& projection,
+             VisibilityScratch& scratch)
+      : level_(level),
+        camera_(camera),
+        projection_(projection),
+        scratch_(scratch),
+        found_(scratch.found),
+        viewports_(scratch.viewports),
+        flatPortals_(scratch.flatPortals) {}
 
-  VisibleSpans find() {
+  void find() {
     start();
     while (!viewports_.empty() || !flatPortals_.empty()) {
-      if (!viewports_.empty()) {
-        const Viewport viewport = std::move(viewports_.back());
-        viewports_.pop_back();
-        look(viewport);
-      } else {
-        const FlatPortalView view = std::move(flatPortals_.back());
-        flatPortals_.pop_back();
-        look(view);
-      }
+      if (!viewports_.empty())
+        lookAtLast(viewports_);
+      else
+        lookAtLast(flatPortals_);
     }
     found_.stats.spans = found_.spans.size();
-    return std::move(found_);
   }
 
  private:
   void start() {
-    Viewport first{camera_.sector, std::nullopt, {}};
+    found_.spans.clear();
+    found_.stats = {};
+    Viewport first{camera_.sector, std::nullopt, noWindows()};
     for (int column = 0; column < camera_.width; ++column)
       first.windows.push_back({column, 0, camera_.height, 0});
     viewports_.push_back(std::move(first));
   }
+
+  /// Takes the last off a stack; looking may put more there.
+  template <typename View>
+  void lookAtLast(std::vector<View>& views) {
+    View view = std::move(views.back());
+    views.pop_back();
+    look(view);
+    scratch_.spareWindows.giveBack(std::move(view.windows));
+  }
+
+  std::vector<Window> noWindows() { return scratch_.spareWindows.take(camera_.width); }
 
   // --- sectors seen from the side ---------------------------------------------------------------
 
@@ -75,15 +69,16 @@ class Visibility {
     ++found_.stats.viewports;
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
-    const std::vector<std::optional<ColumnHit>> hits = closestHits(viewport);
+    const std::vector<std::optional<ColumnHit>>& hits = closestHits(viewport);
     for (std::size_t i = 0; i < viewport.windows.size(); ++i)
       if (hits[i])
         showColumn(viewport.sector, viewport.windows[i], *hits[i], firstNew, firstNewFlat);
   }
 
   /// For every window the nearest segment, seen from its front, beyond the viewport's entry.
-  std::vector<std::optional<ColumnHit>> closestHits(const Viewport& viewport) {
-    std::vector<std::optional<ColumnHit>> closest(viewport.windows.size());
+  const std::vector<std::optional<ColumnHit>>& closestHits(const Viewport& viewport) {
+    std::vector<std::optional<ColumnHit>>& closest = scratch_.closest;
+    closest.assign(viewport.windows.size(), std::nullopt);
     const Sector& sector = level_[viewport.sector];
     for (std::size_t i = 0; i < sector.segmentCount; ++i) {
       const SegmentId id(sector.firstSegment.index() + i);
@@ -219,7 +214,7 @@ class Visibility {
     for (std::size_t i = viewports_.size(); i-- > firstNew;)
       if (viewports_[i].entry == opening.twin && viewports_[i].sector == opening.next)
         return viewports_[i];
-    viewports_.push_back({opening.next, opening.twin, {}});
+    viewports_.push_back({opening.next, opening.twin, noWindows()});
     return viewports_.back();
   }
 
@@ -228,30 +223,23 @@ class Visibility {
   FlatPortalView& flatPortalView(InterfaceId id, bool down, std::size_t firstNew) {
     for (std::size_t i = flatPortals_.size(); i-- > firstNew;)
       if (flatPortals_[i].interface == id && flatPortals_[i].down == down) return flatPortals_[i];
-    flatPortals_.push_back({id, down, {}});
+    flatPortals_.push_back({id, down, noWindows()});
     return flatPortals_.back();
   }
-
-  /// A stretch of a column's ray inside one sector, up to `exit`.
-  struct Stretch {
-    SectorId sector;
-    ColumnHit exit;
-  };
 
   void look(const FlatPortalView& view) {
     ++found_.stats.flatPortals;
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
     const Interface& interface = level_[view.interface];
-    const std::vector<std::vector<Stretch>> stretches =
-        findStretches(view.down ? interface.lower : interface.upper, view.windows);
+    findStretches(view.down ? interface.lower : interface.upper, view.windows);
     for (std::size_t i = 0; i < view.windows.size(); ++i)
-      lookThroughPlane(interface.z, view.down, view.windows[i], stretches[i], firstNew,
+      lookThroughPlane(interface.z, view.down, view.windows[i], stretchesOf(i), firstNew,
                        firstNewFlat);
   }
 
   /// Divides a window on the plane among the stretches behind it, near to far, without gap.
-  void lookThroughPlane(double z, bool down, Window window, const std::vector<Stretch>& stretches,
+  void lookThroughPlane(double z, bool down, Window window, std::span<const Stretch> stretches,
                         std::size_t firstNew, std::size_t firstNewFlat) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const ColumnHit& exit = stretches[i].exit;
@@ -269,18 +257,15 @@ class Visibility {
 
   /// For every window the stretches of its column inside the members, by rising depth. Only where
   /// the ray leaves a member matters: where it came in, another stretch has ended.
-  std::vector<std::vector<Stretch>> findStretches(const std::vector<SectorId>& members,
-                                                  const std::vector<Window>& windows) {
-    std::vector<std::vector<Stretch>> stretches(windows.size());
+  void findStretches(const std::vector<SectorId>& members, const std::vector<Window>& windows) {
+    scratch_.stretches.clear();
     const std::size_t count = planted(PlantedBug::FlatPortalByName) ? 1 : members.size();
-    for (std::size_t member = 0; member < count; ++member)
-      addStretches(members[member], windows, stretches);
-    for (std::vector<Stretch>& ofColumn : stretches) sortByDepth(ofColumn);
-    return stretches;
+    for (std::size_t member = 0; member < count; ++member) addStretches(members[member], windows);
+    groupByWindow(windows.size());
+    for (std::size_t i = 0; i < windows.size(); ++i) sortByDepth(stretchesOf(i));
   }
 
-  void addStretches(SectorId id, const std::vector<Window>& windows,
-                    std::vector<std::vector<Stretch>>& stretches) {
+  void addStretches(SectorId id, const std::vector<Window>& windows) {
     const Sector& sector = level_[id];
     for (std::size_t i = 0; i < sector.segmentCount; ++i) {
       const SegmentId segment(sector.firstSegment.index() + i);
@@ -290,13 +275,30 @@ class Visibility {
       const auto [begin, end] = windowsIn(windows, projected.columns());
       for (std::size_t k = begin; k < end; ++k) {
         const auto [depth, share] = projected.meet(projection_.slantOf(windows[k].column + 0.5));
-        stretches[k].push_back({id, {segment, depth, share}});
+        scratch_.stretches.push_back({k, {id, {segment, depth, share}}});
       }
     }
   }
 
+  /// Counts the stretches of each window, and puts them where those of the windows before end.
+  void groupByWindow(std::size_t windowCount) {
+    std::vector<std::size_t>& begin = scratch_.stretchesBegin;
+    begin.assign(windowCount + 2, 0);
+    for (const auto& [window, stretch] : scratch_.stretches) ++begin[window + 2];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    scratch_.stretchesByWindow.resize(scratch_.stretches.size());
+    for (const auto& [window, stretch] : scratch_.stretches)
+      scratch_.stretchesByWindow[begin[window + 1]++] = stretch;
+  }
+
+  std::span<Stretch> stretchesOf(std::size_t window) {
+    const std::size_t begin = scratch_.stretchesBegin[window];
+    return std::span(scratch_.stretchesByWindow)
+        .subspan(begin, scratch_.stretchesBegin[window + 1] - begin);
+  }
+
   /// Near to far, near ties in exact order.
-  void sortByDepth(std::vector<Stretch>& stretches) const {
+  void sortByDepth(std::span<Stretch> stretches) const {
     std::ranges::sort(stretches, {}, [](const Stretch& stretch) { return stretch.exit.depth; });
     for (std::size_t i = 1; i < stretches.size(); ++i)
       for (std::size_t k = i; k > 0 && isNearer(stretches[k].exit, stretches[k - 1].exit); --k)
@@ -306,16 +308,18 @@ class Visibility {
   const Level& level_;
   const Camera& camera_;
   const Projection& projection_;
-  VisibleSpans found_;
-  std::vector<Viewport> viewports_;
-  std::vector<FlatPortalView> flatPortals_;
+  VisibilityScratch& scratch_;
+  VisibleSpans& found_;
+  std::vector<Viewport>& viewports_;
+  std::vector<FlatPortalView>& flatPortals_;
 };
 
 }  // namespace
 
-VisibleSpans findVisibleSpans(const Level& level, const Camera& camera,
-                              const Projection& projection) {
-  return Visibility(level, camera, projection).find();
+const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
+                                     const Projection& projection, VisibilityScratch& scratch) {
+  Visibility(level, camera, projection, scratch).find();
+  return scratch.found;
 }
 
 }  // namespace hearth

@@ -3,12 +3,14 @@
 #include "level/level.h"
 #include "render/camera.h"
 #include "render/span.h"
+#include "render/visibility_scratch.h"
 
 namespace hearth {
 
 /// The first phase of a frame: which surface shows in which rows of which column. The camera's
-/// sector must contain its eye, which `projection` has off the walls.
-VisibleSpans findVisibleSpans(const Level& level, const Camera& camera,
-                              const Projection& projection);
+/// sector must contain its eye, which `projection` has off the walls. The result lies in
+/// `scratch`, until the next search.
+const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
+                                     const Projection& projection, VisibilityScratch& scratch);
 
 }  // namespace hearth

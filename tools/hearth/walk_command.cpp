@@ -30,7 +30,7 @@ struct Input {
 /// Turns SDL's events and keys into Input.
 class InputReader {
  public:
-  InputReader(Window& window, LightMode& mode) : window_(window), mode_(mode) {}
+  InputReader(WalkWindow& window, LightMode& mode) : window_(window), mode_(mode) {}
 
   Input read() {
     Input input;
@@ -105,7 +105,7 @@ class InputReader {
     controls.isFast = (keys[SDL_SCANCODE_LSHIFT] | keys[SDL_SCANCODE_RSHIFT]) != 0;
   }
 
-  Window& window_;
+  WalkWindow& window_;
   LightMode& mode_;
   bool isCaptured_ = false;
 };
@@ -113,7 +113,7 @@ class InputReader {
 /// The mean time of the frames of the last second, in the window's title.
 class FrameClock {
  public:
-  FrameClock(Window& window, std::string name) : window_(window), name_(std::move(name)) {}
+  FrameClock(WalkWindow& window, std::string name) : window_(window), name_(std::move(name)) {}
 
   void count(Seconds frame, Clock::time_point now) {
     sum_ += frame;
@@ -126,7 +126,7 @@ class FrameClock {
   }
 
  private:
-  Window& window_;
+  WalkWindow& window_;
   std::string name_;
   Seconds sum_{0};
   int frames_ = 0;
@@ -134,7 +134,7 @@ class FrameClock {
 };
 
 /// Flies until the user quits.
-void fly(Window& window, const LoadedLevel& loaded, const BakedLight& light, Camera camera,
+void fly(WalkWindow& window, const LoadedLevel& loaded, const BakedLight& light, Camera camera,
          LightMode mode) {
   const Renderer renderer(loaded.level, loaded.textures, light);
   InputReader reader(window, mode);
@@ -169,8 +169,8 @@ ExitStatus run(const OptionValues& values) {
   if (!loaded) return ExitStatus::BadInput;
   const auto camera = cameraFor(loaded->level, values, {640, 400});
   if (!camera) return fail(camera.error());
-  auto window =
-      Window::open(fmt::format("{} - baking", loaded->level.name), camera->width, camera->height);
+  auto window = WalkWindow::open(fmt::format("{} - baking", loaded->level.name), camera->width,
+                                 camera->height);
   if (!window)
     return fail(
         fmt::format("no window can be opened: {}; `hearth shot` needs no display", window.error()));

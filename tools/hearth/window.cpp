@@ -25,9 +25,9 @@ std::string displayDrivers() {
 
 }  // namespace
 
-tl::expected<Window, std::string> Window::open(const std::string& title, int pictureWidth,
-                                               int pictureHeight) {
-  Window opened;
+tl::expected<WalkWindow, std::string> WalkWindow::open(const std::string& title, int pictureWidth,
+                                                       int pictureHeight) {
+  WalkWindow opened;
   const std::string drivers = displayDrivers();
   if (drivers.empty() && !std::getenv("SDL_VIDEODRIVER"))
     return tl::unexpected<std::string>("neither DISPLAY nor WAYLAND_DISPLAY is set");
@@ -56,11 +56,11 @@ tl::expected<Window, std::string> Window::open(const std::string& title, int pic
   return opened;
 }
 
-void Window::setTitle(const std::string& title) {
+void WalkWindow::setTitle(const std::string& title) {
   SDL_SetWindowTitle(window_.get(), title.c_str());
 }
 
-void Window::show(const Image& image) {
+void WalkWindow::show(const Image& image) {
   static_assert(sizeof(Rgb) == 3, "pixels lie as SDL_PIXELFORMAT_RGB24 has them");
   SDL_UpdateTexture(texture_.get(), nullptr, image.pixels().data(), 3 * image.width());
   SDL_RenderClear(renderer_.get());
@@ -68,7 +68,7 @@ void Window::show(const Image& image) {
   SDL_RenderPresent(renderer_.get());
 }
 
-void Window::captureMouse(bool isCaptured) {
+void WalkWindow::captureMouse(bool isCaptured) {
   SDL_SetRelativeMouseMode(isCaptured ? SDL_TRUE : SDL_FALSE);
 }
 

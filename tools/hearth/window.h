@@ -13,11 +13,11 @@ struct SDL_Window;
 namespace hearth {
 
 /// A window that shows pictures of one size, scaled to fit.
-class Window {
+class WalkWindow {
  public:
   /// Errors are SDL's sentence: there may be no display.
-  static tl::expected<Window, std::string> open(const std::string& title, int pictureWidth,
-                                                int pictureHeight);
+  static tl::expected<WalkWindow, std::string> open(const std::string& title, int pictureWidth,
+                                                    int pictureHeight);
 
   void setTitle(const std::string& title);
   /// `image` has the size that the window was opened for.
@@ -26,7 +26,7 @@ class Window {
   void captureMouse(bool isCaptured);
 
  private:
-  Window() = default;
+  WalkWindow() = default;
 
   // Destroyed in reverse order: SDL itself last.
   std::shared_ptr<void> sdl_;

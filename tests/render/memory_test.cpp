@@ -1,0 +1,68 @@
+// That frames are drawn in memory which earlier ones have left.
+
+#include <gtest/gtest.h>
+
+#include "load/load.h"
+#include "render/renderer.h"
+#include "support/allocations.h"
+
+namespace hearth {
+namespace {
+
+class FramesOfTheTutorial : public testing::Test {
+ protected:
+  FramesOfTheTutorial()
+      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
+        light_(bake(loaded_.level, loaded_.level.bake, 2)),
+        renderer_(loaded_.level, loaded_.textures, light_) {}
+
+  static constexpr int kFramesPerTurn = 24;
+
+  enum class Way { There, Back };
+
+  /// A turn all round where each shot stands, one shot after the other.
+  void turnEverywhere(Way way) {
+    const int frames = kFramesPerTurn * static_cast<int>(loaded_.level.shots.size());
+    for (int i = 0; i < frames; ++i) {
+      const int frame = way == Way::There ? i : frames - 1 - i;
+      Camera camera =
+          cameraOf(loaded_.level.shots[static_cast<std::size_t>(frame / kFramesPerTurn)]);
+      camera.angle += frame % kFramesPerTurn * 360.0 / kFramesPerTurn;
+      renderer_.draw(camera, LightMode::Both, scratch_, picture_);
+    }
+  }
+
+  LoadedLevel loaded_;
+  BakedLight light_;
+  Renderer renderer_;
+  FrameScratch scratch_;
+  Image picture_;
+};
+
+TEST_F(FramesOfTheTutorial, takeNoMemoryOnceTheirScratchHasGrown) {
+  turnEverywhere(Way::There);
+  const std::size_t before = test::allocationCount();
+  turnEverywhere(Way::Back);  // so that viewports get other lists than before
+  EXPECT_EQ(test::allocationCount(), before);
+}
+
+TEST_F(FramesOfTheTutorial, areThoseOfANewScratch) {
+  for (const Shot& shot : loaded_.level.shots) {
+    for (const int shrink : {1, 3, 2}) {
+      Camera camera = cameraOf(shot);
+      camera.width /= shrink;
+      camera.height /= shrink;
+      renderer_.draw(camera, LightMode::Both, scratch_, picture_);
+      EXPECT_EQ(picture_, renderer_.draw(camera, LightMode::Both)) << shot.name;
+    }
+  }
+}
+
+TEST(AllocationCount, SeesWhatTakesMemory) {
+  const std::size_t before = test::allocationCount();
+  const Image image(1, 1);
+  EXPECT_EQ(test::allocationCount(), before + 1);
+}
+
+}  // namespace
+}  // namespace hearth
