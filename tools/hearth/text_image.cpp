@@ -28,26 +28,27 @@ std::string printable(std::string_view text) {
   return ascii;
 }
 
-void fill(Image& image, Vertex from, Vertex to, Rgb color) {
-  const int right = std::min(image.width(), static_cast<int>(to.x));
-  const int bottom = std::min(image.height(), static_cast<int>(to.y));
-  for (int y = std::max(0, static_cast<int>(from.y)); y < bottom; ++y)
-    for (int x = std::max(0, static_cast<int>(from.x)); x < right; ++x) image.at(x, y) = color;
+void fill(Image& image, int left, int top, int right, int bottom, Rgb color) {
+  for (int y = std::max(0, top); y < std::min(image.height(), bottom); ++y)
+    for (int x = std::max(0, left); x < std::min(image.width(), right); ++x) image.at(x, y) = color;
 }
 
 }  // namespace
 
 int textWidth(std::string_view text) { return stb_easy_font_width(printable(text).data()); }
 
-void drawText(Image& image, int x, int y, std::string_view text, Rgb color) {
+void drawText(Image& image, int x, int y, std::string_view text, Rgb color, int scale) {
   std::string letters = printable(text);
   std::vector<Vertex> vertices(letters.size() * kVerticesPerLetter);
-  const int rectangles =
-      stb_easy_font_print(static_cast<float>(x), static_cast<float>(y), letters.data(), nullptr,
-                          vertices.data(), static_cast<int>(vertices.size() * sizeof(Vertex)));
+  const int rectangles = stb_easy_font_print(0, 0, letters.data(), nullptr, vertices.data(),
+                                             static_cast<int>(vertices.size() * sizeof(Vertex)));
+  const auto scaled = [scale](float pixels) { return scale * static_cast<int>(pixels); };
   // The corners of each run around it from its left top one.
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rectangles); ++i)
-    fill(image, vertices[4 * i], vertices[4 * i + 2], color);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rectangles); ++i) {
+    const Vertex& from = vertices[4 * i];
+    const Vertex& to = vertices[4 * i + 2];
+    fill(image, x + scaled(from.x), y + scaled(from.y), x + scaled(to.x), y + scaled(to.y), color);
+  }
 }
 
 }  // namespace hearth

@@ -13,7 +13,7 @@ inline constexpr int kTextHeight = 9;
 int textWidth(std::string_view text);
 
 /// Draws one line of small letters, its left top corner at (x, y). What lies outside the image is
-/// cut off.
-void drawText(Image& image, int x, int y, std::string_view text, Rgb color);
+/// cut off. With `scale`, each of their pixels is a square of so many.
+void drawText(Image& image, int x, int y, std::string_view text, Rgb color, int scale = 1);
 
 }  // namespace hearth
