@@ -15,6 +15,8 @@ struct Camera {
   double fov = 90;   ///< degrees, horizontal, 1..179
   int width = 320;
   int height = 200;
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 inline Camera cameraOf(const Shot& shot) {

@@ -193,6 +193,73 @@ class NoDisplay(InFolder):
         self.refuse(result, r"rooms\.bake is no saved bake")
 
 
+    def test_a_recording_that_cannot_be_written_is_refused_before_the_walk(self):
+        result = run("walk", self.level, "--record", self.folder / "missing" / "walk.txt", timeout=20,
+                     env={"PATH": "/usr/bin:/bin", "SDL_VIDEODRIVER": "dummy"})
+        self.refuse(result, r"missing/walk\.txt")
+
+
+class Walk(InFolder):
+    """What of walking needs no window."""
+
+    def setUp(self):
+        super().setUp()
+        self.recording = self.folder / "walk.txt"
+        # Half a second of standing where the player starts, and an end that nobody reaches.
+        self.write(["hearth-walk 1", f"start {self.hexed(1, 2, 1.6, 0, 0)} hall", "32 0 0 0 0 0 -",
+                    f"end {self.hexed(*[0] * 9)} - hall"])
+
+    def hexed(self, *numbers):
+        return " ".join(float(number).hex().replace("0x", "") for number in numbers)
+
+    def write(self, lines):
+        self.recording.write_text("\n".join(lines) + "\n")
+
+    def replay(self, *options):
+        return run("walk", self.level, "--replay", self.recording, "--headless", *options)
+
+    def test_a_replay_that_ends_elsewhere_says_so(self):
+        result = self.replay()
+        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        self.assertRegex(result.stdout, r"32 ticks, end: sector hall, feet 1,2,0, angle 0, pitch 0\n"
+                                        r"not as recorded: sector hall, feet 0,0,0,")
+
+    def test_a_broken_recording_has_its_place(self):
+        lines = self.recording.read_text().splitlines()
+        lines[2] = "32 0 0 0 0 0"
+        self.write(lines)
+        self.refuse(self.replay(), r"walk\.txt:3:1: ")
+        self.recording.unlink()
+        self.refuse(self.replay(), r"walk\.txt: there is no such file")
+
+    def test_a_recording_of_another_level_is_refused(self):
+        text = self.recording.read_text()
+        self.recording.write_text(text.replace(" hall", " ballroom"))
+        self.refuse(self.replay(), 'a sector "ballroom" that the level does not have')
+        self.recording.write_text(text.replace(self.hexed(1, 2, 1.6), self.hexed(1, 2, 99)))
+        self.refuse(self.replay(), 'starts outside of its sector "hall"')
+
+    def test_options_that_exclude_each_other(self):
+        self.refuse(self.replay("--start", "1,2,1.6,0"), "--replay or --start, not both")
+        self.refuse(self.replay("--record", self.out), "--replay or --record, not both")
+        self.refuse(run("walk", self.level, "--headless"), "--headless: give --replay")
+        self.refuse(run("walk", self.level, "--start", "1,2,1.6,0", "--shot", "ramp"),
+                    "--start, or a camera by other options, not both")
+
+    def test_a_start_is_four_numbers_inside_the_level(self):
+        self.refuse(run("walk", self.level, "--start", "1,2,1.6"), "is not X,Y,Z,ANGLE")
+        self.refuse(run("walk", self.level, "--start", "1,2,1.6,0,0"), "is not X,Y,Z,ANGLE")
+        self.refuse(run("walk", self.level, "--start", "1,2,99,0"), "--start: .*")
+
+    def test_help_lists_the_keys_as_they_are_documented(self):
+        keys = run("walk", "--help").stdout.partition("Keys:\n")[2]
+        rows = re.findall(r"^\| (.+?) \| (.+?) \|$", (SOURCE / "tools/README.md").read_text()
+                          .partition("### Walking")[2].partition("Keys are")[0], re.MULTILINE)
+        self.assertGreater(len(rows), 15)
+        self.assertEqual([line.split() for line in keys.splitlines() if line],
+                         [(names + " " + does).split() for names, does in rows[2:]])
+
+
 class Bake(InFolder):
     def test_prints_its_figures_and_writes_the_lightmaps(self):
         result = run("bake", self.level, "-o", self.out, "--samples", "4", "--texel", "0.25")

@@ -4,13 +4,18 @@ usage: walk_window_test.py HEARTH LEVEL
 """
 
 import os
+import re
+import shlex
+import struct
 import subprocess
 import sys
 import tempfile
 import time
+import zlib
 from pathlib import Path
 
 TIMEOUT = 30  # seconds, for anything to happen
+SCREEN = (1024, 768)  # pixels
 
 
 class Display:
@@ -20,8 +25,8 @@ class Display:
         self.pixels_file = Path(folder) / "Xvfb_screen0"
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1024x768x24",
-             "-fbdir", folder, "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "{}x{}x24".format(*SCREEN),
+             "-fbdir", folder, "-nocursor", "-nolisten", "tcp"],
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as number:
@@ -32,6 +37,21 @@ class Display:
 
     def pixels(self):
         return self.pixels_file.read_bytes()
+
+    def picture(self, left, top, width, height):
+        """A part of the screen, as rows of RGB bytes. The file is an X window dump: a header of
+        big-endian words, colours, then rows of blue, green, red and a byte of nothing."""
+        data = self.pixels()
+        words = struct.unpack(">25I", data[:100])
+        header, row_bytes, colours = words[0], words[12], words[19]
+        rows = []
+        for y in range(top, top + height):
+            begin = header + 12 * colours + y * row_bytes + 4 * left
+            row = data[begin:begin + 4 * width]
+            rgb = bytearray(3 * width)
+            rgb[0::3], rgb[1::3], rgb[2::3] = row[2::4], row[1::4], row[0::4]
+            rows.append(bytes(rgb))
+        return rows
 
     def do(self, *arguments):
         result = subprocess.run(["xdotool", *arguments], env=self.environment,
@@ -77,41 +97,185 @@ def expect_change(display, what, act):
     wait_for(what, lambda: display.pixels() != before)
 
 
-def drive(display, program):
-    window = wait_for("the window shows the level's name and a frame time",
-                      lambda: display.do("search", "--name", r"rooms - [0-9.]+ ms"))
-    display.do("windowfocus", "--sync", window)
+def expect_toggle(display, what, key):
+    """A key that changes the picture, and once more gives it back."""
+    before = settled(display)
+    expect_change(display, f"{key} shows {what}", lambda: display.do("key", key))
+    settled(display)
+    display.do("key", key)
+    wait_for(f"{key} takes {what} away again", lambda: display.pixels() == before)
+
+
+def read_png(path):
+    """Width, height and rows of RGB bytes of a picture without alpha or interlacing."""
+    data = path.read_bytes()
+    width, height = struct.unpack(">II", data[16:24])
+    compressed, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == b"IDAT":
+            compressed += data[at + 8:at + 8 + length]
+        at += 12 + length
+    raw, rows, above = zlib.decompress(compressed), [], bytes(3 * width)
+    for y in range(height):
+        begin = y * (3 * width + 1)
+        row = bytearray(raw[begin + 1:begin + 1 + 3 * width])
+        for i in range(3 * width):
+            left = row[i - 3] if i >= 3 else 0
+            up_left = above[i - 3] if i >= 3 else 0
+            row[i] = (row[i] + predicted(raw[begin], left, above[i], up_left)) % 256
+        above = bytes(row)
+        rows.append(above)
+    return width, height, rows
+
+
+def predicted(kind, left, up, up_left):
+    """What a PNG's filter expects of a byte."""
+    if kind < 4:
+        return [0, left, up, (left + up) // 2][kind]
+    distances = [abs(up - up_left), abs(left - up_left), abs(left + up - 2 * up_left)]
+    return [left, up, up_left][distances.index(min(distances))]
+
+
+class Walk:
+    """`hearth walk` in a window of the display."""
+
+    def __init__(self, display, hearth, level, folder, *options):
+        self.display, self.hearth, self.level, self.folder = display, hearth, level, folder
+        self.output = folder / "output.txt"
+        with self.output.open("w") as out:
+            self.process = subprocess.Popen([hearth, "walk", level, *options], stdout=out, cwd=folder,
+                                            env=display.environment)
+        self.window = wait_for("the window shows the level's name",
+                               lambda: display.do("search", "--name", "^rooms$"))
+        display.do("windowfocus", "--sync", self.window)
+
+    def geometry(self):
+        text = self.display.do("getwindowgeometry", "--shell", self.window)
+        values = dict(line.split("=") for line in text.splitlines())
+        return [int(values[name]) for name in ("X", "Y", "WIDTH", "HEIGHT")]
+
+    def screenshot(self):
+        """Presses F12 when nothing moves; the picture's path and the options that draw it again."""
+        settled(self.display)
+        before = self.output.read_text()
+        self.display.do("key", "F12")
+        wait_for("F12 tells the name of a picture", lambda: self.output.read_text() != before)
+        name, options = re.fullmatch(r"saved (\S+): (.*)\n",
+                                     self.output.read_text()[len(before):]).groups()
+        return self.folder / name, shlex.split(options)
+
+    def expect_screenshot(self):
+        """The saved picture is what `hearth shot` draws, and what the window shows."""
+        path, options = self.screenshot()
+        shot = self.folder / "shot.png"
+        subprocess.run([self.hearth, "shot", self.level, "-o", shot, *options], check=True,
+                       stdout=subprocess.DEVNULL)
+        if path.read_bytes() != shot.read_bytes():
+            sys.exit(f"FAILED: {path.name} is not what shot draws with {options}")
+        left, top, *size = self.geometry()
+        *png_size, rows = read_png(path)
+        if size != png_size:
+            sys.exit(f"FAILED: a picture of {png_size} in a window of {size}")
+        wait_for("the window shows the picture that was saved, once the message is gone",
+                 lambda: self.display.picture(left, top, *size) == rows)
+
+    def leave(self):
+        self.display.do("key", "Escape")
+        try:
+            status = self.process.wait(TIMEOUT)
+        except subprocess.TimeoutExpired:
+            sys.exit("FAILED: Esc leaves")
+        if status != 0:
+            sys.exit(f"FAILED: leaving is no error, status {status}")
+
+
+def moves(display, walk):
     expect_change(display, "the Right key turns the view", lambda: hold(display, "Right"))
+    wait_for("the title tells time and rate of frames", lambda: re.fullmatch(
+        r"rooms - [0-9.]+ ms, [0-9]+ frames/s", turned_title(display, walk)))
     expect_change(display, "W moves the view", lambda: hold(display, "w"))
-    expect_change(display, "2 shows the textures alone", lambda: display.do("key", "2"))
-    display.do("mousemove", "--window", window, "200", "200")
+    display.do("mousemove", "--window", walk.window, "200", "200")
     display.do("click", "1")
     expect_change(display, "the mouse turns the view once a click has captured it",
                   lambda: display.do("mousemove_relative", "150", "0"))
-
     display.do("key", "Escape")
     time.sleep(0.5)
-    if program.poll() is not None:
+    if walk.process.poll() is not None:
         sys.exit("FAILED: the first Esc gives the mouse back and must not leave")
-    display.do("key", "Escape")
-    try:
-        status = program.wait(TIMEOUT)
-    except subprocess.TimeoutExpired:
-        sys.exit("FAILED: the second Esc leaves")
-    if status != 0:
-        sys.exit(f"FAILED: leaving is no error, status {status}")
+    display.do("key", "n")
+    expect_change(display, "in flight Space lifts the eye", lambda: hold(display, "space"))
+    display.do("key", "n")
+    settled(display)
+
+
+def turned_title(display, walk):
+    """The title after a little more of turning: it is told once a second of drawing."""
+    hold(display, "Right")
+    return display.do("getwindowname", walk.window)
+
+
+def loses_focus(display, walk):
+    """A key that is held while another window gets the keyboard is let go of."""
+    display.do("keydown", "Right")
+    display.do("windowfocus", display.do("search", "--maxdepth", "0", ""))
+    settled(display)
+    display.do("keyup", "Right")
+    display.do("windowfocus", "--sync", walk.window)
+
+
+def shows(display, walk):
+    walk.expect_screenshot()
+    for key, what in [("2", "the textures alone"), ("3", "the light alone"),
+                      ("1", "both")]:
+        expect_change(display, f"{key} shows {what}", lambda key=key: display.do("key", key))
+        walk.expect_screenshot()
+    expect_toggle(display, "the map", "Tab")
+    expect_toggle(display, "the keys", "h")
+
+
+def resizes(display, walk):
+    for size in [(400, 300), (97, 301), (960, 600)]:
+        display.do("windowsize", "--sync", walk.window, *map(str, size))
+        wait_for("the window has its size", lambda size=size: walk.geometry()[2:] == [*size])
+        walk.expect_screenshot()
+    display.do("windowsize", walk.window, "1", "1")
+    time.sleep(0.5)
+    display.do("windowsize", "--sync", walk.window, "320", "200")
+    # There is no window manager here that would resize the window, but pictures fill the screen.
+    display.do("key", "F11")
+    wait_for("F11 fills the screen", lambda: read_png(walk.screenshot()[0])[:2] == SCREEN)
+    display.do("key", "F11")
+    display.do("windowsize", "--sync", walk.window, "640", "400")
+    wait_for("F11 gives the window back", lambda: walk.geometry()[2:] == [640, 400])
+    walk.expect_screenshot()
+
+
+def replays(hearth, level, folder):
+    result = subprocess.run([hearth, "walk", level, "--replay", folder / "walk.txt", "--headless"],
+                            capture_output=True, text=True)
+    if result.returncode != 0 or "as recorded, to the bit" not in result.stdout:
+        sys.exit(f"FAILED: the walk is replayed: {result}")
 
 
 def main():
-    hearth, level = sys.argv[1:]
-    with tempfile.TemporaryDirectory() as folder:
-        display = Display(folder)
-        program = subprocess.Popen([hearth, "walk", level], env=display.environment)
+    hearth, level = (Path(argument).resolve() for argument in sys.argv[1:])
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        display = Display(name)
         try:
-            drive(display, program)
+            walk = Walk(display, hearth, level, folder, "--record", "walk.txt")
+            try:
+                moves(display, walk)
+                loses_focus(display, walk)
+                shows(display, walk)
+                resizes(display, walk)
+                walk.leave()
+            finally:
+                walk.process.kill()
+                walk.process.wait()
+            replays(hearth, level, folder)
         finally:
-            program.kill()
-            program.wait()
             display.close()
     print("walked in a window")
 

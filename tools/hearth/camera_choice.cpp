@@ -40,6 +40,16 @@ CameraResult fromText(const Level& level, const std::string& text,
   return located(level, camera, "--camera", sectorName);
 }
 
+CameraResult fromStart(const Level& level, const std::string& text) {
+  const auto numbers = parseNumbers(text);
+  if (!numbers || numbers->size() != 4)
+    return tl::unexpected(fmt::format("--start: \"{}\" is not X,Y,Z,ANGLE", text));
+  Camera camera;
+  camera.eye = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  camera.angle = (*numbers)[3];
+  return located(level, camera, "--start", std::nullopt);
+}
+
 CameraResult fromShot(const Level& level, const std::string& name) {
   const auto found = std::ranges::find(level.shots, name, &Shot::name);
   if (found != level.shots.end()) return cameraOf(*found);
@@ -66,6 +76,11 @@ CameraResult placed(const Level& level, const OptionValues& values) {
   const std::optional<std::string> sector = values.text(Option::Sector);
   if (shot && (text || sector))
     return tl::unexpected<std::string>("give --shot, or --camera and --sector, not both");
+  if (const std::optional<std::string> start = values.text(Option::Start)) {
+    if (text || shot || sector)
+      return tl::unexpected<std::string>("give --start, or a camera by other options, not both");
+    return fromStart(level, *start);
+  }
   const auto sectorName = sector ? std::optional<std::string_view>(*sector) : std::nullopt;
   if (text) return fromText(level, *text, sectorName);
   if (shot) return fromShot(level, *shot);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Command {
   std::vector<Option> required;  ///< of the options
   ExitStatus (*run)(const OptionValues& values);
   bool takesSeveralLevels = false;
+  std::string more = {};  ///< that its help says after the options
 };
 
 Command walkCommand();

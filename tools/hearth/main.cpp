@@ -44,6 +44,7 @@ void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValue
 
 void addCommand(CLI::App& program, const Command& command, OptionValues& values) {
   CLI::App& app = *program.add_subcommand(std::string(command.name), std::string(command.help));
+  app.footer(command.more);
   if (command.takesSeveralLevels)
     app.add_option("LEVEL", values.levels, "the level files")->required()->type_name("");
   else

@@ -20,6 +20,13 @@ enum class Option {
   Light,
   Channel,
   LightFrom,
+  Start,
+  Scale,
+  FrameCap,
+  Vsync,
+  Record,
+  Replay,
+  Headless,
   Json,
   Surfaces,
   Quiet,
@@ -80,6 +87,8 @@ inline constexpr int kMaxPictureSide = 16384;
 struct PictureSize {
   int width;
   int height;
+
+  friend bool operator==(PictureSize, PictureSize) = default;
 };
 std::optional<PictureSize> parseSize(std::string_view text);
 

@@ -1,0 +1,31 @@
+// A second of play takes no memory once it is under way.
+
+#include "staged_walk.h"
+#include "support/allocations.h"
+
+namespace hearth {
+namespace {
+
+TEST(WalkMemory, ASecondAt1920x1080TakesNone) {
+  const test::Place tutorial("levels/tutorial.json");
+  test::StagedWalk walk({.size = PictureSize{1920, 1080}}, tutorial, Journey::Memory::None);
+  walk.stage.title.reserve(100);
+  walk.now(test::down(SDL_SCANCODE_TAB));  // the map is drawn, too
+  const auto turnThereAndBack = [&] {
+    for (const SDL_Scancode key : {SDL_SCANCODE_RIGHT, SDL_SCANCODE_LEFT}) {
+      walk.now(test::down(key));
+      walk.ticks(15);
+      walk.now(test::up(key));
+    }
+  };
+  turnThereAndBack();
+  const int framesBefore = walk.stage.frames;
+  const std::size_t before = test::allocationCount();
+  turnThereAndBack();
+  turnThereAndBack();
+  EXPECT_EQ(test::allocationCount(), before);
+  EXPECT_GE(walk.stage.frames, framesBefore + 60);
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "hearth/walk/walk_loop.h"
+#include "light/bakery.h"
+#include "loaded.h"
+#include "stage.h"
+
+namespace hearth::test {
+
+/// A level with its light.
+struct Place {
+  explicit Place(const std::string& path)
+      : loaded(hearth::loaded(path)), light(bake(loaded.level, loaded.level.bake, 2)) {}
+
+  LoadedLevel loaded;
+  BakedLight light;
+};
+
+inline const Place& rooms() {
+  static const Place place("tests/levels/rooms.json");
+  return place;
+}
+
+/// One walk on a stage, from where the level's player stands.
+class StagedWalk {
+ public:
+  explicit StagedWalk(const WalkSettings& settings = {}, const Place& place = rooms(),
+                      Journey::Memory memory = Journey::Memory::Inputs)
+      : place_(place),
+        renderer_(place.loaded.level, place.loaded.textures, place.light),
+        start_(walkerAt(level(), level().player->sector, level().player->eye, level().player->angle,
+                        0)),
+        journey_(level(), start_, memory),
+        screenshots_(testing::TempDir(), "walk"),
+        settings_(settings),
+        loop_(level(), renderer_, journey_, screenshots_, stage, settings) {
+    isOn = loop_.round();  // starts the clock
+  }
+
+  /// Rounds of `seconds` each.
+  void go(int rounds, double seconds) {
+    for (int i = 0; i < rounds && isOn; ++i) {
+      stage.now += seconds;
+      isOn = loop_.round();
+    }
+  }
+  /// Ticks, one in each round.
+  void ticks(int count) { go(count, 1.0 / kTicksPerSecond); }
+  /// A round in which no time passes.
+  void now() { go(1, 0); }
+  void now(const SDL_Event& event) {
+    stage.events.push_back(event);
+    now();
+  }
+
+  /// What `hearth shot` would draw where the walker was a tick ago.
+  Image drawn(LightMode mode, PictureSize size) const {
+    const Eye eye = journey_.eye(0);
+    return renderer_.draw(
+        {eye.sector, eye.point, eye.angle, eye.pitch, settings_.fov, size.width, size.height},
+        mode);
+  }
+
+  const Level& level() const { return place_.loaded.level; }
+  const Walker& start() const { return start_; }
+  const Walker& walker() const { return journey_.walker(); }
+  const std::vector<WalkInput>& inputs() const { return journey_.inputs(); }
+  WalkLoop& loop() { return loop_; }
+  Screenshots& screenshots() { return screenshots_; }
+
+  test::Stage stage;
+  bool isOn = true;
+
+ private:
+  const Place& place_;
+  Renderer renderer_;
+  Walker start_;
+  Journey journey_;
+  Screenshots screenshots_;
+  WalkSettings settings_;
+  WalkLoop loop_;
+};
+
+}  // namespace hearth::test

@@ -1,0 +1,128 @@
+// What lies between the renderer's picture and the screen: its place, its rate, its file.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "hearth/walk/frame_rate.h"
+#include "hearth/walk/overlay.h"
+#include "hearth/walk/placement.h"
+#include "hearth/walk/screenshots.h"
+#include "image/image_file.h"
+
+namespace hearth {
+namespace {
+
+TEST(PlacedPicture, KeepsItsAspectInTheMiddle) {
+  EXPECT_EQ(placed({320, 200}, {960, 600}, Scaling::Smooth), (Placement{0, 0, 960, 600, true}));
+  EXPECT_EQ(placed({320, 200}, {1000, 600}, Scaling::Smooth), (Placement{20, 0, 960, 600, true}));
+  EXPECT_EQ(placed({320, 200}, {400, 400}, Scaling::Smooth), (Placement{0, 75, 400, 250, false}));
+}
+
+TEST(PlacedPicture, GrowsByWholePixelsOnly) {
+  EXPECT_EQ(placed({320, 200}, {959, 700}, Scaling::Integer),
+            (Placement{159, 150, 640, 400, true}));
+  EXPECT_EQ(placed({320, 200}, {320, 200}, Scaling::Integer), (Placement{0, 0, 320, 200, true}));
+}
+
+TEST(PlacedPicture, ShrinksIntoASmallWindowWhateverTheScaling) {
+  for (const Scaling scaling : {Scaling::Smooth, Scaling::Integer}) {
+    EXPECT_EQ(placed({320, 200}, {160, 200}, scaling), (Placement{0, 50, 160, 100, false}));
+    EXPECT_EQ(placed({16384, 1}, {1, 1}, scaling), (Placement{0, 0, 1, 1, false}));
+  }
+}
+
+TEST(FrameRateTest, IsTheMeanOfASecond) {
+  FrameRate rate;
+  double now = 5;
+  for (int i = 0; i < 8; ++i, now += 0.125) EXPECT_FALSE(rate.count(now, now + 0.0625)) << i;
+  const auto mean = rate.count(now, now + 0.0625);
+  ASSERT_TRUE(mean);
+  EXPECT_NEAR(mean->drawSeconds, 0.0625, 1e-9);
+  EXPECT_NEAR(mean->framesPerSecond, 9 / 1.0625, 1e-9);
+  EXPECT_FALSE(rate.count(now + 0.125, now + 0.25)) << "the next second begins";
+}
+
+TEST(FrameRateTest, StartsAnewAfterARestAndWhenTheClockIsSetBack) {
+  FrameRate rate;
+  rate.count(0, 0.5);
+  EXPECT_FALSE(rate.count(100, 100.5));
+  EXPECT_EQ(rate.count(100.5, 101)->framesPerSecond, 2);
+  rate.count(101, 101.5);
+  EXPECT_FALSE(rate.count(3, 3.75));
+  EXPECT_EQ(rate.count(3.75, 4.5)->drawSeconds, 0.75);
+}
+
+class ScreenshotsTest : public testing::Test {
+ protected:
+  ScreenshotsTest() { std::filesystem::create_directories(folder_); }
+  ~ScreenshotsTest() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
+                                  testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(ScreenshotsTest, NeverReplaceAFile) {
+  std::ofstream(folder_ / "hearth-yard-1.png") << "mine";
+  Screenshots screenshots(folder_, "yard");
+  Image picture(3, 2, {10, 20, 30});
+  screenshots.take(picture, "a note");
+  const auto first = screenshots.awaitNews();
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(first->isSaved);
+  EXPECT_EQ(first->text, "saved hearth-yard-2.png");
+  EXPECT_EQ(first->note, "a note");
+  picture.at(0, 0) = {};
+  screenshots.take(picture, "");
+  screenshots.take(picture, "");
+  while (screenshots.awaitNews()) continue;
+  EXPECT_EQ(readImage(folder_ / "hearth-yard-2.png", 100)->at(0, 0), (Rgb{10, 20, 30}));
+  for (const char* name : {"hearth-yard-3.png", "hearth-yard-4.png"})
+    EXPECT_EQ(*readImage(folder_ / name, 100), picture);
+  std::string mine;
+  std::ifstream(folder_ / "hearth-yard-1.png") >> mine;
+  EXPECT_EQ(mine, "mine");
+}
+
+TEST_F(ScreenshotsTest, SayWhatIsWrong) {
+  Screenshots screenshots(folder_ / "missing", "yard");
+  screenshots.take(Image(1, 1), "");
+  const auto news = screenshots.awaitNews();
+  ASSERT_TRUE(news);
+  EXPECT_FALSE(news->isSaved);
+  EXPECT_NE(news->text.find("hearth-yard-1.png: No such file"), std::string::npos) << news->text;
+}
+
+TEST(Overlay, StaysInsidePicturesOfAnySize) {
+  for (const auto& [width, height] : {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}}) {
+    Image picture(width, height, {200, 200, 200});
+    drawKeys(picture);
+    drawMessage(picture, "a message that is longer than the picture is wide");
+    EXPECT_EQ(picture.width(), width);
+    EXPECT_NE(picture, Image(width, height, {200, 200, 200}));
+  }
+}
+
+TEST(Overlay, HasRoomForAllKeysInASmallPicture) {
+  const Image plain(320, 200, {200, 200, 200});
+  Image picture = plain;
+  drawKeys(picture);
+  for (int x = 0; x < 320; ++x) {
+    EXPECT_EQ(picture.at(x, 0), plain.at(x, 0));
+    EXPECT_EQ(picture.at(x, 199), plain.at(x, 199));
+  }
+  for (int y = 0; y < 200; ++y) {
+    EXPECT_EQ(picture.at(0, y), plain.at(0, y));
+    EXPECT_EQ(picture.at(319, y), plain.at(319, y));
+  }
+}
+
+TEST(Overlay, IsLargerInLargerPictures) {
+  EXPECT_EQ(overlayScale(Image(320, 200)), 1);
+  EXPECT_EQ(overlayScale(Image(1920, 1080)), 3);
+  EXPECT_EQ(overlayScale(Image(600, 4000)), 1);
+}
+
+}  // namespace
+}  // namespace hearth

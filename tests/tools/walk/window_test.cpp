@@ -1,0 +1,71 @@
+// The window with SDL's own events, on a video driver that shows nothing.
+
+#include "hearth/walk/window.h"
+
+#include <SDL.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "hearth/walk/controls.h"
+
+namespace hearth {
+namespace {
+
+class HiddenWindow : public testing::Test {
+ protected:
+  HiddenWindow() {
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    setenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1", 1);  // the window never has the focus
+  }
+
+  static void deliver(WalkWindow& window, Controls& controls) {
+    SDL_JoystickUpdate();
+    for (SDL_Event event; window.poll(event);) controls.take(event);
+  }
+};
+
+TEST_F(HiddenWindow, AGamepadThatIsPluggedInWalks) {
+  auto window = WalkWindow::open("test", {});
+  ASSERT_TRUE(window) << window.error();
+  Controls controls;
+  deliver(*window, controls);
+  const int index = SDL_JoystickAttachVirtual(
+      SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX, SDL_CONTROLLER_BUTTON_MAX, 0);
+  ASSERT_GE(index, 0) << SDL_GetError();
+  deliver(*window, controls);  // which opens it
+  SDL_Joystick* gamepad = SDL_JoystickOpen(index);
+  SDL_JoystickSetVirtualAxis(gamepad, SDL_CONTROLLER_AXIS_LEFTY, -32768);
+  SDL_JoystickSetVirtualAxis(gamepad, SDL_CONTROLLER_AXIS_RIGHTX, 32767);
+  SDL_JoystickSetVirtualButton(gamepad, SDL_CONTROLLER_BUTTON_A, 1);
+  deliver(*window, controls);
+  const WalkInput input = controls.nextTick(1, 0);
+  EXPECT_EQ(input.forward, kFullShare);
+  EXPECT_EQ(input.turn, 3000);
+  EXPECT_TRUE(input.jump);
+
+  SDL_JoystickClose(gamepad);
+  SDL_JoystickDetachVirtual(index);
+  deliver(*window, controls);
+  controls.nextTick(1, 0);
+  EXPECT_EQ(controls.nextTick(1, 0), WalkInput{});
+}
+
+TEST_F(HiddenWindow, TakesPicturesOfAnySize) {
+  auto window = WalkWindow::open("test", {});
+  ASSERT_TRUE(window) << window.error();
+  EXPECT_EQ(window->windowSize(), kFirstWindowSize);
+  for (const auto& [width, height] : {PictureSize{1, 1}, {4000, 3}, {960, 600}, {7, 2000}})
+    window->show(Image(width, height));
+}
+
+TEST_F(HiddenWindow, IsAWholeNumberOfTimesAsLargeAsItsPicture) {
+  WindowSettings settings;
+  settings.pictureSize = PictureSize{320, 200};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{960, 600}));
+  settings.pictureSize = PictureSize{400, 600};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{400, 600}));
+}
+
+}  // namespace
+}  // namespace hearth

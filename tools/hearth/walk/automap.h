@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "image/image.h"
+#include "level/level.h"
+#include "render/span.h"
+#include "walk/walker.h"
+
+namespace hearth {
+
+/// The sectors that the player has seen since the walk began.
+class SeenSectors {
+ public:
+  explicit SeenSectors(const Level& level) : level_(level), isSeen_(level.sectors.size(), false) {}
+
+  void add(SectorId sector) { isSeen_[sector.index()] = true; }
+  /// All of which a frame shows something.
+  void add(const std::vector<Span>& spans);
+  bool has(SectorId sector) const { return isSeen_[sector.index()]; }
+
+ private:
+  const Level& level_;
+  std::vector<bool> isSeen_;
+};
+
+/// What a wall is to a walker, as the map's colours tell it.
+enum class WallKind {
+  Solid,
+  Step,     ///< opens, but not over the whole height
+  Opening,  ///< opens all of it
+};
+WallKind wallKind(const Segment& segment);
+
+inline constexpr Rgb kSolidColor = {255, 255, 255};
+inline constexpr Rgb kStepColor = {255, 160, 48};
+inline constexpr Rgb kOpeningColor = {112, 112, 128};
+inline constexpr Rgb kFlatPortalColor = {64, 160, 255};
+inline constexpr Rgb kPlayerColor = {96, 255, 96};
+
+/// How much of the map the picture's shorter side shows.
+inline constexpr double kFirstMapMetres = 32;
+/// One step of zooming, nearer or farther; within 2 m and 4 km.
+double zoomedIn(double metres);
+double zoomedOut(double metres);
+
+/// Draws the map over a picture that it darkens: x to the right, y down, the player in the middle,
+/// an arrow that points where he looks. Only sectors that were seen; those that lie wholly above or
+/// below the player's body are dim. Outlines of flat portals are dotted over the walls.
+void drawAutomap(Image& picture, const Level& level, const SeenSectors& seen, const Eye& eye,
+                 double metres);
+
+}  // namespace hearth

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <SDL_events.h>
+
+#include <optional>
+#include <string>
+
+#include "hearth/options.h"
+#include "image/image.h"
+
+namespace hearth {
+
+/// All that a walk has to do with the world outside it. The program gives it a window, a test a
+/// list of events and a clock of its own.
+class Outside {
+ public:
+  virtual ~Outside() = default;
+
+  /// Of any clock.
+  virtual double seconds() = 0;
+  /// Takes the next event, if there is one.
+  virtual bool poll(SDL_Event& event) = 0;
+  /// Sleeps until an event is there, or for so long.
+  virtual void rest(double seconds) = 0;
+
+  /// The window in pixels; nothing while it cannot be seen.
+  virtual std::optional<PictureSize> windowSize() = 0;
+  virtual void show(const Image& picture) = 0;
+  virtual void setTitle(const std::string& title) = 0;
+  /// Hides the pointer and reports the mouse's motion without end.
+  virtual void captureMouse(bool isCaptured) = 0;
+  virtual void toggleFullScreen() = 0;
+  /// For who reads what the program prints.
+  virtual void print(const std::string& line) = 0;
+};
+
+}  // namespace hearth

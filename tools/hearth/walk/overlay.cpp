@@ -1,0 +1,80 @@
+#include "hearth/walk/overlay.h"
+
+#include <algorithm>
+
+#include "hearth/text_image.h"
+#include "hearth/walk/keys.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr Rgb kNameColor = {255, 208, 112};
+constexpr Rgb kTextColor = {255, 255, 255};
+
+// In pixels of letters. All keys fit into 320x200.
+constexpr int kLine = kTextHeight + 1;
+constexpr int kMargin = 4;
+constexpr int kGap = 10;
+
+/// Width or height of a picture, in pixels, for each step of the scale.
+constexpr int kWidthPerScale = 480;
+constexpr int kHeightPerScale = 300;
+
+struct KeyListSize {
+  int names = 0;  ///< pixels of letters
+  int help = 0;
+  int height = 0;
+};
+
+KeyListSize keyListSize() {
+  KeyListSize size;
+  for (const KeyRow& row : keyTable()) {
+    size.names = std::max(size.names, textWidth(row.names));
+    size.help = std::max(size.help, textWidth(row.help));
+    size.height += kLine;
+  }
+  return size;
+}
+
+}  // namespace
+
+int overlayScale(const Image& picture) {
+  return std::max(1,
+                  std::min(picture.width() / kWidthPerScale, picture.height() / kHeightPerScale));
+}
+
+void darken(Image& picture, int left, int top, int right, int bottom) {
+  const auto dark = [](std::uint8_t level) { return static_cast<std::uint8_t>(level / 4); };
+  for (int y = std::max(0, top); y < std::min(picture.height(), bottom); ++y)
+    for (int x = std::max(0, left); x < std::min(picture.width(), right); ++x) {
+      Rgb& pixel = picture.at(x, y);
+      pixel = {dark(pixel.r), dark(pixel.g), dark(pixel.b)};
+    }
+}
+
+void drawKeys(Image& picture) {
+  const int scale = overlayScale(picture);
+  const KeyListSize size = keyListSize();
+  const int width = scale * (size.names + kGap + size.help);
+  const int left = std::max(0, (picture.width() - width) / 2);
+  int y = std::max(0, (picture.height() - scale * size.height) / 2);
+  const int margin = scale * kMargin;
+  darken(picture, left - margin, y - margin, left + width + margin,
+         y + scale * size.height + margin);
+  for (const KeyRow& row : keyTable()) {
+    drawText(picture, left, y, row.names, kNameColor, scale);
+    drawText(picture, left + scale * (size.names + kGap), y, row.help, kTextColor, scale);
+    y += scale * kLine;
+  }
+}
+
+void drawMessage(Image& picture, std::string_view text) {
+  const int scale = overlayScale(picture);
+  const int margin = scale * kMargin;
+  const int top = picture.height() - scale * kLine - margin;
+  darken(picture, 0, top - margin, margin + scale * textWidth(text) + margin, picture.height());
+  drawText(picture, margin, top, text, kTextColor, scale);
+}
+
+}  // namespace hearth

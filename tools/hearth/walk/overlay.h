@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+
+#include "image/image.h"
+
+/// What is written over the picture.
+namespace hearth {
+
+/// How many pixels a pixel of letters and lines takes on each side, so that both can be read in
+/// large pictures.
+int overlayScale(const Image& picture);
+
+/// Makes the picture darker, so that what is drawn over it stands out.
+void darken(Image& picture, int left, int top, int right, int bottom);
+
+/// The table of keys, in the middle. What a small picture has no room for is cut off.
+void drawKeys(Image& picture);
+
+/// One line at the lower edge.
+void drawMessage(Image& picture, std::string_view text);
+
+}  // namespace hearth

@@ -1,0 +1,166 @@
+#include <SDL_events.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "hearth/command.h"
+#include "hearth/session.h"
+#include "hearth/walk/keys.h"
+#include "hearth/walk/recording_file.h"
+#include "hearth/walk/walk_loop.h"
+#include "hearth/walk/window.h"
+#include "render/renderer.h"
+
+namespace hearth {
+
+namespace {
+
+/// A walk that is about to begin: from where, how it is shown, and whose input it takes.
+struct Plan {
+  RecordedStart start;
+  WalkSettings settings;
+  std::optional<Recording> replay;
+};
+
+tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& values) {
+  Plan plan;
+  if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
+  plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
+  plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
+  plan.settings.view.mode = lightModeFrom(values);
+  if (values.has(Option::Replay)) {
+    auto recording = readReplay(values);
+    if (!recording) return tl::unexpected(recording.error());
+    plan.start = recording->start;
+    plan.replay = std::move(*recording);
+    return plan;
+  }
+  const auto camera = cameraFor(level, values, kFirstWindowSize);
+  if (!camera) return tl::unexpected(camera.error());
+  plan.start = {level[camera->sector].name, camera->eye, camera->angle, camera->pitch};
+  plan.settings.fov = camera->fov;
+  if (values.has(Option::Shot)) plan.settings.size = {camera->width, camera->height};
+  return plan;
+}
+
+std::optional<std::string> mistakeInOptions(const OptionValues& values) {
+  if (values.has(Option::Headless) && !values.has(Option::Replay))
+    return "--headless: give --replay, which alone needs no window";
+  if (!values.has(Option::Replay)) return std::nullopt;
+  for (const Option option :
+       {Option::Start, Option::Camera, Option::Sector, Option::Shot, Option::Record})
+    if (values.has(option)) return fmt::format("give --replay or {}, not both", row(option).name);
+  return std::nullopt;
+}
+
+std::string words(const RecordedState& state) {
+  const Walker& walker = state.walker;
+  return fmt::format("sector {}, feet {},{},{}, angle {}, pitch {}", state.sector, walker.feet.x,
+                     walker.feet.y, walker.feet.z, walker.angle, walker.pitch);
+}
+
+/// Where a replay has ended, and whether that is where it was recorded to end.
+ExitStatus judge(const Level& level, const Journey& journey, const Recording& recording) {
+  const RecordedState end = recordedState(level, journey.walker());
+  fmt::print("{} ticks, end: {}\n", recording.inputs.size(), words(end));
+  if (end == recording.end) {
+    fmt::print("as recorded, to the bit\n");
+    return ExitStatus::Done;
+  }
+  fmt::print("not as recorded: {}\n", words(recording.end));
+  return ExitStatus::Differs;
+}
+
+ExitStatus replayHeadless(const Level& level, Journey& journey, const Recording& recording) {
+  for (const WalkInput& input : recording.inputs) journey.tick(input);
+  return judge(level, journey, recording);
+}
+
+/// Bakes while the window answers to the desktop.
+tl::expected<BakedLight, std::string> lightBehind(const LoadedLevel& loaded,
+                                                  const OptionValues& values) {
+  auto light = std::async(std::launch::async, [&] { return lightFor(loaded.level, values); });
+  while (light.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+    SDL_PumpEvents();
+  return light.get();
+}
+
+WindowSettings windowSettings(const Plan& plan, const OptionValues& values) {
+  WindowSettings settings;
+  settings.pictureSize = plan.settings.size;
+  if (values.text(Option::Scale) == "integer") settings.scaling = Scaling::Integer;
+  settings.waitsForDisplay = values.text(Option::Vsync) != "off";
+  return settings;
+}
+
+/// Writes the walk so far where `--record` says.
+ExitStatus keepWalk(const Level& level, const RecordedStart& start, const Journey& journey,
+                    const OptionValues& values) {
+  const std::optional<std::string> path = values.text(Option::Record);
+  if (!path) return ExitStatus::Done;
+  const auto written =
+      writeRecordingFile(*path, {start, journey.inputs(), recordedState(level, journey.walker())});
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+ExitStatus walkInWindow(const LoadedLevel& loaded, const Plan& plan, Journey& journey,
+                        const OptionValues& values) {
+  const Level& level = loaded.level;
+  auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
+  if (!window)
+    return fail(
+        fmt::format("no window can be opened: {}; `hearth shot` needs no display", window.error()));
+  const auto light = lightBehind(loaded, values);
+  if (!light) return fail(light.error());
+
+  const Renderer renderer(level, loaded.textures, *light);
+  Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
+  WalkLoop loop(level, renderer, journey, screenshots, *window, plan.settings);
+  if (plan.replay) loop.replay(plan.replay->inputs);
+  // A recording that cannot be written is refused before the walk, not after it.
+  if (keepWalk(level, plan.start, journey, values) != ExitStatus::Done) return ExitStatus::BadInput;
+  while (loop.round()) continue;
+  loop.awaitScreenshots();
+  if (!plan.replay) return keepWalk(level, plan.start, journey, values);
+  if (!loop.isReplayOver()) return fail("--replay: left before its end");
+  return judge(level, journey, *plan.replay);
+}
+
+ExitStatus run(const OptionValues& values) {
+  if (const auto mistake = mistakeInOptions(values)) return fail(*mistake);
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const Level& level = loaded->level;
+  const auto plan = planFor(level, values);
+  if (!plan) return fail(plan.error());
+  const auto walker = startOf(level, plan->start);
+  if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
+  Journey journey(level, *walker,
+                  values.has(Option::Record) ? Journey::Memory::Inputs : Journey::Memory::None);
+  if (values.has(Option::Headless)) return replayHeadless(level, journey, *plan->replay);
+  return walkInWindow(*loaded, *plan, journey, values);
+}
+
+}  // namespace
+
+Command walkCommand() {
+  return {"walk",
+          "opens a window and walks the level: H in it shows the keys",
+          std::vector<Option>{Option::Start, Option::Camera, Option::Sector, Option::Shot,
+                              Option::Size, Option::Scale, Option::Fov, Option::FrameCap,
+                              Option::Vsync, Option::Light, Option::Record, Option::Replay,
+                              Option::Headless, Option::Quiet} +
+              lightOptions(),
+          {},
+          run,
+          false,
+          "Keys:\n" + keyHelp()};
+}
+
+}  // namespace hearth

@@ -1,0 +1,214 @@
+#include "hearth/walk/walk_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "hearth/shell_text.h"
+#include "hearth/walk/overlay.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr double kMessageSeconds = 3;
+/// The longest rest: ticks that are due must not wait for a frame.
+constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
+
+std::string_view nameOf(LightMode mode) {
+  switch (mode) {
+    case LightMode::Both:
+      return "both";
+    case LightMode::None:
+      return "none";
+    case LightMode::Only:
+      return "only";
+  }
+  return "";
+}
+
+}  // namespace
+
+WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journey,
+                   Screenshots& screenshots, Outside& outside, const WalkSettings& settings)
+    : level_(level),
+      renderer_(renderer),
+      journey_(journey),
+      screenshots_(screenshots),
+      outside_(outside),
+      settings_(settings),
+      seen_(level) {
+  scene_.view = settings.view;
+  title_.reserve(level.name.size() + 64);  // so that no frame has to
+  outside_.setTitle(level.name);
+}
+
+bool WalkLoop::round() {
+  for (SDL_Event event; outside_.poll(event);) take(event);
+  const double now = outside_.seconds();
+  passTime(now);
+  updateMessage(now);
+  if (!hasLeft_) drawOrRest(now);
+  return !hasLeft_;
+}
+
+// --- Events --------------------------------------------------------------------------------------
+
+void WalkLoop::take(const SDL_Event& event) {
+  if (event.type == SDL_QUIT) hasLeft_ = true;
+  if (event.type == SDL_WINDOWEVENT) take(event.window);
+  if (event.type == SDL_MOUSEBUTTONDOWN) captureMouse(true);
+  if (const std::optional<Action> action = controls_.take(event)) act(*action);
+}
+
+void WalkLoop::take(const SDL_WindowEvent& event) {
+  shown_.reset();
+  if (event.event != SDL_WINDOWEVENT_FOCUS_LOST) return;
+  controls_.release();
+  captureMouse(false);
+}
+
+void WalkLoop::act(Action action) {
+  WalkView& view = scene_.view;
+  switch (action) {
+    case Action::ShowBoth:
+      view.mode = LightMode::Both;
+      break;
+    case Action::ShowTextures:
+      view.mode = LightMode::None;
+      break;
+    case Action::ShowLight:
+      view.mode = LightMode::Only;
+      break;
+    case Action::Map:
+      view.isMapShown = !view.isMapShown;
+      break;
+    case Action::ZoomIn:
+      view.mapMetres = zoomedIn(view.mapMetres);
+      break;
+    case Action::ZoomOut:
+      view.mapMetres = zoomedOut(view.mapMetres);
+      break;
+    case Action::Keys:
+      view.areKeysShown = !view.areKeysShown;
+      break;
+    case Action::FullScreen:
+      outside_.toggleFullScreen();
+      break;
+    case Action::Screenshot:
+      wantsScreenshot_ = true;
+      shown_.reset();
+      break;
+    case Action::Leave:
+      if (!controls_.isMouseCaptured()) hasLeft_ = true;
+      captureMouse(false);
+      break;
+    default:  // what the next tick does
+      break;
+  }
+}
+
+void WalkLoop::captureMouse(bool isCaptured) {
+  if (controls_.isMouseCaptured() == isCaptured) return;
+  controls_.captureMouse(isCaptured);
+  outside_.captureMouse(isCaptured);
+}
+
+// --- Time ----------------------------------------------------------------------------------------
+
+void WalkLoop::passTime(double now) {
+  const auto [ticks, share] = clock_.advance(now);
+  for (int ticksDue = ticks; ticksDue > 0 && !hasLeft_; --ticksDue) {
+    if (isReplayOver() || journey_.isFull())
+      hasLeft_ = true;
+    else
+      journey_.tick(nextInput(ticksDue));
+  }
+  shareOfTick_ = share;
+}
+
+WalkInput WalkLoop::nextInput(int ticksDue) {
+  if (!replay_) return controls_.nextTick(ticksDue, journey_.walker().pitch);
+  const WalkInput input = replay_->front();
+  replay_ = replay_->subspan(1);
+  return input;
+}
+
+void WalkLoop::say(std::string message, double now) {
+  scene_.message = std::move(message);
+  messageBegin_ = now;
+}
+
+void WalkLoop::updateMessage(double now) {
+  if (now < messageBegin_ || now >= messageBegin_ + kMessageSeconds) scene_.message.clear();
+  if (const auto news = screenshots_.news()) {
+    tell(*news);
+    say(news->text, now);
+  }
+}
+
+void WalkLoop::tell(const Screenshots::News& news) {
+  outside_.print(news.isSaved ? fmt::format("{}: {}", news.text, news.note) : news.text);
+}
+
+void WalkLoop::awaitScreenshots() {
+  while (const auto news = screenshots_.awaitNews()) tell(*news);
+}
+
+// --- Pictures ------------------------------------------------------------------------------------
+
+Camera WalkLoop::cameraIn(PictureSize window) const {
+  const Eye eye = journey_.eye(shareOfTick_);
+  const auto [width, height] = settings_.size.value_or(window);
+  return {eye.sector, eye.point, eye.angle, eye.pitch, settings_.fov, width, height};
+}
+
+void WalkLoop::drawOrRest(double now) {
+  const std::optional<PictureSize> window = outside_.windowSize();
+  if (window) scene_.camera = cameraIn(*window);
+  if (!window || shown_ == scene_) return outside_.rest(kTickSeconds);
+  const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
+  const double wait = nextFrame_ - now;
+  if (wait > 0 && wait <= period) return outside_.rest(std::min(wait, kTickSeconds));
+  // Frames keep to their beat; one that is late, or a clock that was set, begins a new one.
+  nextFrame_ = (std::abs(wait) < period ? nextFrame_ : now) + period;
+  draw(now);
+}
+
+void WalkLoop::draw(double now) {
+  renderer_.draw(scene_.camera, scene_.view.mode, scratch_, picture_);
+  if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
+  seen_.add(scene_.camera.sector);
+  seen_.add(journey_.walker().sector);
+  seen_.add(scratch_.visibility.found.spans);
+  drawOverlays();
+  if (const auto mean = rate_.count(now, outside_.seconds())) {
+    title_.clear();
+    fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_.name,
+                   1e3 * mean->drawSeconds, mean->framesPerSecond);
+    outside_.setTitle(title_);
+  }
+  outside_.show(picture_);
+  shown_ = scene_;
+}
+
+void WalkLoop::drawOverlays() {
+  if (scene_.view.isMapShown)
+    drawAutomap(picture_, level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
+  if (scene_.view.areKeysShown) drawKeys(picture_);
+  if (!scene_.message.empty()) drawMessage(picture_, scene_.message);
+}
+
+/// The options with which `hearth shot` draws this picture.
+std::string WalkLoop::cameraText() const {
+  const Camera& camera = scene_.camera;
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} --light {}",
+                     camera.eye.x, camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
+                     shellWord(level_[camera.sector].name), camera.fov, camera.width, camera.height,
+                     nameOf(scene_.view.mode));
+}
+
+}  // namespace hearth

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "hearth/options.h"
+#include "hearth/walk/automap.h"
+#include "hearth/walk/controls.h"
+#include "hearth/walk/frame_rate.h"
+#include "hearth/walk/journey.h"
+#include "hearth/walk/outside.h"
+#include "hearth/walk/screenshots.h"
+#include "render/renderer.h"
+#include "walk/walk_clock.h"
+
+namespace hearth {
+
+/// What shows over and of the picture, as keys change it.
+struct WalkView {
+  LightMode mode = LightMode::Both;
+  bool isMapShown = false;
+  double mapMetres = kFirstMapMetres;
+  bool areKeysShown = false;
+
+  friend bool operator==(const WalkView&, const WalkView&) = default;
+};
+
+struct WalkSettings {
+  std::optional<PictureSize> size = {};  ///< of the picture; without it that of the window
+  double fov = 90;                       ///< degrees, horizontal
+  double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
+  WalkView view = {};
+};
+
+/// A walk, round by round: events, the ticks that are due, a picture where it would be another
+/// than the last. Waits for nothing but that the window takes the picture, and rests while nothing
+/// changes.
+class WalkLoop {
+ public:
+  /// All but the settings must outlive the loop.
+  WalkLoop(const Level& level, const Renderer& renderer, Journey& journey, Screenshots& screenshots,
+           Outside& outside, const WalkSettings& settings);
+
+  /// From now on these inputs, one for each tick, take the place of the user's; the walk ends with
+  /// them. They must outlive the loop.
+  void replay(std::span<const WalkInput> inputs) { replay_ = inputs; }
+  bool isReplayOver() const { return replay_ && replay_->empty(); }
+
+  /// False once the walk is over.
+  bool round();
+
+  /// Until the last is written.
+  void awaitScreenshots();
+
+ private:
+  /// What a picture depends on besides the level.
+  struct Scene {
+    Camera camera;
+    WalkView view;
+    std::string message;
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+  };
+
+  void take(const SDL_Event& event);
+  void take(const SDL_WindowEvent& event);
+  void act(Action action);
+  void captureMouse(bool isCaptured);
+  void passTime(double now);
+  WalkInput nextInput(int ticksDue);
+  void say(std::string message, double now);
+  void updateMessage(double now);
+  void tell(const Screenshots::News& news);
+  Camera cameraIn(PictureSize window) const;
+  void drawOrRest(double now);
+  void draw(double now);
+  void drawOverlays();
+  std::string cameraText() const;
+
+  const Level& level_;
+  const Renderer& renderer_;
+  Journey& journey_;
+  Screenshots& screenshots_;
+  Outside& outside_;
+  WalkSettings settings_;
+  std::optional<std::span<const WalkInput>> replay_;  ///< what is left of it
+
+  Controls controls_;
+  WalkClock clock_;
+  double shareOfTick_ = 0;  ///< how far the view is from the tick before the last to the last
+  bool hasLeft_ = false;
+
+  Scene scene_;  ///< the next picture's
+  double messageBegin_ = 0;
+  bool wantsScreenshot_ = false;
+  std::optional<Scene> shown_;  ///< the last picture's; none where it must be drawn again
+  double nextFrame_ = 0;        ///< when it may be drawn, in seconds of the clock
+  FrameScratch scratch_;
+  Image picture_;
+  SeenSectors seen_;
+  FrameRate rate_;
+  std::string title_;
+};
+
+}  // namespace hearth

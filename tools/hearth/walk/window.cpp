@@ -1,0 +1,166 @@
+#include "hearth/walk/window.h"
+
+#include <SDL.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace hearth {
+
+namespace {
+
+std::string sdlError() { return SDL_GetError(); }
+
+/// The video drivers of the displays that there are. Left to itself, SDL falls back on drivers
+/// whose windows nobody sees.
+std::string displayDrivers() {
+  const bool hasWayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const bool hasX11 = std::getenv("DISPLAY") != nullptr;
+  if (hasWayland && hasX11) return "wayland,x11";
+  if (hasWayland) return "wayland";
+  return hasX11 ? "x11" : "";
+}
+
+/// A picture of a size of its own gets a window of a whole number of times that size.
+PictureSize firstSize(const std::optional<PictureSize>& picture) {
+  if (!picture) return kFirstWindowSize;
+  const int times =
+      std::min(kFirstWindowSize.width / picture->width, kFirstWindowSize.height / picture->height);
+  return {std::max(1, times) * picture->width, std::max(1, times) * picture->height};
+}
+
+}  // namespace
+
+tl::expected<WalkWindow, std::string> WalkWindow::open(const std::string& title,
+                                                       const WindowSettings& settings) {
+  WalkWindow opened(settings);
+  const auto created = opened.create(title);
+  if (!created) return tl::unexpected(created.error());
+  return opened;
+}
+
+tl::expected<void, std::string> WalkWindow::create(const std::string& title) {
+  const std::string drivers = displayDrivers();
+  if (drivers.empty() && !std::getenv("SDL_VIDEODRIVER"))
+    return tl::unexpected<std::string>("neither DISPLAY nor WAYLAND_DISPLAY is set");
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, drivers.c_str());  // SDL_VIDEODRIVER still goes before it
+  if (SDL_Init(SDL_INIT_VIDEO) != 0) return tl::unexpected(sdlError());
+  sdl_ = std::shared_ptr<void>(nullptr, [](void*) { SDL_Quit(); });
+  SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // one walks without gamepads, too
+
+  const auto [width, height] = firstSize(settings_.pictureSize);
+  window_ = std::shared_ptr<SDL_Window>(
+      SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
+      [](SDL_Window* window) { SDL_DestroyWindow(window); });
+  if (!window_) return tl::unexpected(sdlError());
+  return createRenderer();
+}
+
+tl::expected<void, std::string> WalkWindow::createRenderer() {
+  const Uint32 flags = settings_.waitsForDisplay ? SDL_RENDERER_PRESENTVSYNC : 0;
+  SDL_Renderer* renderer = SDL_CreateRenderer(window_.get(), -1, flags);
+  if (!renderer) renderer = SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE);
+  renderer_ = std::shared_ptr<SDL_Renderer>(
+      renderer, [](SDL_Renderer* pointer) { SDL_DestroyRenderer(pointer); });
+  if (!renderer_) return tl::unexpected(sdlError());
+
+  SDL_RendererInfo info{};
+  SDL_GetRendererInfo(renderer, &info);
+  if (info.max_texture_width > 0) largest_.width = std::min(largest_.width, info.max_texture_width);
+  if (info.max_texture_height > 0)
+    largest_.height = std::min(largest_.height, info.max_texture_height);
+  const std::optional<PictureSize> size = settings_.pictureSize;
+  if (size && (size->width > largest_.width || size->height > largest_.height))
+    return tl::unexpected(fmt::format("this display shows pictures of at most {}x{}",
+                                      largest_.width, largest_.height));
+  return {};
+}
+
+double WalkWindow::seconds() {
+  return static_cast<double>(SDL_GetPerformanceCounter()) /
+         static_cast<double>(SDL_GetPerformanceFrequency());
+}
+
+bool WalkWindow::poll(SDL_Event& event) {
+  if (SDL_PollEvent(&event) == 0) return false;
+  if (event.type == SDL_CONTROLLERDEVICEADDED || event.type == SDL_CONTROLLERDEVICEREMOVED)
+    setGamepad(event.cdevice);
+  return true;
+}
+
+/// Gamepads report only while they are open.
+void WalkWindow::setGamepad(const SDL_ControllerDeviceEvent& event) {
+  if (event.type == SDL_CONTROLLERDEVICEREMOVED) {
+    gamepads_.erase(event.which);
+    return;
+  }
+  SDL_GameController* gamepad = SDL_GameControllerOpen(event.which);
+  if (!gamepad) return;
+  const SDL_JoystickID id = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(gamepad));
+  gamepads_[id] = std::shared_ptr<SDL_GameController>(
+      gamepad, [](SDL_GameController* pointer) { SDL_GameControllerClose(pointer); });
+}
+
+void WalkWindow::rest(double seconds) {
+  const auto milliseconds = static_cast<int>(std::lround(1e3 * seconds));
+  SDL_WaitEventTimeout(nullptr, std::max(1, milliseconds));
+}
+
+std::optional<PictureSize> WalkWindow::windowSize() {
+  constexpr Uint32 kUnseen = SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN;
+  PictureSize size{};
+  if ((SDL_GetWindowFlags(window_.get()) & kUnseen) != 0 ||
+      SDL_GetRendererOutputSize(renderer_.get(), &size.width, &size.height) != 0)
+    return std::nullopt;
+  return PictureSize{std::clamp(size.width, 1, largest_.width),
+                     std::clamp(size.height, 1, largest_.height)};
+}
+
+void WalkWindow::show(const Image& picture) {
+  static_assert(sizeof(Rgb) == 3, "pixels lie as SDL_PIXELFORMAT_RGB24 has them");
+  const std::optional<PictureSize> window = windowSize();
+  fitTexture(picture);
+  if (!window || !texture_) return;
+  const Placement place = placed(*textureSize_, *window, settings_.scaling);
+  SDL_SetTextureScaleMode(texture_.get(),
+                          place.hasSquarePixels ? SDL_ScaleModeNearest : SDL_ScaleModeLinear);
+  const SDL_Rect target{place.x, place.y, place.width, place.height};
+  SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels().data(), 3 * picture.width());
+  SDL_RenderClear(renderer_.get());
+  SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &target);
+  SDL_RenderPresent(renderer_.get());
+}
+
+void WalkWindow::fitTexture(const Image& picture) {
+  const PictureSize size{picture.width(), picture.height()};
+  if (texture_ && textureSize_ == size) return;
+  texture_ = std::shared_ptr<SDL_Texture>(
+      SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING,
+                        size.width, size.height),
+      [](SDL_Texture* texture) { SDL_DestroyTexture(texture); });
+  textureSize_ = size;
+}
+
+void WalkWindow::setTitle(const std::string& title) {
+  SDL_SetWindowTitle(window_.get(), title.c_str());
+}
+
+void WalkWindow::captureMouse(bool isCaptured) {
+  SDL_SetRelativeMouseMode(isCaptured ? SDL_TRUE : SDL_FALSE);
+}
+
+void WalkWindow::toggleFullScreen() {
+  const bool isFull = (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+  SDL_SetWindowFullscreen(window_.get(), isFull ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
+void WalkWindow::print(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+}  // namespace hearth

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "hearth/walk/outside.h"
+#include "hearth/walk/placement.h"
+
+struct SDL_Renderer;
+struct SDL_Texture;
+struct SDL_Window;
+
+namespace hearth {
+
+/// Pixels of a window at first, unless the picture needs more; the user may drag it to any size.
+inline constexpr PictureSize kFirstWindowSize = {960, 600};
+
+struct WindowSettings {
+  std::optional<PictureSize> pictureSize;  ///< without it, pictures come in the window's size
+  Scaling scaling = Scaling::Smooth;
+  bool waitsForDisplay = true;  ///< vertical sync
+};
+
+/// A window on the user's desktop, with keyboard, mouse and gamepads.
+class WalkWindow : public Outside {
+ public:
+  /// Errors are one sentence: there may be no display, or it cannot show so large a picture.
+  static tl::expected<WalkWindow, std::string> open(const std::string& title,
+                                                    const WindowSettings& settings);
+
+  double seconds() override;
+  bool poll(SDL_Event& event) override;
+  void rest(double seconds) override;
+  std::optional<PictureSize> windowSize() override;
+  void show(const Image& picture) override;
+  void setTitle(const std::string& title) override;
+  void captureMouse(bool isCaptured) override;
+  void toggleFullScreen() override;
+  void print(const std::string& line) override;
+
+ private:
+  explicit WalkWindow(const WindowSettings& settings) : settings_(settings) {}
+  tl::expected<void, std::string> create(const std::string& title);
+  tl::expected<void, std::string> createRenderer();
+  void setGamepad(const SDL_ControllerDeviceEvent& event);
+  void fitTexture(const Image& picture);
+
+  WindowSettings settings_;
+  PictureSize largest_{kMaxPictureSide, kMaxPictureSide};  ///< that the display can show
+  std::optional<PictureSize> textureSize_;
+
+  // Destroyed in reverse order: SDL itself last.
+  std::shared_ptr<void> sdl_;
+  std::shared_ptr<SDL_Window> window_;
+  std::shared_ptr<SDL_Renderer> renderer_;
+  std::shared_ptr<SDL_Texture> texture_;
+  std::map<SDL_JoystickID, std::shared_ptr<SDL_GameController>> gamepads_;
+};
+
+}  // namespace hearth
