@@ -23,8 +23,8 @@ class SpanPainter {
   struct Material {
     const Surface& surface;
     const Image& image;
-    const Lightmap* lightmap;  ///< null where no light reaches the surface
-    const LitSurface* lit;     ///< null for sky
+    std::optional<Lightmap::Sampler> lightmap;  ///< none where no light reaches the surface
+    const LitSurface* lit;                      ///< null for sky
     double sectorLight;
   };
 
@@ -52,9 +52,10 @@ class SpanPainter {
   Material materialOf(SurfaceId id) const {
     const Surface& surface = level_[id];
     const auto& lit = light_.surfaces[id.index()];
-    const auto& lightmap = light_.lightmaps[id.index()];
-    return {surface, textures_[surface.mapping.texture.index()], lightmap ? &*lightmap : nullptr,
-            lit ? &*lit : nullptr, sectorLightOn(surface)};
+    Material material{surface, textures_[surface.mapping.texture.index()], std::nullopt,
+                      lit ? &*lit : nullptr, sectorLightOn(surface)};
+    if (const auto& lightmap = light_.lightmaps[id.index()]) material.lightmap.emplace(*lightmap);
+    return material;
   }
 
   const Level& level_;
@@ -66,7 +67,9 @@ class SpanPainter {
 
 using Material = SpanPainter::Material;
 
-Rgb texel(const Image& image, const Fragment& f) {
+/// Inlined by force, as are the functions below that every pixel calls: a call costs as much as
+/// they do.
+[[gnu::always_inline]] inline Rgb texel(const Image& image, const Fragment& f) {
   return image.at(repeated(f.u, image.width()), repeated(f.v, image.height()));
 }
 
@@ -74,7 +77,8 @@ Rgb texturedPixel(const Material& material, const Span&, const Fragment& f, Rgb)
   return texel(material.image, f);
 }
 
-Rgb litPixel(const Material& material, const Span&, const Fragment& f, Rgb) {
+[[gnu::always_inline]] inline Rgb litPixel(const Material& material, const Span&, const Fragment& f,
+                                           Rgb) {
   const Rgb color = texel(material.image, f);
   if (isSky(material.surface.kind)) return color;
   return shaded(color.r, color.g, color.b, lightShares(material.lightmap, material.sectorLight, f));
@@ -146,13 +150,13 @@ void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
   SpanPainter painter(level_, textures_, light_, projection, scratch.frame);
   switch (mode) {
     case LightMode::Both:
-      painter.paint(spans, litPixel);
+      painter.paint(spans, [](auto&&... of) { return litPixel(of...); });
       break;
     case LightMode::None:
-      painter.paint(spans, texturedPixel);
+      painter.paint(spans, [](auto&&... of) { return texturedPixel(of...); });
       break;
     case LightMode::Only:
-      painter.paint(spans, lightPixel);
+      painter.paint(spans, [](auto&&... of) { return lightPixel(of...); });
       break;
   }
   scratch.frame.copyTo(picture);

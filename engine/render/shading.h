@@ -10,6 +10,7 @@
 #include "light/bakery.h"
 #include "math/planted_bug.h"
 #include "math/trig.h"
+#include "math/whole.h"
 #include "render/camera.h"
 #include "render/span.h"
 
@@ -29,9 +30,10 @@ struct Fragment {
 inline int repeated(double x, int size) {
   if (planted(PlantedBug::TruncatingRepeat))
     return static_cast<int>(std::abs(std::fmod(x, static_cast<double>(size))));
-  const double texel = std::floor(x);
-  const double inside = texel - size * std::floor(texel / size);
-  return std::clamp(static_cast<int>(inside), 0, size - 1);
+  const std::int64_t texel = wholeBelow(x);
+  if ((size & (size - 1)) == 0) return static_cast<int>(texel & (size - 1));
+  const auto rest = static_cast<int>(texel % size);
+  return rest < 0 ? rest + size : rest;
 }
 
 /// Half up.
@@ -47,7 +49,7 @@ class SurfaceShading {
 
   /// Calls `shade(Fragment)` for each row of the span.
   template <typename Shade>
-  void forEachFragment(const Projection& projection, const Span& span, Shade&& shade) const {
+  void forEachFragment(Projection projection, Span span, Shade&& shade) const {
     if (isSky(surface_.kind)) return sky(projection, span, shade);
     if (surface_.segment) return upright(projection, span, shade);
     plane(projection, span, shade);
@@ -83,6 +85,7 @@ class SurfaceShading {
     const Vec2 ray = projection.rayOf(span.column + 0.5);
     const auto [zAtEye, rise, origin] = planeOver(eye, ray);
     const double a = zAtEye - projection.eye().z;
+    const LightOverRay light = lightOver(eye, ray, zAtEye, rise);
     const double uPerMetre = image_.width() / mapping.repeat.x;
     const double vPerMetre = image_.height() / mapping.repeat.y;
     Fragment f{};
@@ -93,13 +96,10 @@ class SurfaceShading {
       const Vec2 p = eye + f.depth * ray;
       f.u = (p.x - origin.x) * uPerMetre - mapping.offsetTexels.x;
       f.v = (p.y - origin.y) * vPerMetre - mapping.offsetTexels.y;
-      if (lit_) {
-        const Vec2 texels = lit_->grid.toTexels({p.x, p.y, zAtEye + rise * f.depth});
-        f.s = texels.x;
-        f.t = texels.y;
-        if (planted(PlantedBug::FlatsUnfiltered))
-          f.s = std::floor(f.s) + 0.5, f.t = std::floor(f.t) + 0.5;
-      }
+      f.s = light.atEye.x + f.depth * light.perMetre.x;
+      f.t = light.atEye.y + f.depth * light.perMetre.y;
+      if (planted(PlantedBug::FlatsUnfiltered))
+        f.s = std::floor(f.s) + 0.5, f.t = std::floor(f.t) + 0.5;
       shade(f);
     }
   }
@@ -118,6 +118,20 @@ class SurfaceShading {
     const Slope& slope =
         surface_.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
     return {slope.zAt(eye), dot(slope.gradient, ray), flat.textureOrigin};
+  }
+
+  /// Texel coordinates in the lightmap along the ray, on the plane above or below it.
+  struct LightOverRay {
+    Vec2 atEye;
+    Vec2 perMetre;  ///< of depth
+  };
+
+  LightOverRay lightOver(Vec2 eye, Vec2 ray, double zAtEye, double rise) const {
+    if (!lit_) return {};
+    const TexelGrid& grid = lit_->grid;
+    const Vec3 way{ray.x, ray.y, rise};
+    return {grid.toTexels({eye.x, eye.y, zAtEye}),
+            {dot(way, grid.axisS) / grid.texel, dot(way, grid.axisT) / grid.texel}};
   }
 
   template <typename Shade>
@@ -152,14 +166,15 @@ struct LightShares {
   double b;
 };
 
-inline LightShares lightShares(const Lightmap* lightmap, double sectorLight, const Fragment& f) {
-  const auto share = [&](int channel) {
-    const double baked = lightmap ? lightmap->sample(f.s, f.t, channel) / 255 : 0;
-    return std::min(1.0, baked + sectorLight);
-  };
-  const double first = share(0);
-  if (!lightmap || lightmap->channels == 1) return {first, first, first};
-  return {first, share(1), planted(PlantedBug::ChannelLost) ? share(1) : share(2)};
+[[gnu::always_inline]] inline LightShares lightShares(
+    const std::optional<Lightmap::Sampler>& lightmap, double sectorLight, const Fragment& f) {
+  const auto shareOf = [&](double level) { return std::min(1.0, level / 255 + sectorLight); };
+  if (!lightmap) return {shareOf(0), shareOf(0), shareOf(0)};
+  const Lightmap::Place place = lightmap->at(f.s, f.t);
+  const double first = shareOf(place.level(0));
+  if (lightmap->channels() == 1) return {first, first, first};
+  const double second = shareOf(place.level(1));
+  return {first, second, planted(PlantedBug::ChannelLost) ? second : shareOf(place.level(2))};
 }
 
 /// Each channel rounded half up, once.
