@@ -80,6 +80,8 @@ void linkSlopes(Linking& linking);
 void validatePortals(Linking& linking);
 /// Members of one side that overlap, sides that cover different areas.
 void validateInterfaces(Linking& linking);
+/// Sectors without height whose flat portals lead round in a ring.
+void validateRings(Linking& linking);
 /// A light that lies on a surface of its sector: a warning. After `finishLevel`.
 void validateLight(Report& report, const Level& level, Place place, const LightSource& light);
 /// Tells what `finishLevel` found, at its cause.

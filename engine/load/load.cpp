@@ -135,6 +135,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   linkSegments(linking);
   linkSlopes(linking);
   validateInterfaces(linking);
+  validateRings(linking);
   TextureFiles textures = readTextures(report_, table, file_, description.textures, limits_);
   if (linking.level.segments.empty()) return std::nullopt;
 
