@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "level/locate.h"
+#include "light/parallel.h"
 #include "math/planted_bug.h"
 #include "render/shading.h"
 #include "render/visibility.h"
@@ -11,6 +13,9 @@
 namespace hearth {
 
 namespace {
+
+/// So that no thread has to wait long for one with larger spans.
+constexpr std::size_t kPartsPerThread = 4;
 
 /// The second phase of a frame: draws the spans with the pixels that a shader makes.
 class SpanPainter {
@@ -28,9 +33,20 @@ class SpanPainter {
     double sectorLight;
   };
 
+  /// Many threads can paint at once: no two spans share a pixel.
+  template <typename Pixel>
+  void paint(std::span<const Span> spans, int threads, Pixel&& pixel) {
+    if (threads == 1) return paint(spans, pixel);
+    const std::size_t parts = kPartsPerThread * static_cast<std::size_t>(threads);
+    parallelFor(parts, threads, [&](std::size_t part) {
+      const std::size_t begin = part * spans.size() / parts;
+      paint(spans.subspan(begin, (part + 1) * spans.size() / parts - begin), pixel);
+    });
+  }
+
   /// `pixel(material, span, fragment, before)` gives a pixel's colour.
   template <typename Pixel>
-  void paint(const std::vector<Span>& spans, Pixel&& pixel) {
+  void paint(std::span<const Span> spans, Pixel&& pixel) {
     for (const Span& span : spans) {
       const Material material = materialOf(span.surface);
       const SurfaceShading shading(level_, material.image, material.lit, span.surface);
@@ -141,22 +157,22 @@ Projection projectionFor(const Level& level, const Camera& camera) {
   return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye));
 }
 
-void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
-                    Image& picture) const {
+void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
+                    int threads) const {
   const Projection projection = projectionFor(level_, camera);
-  const std::vector<Span>& spans =
+  const std::span<const Span> spans =
       findVisibleSpans(level_, camera, projection, scratch.visibility).spans;
   scratch.frame.clear(camera.width, camera.height, kHole);
   SpanPainter painter(level_, textures_, light_, projection, scratch.frame);
   switch (mode) {
     case LightMode::Both:
-      painter.paint(spans, [](auto&&... of) { return litPixel(of...); });
+      painter.paint(spans, threads, [](auto&&... of) { return litPixel(of...); });
       break;
     case LightMode::None:
-      painter.paint(spans, [](auto&&... of) { return texturedPixel(of...); });
+      painter.paint(spans, threads, [](auto&&... of) { return texturedPixel(of...); });
       break;
     case LightMode::Only:
-      painter.paint(spans, [](auto&&... of) { return lightPixel(of...); });
+      painter.paint(spans, threads, [](auto&&... of) { return lightPixel(of...); });
       break;
   }
   scratch.frame.copyTo(picture);

@@ -46,8 +46,10 @@ class Renderer {
   Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light)
       : level_(level), textures_(textures), light_(light) {}
 
-  /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size.
-  void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture) const;
+  /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
+  /// and the same pixels whatever the number of threads that colour them.
+  void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
+            int threads = 1) const;
   /// Single pictures.
   Image draw(const Camera& camera, LightMode mode) const;
   Image draw(const Camera& camera, Channel channel) const;

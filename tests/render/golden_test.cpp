@@ -75,6 +75,16 @@ TEST_F(Golden, lightModesAreAsKept) {
   expectGolden(folder / "arrival-only.png", renderer_.draw(cameraOf(shot), LightMode::Only));
 }
 
+TEST_F(Golden, threadsDrawWhatOneDraws) {
+  FrameScratch scratch;
+  Image picture;
+  for (const Shot& shot : loaded_.level.shots)
+    for (const int threads : {2, 7}) {
+      renderer_.draw(cameraOf(shot), LightMode::Both, scratch, picture, threads);
+      EXPECT_EQ(picture, renderer_.draw(cameraOf(shot), LightMode::Both)) << shot.name;
+    }
+}
+
 TEST_F(Golden, twoThreadsAndSevenBakeTheSame) {
   for (const int threads : {1, 7}) {
     const BakedLight again = bake(loaded_.level, loaded_.level.bake, threads);

@@ -30,6 +30,7 @@ Command shotCommand();
 Command bakeCommand();
 Command checkCommand();
 Command infoCommand();
+Command benchCommand();
 
 /// Options that all commands share: limits of loading.
 std::vector<Option> limitOptions();

@@ -84,8 +84,8 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Hearth draws sector and portal levels with baked light.", "hearth");
   program.require_subcommand(1);
-  const std::array commands = {walkCommand(), shotCommand(), bakeCommand(), checkCommand(),
-                               infoCommand()};
+  const std::array commands = {walkCommand(),  shotCommand(), bakeCommand(),
+                               checkCommand(), infoCommand(), benchCommand()};
   OptionValues values;
   for (const Command& command : commands) addCommand(program, command, values);
   return parseAndRun(program, commands, values, argc, argv);

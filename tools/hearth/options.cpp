@@ -49,6 +49,8 @@ constexpr std::array kTable = {
               "walk as recorded, and tell whether that ends at the same place, to the bit"},
     OptionRow{Option::Headless, "--headless", ValueKind::Flag, "", 0, 0, "",
               "with --replay: at once and without a window"},
+    OptionRow{Option::Repeats, "--repeats", ValueKind::Integer, "COUNT", 1, 10000, "5",
+              "how often each shot is drawn and the light baked"},
     OptionRow{Option::Json, "--json", ValueKind::Flag, "", 0, 0, "", "print JSON"},
     OptionRow{Option::Surfaces, "--surfaces", ValueKind::Flag, "", 0, 0, "",
               "with --json: print the texel grids of all surfaces that light shows on, too"},

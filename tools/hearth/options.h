@@ -27,6 +27,7 @@ enum class Option {
   Record,
   Replay,
   Headless,
+  Repeats,
   Json,
   Surfaces,
   Quiet,

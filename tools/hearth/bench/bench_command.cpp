@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "hearth/bench/machine.h"
+#include "hearth/bench/measure.h"
+#include "hearth/command.h"
+#include "hearth/session.h"
+#include "light/parallel.h"
+
+namespace hearth {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRepeats = 5;
+
+double perSecond(double count, const BakeBench& bake) { return count / bake.seconds.median; }
+
+Json toJson(const Spread& spread) { return {{"median", spread.median}, {"p95", spread.p95}}; }
+
+Json toJson(const BenchReport& report, const Machine& machine) {
+  Json json{{"machine",
+             {{"processor", machine.processor},
+              {"threads", machine.threads},
+              {"compiler", machine.compiler}}},
+            {"repeats", report.repeats}};
+  json["frames"] = Json::array();
+  for (const FrameBench& frame : report.frames)
+    json["frames"].push_back({{"width", frame.size.width},
+                              {"height", frame.size.height},
+                              {"threads", frame.threads},
+                              {"milliseconds", toJson(frame.milliseconds)},
+                              {"viewports", frame.viewports},
+                              {"flatPortals", frame.flatPortals},
+                              {"segments", frame.segments},
+                              {"spans", frame.spans}});
+  json["bake"] = {{"texel", report.settings.texel},
+                  {"samples", samplesInWords(report.settings)},
+                  {"surfaces", report.bake.surfaces},
+                  {"litSurfaces", report.bake.litSurfaces},
+                  {"texels", report.bake.texels},
+                  {"texelLightTests", report.texelLightTests},
+                  {"rays", report.bake.rays},
+                  {"bytes", report.bake.bytes},
+                  {"times", Json::array()}};
+  for (const BakeBench& bake : report.bakes)
+    json["bake"]["times"].push_back(
+        {{"threads", bake.threads},
+         {"seconds", toJson(bake.seconds)},
+         {"texelLightTestsPerSecond", perSecond(static_cast<double>(report.texelLightTests), bake)},
+         {"raysPerSecond", perSecond(static_cast<double>(report.bake.rays), bake)}});
+  return json;
+}
+
+void print(const BenchReport& report, const Machine& machine) {
+  fmt::print("{}, {} thread(s), {}; {} repeats\n\n", machine.processor, machine.threads,
+             machine.compiler, report.repeats);
+  fmt::print("{:>16} {:>8} {:>10} {:>10} {:>10} {:>12} {:>9} {:>7}\n", "frame", "threads", "ms",
+             "ms, p95", "viewports", "flatportals", "segments", "spans");
+  for (const FrameBench& frame : report.frames)
+    fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f} {:>10.1f} {:>12.1f} {:>9.1f} {:>7.0f}\n",
+               fmt::format("{}x{}", frame.size.width, frame.size.height), frame.threads,
+               frame.milliseconds.median, frame.milliseconds.p95, frame.viewports,
+               frame.flatPortals, frame.segments, frame.spans);
+  fmt::print("\nbake: {} texels of {} m, {}; {} texel-light tests, {} rays, {} bytes\n",
+             report.bake.texels, report.settings.texel, samplesInWords(report.settings),
+             report.texelLightTests, report.bake.rays, report.bake.bytes);
+  fmt::print("{:>16} {:>8} {:>10} {:>10} {:>14} {:>14}\n", "", "threads", "s", "s, p95",
+             "M tests/s", "M rays/s");
+  for (const BakeBench& bake : report.bakes)
+    fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f} {:>14.2f} {:>14.2f}\n", "", bake.threads,
+               bake.seconds.median, bake.seconds.p95,
+               perSecond(1e-6 * static_cast<double>(report.texelLightTests), bake),
+               perSecond(1e-6 * static_cast<double>(report.bake.rays), bake));
+}
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+ExitStatus run(const OptionValues& values) {
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const auto settings = bakeSettingsFor(loaded->level, values);
+  if (!settings) return fail(settings.error());
+  const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
+  const int repeats = static_cast<int>(values.number(Option::Repeats).value_or(kRepeats));
+  const BenchReport report = measure(*loaded, *settings, threads, repeats, seconds);
+  if (values.has(Option::Json))
+    fmt::print("{}\n", toJson(report, thisMachine()).dump(1));
+  else
+    print(report, thisMachine());
+  return ExitStatus::Done;
+}
+
+}  // namespace
+
+Command benchCommand() {
+  return {"bench",
+          "measures frames of the level's shots and its bake, on one thread and on all",
+          std::vector<Option>{Option::Repeats, Option::Json} + bakeOptions(),
+          {},
+          run};
+}
+
+}  // namespace hearth

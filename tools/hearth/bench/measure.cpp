@@ -1,0 +1,116 @@
+#include "hearth/bench/measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/renderer.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::array<PictureSize, 3> kSizes{{{320, 200}, {640, 400}, {1920, 1080}}};
+
+std::vector<Camera> camerasOf(const Level& level) {
+  std::vector<Camera> cameras;
+  for (const Shot& shot : level.shots) cameras.push_back(cameraOf(shot));
+  if (cameras.empty() && level.player)
+    cameras.push_back({level.player->sector, level.player->eye, level.player->angle});
+  return cameras;
+}
+
+/// One thread, and all that there are.
+std::vector<int> threadCounts(int threads) {
+  return threads == 1 ? std::vector{1} : std::vector{1, threads};
+}
+
+/// Frames of one size on so many threads, with all times that were taken.
+class FrameTimes {
+ public:
+  FrameTimes(PictureSize size, int threads) : bench_{size, threads, {}} {}
+
+  void draw(const Renderer& renderer, Camera camera, const Clock& clock) {
+    camera.width = bench_.size.width;
+    camera.height = bench_.size.height;
+    const double begin = clock();
+    renderer.draw(camera, LightMode::Both, scratch_, picture_, bench_.threads);
+    milliseconds_.push_back(1e3 * (clock() - begin));
+    const FrameStats& stats = scratch_.visibility.found.stats;
+    bench_.viewports += stats.viewports;
+    bench_.flatPortals += stats.flatPortals;
+    bench_.segments += stats.segments;
+    bench_.spans += static_cast<double>(stats.spans);
+  }
+
+  /// Forgets the times and the work so far, but not the memory.
+  void begin() {
+    bench_ = {bench_.size, bench_.threads, {}};
+    milliseconds_.clear();
+  }
+
+  FrameBench result() const {
+    FrameBench bench = bench_;
+    const auto frames = static_cast<double>(milliseconds_.size());
+    for (double* work : {&bench.viewports, &bench.flatPortals, &bench.segments, &bench.spans})
+      *work /= frames;
+    bench.milliseconds = spreadOf(milliseconds_);
+    return bench;
+  }
+
+ private:
+  FrameBench bench_;
+  std::vector<double> milliseconds_;
+  FrameScratch scratch_;
+  Image picture_;
+};
+
+}  // namespace
+
+Spread spreadOf(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto at = [&](double share) {
+    const auto index = std::ceil(share * static_cast<double>(values.size())) - 1;
+    return values[static_cast<std::size_t>(std::max(0.0, index))];
+  };
+  return {at(0.5), at(0.95)};
+}
+
+BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings, int threads,
+                    int repeats, const Clock& clock) {
+  const Level& level = loaded.level;
+  const std::vector<Camera> cameras = camerasOf(level);
+  const BakedLight light = bake(level, settings, threads);
+  const Renderer renderer(level, loaded.textures, light);
+
+  std::vector<FrameTimes> frames;
+  std::vector<std::vector<double>> bakeSeconds;
+  for (const int count : threadCounts(threads)) {
+    for (const PictureSize size : kSizes) frames.emplace_back(size, count);
+    bakeSeconds.emplace_back();
+  }
+  const auto drawAll = [&] {
+    for (const Camera& camera : cameras)
+      for (FrameTimes& of : frames) of.draw(renderer, camera, clock);
+  };
+  drawAll();
+  for (FrameTimes& of : frames) of.begin();
+  for (int i = 0; i < repeats; ++i) {
+    drawAll();
+    for (std::size_t k = 0; k < bakeSeconds.size(); ++k) {
+      const double begin = clock();
+      (void)bake(level, settings, threadCounts(threads)[k]);
+      bakeSeconds[k].push_back(clock() - begin);
+    }
+  }
+
+  BenchReport report{repeats, settings, {}, {}, light.stats};
+  if (!cameras.empty())
+    for (const FrameTimes& of : frames) report.frames.push_back(of.result());
+  for (std::size_t k = 0; k < bakeSeconds.size(); ++k)
+    report.bakes.push_back({threadCounts(threads)[k], spreadOf(bakeSeconds[k])});
+  for (const LightCost& cost : light.lightCosts) report.texelLightTests += cost.samples;
+  return report;
+}
+
+}  // namespace hearth
