@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "level/locate.h"
 #include "math/predicates.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
@@ -115,13 +115,13 @@ void Surroundings::block(const Segment& segment, Shares chord) {
 
 void Surroundings::takeFlats(const Sector& sector) {
   if (sector.floor.interface) {
-    if (sector.floor.z >= reach_.zLow) followFlat(level_[*sector.floor.interface].lower);
+    if (sector.floor.z >= reach_.zLow) followFlat(*sector.floor.interface, Side::Lower);
   } else {
     const double z = sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : sector.floor.z;
     bear(z);
   }
   if (sector.ceiling.interface) {
-    if (sector.ceiling.z <= reach_.zHigh) followFlat(level_[*sector.ceiling.interface].upper);
+    if (sector.ceiling.z <= reach_.zHigh) followFlat(*sector.ceiling.interface, Side::Upper);
   } else {
     const double z =
         sector.ceilingSlope ? -highest(sector, *sector.ceilingSlope, -1) : sector.ceiling.z;
@@ -129,9 +129,15 @@ void Surroundings::takeFlats(const Sector& sector) {
   }
 }
 
-void Surroundings::followFlat(const std::vector<SectorId>& members) {
-  for (const SectorId member : members)
+void Surroundings::followFlat(InterfaceId id, Side to) {
+  const Interface& interface = level_[id];
+  for (const SectorId member : to == Side::Upper ? interface.upper : interface.lower)
     if (touches(level_[member])) add(member);
+  // His middle may miss its own column by the slack of positions, and a body with less breadth then
+  // touches none of them.
+  const SectorId column = across(level_, interface, to, reach_.center);
+  const Vec3 middle{reach_.center.x, reach_.center.y, interface.z};
+  if (contains(level_, level_[column], middle, kPositionSlack)) add(column);
 }
 
 bool Surroundings::touches(const Sector& sector) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "level/level.h"
+#include "level/locate.h"
 #include "walk/body.h"
 #include "walk/passage.h"
 
@@ -55,7 +56,7 @@ class Surroundings {
   void lookAtWallBelow(const Segment& segment, Shares chord);
   void lookAtWallAbove(const Segment& segment, Shares chord);
   void takeFlats(const Sector& sector);
-  void followFlat(const std::vector<SectorId>& members);
+  void followFlat(InterfaceId id, Side to);
   bool touches(const Sector& sector) const;
   void bear(double z);
   void block(const Segment& segment, Shares chord);

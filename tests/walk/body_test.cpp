@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "math/tolerance.h"
 #include "math/trig.h"
 #include "walks.h"
 
@@ -46,6 +47,16 @@ LoadedLevel row(const std::vector<Room>& rooms, double width = 4, const std::str
 /// One room of any outline.
 LoadedLevel room(const std::string& vertices) {
   return test::levelFrom("{'light':1,'sectors':{" + sectorText("room", vertices, 0, 4) + "}}");
+}
+
+/// Two rooms one above the other, from -5 to 0 and from 0 to 4 m, open to each other in full.
+LoadedLevel storeys() {
+  const std::string loops = "'loops':{'border':{'v':[0,0, 4,0, 4,4, 0,4],'walls':" + kSolid + "}}}";
+  return test::levelFrom(
+      "{'light':1,'sectors':{'up':{'floor':{'z':0,'next':'up-low'},'ceiling':{'z':4,'texture':'#"
+      "808080'}," +
+      loops + ",'low':{'floor':{'z':-5,'texture':'#808080'},'ceiling':{'z':0,'next':'up-low'}," +
+      loops + "}}");
 }
 
 TEST(Body, ClimbsAStepAndNotACentimetreMore) {
@@ -226,14 +237,7 @@ TEST(Body, StopsWhereASlopeComesDownToItsHead) {
 }
 
 TEST(Body, FallsThroughAFlatPortalAndFliesBackUp) {
-  const std::string v = "0,0, 4,0, 4,4, 0,4";
-  const LoadedLevel loaded = test::levelFrom(
-      "{'light':1,'sectors':{'up':{'floor':{'z':0,'next':'up-low'},'ceiling':{'z':4,'texture':"
-      "'#808080'},'loops':{'border':{'v':[" +
-      v + "],'walls':" + kSolid +
-      "}}},'low':{'floor':{'z':-5,'texture':'#808080'},'ceiling':{'z':0,'next':'up-low'},'loops':{"
-      "'border':{'v':[" +
-      v + "],'walls':" + kSolid + "}}}}}");
+  const LoadedLevel loaded = storeys();
   const Level& level = loaded.level;
   Walker walker = walkerAt(level, SectorId(0), {2, 2, 2}, 0, 0);
   EXPECT_EQ(level[walker.sector].name, "up");
@@ -249,6 +253,18 @@ TEST(Body, FallsThroughAFlatPortalAndFliesBackUp) {
   walker = after(level, walker, {.up = 127}, 200);
   EXPECT_EQ(level[walker.sector].name, "up");
   EXPECT_NEAR(walker.feet.z, 4 - 1.8, 1e-5);
+}
+
+TEST(Body, WithoutBreadthHasACeilingBeyondAFlatPortalAlsoWhereItMissesBothRoomsByTheSlack) {
+  LoadedLevel loaded = storeys();
+  loaded.level.player.emplace();
+  loaded.level.player->height = 6;
+  loaded.level.player->radius = 0;
+  const Level& level = loaded.level;
+  Walker walker{test::sectorNamed(level, "low"), {-kPositionSlack / 2, 2, -4}, {}};
+  walker = walked(level, walker, {.up = 127, .toggleFlight = true});
+  walker = after(level, walker, {.up = 127}, 200);
+  EXPECT_NEAR(walker.feet.z, 4 - 6, 1e-5);
 }
 
 TEST(Body, GoesThroughAOneWayPortalAndNotBack) {
