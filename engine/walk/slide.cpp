@@ -50,14 +50,11 @@ std::optional<Contact> touch(const Blocker& blocker, Vec2 q, Vec2 motion, double
   const Vec2 along = blocker.b - blocker.a;
   const double size = length(along);
   const double side = cross(along, q - blocker.a);
-  if (side < 0) {
-    // From behind only a wall's ends count, and of what lies through an opening not even these: the
-    // ends may be joints in a one-way portal. Where sectors overlap, an end can be all that is seen
-    // of a wall which is soon passed on its front.
-    if (!blocker.isOfOwnSector || size == 0) return std::nullopt;
-    return earlier(touch({blocker.a, blocker.a, false}, q, motion, radius, tolerance),
-                   touch({blocker.b, blocker.b, false}, q, motion, radius, tolerance));
+  if (blocker.isCorner) {
+    if (side >= 0) return std::nullopt;
+    return touch({blocker.a, blocker.a}, q, motion, radius, tolerance);
   }
+  if (side < 0) return std::nullopt;
   const Vec2 away = q - nearestOnSegment(blocker.a, blocker.b, q);
   const double distance = length(away);
   if (distance < radius) {

@@ -15,6 +15,10 @@ double signedDistance(Vec2 a, Vec2 b) {
   return cross(along, Vec2{} - a) / length(along);
 }
 
+bool isInFrontOf(const Segment& segment, Vec2 p) {
+  return cross(segment.p1 - segment.p0, p - segment.p0) >= 0;
+}
+
 /// A flat, or the slope that replaces it.
 struct PlaneAt {
   double z;
@@ -40,6 +44,11 @@ void Surroundings::add(SectorId sector) {
 
 void Surroundings::lookRound(const Sector& sector) {
   for (const Segment& segment : level_.segmentsOf(sector)) lookAtWall(segment);
+  for (const Loop& loop : sector.loops) {
+    const std::size_t first = loop.first.index();
+    for (std::size_t i = 0, last = loop.count - 1; i < loop.count; last = i++)
+      lookAtVertex(level_.segments[first + last], level_.segments[first + i]);
+  }
   takeFlats(sector);
   if (sector.floorSlope || sector.ceilingSlope) takeSlopes(sector);
 }
@@ -53,10 +62,8 @@ void Surroundings::lookAtWall(const Segment& segment) {
   open_.clear();
   findPassages(level_, segment, passages_);
   const Sector& sector = level_[segment.sector];
-  if (sector.ceiling.interface && sector.ceiling.z <= reach_.body.zClimb + kSkin)
-    return lookAtWallBelow(segment, chord);
-  if (sector.floor.interface && sector.floor.z >= reach_.body.zHead() - kSkin)
-    return lookAtWallAbove(segment, chord);
+  if (isBelow(sector)) return lookAtWallBelow(segment, chord);
+  if (isAbove(sector)) return lookAtWallAbove(segment, chord);
 
   for (const Passage& passage : passages_) {
     const Shares open = passage.openTo(reach_.body);
@@ -70,6 +77,43 @@ void Surroundings::lookAtWall(const Segment& segment) {
       add(std::get<Opening>(segment.pieces[i].content).next);
   }
   block(segment, chord);
+}
+
+/// Where only one of two walls stops the body, it may see the vertex between them from round the
+/// corner, behind that wall: past the other one, which is open. Who is behind both does not see it.
+/// To him it may be a joint of one-way portals.
+void Surroundings::lookAtVertex(const Segment& before, const Segment& after) {
+  const Vec2 vertex = after.p0 - reach_.center;
+  if (!(length(vertex) < radius_)) return;
+  const bool jutsOut = cross(before.p1 - before.p0, after.p1 - after.p0) < 0;
+  if (!jutsOut) return;
+  if (!isInFrontOf(before, reach_.center) && !isInFrontOf(after, reach_.center)) return;
+  if (isBelow(level_[after.sector]) || isAbove(level_[after.sector])) return;
+  const bool stopsBefore = !isOpenAt(before, 1);
+  const bool stopsAfter = !isOpenAt(after, 0);
+  if (stopsBefore == stopsAfter) return;
+  const Segment& wall = stopsBefore ? before : after;
+  blockers_.push_back({vertex, vertex + (wall.p1 - wall.p0), true});
+}
+
+/// Whether the body fits through the wall there.
+bool Surroundings::isOpenAt(const Segment& segment, double share) {
+  passages_.clear();
+  findPassages(level_, segment, passages_);
+  return std::ranges::any_of(passages_, [&](const Passage& passage) {
+    const Shares open = passage.openTo(reach_.body);
+    return open.low <= share && share <= open.high;
+  });
+}
+
+/// The body is above the sector.
+bool Surroundings::isBelow(const Sector& sector) const {
+  return sector.ceiling.interface && sector.ceiling.z <= reach_.body.zClimb + kSkin;
+}
+
+/// The body is below the sector.
+bool Surroundings::isAbove(const Sector& sector) const {
+  return sector.floor.interface && sector.floor.z >= reach_.body.zHead() - kSkin;
 }
 
 void Surroundings::bear(double z) {
@@ -102,9 +146,8 @@ void Surroundings::block(const Segment& segment, Shares chord) {
     const Vec2 along = segment.p1 - segment.p0;
     const Vec2 a = segment.p0 - reach_.center;
     // The ends of a wall are its vertices to the bit: its neighbours share them.
-    blockers_.push_back({from == 0 ? a : a + from * along,
-                         to == 1 ? segment.p1 - reach_.center : a + to * along,
-                         segment.sector == sectors_.front()});
+    blockers_.push_back(
+        {from == 0 ? a : a + from * along, to == 1 ? segment.p1 - reach_.center : a + to * along});
   };
   for (const Shares& open : open_) {
     blockUpTo(std::min(open.low, chord.high));
@@ -212,7 +255,7 @@ void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, 
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Vec2 middle = foot + ((cuts[i] + cuts[i + 1]) / 2) * along;
     if (contains(level_, sector, reach_.center + middle))
-      blockers_.push_back({foot + cuts[i] * along, foot + cuts[i + 1] * along, false});
+      blockers_.push_back({foot + cuts[i] * along, foot + cuts[i + 1] * along});
   }
 }
 

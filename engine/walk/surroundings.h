@@ -16,7 +16,10 @@ namespace hearth {
 struct Blocker {
   Vec2 a;
   Vec2 b;
-  bool isOfOwnSector;  ///< the one that the body's middle is in
+  /// Then it is `a` alone, and stops who is behind a -> b. Where sectors overlap, more than 360
+  /// degrees of air can meet in a vertex, and from some of them no wall there is seen from its
+  /// front: not before he is past it, and in it.
+  bool isCorner = false;
 };
 
 /// How far to look round a body.
@@ -53,9 +56,13 @@ class Surroundings {
   void add(SectorId sector);
   void lookRound(const Sector& sector);
   void lookAtWall(const Segment& segment);
+  void lookAtVertex(const Segment& before, const Segment& after);
   void lookAtWallBelow(const Segment& segment, Shares chord);
   void lookAtWallAbove(const Segment& segment, Shares chord);
   void takeFlats(const Sector& sector);
+  bool isBelow(const Sector& sector) const;
+  bool isAbove(const Sector& sector) const;
+  bool isOpenAt(const Segment& segment, double share);
   void followFlat(InterfaceId id, Side to);
   bool touches(const Sector& sector) const;
   void bear(double z);

@@ -163,6 +163,39 @@ TEST(Body, ComesToRestInCornersOfAnyAngle) {
   }
 }
 
+TEST(Body, KeepsItsRadiusOffAVertexThatItSeesNoWallOfFromTheFront) {
+  // 256 degrees of a and 190 of b meet in 0,0, so that both have the place north-east of it. From
+  // south-west the walls that end there, northwards in a and eastwards in b, are seen from behind.
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':1,'sectors':{" +
+      sectorText("a", "-4,-4, 4,-4, 4,4, 1,4, 0,0, -4,0", 0, 3,
+                 "[" + kSolid + "," + kSolid + "," + kSolid + "," + kSolid + "," + to("b") + "," +
+                     kSolid + "]") +
+      "," +
+      sectorText("b", "-4,0, 0,0, 4,-0.7, 4,4, -4,4", 0, 3,
+                 "[" + to("a") + "," + kSolid + "," + kSolid + "," + kSolid + "," + kSolid + "]") +
+      "}}");
+  const Level& level = loaded.level;
+  struct Way {
+    std::string sector;
+    Vec3 feet;
+    double angle;
+  };
+  for (const Way& way : {Way{"a", {-2, -0.15, 0}, 0}, Way{"a", {-2, -0.5, 0}, 15},
+                         Way{"b", {-2, 0.5, 0}, -20}, Way{"b", {-1, 0.5, 0}, -35}}) {
+    Walker walker = standing(level, way.sector, way.feet, way.angle);
+    double nearest = 4;
+    for (int i = 0; i < 128; ++i) {
+      walker = after(level, walker, kRun, 1);
+      nearest = std::min(nearest, length(walker.feet.xy()));
+    }
+    EXPECT_GE(nearest, 0.3) << way.sector << ' ' << way.angle;
+    // A tick's way along the tangent of the body takes it off again by (5/64)^2 / (2 * 0.3) m.
+    EXPECT_LT(nearest, 0.3102) << "he does touch it";
+    EXPECT_GT(walker.feet.x, 0.3) << "he slides past";
+  }
+}
+
 TEST(Body, SlidesEvenlyAlongARoundWall) {
   std::string vertices;
   constexpr int kWalls = 100;
@@ -278,6 +311,23 @@ TEST(Body, GoesThroughAOneWayPortalAndNotBack) {
   walker = after(loaded.level, walker, {.forward = -127}, 256);
   EXPECT_EQ(loaded.level[walker.sector].name, "b");
   EXPECT_NEAR(walker.feet.x, 4.3, 1e-4);
+}
+
+TEST(Body, IsNotStoppedByTheJointOfAOneWayPortalAndAnotherPortal) {
+  // From behind, 5,2 is a corner of b that juts out, between a wall and a portal; but from a both
+  // sides of it are open.
+  const std::string west =
+      "[" + kSolid + "," + kSolid + "," + kSolid + "," + kSolid + "," + to("a") + "]";
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':1,'sectors':{" +
+      sectorText("a", "0,0, 4,0, 5,2, 4,4, 0,4", 0, 3,
+                 "[" + kSolid + "," + to("b") + "," + to("b") + "," + kSolid + "," + kSolid + "]") +
+      "," + sectorText("b", "4,0, 8,0, 8,4, 4,4, 5,2", 0, 3, west) + "}}");
+  Walker walker = standing(loaded.level, "a", {3, 2.05, 0});
+  walker = after(loaded.level, walker, kForward, 160);
+  EXPECT_EQ(loaded.level[walker.sector].name, "b");
+  EXPECT_NEAR(walker.feet.x, 7.7, 1e-4);
+  EXPECT_NEAR(walker.feet.y, 2.05, 1e-9);
 }
 
 TEST(Body, StandsOnAFenceBetweenTwoSectors) {
