@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "level/locate.h"
@@ -15,6 +16,10 @@ namespace hearth::random_walks {
 namespace {
 
 constexpr double kHair = 3 * kSkin;
+
+/// Share of the radius, by which a wall without thickness that points to the axis is looked at from
+/// beside. What is within as much of the body's edge can be missed.
+constexpr double kAsideShare = 1.0 / 32;
 
 struct Exit {
   double distance = kNowhere;
@@ -54,6 +59,61 @@ double inAir(const Sector& sector, Vec3 eye, Vec2 direction, double from, double
   cut(eye.z - sector.airBottom(a), eye.z - sector.airBottom(b));
   cut(sector.airTop(a) - eye.z, sector.airTop(b) - eye.z);
   return last;
+}
+
+/// Even directions, straight to every wall, and past both sides of every vertex.
+std::vector<Vec2> linesFrom(Vec2 p, const std::vector<const Segment*>& walls, double radius,
+                            int directions) {
+  std::vector<Vec2> lines;
+  for (int i = 0; i < directions; ++i) {
+    const SinCos turn = sinCosDegrees(360.0 * i / directions + 0.37);
+    lines.push_back({turn.cos, turn.sin});
+  }
+  for (const Segment* wall : walls) {
+    const Vec2 across = nearestOnSegment(wall->p0, wall->p1, p) - p;
+    if (length(across) > 0) lines.push_back((1 / length(across)) * across);
+    const Vec2 towards = wall->p0 - p;
+    const double distance = length(towards);
+    if (distance >= radius || distance == 0) continue;
+    for (const double side : {-1e-4, 1e-4}) {
+      const Vec2 past = (1 / distance) * towards + side * turned90((1 / distance) * towards);
+      lines.push_back((1 / length(past)) * past);
+    }
+  }
+  return lines;
+}
+
+/// Where to look from at the walls that `p` is in line with and does not see: the level has walls
+/// without thickness. The cylinder round such a place that is so much smaller is in that round `p`.
+std::vector<Vec2> placesBeside(Vec2 p, const std::vector<const Segment*>& walls, double aside) {
+  std::vector<Vec2> places;
+  for (const Segment* wall : walls) {
+    const Vec2 along = (1 / wall->length) * (wall->p1 - wall->p0);
+    if (std::abs(cross(along, p - wall->p0)) < aside / 2)
+      places.push_back(p + aside * turned90(along));
+  }
+  return places;
+}
+
+/// Heights of a body on `zFeet`: five even ones, and the middle of what it is beside of every piece
+/// of these walls, which may all lie between two of the five.
+std::vector<double> heightsOf(const Body& body, double zFeet,
+                              const std::vector<const Segment*>& walls) {
+  const double zLow = zFeet + kHair;
+  const double zHigh = zFeet + body.height - kHair;
+  std::vector<double> heights;
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+    heights.push_back(std::lerp(zLow, zHigh, share));
+  for (const Segment* wall : walls)
+    for (const WallPiece& piece : wall->pieces) {
+      const double zBottom = std::max(zLow, piece.zBottom);
+      const double zTop = std::min(zHigh, piece.zTop);
+      if (zBottom < zTop) heights.push_back(std::midpoint(zBottom, zTop));
+    }
+  std::ranges::sort(heights);
+  const auto repeated = std::ranges::unique(heights);
+  heights.erase(repeated.begin(), repeated.end());
+  return heights;
 }
 
 }  // namespace
@@ -126,28 +186,33 @@ SectorId Solids::inColumn(SectorId sector, Vec3 p) const {
   return sector;
 }
 
+std::vector<const Segment*> Solids::wallsWithin(Vec2 p, double radius) const {
+  std::vector<const Segment*> walls;
+  for (const Segment& segment : level_.segments)
+    if (length(nearestOnSegment(segment.p0, segment.p1, p) - p) < radius) walls.push_back(&segment);
+  return walls;
+}
+
 bool Solids::isFree(SectorId sector, Vec3 feet, const Body& body, int directions) const {
   const Vec2 p = feet.xy();
-  std::vector<Vec2> lines;
-  for (int i = 0; i < directions; ++i) {
-    const SinCos turn = sinCosDegrees(360.0 * i / directions + 0.37);
-    lines.push_back({turn.cos, turn.sin});
-  }
-  for (const Segment& segment : level_.segments) {
-    const Vec2 towards = segment.p0 - p;
-    const double distance = length(towards);
-    if (distance >= body.radius || distance == 0) continue;
-    for (const double side : {-1e-4, 1e-4}) {
-      const Vec2 past = (1 / distance) * towards + side * turned90((1 / distance) * towards);
-      lines.push_back((1 / length(past)) * past);
-    }
-  }
-  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    const Vec3 axis{p.x, p.y, feet.z + kHair + share * (body.height - 2 * kHair)};
+  const std::vector<const Segment*> walls = wallsWithin(p, body.radius);
+  const std::vector<Vec2> lines = linesFrom(p, walls, body.radius, directions);
+  const double aside = body.radius * kAsideShare;
+  for (const double z : heightsOf(body, feet.z, walls)) {
+    const Vec3 axis{p.x, p.y, z};
     const SectorId at = inColumn(sector, axis);
     if (!contains(level_, level_[at], axis, kPositionSlack)) return false;
-    for (const Vec2 line : lines)
-      if (freeAlong(at, axis, line, body.radius) < body.radius) return false;
+    const auto isFreeAlong = [&](SectorId from, Vec3 eye, double length) {
+      return [=, this](Vec2 line) { return freeAlong(from, eye, line, length) >= length; };
+    };
+    if (!std::ranges::all_of(lines, isFreeAlong(at, axis, body.radius))) return false;
+    for (const Vec2 q : placesBeside(p, walls, aside)) {
+      const Vec3 eye{q.x, q.y, z};
+      const auto there = sectorAlong(at, axis, eye);
+      const std::vector<Vec2> others = linesFrom(q, walls, body.radius - aside, 0);
+      if (!there || !std::ranges::all_of(others, isFreeAlong(*there, eye, body.radius - aside)))
+        return false;
+    }
   }
   return true;
 }

@@ -29,8 +29,9 @@ class Solids {
   /// own where nothing leads there.
   SectorId inColumn(SectorId sector, Vec3 p) const;
 
-  /// Whether the cylinder of `body` on `feet` is in the air: along so many even directions at five
-  /// heights, and past both sides of every vertex, where a spike could stand between these.
+  /// Whether the cylinder of `body` on `feet` is in the air: along so many even directions,
+  /// straight to every wall and past both sides of every vertex, where a spike could stand between
+  /// these; at five heights, and beside every piece of every wall.
   bool isFree(SectorId sector, Vec3 feet, const Body& body, int directions) const;
 
  private:
@@ -39,6 +40,7 @@ class Solids {
     SectorId end;
   };
   Line follow(SectorId sector, Vec3 from, Vec2 direction, double length) const;
+  std::vector<const Segment*> wallsWithin(Vec2 p, double radius) const;
 
   const Level& level_;
   std::vector<SegmentId> oneWays_;
