@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "image/image_file.h"
 
@@ -69,6 +70,15 @@ TEST(Textures, AreThoseOfTheTexturesFolderToTheByte) {
         << kept << " is not what its generator makes: run hearth-textures textures";
   }
   std::filesystem::remove(made);
+}
+
+TEST(Textures, AreAtLeastSixteenOf128PixelsOrMore) {
+  const std::vector<Texture> all = makeAll();
+  EXPECT_GE(all.size(), 16U);
+  for (const Texture& texture : all) {
+    EXPECT_GE(texture.image.width(), 128) << texture.name;
+    EXPECT_GE(texture.image.height(), 128) << texture.name;
+  }
 }
 
 TEST(Textures, HaveNoSeamAtTheirEdges) {

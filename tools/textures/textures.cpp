@@ -3,8 +3,13 @@
 namespace hearth::textures {
 
 std::vector<Texture> makeAll() {
-  return {{"brick", makeBrick()}, {"plaster", makePlaster()}, {"roof", makeRoof()},
-          {"sky", makeSky()},     {"stone", makeStone()},     {"wood", makeWood()}};
+  return {{"ashlar", makeAshlar()},   {"beam", makeBeam()},     {"brick", makeBrick()},
+          {"carpet", makeCarpet()},   {"cobble", makeCobble()}, {"dirt", makeDirt()},
+          {"glass", makeGlass()},     {"grass", makeGrass()},   {"grate", makeGrate()},
+          {"iron", makeIron()},       {"marble", makeMarble()}, {"mossy", makeMossy()},
+          {"plaster", makePlaster()}, {"roof", makeRoof()},     {"sky", makeSky()},
+          {"slate", makeSlate()},     {"stone", makeStone()},   {"water", makeWater()},
+          {"wood", makeWood()}};
 }
 
 }  // namespace hearth::textures
