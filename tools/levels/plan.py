@@ -1,0 +1,265 @@
+"""Writes level files from plans: rooms as outlines with floors and ceilings, whose walls are found.
+
+A `Plan` is told where air is. Where the borders of two sectors run along one another and their
+heights overlap, it makes them portals, or stacks of portals where several sectors lie above one
+another; everything else is solid. So neighbours agree by construction, and textures are anchored to
+the world: they run on from sector to sector and from storey to storey.
+
+Coordinates are metres, y runs down the map, outlines may be given in either sense.
+"""
+
+import json
+import math
+import textwrap
+
+SKY = 24.0  # the height of all skies: steps between them would show sky where towers stand behind
+
+
+def rounded(value, digits=3):
+    value = round(value, digits)
+    return int(value) if value == int(value) else value
+
+
+def clockwise(points):
+    """The outline with its air on the right of each wall, as the format wants it."""
+    points = [(rounded(x), rounded(y)) for x, y in points]
+    area = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:] + points[:1]))
+    return points if area > 0 else points[::-1]
+
+
+def rectangle(x0, y0, x1, y1):
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def ring(x, y, apothem, sides):
+    """Corners of a regular polygon; side k faces 90 + k * 360 / sides degrees (side 0: south)."""
+    radius = apothem / math.cos(math.pi / sides)
+    turns = [(2 * k - 1) * math.pi / sides + math.pi / 2 for k in range(sides)]
+    return [(x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns]
+
+
+def edges(points):
+    return list(zip(points, points[1:] + points[:1]))
+
+
+def along(edge, point):
+    """How far along the edge a point lies that is on it, in metres; None beside it."""
+    (x0, y0), (x1, y1) = edge
+    length = math.hypot(x1 - x0, y1 - y0)
+    dx, dy = (x1 - x0) / length, (y1 - y0) / length
+    if abs(dx * (point[1] - y0) - dy * (point[0] - x0)) > 0.0015:
+        return None
+    return dx * (point[0] - x0) + dy * (point[1] - y0)
+
+
+class Sector:
+    """Air between two heights. `wall` is what its solids wear, `skin` what its own mass (below its
+    floor, above its ceiling) shows to its neighbours; None takes that of what lies above it.
+    `floor_rise` and `ceiling_drop` are wedges: heights by (x, y), with `sidewall` on their sides.
+    `foot` = (texture, z) is another stone that the masses around it stand on, up to z. `opening`
+    names the sectors above and below of the flat portal that it belongs to."""
+
+    def __init__(self, name, outline, floor, ceiling, **other):
+        self.name = name
+        self.outline = clockwise(outline)
+        self.holes = [clockwise(hole)[::-1] for hole in other.pop("holes", [])]
+        self.floor, self.floor_texture = floor
+        self.ceiling, self.ceiling_texture = ceiling
+        self.light = other.pop("light", None)
+        self.wall = other.pop("wall", None)
+        self.skin = other.pop("skin", None)
+        self.foot = other.pop("foot", None)
+        self.opening = other.pop("opening", None)
+        self.floor_rise = other.pop("floor_rise", None)
+        self.ceiling_drop = other.pop("ceiling_drop", None)
+        self.sidewall = other.pop("sidewall", None) or (self.skin if self.floor_rise else self.wall)
+        assert not other, other
+
+    def is_sky(self):
+        return self.ceiling_texture == "sky"
+
+    def loops(self):
+        return [self.outline, *self.holes]
+
+    def shares_air_with(self, other):
+        is_open = min(self.ceiling, other.ceiling) - max(self.floor, other.floor) > 1e-9
+        # A closed one was put there on purpose.
+        return is_open or self.floor == self.ceiling or other.floor == other.ceiling
+
+
+class Plan:
+    def __init__(self, textures, sky):
+        self.sky = sky  # as the format writes it
+        self.textures = textures  # by name: the size of one repeat, and whether it hangs from a mass
+        self.sectors = []
+        self.headings = {}  # by the name of the sector that each stands above
+        self.pending = None  # the heading of the next sector
+
+    def heading(self, text):
+        self.pending = text
+
+    def add(self, name, outline, floor, ceiling, **other):
+        assert all(sector.name != name for sector in self.sectors), name
+        if self.pending:
+            self.headings[name], self.pending = self.pending, None
+        self.sectors.append(Sector(name, outline, floor, ceiling, **other))
+
+    # --- Neighbours
+
+    def neighbours(self, sector):
+        """For each loop: its pieces (a, b, sectors across from bottom to top)."""
+        return [[piece for edge in edges(loop) for piece in self.pieces(sector, edge)]
+                for loop in sector.loops()]
+
+    def pieces(self, sector, edge):
+        length = math.dist(*edge)
+        spans = []
+        for other in self.sectors:
+            if other is sector or not sector.shares_air_with(other):
+                continue
+            for p, q in (piece for loop in other.loops() for piece in edges(loop)):
+                begin, end = along(edge, q), along(edge, p)
+                if begin is not None and end is not None and min(end, length) - max(begin, 0) > 0.01:
+                    spans.append((begin, end, p, q, other))
+        corners = {0: edge[0], length: edge[1]}
+        for begin, end, p, q, _ in spans:
+            for at, point in ((begin, q), (end, p)):
+                if all(abs(at - known) > 0.005 for known in corners) and 0 < at < length:
+                    corners[at] = point
+        places = sorted(corners)
+        for a, b in zip(places, places[1:]):
+            across = {other.name: other for begin, end, _, _, other in spans
+                      if begin < (a + b) / 2 < end}
+            yield (corners[a], corners[b],
+                   sorted(across.values(), key=lambda other: (other.floor, other.ceiling)))
+
+    def outline_of_skies(self):
+        """The loops around all open air: where nothing but the void is left."""
+        skies = [sector for sector in self.sectors if sector.is_sky()]
+        nexts = {}
+        for sector in skies:
+            for piece in (piece for loop in sector.loops() for edge in edges(loop)
+                          for piece in self.pieces(sector, edge)):
+                a, b, across = piece
+                if not any(other.is_sky() for other in across):
+                    assert a not in nexts, f"gaps in the open air meet at {a} ({sector.name})"
+                    nexts[a] = b
+        loops = []
+        while nexts:
+            start, here = next(iter(nexts.items()))
+            loop = [start]
+            del nexts[start]
+            while here != start:
+                loop.append(here)
+                here = nexts.pop(here)
+            loops.append(loop)
+        return loops
+
+    # --- Writing
+
+    def texture(self, name, a=None, b=None, top=0.0):
+        """As the format writes it; on a wall from a to b, anchored to the world."""
+        if name is None:
+            return None
+        if name.startswith("#"):
+            return json.dumps(name)
+        su, sv, hangs = self.textures[name]
+        if a is None:
+            return json.dumps(f"{name} {su},{sv}")
+        length = math.dist(a, b)
+        start = ((b[0] - a[0]) * a[0] + (b[1] - a[1]) * a[1]) / length % su
+        parts = [f'"name": "{name}", "scale": [{su}, {sv}]']
+        if rounded(start) % su:
+            parts.append(f'"along": {rounded(start)}')
+        parts.append(f'"zref": {rounded(top + hangs) if hangs else 0}')
+        return "{ " + ", ".join(parts) + " }"
+
+    def wall(self, sector, a, b, across):
+        def painted(name, top):
+            return self.texture(name or sector.wall, a, b, top)
+
+        if not across:
+            return f'{{ "texture": {painted(sector.wall, sector.ceiling)} }}'
+        rows = []
+        skins = [next((upper.skin for upper in across[i:] if upper.skin), None)
+                 for i in range(len(across))]
+        foot = self.foot_of(sector, across, a, b)
+        if foot:
+            rows.append(foot)
+        for i, other in enumerate(across):
+            is_last = i + 1 == len(across)
+            top = sector.ceiling if is_last else across[i + 1].floor
+            row = [] if is_last else [f'"z": {rounded(top - sector.floor)}']
+            row.append(f'"next": "{other.name}"')
+            if other.floor > sector.floor and other.floor_texture != "sky":
+                row.append(f'"lower": {painted(skins[i], other.floor)}')
+            if other.ceiling < top and not (is_last and sector.is_sky() and other.is_sky()):
+                above = other.skin if is_last else skins[i + 1]
+                row.append(f'"upper": {painted(above, top)}')
+            rows.append(self.row(row))
+        if len(rows) == 1:
+            return rows[0]
+        return '{ "walls": [\n' + ",\n".join(" " * 16 + row for row in rows) + "\n              ] }"
+
+    @staticmethod
+    def row(parts):
+        text = "{ " + ", ".join(parts) + " }"
+        return text if len(text) < 96 else "{ " + (",\n" + " " * 18).join(parts) + " }"
+
+    def foot_of(self, sector, across, a, b):
+        if not sector.foot or across[0].floor <= sector.foot[1]:
+            return None
+        texture, z = sector.foot
+        return f'{{ "z": {rounded(z - sector.floor)}, "texture": {self.texture(texture, a, b, z)} }}'
+
+    def flat(self, z, texture, opening):
+        parts = [f'"z": {rounded(z)}']
+        if opening:
+            parts.append(f'"next": {{ "up": "{opening[0]}", "down": "{opening[1]}" }}')
+        elif texture == "sky":
+            parts.append(f'"texture": {json.dumps(self.sky)}, "parallax": true')
+        else:
+            parts.append(f'"texture": {self.texture(texture)}')
+        return "{ " + ", ".join(parts) + " }"
+
+    def slope(self, heights, corners, texture):
+        su, sv, _ = self.textures[texture]
+        listed = ", ".join(str(rounded(max(heights(x, y), 0), 5)) for x, y in corners)
+        sidewall = f'{{ "name": "{texture}", "scale": [{su}, {sv}], "zref": 0 }}'
+        return f'{{ "z": [{listed}], "sidewall": {sidewall} }}'
+
+    def loop(self, name, sector, pieces):
+        listed = ", ".join(f"{a[0]},{a[1]}" for a, _, _ in pieces)
+        corners = textwrap.fill(listed, 96, break_on_hyphens=False).replace("\n", "\n                ")
+        walls = [self.wall(sector, *piece) for piece in pieces]
+        if len(set(walls)) == 1:
+            listed = walls[0]
+        else:
+            listed = "[\n" + ",\n".join(" " * 12 + wall for wall in walls) + "\n          ]"
+        return f'        "{name}": {{\n          "v": [{corners}],\n          "walls": {listed}\n        }}'
+
+    def sector(self, sector):
+        loops = self.neighbours(sector)
+        corners = [a for a, _, _ in loops[0]]
+        up = sector.opening if sector.opening and sector.name == sector.opening[0] else None
+        down = sector.opening if sector.opening and not up else None
+        lines = []
+        if sector.name in self.headings:
+            lines.append(f'      "//": "--- {self.headings[sector.name]}"')
+        if sector.light is not None:
+            lines.append(f'      "light": {sector.light}')
+        lines.append(f'      "floor":   {self.flat(sector.floor, sector.floor_texture, up)}')
+        lines.append(f'      "ceiling": {self.flat(sector.ceiling, sector.ceiling_texture, down)}')
+        if sector.floor_rise:
+            lines.append('      "slopeFloor": ' + self.slope(sector.floor_rise, corners, sector.sidewall))
+        if sector.ceiling_drop:
+            lines.append('      "slopeCeil": ' + self.slope(sector.ceiling_drop, corners, sector.sidewall))
+        names = ["border"] + [f"hole-{i + 1}" for i in range(len(loops) - 1)]
+        lines.append('      "loops": {\n' + ",\n".join(
+            self.loop(name, sector, loop) for name, loop in zip(names, loops)) + "\n      }")
+        return f'    "{sector.name}": {{\n' + ",\n".join(lines) + "\n    }"
+
+    def text(self, head):
+        """The level file: `head` is the text of everything above the sectors."""
+        body = ",\n\n".join(self.sector(sector) for sector in self.sectors)
+        return head + '\n  "sectors": {\n\n' + body + "\n  }\n}\n"
