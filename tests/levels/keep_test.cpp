@@ -1,0 +1,143 @@
+// What levels/keep.json promises to show, measured in the level, its light and its shots. (Its
+// pictures are held by `hearth check`: see tests/tools.)
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "light/bakery.h"
+#include "load/load.h"
+#include "truth/truth_view.h"
+#include "walkable.h"
+
+namespace hearth {
+namespace {
+
+class Keep : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    result_ = new LoadResult(loadLevel(HEARTH_SOURCE_DIR "/levels/keep.json"));
+  }
+  static void TearDownTestSuite() { delete result_; }
+  void SetUp() override { ASSERT_TRUE(result_->loaded.has_value()); }
+
+  static const Level& level() { return result_->loaded->level; }
+  static inline LoadResult* result_ = nullptr;
+};
+
+TEST_F(Keep, LoadsWithoutAWarning) {
+  for (const Diagnostic& diagnostic : result_->diagnostics) ADD_FAILURE() << format(diagnostic);
+}
+
+TEST_F(Keep, HoldsSectorsLightsAndShots) {
+  EXPECT_GE(level().sectors.size(), 60U);
+  EXPECT_GE(level().lights.size(), 25U);
+  EXPECT_EQ(level().shots.size(), 8U);
+  EXPECT_EQ(level().interfaces.size(), 1U);
+}
+
+/// What the shots show of the level: one ray for every square of 4 x 4 pixels.
+struct Seen {
+  double farthest = 0;  ///< metres from the eye
+  double zLowest = std::numeric_limits<double>::infinity();
+  double zHighest = -std::numeric_limits<double>::infinity();
+  std::map<std::string, int> raysByTexture;
+  int rays = 0;
+};
+
+Seen seenIn(const LoadedLevel& loaded) {
+  constexpr int kPitch = 4;
+  Seen seen;
+  for (const Shot& shot : loaded.level.shots) {
+    const TruthView view(loaded.level, loaded.textures, shot);
+    for (int j = kPitch / 2; j < shot.height; j += kPitch)
+      for (int i = kPitch / 2; i < shot.width; i += kPitch) {
+        const TruthHit hit = view.hit(i + 0.5, j + 0.5);
+        ++seen.rays;
+        ++seen.raysByTexture[loaded.level.textures[hit.texture->texture.index()]];
+        if (isSky(hit.kind)) continue;
+        const Vec3 apart = hit.point - shot.eye;
+        seen.farthest = std::max(seen.farthest, std::sqrt(dot(apart, apart)));
+        seen.zLowest = std::min(seen.zLowest, hit.point.z);
+        seen.zHighest = std::max(seen.zHighest, hit.point.z);
+      }
+  }
+  return seen;
+}
+
+TEST_F(Keep, ItsShotsShowDistanceHeightAndTwelveTextures) {
+  const Seen seen = seenIn(*result_->loaded);
+  EXPECT_GE(seen.farthest, 40);
+  EXPECT_GE(seen.zHighest - seen.zLowest, 15);
+  int used = 0;
+  for (const auto& [texture, rays] : seen.raysByTexture) {
+    RecordProperty(texture, std::to_string(100.0 * rays / seen.rays) + " %");
+    if (100 * rays >= seen.rays) ++used;
+  }
+  EXPECT_GE(used, 12);
+}
+
+TEST_F(Keep, IsNeitherDarkNorGlaring) {
+  const BakedLight light = bake(level(), level().bake, 2);
+  std::int64_t texels = 0;
+  std::int64_t lit = 0;
+  std::int64_t full = 0;
+  for (const std::optional<Lightmap>& map : light.lightmaps) {
+    if (!map) continue;
+    for (int j = map->rect.j0; j < map->rect.j0 + map->rect.height; ++j)
+      for (int i = map->rect.i0; i < map->rect.i0 + map->rect.width; ++i) {
+        int brightest = 0;
+        for (int channel = 0; channel < map->channels; ++channel)
+          brightest = std::max<int>(brightest, map->at(i, j, channel));
+        ++texels;
+        lit += brightest > 0;
+        full += brightest == 255;
+      }
+  }
+  RecordProperty(
+      "lit", std::to_string(100.0 * static_cast<double>(lit) / static_cast<double>(texels)) + " %");
+  EXPECT_GE(100 * lit, 40 * texels);
+  EXPECT_LE(100 * lit, 95 * texels);
+  EXPECT_LE(100 * full, texels);
+}
+
+class KeepWalk : public Keep {
+ protected:
+  test::Gait gait() const { return {level().player->step, level().player->radius}; }
+};
+
+TEST_F(KeepWalk, LeadsFromTheRoadToWhereverABodyHasRoom) {
+  const std::set<std::size_t> reached =
+      test::reachableFrom(test::waysOf(level(), gait()), level().player->sector.index());
+  for (std::size_t i = 0; i < level().sectors.size(); ++i)
+    if (test::hasRoom(level(), level().sectors[i], gait())) {
+      EXPECT_TRUE(reached.contains(i)) << level().sectors[i].name;
+    }
+}
+
+TEST_F(KeepWalk, LeadsBackToTheRoadFromEverywhere) {
+  const test::Ways back = test::reversed(test::waysOf(level(), gait()));
+  const std::set<std::size_t> homing = test::reachableFrom(back, level().player->sector.index());
+  for (std::size_t i = 0; i < level().sectors.size(); ++i)
+    if (test::hasRoom(level(), level().sectors[i], gait())) {
+      EXPECT_TRUE(homing.contains(i)) << level().sectors[i].name;
+    }
+}
+
+TEST_F(KeepWalk, KnowsRoomsFromParapets) {
+  int rooms = 0;
+  for (const Sector& sector : level().sectors) {
+    const bool hasRoom = test::hasRoom(level(), sector, gait());
+    rooms += hasRoom;
+    if (sector.name.starts_with("parapet") || sector.name.starts_with("rampart")) {
+      EXPECT_EQ(hasRoom, sector.name.starts_with("rampart")) << sector.name;
+    }
+  }
+  EXPECT_GE(rooms, 60);
+}
+
+}  // namespace
+}  // namespace hearth
