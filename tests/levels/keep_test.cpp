@@ -70,6 +70,8 @@ Seen seenIn(const LoadedLevel& loaded) {
 
 TEST_F(Keep, ItsShotsShowDistanceHeightAndTwelveTextures) {
   const Seen seen = seenIn(*result_->loaded);
+  RecordProperty("farthest", std::to_string(seen.farthest) + " m");
+  RecordProperty("heights", std::to_string(seen.zHighest - seen.zLowest) + " m");
   EXPECT_GE(seen.farthest, 40);
   EXPECT_GE(seen.zHighest - seen.zLowest, 15);
   int used = 0;
@@ -97,8 +99,11 @@ TEST_F(Keep, IsNeitherDarkNorGlaring) {
         full += brightest == 255;
       }
   }
-  RecordProperty(
-      "lit", std::to_string(100.0 * static_cast<double>(lit) / static_cast<double>(texels)) + " %");
+  const auto percent = [texels](std::int64_t part) {
+    return std::to_string(100.0 * static_cast<double>(part) / static_cast<double>(texels)) + " %";
+  };
+  RecordProperty("lit", percent(lit));
+  RecordProperty("full", percent(full));
   EXPECT_GE(100 * lit, 40 * texels);
   EXPECT_LE(100 * lit, 95 * texels);
   EXPECT_LE(100 * full, texels);

@@ -17,7 +17,7 @@ from plan import SKY, Plan, rectangle, ring
 TEXTURES = {
     "ashlar": (2, 2, 0), "beam": (2, 0.8, 0.2), "brick": (1.6, 1.6, 0), "carpet": (1.5, 1.5, 0),
     "cobble": (2.4, 2.4, 0), "dirt": (3, 3, 0), "glass": (1.2, 1.2, 0), "grass": (3, 3, 0),
-    "grate": (1.2, 1.2, 0), "iron": (1.2, 1.2, 0), "marble": (2, 2, 0), "mossy": (2, 2, 0),
+    "grate": (1.2, 1.2, 0), "marble": (2, 2, 0), "mossy": (2, 2, 0),
     "plaster": (3, 3, 0), "roof": (2.4, 2.4, 0), "slate": (2.4, 2.4, 0), "stone": (2.4, 2.4, 0),
     "water": (4, 4, 0), "wood": (2, 2, 0),
 }
