@@ -94,8 +94,8 @@ class PieceBuilder {
 
   void addPortal(const Portal& portal, const Range& range) {
     const Sector& next = level_[portal.next];
-    const PortalHeights heights =
-        portalHeights(range.zBottom, range.zTop, next.floor.z, next.ceiling.z);
+    const PortalHeights heights = portalHeights(
+        range.zBottom, range.zTop, fitted(next.floor.z, range), fitted(next.ceiling.z, range));
     const bool bothSkyFloors = range.atFloor && sector_.floor.parallax && next.floor.parallax;
     const bool bothSkyCeilings = range.atCeiling && sector_.ceiling.parallax &&
                                  next.ceiling.parallax && !planted(PlantedBug::SkyStepAsWall);
@@ -121,6 +121,14 @@ class PieceBuilder {
     else
       addSurface(range.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, portal.upper,
                  heights.zUpperBottom, heights.zTop, next.ceiling.z, range);
+  }
+
+  /// A height of the next sector, or the end of the range that differs from it by rounding alone:
+  /// that of a sub-wall is a sum.
+  static double fitted(double z, const Range& range) {
+    for (const double end : {range.zBottom, range.zTop})
+      if (std::abs(z - end) <= kHeightNoise) return end;
+    return z;
   }
 
   Line nearBottom() const { return {segment_.air0.zBottom, segment_.air1.zBottom}; }

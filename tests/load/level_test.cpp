@@ -147,6 +147,31 @@ TEST(Level, measuresSubWallsFromTheSectorsFloor) {
   EXPECT_EQ(stack.subWalls[1].zTop, 13);
 }
 
+TEST(Level, needsNoTextureForAStepThatIsRoundingAlone) {
+  // -2.5 + 2.8 and 4.3 - 2.6 are not 0.3 and 1.7 to the bit.
+  const LoadResult result = loadText(
+      "{'light': 1, 'sectors': {" +
+      sectorText("a", kRoom,
+                 "[{'walls': [{'texture': '#808080', 'z': 2.8}, {'next': 'b', 'z': 4.2},"
+                 " {'texture': '#808080'}]}, {'texture': '#808080'}, {'texture': '#808080'},"
+                 " {'texture': '#808080'}]",
+                 "'floor': {'z': -2.5, 'texture': '#808080'},"
+                 "'ceiling': {'z': 4, 'texture': '#808080'}") +
+      "," +
+      sectorText("b", "0,-4, 4,-4, 4,0, 0,0",
+                 "[{'texture': '#808080'}, {'texture': '#808080'}, {'next': 'a'},"
+                 " {'texture': '#808080'}]",
+                 "'floor': {'z': 0.3, 'texture': '#808080'},"
+                 "'ceiling': {'z': 1.7, 'texture': '#808080'}") +
+      "}}");
+  ASSERT_TRUE(result.loaded) << listed(result);
+  EXPECT_NE(-2.5 + 2.8, 0.3);
+  EXPECT_NE(-2.5 + 4.2, 1.7);
+  for (const Segment& segment : result.loaded->level.segments)
+    for (std::size_t i = 0; i + 1 < segment.pieces.size(); ++i)
+      EXPECT_EQ(segment.pieces[i].zTop, segment.pieces[i + 1].zBottom);
+}
+
 TEST(Level, joinsFlatsOfBothSpellingsIntoOneInterface) {
   const std::string ceiling = "'ceiling': {'z': 8, 'texture': '#404040'}";
   const Level level =
