@@ -6,28 +6,13 @@
 #include "level/level.h"
 #include "light/bakery.h"
 #include "render/camera.h"
-#include "render/frame.h"
+#include "render/channel.h"
+#include "render/light_mode.h"
+#include "render/strip.h"
+#include "render/strip_spans.h"
 #include "render/visibility_scratch.h"
 
 namespace hearth {
-
-/// What of texture and light a picture shows.
-enum class LightMode {
-  Both,
-  None,  ///< the texture's colour alone
-  Only,  ///< the light in place of the texture; sky is white
-};
-
-/// Views of the renderer's own numbers, for tests and for eyes.
-enum class Channel {
-  Sector,    ///< a colour per sector
-  Surface,   ///< a colour per surface
-  Depth,     ///< 255 at the eye, 128 at 1 m depth, falling as 1 / (1 + depth)
-  Uv,        ///< red and green: u and v within the repeat
-  Normal,    ///< (normal + 1) / 2 as x, y, z
-  Light,     ///< the lightmap alone, without sector light
-  Overdraw,  ///< green where a pixel is drawn once, red where more often
-};
 
 /// The colour of a pixel that nothing covers. No enclosed level shows it.
 inline constexpr Rgb kHole = {255, 0, 255};
@@ -36,7 +21,9 @@ inline constexpr Rgb kHole = {255, 0, 255};
 /// each thread that draws needs its own. No frame depends on an earlier one.
 struct FrameScratch {
   VisibilityScratch visibility;  ///< with the spans of the last frame
-  Frame frame;
+  StripSpans stripSpans;
+  std::vector<double> climbs;  ///< of the centres of rows, see Projection::climbOf
+  std::vector<Strip> strips;   ///< one for each part that threads take
 };
 
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
@@ -55,6 +42,10 @@ class Renderer {
   Image draw(const Camera& camera, Channel channel) const;
 
  private:
+  /// The first phase of a frame, into the scratch; and the picture's size.
+  void findSpans(const Camera& camera, const Projection& projection, FrameScratch& scratch,
+                 Image& picture) const;
+
   const Level& level_;
   const std::vector<Image>& textures_;
   const BakedLight& light_;

@@ -4,7 +4,6 @@
 
 #include "render/camera.h"
 #include "render/column_hits.h"
-#include "render/shading.h"
 
 namespace hearth {
 namespace {
@@ -71,23 +70,6 @@ TEST(ProjectedSegment, meetsItsTwinAtTheSameDepthToTheBit) {
     EXPECT_EQ(wall.meet(slant).depth, twin.meet(slant).depth);
     EXPECT_DOUBLE_EQ(wall.meet(slant).share, 1 - twin.meet(slant).share);
   }
-}
-
-TEST(Repeated, isATrueModulo) {
-  EXPECT_EQ(repeated(0.0, 12), 0);
-  EXPECT_EQ(repeated(11.99, 12), 11);
-  EXPECT_EQ(repeated(12.0, 12), 0);
-  EXPECT_EQ(repeated(-0.01, 12), 11);
-  EXPECT_EQ(repeated(-12.0, 12), 0);
-  EXPECT_EQ(repeated(-1e9 - 0.5, 100), 99);
-  EXPECT_EQ(repeated(5.5, 1), 0);
-}
-
-TEST(Rounded, isHalfUp) {
-  EXPECT_EQ(rounded(0.49999), 0);
-  EXPECT_EQ(rounded(0.5), 1);
-  EXPECT_EQ(rounded(254.5), 255);
-  EXPECT_EQ(rounded(255), 255);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace hearth {
+
+/// Views of the renderer's own numbers, for tests and for eyes.
+enum class Channel {
+  Sector,    ///< a colour per sector
+  Surface,   ///< a colour per surface
+  Depth,     ///< 255 at the eye, 128 at 1 m depth, falling as 1 / (1 + depth)
+  Uv,        ///< red and green: u and v within the repeat
+  Normal,    ///< (normal + 1) / 2 as x, y, z
+  Light,     ///< the lightmap alone, without sector light
+  Overdraw,  ///< green where a pixel is drawn once, red where more often
+};
+
+}  // namespace hearth

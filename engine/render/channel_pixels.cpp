@@ -1,0 +1,86 @@
+#include "render/channel_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "render/renderer.h"
+
+namespace hearth {
+
+namespace {
+
+std::uint8_t rounded(double level) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(level, 0.0, 255.0)));
+}
+
+/// A colour that differs clearly between neighbouring indices.
+Rgb indexColor(std::size_t index) {
+  const std::uint32_t mixed = (static_cast<std::uint32_t>(index) + 1) * 2654435761U;
+  return {static_cast<std::uint8_t>(64 + (mixed >> 8) % 192),
+          static_cast<std::uint8_t>(64 + (mixed >> 16) % 192),
+          static_cast<std::uint8_t>(64 + (mixed >> 24) % 192)};
+}
+
+Rgb gray(double level) {
+  const std::uint8_t value = rounded(level);
+  return {value, value, value};
+}
+
+Rgb normalColor(const LitSurface* lit) {
+  const Vec3 n = lit ? lit->normal : Vec3{};
+  return {rounded(127.5 * (n.x + 1)), rounded(127.5 * (n.y + 1)), rounded(127.5 * (n.z + 1))};
+}
+
+Rgb uvColor(const SpanMapping& mapping, double measure, const Image& image) {
+  const auto share = [](double x, int size) {
+    return static_cast<std::uint8_t>(255 * (x / size - std::floor(x / size)));
+  };
+  const double v = mapping.isSky ? mapping.skyV(measure, image) : mapping.v.at(measure);
+  return {share(mapping.u.at(measure), image.width()), share(v, image.height()), 0};
+}
+
+Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double measure) {
+  if (!lightmap) return {};
+  const auto level = [&](int channel) {
+    return rounded(lightmap->sample(mapping.s.at(measure), mapping.t.at(measure), channel));
+  };
+  return {level(0), level(1), level(2)};
+}
+
+}  // namespace
+
+void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
+                  std::span<const double> climbs, Strip& strip) {
+  const Material material = painter.materialOf(span.surface);
+  const SpanMapping mapping = painter.mappingOf(material, span);
+  for (int row = span.rowBegin; row < span.rowEnd; ++row) {
+    const double measure = mapping.measureAt(climbs[static_cast<std::size_t>(row)]);
+    Rgb& pixel = *strip.at(span.column, row);
+    switch (channel) {
+      case Channel::Sector:
+        pixel = indexColor(material.surface.sector.index());
+        break;
+      case Channel::Surface:
+        pixel = indexColor(span.surface.index());
+        break;
+      case Channel::Depth:
+        pixel = gray(255 / (1 + (mapping.isPlane ? measure : mapping.depth)));
+        break;
+      case Channel::Uv:
+        pixel = uvColor(mapping, measure, material.image);
+        break;
+      case Channel::Normal:
+        pixel = normalColor(material.lit);
+        break;
+      case Channel::Light:
+        pixel = lightColor(material.lightmap, mapping, measure);
+        break;
+      case Channel::Overdraw:
+        pixel = pixel == kHole ? Rgb{0, 160, 0} : Rgb{255, 0, 0};
+        break;
+    }
+  }
+}
+
+}  // namespace hearth

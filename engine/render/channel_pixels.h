@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "render/channel.h"
+#include "render/span.h"
+#include "render/span_painter.h"
+#include "render/strip.h"
+
+namespace hearth {
+
+/// Paints a span with a view of the renderer's own numbers.
+void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
+                  std::span<const double> climbs, Strip& strip);
+
+}  // namespace hearth

@@ -1,0 +1,98 @@
+#include "render/span_mapping.h"
+
+#include <limits>
+
+#include "math/planted_bug.h"
+#include "math/trig.h"
+
+namespace hearth {
+
+namespace {
+
+Affine along(double atEye, double perMetre, double texelsPerMetre, double offset) {
+  return {atEye * texelsPerMetre - offset, perMetre * texelsPerMetre};
+}
+
+SpanMapping uprightMapping(const Level& level, const Projection& projection, const Span& span,
+                           const Image& image, const LitSurface* lit) {
+  const Surface& surface = level[span.surface];
+  const TextureMapping& texture = surface.mapping;
+  SpanMapping mapping{.depth = span.depth};
+  const double start = planted(PlantedBug::AlongIgnored) ? 0 : texture.along;
+  mapping.u.atZero = image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x;
+  const double eyeZ = projection.eye().z;
+  mapping.v = along(span.zRef - eyeZ, -span.depth, image.height() / texture.repeat.y,
+                    texture.offsetTexels.y);
+  if (!lit) return mapping;
+  const Segment& segment = level[*surface.segment];
+  const Vec2 at = lerp(segment.p0, segment.p1, span.share);
+  mapping.s.atZero = lit->grid.toTexels({at.x, at.y, 0}).x;
+  mapping.t = along(eyeZ, span.depth, 1 / lit->grid.texel, 0);
+  return mapping;
+}
+
+struct PlaneOverRay {
+  double zAtEye;  ///< the plane's height above the eye's place on the map
+  double rise;    ///< per metre of depth
+  Vec2 textureOrigin;
+};
+
+PlaneOverRay planeOver(const Level& level, const Surface& surface, Vec2 eye, Vec2 ray) {
+  const Sector& sector = level[surface.sector];
+  const Flat& flat = isOverhead(surface.kind) ? sector.ceiling : sector.floor;
+  const Vec2 flatOrigin = planted(PlantedBug::RelativeFlatIgnored) ? Vec2{} : flat.textureOrigin;
+  if (!isSlope(surface.kind)) return {flat.z, 0, flatOrigin};
+  const Slope& slope =
+      surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
+  return {slope.zAt(eye), dot(slope.gradient, ray), flat.textureOrigin};
+}
+
+SpanMapping planeMapping(const Level& level, const Projection& projection, const Span& span,
+                         const Image& image, const LitSurface* lit) {
+  const Surface& surface = level[span.surface];
+  const TextureMapping& texture = surface.mapping;
+  const Vec2 eye = projection.eye().xy();
+  const Vec2 ray = projection.rayOf(span.column + 0.5);
+  const auto [zAtEye, rise, origin] = planeOver(level, surface, eye, ray);
+  SpanMapping mapping{
+      .isPlane = true, .height = zAtEye - projection.eye().z, .rise = rise, .depth = span.depth};
+  mapping.u =
+      along(eye.x - origin.x, ray.x, image.width() / texture.repeat.x, texture.offsetTexels.x);
+  mapping.v =
+      along(eye.y - origin.y, ray.y, image.height() / texture.repeat.y, texture.offsetTexels.y);
+  if (!lit) return mapping;
+  const TexelGrid& grid = lit->grid;
+  const Vec2 atEye = grid.toTexels({eye.x, eye.y, zAtEye});
+  const Vec3 way{ray.x, ray.y, rise};
+  mapping.s = {atEye.x, dot(way, grid.axisS) / grid.texel};
+  mapping.t = {atEye.y, dot(way, grid.axisT) / grid.texel};
+  return mapping;
+}
+
+SpanMapping skyMapping(const Level& level, const Projection& projection, const Span& span,
+                       const Image& image) {
+  const Surface& surface = level[span.surface];
+  const TextureMapping& texture = surface.mapping;
+  const Vec2 ray = projection.rayOf(planted(PlantedBug::SkyByScreenColumn) ? 0 : span.column + 0.5);
+  const bool below =
+      surface.kind == SurfaceKind::SkyFloor || surface.kind == SurfaceKind::SkyLowerStep;
+  const double tangentPerClimb = (below ? -1 : 1) / length(ray);
+  SpanMapping mapping{.isSky = true, .depth = std::numeric_limits<double>::infinity()};
+  mapping.u.atZero =
+      image.width() * (compassDegrees(ray) / 360) / texture.repeat.x - texture.offsetTexels.x;
+  mapping.v = {image.height() - texture.offsetTexels.y,
+               -tangentPerClimb * image.height() / texture.repeat.y};
+  return mapping;
+}
+
+}  // namespace
+
+SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
+                      const Image& image, const LitSurface* lit) {
+  const Surface& surface = level[span.surface];
+  if (isSky(surface.kind)) return skyMapping(level, projection, span, image);
+  if (surface.segment) return uprightMapping(level, projection, span, image, lit);
+  return planeMapping(level, projection, span, image, lit);
+}
+
+}  // namespace hearth

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+
+#include "image/image.h"
+#include "level/level.h"
+#include "light/lit_surface.h"
+#include "render/camera.h"
+#include "render/span.h"
+
+namespace hearth {
+
+/// A number that changes evenly with another.
+struct Affine {
+  double atZero = 0;
+  double per = 0;
+
+  double at(double x) const { return atZero + x * per; }
+};
+
+/// Where the rows of a span lie in space, on the texture and on the lightmap. The four texel
+/// coordinates change evenly along the span with one number, its measure: on flats and slopes the
+/// depth, on upright surfaces and sky the climb (see Projection::climbOf).
+struct SpanMapping {
+  bool isPlane = false;  ///< a flat or slope
+  bool isSky = false;    ///< all else is upright
+  /// Planes: z = height + rise * depth above the eye, in the direction of the column.
+  double height = 0;
+  double rise = 0;
+  double depth = 0;  ///< metres; of a plane the farthest
+  Affine u{};        ///< in texels of the image, not yet repeated
+  Affine v{};
+  Affine s{};  ///< in texels of the lightmap
+  Affine t{};
+
+  double measureAt(double climb) const { return isPlane ? depthAt(climb) : climb; }
+
+  /// Of a plane. Rounding at the horizon and at the far edge cannot leave the sector.
+  double depthAt(double climb) const {
+    const double found = height / (climb - rise);
+    return found >= 0 && found < depth ? found : depth;
+  }
+
+  /// v of a sky: beyond the image its edge rows go on.
+  double skyV(double climb, const Image& image) const {
+    return std::max(0.5, std::min(v.at(climb), image.height() - 0.5));
+  }
+};
+
+/// `lit` is null where no light can be: sky, and what cannot show.
+SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
+                      const Image& image, const LitSurface* lit);
+
+}  // namespace hearth
