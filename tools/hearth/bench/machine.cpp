@@ -16,8 +16,14 @@ std::string processorName() {
   return "unknown";
 }
 
+#ifdef __clang__
+constexpr const char* kCompiler = __VERSION__;  // begins with its name
+#else
+constexpr const char* kCompiler = "g++ " __VERSION__;
+#endif
+
 }  // namespace
 
-Machine thisMachine() { return {processorName(), availableThreads(), "g++ " __VERSION__}; }
+Machine thisMachine() { return {processorName(), availableThreads(), kCompiler}; }
 
 }  // namespace hearth
