@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "hearth/command.h"
 #include "hearth/format_features.h"
 #include "hearth/light_report.h"
+#include "hearth/read_bytes.h"
 #include "hearth/session.h"
 #include "light/geometry_hash.h"
 
@@ -25,12 +24,21 @@ struct Contents {
   FeatureCounts features;
 };
 
-std::string textOf(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+/// Counts the spellings of the level's file and of its lights.
+tl::expected<void, std::string> countFiles(const LoadedLevel& loaded, const OptionValues& values,
+                                           FeatureCounts& features) {
+  const auto level = readBytes(loaded.path, values);
+  if (!level) return tl::unexpected(level.error());
+  const std::string path = lightsPath(loaded.path, *level);
+  const auto lights =
+      path.empty() ? tl::expected<std::string, std::string>() : readBytes(path, values);
+  if (!lights) return tl::unexpected(lights.error());
+  countSpellings(*level, *lights, features);
+  return {};
 }
 
-Contents contentsOf(const LoadedLevel& loaded, const Bake& bake) {
+tl::expected<Contents, std::string> contentsOf(const LoadedLevel& loaded, const Bake& bake,
+                                               const OptionValues& values) {
   const Level& level = loaded.level;
   Contents contents;
   contents.settings = bake.settings;
@@ -39,10 +47,9 @@ Contents contentsOf(const LoadedLevel& loaded, const Bake& bake) {
   for (const Image& image : loaded.textures)
     contents.textureBytes += std::int64_t{3} * image.width() * image.height();
 
-  const std::string levelText = textOf(loaded.path);
-  const std::string lights = lightsPath(loaded.path, levelText);
   countGeometry(level, contents.features);
-  countSpellings(levelText, lights.empty() ? std::string() : textOf(lights), contents.features);
+  if (const auto counted = countFiles(loaded, values, contents.features); !counted)
+    return tl::unexpected(counted.error());
   return contents;
 }
 
@@ -205,12 +212,13 @@ ExitStatus run(const OptionValues& values) {
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeFor(loaded->level, values);
   if (!bake) return fail(bake.error());
-  const Contents contents = contentsOf(*loaded, *bake);
+  const auto contents = contentsOf(*loaded, *bake, values);
+  if (!contents) return fail(contents.error());
   if (!values.has(Option::Json)) {
-    print(*loaded, contents);
+    print(*loaded, *contents);
     return ExitStatus::Done;
   }
-  nlohmann::ordered_json json = toJson(*loaded, contents);
+  nlohmann::ordered_json json = toJson(*loaded, *contents);
   if (values.has(Option::Surfaces))
     json["bake"]["surfaces"] = toJson(loaded->level, bake->light.surfaces);
   fmt::print("{}\n", json.dump(2));
