@@ -1,11 +1,14 @@
 #include "light/bakery.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 
 #include "light/clipped_light.h"
 #include "light/parallel.h"
+#include "light/texel_limits.h"
 #include "math/planted_bug.h"
 
 namespace hearth {
@@ -99,6 +102,18 @@ BakeStats statsOf(const BakedLight& baked) {
     stats.bytes += static_cast<std::int64_t>(baked.lightmaps[i]->levels.size());
   }
   return stats;
+}
+
+std::optional<std::string> mistakeInSettings(const Level& level, const BakeSettings& settings) {
+  const int samples = settings.samples.value_or(1);
+  const double side = std::max(1.0, std::round(std::sqrt(std::max(samples, 1))));
+  if (side * side != samples)
+    return fmt::format("samples: {} is no square number, try {}", samples, side * side);
+  if (settings.bounces != 0)
+    return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);
+  if (const auto mistake = mistakeInTexel(level, settings.texel))
+    return fmt::format("texel: {}", *mistake);
+  return std::nullopt;
 }
 
 BakedLight bake(const Level& level, const BakeSettings& settings, int threads,

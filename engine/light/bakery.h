@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "level/level.h"
@@ -39,8 +40,11 @@ struct BakedLight {
 /// What the lightmaps show of how they came about: all but the rays.
 BakeStats statsOf(const BakedLight& baked);
 
-/// Lights every surface of the level. The bytes do not depend on `threads`. `progress`, if any, is
-/// new, and has all texels done when the bake is.
+/// Why the level cannot be baked so, beginning with the setting (`texel: ...`), or nothing.
+std::optional<std::string> mistakeInSettings(const Level& level, const BakeSettings& settings);
+
+/// Lights every surface of the level, with settings without a mistake. The bytes do not depend on
+/// `threads`. `progress`, if any, is new, and has all texels done when the bake is.
 BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
 

@@ -130,6 +130,16 @@ class Mistakes(InFolder):
                                  "walls": {"texture": "#808080"}}}}}}))
         self.refuse(run("info", far), "--texel.*from the origin")
 
+    def test_bounces_in_a_lights_file_that_no_command_bakes(self):
+        level = self.folder / "bounces.json"
+        level.write_text(json.dumps({"light": 1, "sectors": {"room": {
+            "floor": {"texture": "#808080"}, "ceiling": {"texture": "#808080"},
+            "loops": {"border": {"v": [0, 0, 4, 0, 4, 4, 0, 4], "walls": {"texture": "#808080"}}}}}}))
+        level.with_suffix(".lights.json").write_text(json.dumps({"bake": {"bounces": 1}, "lights": []}))
+        for command in ["bake", "bench", "info"]:
+            with self.subTest(command=command):
+                self.refuse(run(command, level), "--bounces: 1 ")
+
     def test_a_picture_that_cannot_be_written(self):
         self.refuse(self.shot(out=self.folder / "missing" / "out.png"), "missing/out.png")
 

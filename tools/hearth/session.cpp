@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 
 #include "hearth/bake_file.h"
 #include "hearth/command.h"
 #include "hearth/shell_text.h"
 #include "light/parallel.h"
-#include "light/texel_limits.h"
 
 namespace hearth {
 
@@ -56,12 +54,8 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
   if (values.has(Option::Lambert)) settings.lambert = true;
   if (values.has(Option::NoLambert)) settings.lambert = false;
 
-  const double side = std::round(std::sqrt(settings.samples.value_or(1)));
-  if (side * side != settings.samples.value_or(1))
-    return tl::unexpected(
-        fmt::format("--samples: {} is no square number, try {}", *settings.samples, side * side));
-  if (const auto mistake = mistakeInTexel(level, settings.texel))
-    return tl::unexpected(fmt::format("--texel: {}", *mistake));
+  if (const auto mistake = mistakeInSettings(level, settings))
+    return tl::unexpected(fmt::format("--{}", *mistake));  // the option of the setting's name
   return settings;
 }
 
@@ -80,9 +74,6 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
                                         ProgressStyle inFile) {
   const auto settings = bakeSettingsFor(level, values);
   if (!settings) return tl::unexpected(settings.error());
-  if (settings->bounces != 0)
-    return tl::unexpected(fmt::format(
-        "{} bounces: reflected light is not baked yet, use --bounces 0", settings->bounces));
 
   const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
   const auto start = std::chrono::steady_clock::now();

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "light/bakery.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+std::string mistakeIn(const BakeSettings& settings) {
+  static const LoadedLevel room = test::levelFrom(
+      "{'light': 0.1, 'sectors': {" + test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
+  return mistakeInSettings(room.level, settings).value_or("");
+}
+
+TEST(BakeSettings, ofAFileThatSaysNothingHaveNoMistake) { EXPECT_EQ(mistakeIn({}), ""); }
+
+TEST(BakeSettings, takeSquareNumbersOfSamplesOrNone) {
+  for (const std::optional<int> samples : {std::optional(1), std::optional(4096), {}})
+    EXPECT_EQ(mistakeIn({.samples = samples}), "");
+  EXPECT_EQ(mistakeIn({.samples = 8}), "samples: 8 is no square number, try 9");
+  for (const int wrong : {0, -1, -4})
+    EXPECT_TRUE(mistakeIn({.samples = wrong}).ends_with("is no square number, try 1")) << wrong;
+}
+
+TEST(BakeSettings, takeNoBounces) {
+  EXPECT_TRUE(mistakeIn({.bounces = 1}).starts_with("bounces: 1 "));
+}
+
+TEST(BakeSettings, takeTexelsThatFitTheMemory) {
+  EXPECT_EQ(mistakeIn({.texel = 0.01}), "");
+  for (const double wrong : {0.0, -1.0, 1e-9, std::numeric_limits<double>::infinity()})
+    EXPECT_TRUE(mistakeIn({.texel = wrong}).starts_with("texel: ")) << wrong;
+}
+
+}  // namespace
+}  // namespace hearth
