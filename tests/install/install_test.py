@@ -1,0 +1,138 @@
+"""Holds what `cmake --install` leaves to what it promises: a program and a library that need nothing
+of the folders that they were built in.
+
+usage: install_test.py BUILD_DIR SOURCE_DIR COMPILER [GROUP]
+"""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BUILD, SOURCE, COMPILER = Path(), Path(), ""
+
+
+def run(*command, **options):
+    result = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
+    if result.returncode != 0:
+        raise AssertionError(f"{command}: status {result.returncode}\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+class Installed(unittest.TestCase):
+    """What is installed, in a folder of its own."""
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = Path(scratch.name)
+        cls.prefix = cls.folder / "prefix"
+        run("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        cls.hearth = cls.prefix / "bin/hearth"
+        cls.level = cls.prefix / "share/hearth/levels/tutorial.json"
+
+    def files(self, pattern):
+        found = sorted(path for path in self.prefix.rglob(pattern) if path.is_file())
+        self.assertTrue(found, pattern)
+        return found
+
+
+class Library(Installed):
+    def build(self, source, flags=""):
+        """The folder in which a project that uses the installed engine was built."""
+        build = self.folder / (source.name + "-build")
+        run("cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+            "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", f"-DCMAKE_CXX_COMPILER={COMPILER}",
+            f"-DCMAKE_CXX_FLAGS={flags}", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run("cmake", "--build", build)
+        return build
+
+    def build_example(self):
+        source = self.folder / "example"
+        shutil.copytree(self.prefix / "share/doc/hearth/example", source, dirs_exist_ok=True)
+        return self.build(source)
+
+    def test_the_example_draws_what_the_program_draws(self):
+        example = self.build_example() / "example"
+        shot = json.loads(self.level.read_text())["shots"][0]["name"]
+        pictures = [self.folder / "example.png", self.folder / "program.png"]
+        run(example, self.level, pictures[0], cwd=self.folder)
+        run(self.hearth, "shot", self.level, "--shot", shot, "-o", pictures[1], cwd=self.folder)
+        self.assertEqual(*(picture.read_bytes() for picture in pictures))
+
+    def test_the_readme_shows_lines_of_the_example(self):
+        shown = re.search(r"```cpp\n(.*?)```", (SOURCE / "README.md").read_text(), re.DOTALL)[1]
+        example = (self.prefix / "share/doc/hearth/example/example.cpp").read_text().splitlines()
+        lines = iter(example)
+        self.assertTrue(all(line in lines for line in shown.splitlines()), "all, and in this order")
+
+    def test_the_example_is_built_without_our_warnings_and_folders(self):
+        commands = (self.build_example() / "compile_commands.json").read_text()
+        self.assertNotRegex(commands, " -W")
+        for folder in [BUILD, SOURCE]:
+            self.assertFalse(f"{folder}/" in commands, commands)
+
+    def test_public_headers_include_only_public_headers(self):
+        root = self.prefix / "include/hearth"
+        included = [(header, name) for header in self.files("include/hearth/*/*.h")
+                    for name in re.findall(r'#\s*include\s*"(.*)"', header.read_text())]
+        self.assertTrue(included)
+        for header, name in included:
+            self.assertTrue((root / name).exists(), f"{header.relative_to(root)} includes {name}")
+        others = {name for header in self.files("include/hearth/*/*.h")
+                  for name in re.findall(r"#\s*include\s*<(.*[/.].*)>", header.read_text())}
+        self.assertEqual(others, {"tl/expected.hpp"}, "beside the standard library's")
+
+    def test_inline_code_is_not_contracted_in_programs_for_newer_processors(self):
+        source = self.folder / "inline"
+        source.mkdir()
+        code = source / "inline.cpp"
+        code.write_text('#include "math/vec.h"\n'
+                        "double product(hearth::Vec2 a, hearth::Vec2 b) { return dot(a, b); }\n")
+        (source / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(inline LANGUAGES CXX)\n"
+            "find_package(hearth REQUIRED)\nadd_library(inline STATIC inline.cpp)\n"
+            "target_link_libraries(inline PRIVATE hearth::engine)\n")
+        fused = r"\bvfn?m"
+        self.assertNotRegex(run("objdump", "-d", self.build(source, "-mfma") / "libinline.a"), fused)
+        contracted = self.folder / "contracted.o"
+        run(COMPILER, "-std=c++20", "-O2", "-mfma", "-ffp-contract=fast",
+            f"-I{self.prefix}/include/hearth", "-c", code, "-o", contracted)
+        self.assertRegex(run("objdump", "-d", contracted), fused, "it would be, without the engine's option")
+
+
+class Program(Installed):
+    def test_no_file_names_the_folders_it_was_built_in(self):
+        for path in self.files("*"):
+            for folder in [BUILD, SOURCE]:
+                self.assertFalse(f"{folder}/".encode() in path.read_bytes(), f"{path} names {folder}")
+
+    def test_the_guides_link_to_files_that_are_installed(self):
+        links = [(guide, link) for guide in self.files("*.md")
+                 for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", guide.read_text())]
+        self.assertTrue(links)
+        for guide, link in links:
+            self.assertTrue((guide.parent / link).exists(), f"{guide.name} links to {link}")
+
+    def test_every_level_is_there_with_its_lights_and_textures(self):
+        levels = {path.name for path in (SOURCE / "levels").glob("*.json")}
+        self.assertEqual({path.name for path in self.files("share/hearth/levels/*.json")}, levels)
+        for path in self.files("share/hearth/levels/*.json"):
+            if (path.parent / (path.stem + ".lights.json")).exists():
+                out = self.folder / "out.png"
+                run(self.hearth, "shot", path, "--size", "64x40", "--texel", "1", "-o", out)
+
+    def test_walks_an_installed_level(self):
+        recording = SOURCE / "tests/walk_tour/tutorial-on-foot.txt"
+        run(self.hearth, "walk", self.level, "--replay", recording, "--headless", cwd=self.folder)
+
+
+if __name__ == "__main__":
+    BUILD, SOURCE = (Path(folder).resolve() for folder in sys.argv[1:3])
+    COMPILER = sys.argv[3]
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
