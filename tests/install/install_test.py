@@ -132,6 +132,38 @@ class Program(Installed):
         run(self.hearth, "walk", self.level, "--replay", recording, "--headless", cwd=self.folder)
 
 
+class Manual(Installed):
+    def setUp(self):
+        self.page = self.prefix / "share/man/man1/hearth.1"
+        self.text = self.page.read_text().replace("\\-", "-").replace("\\%", "")
+
+    def commands(self):
+        """Every command with its options, from the program's help."""
+        names = re.findall(r"^  ([a-z]+)  ", run(self.hearth, "--help"), re.MULTILINE)
+        self.assertIn("walk", names)
+        return {name: set(re.findall(r"^  (-o|--[a-z-]+)", run(self.hearth, name, "--help"), re.MULTILINE))
+                for name in names}
+
+    def test_has_every_command_with_its_options(self):
+        for name, options in self.commands().items():
+            takes = re.search(rf"^\.B hearth {name} .*\n.*\nTakes (.*)\.$", self.text, re.MULTILINE)
+            self.assertTrue(takes, name)
+            self.assertEqual(set(takes[1].split(", ")), options, name)
+
+    def test_has_every_option_with_its_commands(self):
+        takers = {}
+        for name, options in self.commands().items():
+            for option in options:
+                takers.setdefault(option, set()).add(name)
+        described = re.findall(r"^\.B (-\S+) .*\n.*\n\((.*)\)$", self.text, re.MULTILINE)
+        self.assertEqual({option: set(names.split(", ")) for option, names in described}, takers)
+
+    def test_groff_finds_no_fault(self):
+        faults = subprocess.run(["groff", "-man", "-ww", "-Tutf8", "-z", self.page],
+                                capture_output=True, text=True)
+        self.assertEqual((faults.returncode, faults.stderr), (0, ""))
+
+
 if __name__ == "__main__":
     BUILD, SOURCE = (Path(folder).resolve() for folder in sys.argv[1:3])
     COMPILER = sys.argv[3]

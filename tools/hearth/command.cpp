@@ -11,6 +11,11 @@ ExitStatus fail(std::string_view message) {
   return ExitStatus::BadInput;
 }
 
+std::vector<Command> allCommands() {
+  return {walkCommand(),  shotCommand(), bakeCommand(),
+          checkCommand(), infoCommand(), benchCommand()};
+}
+
 std::vector<Option> limitOptions() {
   return {Option::MaxFileBytes, Option::MaxImagePixels, Option::MaxVertices, Option::MaxLights};
 }

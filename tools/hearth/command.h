@@ -32,6 +32,9 @@ Command checkCommand();
 Command infoCommand();
 Command benchCommand();
 
+/// All of these, as help lists them.
+std::vector<Command> allCommands();
+
 /// Options that all commands share: limits of loading.
 std::vector<Option> limitOptions();
 /// How to bake.

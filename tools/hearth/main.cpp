@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <new>
 #include <span>
 #include <string>
@@ -17,14 +16,6 @@
 namespace hearth {
 
 namespace {
-
-std::string helpOf(const OptionRow& row) {
-  const bool isNumber = row.kind == ValueKind::Number || row.kind == ValueKind::Integer;
-  std::string help(row.help);
-  if (isNumber) help += fmt::format(", {}..{}", row.min, row.max);
-  if (!row.standard.empty()) help += fmt::format(" (default: {})", row.standard);
-  return help;
-}
 
 /// Adds a row of the table to a command; what is given ends in `values`.
 void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValues& values) {
@@ -84,8 +75,7 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Hearth draws sector and portal levels with baked light.", "hearth");
   program.require_subcommand(1);
-  const std::array commands = {walkCommand(),  shotCommand(), bakeCommand(),
-                               checkCommand(), infoCommand(), benchCommand()};
+  const std::vector<Command> commands = allCommands();
   OptionValues values;
   for (const Command& command : commands) addCommand(program, command, values);
   return parseAndRun(program, commands, values, argc, argv);

@@ -70,8 +70,8 @@ constexpr std::array kTable = {
               "reflections of light that are followed"},
     OptionRow{Option::Lambert, "--lambert", ValueKind::Flag, "", 0, 0, "",
               "multiply light by the cosine at the surface"},
-    OptionRow{Option::NoLambert, "--no-lambert", ValueKind::Flag, "", 0, 0, "the default",
-              "do not"},
+    OptionRow{Option::NoLambert, "--no-lambert", ValueKind::Flag, "", 0, 0, "",
+              "take light alike at any angle; the default"},
     OptionRow{Option::Threads, "--threads", ValueKind::Integer, "COUNT", 1, 1024, "all cores",
               "threads that bake; the light does not depend on them"},
     OptionRow{Option::MaxFileBytes, "--max-file-bytes", ValueKind::Integer, "BYTES", 1,
@@ -133,6 +133,14 @@ const OptionRow& row(Option option) {
   const OptionRow& found = kTable[static_cast<std::size_t>(option)];
   CHECK(found.id == option, found.name);
   return found;
+}
+
+std::string helpOf(const OptionRow& row) {
+  const bool isNumber = row.kind == ValueKind::Number || row.kind == ValueKind::Integer;
+  std::string help(row.help);
+  if (isNumber) help += fmt::format(", {}..{}", row.min, row.max);
+  if (!row.standard.empty()) help += fmt::format(" (default: {})", row.standard);
+  return help;
 }
 
 std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value) {

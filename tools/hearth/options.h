@@ -48,7 +48,7 @@ enum class Option {
 
 enum class ValueKind { Flag, Text, Choice, Number, Integer };
 
-/// One row of the table from which help is printed and input is checked.
+/// One row of the table from which help and manual are printed and input is checked.
 struct OptionRow {
   Option id;
   std::string_view name;  ///< as it is typed
@@ -62,6 +62,9 @@ struct OptionRow {
 
 /// The rows of the table, by Option.
 const OptionRow& row(Option option);
+
+/// What help and manual say of an option: its meaning, range and default.
+std::string helpOf(const OptionRow& row);
 
 /// What is wrong with a value, or nothing.
 std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value);
