@@ -1,9 +1,10 @@
-"""Holds what `cmake --install` leaves to what it promises: a program and a library that need nothing
-of the folders that they were built in.
+"""Holds what `cmake --install` and `cpack` leave to what it promises: a program and a library that need
+nothing of the folders that they were built in.
 
 usage: install_test.py BUILD_DIR SOURCE_DIR COMPILER [GROUP]
 """
 
+import gzip
 import json
 import re
 import shutil
@@ -162,6 +163,58 @@ class Manual(Installed):
         faults = subprocess.run(["groff", "-man", "-ww", "-Tutf8", "-z", self.page],
                                 capture_output=True, text=True)
         self.assertEqual((faults.returncode, faults.stderr), (0, ""))
+
+
+class Package(unittest.TestCase):
+    """Debian's packages, unpacked."""
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = Path(scratch.name)
+        run("cpack", "-G", "DEB", "-B", cls.folder / "packages", cwd=BUILD, umask=0o077)
+        cls.packages = {path.name.split("_")[0]: path for path in (cls.folder / "packages").glob("*.deb")}
+        for package in cls.packages.values():
+            run("dpkg-deb", "-x", package, cls.folder)
+
+    def field(self, package, name):
+        return run("dpkg-deb", "--field", self.packages[package], name).strip()
+
+    def test_are_the_program_and_the_library(self):
+        self.assertEqual(set(self.packages), {"hearth", "libhearth-dev"})
+        self.assertEqual(self.field("hearth", "Section"), "games")
+        self.assertEqual(self.field("libhearth-dev", "Section"), "libdevel")
+
+    def test_may_be_read_by_all_whoever_packed_them(self):
+        for package in self.packages.values():
+            modes = {line.split()[0] for line in run("dpkg-deb", "-c", package).splitlines()}
+            self.assertLessEqual(modes, {"drwxr-xr-x", "-rw-r--r--", "-rwxr-xr-x"})
+
+    def test_depend_on_the_libraries_that_they_need(self):
+        depends = self.field("hearth", "Depends")
+        for library in ["libc6 (>=", "libstdc++6 (>=", "libsdl2-2.0-0 (>=", "libfmt9 (>=", "zlib1g (>="]:
+            self.assertIn(library, depends)
+        self.assertEqual(self.field("libhearth-dev", "Depends"), "libexpected-dev, libfmt-dev, zlib1g-dev")
+
+    def test_are_of_the_version_that_the_changelog_begins_with(self):
+        for package in self.packages:
+            changelog = gzip.open(self.folder / "usr/share/doc" / package / "changelog.gz", "rt").read()
+            self.assertTrue(changelog.startswith(f"hearth ({self.field(package, 'Version')}) "), package)
+
+    def test_have_the_licence_and_a_compressed_manual(self):
+        licence = (SOURCE / "LICENSE").read_text()
+        for package in self.packages:
+            copyright_file = self.folder / "usr/share/doc" / package / "copyright"
+            self.assertEqual(copyright_file.read_text(), licence)
+        self.assertIn(".TH HEARTH 1", gzip.open(self.folder / "usr/share/man/man1/hearth.1.gz", "rt").read())
+
+    def test_the_packaged_program_draws_the_packaged_level_as_the_build_does(self):
+        pictures = [self.folder / "packaged.png", self.folder / "built.png"]
+        run(self.folder / "usr/bin/hearth", "shot", self.folder / "usr/share/hearth/levels/tutorial.json",
+            "-o", pictures[0], cwd=self.folder)
+        run(BUILD / "tools/hearth/hearth", "shot", SOURCE / "levels/tutorial.json", "-o", pictures[1])
+        self.assertEqual(*(picture.read_bytes() for picture in pictures))
 
 
 if __name__ == "__main__":
