@@ -53,7 +53,7 @@ void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
                     int threads) const {
   const Projection projection = projectionFor(level_, camera);
   findSpans(camera, projection, scratch, picture);
-  const SpanPainter painter(level_, textures_, light_, projection, scratch.climbs);
+  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
   paintStrips(scratch, picture, threads,
               [&](const Span& span, Strip& strip) { painter.paint(span, mode, strip); });
 }
@@ -70,7 +70,7 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   Image picture;
   const Projection projection = projectionFor(level_, camera);
   findSpans(camera, projection, scratch, picture);
-  const SpanPainter painter(level_, textures_, light_, projection, scratch.climbs);
+  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
   paintStrips(scratch, picture, 1, [&](const Span& span, Strip& strip) {
     paintChannel(painter, span, channel, scratch.climbs, strip);
   });

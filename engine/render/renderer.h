@@ -7,7 +7,7 @@
 #include "light/bakery.h"
 #include "render/camera.h"
 #include "render/channel.h"
-#include "render/light_mode.h"
+#include "render/draw_settings.h"
 #include "render/strip.h"
 #include "render/strip_spans.h"
 #include "render/visibility_scratch.h"
@@ -29,9 +29,12 @@ struct FrameScratch {
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
 class Renderer {
  public:
-  /// All three must outlive the renderer. `textures` are by TextureId.
-  Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light)
-      : level_(level), textures_(textures), light_(light) {}
+  /// Level, textures and light must outlive the renderer. `textures` are by TextureId.
+  Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
+           DrawSettings settings = {})
+      : level_(level), textures_(textures), light_(light), settings_(settings) {}
+
+  const DrawSettings& settings() const { return settings_; }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
   /// and the same pixels whatever the number of threads that colour them.
@@ -49,6 +52,7 @@ class Renderer {
   const Level& level_;
   const std::vector<Image>& textures_;
   const BakedLight& light_;
+  DrawSettings settings_;
 };
 
 /// The projection of a camera whose eye is moved off the walls that it may touch.

@@ -76,52 +76,90 @@ void findRepeated(RowBatch::Indices& found, const Affine& along, std::int32_t si
   }
 }
 
-/// What rounding puts beyond the edge of the lightmap is taken back to it.
-void findPlaces(RowBatch::LightPlaces& found, const Affine& along, int texels,
-                const RowBatch& batch) {
+void storeShares(float* to, TwoRows shares) { store(to, _mm_castps_si128(_mm_cvtpd_ps(shares))); }
+
+/// Between the centres of texels of an image that repeats. `along` is from the first one's centre.
+void findRepeatedPlaces(RowBatch::Places& found, const Affine& along, int texels,
+                        const RowBatch& batch) {
+  findRepeated(found.texel, along, texels, batch);
+  forTwoRows(batch, along, [&](std::size_t k, TwoRows x) {
+    storeShares(&found.share[k], _mm_sub_pd(x, wholeTexels(x)));
+  });
+}
+
+/// The same where nothing repeats: what is beyond the edge is taken back to it, and the texel
+/// before the last is the last to have a next one.
+void findPlaces(RowBatch::Places& found, const Affine& along, int texels, const RowBatch& batch) {
   const TwoRows last = both(texels - 1);
-  const TwoRows lastBefore = both(texels - 2);
+  const TwoRows lastBefore = both(std::max(0, texels - 2));
   forTwoRows(batch, along, [&](std::size_t k, TwoRows x) {
     const TwoRows kept = _mm_max_pd(_mm_min_pd(x, last), both(0));
     const __m128i texel = _mm_cvttpd_epi32(_mm_min_pd(kept, lastBefore));
     store(&found.texel[k], texel);
-    store(&found.share[k],
-          _mm_castps_si128(_mm_cvtpd_ps(_mm_sub_pd(kept, _mm_cvtepi32_pd(texel)))));
+    storeShares(&found.share[k], _mm_sub_pd(kept, _mm_cvtepi32_pd(texel)));
   });
 }
 
-/// In texels from the centre of a lightmap's first one.
-Affine fromFirst(Affine along, int first) {
-  const double wrong = planted(PlantedBug::LightmapHalfTexelOff) ? 0.5 : 0;
-  return {along.atZero - (first + 0.5) + wrong, along.per};
+/// In texels from the centre of the first one.
+Affine fromFirst(Affine along, int first) { return {along.atZero - (first + 0.5), along.per}; }
+
+Affine fromFirstOfLightmap(Affine along, int first) {
+  if (planted(PlantedBug::LightmapHalfTexelOff)) along.atZero += 0.5;
+  return fromFirst(along, first);
+}
+
+/// Depths at every so many rows, and between them what lies evenly between.
+void interpolateDepths(RowBatch& batch, const SpanMapping& mapping, const double* climbs,
+                       std::size_t every) {
+  const std::size_t last = batch.count - 1;
+  double here = mapping.depthAt(climbs[0]);
+  for (std::size_t k = 0; k < last; k += every) {
+    const std::size_t next = std::min(k + every, last);
+    const double there = mapping.depthAt(climbs[next]);
+    const double step = (there - here) / static_cast<double>(next - k);
+    for (std::size_t i = k; i < next; ++i)
+      batch.measure[i] = here + static_cast<double>(i - k) * step;
+    here = there;
+  }
+  batch.measure[last] = here;
 }
 
 }  // namespace
 
-void findMeasures(RowBatch& batch, const SpanMapping& mapping, std::span<const double> climbs) {
+void findMeasures(RowBatch& batch, const SpanMapping& mapping, std::span<const double> climbs,
+                  int depthEvery) {
   const double* climb = &climbs[static_cast<std::size_t>(batch.firstRow)];
-  if (mapping.isPlane) {
-    for (std::size_t k = 0; k < batch.count; ++k) batch.measure[k] = mapping.depthAt(climb[k]);
-  } else {
+  if (!mapping.isPlane)
     std::copy_n(climb, batch.count, batch.measure.begin());
-  }
+  else if (depthEvery > 1)
+    interpolateDepths(batch, mapping, climb, static_cast<std::size_t>(depthEvery));
+  else
+    for (std::size_t k = 0; k < batch.count; ++k) batch.measure[k] = mapping.depthAt(climb[k]);
   // Rows are worked out in twos.
   if (batch.count % 2 != 0) batch.measure[batch.count] = batch.measure[batch.count - 1];
 }
 
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Image& image) {
-  findRepeated(batch.texelColumn, mapping.u, image.width(), batch);
+  findRepeated(batch.texelColumn.texel, mapping.u, image.width(), batch);
   if (mapping.isSky) {
     for (std::size_t k = 0; k < batch.count; ++k)
-      batch.texelRow[k] = static_cast<std::int32_t>(mapping.skyV(batch.measure[k], image));
+      batch.texelRow.texel[k] = static_cast<std::int32_t>(mapping.skyV(batch.measure[k], image));
   } else {
-    findRepeated(batch.texelRow, mapping.v, image.height(), batch);
+    findRepeated(batch.texelRow.texel, mapping.v, image.height(), batch);
   }
 }
 
+void findMixtures(RowBatch& batch, const SpanMapping& mapping, const Image& image) {
+  findRepeatedPlaces(batch.texelColumn, fromFirst(mapping.u, 0), image.width(), batch);
+  if (mapping.isSky)
+    findPlaces(batch.texelRow, fromFirst(mapping.v, 0), image.height(), batch);
+  else
+    findRepeatedPlaces(batch.texelRow, fromFirst(mapping.v, 0), image.height(), batch);
+}
+
 void findLightPlaces(RowBatch& batch, const SpanMapping& mapping, const TexelRect& rect) {
-  findPlaces(batch.lightColumn, fromFirst(mapping.s, rect.i0), rect.width, batch);
-  findPlaces(batch.lightRow, fromFirst(mapping.t, rect.j0), rect.height, batch);
+  findPlaces(batch.lightColumn, fromFirstOfLightmap(mapping.s, rect.i0), rect.width, batch);
+  findPlaces(batch.lightRow, fromFirstOfLightmap(mapping.t, rect.j0), rect.height, batch);
   if (planted(PlantedBug::FlatsUnfiltered) && mapping.isPlane)
     for (auto* places : {&batch.lightColumn, &batch.lightRow}) places->share.fill(0);
 }

@@ -21,22 +21,27 @@ struct RowBatch {
   std::size_t count;
   alignas(16) std::array<double, kRows> measure;  ///< see SpanMapping
 
-  Indices texelColumn;  ///< of the image
-  Indices texelRow;
-
-  /// Along one axis of the lightmap: the first of the two texels between whose centres the row
-  /// lies, counted from the lightmap's edge, and how far it is towards the second, 0..1.
-  struct LightPlaces {
-    Indices texel;
+  /// Along one axis of an image or lightmap.
+  struct Places {
+    Indices texel;  ///< counted from the edge
+    /// Of mixtures: how far the row is from that texel's centre to the next one's, 0..1.
     std::array<float, kRows> share;
   };
-  LightPlaces lightColumn;
-  LightPlaces lightRow;
+  Places texelColumn;
+  Places texelRow;
+  Places lightColumn;
+  Places lightRow;
 };
 
-/// The first of these to be called. `climbs` are those of the rows of the picture.
-void findMeasures(RowBatch& batch, const SpanMapping& mapping, std::span<const double> climbs);
+/// The first of these to be called. `climbs` are those of the rows of the picture; between every so
+/// many of them the depth of planes is interpolated.
+void findMeasures(RowBatch& batch, const SpanMapping& mapping, std::span<const double> climbs,
+                  int depthEvery);
+/// The texels of the image that the rows fall into.
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Image& image);
+/// The first two of the four texels around the rows.
+void findMixtures(RowBatch& batch, const SpanMapping& mapping, const Image& image);
+/// Those of the lightmap.
 void findLightPlaces(RowBatch& batch, const SpanMapping& mapping, const TexelRect& rect);
 
 /// Index of the texel that texel coordinate `x` falls into, of an image that repeats every `size`.

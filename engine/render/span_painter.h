@@ -7,7 +7,7 @@
 #include "level/level.h"
 #include "light/bakery.h"
 #include "render/camera.h"
-#include "render/light_mode.h"
+#include "render/draw_settings.h"
 #include "render/row_batch.h"
 #include "render/span.h"
 #include "render/strip.h"
@@ -29,10 +29,12 @@ class SpanPainter {
  public:
   /// All must outlive the painter. `climbs` are Projection::climbOf the centres of all rows.
   SpanPainter(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
-              const Projection& projection, std::span<const double> climbs)
+              const DrawSettings& settings, const Projection& projection,
+              std::span<const double> climbs)
       : level_(level),
         textures_(textures),
         light_(light),
+        settings_(settings),
         projection_(projection),
         climbs_(climbs) {}
 
@@ -49,6 +51,7 @@ class SpanPainter {
   const Level& level_;
   const std::vector<Image>& textures_;
   const BakedLight& light_;
+  const DrawSettings& settings_;
   const Projection& projection_;
   std::span<const double> climbs_;
 };

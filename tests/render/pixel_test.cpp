@@ -15,7 +15,7 @@ RowBatch batchOf(const std::vector<double>& measures) {
   RowBatch batch{};
   batch.firstRow = 0;
   batch.count = measures.size();
-  findMeasures(batch, SpanMapping{}, measures);
+  findMeasures(batch, SpanMapping{}, measures, 1);
   return batch;
 }
 
@@ -64,8 +64,8 @@ TEST(RowBatch, findsTheTexelsThatAModuloOfEachRowGives) {
         return static_cast<int>(rest < 0 ? rest + size : rest);
       };
       for (std::size_t k = 0; k < measures.size(); ++k) {
-        EXPECT_EQ(batch.texelColumn[k], modulo(0.25 + measures[k], width));
-        EXPECT_EQ(batch.texelRow[k], modulo(-3 + measures[k] * 0.5, height));
+        EXPECT_EQ(batch.texelColumn.texel[k], modulo(0.25 + measures[k], width));
+        EXPECT_EQ(batch.texelRow.texel[k], modulo(-3 + measures[k] * 0.5, height));
       }
     }
 }

@@ -26,7 +26,7 @@ Clock countingClock() {
 
 TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
   const LoadedLevel level = loaded("tests/levels/rooms.json");
-  const BenchReport report = measure(level, level.level.bake, 3, 2, countingClock());
+  const BenchReport report = measure(level, level.level.bake, {}, 3, 2, countingClock());
   ASSERT_EQ(report.frames.size(), 6U);
   ASSERT_EQ(report.bakes.size(), 2U);
   EXPECT_EQ(report.frames.front().threads, 1);
@@ -42,7 +42,7 @@ TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
 
 TEST(Measure, countsTestsAsTheBakeDoes) {
   const LoadedLevel level = loaded("tests/levels/rooms.json");
-  const BenchReport report = measure(level, level.level.bake, 1, 1, countingClock());
+  const BenchReport report = measure(level, level.level.bake, {}, 1, 1, countingClock());
   ASSERT_EQ(report.frames.size(), 3U) << "one thread is all that there are";
   EXPECT_EQ(report.texelLightTests, report.bake.rays) << "of points of light";
   EXPECT_GT(report.texelLightTests, report.bake.texels);

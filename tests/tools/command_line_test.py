@@ -87,6 +87,17 @@ class Shot(InFolder):
         self.assertEqual(len(set(pictures.values())), len(pictures))
 
 
+    def test_every_setting_of_drawing_draws_something_else(self):
+        pictures = set()
+        for options in [(), ("--texture-filter", "bilinear"), ("--light-filter", "nearest"),
+                        ("--light-every", "8"), ("--depth-every", "8")]:
+            result = run("shot", SOURCE / "levels/tutorial.json", "-o", self.out, "--texel", "1",
+                         "--size", "80x50", *options)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            pictures.add(self.out.read_bytes())
+        self.assertEqual(len(pictures), 5)
+
+
 class Mistakes(InFolder):
     def test_options_out_of_range(self):
         for options, message in [
@@ -104,6 +115,8 @@ class Mistakes(InFolder):
                 (("--threads", "0"), "--threads"),
                 (("--light", "some"), "--light.*both.none.only"),
                 (("--channel", "heat"), "--channel"),
+                (("--light-every", "0"), "--light-every.*1..64"),
+                (("--depth-every", "65"), "--depth-every.*1..64"),
                 (("--light", "none", "--channel", "uv"), "not both"),
                 (("--lambert", "--no-lambert"), "not both"),
                 (("--camera", "1,2,3"), "--camera.*X,Y,Z,ANGLE"),

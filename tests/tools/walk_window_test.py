@@ -264,7 +264,10 @@ def main():
         folder = Path(name)
         display = Display(name)
         try:
-            walk = Walk(display, hearth, level, folder, "--record", "walk.txt")
+            # A picture's options bring the settings that it was drawn with, too.
+            walk = Walk(display, hearth, level, folder, "--record", "walk.txt", "--light-every", "4",
+                        "--depth-every", "2", "--light-filter", "nearest",
+                        "--texture-filter", "bilinear")
             try:
                 moves(display, walk)
                 loses_focus(display, walk)

@@ -25,6 +25,10 @@ std::vector<Option> settingOptions() {
           Option::Lambert, Option::NoLambert, Option::Threads};
 }
 
+std::vector<Option> drawOptions() {
+  return {Option::TextureFilter, Option::LightFilter, Option::LightEvery, Option::DepthEvery};
+}
+
 std::vector<Option> bakeOptions() { return settingOptions() + limitOptions(); }
 
 std::vector<Option> lightOptions() {

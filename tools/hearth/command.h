@@ -39,6 +39,8 @@ std::vector<Command> allCommands();
 std::vector<Option> limitOptions();
 /// How to bake.
 std::vector<Option> settingOptions();
+/// How to draw: what pictures may be less accurate in.
+std::vector<Option> drawOptions();
 /// How to bake, and limits of loading.
 std::vector<Option> bakeOptions();
 /// Where light is taken from, how to bake, and limits of loading.

@@ -70,6 +70,28 @@ LightMode lightModeFrom(const OptionValues& values) {
   return mode == "only" ? LightMode::Only : LightMode::Both;
 }
 
+DrawSettings drawSettingsFrom(const OptionValues& values) {
+  DrawSettings settings;
+  if (values.text(Option::TextureFilter) == "bilinear")
+    settings.textureFilter = TextureFilter::Bilinear;
+  if (values.text(Option::LightFilter) == "nearest") settings.lightFilter = LightFilter::Nearest;
+  settings.lightEvery = static_cast<int>(values.number(Option::LightEvery).value_or(1));
+  settings.depthEvery = static_cast<int>(values.number(Option::DepthEvery).value_or(1));
+  return settings;
+}
+
+std::string optionsOf(const DrawSettings& settings) {
+  std::string options;
+  const auto add = [&](Option option, auto value) {
+    options += fmt::format("{}{} {}", options.empty() ? "" : " ", row(option).name, value);
+  };
+  if (settings.textureFilter == TextureFilter::Bilinear) add(Option::TextureFilter, "bilinear");
+  if (settings.lightFilter == LightFilter::Nearest) add(Option::LightFilter, "nearest");
+  if (settings.lightEvery != 1) add(Option::LightEvery, settings.lightEvery);
+  if (settings.depthEvery != 1) add(Option::DepthEvery, settings.depthEvery);
+  return options;
+}
+
 tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
                                         ProgressStyle inFile) {
   const auto settings = bakeSettingsFor(level, values);

@@ -29,6 +29,11 @@ std::string samplesInWords(const BakeSettings& settings);
 /// What `--light` asks for.
 LightMode lightModeFrom(const OptionValues& values);
 
+/// How accurately to draw.
+DrawSettings drawSettingsFrom(const OptionValues& values);
+/// The options that ask for these settings; empty for those that hold without any.
+std::string optionsOf(const DrawSettings& settings);
+
 struct Bake {
   BakedLight light;
   BakeSettings settings;

@@ -44,7 +44,7 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
   if (const auto view = find(kViews, channel)) return drawView(loaded.level, camera, *view);
   const auto light = lightFor(loaded.level, values);
   if (!light) return tl::unexpected(light.error());
-  const Renderer renderer(loaded.level, loaded.textures, *light);
+  const Renderer renderer(loaded.level, loaded.textures, *light, drawSettingsFrom(values));
   if (const auto shown = find(kChannels, channel)) return renderer.draw(camera, *shown);
   return renderer.draw(camera, lightModeFrom(values));
 }
@@ -70,7 +70,7 @@ Command shotCommand() {
           std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
                               Option::Size, Option::Fov, Option::Light, Option::Channel,
                               Option::Quiet} +
-              lightOptions(),
+              drawOptions() + lightOptions(),
           {Option::Output},
           run};
 }

@@ -26,7 +26,8 @@ Json toJson(const BenchReport& report, const Machine& machine) {
              {{"processor", machine.processor},
               {"threads", machine.threads},
               {"compiler", machine.compiler}}},
-            {"repeats", report.repeats}};
+            {"repeats", report.repeats},
+            {"drawnWith", optionsOf(report.drawSettings)}};
   json["frames"] = Json::array();
   for (const FrameBench& frame : report.frames)
     json["frames"].push_back({{"width", frame.size.width},
@@ -56,8 +57,9 @@ Json toJson(const BenchReport& report, const Machine& machine) {
 }
 
 void print(const BenchReport& report, const Machine& machine) {
-  fmt::print("{}, {} thread(s), {}; {} repeats\n\n", machine.processor, machine.threads,
-             machine.compiler, report.repeats);
+  const std::string drawnWith = optionsOf(report.drawSettings);
+  fmt::print("{}, {} thread(s), {}; {} repeats{}\n\n", machine.processor, machine.threads,
+             machine.compiler, report.repeats, drawnWith.empty() ? "" : "; " + drawnWith);
   fmt::print("{:>16} {:>8} {:>10} {:>10} {:>10} {:>12} {:>9} {:>7}\n", "frame", "threads", "ms",
              "ms, p95", "viewports", "flatportals", "segments", "spans");
   for (const FrameBench& frame : report.frames)
@@ -88,7 +90,8 @@ ExitStatus run(const OptionValues& values) {
   if (!settings) return fail(settings.error());
   const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
   const int repeats = static_cast<int>(values.number(Option::Repeats).value_or(kRepeats));
-  const BenchReport report = measure(*loaded, *settings, threads, repeats, seconds);
+  const BenchReport report =
+      measure(*loaded, *settings, drawSettingsFrom(values), threads, repeats, seconds);
   if (values.has(Option::Json))
     fmt::print("{}\n", toJson(report, thisMachine()).dump(1));
   else
@@ -101,7 +104,7 @@ ExitStatus run(const OptionValues& values) {
 Command benchCommand() {
   return {"bench",
           "measures frames of the level's shots and its bake, on one thread and on all",
-          std::vector<Option>{Option::Repeats, Option::Json} + bakeOptions(),
+          std::vector<Option>{Option::Repeats, Option::Json} + drawOptions() + bakeOptions(),
           {},
           run};
 }

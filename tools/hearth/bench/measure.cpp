@@ -76,12 +76,13 @@ Spread spreadOf(std::vector<double> values) {
   return {at(0.5), at(0.95)};
 }
 
-BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings, int threads,
-                    int repeats, const Clock& clock) {
+BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
+                    const DrawSettings& drawSettings, int threads, int repeats,
+                    const Clock& clock) {
   const Level& level = loaded.level;
   const std::vector<Camera> cameras = camerasOf(level);
   const BakedLight light = bake(level, settings, threads);
-  const Renderer renderer(level, loaded.textures, light);
+  const Renderer renderer(level, loaded.textures, light, drawSettings);
 
   std::vector<FrameTimes> frames;
   std::vector<std::vector<double>> bakeSeconds;
@@ -104,7 +105,7 @@ BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings, int
     }
   }
 
-  BenchReport report{repeats, settings, {}, {}, light.stats};
+  BenchReport report{repeats, settings, drawSettings, {}, {}, light.stats};
   if (!cameras.empty())
     for (const FrameTimes& of : frames) report.frames.push_back(of.result());
   for (std::size_t k = 0; k < bakeSeconds.size(); ++k)

@@ -7,6 +7,7 @@
 #include "hearth/options.h"
 #include "light/bakery.h"
 #include "load/load.h"
+#include "render/draw_settings.h"
 
 namespace hearth {
 
@@ -39,6 +40,7 @@ struct BakeBench {
 struct BenchReport {
   int repeats = 0;
   BakeSettings settings;
+  DrawSettings drawSettings;
   std::vector<FrameBench> frames;
   std::vector<BakeBench> bakes;
   BakeStats bake;
@@ -52,7 +54,7 @@ using Clock = std::function<double()>;
 /// on `threads`: everything once, then everything again, so that what else the machine does
 /// strikes all alike. A level without shots is drawn as its player sees it. Memory that frames are
 /// drawn in has grown before the first is counted.
-BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings, int threads,
-                    int repeats, const Clock& clock);
+BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
+                    const DrawSettings& drawSettings, int threads, int repeats, const Clock& clock);
 
 }  // namespace hearth

@@ -119,7 +119,7 @@ ExitStatus walkInWindow(const LoadedLevel& loaded, const Plan& plan, Journey& jo
   const auto light = lightBehind(loaded, values);
   if (!light) return fail(light.error());
 
-  const Renderer renderer(level, loaded.textures, *light);
+  const Renderer renderer(level, loaded.textures, *light, drawSettingsFrom(values));
   Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
   WalkLoop loop(level, renderer, journey, screenshots, *window, plan.settings);
   if (plan.replay) loop.replay(plan.replay->inputs);
@@ -156,7 +156,7 @@ Command walkCommand() {
                               Option::Size, Option::Scale, Option::Fov, Option::FrameCap,
                               Option::Vsync, Option::Light, Option::Record, Option::Replay,
                               Option::Headless, Option::Quiet} +
-              lightOptions(),
+              drawOptions() + lightOptions(),
           {},
           run,
           false,

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "hearth/session.h"
 #include "hearth/shell_text.h"
 #include "hearth/walk/overlay.h"
 
@@ -205,10 +206,11 @@ void WalkLoop::drawOverlays() {
 /// The options with which `hearth shot` draws this picture.
 std::string WalkLoop::cameraText() const {
   const Camera& camera = scene_.camera;
-  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} --light {}",
+  const std::string drawOptions = optionsOf(renderer_.settings());
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} --light {}{}",
                      camera.eye.x, camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
                      shellWord(level_[camera.sector].name), camera.fov, camera.width, camera.height,
-                     nameOf(scene_.view.mode));
+                     nameOf(scene_.view.mode), drawOptions.empty() ? "" : " " + drawOptions);
 }
 
 }  // namespace hearth

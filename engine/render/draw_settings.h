@@ -1,0 +1,33 @@
+#pragma once
+
+namespace hearth {
+
+/// What of texture and light a picture shows.
+enum class LightMode {
+  Both,
+  None,  ///< the texture's colour alone
+  Only,  ///< the light in place of the texture; sky is white
+};
+
+enum class TextureFilter {
+  Nearest,   ///< the texel that the pixel's centre falls into
+  Bilinear,  ///< a mixture of the four texels around it
+};
+
+enum class LightFilter {
+  Nearest,   ///< the texel of the lightmap that the pixel's centre falls into
+  Bilinear,  ///< a mixture of the four texels around it
+};
+
+/// What frames may be less accurate in, to be drawn sooner. By default they are as levels/README.md
+/// says.
+struct DrawSettings {
+  TextureFilter textureFilter = TextureFilter::Nearest;
+  LightFilter lightFilter = LightFilter::Bilinear;
+  int lightEvery = 1;  ///< rows; in between, light is interpolated. At least 1
+  int depthEvery = 1;  ///< rows of flats and slopes; in between, depth is interpolated. At least 1
+
+  friend bool operator==(const DrawSettings&, const DrawSettings&) = default;
+};
+
+}  // namespace hearth

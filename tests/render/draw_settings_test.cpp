@@ -1,0 +1,149 @@
+// What pictures may be less accurate in: that each setting does what it says, and no more.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "image/compare.h"
+#include "load/load.h"
+#include "render/renderer.h"
+#include "render/row_batch.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+/// A level that is drawn twice, as exactly as possible and with settings.
+class Drawn {
+ public:
+  explicit Drawn(LoadedLevel loaded)
+      : loaded_(std::move(loaded)), light_(bake(loaded_.level, loaded_.level.bake, 2)) {}
+
+  Image with(DrawSettings settings, const Camera& camera, LightMode mode = LightMode::Both) const {
+    return Renderer(loaded_.level, loaded_.textures, light_, settings).draw(camera, mode);
+  }
+  bool isSame(DrawSettings settings, const Camera& camera, LightMode mode) const {
+    return with(settings, camera, mode) == with({}, camera, mode);
+  }
+  bool changesAnyShot(DrawSettings settings) const {
+    for (const Shot& shot : loaded_.level.shots)
+      if (!isSame(settings, cameraOf(shot), LightMode::Both)) return true;
+    return false;
+  }
+
+ private:
+  LoadedLevel loaded_;
+  BakedLight light_;
+};
+
+Camera cameraAt(Vec3 eye, double angle, double pitch = 0) {
+  return {SectorId(0), eye, angle, pitch, 90, 320, 200};
+}
+
+/// A room of plain colours, with a lamp, and a floor of which a few rows are seen.
+Drawn room() {
+  return Drawn(
+      test::levelFrom("{'sectors':{" + test::sectorText("room", "0,0, 8,0, 8,8, 0,8", 0, 4) + "}}",
+                      "[{'x':2,'y':3,'z':3,'falloff':0.5,'color':'#ffc080'}]"));
+}
+
+constexpr DrawSettings kCoarseDepth{.depthEvery = 8};
+constexpr DrawSettings kCoarseLight{.lightEvery = 8};
+
+TEST(DrawSettings, EachChangesAShotOfTheTutorial) {
+  const Drawn tutorial(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value());
+  EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Bilinear}));
+  EXPECT_TRUE(tutorial.changesAnyShot({.lightFilter = LightFilter::Nearest}));
+  EXPECT_TRUE(tutorial.changesAnyShot({.lightEvery = 2}));
+  EXPECT_TRUE(tutorial.changesAnyShot({.depthEvery = 2}));
+}
+
+TEST(DrawSettings, OfDepthConcernPlanesAlone) {
+  const Drawn drawn = room();
+  const Camera wall = cameraAt({4, 4, 2}, 90, 0);  // 4 m off, from row 20 to 180
+  const Image exact = drawn.with({}, wall);
+  const Image coarse = drawn.with(kCoarseDepth, wall);
+  for (int row = 20; row < 180; ++row) EXPECT_EQ(coarse.at(160, row), exact.at(160, row)) << row;
+  EXPECT_FALSE(coarse == exact);
+}
+
+TEST(DrawSettings, OfLightLeaveTexturesAsTheyAre) {
+  const Drawn drawn = room();
+  const Camera camera = cameraAt({1, 1, 2}, 45, -20);
+  EXPECT_TRUE(drawn.isSame({.lightFilter = LightFilter::Nearest, .lightEvery = 8}, camera,
+                           LightMode::None));
+}
+
+TEST(DrawSettings, OfTexturesLeavePlainColoursAsTheyAre) {
+  const Drawn drawn = room();
+  const Camera camera = cameraAt({1, 1, 2}, 45, -20);
+  EXPECT_TRUE(drawn.isSame({.textureFilter = TextureFilter::Bilinear}, camera, LightMode::Both));
+  EXPECT_TRUE(drawn.isSame({.textureFilter = TextureFilter::Bilinear}, camera, LightMode::None));
+}
+
+TEST(DrawSettings, InterpolateLightWithinALevelWhereItChangesEvenly) {
+  const Drawn drawn = room();
+  const Camera camera = cameraAt({6, 6, 2}, 225, 0);  // far from the lamp: texels of many rows
+  const PictureDifference difference =
+      compare(drawn.with({}, camera), drawn.with(kCoarseLight, camera));
+  EXPECT_GT(difference.differing, 0);
+  EXPECT_LE(difference.largest, 4);
+}
+
+TEST(DrawSettings, OfDepthMissByNoMoreThanTheyPromise) {
+  const SpanMapping floor{.isPlane = true, .height = -1, .depth = 1e6};
+  const double distancePx = 160;
+  std::vector<double> climbs;
+  for (int row = 0; row < 64; ++row) climbs.push_back(-(row + 0.5 + 8) / distancePx);
+  for (const int every : {2, 4, 8, 16}) {
+    RowBatch batch{};
+    batch.firstRow = 0;
+    batch.count = climbs.size();
+    findMeasures(batch, floor, climbs, every);
+    bool misses = false;
+    for (std::size_t k = 0; k < climbs.size(); ++k) {
+      const double exact = floor.depthAt(climbs[k]);
+      // n^2 / 8 of the second derivative of 1 / r is n^2 / 4 r^3; where rows lie r below the
+      // horizon.
+      const double nearest = static_cast<double>(k / every * every) + 8.5;
+      const double bound = every * every / (4.0 * nearest * nearest * nearest) * distancePx;
+      EXPECT_LE(std::abs(batch.measure[k] - exact), bound + 1e-9) << every << ' ' << k;
+      misses = misses || batch.measure[k] != exact;
+    }
+    EXPECT_TRUE(misses);
+  }
+}
+
+TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
+  RowBatch batch{};
+  batch.firstRow = 0;
+  batch.count = 4;
+  findMeasures(batch, SpanMapping{}, std::vector{0.5, 1.0, 7.75, -0.25}, 1);
+  findMixtures(batch, {.u = {0, 1}, .v = {0.5, 0}}, Image(8, 1));
+  const int texels[] = {0, 0, 7, 7};
+  const float shares[] = {0, 0.5, 0.25, 0.25};
+  for (std::size_t k = 0; k < batch.count; ++k) {
+    EXPECT_EQ(batch.texelColumn.texel[k], texels[k]) << k;
+    EXPECT_EQ(batch.texelColumn.share[k], shares[k]) << k;
+    EXPECT_EQ(batch.texelRow.texel[k], 0);
+    EXPECT_EQ(batch.texelRow.share[k], 0);
+  }
+}
+
+TEST(DrawSettings, KeepSkiesWithinTheirImage) {
+  RowBatch batch{};
+  batch.firstRow = 0;
+  batch.count = 3;
+  findMeasures(batch, SpanMapping{}, std::vector{-5.0, 1.25, 50.0}, 1);
+  for (const int height : {1, 4}) {
+    findMixtures(batch, {.isSky = true, .v = {0, 1}}, Image(8, height));
+    for (std::size_t k = 0; k < batch.count; ++k) {
+      EXPECT_GE(batch.texelRow.texel[k], 0);
+      EXPECT_LE(batch.texelRow.texel[k] + (batch.texelRow.share[k] > 0 ? 1 : 0), height - 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hearth
