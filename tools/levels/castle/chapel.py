@@ -1,0 +1,39 @@
+"""The chapel."""
+
+from castle.site import doorway, outdoors, plan, room
+from plan import rectangle, ring
+
+NAVE = 0.2
+
+
+def chapel():
+    plan.heading("The chapel: sloped ceilings hung from its vault, coloured glass above the altar")
+
+    def strips(name, x0, x1, z, middle, columns=(), corner=0):
+        sides = {"north": (13.6, 15.6), "south": (19.9, 17.9)}
+        for side, (wall, aisle) in sides.items():
+            outline = [(x0, wall), (x1 - corner, wall), (x1, aisle), (x0, aisle)]
+            row = aisle - 0.35 if side == "north" else aisle + 0.35
+            room(f"{name}-{side}", outline, (z, "marble"), (7.8, "wood"), wall="ashlar", skin="marble",
+                 holes=[ring(x, row, 0.24, 8) for x in columns],
+                 ceiling_drop=lambda x, y, aisle=aisle: 1.5 * abs(y - aisle))
+        room(f"{name}-aisle", rectangle(x0, 15.6, x1, 17.9), (z, middle), (7.8, "wood"), wall="ashlar",
+             skin="marble",
+             holes=[ALTAR] if name == "chancel" else [])
+
+    ALTAR = rectangle(29.4, 15.9, 29.95, 17.6)
+    strips("nave", 22.6, 27.4, NAVE, "carpet", columns=(25.1, 26.8))
+    strips("chancel", 27.4, 31, NAVE + 0.2, "marble", corner=1.2)
+    room("altar", ALTAR, (NAVE + 1.3, "carpet"), (7.8, "wood"), skin="ashlar")
+    doorway("chapel-door", rectangle(22, 15.9, 22.6, 17.6), NAVE, 2.8)
+    for side, y0, y1 in (("north", 15.75, 16.75), ("south", 16.75, 17.75)):
+        doorway(f"chapel-window-{side}", rectangle(31, y0, 31.3, y1), 2.2, 4.6, wall="glass", light=0.6,
+                sidewall="ashlar",
+                ceiling_drop=lambda x, y: 1.4 * abs(y - 16.75))
+    for i, x in enumerate((23.4, 25.4, 28.4)):
+        doorway(f"chapel-window-{i + 1}", rectangle(x, 19.9, x + 0.7, 20.5), 1.8, 2.4)
+
+    ridge = 16.8  # beside the window's middle: outlines of rooms and of what lies above stay apart
+    for name, eaves in (("north", 13), ("south", 20.5)):
+        outdoors(f"chapel-roof-{name}", rectangle(22, eaves, 31.5, ridge), 6.4, "slate", skin="ashlar",
+                 floor_rise=lambda x, y, eaves=eaves: 4 * (y - eaves) / (ridge - eaves))

@@ -1,0 +1,55 @@
+"""The gatehouse."""
+
+from castle.site import (
+    COURT, PARAPET, WALK, battlement, doorway, lit_window, mirrored, on_both_sides, outdoors, plan, room)
+from plan import rectangle
+
+GATE_TOP = 8.4
+
+
+def gatehouse():
+    plan.heading("The gatehouse: a passage below a guardroom below a platform")
+    outer = [(12, 33), (12, 34.4), (12.8, 35.2), (14.4, 35.2), (15.2, 34.4)]
+    inner = [(12.5, 33), (12.5, 34.193), (13.007, 34.7), (14.193, 34.7), (14.893, 34)]
+
+    def side(name, turned):
+        heights = [PARAPET + 3.2, PARAPET + 2.4, PARAPET + 3.2, PARAPET + 2.4]
+        for i, z in enumerate(heights):
+            outline = [outer[i], outer[i + 1], inner[i + 1], inner[i]]
+            outdoors(f"bastion-{name}-{i + 1}", turned(outline), z, "stone", skin="ashlar")
+        outdoors(f"bastion-{name}-5", turned([(15.2, 34.4), (15.2, 34), (14.893, 34)]), 9.3, "stone",
+                 skin="ashlar")
+        battlement(f"gate-flank-{name}", turned([(12, 31.3), (12, 33)]), turned([(12.5, 31.3), (12.5, 33)]),
+                   [1, 0.7], 9.3, 10.1)
+        lit_window(f"bastion-{name}-window", turned(rectangle(13.3, 35.08, 13.9, 35.2)), 3.25, 1.5)
+        lit_window(f"gate-{name}-lamp", turned(rectangle(15.08, 31.2, 15.2, 31.6)), 1.75, 0.75)
+        doorway(f"guard-door-{name}", turned(rectangle(12, 31.45, 12.6, 32.4)), WALK, 1.95)
+        vault = turned([(15.2, 0), (16.1, 0)])
+
+        def spring(x, y, foot=vault[0][0], crown=vault[1][0]):
+            return 1.3 * (crown - x) / (crown - foot)
+
+        for part, y0, y1 in (("inner", 30, 33), ("outer", 33.3, 34)):
+            room(f"gate-{part}-{name}", turned(rectangle(15.2, y0, 16.1, y1)), (COURT, "cobble"),
+                 (4.4, "ashlar"),
+                 wall="ashlar", skin="ashlar", ceiling_drop=spring)
+
+    on_both_sides(side)
+    outdoors("gate-top-entry", rectangle(12, 30.5, 12.5, 31.3), GATE_TOP, "stone", skin="ashlar")
+    outdoors("gate-flank-corner", mirrored(rectangle(12, 30.5, 12.5, 31.3)), 9.3, "stone", skin="ashlar")
+    battlement("gate-back", [(12, 30), (22, 30)], [(12, 30.5), (22, 30.5)], [1.2, 0.8] * 5, 9.3, 10.1)
+    battlement("gate-front", [(15.2, 34), (18.8, 34)], [(15.2, 33.5), (18.8, 33.5)],
+               [0.8, 0.6, 0.8, 0.6, 0.8], 9.3, 10.1)
+    top = [(12.5, 33), (12.5, 34.193), (13.007, 34.7), (14.193, 34.7), (14.893, 34), (15.2, 34), (15.2, 33.5)]
+    outdoors("gate-top", [(12.5, 30.5), *top, *mirrored(top)[::-1], (21.5, 30.5)], GATE_TOP, "stone",
+             skin="ashlar")
+
+    room("guardroom", rectangle(12.6, 30.7, 21.4, 33.2), (5.6, "wood"), (7.95, "beam"), wall="plaster",
+         skin="ashlar")
+    doorway("guard-window", rectangle(16.5, 33.2, 17.5, 34), 6.4, 1.2)
+    doorway("guard-window-court", rectangle(16.2, 30, 17.8, 30.7), 6.4, 1.2)
+    for part, y0, y1 in (("inner", 30, 33), ("outer", 33.3, 34)):
+        room(f"gate-{part}", rectangle(16.1, y0, 17.9, y1), (COURT, "cobble"), (4.4, "ashlar"),
+             wall="ashlar", skin="ashlar")
+    room("portcullis", rectangle(15.2, 33, 18.8, 33.3), (COURT, "cobble"), (2.5, "grate"), wall="ashlar",
+         skin="grate")

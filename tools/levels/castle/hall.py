@@ -1,0 +1,65 @@
+"""The great hall."""
+
+from castle.site import STAIR_OUTER, STAIR_X, STAIR_Y, WALK, doorway, outdoors, plan, room
+from plan import rectangle, ring
+
+HALL, GALLERY, APEX, HALL_WEST = 0.4, 3.6, 10.6, 8.9
+STRIPS = {"north": (1.4, 6), "middle": (6, 7.5), "south": (7.5, 12.5)}
+
+
+def hall():
+    plan.heading("The great hall: three strips, the outer two below slopes; beams, dais, gallery")
+
+    def pitch(x, y):
+        return 0.8 * max(6 - y, y - 7.5)
+
+    def bay(name, x0, x1, z, floor, carpet="carpet", **other):
+        for strip, (y0, y1) in STRIPS.items():
+            is_middle = strip == "middle"
+            texture = carpet if is_middle else floor
+            room(f"hall-{name}-{strip}", rectangle(x0, y0, x1, y1), (z, texture), (APEX, "wood"),
+                 **{"wall": "plaster", "skin": "beam", "ceiling_drop": None if is_middle else pitch, **other})
+
+    def beam(name, x0, x1):
+        for strip, (y0, y1) in STRIPS.items():
+            texture = "carpet" if strip == "middle" else "marble"
+            room(f"hall-below-{name}-{strip}", rectangle(x0, y0, x1, y1), (HALL, texture), (6, "beam"),
+                 skin="beam")
+        bay(name, x0, x1, 6.4, "beam", "beam")
+
+    room("screens", rectangle(HALL_WEST, 1.4, 12.7, 12.5), (HALL, "marble"), (3.3, "beam"), wall="wood",
+         skin="beam",
+         holes=[rectangle(12.35, y, 12.65, y + 0.3) for y in (4.2, 9)])
+    bay("gallery", HALL_WEST, 12.5, GALLERY, "wood", "wood")
+    bay("rail", 12.5, 12.7, GALLERY + 0.9, "beam", "beam", skin="wood")
+    bay("west", 12.7, 15.4, HALL, "marble")
+    beam("west-beam", 15.4, 15.8)
+    bay("centre", 15.8, 19.2, HALL, "marble")
+    beam("east-beam", 19.2, 19.6)
+    bay("east", 19.6, 21, HALL, "marble")
+    bay("dais", 21, 24, HALL + 0.2, "wood", skin="wood")
+    doorway("hall-door", rectangle(16.6, 12.5, 18.2, 13), HALL, 2.8)
+    for name, x, width, z, height in (("west", 13.5, 1.1, 2.6, 3), ("door", 16.8, 1.2, 4.2, 1.6),
+                                      ("east", 20, 0.8, 2.6, 3),
+                                      ("gallery", 10, 1, 4.6, 1.6)):
+        doorway(f"hall-window-{name}", rectangle(x, 12.5, x + width, 13), z, height)
+    for name, x in (("west", 13.2), ("east", 19.7)):
+        room(f"hall-hanging-{name}", rectangle(x, 1.25, x + 1.9, 1.4), (1.5, "wood"), (5.4, "wood"),
+             wall="carpet")
+    room("hall-hearth", [(16.4, 1.4), (16.8, 0.7), (18.4, 0.7), (18.8, 1.4)], (HALL, "stone"),
+         (2.3, "brick"), wall="brick")
+    room("hall-throne", rectangle(24, 5.6, 24.4, 7.9), (1.1, "wood"), (4.6, "wood"), wall="carpet")
+
+    def south(x, y):
+        return 0.75 * (13 - y)
+
+    def north(x, y):
+        return 0.75 * (y - 0.5)
+
+    outdoors("hall-roof-south", rectangle(8.5, 6.75, 24.5, 13), 7.4, "roof", skin="plaster", floor_rise=south)
+    outdoors("hall-roof-north", rectangle(8.5, 0.5, 24.5, 6.75), 7.4, "roof", skin="plaster",
+             floor_rise=north)
+    tower = ring(STAIR_X, STAIR_Y, STAIR_OUTER, 12)
+    north_side = [tower[k] for k in range(4, 10)]
+    outdoors("kitchen-roof", [(2.5, 0.5), (8.5, 0.5), *north_side[::-1]], WALK, "roof", skin="ashlar",
+             floor_rise=lambda x, y: 0.24 * (11.6 - y))
