@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "image/image_file.h"
+#include "textures/turn.h"
 
 namespace hearth::textures {
 namespace {
@@ -95,6 +96,29 @@ TEST(Textures, AreBrightEnoughForLightToDarkenThem) {
   for (const Texture& texture : makeAll()) {
     EXPECT_GE(meanLevel(texture.image), 110) << texture.name;
     EXPECT_LE(meanLevel(texture.image), 190) << texture.name;
+  }
+}
+
+TEST(Textures, AQuarterTurnBringsTheLowerEdgeToTheLeft) {
+  const Image slate = makeSlate();
+  const Image west = turned(slate);
+  const int last = kTileSide - 1;
+  for (int i = 0; i < kTileSide; ++i) {
+    ASSERT_EQ(west.at(0, i), slate.at(i, last)) << i;
+    ASSERT_EQ(west.at(last, i), slate.at(i, 0)) << i;
+  }
+}
+
+// A course of slates lies across the slope: it goes on along lines from the lower left to the upper
+// right, and the slope falls to the lower right.
+TEST(Textures, AnEighthTurnLaysRowsAcrossASlopeThatFallsToTheLowerRight) {
+  Image tile(kTileSide, kTileSide);
+  for (int y = 0; y < kTileSide; ++y)
+    for (int x = 0; x < kTileSide; ++x) tile.at(x, y) = Rgb{static_cast<std::uint8_t>(y), 0, 0};
+  const Image aslant = diagonal(tile);
+  for (int i = 1; i < kTileSide; ++i) {
+    ASSERT_EQ(aslant.at(i, 0), aslant.at(0, i)) << i;
+    ASSERT_EQ(aslant.at(i, i).r, 4 * i % kTileSide) << i;
   }
 }
 

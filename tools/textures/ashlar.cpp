@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "textures/noise.h"
 #include "textures/paint.h"
@@ -80,8 +81,11 @@ Rgb cutStone(int x, int y) {
   return shade(*kMix[ramp], toneOf(stone, x, y, rough), x, y);
 }
 
+/// How wet the walls are: 256 where they stand in moss, 0 where they are dry.
+constexpr int kWetThrough = 256;
+
 /// The same stones, wet, with moss that spreads from the joints and the stones' lower edges.
-Rgb mossyStone(int x, int y) {
+Rgb overgrownStone(int x, int y, int wetness) {
   const Stone stone = stoneAt(x, y);
   const int rough = roughAt(x, y);
   const bool joint = isJoint(stone, rough);
@@ -89,17 +93,30 @@ Rgb mossyStone(int x, int y) {
   const int fromBelow = stone.pixel.height - stone.pixel.y;
   const int damp = std::max(0, 10 - std::max(0, edgeDistance(stone.pixel))) * 5 +
                    std::max(0, 12 - std::max(0, fromBelow)) * 3;
-  const int moss = patches / 2 + damp + rough / 4 - 30;
+  const int moss = patches / 2 + damp + rough / 4 - 30 - (kWetThrough - wetness) / 3;
   if (moss > 8)
     return shade(kMoss, 118 + rough / 4 + std::min(moss, 60) / 2 - (joint ? 40 : 0), x, y);
-  if (joint) return shade(kMortar, 78 + rough / 4, x, y);
-  return shade(kWet, toneOf(stone, x, y, rough) - (moss > -4 ? 24 : 4), x, y);
+  const Rgb wet = joint ? shade(kMortar, 78 + rough / 4, x, y)
+                        : shade(kWet, toneOf(stone, x, y, rough) - (moss > -4 ? 24 : 4), x, y);
+  return blend(cutStone(x, y), wet, wetness);
+}
+
+/// Down a wall from dry stone to wet and back, twice: moss that ends in tongues.
+Rgb stoneAboveMoss(int x, int y) {
+  const int tongues = cloudNoise(x, 0, {kTileSide, 8, 32, 8}, 87) / 3;
+  const int fromDry = kCourse - std::abs(wrap(y - kCourse / 2, 2 * kCourse) - kCourse);
+  const int damp = std::clamp(fromDry + tongues - 6, 0, kCourse - 12);
+  return overgrownStone(x, y, damp * kWetThrough / (kCourse - 12));
 }
 
 }  // namespace
 
 Image makeAshlar() { return paintTile(cutStone); }
 
-Image makeMossy() { return paintTile(mossyStone); }
+Image makeMossy() {
+  return paintTile([](int x, int y) { return overgrownStone(x, y, kWetThrough); });
+}
+
+Image makeMossline() { return paintTile(stoneAboveMoss); }
 
 }  // namespace hearth::textures

@@ -21,17 +21,22 @@ constexpr Ramp kPearl{
     {{136, 132, 134}, {164, 160, 156}, {190, 185, 176}, {210, 205, 194}, {228, 224, 214}}};
 constexpr Ramp kLead{{{48, 48, 58}, {64, 64, 74}, {82, 82, 90}, {106, 106, 112}, {140, 140, 142}}};
 
-// Leaded panes in lozenges, a colour to each, and the sky's light uneven in them.
+// Leaded panes in lozenges, a colour to each, and the sky's light uneven in them. No two that touch
+// are alike, nor do those of one colour lie in a row.
 Rgb pixelAt(int x, int y) {
-  static constexpr std::array<const Ramp*, 6> kMix{&kAmber, &kPearl, &kSea,
-                                                   &kPearl, &kAmber, &kRose};
+  using Row = std::array<const Ramp*, 4>;
+  static constexpr std::array<Row, 4> kMix{{{&kAmber, &kPearl, &kSea, &kRose},
+                                            {&kSea, &kAmber, &kPearl, &kSea},
+                                            {&kPearl, &kRose, &kAmber, &kPearl},
+                                            {&kRose, &kSea, &kPearl, &kAmber}}};
   const int rising = wrap(x + y + kPane / 2, kTileSide);
   const int falling = wrap(x - y + kPane / 2, kTileSide);
   const int lead = std::min(rising % kPane, falling % kPane);
   if (lead < 3) return shade(kLead, lead == 0 ? 170 : 110 - 40 * lead, x, y);
   const int glow = cloudNoise(x, y, {kTileSide, kTileSide, 32, 32}, 181);
-  const auto ramp = static_cast<std::size_t>(pick(rising / kPane, falling / kPane, 184, 6));
-  return shade(*kMix[ramp], 150 + glow / 3 - rising % kPane, x, y);
+  const Ramp& ramp =
+      *kMix[static_cast<std::size_t>(rising / kPane)][static_cast<std::size_t>(falling / kPane)];
+  return shade(ramp, 150 + glow / 3 - rising % kPane, x, y);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ constexpr Ramp kGrey{
 constexpr Ramp kBrown{
     {{88, 78, 71}, {122, 109, 97}, {153, 138, 122}, {180, 164, 146}, {208, 193, 174}}};
 constexpr Ramp kBlue{
-    {{78, 79, 86}, {106, 107, 114}, {135, 136, 140}, {163, 163, 163}, {194, 193, 189}}};
+    {{81, 80, 83}, {111, 109, 110}, {140, 138, 136}, {168, 164, 159}, {198, 194, 186}}};
 constexpr Ramp kSoil{
     {{84, 66, 52}, {114, 92, 71}, {142, 118, 92}, {166, 142, 114}, {190, 168, 138}}};
 constexpr Ramp kTurf{
@@ -38,7 +38,7 @@ Rgb dirtPixel(int x, int y) {
   const int clouds = cloudNoise(x, y, {kTileSide, kTileSide, 32, 32}, 105);
   const int grit = smoothNoise(x, y, {kTileSide, kTileSide, 4, 2}, 108);
   const Cell pebble = nearestCell(x, y, 16, 14, 109);
-  const int size = 1 + pebble.id % 4;
+  const int size = 1 + pebble.id % 3;
   const int reach = pebble.dx * pebble.dx + 2 * pebble.dy * pebble.dy;
   const bool isThere = pebble.id / 8 % 3 == 0;
   if (isThere && reach <= size * size) {

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <optional>
 
 #include "textures/noise.h"
 #include "textures/paint.h"
 #include "textures/textures.h"
+#include "textures/turn.h"
 
 namespace hearth::textures {
 namespace {
@@ -10,6 +12,7 @@ namespace {
 constexpr int kPlate = 64;
 constexpr int kMesh = 32;
 constexpr int kBar = 12;
+constexpr int kStrap = 13;
 
 constexpr Ramp kIron{
     {{62, 66, 78}, {94, 99, 110}, {128, 132, 140}, {162, 164, 168}, {202, 202, 200}}};
@@ -61,7 +64,27 @@ Rgb gratePixel(int x, int y) {
   return shade(kIron, shadowed ? 0 : 10, x, y);
 }
 
+/// A strap across a door at a row, riveted in its middle: its tone, or none beside it.
+std::optional<int> strapTone(int x, int y, int row) {
+  const int down = y - row;
+  if (down < 0 || down >= kStrap) return std::nullopt;
+  const int rim = down == 0 ? 40 : down == kStrap - 1 ? -50 : 0;
+  return 120 + rim + rivetTone((x + 8) % 32 - 16, down - kStrap / 2, 3);
+}
+
 }  // namespace
+
+/// Upright planks behind two straps.
+Image makeDoor() {
+  Image door = turned(makeWood());
+  for (int y = 0; y < kTileSide; ++y) {
+    for (int x = 0; x < kTileSide; ++x) {
+      for (const int row : {18, 96})
+        if (const auto tone = strapTone(x, y, row)) door.at(x, y) = metal(*tone, x, y);
+    }
+  }
+  return door;
+}
 
 Image makeIron() { return paintTile(platePixel); }
 

@@ -35,7 +35,7 @@ Rgb pixelAt(int x, int y) {
   if (edgeDistance(pixel) < 0) return shade(kSlateRose, 20, x, y);
   const int clouds = cloudNoise(x, y, {kTileSide, kTileSide, 32, 32}, 141);
   const int vein = veinTone(dark ? kTileSide - x : x, y, slab);
-  return shade(ramp, 140 + clouds / 5 + (dark ? -vein : vein) + bevel(pixel, 20), x, y);
+  return shade(ramp, 140 + clouds / 5 + (dark ? -vein / 3 : vein) + bevel(pixel, 20), x, y);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace hearth::textures {
 namespace {
 
 constexpr int kCell = 16;  // one trowel mark starts in every cell of so many pixels
-constexpr int kQuietRow = 24;
+constexpr int kQuietRow = 103;
 constexpr Grain kBroad{kTileSide, kTileSide, 32, 32};
 
 constexpr Ramp kLime{
@@ -38,21 +38,22 @@ int marksTone(int x, int y) {
   return tone;
 }
 
-/// Hairline cracks follow the zero line of a coarse noise, where another noise lets them.
+/// Hairline cracks follow the zero line of a coarse noise, where another noise lets them: in few
+/// places and for a short way, because what closes to a figure is known again in every repeat.
 bool cracked(int x, int y) {
   const auto high = [](int i, int j) { return cloudNoise(i, j, kBroad, 45) > 0; };
   const bool line = high(x, y) != high(x + 1, y) || high(x, y) != high(x, y + 1);
-  return line && smoothNoise(x, y, kBroad, 53) > 54;
+  return line && smoothNoise(x, y, kBroad, 53) > 92;
 }
 
 Rgb pixelAt(int x, int y) {
-  const int patches = cloudNoise(x, y, kBroad, 47);
+  const int patches = cloudNoise(x, y, {kTileSide, kTileSide, 64, 64}, 47);
   const int sand = smoothNoise(x, y, {kTileSide, kTileSide, 2, 2}, 48);
-  int tone = 140 + patches / 4 + sand / 12 + marksTone(x, y);
+  int tone = 140 + patches / 9 + sand / 12 + marksTone(x, y);
   if (cracked(x, y)) {
-    tone -= 42;
+    tone -= 26;
   } else if (cracked(x - 1, y - 1)) {
-    tone += 14;  // the crack's far lip
+    tone += 9;  // the crack's far lip
   }
   return shade(kLime, tone, x, y);
 }

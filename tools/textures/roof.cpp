@@ -14,7 +14,7 @@ constexpr Ramp kTerracotta{
 constexpr Ramp kSmoked{
     {{88, 52, 48}, {130, 76, 64}, {166, 104, 82}, {194, 134, 106}, {220, 168, 138}}};
 constexpr Ramp kMossy{
-    {{86, 58, 46}, {130, 90, 62}, {166, 120, 80}, {192, 148, 102}, {216, 178, 132}}};
+    {{89, 53, 45}, {134, 82, 60}, {171, 111, 76}, {198, 141, 98}, {223, 174, 129}}};
 
 /// How far a tile's round lower edge is cut away above its lowest row, by column.
 constexpr std::array<int, kTile> kCut{7, 5, 3, 2, 1, 1, 0, 0, 0, 0, 1, 1, 2, 3, 5, 7};

@@ -8,8 +8,8 @@
 namespace hearth::textures {
 namespace {
 
-constexpr int kWidth = 512;
-constexpr int kHeight = 128;
+constexpr int kWidth = 1536;
+constexpr int kHeight = 256;
 
 // Dusk, from the zenith down to the haze.
 constexpr Ramp kAir{
@@ -23,53 +23,54 @@ constexpr Rgb kMoon{250, 244, 220};
 constexpr Rgb kMoonShade{222, 212, 200};
 
 Rgb air(int x, int y) {
-  const int tone = y * y / 110 + 3 * y / 4;
+  const int tone = y * y / 440 + 3 * y / 8;
   return shade(kAir, std::min(tone, 255), x, y);
 }
 
 /// Stars of three sizes of light, above the clouds; none in the rows that repeat beyond the image.
-bool star(int x, int y) { return y > 2 && y < 62 && pick(x, y, 61, 5200) < 62 - y; }
+bool star(int x, int y) { return y > 4 && y < 124 && pick(x, y, 61, 62400) < 124 - y; }
 
-/// On screen a pixel is about 8/5 as wide as high where the moon hangs.
 bool inDisc(int x, int y, int centreX, int centreY) {
-  const int dx = 8 * (x - centreX);
-  const int dy = 5 * (y - centreY);
-  return dx * dx + dy * dy <= 50 * 50;
+  const int dx = x - centreX;
+  const int dy = y - centreY;
+  return dx * dx + dy * dy <= 20 * 20;
 }
 
 /// The upper rim of a range of mountains: ridges of straight slopes, smaller ones upon larger.
 int ridge(int x, int cell, int height, std::uint32_t seed) {
-  int rim = 0;
+  int rim64 = 0;  // in 1/64 pixel, so that the ridges' roundings do not add up to a step
   for (int octave = 0; octave < 3; ++octave, cell /= 2, height /= 2) {
     const int column = x / cell;
     const int next = (column + 1) % (kWidth / cell);
     const int step = x % cell;
     const int from = pick(column, octave, seed, height);
     const int to = pick(next, octave, seed, height);
-    rim += (from * (cell - step) + to * step) / cell;
+    rim64 += 64 * (from * (cell - step) + to * step) / cell;
   }
-  return rim;
+  return rim64 / 64;
 }
 
 Rgb pixelAt(int x, int y) {
   Rgb colour = air(x, y);
   if (star(x, y)) colour = blend(colour, kMoon, 120 + pick(x, y, 62, 136));
-  if (inDisc(x, y, 352, 40)) colour = inDisc(x, y, 350, 39) ? kMoon : kMoonShade;
+  if (inDisc(x, y, 1056, 80)) colour = inDisc(x, y, 1051, 77) ? kMoon : kMoonShade;
 
   // Clouds: long streaks, lit from below by what is left of the sun.
   const auto cover = [](int i, int j) {
-    const int streaks = cloudNoise(i, j, {kWidth, kHeight, 64, 8}, 63);
-    return streaks + cloudNoise(i, j, {kWidth, kHeight, 128, 32}, 66) / 2 - std::abs(j - 66) - 8;
+    const int streaks = cloudNoise(i, j, {kWidth, kHeight, 192, 16}, 63);
+    const int banks = cloudNoise(i, j, {kWidth, kHeight, 384, 64}, 66) / 2;
+    const int wisps = smoothNoise(i, j, {kWidth, kHeight, 24, 2}, 69) / 12;
+    return streaks + banks + wisps - std::abs(j - 132) / 2 - 8;
   };
-  if (y > 8 && cover(x, y) > 0) {
-    const bool rim = cover(x, y + 2) <= 0;
+  if (y > 16 && cover(x, y) > 0) {
+    const bool rim = cover(x, y + 3) <= 0;
     colour = blend(colour, rim ? kCloudLit : kCloud, cover(x, y) > 18 ? 190 : 110);
   }
 
   const int up = kHeight - 1 - y;  // rows above the haze
-  if (up < 8 + ridge(x, 64, 22, 70)) colour = kFarRange;
-  if (up < 2 + ridge(x, 32, 14, 73)) colour = kNearRange;
-  return blend(kHaze, colour, std::min(256, up * 18));
+  if (up < 8 + ridge(x, 192, 30, 70)) colour = kFarRange;
+  if (up < 4 + ridge(x, 96, 20, 73)) colour = kNearRange;
+  return blend(kHaze, colour, std::min(256, up * 60));
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ constexpr int kWidth = 16;
 constexpr Ramp kBlue{
     {{70, 74, 92}, {98, 102, 120}, {126, 130, 145}, {154, 156, 166}, {186, 186, 190}}};
 constexpr Ramp kViolet{
-    {{78, 70, 88}, {106, 97, 114}, {134, 124, 138}, {160, 151, 161}, {190, 181, 187}}};
+    {{74, 72, 90}, {102, 100, 117}, {130, 127, 142}, {157, 154, 164}, {188, 184, 189}}};
 constexpr Ramp kGreen{
-    {{72, 80, 84}, {100, 109, 110}, {127, 137, 135}, {155, 163, 158}, {187, 191, 183}}};
+    {{71, 77, 88}, {99, 105, 115}, {126, 133, 140}, {154, 159, 162}, {186, 188, 187}}};
 
 // Square slates in courses: each throws a shadow on the one below, and no two lie quite as deep.
 Rgb pixelAt(int x, int y) {

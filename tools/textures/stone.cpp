@@ -8,14 +8,18 @@
 namespace hearth::textures {
 namespace {
 
-// One letter per stone on a grid of four by four cells, which wraps around on both sides.
-constexpr std::array<std::string_view, 4> kPlan{"AABC",  //
-                                                "AADC",  //
-                                                "EFFG",  //
-                                                "HFFG"};
+// One letter per stone on a grid of cells that wraps around on both sides. Every line of the grid
+// is broken by stones that lie across it, so no joint runs on from one repeat to the next.
+constexpr int kCells = 6;
+constexpr std::array<std::string_view, kCells> kPlan{"NBBCCN",  //
+                                                     "AAICCA",  //
+                                                     "AADDHA",  //
+                                                     "JGDDMK",  //
+                                                     "EGDDFF",  //
+                                                     "EBBLFF"};
 // Where the grid's lines run, in pixels. Uneven, so that no two stones are alike.
-constexpr std::array<int, 5> kLines{0, 30, 66, 100, 128};
-constexpr int kShift = 15;  // brings the image's edges to the middle of stones
+constexpr std::array<int, kCells + 1> kLines{0, 20, 43, 62, 86, 107, 128};
+constexpr int kShift = 10;  // brings the image's edges to the middle of stones
 constexpr int kJoint = 3;
 
 constexpr Ramp kGrey{
@@ -34,10 +38,17 @@ int cellOf(int along) {
 }
 
 char stoneAt(int column, int row) {
-  return kPlan[static_cast<std::size_t>(wrap(row, 4))][static_cast<std::size_t>(wrap(column, 4))];
+  return kPlan[static_cast<std::size_t>(wrap(row, kCells))]
+              [static_cast<std::size_t>(wrap(column, kCells))];
 }
 
-/// The extent of a stone along one axis, from the cell that holds the pixel.
+/// Where the line before a cell runs; cells before and past the image repeat it.
+int lineBefore(int cell) {
+  const int repeat = (cell - wrap(cell, kCells)) / kCells;
+  return kLines[static_cast<std::size_t>(wrap(cell, kCells))] + repeat * kTileSide;
+}
+
+/// The extent of a stone along one axis, in pixels; it may begin before the image or end past it.
 struct Extent {
   int begin;
   int end;
@@ -47,9 +58,9 @@ template <typename SameStone>
 Extent extentOf(int cell, SameStone same) {
   int first = cell;
   int last = cell;
-  while (first > 0 && same(first - 1)) --first;
-  while (last < 3 && same(last + 1)) ++last;
-  return {kLines[static_cast<std::size_t>(first)], kLines[static_cast<std::size_t>(last) + 1]};
+  while (same(first - 1)) --first;
+  while (same(last + 1)) ++last;
+  return {lineBefore(first), lineBefore(last + 1)};
 }
 
 const Ramp& rampOf(char stone) {

@@ -10,27 +10,33 @@ namespace hearth::textures {
 /// The side of a surface texture in pixels. Each repeats seamlessly in both directions.
 inline constexpr int kTileSide = 128;
 
-Image makeAshlar();   ///< Cut stones in four courses of one height, three to a course.
-Image makeBeam();     ///< Two hewn timbers, their grain along the rows.
-Image makeBrick();    ///< Running bond, 4 bricks by 8 courses.
-Image makeCarpet();   ///< Lozenges of crimson and gold, two by two.
-Image makeCobble();   ///< Round stones set in soil.
-Image makeDirt();     ///< Trodden soil with pebbles.
-Image makeGlass();    ///< Leaded panes in lozenges of pale colours.
-Image makeGrass();    ///< Short turf.
-Image makeGrate();    ///< Iron bars, four by four, before the dark.
-Image makeIron();     ///< Riveted plates, two by two.
-Image makeMarble();   ///< A chessboard of light and dark slabs, two by two.
-Image makeMossy();    ///< The stones of makeAshlar, wet and overgrown.
-Image makePlaster();  ///< Lime plaster with trowel marks and hairline cracks.
-Image makeRoof();     ///< Beaver-tail tiles, 8 by 8, the lower edge of each at the bottom.
-Image makeSlate();    ///< Square roof slates, 8 by 8, the lower edge of each at the bottom.
-Image makeStone();    ///< A floor of cut stones of many sizes.
-Image makeWater();    ///< Ripples along the rows.
-Image makeWood();     ///< Eight planks, their grain along the rows.
+Image makeAshlar();    ///< Cut stones in four courses of one height, three to a course.
+Image makeBeam();      ///< Two hewn timbers, their grain along the rows.
+Image makeBrick();     ///< Running bond, 4 bricks by 8 courses.
+Image makeCarpet();    ///< Lozenges of crimson and gold, two by two.
+Image makeCobble();    ///< Round stones set in soil.
+Image makeDirt();      ///< Trodden soil with pebbles.
+Image makeDoor();      ///< Upright planks behind two iron straps.
+Image makeDressed();   ///< Smooth stones in four courses without upright joints: frames, copings.
+Image makeEmber();     ///< Glowing coals.
+Image makeGlass();     ///< Leaded panes in lozenges of pale colours.
+Image makeGrass();     ///< Short turf.
+Image makeGrate();     ///< Iron bars, four by four, before the dark.
+Image makeIron();      ///< Riveted plates, two by two.
+Image makeMarble();    ///< A chessboard of light and dark slabs, two by two.
+Image makeMossy();     ///< The stones of makeAshlar, wet and overgrown.
+Image makeMossline();  ///< The same where moss ends: dry at rows 16 and 80, overgrown at 48 and
+                       ///< 112.
+Image makePlaster();   ///< Lime plaster with trowel marks and hairline cracks.
+Image makeRoof();      ///< Beaver-tail tiles, 8 by 8, the lower edge of each at the bottom.
+Image makeSlate();     ///< Square roof slates, 8 by 8, the lower edge of each at the bottom.
+Image makeStone();     ///< A floor of cut stones of many sizes.
+Image makeWater();     ///< Ripples along the rows.
+Image makeWood();      ///< Eight planks, their grain along the rows.
 
-/// A dusk panorama of 512x128 pixels, seamless from left to right: the zenith's colour in the top
-/// row, haze in the bottom row, both plain, because a sky repeats them beyond the image.
+/// A dusk panorama of 1536x256 pixels, which are square on the screen, seamless from left to right:
+/// the zenith's colour in the top row, haze in the bottom row, both plain, because a sky repeats
+/// them beyond the image.
 Image makeSky();
 
 struct Texture {
@@ -38,7 +44,10 @@ struct Texture {
   Image image;
 };
 
-/// All of the above, made with integers only: the same on every machine.
+/// All of the above, made with integers only: the same on every machine. Slopes cannot turn what
+/// they wear, so what has a direction comes in several: "slate-ne" is for a slope that falls to the
+/// north east, which is the image's upper right; without a suffix it falls to the south. "post" is
+/// "beam" with its grain along the columns.
 std::vector<Texture> makeAll();
 
 }  // namespace hearth::textures

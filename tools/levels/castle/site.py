@@ -26,7 +26,7 @@ TOWER_SOUTH = STAIR_Y + STAIR_OUTER
 # The light of the open air, of rooms, and of what lies below the ground.
 OUTDOORS, INDOORS, BELOW = 0.2, 0.13, 0.1
 
-plan = Plan(TEXTURES, "sky 1,1 -142,0")
+plan = Plan(TEXTURES, "sky 1,1 -426,0")
 
 
 def outdoors(name, outline, z, texture, **other):
