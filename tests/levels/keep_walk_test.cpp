@@ -90,7 +90,7 @@ TEST_F(KeepTour, LeadsUpTheStairsToGalleryRampartsAndGate) {
 TEST_F(KeepTour, LeadsDownToTheCryptAndUpToTheLookOut) {
   walk({{17, 18}, {9, 16.5}, {5.5, 16.5}});
   climb(0, -12);
-  walk({{5.5, 17}, {5.5, 22.4}, {9, 22.5}});
+  walk({{5.5, 17}, {5.5, 22.4}, {10, 22.5}});
   EXPECT_EQ(sector(), "crypt");
   walk({{5.5, 22.4}, {5.5, 16}});
   climb(-12, 29);

@@ -56,8 +56,9 @@ class Sector:
     """Air between two heights. `wall` is what its solids wear, `skin` what its own mass (below its
     floor, above its ceiling) shows to its neighbours; None takes that of what lies above it.
     `floor_rise` and `ceiling_drop` are wedges: heights by (x, y), with `sidewall` on their sides.
-    `foot` = (texture, z) is another stone that the masses around it stand on, up to z. `opening`
-    names the sectors above and below of the flat portal that it belongs to."""
+    `foot` lists other stones that the masses around it stand on, (texture, up to z) from the ground
+    up. `surround` = (texture, metres) is a frame around it on the walls of those that it opens into.
+    `opening` names the sectors above and below of the flat portal that it belongs to."""
 
     def __init__(self, name, outline, floor, ceiling, **other):
         self.name = name
@@ -68,7 +69,8 @@ class Sector:
         self.light = other.pop("light", None)
         self.wall = other.pop("wall", None)
         self.skin = other.pop("skin", None)
-        self.foot = other.pop("foot", None)
+        self.foot = other.pop("foot", [])
+        self.surround = other.pop("surround", None)
         self.opening = other.pop("opening", None)
         self.floor_rise = other.pop("floor_rise", None)
         self.ceiling_drop = other.pop("ceiling_drop", None)
@@ -88,8 +90,9 @@ class Sector:
 
 
 class Plan:
-    def __init__(self, textures, sky):
+    def __init__(self, textures, sky, directed):
         self.sky = sky  # as the format writes it
+        self.directed = directed  # textures that have a sense: turned, they have a suffix
         self.textures = textures  # by name: the size of one repeat, and whether it hangs from a mass
         self.sectors = []
         self.headings = {}  # by the name of the sector that each stands above
@@ -107,7 +110,7 @@ class Plan:
     # --- Neighbours
 
     def neighbours(self, sector):
-        """For each loop: its pieces (a, b, sectors across from bottom to top)."""
+        """For each loop: its pieces (a, b, sectors across from bottom to top, those that frame it)."""
         return [[piece for edge in edges(loop) for piece in self.pieces(sector, edge)]
                 for loop in sector.loops()]
 
@@ -121,17 +124,27 @@ class Plan:
                 begin, end = along(edge, q), along(edge, p)
                 if begin is not None and end is not None and min(end, length) - max(begin, 0) > 0.01:
                     spans.append((begin, end, p, q, other))
+        frames = [(begin - other.surround[1], end + other.surround[1], other)
+                  for begin, end, _, _, other in spans if other.surround and not sector.surround]
         corners = {0: edge[0], length: edge[1]}
+
+        def cut(at, point):
+            if all(abs(at - known) > 0.005 for known in corners) and 0 < at < length:
+                corners[at] = point
+
         for begin, end, p, q, _ in spans:
-            for at, point in ((begin, q), (end, p)):
-                if all(abs(at - known) > 0.005 for known in corners) and 0 < at < length:
-                    corners[at] = point
+            cut(begin, q)
+            cut(end, p)
+        for begin, end, _ in frames:
+            for at in (begin, end):
+                cut(at, tuple(rounded(p + (q - p) * at / length) for p, q in zip(*edge)))
         places = sorted(corners)
         for a, b in zip(places, places[1:]):
             across = {other.name: other for begin, end, _, _, other in spans
                       if begin < (a + b) / 2 < end}
+            framing = [other for begin, end, other in frames if begin < (a + b) / 2 < end]
             yield (corners[a], corners[b],
-                   sorted(across.values(), key=lambda other: (other.floor, other.ceiling)))
+                   sorted(across.values(), key=lambda other: (other.floor, other.ceiling)), framing)
 
     def outline_of_skies(self):
         """The loops around all open air: where nothing but the void is left."""
@@ -140,7 +153,7 @@ class Plan:
         for sector in skies:
             for piece in (piece for loop in sector.loops() for edge in edges(loop)
                           for piece in self.pieces(sector, edge)):
-                a, b, across = piece
+                a, b, across, _ = piece
                 if not any(other.is_sky() for other in across):
                     assert a not in nexts, f"gaps in the open air meet at {a} ({sector.name})"
                     nexts[a] = b
@@ -174,18 +187,22 @@ class Plan:
         parts.append(f'"zref": {rounded(top + hangs) if hangs else 0}')
         return "{ " + ", ".join(parts) + " }"
 
-    def wall(self, sector, a, b, across):
+    def wall(self, sector, a, b, across, framing):
         def painted(name, top):
             return self.texture(name or sector.wall, a, b, top)
 
+        foot = [] if across and across[0].floor <= max((z for _, z in sector.foot), default=0) else sector.foot
+        skins = [next((upper.skin for upper in across[i:] if upper.skin), None)
+                 for i in range(len(across))]
+        if foot or framing:
+            bands = [(other.floor - other.surround[1], other.ceiling + other.surround[1], other.surround[0])
+                     for other in framing]
+            below = [sector.floor] + [z for _, z in foot]
+            bands += [(low, z, texture) for low, (texture, z) in zip(below, foot)]
+            return self.stack(self.clad(sector, across, skins, bands, painted), sector)
         if not across:
             return f'{{ "texture": {painted(sector.wall, sector.ceiling)} }}'
         rows = []
-        skins = [next((upper.skin for upper in across[i:] if upper.skin), None)
-                 for i in range(len(across))]
-        foot = self.foot_of(sector, across, a, b)
-        if foot:
-            rows.append(foot)
         for i, other in enumerate(across):
             is_last = i + 1 == len(across)
             top = sector.ceiling if is_last else across[i + 1].floor
@@ -197,6 +214,34 @@ class Plan:
                 above = other.skin if is_last else skins[i + 1]
                 row.append(f'"upper": {painted(above, top)}')
             rows.append(self.row(row))
+        return self.listed(rows)
+
+    def clad(self, sector, across, skins, bands, painted):
+        """The pieces (top, what it is) of a wall whose masses wear `bands` (low, high, texture) of other
+        stuff, the first that is found at a height."""
+        def mass(low, high, skin):
+            heights = sorted({low, high, *(z for band in bands for z in band[:2] if low < z < high)})
+            for z0, z1 in zip(heights, heights[1:]):
+                worn = [(texture, top) for begin, top, texture in bands if begin <= z0 and z1 <= top]
+                texture, top = worn[0] if worn else (skin, high)
+                yield z1, f'"texture": {painted(texture, top)}'
+
+        z = sector.floor
+        for skin, other in zip(skins, across):
+            if other.floor - z > 0.001:
+                yield from mass(z, other.floor, skin)
+            z = min(other.ceiling, sector.ceiling)
+            yield z, f'"next": "{other.name}"'
+        if sector.ceiling - z > 0.001:
+            yield from mass(z, sector.ceiling, across[-1].skin if across else None)
+
+    def stack(self, pieces, sector):
+        *below, (_, last) = pieces
+        return self.listed([self.row([f'"z": {rounded(z - sector.floor)}', piece]) for z, piece in below] +
+                           [self.row([last])])
+
+    @staticmethod
+    def listed(rows):
         if len(rows) == 1:
             return rows[0]
         return '{ "walls": [\n' + ",\n".join(" " * 16 + row for row in rows) + "\n              ] }"
@@ -206,21 +251,30 @@ class Plan:
         text = "{ " + ", ".join(parts) + " }"
         return text if len(text) < 96 else "{ " + (",\n" + " " * 18).join(parts) + " }"
 
-    def foot_of(self, sector, across, a, b):
-        if not sector.foot or across[0].floor <= sector.foot[1]:
-            return None
-        texture, z = sector.foot
-        return f'{{ "z": {rounded(z - sector.floor)}, "texture": {self.texture(texture, a, b, z)} }}'
-
-    def flat(self, z, texture, opening):
+    def flat(self, z, texture, opening, rise=None):
         parts = [f'"z": {rounded(z)}']
         if opening:
             parts.append(f'"next": {{ "up": "{opening[0]}", "down": "{opening[1]}" }}')
         elif texture == "sky":
             parts.append(f'"texture": {json.dumps(self.sky)}, "parallax": true')
         else:
-            parts.append(f'"texture": {self.texture(texture)}')
+            parts.append(f'"texture": {self.sloped(texture, rise) if rise else self.texture(texture)}')
         return "{ " + ", ".join(parts) + " }"
+
+    def sloped(self, name, rise):
+        """The texture of a slope, turned to fall with it. Images lie on slopes as seen from above: where
+        they shall not look drawn out, they are to be shorter by its steepness."""
+        su, sv, _ = self.textures[name]
+        fall = [rise(0, 0) - rise(1, 0), rise(0, 0) - rise(0, 1)]
+        cosine = 1 / math.hypot(1, *fall)
+        east, south = (0 if abs(part) < 0.01 else math.copysign(1, part) for part in fall)
+        if name in self.directed:
+            suffix = {1: "s", -1: "n", 0: ""}[south] + {1: "e", -1: "w", 0: ""}[east]
+            name += "" if suffix == "s" else f"-{suffix}"
+            if east and south:  # painted aslant, and for a steep roof
+                su, sv, cosine = su * math.sqrt(2), sv * math.sqrt(2), 1
+        scale = (su * cosine, sv) if east else (su, sv * cosine)
+        return json.dumps(f"{name} {rounded(scale[0])},{rounded(scale[1])}")
 
     def slope(self, heights, corners, texture):
         su, sv, _ = self.textures[texture]
@@ -229,7 +283,7 @@ class Plan:
         return f'{{ "z": [{listed}], "sidewall": {sidewall} }}'
 
     def loop(self, name, sector, pieces):
-        listed = ", ".join(f"{a[0]},{a[1]}" for a, _, _ in pieces)
+        listed = ", ".join(f"{a[0]},{a[1]}" for a, *_ in pieces)
         corners = textwrap.fill(listed, 96, break_on_hyphens=False).replace("\n", "\n                ")
         walls = [self.wall(sector, *piece) for piece in pieces]
         if len(set(walls)) == 1:
@@ -240,7 +294,7 @@ class Plan:
 
     def sector(self, sector):
         loops = self.neighbours(sector)
-        corners = [a for a, _, _ in loops[0]]
+        corners = [a for a, *_ in loops[0]]
         up = sector.opening if sector.opening and sector.name == sector.opening[0] else None
         down = sector.opening if sector.opening and not up else None
         lines = []
@@ -248,8 +302,9 @@ class Plan:
             lines.append(f'      "//": "--- {self.headings[sector.name]}"')
         if sector.light is not None:
             lines.append(f'      "light": {sector.light}')
-        lines.append(f'      "floor":   {self.flat(sector.floor, sector.floor_texture, up)}')
-        lines.append(f'      "ceiling": {self.flat(sector.ceiling, sector.ceiling_texture, down)}')
+        lines.append(f'      "floor":   {self.flat(sector.floor, sector.floor_texture, up, sector.floor_rise)}')
+        ceiling = self.flat(sector.ceiling, sector.ceiling_texture, down, sector.ceiling_drop)
+        lines.append(f'      "ceiling": {ceiling}')
         if sector.floor_rise:
             lines.append('      "slopeFloor": ' + self.slope(sector.floor_rise, corners, sector.sidewall))
         if sector.ceiling_drop:

@@ -10,8 +10,6 @@ namespace hearth::textures {
 namespace {
 
 constexpr int kPlate = 64;
-constexpr int kMesh = 32;
-constexpr int kBar = 12;
 constexpr int kStrap = 13;
 
 constexpr Ramp kIron{
@@ -48,22 +46,6 @@ Rgb platePixel(int x, int y) {
   return metal(tone, x, y);
 }
 
-/// Bars across bars, riveted where they cross, before the dark.
-Rgb gratePixel(int x, int y) {
-  const int alongX = (x + kMesh / 2 + kBar / 2) % kMesh;
-  const int alongY = (y + kMesh / 2 + kBar / 2) % kMesh;
-  const auto round = [](int across) {
-    return across < 3 ? 40 - 10 * across : across > 8 ? -16 * (across - 8) : 0;
-  };
-  if (alongX < kBar) {
-    const int crossing = alongY < kBar ? rivetTone(alongX - 6, alongY - 6, 4) : 0;
-    return metal(172 + round(alongX) + crossing, x, y);
-  }
-  if (alongY < kBar) return metal(158 + round(alongY), x, y);
-  const bool shadowed = alongY < kBar + 4 || alongX < kBar + 3;
-  return shade(kIron, shadowed ? 0 : 10, x, y);
-}
-
 /// A strap across a door at a row, riveted in its middle: its tone, or none beside it.
 std::optional<int> strapTone(int x, int y, int row) {
   const int down = y - row;
@@ -87,7 +69,5 @@ Image makeDoor() {
 }
 
 Image makeIron() { return paintTile(platePixel); }
-
-Image makeGrate() { return paintTile(gratePixel); }
 
 }  // namespace hearth::textures

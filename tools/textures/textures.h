@@ -21,7 +21,6 @@ Image makeDressed();   ///< Smooth stones in four courses without upright joints
 Image makeEmber();     ///< Glowing coals.
 Image makeGlass();     ///< Leaded panes in lozenges of pale colours.
 Image makeGrass();     ///< Short turf.
-Image makeGrate();     ///< Iron bars, four by four, before the dark.
 Image makeIron();      ///< Riveted plates, two by two.
 Image makeMarble();    ///< A chessboard of light and dark slabs, two by two.
 Image makeMossy();     ///< The stones of makeAshlar, wet and overgrown.

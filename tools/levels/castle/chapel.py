@@ -1,6 +1,6 @@
 """The chapel."""
 
-from castle.site import doorway, outdoors, plan, room
+from castle.site import doorway, floating, glazed, outdoors, plan, room, square
 from plan import rectangle, ring
 
 NAVE = 0.2
@@ -15,21 +15,28 @@ def chapel():
             outline = [(x0, wall), (x1 - corner, wall), (x1, aisle), (x0, aisle)]
             row = aisle - 0.35 if side == "north" else aisle + 0.35
             room(f"{name}-{side}", outline, (z, "marble"), (7.8, "wood"), wall="ashlar", skin="marble",
-                 holes=[ring(x, row, 0.24, 8) for x in columns],
+                 holes=[ring(x, row, 0.33, 8) for x in columns],
                  ceiling_drop=lambda x, y, aisle=aisle: 1.5 * abs(y - aisle))
+            for i, x in enumerate(columns):
+                column = f"column-{side}-{i + 1}"
+                room(column, ring(x, row, 0.33, 8), (z + 0.35, "dressed"), (5.8, "dressed"), skin="dressed",
+                     wall="dressed", holes=[ring(x, row, 0.22, 8)])
         room(f"{name}-aisle", rectangle(x0, 15.6, x1, 17.9), (z, middle), (7.8, "wood"), wall="ashlar",
              skin="marble",
              holes=[ALTAR] if name == "chancel" else [])
 
-    ALTAR = rectangle(29.4, 15.9, 29.95, 17.6)
+    ALTAR = rectangle(29.35, 15.85, 30, 17.65)
     strips("nave", 22.6, 27.4, NAVE, "carpet", columns=(25.1, 26.8))
     strips("chancel", 27.4, 31, NAVE + 0.2, "marble", corner=1.2)
-    room("altar", ALTAR, (NAVE + 1.3, "carpet"), (7.8, "wood"), skin="ashlar")
+    candles = [square(29.65, y, 0.04) for y in (16.1, 17.4)]
+    floating("altar", ALTAR, (NAVE + 0.2, "marble"), (7.8, "wood"), NAVE + 1.2, NAVE + 1.3, "dressed",
+             lower_holes=[rectangle(29.45, 15.97, 29.9, 17.53)], wall="dressed", upper_holes=candles, light=0.5)
+    for i, candle in enumerate(candles):
+        room(f"altar-candle-{i + 1}", candle, (NAVE + 1.6, "ember"), (7.8, "wood"), skin="ember", light=0.8)
     doorway("chapel-door", rectangle(22, 15.9, 22.6, 17.6), NAVE, 2.8)
     for side, y0, y1 in (("north", 15.75, 16.75), ("south", 16.75, 17.75)):
-        doorway(f"chapel-window-{side}", rectangle(31, y0, 31.3, y1), 2.2, 4.6, wall="glass", light=0.6,
-                sidewall="ashlar",
-                ceiling_drop=lambda x, y: 1.4 * abs(y - 16.75))
+        glazed(f"chapel-window-{side}", [(31, y0), (31, y1)], (1, 0), 2.25, 4.6, sidewall="dressed",
+               ceiling_drop=lambda x, y: 1.4 * abs(y - 16.75), light=0.6)
     for i, x in enumerate((23.4, 25.4, 28.4)):
         doorway(f"chapel-window-{i + 1}", rectangle(x, 19.9, x + 0.7, 20.5), 1.8, 2.4)
 

@@ -1,29 +1,71 @@
 """The crypt, below the courtyard."""
 
 from castle.courtyard import OPENING
-from castle.site import BELOW, CRYPT, TOWER_SOUTH, plan, room
+from castle.site import BELOW, CRYPT, FRAME, TOWER_SOUTH, pillar, plan, room
 from plan import rectangle, ring
+
+LIGHT = ring(*OPENING, 2.1, 8)  # what lies below the opening
+# Where ribs run from wall to wall: the odd strips.
+XS, YS = [7, 8.65, 9.35, 15.65, 16.35, 20], [17.5, 19.25, 19.95, 25.05, 25.75, 27.5]
+
+
+def below(name, outline, ceiling, floor=(CRYPT, "stone"), **other):
+    room(name, outline, floor, ceiling, **{"light": BELOW, "wall": "brick", "skin": "brick", **other})
+
+
+def vaults():
+    """Brick between ribs, and a pier where two of them meet."""
+    for i in range(5):
+        for j in range(5):
+            outline = rectangle(XS[i], YS[j], XS[i + 1], YS[j + 1])
+            is_middle, is_rib, is_pier = i == j == 2, i % 2 or j % 2, i % 2 and j % 2
+            pier = ring((XS[i] + XS[i + 1]) / 2, (YS[j] + YS[j + 1]) / 2, 0.33, 8)
+            below("crypt" if is_middle else f"crypt-{i + 1}-{j + 1}", outline,
+                  (-1.6, "dressed") if is_rib else (-1.2, "brick"), skin="dressed",
+                  holes=[pier] if is_pier else [LIGHT] if is_middle else [])
+            if is_pier:
+                pillar(f"crypt-pier-{i + 1}-{j + 1}", pier, CRYPT, "ashlar")
+
+
+def tomb():
+    """On a plinth in the light of the opening. Its lid is cut where slabs of marble end."""
+    plinth, body = rectangle(11.25, 21.25, 12.75, 23.75), rectangle(11.5, 21.5, 12.5, 23.5)
+    common = {"ceiling": (-0.6, None), "opening": ("crypt-shaft", "crypt-light"), "skin": "dressed"}
+    below("crypt-light", LIGHT, holes=[plinth], **common)
+    below("tomb-plinth", plinth, floor=(CRYPT + 0.2, "dressed"), holes=[body], **common)
+    below("tomb", body, floor=(CRYPT + 0.9, "marble"), **common)
+
+
+def niches():
+    for row, mouth, inwards in (("north", 17.5, -1), ("south", 27.5, 1)):
+        def drop(x, y, mouth=mouth):
+            return abs(y - mouth) * 0.9
+
+        for i, x in enumerate((7.8, 11.3, 14.8, 17.6)):
+            name, common = f"niche-{row}-{i + 1}", {"ceiling_drop": drop, "light": BELOW + 0.06}
+            chest = rectangle(x + 0.25, mouth + 0.8 * inwards, x + 1.55, mouth + 1.4 * inwards)
+            below(name, rectangle(x, mouth, x + 1.8, mouth + 1.6 * inwards), (-2.2, "brick"), holes=[chest],
+                  surround=FRAME, **common)
+            below(f"{name}-chest", chest, (-2.2, "brick"), floor=(CRYPT + 0.5, "dressed"), skin="dressed",
+                  **common)
+
+
+def pool():
+    water, stone = CRYPT - 0.35, ring(22.4, 22.5, 0.28, 8)
+    columns = [ring(20.35, y, 0.24, 8) for y in (21.2, 23.8)]
+    below("crypt-pool", rectangle(20, 19.5, 23.5, 25.5), (-2, "mossy"), floor=(water, "water"), wall="mossy",
+          skin="dressed", holes=[*columns, stone])
+    below("crypt-pool-stone", stone, (-2, "mossy"), floor=(CRYPT + 0.2, "mossy"), skin="mossy")
+    for i, column in enumerate(columns):
+        pillar(f"crypt-pool-column-{i + 1}", column, water, "dressed")
 
 
 def crypt():
     plan.heading("The crypt: below the courtyard")
-    light, tomb = ring(*OPENING, 2.1, 8), rectangle(10.8, 21.4, 12, 23.6)
-    piers = [ring(x, y, 0.45, 8) for x in (9, 16) for y in (19.6, 25.4)]
-
-    def below(name, outline, ceiling, floor=(CRYPT, "stone"), **other):
-        room(name, outline, floor, ceiling, **{"light": BELOW, "wall": "brick", "skin": "brick", **other})
-
-    below("crypt", rectangle(7, 17.5, 20, 27.5), (-1.2, "brick"), holes=[light, *piers])
-    below("crypt-light", light, (-0.6, None), holes=[tomb], opening=("crypt-shaft", "crypt-light"),
-          wall="stone")
-    below("tomb", tomb, (-0.6, None), floor=(CRYPT + 0.9, "marble"), opening=("crypt-shaft", "crypt-light"),
-          skin="ashlar")
-    for row, y0, y1, drop in (("north", 15.9, 17.5, lambda x, y: (17.5 - y) * 0.9),
-                              ("south", 27.5, 29.1, lambda x, y: (y - 27.5) * 0.9)):
-        for i, x in enumerate((7.8, 11.3, 14.8, 17.6)):
-            below(f"niche-{row}-{i + 1}", rectangle(x, y0, x + 1.8, y1), (-2.2, "brick"), ceiling_drop=drop)
-    below("crypt-pool", rectangle(20, 19.5, 23.5, 25.5), (-2, "mossy"), floor=(CRYPT - 0.35, "water"),
-          wall="mossy", skin="mossy")
+    vaults()
+    tomb()
+    niches()
+    pool()
     below("crypt-passage",
           [(4.6, TOWER_SOUTH), (6.4, TOWER_SOUTH), (6.4, 21.4), (7, 21.4), (7, 23.6), (4.6, 23.6)],
-          (-2.3, "brick"))
+          (-2.3, "brick"), light=BELOW + 0.05)

@@ -1,10 +1,30 @@
 """The gatehouse."""
 
 from castle.site import (
-    COURT, PARAPET, WALK, battlement, doorway, lit_window, mirrored, on_both_sides, outdoors, plan, room)
-from plan import rectangle
+    BOWL, COURT, PARAPET, WALK, battlement, brazier, doorway, glazed, mirrored, on_both_sides,
+    outdoors, plan, room)
+from plan import rectangle, ring
 
 GATE_TOP = 8.4
+
+
+# From the courtyard to the bridge: names, where they begin and end, whether the portcullis hangs there.
+PASSAGE = [("inner", 30, 33, False), ("portcullis", 33, 33.3, True), ("outer", 33.3, 34, False)]
+BARS = (33.1, 33.2)
+
+
+def bars(name, turned, x0, x1, middles, **vault):
+    """The raised portcullis between two places: upright bars 40 cm apart, and one across them."""
+    def iron(part, begin, end, ceiling, floor=(COURT, "cobble"), **other):
+        room(f"{name}-{part}", turned(rectangle(begin, BARS[0], end, BARS[1])), floor, ceiling, wall="iron",
+             skin="iron", **other)
+
+    for i, x in enumerate(middles):
+        iron(f"bar-{i + 1}", x - 0.05, x + 0.05, (2.4, "iron"))
+    begins, ends = [x0, *(x + 0.05 for x in middles)], [*(x - 0.05 for x in middles), x1]
+    for i, (begin, end) in enumerate(zip(begins, ends)):
+        iron(f"gap-{i + 1}", begin, end, (2.7, "iron"))
+        iron(f"gap-{i + 1}-above", begin, end, (4.4, "ashlar"), floor=(2.8, "iron"), **vault)
 
 
 def gatehouse():
@@ -21,18 +41,20 @@ def gatehouse():
                  skin="ashlar")
         battlement(f"gate-flank-{name}", turned([(12, 31.3), (12, 33)]), turned([(12.5, 31.3), (12.5, 33)]),
                    [1, 0.7], 9.3, 10.1)
-        lit_window(f"bastion-{name}-window", turned(rectangle(13.3, 35.08, 13.9, 35.2)), 3.25, 1.5)
-        lit_window(f"gate-{name}-lamp", turned(rectangle(15.08, 31.2, 15.2, 31.6)), 1.75, 0.75)
+        glazed(f"bastion-{name}-window", turned([(13.25, 35.2), (14, 35.2)]), (0, -1), 3.25, 1.5)
+        glazed(f"gate-{name}-lamp", turned([(15.2, 31.25), (15.2, 31.625)]), (-1 if name == "west" else 1, 0),
+               1.75, 0.75)
         doorway(f"guard-door-{name}", turned(rectangle(12, 31.45, 12.6, 32.4)), WALK, 1.95)
         vault = turned([(15.2, 0), (16.1, 0)])
 
         def spring(x, y, foot=vault[0][0], crown=vault[1][0]):
             return 1.3 * (crown - x) / (crown - foot)
 
-        for part, y0, y1 in (("inner", 30, 33), ("outer", 33.3, 34)):
+        for part, y0, y1, holes in PASSAGE:
             room(f"gate-{part}-{name}", turned(rectangle(15.2, y0, 16.1, y1)), (COURT, "cobble"),
-                 (4.4, "ashlar"),
-                 wall="ashlar", skin="ashlar", ceiling_drop=spring)
+                 (4.4, "ashlar"), wall="ashlar", skin="ashlar", ceiling_drop=spring,
+                 holes=[turned(rectangle(15.22, BARS[0], 16.08, BARS[1]))] if holes else [])
+        bars(f"portcullis-{name}", turned, 15.22, 16.08, [15.4, 15.8], ceiling_drop=spring)
 
     on_both_sides(side)
     outdoors("gate-top-entry", rectangle(12, 30.5, 12.5, 31.3), GATE_TOP, "stone", skin="ashlar")
@@ -42,14 +64,14 @@ def gatehouse():
                [0.8, 0.6, 0.8, 0.6, 0.8], 9.3, 10.1)
     top = [(12.5, 33), (12.5, 34.193), (13.007, 34.7), (14.193, 34.7), (14.893, 34), (15.2, 34), (15.2, 33.5)]
     outdoors("gate-top", [(12.5, 30.5), *top, *mirrored(top)[::-1], (21.5, 30.5)], GATE_TOP, "stone",
-             skin="ashlar")
+             skin="ashlar", holes=[ring(18.4, 32.2, BOWL, 8)])
+    brazier("brazier-gate", 18.4, 32.2, GATE_TOP)
 
-    room("guardroom", rectangle(12.6, 30.7, 21.4, 33.2), (5.6, "wood"), (7.95, "beam"), wall="plaster",
+    room("guardroom", rectangle(12.6, 30.7, 21.4, 33.2), (5.6, "wood"), (7.95, "wood"), wall="plaster",
          skin="ashlar")
     doorway("guard-window", rectangle(16.5, 33.2, 17.5, 34), 6.4, 1.2)
     doorway("guard-window-court", rectangle(16.2, 30, 17.8, 30.7), 6.4, 1.2)
-    for part, y0, y1 in (("inner", 30, 33), ("outer", 33.3, 34)):
+    for part, y0, y1, holes in PASSAGE:
         room(f"gate-{part}", rectangle(16.1, y0, 17.9, y1), (COURT, "cobble"), (4.4, "ashlar"),
-             wall="ashlar", skin="ashlar")
-    room("portcullis", rectangle(15.2, 33, 18.8, 33.3), (COURT, "cobble"), (2.5, "grate"), wall="ashlar",
-         skin="grate")
+             wall="ashlar", skin="ashlar", holes=[rectangle(16.12, BARS[0], 17.88, BARS[1])] if holes else [])
+    bars("portcullis", lambda points: points, 16.12, 17.88, [16.2, 16.6, 17, 17.4, 17.8])

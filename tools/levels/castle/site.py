@@ -2,16 +2,18 @@
 
 import math
 
-from plan import Plan, SKY
+from plan import Plan, SKY, rectangle, ring
 
-# Metres of one repeat across and down; beams hang from the top of what they clad.
+# Metres of one repeat across and down; beams and dressed stones hang from the top of what they clad.
 TEXTURES = {
     "ashlar": (2, 2, 0), "beam": (2, 0.8, 0.2), "brick": (1.6, 1.6, 0), "carpet": (1.5, 1.5, 0),
-    "cobble": (2.4, 2.4, 0), "dirt": (3, 3, 0), "glass": (1.2, 1.2, 0), "grass": (3, 3, 0),
-    "grate": (1.2, 1.2, 0), "marble": (2, 2, 0), "mossy": (2, 2, 0),
-    "plaster": (3, 3, 0), "roof": (2.4, 2.4, 0), "slate": (2.4, 2.4, 0), "stone": (2.4, 2.4, 0),
+    "cobble": (2.4, 2.4, 0), "dirt": (3, 3, 0), "door": (1.6, 2.6, 0), "dressed": (1.6, 1.6, 0.2),
+    "ember": (1.2, 1.2, 0), "glass": (1, 1, 0), "grass": (3, 3, 0), "iron": (1.2, 1.2, 0),
+    "marble": (2, 2, 0), "mossline": (2, 2, 0), "mossy": (2, 2, 0), "plaster": (3, 3, 0),
+    "post": (0.8, 2, 0), "roof": (2.4, 2.4, 0), "slate": (2.4, 2.4, 0), "stone": (2.4, 2.4, 0),
     "water": (4, 4, 0), "wood": (2, 2, 0),
 }
+DIRECTED = {"roof", "slate"}  # those that come turned, for slopes
 
 AXIS = 17
 COURT, WALK, PARAPET, MERLON = 0, 6, 6.9, 7.8
@@ -26,7 +28,7 @@ TOWER_SOUTH = STAIR_Y + STAIR_OUTER
 # The light of the open air, of rooms, and of what lies below the ground.
 OUTDOORS, INDOORS, BELOW = 0.2, 0.13, 0.1
 
-plan = Plan(TEXTURES, "sky 1,1 -426,0")
+plan = Plan(TEXTURES, "sky 1,1 -426,0", DIRECTED)
 
 
 def outdoors(name, outline, z, texture, **other):
@@ -37,13 +39,44 @@ def room(name, outline, floor, ceiling, **other):
     plan.add(name, outline, floor, ceiling, **{"light": INDOORS, "wall": "plaster", **other})
 
 
+def pillar(name, outline, z, skin):
+    """Solid from floor to ceiling, in what its room's walls do not wear."""
+    room(name, outline, (z, skin), (z, skin), skin=skin)
+
+
+def floating(name, outline, floor, ceiling, low, high, stuff, lower_holes=(), upper_holes=(), **other):
+    """A slab of `stuff` between two heights in a room's air. `other` is said of the air above it."""
+    below = {"wall": other["wall"]} if "wall" in other else {}
+    room(f"{name}-under", outline, floor, (low, stuff), holes=lower_holes, **below)
+    room(name, outline, (high, stuff), ceiling, skin=stuff, holes=upper_holes, **other)
+
+
+FRAME = ("dressed", 0.2)  # around openings
+
+
 def doorway(name, outline, z, height, **other):
-    room(name, outline, (z, "stone"), (z + height, "ashlar"), **{"wall": "ashlar", **other})
+    room(name, outline, (z, "stone"), (z + height, "dressed"),
+         **{"wall": "dressed", "surround": FRAME, "light": INDOORS + 0.05, **other})
 
 
-def lit_window(name, outline, z, height):
-    """A shallow niche of leaded glass with a light behind it."""
-    room(name, outline, (z, "ashlar"), (z + height, "ashlar"), wall="glass", light=0.85)
+def glazed(name, front, inwards, z, height, **other):
+    """A window in a reveal behind the line `front`: leaded glass with a light behind it."""
+    def behind(depth):
+        return [(x + depth * inwards[0], y + depth * inwards[1]) for x, y in front]
+
+    doorway(name, [*front, *behind(0.2)[::-1]], z, height, **other)
+    room(f"{name}-glass", [*behind(0.2), *behind(0.22)[::-1]], (z, "dressed"), (z + height, "dressed"),
+         **{"light": 0.85, **other, "wall": "glass"})
+
+
+def moss(z):
+    """What stands in the wet below a height; z is 0.75 above a whole number, where courses end that
+    "mossline" is painted for."""
+    return [("mossy", z - 0.5), ("mossline", z)]
+
+
+def square(x, y, apothem):
+    return rectangle(x - apothem, y - apothem, x + apothem, y + apothem)
 
 
 def mirrored(points):
@@ -70,3 +103,33 @@ def battlement(name, outer, inner, parts, low, high, skin="ashlar"):
         z = low if i % 2 else high
         outdoors(f"{name}-{i + 1}", outline, z, "stone", skin=skin)
         begin = end
+
+
+def cone(name, x, y, apothem, eaves, height, stuff="slate", sides=8):
+    corners = ring(x, y, apothem, sides)
+    for k in range(sides):
+        a, b = corners[k], corners[(k + 1) % sides]
+
+        def rise(px, py, middle=((a[0] + b[0]) / 2 - x, (a[1] + b[1]) / 2 - y)):
+            return height * (1 - ((px - x) * middle[0] + (py - y) * middle[1]) / apothem ** 2)
+
+        outdoors(f"{name}-{k + 1}", [a, b, (x, y)], eaves, stuff,
+                 skin="ashlar" if stuff == "slate" else stuff, floor_rise=rise)
+
+
+# Metres from the middle of a brazier, a lamp post to its sides.
+BOWL, POST = 0.16, 0.14
+
+
+def lamp_post(name, x, y):
+    """An open lantern on a post: its flame, four bars, a roof of four slopes."""
+    bars = [square(x + dx, y + dy, 0.015) for dx in (-0.115, 0.115) for dy in (-0.115, 0.115)]
+    room(name, square(x, y, POST), (1.75, "iron"), (2.35, "iron"), wall="iron", skin="post", light=0.8,
+         holes=[square(x, y, 0.035), *bars])
+    room(f"{name}-flame", square(x, y, 0.035), (1.87, "ember"), (2.35, "iron"), skin="ember", light=1)
+    cone(f"{name}-roof", x, y, POST, 2.4, 0.25, "iron", 4)
+
+
+def brazier(name, x, y, z):
+    """Embers on a stone that stands at a height."""
+    outdoors(name, ring(x, y, BOWL, 8), z + 0.85, "ember", skin="dressed", light=0.9)

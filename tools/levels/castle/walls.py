@@ -3,20 +3,9 @@
 import math
 
 from castle.site import (
-    MERLON, PARAPET, STEP, WALK, battlement, doorway, mirrored, on_both_sides, outdoors, plan, room)
+    BOWL, MERLON, PARAPET, STEP, WALK, battlement, brazier, cone, doorway, mirrored, on_both_sides,
+    outdoors, plan, room)
 from plan import rectangle, ring
-
-
-def cone(name, x, y, apothem, eaves, height):
-    corners = ring(x, y, apothem, 8)
-    for k in range(8):
-        a, b = corners[k], corners[(k + 1) % 8]
-
-        def rise(px, py, middle=((a[0] + b[0]) / 2 - x, (a[1] + b[1]) / 2 - y)):
-            return height * (1 - ((px - x) * middle[0] + (py - y) * middle[1]) / apothem ** 2)
-
-        outdoors(f"{name}-roof-{k + 1}", [a, b, (x, y)], eaves, "slate", skin="ashlar", floor_rise=rise)
-
 
 TOWER_X, TOWER_Y, TOWER_APOTHEM = 1.25, 31.75, 1.25 / math.tan(math.pi / 8)
 
@@ -26,7 +15,7 @@ def corner_towers():
 
     def side(name, turned):
         x = turned([(TOWER_X, TOWER_Y)])[0][0]
-        room(f"tower-{name}", ring(x, TOWER_Y, TOWER_APOTHEM - 0.5, 8), (WALK, "wood"), (8.6, "beam"),
+        room(f"tower-{name}", ring(x, TOWER_Y, TOWER_APOTHEM - 0.5, 8), (WALK, "wood"), (8.6, "wood"),
              wall="brick")
         y0, y1 = TOWER_Y - TOWER_APOTHEM, TOWER_Y - TOWER_APOTHEM + 0.5
         doorway(f"tower-{name}-north-door", turned(rectangle(0.8, y0, 1.8, y1)), WALK, 2.1)
@@ -34,7 +23,7 @@ def corner_towers():
         doorway(f"tower-{name}-door", turned(rectangle(x0, 31.2, x1, 32.2)), WALK, 2.1)
         y0, y1 = TOWER_Y + TOWER_APOTHEM - 0.5, TOWER_Y + TOWER_APOTHEM
         doorway(f"tower-{name}-window", turned(rectangle(0.9, y0, 1.6, y1)), 6.9, 1.2)
-        cone(f"tower-{name}", x, TOWER_Y, TOWER_APOTHEM, 9.2, 5)
+        cone(f"tower-{name}-roof", x, TOWER_Y, TOWER_APOTHEM, 9.2, 5)
 
     on_both_sides(side)
 
@@ -45,7 +34,8 @@ def ramparts():
     battlements = [1.5, 0.9] * 11 + [1.5]
 
     def side(name, turned):
-        outdoors(f"rampart-{name}", turned(rectangle(0.5, 0.5, 2.5, tower_y)), WALK, "stone", skin="ashlar")
+        outdoors(f"rampart-{name}", turned(rectangle(0.5, 0.5, 2.5, tower_y)), WALK, "stone", skin="ashlar",
+                 holes=[ring(0.8, 20, BOWL, 8)] if name == "west" else [])
         battlement(f"parapet-{name}", turned([(0, 0.5), (0, tower_y)]), turned([(0.5, 0.5), (0.5, tower_y)]),
                    battlements, PARAPET, MERLON)
         outdoors(f"parapet-{name}-corner", turned(rectangle(0, 0, 0.5, 0.5)), MERLON, "stone", skin="ashlar")
@@ -58,7 +48,10 @@ def ramparts():
                MERLON)
     battlement("parapet-north-east", [(24.5, 0), (33.5, 0)], [(24.5, 0.5), (33.5, 0.5)],
                [1.3, 0.8] * 4 + [1.3], PARAPET, MERLON)
-    outdoors("terrace", rectangle(24.5, 0.5, 31.5, 13), WALK, "stone", skin="ashlar")
+    brazier("brazier-rampart", 0.8, 20, WALK)
+    outdoors("terrace", rectangle(24.5, 0.5, 31.5, 13), WALK, "stone", skin="ashlar",
+             holes=[ring(26, 6.7, BOWL, 8)])
+    brazier("brazier-terrace", 26, 6.7, WALK)
     outdoors("rampart-south-east", mirrored(rectangle(tower_x, 30.5, 12, 32.5)), WALK, "stone", skin="ashlar")
     outdoors("rampart-south-west",
              [(tower_x, 30.5), (9.6, 30.5), (9.6, 31.3), (12, 31.3), (12, 32.5), (tower_x, 32.5)],
