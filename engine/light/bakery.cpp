@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 
-#include "light/clipped_light.h"
+#include "light/baked_surface.h"
 #include "light/parallel.h"
 #include "light/texel_limits.h"
 #include "math/planted_bug.h"
@@ -18,43 +17,6 @@ namespace {
 bool isPlantedUnlit(SurfaceKind kind) {
   return (planted(PlantedBug::SidewallsUnlit) && isSidewall(kind)) ||
          (planted(PlantedBug::LowerStepsUnlit) && kind == SurfaceKind::LowerStep);
-}
-
-void addSample(Vec2 texelPoint, int i, int j, SurfaceLight& surface, TexelSums& sums) {
-  const SamplePoint at = surface.place(texelPoint);
-  if (planted(PlantedBug::BorderTexelsBlack) && at.point != at.target) return;
-  for (const std::size_t light : surface.facing()) {
-    const double seen = surface.seenShare(light, at);
-    if (seen > 0) sums.add(i, j, surface.light(light), seen * surface.fullLevel(light, at));
-  }
-}
-
-/// side x side samples to each texel.
-void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums, BakeProgress& progress) {
-  const double reach = planted(PlantedBug::SamplesOutsideTexel) ? 2 : 1;
-  const auto offset = [&](int k) { return 0.5 + reach * ((k + 0.5) / side - 0.5); };
-  const TexelRect rect = surface.texels();
-  SurfaceProgress rows(progress, rect.count(), rect.height);
-  for (int j = rect.j0; j < rect.j0 + rect.height; ++j, rows.step())
-    for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
-      for (int b = 0; b < side; ++b)
-        for (int a = 0; a < side; ++a)
-          addSample({i + offset(a), j + offset(b)}, i, j, surface, sums);
-}
-
-/// None where no light reaches the surface.
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, std::optional<int> samples,
-                                    BakeProgress& progress) {
-  if (surface.facing().empty()) {
-    progress.add(surface.texels().count());
-    return std::nullopt;
-  }
-  TexelSums sums(surface.texels(), surface.channels());
-  if (samples)
-    addSampledLight(static_cast<int>(std::lround(std::sqrt(*samples))), surface, sums, progress);
-  else
-    addClippedLight(surface, sums, progress);
-  return sums.toLightmap(samples.value_or(1));
 }
 
 /// Largest first, so that no thread starts the longest job last.

@@ -43,10 +43,11 @@ constexpr int kFinestSoft = 4;
 class ClippedLight {
  public:
   ClippedLight(SurfaceLight& surface, TexelSums& sums)
-      : surface_(surface), sums_(sums), rect_(surface.texels()) {
-    for (int j = 0; j <= rect_.height; ++j)
-      for (int i = 0; i <= rect_.width; ++i) corners_.push_back(surface.place(corner(i, j)));
-  }
+      : surface_(surface),
+        sums_(sums),
+        rect_(surface.texels()),
+        blocks_(surface.inBlocks(placedCorners(), rect_.width + 1, rect_.height + 1)),
+        corners_(blocks_.samples()) {}
 
   void add(std::size_t light) {
     if (surface_.light(light).radius > 0)
@@ -56,11 +57,14 @@ class ClippedLight {
   }
 
  private:
-  Vec2 corner(double i, double j) const { return {rect_.i0 + i, rect_.j0 + j}; }
-  std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(rect_.width + 1) +
-           static_cast<std::size_t>(i);
+  std::vector<SamplePoint> placedCorners() const {
+    std::vector<SamplePoint> corners;
+    for (int j = 0; j <= rect_.height; ++j)
+      for (int i = 0; i <= rect_.width; ++i) corners.push_back(surface_.place(corner(i, j)));
+    return corners;
   }
+  Vec2 corner(double i, double j) const { return {rect_.i0 + i, rect_.j0 + j}; }
+  std::size_t index(int i, int j) const { return blocks_.index(i, j); }
 
   /// Of a point between two corners. Where both lie on one surface, so does what is between them,
   /// but for walls' corners inside a texel.
@@ -141,9 +145,8 @@ class ClippedLight {
 
   void addHard(std::size_t light) {
     const auto isLit = [&](Vec2 p) { return surface_.seenShare(light, placedBetween(p)) > 0; };
-    const auto isCornerLit = [&](int i, int j) {
-      return surface_.seenShare(light, corners_[index(i, j)]) > 0;
-    };
+    const std::vector<double>& seen = surface_.seenShares(light, blocks_);
+    const auto isCornerLit = [&](int i, int j) { return seen[index(i, j)] > 0; };
     const LitLattice lattice(rect_.width, rect_.height, isLit, isCornerLit);
     if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return;
     std::vector<double> full;
@@ -164,19 +167,19 @@ class ClippedLight {
 
   /// What is seen of a ball changes gradually, so that its share too is interpolated.
   void addSoft(std::size_t light) {
-    std::vector<double> seen;
-    seen.reserve(corners_.size());
-    for (const SamplePoint& at : corners_)
-      seen.push_back(levelAt(light, at, surface_.seenShare(light, at)));
+    std::vector<double> levels = surface_.seenShares(light, blocks_);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      levels[i] = levelAt(light, corners_[i], levels[i]);
     addTexels(light, [&](int i, int j) {
-      return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(seen, i, j));
+      return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(levels, i, j));
     });
   }
 
   SurfaceLight& surface_;
   TexelSums& sums_;
   TexelRect rect_;
-  std::vector<SamplePoint> corners_;  ///< row by row, one more each way than texels
+  SampleBlocks blocks_;  ///< of corners, one more each way than texels
+  const std::vector<SamplePoint>& corners_;
   /// Levels of the light at hand, by finest cells from the first corner on.
   std::map<std::pair<int, int>, double> between_;
 };

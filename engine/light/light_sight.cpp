@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "light/lit_lattice.h"
@@ -75,22 +76,44 @@ class BallDisc {
     tangent_ = radius / std::sqrt((distance_ - radius) * (distance_ + radius));
   }
 
-  /// What a line through a point of the disc has inside the ball, as distances from the eye.
+  /// What a line from the eye has inside the ball, as distances from the eye.
   struct Chord {
     double from;
     double to;  ///< less than `from` where there is nothing
   };
 
-  Chord wholeChord(Vec2 p) const {
-    const double middle = distance_ / std::sqrt(length2(p));
+  /// What lines through points of the disc that are equally far from its middle have in common.
+  struct Line {
+    double length2;  ///< of the way from the eye to a point of the disc 1 m before it
+    double length;
+    Chord whole;
+
+    /// Volume of the ball along the line, for each share of the disc's area; up to a factor. A unit
+    /// of solid angle has (to^3 - from^3) / 3 of it, a unit of the disc 1 / length^3 of solid
+    /// angle.
+    double volumeOf(Chord chord) const {
+      if (chord.to <= chord.from) return 0;
+      const double cubes = chord.to * chord.to * chord.to - chord.from * chord.from * chord.from;
+      return cubes / (length2 * length);
+    }
+    double wholeVolume() const { return volumeOf(whole); }
+  };
+
+  /// `p2` is the square of the distance from the disc's middle.
+  Line lineAt(double p2) const {
+    const double length2 = 1 + tangent_ * tangent_ * p2;
+    const double length = std::sqrt(length2);
+    const double middle = distance_ / length;
     const double half2 = radius_ * radius_ - (distance_ - middle) * (distance_ + middle);
     const double half = std::sqrt(std::max(0.0, half2));
-    return {middle - half, middle + half};
+    return {length2, length, {middle - half, middle + half}};
   }
 
-  Chord shiningChord(Vec2 p) const {
-    Chord chord = wholeChord(p);
-    const Vec3 way = wayTo(p);
+  /// What shines of a line's chord.
+  Chord shiningChord(Vec2 p, const Line& line) const {
+    Chord chord = line.whole;
+    if (planes_.empty()) return chord;
+    const Vec3 way = wayTo(p, line);
     for (const Plane& plane : planes_) {
       const double speed = dot(way, plane.normal);
       const double crossing = -plane.inFront(eye_) / speed;
@@ -100,22 +123,14 @@ class BallDisc {
     return chord;
   }
 
-  Vec3 pointAt(Vec2 p, double distance) const { return eye_ + distance * wayTo(p); }
-
-  /// Volume of the ball along a line, for each share of the disc's area; up to a factor. A unit of
-  /// solid angle has (to^3 - from^3) / 3 of it, and a unit of the disc 1 / length^3 of solid angle.
-  double volumeOf(Chord chord, Vec2 p) const {
-    if (chord.to <= chord.from) return 0;
-    const double cubes = chord.to * chord.to * chord.to - chord.from * chord.from * chord.from;
-    return cubes / (length2(p) * std::sqrt(length2(p)));
+  Vec3 pointAt(Vec2 p, const Line& line, double distance) const {
+    return eye_ + distance * wayTo(p, line);
   }
 
  private:
-  /// Of the way from the eye to a point of the disc 1 m before it.
-  double length2(Vec2 p) const { return 1 + tangent_ * tangent_ * dot(p, p); }
-  Vec3 wayTo(Vec2 p) const {
+  Vec3 wayTo(Vec2 p, const Line& line) const {
     const Vec3 way = forward_ + (tangent_ * p.x) * right_ + (tangent_ * p.y) * up_;
-    return (1 / std::sqrt(length2(p))) * way;
+    return (1 / line.length) * way;
   }
 
   Vec3 eye_;
@@ -128,13 +143,45 @@ class BallDisc {
   double tangent_;  ///< of half the angle that the ball fills
 };
 
+Vec2 onDisc(Vec2 cells, int cellsAcross) { return 2.0 / cellsAcross * cells - Vec2{1, 1}; }
+
+Vec2 nearestOnDisc(Vec2 cells, int cellsAcross) {
+  const Vec2 p = onDisc(cells, cellsAcross);
+  return (1 / std::max(1.0, length(p))) * p;
+}
+
 }  // namespace
+
+DiscCells::DiscCells(int across) {
+  std::map<double, std::uint32_t> indices;
+  const auto distance2At = [&](Vec2 p) {
+    const auto index = static_cast<std::uint32_t>(distances2.size());
+    const auto [entry, isNew] = indices.try_emplace(dot(p, p), index);
+    if (isNew) distances2.push_back(dot(p, p));
+    return entry->second;
+  };
+  for (int j = 0; j <= across; ++j)
+    for (int i = 0; i <= across; ++i) {
+      const Vec2 p = nearestOnDisc({static_cast<double>(i), static_cast<double>(j)}, across);
+      corners.push_back({p, distance2At(p)});
+    }
+  cornerDistances = distances2.size();
+  for (int j = 0; j < across; ++j)
+    for (int i = 0; i < across; ++i)
+      kWholeCell.integral([&](Vec2 inCell) {
+        const Vec2 cell{static_cast<double>(i), static_cast<double>(j)};
+        points.push_back(distance2At(onDisc(cell + inCell, across)));
+        return 0.0;
+      });
+}
 
 LightSight::LightSight(const Level& level, const LightSource& light, int softSamples)
     : raytracer_(level),
       middle_(Raytracer::sourceOf(level, light)),
       radius_(planted(PlantedBug::RadiusIgnored) ? 0 : light.radius),
-      cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))) {
+      cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
+      discCells_(radius_ > 0 ? cells_ : 0) {
+  beamLight_ = {middle_.position, radius_, {middle_.sector}, false};
   if (radius_ == 0) return;
   planes_ = planesInside(level, level[middle_.sector], middle_.position, radius_);
   isCutByPlanes_ = true;
@@ -147,7 +194,10 @@ LightSight::LightSight(const Level& level, const LightSource& light, int softSam
     if (sector) points_.push_back({position, *sector});
     isCutByPlanes_ &= isBeforePlanes(position) == (sector == middle_.sector);
     isCutByPlanes_ &= !sector || sector == middle_.sector;
+    if (sector && std::ranges::find(beamLight_.sectors, *sector) == beamLight_.sectors.end())
+      beamLight_.sectors.push_back(*sector);
   }
+  beamLight_.isCutByWalls = isCutByPlanes_;
 }
 
 bool LightSight::isBeforePlanes(Vec3 p) const {
@@ -155,49 +205,82 @@ bool LightSight::isBeforePlanes(Vec3 p) const {
 }
 
 double LightSight::seenShare(const LightTarget& target, std::int64_t& rays) const {
-  if (radius_ == 0) return ++rays, raytracer_.sees(middle_, target.point, target.sector) ? 1 : 0;
-  const bool isNear = length(middle_.position - target.point) < kLeastDistance * radius_;
-  return isNear || !isCutByPlanes_ ? seenOfPoints(target, rays) : seenOfDisc(target, rays);
-}
-
-bool LightSight::sees(const LightTarget& target, const Raytracer::Source& source) const {
-  return target.plane.inFront(source.position) > kInPlane &&
-         raytracer_.sees(source, target.point, target.sector);
-}
-
-double LightSight::seenOfPoints(const LightTarget& target, std::int64_t& rays) const {
-  rays += std::ssize(points_);
-  const auto seen = std::ranges::count_if(
-      points_, [&](const Raytracer::Source& point) { return sees(target, point); });
-  return static_cast<double>(seen) / pointCount_;
-}
-
-double LightSight::seenOfDisc(const LightTarget& target, std::int64_t& rays) const {
-  const BallDisc disc(target.point, middle_.position, radius_, planes_);
-  const double cellSize = 2.0 / cells_;
-  const auto onDisc = [&](Vec2 cells) { return cellSize * cells - Vec2{1, 1}; };
-  const LitLattice lattice(cells_, cells_, [&](Vec2 corner) {
-    const Vec2 p = (1 / std::max(1.0, length(onDisc(corner)))) * onDisc(corner);
-    const auto [from, to] = disc.shiningChord(p);
-    return from <= to && sees(target, {disc.pointAt(p, (from + to) / 2), middle_.sector});
+  return seenShareBy(target, [&](const Raytracer::Source& source) {
+    ++rays;
+    return raytracer_.sees(source, target.point, target.sector);
   });
-  rays += lattice.questions();
+}
+
+double LightSight::seenShare(const LightTarget& target, const Beam& beam, Beam::Outcome outcome,
+                             std::int64_t& rays) const {
+  if (outcome == Beam::Outcome::Dark) return 0;
+  if (outcome == Beam::Outcome::Unknown)
+    return seenShareBy(target, [&](const Raytracer::Source& source) {
+      ++rays;
+      return raytracer_.sees(source, target.point, target.sector, beam);
+    });
+  if (planes_.empty() && pointCount_ == std::ssize(points_) &&
+      (radius_ == 0 || target.plane.inFront(middle_.position) > radius_ + 2 * kInPlane))
+    return 1;
+  return seenShareBy(target, [](const Raytracer::Source&) { return true; });
+}
+
+/// `sees` answers whether the line from a source arrives.
+template <typename Sees>
+double LightSight::seenShareBy(const LightTarget& target, Sees&& sees) const {
+  if (radius_ == 0) return sees(middle_) ? 1 : 0;
+  const auto seesInFront = [&](const Raytracer::Source& source) {
+    return target.plane.inFront(source.position) > kInPlane && sees(source);
+  };
+  const bool isNear = length(middle_.position - target.point) < kLeastDistance * radius_;
+  return isNear || !isCutByPlanes_ ? seenOfPoints(seesInFront) : seenOfDisc(target, seesInFront);
+}
+
+template <typename Sees>
+double LightSight::seenOfPoints(Sees&& sees) const {
+  return static_cast<double>(std::ranges::count_if(points_, sees)) / pointCount_;
+}
+
+template <typename Sees>
+double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
+  const BallDisc disc(target.point, middle_.position, radius_, planes_);
+  std::vector<BallDisc::Line> lines;
+  lines.reserve(discCells_.distances2.size());
+  const auto addLines = [&](std::size_t count) {
+    while (lines.size() < count) lines.push_back(disc.lineAt(discCells_.distances2[lines.size()]));
+  };
+  addLines(discCells_.cornerDistances);
+  const auto seesAt = [&](Vec2 p, const BallDisc::Line& line) {
+    const auto [from, to] = disc.shiningChord(p, line);
+    return from <= to && sees({disc.pointAt(p, line, (from + to) / 2), middle_.sector});
+  };
+  const auto isLit = [&](Vec2 cells) {
+    const Vec2 p = nearestOnDisc(cells, cells_);
+    return seesAt(p, disc.lineAt(dot(p, p)));
+  };
+  auto corner = discCells_.corners.begin();
+  const LitLattice lattice(cells_, cells_, isLit, [&](int, int) {
+    const DiscCells::Corner& at = *corner++;
+    return seesAt(at.point, lines[at.distance2]);
+  });
   if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return 0;
   if (lattice.isUniform() && planes_.empty()) return 1;
+  addLines(discCells_.distances2.size());
+  auto point = discCells_.points.begin();
   double seen = 0;
   double whole = 0;
   for (int j = 0; j < cells_; ++j)
     for (int i = 0; i < cells_; ++i) {
-      const Vec2 cell{static_cast<double>(i), static_cast<double>(j)};
-      const double all = kWholeCell.integral([&](Vec2 inCell) {
-        const Vec2 p = onDisc(cell + inCell);
-        return disc.volumeOf(disc.wholeChord(p), p);
-      });
-      const bool isAllSeen = lattice.litCorners(i, j) == 4 && planes_.empty();
+      const double all = kWholeCell.integral([&](Vec2) { return lines[*point++].wholeVolume(); });
       whole += all;
+      const int litCorners = lattice.litCorners(i, j);
+      if (litCorners == 0) continue;
+      const bool isAllSeen = litCorners == 4 && planes_.empty();
+      const Vec2 cell{static_cast<double>(i), static_cast<double>(j)};
       seen += isAllSeen ? all : lattice.part(i, j).integral([&](Vec2 inCell) {
-        const Vec2 p = onDisc(cell + inCell);
-        return disc.volumeOf(disc.shiningChord(p), p);
+        const Vec2 p = onDisc(cell + inCell, cells_);
+        const BallDisc::Line line = disc.lineAt(dot(p, p));
+        return line.volumeOf(disc.shiningChord(p, line));
       });
     }
   return seen / whole;

@@ -22,6 +22,22 @@ struct LightTarget {
   Plane plane;      ///< the surface's, its normal into the air
 };
 
+/// Points of a disc of radius 1 that are asked for again and again: the corners of its cells, and
+/// where what these have in front of them is integrated (`kWholeCell`). Many are equally far from
+/// the middle.
+struct DiscCells {
+  explicit DiscCells(int across);
+
+  struct Corner {
+    Vec2 point;  ///< of the disc, the nearest
+    std::uint32_t distance2;
+  };
+  std::vector<Corner> corners;        ///< row by row
+  std::vector<std::uint32_t> points;  ///< cell by cell; indices of `distances2`, like the corners'
+  std::vector<double> distances2;     ///< squares of those from the middle, each once
+  std::size_t cornerDistances = 0;    ///< the first of `distances2`: of corners
+};
+
 /// Answers which share of a light a point of a surface sees: of a point of light all or nothing, of
 /// a ball the share of its volume. What of a ball its own middle does not see, because a wall runs
 /// through it, does not shine.
@@ -34,17 +50,26 @@ class LightSight {
 
   /// 0..1. Adds the rays that it took to `rays`.
   double seenShare(const LightTarget& target, std::int64_t& rays) const;
+  /// The same, of one of the targets of a beam from `beamLight()`, whose rays have this outcome.
+  double seenShare(const LightTarget& target, const Beam& beam, Beam::Outcome outcome,
+                   std::int64_t& rays) const;
+
+  const BeamLight& beamLight() const { return beamLight_; }
 
  private:
+  template <typename Sees>
+  double seenShareBy(const LightTarget& target, Sees&& sees) const;
   bool isBeforePlanes(Vec3 p) const;
-  bool sees(const LightTarget& target, const Raytracer::Source& source) const;
-  double seenOfDisc(const LightTarget& target, std::int64_t& rays) const;
-  double seenOfPoints(const LightTarget& target, std::int64_t& rays) const;
+  template <typename Sees>
+  double seenOfDisc(const LightTarget& target, Sees&& sees) const;
+  template <typename Sees>
+  double seenOfPoints(Sees&& sees) const;
 
   Raytracer raytracer_;
   Raytracer::Source middle_;
-  double radius_;              ///< metres
-  int cells_;                  ///< along the disc's diameter
+  double radius_;  ///< metres
+  int cells_;      ///< along the disc's diameter
+  DiscCells discCells_;
   std::vector<Plane> planes_;  ///< of the walls and flats that come into the ball
   /// Points spread evenly over the ball, without those that its middle does not see; and how many
   /// there are with these.
@@ -52,6 +77,7 @@ class LightSight {
   int pointCount_ = 0;
   /// Whether what shines is what lies in front of all planes, if there are any.
   bool isCutByPlanes_ = false;
+  BeamLight beamLight_;
 };
 
 /// How points see the lights of a level, in their order.

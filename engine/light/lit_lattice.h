@@ -19,7 +19,7 @@ struct LitPart {
   void add(Vec2 point) { points[count++] = point; }
 
   /// Of f(Vec2) over the part; exact for polynomials of degree 2. Asks for points inside only, none
-  /// on the border, beyond which f may be another.
+  /// on the border, beyond which f may be another, and always in the same order.
   template <typename Function>
   double integral(Function&& f) const {
     double sum = 0;
@@ -28,8 +28,10 @@ struct LitPart {
       const Vec2 b = points[i - 1];
       const Vec2 c = points[i];
       const Vec2 middle = (1.0 / 6) * (a + b + c);
-      sum += cross(b - a, c - a) / 6 *
-             (f(middle + 0.5 * a) + f(middle + 0.5 * b) + f(middle + 0.5 * c));
+      const double towardsA = f(middle + 0.5 * a);
+      const double towardsB = f(middle + 0.5 * b);
+      const double towardsC = f(middle + 0.5 * c);
+      sum += cross(b - a, c - a) / 6 * (towardsA + towardsB + towardsC);
     }
     return sum;
   }

@@ -21,16 +21,46 @@ struct Exit {
   double t;
 };
 
+/// All walls of a sector.
+struct AllWalls {
+  const Level& level;
+
+  template <typename Visit>
+  void visit(SectorId sector, Visit&& visit) const {
+    for (const Segment& wall : level.segmentsOf(level[sector])) visit(wall);
+  }
+};
+
+/// Those that the rays of a beam can meet.
+struct BeamWalls {
+  const Beam& beam;
+
+  template <typename Visit>
+  void visit(SectorId sector, Visit&& visit) const {
+    for (const Segment* wall : beam.wallsIn(sector)) visit(*wall);
+  }
+};
+
+template <typename Walls>
 class Walk {
  public:
-  Walk(const Level& level, const Raytracer::Source& source, Vec3 target)
+  Walk(const Level& level, Walls walls, const Raytracer::Source& source, Vec3 target)
       : level_(level),
+        walls_(walls),
         origin_(source.position),
         delta_(target - source.position),
         planLength2_(dot(delta_.xy(), delta_.xy())),
         sector_(source.sector) {
     const double distance = length(delta_);
     slack_ = distance > 0 ? kArrival / distance : 1;
+  }
+
+  /// To where the ray, going on, comes to in the end.
+  void passGate(const Beam::Gate& gate) {
+    const Segment& wall = *gate.wall;
+    sector_ = gate.opening->next;
+    t_ = crossingOf(wall, sideOf(wall.p0), sideOf(wall.p1));
+    entry_ = &level_[gate.opening->twin];
   }
 
   /// Whether the ray's end is a point on the border of the air of `goal` that it reaches.
@@ -92,17 +122,17 @@ class Walk {
   Exit findExit() const {
     Exit best{nullptr, std::numeric_limits<double>::infinity()};
     if (planLength2_ == 0) return best;
-    for (const Segment& segment : level_.segmentsOf(level_[sector_])) {
+    walls_.visit(sector_, [&](const Segment& segment) {
       const double side0 = sideOf(segment.p0);
       const double side1 = sideOf(segment.p1);
-      if (side0 >= 0 || side1 < 0) continue;
+      if (side0 >= 0 || side1 < 0) return;
       const double t = crossingOf(segment, side0, side1);
-      if (t > best.t + kNearTie * best.t || !isBeyondEntry(segment, t)) continue;
+      if (t > best.t + kNearTie * best.t || !isBeyondEntry(segment, t)) return;
       if (t >= best.t - kNearTie * best.t && best.segment &&
           !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
-        continue;
+        return;
       best = {&segment, t};
-    }
+    });
     return best;
   }
 
@@ -218,6 +248,7 @@ class Walk {
   }
 
   const Level& level_;
+  Walls walls_;
   Vec3 origin_;
   Vec3 delta_;
   double planLength2_;
@@ -239,11 +270,17 @@ Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& lig
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector) const {
-  return Walk(level_, source, target).arrivesAt(sector);
+  return Walk(level_, AllWalls{level_}, source, target).arrivesAt(sector);
+}
+
+bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Beam& beam) const {
+  Walk walk(level_, BeamWalls{beam}, source, target);
+  if (beam.gate()) walk.passGate(*beam.gate());
+  return walk.arrivesAt(sector);
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point) const {
-  return Walk(level_, source, point).sectorAtEnd();
+  return Walk(level_, AllWalls{level_}, source, point).sectorAtEnd();
 }
 
 }  // namespace hearth

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "level/level.h"
+#include "light/beam.h"
 
 namespace hearth {
 
@@ -23,6 +24,8 @@ class Raytracer {
   /// True when the line from the source first meets a surface at `target`, a point on the border of
   /// the air of `sector`. The caller has made sure that the surface there faces the source.
   bool sees(const Source& source, Vec3 target, SectorId sector) const;
+  /// The same, of a ray of a beam: only what the beam meets is looked at.
+  bool sees(const Source& source, Vec3 target, SectorId sector, const Beam& beam) const;
 
   /// The sector in which the line from the source arrives at a point of the air; none where it
   /// meets a surface before.

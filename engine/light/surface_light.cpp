@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/planted_bug.h"
 #include "math/tolerance.h"
@@ -18,16 +19,29 @@ bool isInFront(const LightSource& light, const LitSurface& surface) {
   return std::abs(distance) > kInPlane && distance > -light.radius;
 }
 
+template <typename Visit>
+void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block, Visit&& visit) {
+  for (int j = block.row; j < block.row + block.rows; ++j)
+    for (int i = block.column; i < block.column + block.columns; ++i) visit(blocks.index(i, j));
+}
+
+/// Beams would hide these mistakes of rays.
+bool isRayPlanted() {
+  return planted(PlantedBug::LightThroughSteps) || planted(PlantedBug::LightStoppedBySky) ||
+         planted(PlantedBug::LightThroughSlopes);
+}
+
 }  // namespace
 
 SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
-                           const LightSights& sights, bool lambert, SurfaceId id)
+                           const LightSights& sights, bool lambert, SurfaceId id, Seeing seeing)
     : level_(level),
       surfaces_(surfaces),
       sights_(sights),
       surface_(*surfaces[id.index()]),
       id_(id),
       lambert_(lambert),
+      seeing_(isRayPlanted() ? Seeing::ByRaysAlone : seeing),
       placement_(surfaces, id),
       costs_(level.lights.size()) {
   for (std::size_t i = 0; i < level.lights.size(); ++i)
@@ -41,16 +55,76 @@ int SurfaceLight::channels() const {
 
 SamplePoint SurfaceLight::place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
 
-double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const SamplePoint& at) {
+SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {
+  return {level_, surface_, std::move(samples), columns, rows};
+}
+
+double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const SamplePoint& at,
+                               const Known* known) {
   const LitSurface& there = *surfaces_[at.surface.index()];
   // What continues a surface may lie a tolerance off its plane.
   if (at.surface != id_ && !isInFront(light(index), there)) return 0;
   const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
   LightCost& cost = costs_[index];
-  const double seen = sight.seenShare(target, cost.rays);
+  const double seen = known ? sight.seenShare(target, known->beam, known->outcome, cost.rays)
+                            : sight.seenShare(target, cost.rays);
   ++cost.samples;
   if (seen > 0) ++cost.seenSamples;
   return seen;
+}
+
+const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const SampleBlocks& blocks) {
+  seen_.assign(blocks.samples().size(), 0);
+  if (seeing_ == Seeing::ByBeams)
+    addBlock(light, blocks, blocks.whole(), 0);
+  else
+    for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i] = seenShare(light, blocks.samples()[i]);
+  return seen_;
+}
+
+Beam& SurfaceLight::beamAt(std::size_t depth) {
+  while (beams_.size() <= depth) beams_.emplace_back(level_);
+  return beams_[depth];
+}
+
+void SurfaceLight::addBlock(std::size_t light, const SampleBlocks& blocks,
+                            const SampleBlocks::Block& block, std::size_t depth) {
+  Beam& beam = beamAt(depth);
+  const BeamLight& from = sights_.fine[light].beamLight();
+  const Beam* within = depth > 0 ? &beams_[depth - 1] : nullptr;
+  const Beam::Outcome outcome = beam.follow(from, blocks.targetsOf(block), within);
+  if (outcome != Beam::Outcome::Unknown) return addSamples(light, blocks, block, {beam, outcome});
+  for (const SampleBlocks::Block& part : blocks.partsOf(block))
+    addBlock(light, blocks, part, depth + 1);
+  if (block.parts > 0) return;
+  if (from.radius == 0) return addSamples(light, blocks, block, {beam, outcome});
+  forEachSample(blocks, block, [&](std::size_t index) {
+    seen_[index] = seenShareByBeam(sights_.fine[light], light, blocks.samples()[index], depth + 1);
+  });
+}
+
+void SurfaceLight::addSamples(std::size_t light, const SampleBlocks& blocks,
+                              const SampleBlocks::Block& block, const Known& known) {
+  forEachSample(blocks, block, [&](std::size_t index) {
+    seen_[index] = seenShare(sights_.fine[light], light, blocks.samples()[index], &known);
+  });
+}
+
+double SurfaceLight::roughlySeenShare(std::size_t light, const SamplePoint& at) {
+  const LightSight& sight = sights_.rough[light];
+  return seeing_ == Seeing::ByBeams ? seenShareByBeam(sight, light, at, 0)
+                                    : seenShare(sight, light, at, nullptr);
+}
+
+/// A beam to one sample, within that of less depth. Worth it for a ball, which takes many rays.
+double SurfaceLight::seenShareByBeam(const LightSight& sight, std::size_t light,
+                                     const SamplePoint& at, std::size_t depth) {
+  const BeamTargets target{TargetBox::ofPoint(at.target, surface_.normal),
+                           {&level_[at.surface].sector, 1}};
+  Beam& beam = beamAt(depth);
+  const Beam* within = depth > 0 ? &beams_[depth - 1] : nullptr;
+  const Known known{beam, beam.follow(sight.beamLight(), target, within)};
+  return seenShare(sight, light, at, &known);
 }
 
 double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {

@@ -1,22 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "level/level.h"
 #include "light/light_cost.h"
 #include "light/light_sight.h"
 #include "light/lit_surface.h"
+#include "light/sample_blocks.h"
 #include "light/sample_placement.h"
 
 namespace hearth {
+
+/// How samples are asked whether they see a light.
+enum class Seeing {
+  ByBeams,     ///< in blocks, and by rays where these differ
+  ByRaysAlone  ///< each by itself: what beams are held against
+};
 
 /// What of the level's lights arrives at points of one surface.
 class SurfaceLight {
  public:
   /// Keeps references to all but `id`.
   SurfaceLight(const Level& level, const LitSurfaces& surfaces, const LightSights& sights,
-               bool lambert, SurfaceId id);
+               bool lambert, SurfaceId id, Seeing seeing = Seeing::ByBeams);
 
   const TexelRect& texels() const { return surface_.texels; }
   /// Indices of the lights that can shine on the surface's plane.
@@ -26,15 +34,17 @@ class SurfaceLight {
   int channels() const;
 
   SamplePoint place(Vec2 texelPoint) const;
+  SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
+
+  /// Which share of a light each of the samples sees, in their order. Good until the next call.
+  const std::vector<double>& seenShares(std::size_t light, const SampleBlocks& blocks);
 
   /// Which share of a light the point sees, 0..1.
   double seenShare(std::size_t light, const SamplePoint& at) {
-    return seenShare(sights_.fine[light], light, at);
+    return seenShare(sights_.fine[light], light, at, nullptr);
   }
   /// With fewer rays to a ball.
-  double roughlySeenShare(std::size_t light, const SamplePoint& at) {
-    return seenShare(sights_.rough[light], light, at);
-  }
+  double roughlySeenShare(std::size_t light, const SamplePoint& at);
 
   /// What all of the light would bring to the point, in levels, before colour.
   double fullLevel(std::size_t light, const SamplePoint& at) const;
@@ -43,7 +53,20 @@ class SurfaceLight {
   const std::vector<LightCost>& costs() const { return costs_; }
 
  private:
-  double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at);
+  /// What is known of a sample's rays.
+  struct Known {
+    const Beam& beam;
+    Beam::Outcome outcome;
+  };
+  double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at,
+                   const Known* known);
+  Beam& beamAt(std::size_t depth);
+  void addBlock(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+                std::size_t depth);
+  void addSamples(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+                  const Known& known);
+  double seenShareByBeam(const LightSight& sight, std::size_t light, const SamplePoint& at,
+                         std::size_t depth);
 
   const Level& level_;
   const LitSurfaces& surfaces_;
@@ -51,9 +74,12 @@ class SurfaceLight {
   const LitSurface& surface_;
   SurfaceId id_;
   bool lambert_;
+  Seeing seeing_;
   SamplePlacement placement_;
   std::vector<std::size_t> facing_;
   std::vector<LightCost> costs_;
+  std::deque<Beam> beams_;  ///< to a block, to its part, to a part of this and so on
+  std::vector<double> seen_;
 };
 
 }  // namespace hearth

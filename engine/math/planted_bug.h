@@ -44,9 +44,15 @@ enum class PlantedBug {
   CurveExtrapolated,
   CosineOfWrongNormal,
   StaleSavedBakeAccepted,
+  BeamThroughPillars,
+  BeamThroughSteps,
+  BeamThroughStacks,
+  BeamThroughWedges,
+  BeamThroughHangingWedges,
+  BeamPastFlatPortals,
 };
 
-inline constexpr std::array<std::string_view, 34> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 40> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -81,6 +87,12 @@ inline constexpr std::array<std::string_view, 34> kPlantedBugNames = {
     "curve-extrapolated",
     "cosine-of-wrong-normal",
     "stale-saved-bake-accepted",
+    "beam-through-pillars",
+    "beam-through-steps",
+    "beam-through-stacks",
+    "beam-through-wedges",
+    "beam-through-hanging-wedges",
+    "beam-past-flat-portals",
 };
 
 #ifdef HEARTH_PLANTED_BUGS

@@ -44,8 +44,8 @@ TEST(Measure, countsTestsAsTheBakeDoes) {
   const LoadedLevel level = loaded("tests/levels/rooms.json");
   const BenchReport report = measure(level, level.level.bake, {}, 1, 1, countingClock());
   ASSERT_EQ(report.frames.size(), 3U) << "one thread is all that there are";
-  EXPECT_EQ(report.texelLightTests, report.bake.rays) << "of points of light";
   EXPECT_GT(report.texelLightTests, report.bake.texels);
+  EXPECT_LT(report.bake.rays, report.texelLightTests) << "answered with fewer rays";
 }
 
 }  // namespace

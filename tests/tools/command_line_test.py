@@ -552,9 +552,9 @@ class Info(InFolder):
                 info = json.loads(run("info", self.level, "--json", *options).stdout)
                 bake = run("bake", self.level, *options).stdout
                 self.assertRegex(bake, rf"bytes +{info['requires']['lightmapBytes']}\n")
-        rays = [json.loads(run("info", self.level, "--json", "--samples", count).stdout)
-                ["requires"]["rays"] for count in (1, 4)]
-        self.assertEqual(4 * rays[0], rays[1])
+        samples = [json.loads(run("info", self.level, "--json", "--samples", count).stdout)
+                   ["light"]["points"]["samples"] for count in (1, 4)]
+        self.assertEqual(4 * samples[0], samples[1])
 
     def test_says_the_same_every_time_for_any_number_of_threads(self):
         for options in [(), ("--json",)]:

@@ -172,7 +172,7 @@ void printLight(const Contents& contents) {
   printRow("all", light.all);
   const auto printLights = [](std::string_view what, const LightKindReport& kind) {
     if (kind.lights > 0)
-      fmt::print("{:>11}  {}: {:.1f} rays a sample, {} rays\n", kind.lights, what,
+      fmt::print("{:>11}  {}: {:.2f} rays a sample, {} rays\n", kind.lights, what,
                  kind.raysPerSample(), kind.rays);
   };
   printLine("texels of surfaces without a lightmap", light.all.skippedTexels);

@@ -1,0 +1,360 @@
+#include "light/beam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "level/openings.h"
+#include "math/check.h"
+#include "math/planted_bug.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+EndHeights flatLine(double z) { return {z, z}; }
+
+/// What an opening is to the part of the hull that meets its wall.
+struct Passage {
+  const BeamHull::Slice& hull;
+  bool isShut = false;  ///< nothing of the hull passes
+  bool isOpen = true;   ///< all of it does
+
+  void letThroughAbove(EndHeights line) {
+    isShut |= hull.isBelow(line);
+    isOpen &= hull.isAbove(line);
+  }
+  void letThroughBelow(EndHeights line) {
+    isShut |= hull.isAbove(line);
+    isOpen &= hull.isBelow(line);
+  }
+};
+
+/// The lines along a stretch of a wall that its sector's air ends at.
+struct AirLines {
+  EndHeights bottom;
+  EndHeights top;
+};
+
+AirLines airAlong(const Segment& wall, double from, double to) {
+  const AirColumn first = airAt(wall, from);
+  const AirColumn last = airAt(wall, to);
+  return {{first.zBottom, last.zBottom}, {first.zTop, last.zTop}};
+}
+
+/// Whether light meets a flat, or the slope on it: flat portals let it through, skies too.
+bool isSolid(const Flat& flat) { return !flat.parallax && !flat.interface; }
+
+/// What is beyond a flat portal has left the sector through it, and is nothing to the opening.
+void addHeights(const Sector& sector, const Segment& wall, const LightOpening& opening,
+                Passage& passage) {
+  if (planted(PlantedBug::BeamThroughSteps)) return;
+  if (planted(PlantedBug::BeamThroughStacks) && std::holds_alternative<Stack>(wall.kind)) return;
+  if (sector.floor.interface && opening.zBottom <= sector.floor.z)
+    passage.isShut |= passage.hull.isBelow(flatLine(opening.zBottom));
+  else
+    passage.letThroughAbove(flatLine(opening.zBottom));
+  if (sector.ceiling.interface && opening.zTop >= sector.ceiling.z)
+    passage.isShut |= passage.hull.isAbove(flatLine(opening.zTop));
+  else
+    passage.letThroughBelow(flatLine(opening.zTop));
+}
+
+/// Of the sector's own slopes rays meet those that are no skies; of the next sector's all.
+void addSlopes(const Level& level, const Sector& sector, const Segment& wall,
+               const LightOpening& opening, Passage& passage) {
+  const double from = passage.hull.from;
+  const double to = passage.hull.to;
+  if (sector.floorSlope || sector.ceilingSlope) {
+    const AirLines near = airAlong(wall, from, to);
+    if (sector.floorSlope && isSolid(sector.floor)) passage.letThroughAbove(near.bottom);
+    if (sector.ceilingSlope && isSolid(sector.ceiling)) passage.letThroughBelow(near.top);
+  }
+  const Sector& next = level[opening.next];
+  if (next.floorSlope || next.ceilingSlope) {
+    const AirLines far = airAlong(level[opening.twin], 1 - from, 1 - to);
+    if (next.floorSlope && !planted(PlantedBug::BeamThroughWedges))
+      passage.letThroughAbove(far.bottom);
+    if (next.ceilingSlope && !planted(PlantedBug::BeamThroughHangingWedges))
+      passage.letThroughBelow(far.top);
+  }
+}
+
+}  // namespace
+
+Beam::Outcome Beam::follow(const BeamLight& light, const BeamTargets& targets, const Beam* within) {
+  light_ = &light;
+  targets_ = &targets;
+  within_ = within;
+  hull_.emplace(light.middle, light.radius, targets.box);
+  leastInFront_ = 4 * hull_->noise() * hull_->reach() / kArrival;
+  mets_.clear();
+  walls_.clear();
+  exits_.clear();
+  sectors_.clear();
+  visits_.clear();
+  arrives_ = isStopped_ = false;
+  for (const SectorId sector : light.sectors) go({sector, Way::FromLight, nullptr, {}, {}});
+  gate_.reset();
+  bool isGated = light.sectors.size() == 1;
+  for (std::size_t i = 0; i < visits_.size(); ++i) {
+    const Visit way = visits_[i];
+    visit(way);
+    if (!isGated) continue;
+    const std::optional<Gate> gate = gateOf(way);
+    isGated = gate && i + 2 == visits_.size();
+    if (isGated) gate_ = gate;
+  }
+  if (!arrives_) return Outcome::Dark;
+  return isStopped_ || targets.sectors.size() > 1 || !areTargetsClear() ? Outcome::Unknown
+                                                                        : Outcome::Lit;
+}
+
+bool Beam::meets(SectorId id) const {
+  return std::ranges::any_of(sectors_, [id](const MetSector& sector) { return sector.id == id; });
+}
+
+std::span<const Segment* const> Beam::wallsIn(SectorId id) const {
+  for (const MetSector& sector : sectors_)
+    if (sector.id == id) return std::span(walls_).subspan(sector.begin, sector.end - sector.begin);
+  CHECK(false, id);
+  return {};
+}
+
+bool Beam::isTarget(SectorId id) const {
+  return std::ranges::find(targets_->sectors, id) != targets_->sectors.end();
+}
+
+const Beam::MetSector& Beam::meet(SectorId id) {
+  for (const MetSector& sector : sectors_)
+    if (sector.id == id) return sector;
+  const auto count = [&] { return static_cast<std::uint32_t>(mets_.size()); };
+  MetSector met{id, count(), 0, 0};
+  const Sector& sector = level_[id];
+  if (within_)
+    for (const Segment* wall : within_->wallsIn(id)) meetWall(sector, id, *wall);
+  else
+    for (const Segment& wall : level_.segmentsOf(sector)) meetWall(sector, id, wall);
+  met.end = count();
+  findScreens(met);
+  return sectors_.emplace_back(met);
+}
+
+/// Whether no ray can leave the sector through a wall, which the hull may touch nevertheless.
+bool Beam::isHarmless(SectorId id, const Segment& wall, const BeamHull::Distances& d) const {
+  const double margin = hull_->margin();
+  if (d.leastOfTargets > margin) {
+    if (d.leastOfLight >= 0) return true;
+    if (light_->isCutByWalls && id == light_->sectors.front() &&
+        length(nearestOnSegment(wall.p0, wall.p1, light_->middle.xy()) - light_->middle.xy()) <=
+            light_->radius)
+      return true;
+  }
+  // Whoever comes from behind a wall goes through to its front. On which side he is must not be
+  // left to rounding where a ray is in line with a wall, which is short seen from afar.
+  const double reach = hull_->reach();
+  return d.mostOfLight < -(margin + hull_->noise() * reach / wall.length);
+}
+
+void Beam::meetWall(const Sector& sector, SectorId id, const Segment& wall) {
+  if (planted(PlantedBug::BeamThroughPillars) && wall.loop > 0) return;
+  const Vec2 normal = (1 / wall.length) * turned90(wall.p1 - wall.p0);
+  const BeamHull::Distances d = hull_->distances(wall.p0, normal);
+  if (isHarmless(id, wall, d)) return;
+  const std::optional<BeamHull::Slice> slice = hull_->slice(wall.p0, wall.p1);
+  if (!slice) return;
+  Met met{.wall = &wall,
+          .normal = normal,
+          .start = lerp(wall.p0, wall.p1, slice->from),
+          .end = lerp(wall.p0, wall.p1, slice->to),
+          .startsInside = slice->from == 0,
+          .endsInside = slice->to == 1,
+          .leastOfLight = d.leastOfLight,
+          .mostOfTargets = d.mostOfTargets,
+          .stops = false,
+          .firstExit = static_cast<std::uint32_t>(exits_.size()),
+          .lastExit = 0,
+          .screen = 0};
+  // Rays that come from the front and end there, or on it, do not go through.
+  const bool endsHere = targets_->sectors.size() == 1 && isTarget(id) &&
+                        d.leastOfLight >= leastInFront_ && d.leastOfTargets >= -hull_->noise();
+  if (!endsHere) meetOpenings(sector, *slice, met);
+  met.lastExit = static_cast<std::uint32_t>(exits_.size());
+  mets_.push_back(met);
+  walls_.push_back(&wall);
+}
+
+void Beam::meetOpenings(const Sector& sector, const BeamHull::Slice& slice, Met& met) {
+  const bool isBelowFlat = sector.floor.interface && slice.isBelow(flatLine(sector.floor.z));
+  const bool isAboveFlat = sector.ceiling.interface && slice.isAbove(flatLine(sector.ceiling.z));
+  if (isBelowFlat || isAboveFlat) return;  // no ray is in the sector any more
+  met.stops = true;
+  for (const LightOpening& opening : met.wall->lightOpenings) {
+    Passage passage{slice};
+    addHeights(sector, *met.wall, opening, passage);
+    addSlopes(level_, sector, *met.wall, opening, passage);
+    if (!passage.isShut) exits_.push_back(&opening);
+    if (passage.isOpen) met.stops = false;
+  }
+}
+
+Beam::Met* Beam::nextInLoop(const MetSector& sector, const Met& met) {
+  const Loop& loop = level_[sector.id].loops[met.wall->loop];
+  const Segment* first = &level_[loop.first];
+  const Segment* next = met.wall + 1 == first + loop.count ? first : met.wall + 1;
+  for (Met& other : wallsOf(sector))
+    if (other.wall == next) return &other;
+  return nullptr;
+}
+
+void Beam::findScreens(MetSector& sector) {
+  for (Met& met : wallsOf(sector))
+    if (!met.startsInside) findScreenFrom(sector, met);
+}
+
+/// From a wall that comes into the hull on to the one that leaves it.
+///
+/// A ray from a point in front of all their lines to one behind all of them goes through one of
+/// them: seen across the ray, they follow one another to one side only. So if it passed beside the
+/// screen it would cross, in the hull, the line of the first or last wall beyond the end of that:
+/// which lies outside the hull, and yet between two points of it.
+void Beam::findScreenFrom(MetSector& sector, Met& first) {
+  screens_.clear();
+  for (Met* met = &first;; met = nextInLoop(sector, *met)) {
+    if (!met || met->mostOfTargets >= -hull_->margin()) return;
+    if (met != &first && !met->startsInside) return;
+    screens_.push_back(static_cast<std::uint32_t>(met - mets_.data()));
+    if (!met->endsInside) break;
+    if (screens_.size() > sector.end - sector.begin) return;
+  }
+  ++sector.screens;
+  for (const std::uint32_t index : screens_) mets_[index].screen = sector.screens;
+}
+
+void Beam::go(const Visit& visit) {
+  if (within_ && !within_->meets(visit.sector)) return;
+  for (const Visit& other : visits_)
+    if (other.sector == visit.sector && other.way == visit.way &&
+        (visit.way != Way::ThroughWall || other.through->twin == visit.through->twin))
+      return;
+  visits_.push_back(visit);
+}
+
+/// Whether a screen lies between the way into its sector and the targets.
+bool Beam::isScreen(const MetSector& sector, std::uint32_t screen, const Visit& visit) {
+  if (visit.way == Way::ThroughFlat) return false;
+  const double margin = hull_->margin();
+  for (const Met& met : wallsOf(sector)) {
+    if (met.screen != screen) continue;
+    if (met.leastOfLight <= margin) return false;
+    if (visit.way == Way::ThroughWall &&
+        (met.inFront(visit.start) <= margin || met.inFront(visit.end) <= margin))
+      return false;
+  }
+  return true;
+}
+
+bool Beam::isBehind(const MetSector& sector, std::uint32_t screen, const Met& met) {
+  if (met.screen == screen) return false;
+  const double margin = hull_->margin();
+  return std::ranges::all_of(wallsOf(sector), [&](const Met& part) {
+    return part.screen != screen ||
+           (part.inFront(met.start) < -margin && part.inFront(met.end) < -margin);
+  });
+}
+
+/// Whether one of the `screens_` of the visit at hand lies before a wall.
+bool Beam::isHidden(const MetSector& sector, const Met& met) {
+  return std::ranges::any_of(screens_,
+                             [&](std::uint32_t screen) { return isBehind(sector, screen, met); });
+}
+
+void Beam::visit(const Visit& visit) {
+  const MetSector sector = meet(visit.sector);
+  screens_.clear();
+  for (std::uint32_t screen = 1; screen <= sector.screens; ++screen)
+    if (isScreen(sector, screen, visit)) screens_.push_back(screen);
+  for (const Met& met : wallsOf(sector)) {
+    if (isHidden(sector, met)) continue;
+    isStopped_ |= met.stops;
+    for (std::uint32_t i = met.firstExit; i < met.lastExit; ++i)
+      go({exits_[i]->next, Way::ThroughWall, exits_[i], met.start, met.end});
+  }
+  goThroughFlats(level_[visit.sector]);
+  if (!screens_.empty()) return;
+  if (isTarget(visit.sector))
+    arrives_ = true;
+  else
+    isStopped_ |= !endsOutside(level_[visit.sector]);
+}
+
+/// The one wall that all rays leave a sector through, having come into it by a way that has just
+/// been visited; none where some may leave it elsewhere, or stop.
+std::optional<Beam::Gate> Beam::gateOf(const Visit& way) {
+  const MetSector sector = meet(way.sector);
+  if (level_[way.sector].floor.interface || level_[way.sector].ceiling.interface)
+    return std::nullopt;
+  const Met* gate = nullptr;
+  for (const Met& met : wallsOf(sector)) {
+    if (isHidden(sector, met)) continue;
+    if (gate || met.startsInside || met.endsInside || met.stops ||
+        met.lastExit != met.firstExit + 1)
+      return std::nullopt;
+    gate = &met;
+  }
+  if (!gate || std::ranges::find(screens_, gate->screen) == screens_.end()) return std::nullopt;
+  return Gate{gate->wall, exits_[gate->firstExit]};
+}
+
+void Beam::goThroughFlats(const Sector& sector) {
+  if (planted(PlantedBug::BeamPastFlatPortals)) return;
+  const auto goTo = [&](const std::vector<SectorId>& members) {
+    for (const SectorId member : members) go({member, Way::ThroughFlat, nullptr, {}, {}});
+  };
+  if (sector.floor.interface && hull_->zMin() < sector.floor.z)
+    goTo(level_[*sector.floor.interface].lower);
+  if (sector.ceiling.interface && hull_->zMax() > sector.ceiling.z)
+    goTo(level_[*sector.ceiling.interface].upper);
+}
+
+/// Whether no target can be in the sector: all are beside it, or beyond a flat portal of it.
+bool Beam::endsOutside(const Sector& sector) const {
+  const double margin = hull_->margin();
+  const auto all = [&](auto&& isBeyond) {
+    return std::ranges::all_of(targets_->box.corners(), isBeyond);
+  };
+  return all([&](Vec3 p) { return p.x < sector.boxMin.x - margin; }) ||
+         all([&](Vec3 p) { return p.x > sector.boxMax.x + margin; }) ||
+         all([&](Vec3 p) { return p.y < sector.boxMin.y - margin; }) ||
+         all([&](Vec3 p) { return p.y > sector.boxMax.y + margin; }) ||
+         (sector.floor.interface && all([&](Vec3 p) { return p.z < sector.floor.z - margin; })) ||
+         (sector.ceiling.interface && all([&](Vec3 p) { return p.z > sector.ceiling.z + margin; }));
+}
+
+/// Whether no flat or slope of the targets' sector stops a ray before its target.
+bool Beam::areTargetsClear() const {
+  const Sector& sector = level_[targets_->sectors.front()];
+  const auto isClear = [&](double ofLight, double ofTarget) {
+    return ofTarget > hull_->margin() ||
+           (ofTarget >= -hull_->noise() && ofLight - light_->radius >= leastInFront_);
+  };
+  for (const Vec3& p : targets_->box.corners()) {
+    const auto slack = [&](const std::optional<Slope>& slope) {
+      return slope ? length(slope->gradient) : 0;
+    };
+    const Vec2 middle = light_->middle.xy();
+    if (!sector.floor.parallax && !isClear(light_->middle.z - sector.airBottom(middle) -
+                                               slack(sector.floorSlope) * light_->radius,
+                                           p.z - sector.airBottom(p.xy())))
+      return false;
+    if (!sector.ceiling.parallax && !isClear(sector.airTop(middle) - light_->middle.z -
+                                                 slack(sector.ceilingSlope) * light_->radius,
+                                             sector.airTop(p.xy()) - p.z))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace hearth

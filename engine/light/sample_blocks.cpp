@@ -1,0 +1,88 @@
+#include "light/sample_blocks.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "math/tolerance.h"
+
+namespace hearth {
+
+SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
+                           std::vector<SamplePoint> samples, int columns, int rows)
+    : level_(level), normal_(surface.normal), samples_(std::move(samples)), columns_(columns) {
+  const Vec3 inPlane = surface.grid.axisS - dot(surface.grid.axisS, normal_) * normal_;
+  axisS_ = (1 / length(inPlane)) * inPlane;
+  axisT_ = cross(normal_, axisS_);
+  for (const SamplePoint& sample : samples_) {
+    const SectorId sector = level_[sample.surface].sector;
+    if (sectors_.empty() ||
+        (sectors_.back() != sector && std::ranges::find(sectors_, sector) == sectors_.end()))
+      sectors_.push_back(sector);
+  }
+  blocks_.push_back(
+      {.column = 0, .row = 0, .columns = columns, .rows = rows, .box = {}, .sector = {}});
+  for (std::size_t i = 0; i < blocks_.size(); ++i) divide(i);
+  for (std::size_t i = blocks_.size(); i-- > 0;) measure(blocks_[i]);
+}
+
+void SampleBlocks::divide(std::size_t index) {
+  const Block block = blocks_[index];
+  if (block.columns <= kLeast && block.rows <= kLeast) return;
+  const auto halves = [](int count) {
+    const int first = count <= kLeast ? count : (count / 2 + kLeast - 1) / kLeast * kLeast;
+    return std::pair{first, count - first};
+  };
+  const auto [left, right] = halves(block.columns);
+  const auto [upper, lower] = halves(block.rows);
+  blocks_[index].firstPart = static_cast<std::uint32_t>(blocks_.size());
+  const auto add = [&](int column, int row, int columns, int rows) {
+    if (columns == 0 || rows == 0) return;
+    blocks_.push_back({.column = block.column + column,
+                       .row = block.row + row,
+                       .columns = columns,
+                       .rows = rows,
+                       .box = {},
+                       .sector = {}});
+    ++blocks_[index].parts;
+  };
+  add(0, 0, left, upper);
+  add(left, 0, right, upper);
+  add(0, upper, left, lower);
+  add(left, upper, right, lower);
+}
+
+void SampleBlocks::measure(Block& block) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const Vec3 origin = samples_[index(block.column, block.row)].target;
+  Vec3 least{kFar, kFar, kFar};
+  Vec3 most{-kFar, -kFar, -kFar};
+  bool isOne = true;
+  const SectorId sector = level_[samples_[index(block.column, block.row)].surface].sector;
+  for (int j = block.row; j < block.row + block.rows; ++j)
+    for (int i = block.column; i < block.column + block.columns; ++i) {
+      const SamplePoint& sample = samples_[index(i, j)];
+      const Vec3 way = sample.target - origin;
+      const Vec3 p{dot(way, axisS_), dot(way, axisT_), dot(way, normal_)};
+      least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+      most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+      isOne &= level_[sample.surface].sector == sector;
+    }
+  if (isOne) block.sector = sector;
+  block.box.normal = normal_;
+  const double kThin = kHeightNoise;
+  const bool isFlat = most.z - least.z < kThin;
+  for (const double z : {least.z, most.z}) {
+    for (const double y : {least.y, most.y})
+      for (const double x : {least.x, most.x})
+        block.box.storage[block.box.count++] = origin + x * axisS_ + y * axisT_ + z * normal_;
+    if (isFlat) break;
+  }
+}
+
+BeamTargets SampleBlocks::targetsOf(const Block& block) const {
+  if (block.sector) return {block.box, {&*block.sector, 1}};
+  return {block.box, sectors_};
+}
+
+}  // namespace hearth

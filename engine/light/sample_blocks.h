@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "level/level.h"
+#include "light/beam.h"
+#include "light/lit_surface.h"
+#include "light/sample_placement.h"
+
+namespace hearth {
+
+/// A lattice of samples of one surface's lightmap, and blocks of them: all, divided in four again
+/// and again down to kLeast samples a side.
+class SampleBlocks {
+ public:
+  /// Samples row by row, `columns` x `rows` of them. `surface` gives directions only.
+  SampleBlocks(const Level& level, const LitSurface& surface, std::vector<SamplePoint> samples,
+               int columns, int rows);
+
+  struct Block {
+    int column;
+    int row;
+    int columns;
+    int rows;
+    TargetBox box;  ///< holds where the samples' rays arrive
+    /// In which all samples lie, if it is one.
+    std::optional<SectorId> sector;
+    std::uint32_t firstPart = 0;  ///< the parts of a block follow one another
+    std::uint32_t parts = 0;
+  };
+
+  const Block& whole() const { return blocks_.front(); }
+  std::span<const Block> partsOf(const Block& block) const {
+    return std::span(blocks_).subspan(block.firstPart, block.parts);
+  }
+  const std::vector<SamplePoint>& samples() const { return samples_; }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+  BeamTargets targetsOf(const Block& block) const;
+
+ private:
+  static constexpr int kLeast = 4;
+
+  void divide(std::size_t index);
+  void measure(Block& block) const;
+
+  const Level& level_;
+  Vec3 axisS_;  ///< unit vectors: nearly those of the surface's grid, and in its own plane
+  Vec3 axisT_;
+  Vec3 normal_;
+  std::vector<SamplePoint> samples_;
+  int columns_;
+  std::vector<SectorId> sectors_;  ///< of all samples, each once
+  std::vector<Block> blocks_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,78 @@
+// Whether beams know what rays would say.
+
+#include "light/beam.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "both_bakes.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+using test::BothCosts;
+
+TEST(Beams, giveTheBytesOfRaysInRandomLevels) { test::expectSameRandomBakes(1, 13); }
+
+TEST(Beams, giveTheBytesOfRaysInTheLevelsOfTheTree) {
+  for (const auto& [name, texel] :
+       {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/keep.json", 1.0}}) {
+    const LoadResult result = loadLevel(std::filesystem::path(HEARTH_SOURCE_DIR) / name);
+    ASSERT_TRUE(result.loaded);
+    BakeSettings settings = result.loaded->level.bake;
+    settings.texel = texel;
+    BothCosts costs;
+    test::expectSameBakes(result.loaded->level, settings, name, costs);
+    EXPECT_LT(4 * costs.byBeams.rays, costs.byRays.rays) << name;
+  }
+}
+
+/// A square on the floor of a room, seen from a light at `from`.
+Beam::Outcome outcomeOf(const Level& level, Vec3 from, double radius, Vec2 least, Vec2 most) {
+  BeamTargets targets;
+  targets.box.normal = {0, 0, 1};
+  for (const Vec2 p : {least, Vec2{most.x, least.y}, most, Vec2{least.x, most.y}})
+    targets.box.storage[targets.box.count++] = {p.x, p.y, 0};
+  const SectorId room(0);
+  targets.sectors = {&room, 1};
+  return Beam(level).follow({from, radius, {room}, true}, targets, nullptr);
+}
+
+/// A room of 10 x 10 m with a square pillar in its middle.
+LoadedLevel pillarRoom() {
+  return test::levelFrom(
+      "{'light': 0, 'sectors': {'room': {'floor': {'z': 0, 'texture': '#808080'},"
+      "'ceiling': {'z': 3, 'texture': '#808080'}, 'loops': {"
+      "'border': {'v': [0,0, 10,0, 10,10, 0,10], 'walls': {'texture': '#808080'}},"
+      "'pillar': {'v': [4,4, 4,6, 6,6, 6,4], 'walls': {'texture': '#808080'}}}}}}");
+}
+
+TEST(Beam, isLitBesideAPillarDarkBehindItAndUnknownAtTheShadowsEdge) {
+  const LoadedLevel loaded = pillarRoom();
+  for (const double radius : {0.0, 0.2}) {
+    const auto outcome = [&](Vec2 least, Vec2 most) {
+      return outcomeOf(loaded.level, {1, 5, 2}, radius, least, most);
+    };
+    EXPECT_EQ(outcome({1, 1}, {3, 2}), Beam::Outcome::Lit);
+    EXPECT_EQ(outcome({7, 1e-6}, {9, 0.5}), Beam::Outcome::Lit) << "up to the wall";
+    EXPECT_EQ(outcome({7, 4.5}, {8, 5.5}), Beam::Outcome::Dark);
+    EXPECT_EQ(outcome({7, 2}, {8, 5}), Beam::Outcome::Unknown);
+  }
+}
+
+TEST(Beam, isDarkBehindTheEdgeOfAPillarThatTwoOfItsSidesHide) {
+  const LoadedLevel loaded = pillarRoom();
+  EXPECT_EQ(outcomeOf(loaded.level, {1, 1, 2}, 0.1, {6.5, 6.5}, {7, 7}), Beam::Outcome::Dark);
+}
+
+TEST(Beam, isUnknownWhereALightIsInTheWayOfRounding) {
+  const LoadedLevel loaded = pillarRoom();
+  EXPECT_EQ(outcomeOf(loaded.level, {1, 5, 2e-6}, 0, {1, 1}, {9, 3}), Beam::Outcome::Unknown)
+      << "rays along the floor";
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,104 @@
+#include "both_bakes.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "light/baked_surface.h"
+#include "random_levels/random_level.h"
+
+namespace hearth::test {
+
+namespace {
+
+void add(const LightCost& cost, LightCost& sum) {
+  sum.samples += cost.samples;
+  sum.seenSamples += cost.seenSamples;
+  sum.rays += cost.rays;
+}
+
+void print(const char* what, const BothCosts& costs) {
+  fmt::print("{}: {} samples of lights, {} rays instead of {}\n", what, costs.byBeams.samples,
+             costs.byBeams.rays, costs.byRays.rays);
+}
+
+}  // namespace
+
+RandomLevels::RandomLevels()
+    : folder_(std::filesystem::temp_directory_path() / fmt::format("hearth-beams-{}", ::getpid())) {
+  EXPECT_TRUE(writeRandomLevelTextures(folder_ / "textures"));
+}
+
+RandomLevels::~RandomLevels() { std::filesystem::remove_all(folder_); }
+
+Level RandomLevels::level(std::uint64_t seed) const {
+  const RandomLevel random = makeRandomLevel(seed);
+  EXPECT_TRUE(writeRandomLevel(folder_, random));
+  LoadResult result = loadLevel(folder_ / (random.name + ".json"));
+  EXPECT_TRUE(result.loaded) << seed;
+  return std::move(result.loaded->level);
+}
+
+Level withBalls(Level level, std::uint64_t seed) {
+  for (std::size_t i = seed % 2; i < level.lights.size(); i += 2)
+    level.lights[i].radius = 0.03 + 0.11 * static_cast<double>((i + seed) % 5);
+  return level;
+}
+
+void expectSameBakes(const Level& level, const BakeSettings& settings, const std::string& what,
+                     BothCosts& costs) {
+  const LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
+  const LightSights sights(level, settings.softSamples);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i]) continue;
+    SCOPED_TRACE(fmt::format("{}, surface {}", what, i));
+    const auto baked = [&](Seeing seeing, LightCost& cost) {
+      BakeProgress progress;
+      SurfaceLight surface(level, surfaces, sights, settings.lambert, SurfaceId(i), seeing);
+      std::optional<Lightmap> map = bakeSurface(surface, settings.samples, progress);
+      for (const LightCost& light : surface.costs()) add(light, cost);
+      return map;
+    };
+    LightCost byBeams;
+    LightCost byRays;
+    const std::optional<Lightmap> withBeams = baked(Seeing::ByBeams, byBeams);
+    const std::optional<Lightmap> withRays = baked(Seeing::ByRaysAlone, byRays);
+    ASSERT_EQ(withBeams.has_value(), withRays.has_value());
+    if (withBeams) {
+      ASSERT_EQ(withBeams->channels, withRays->channels);
+      ASSERT_EQ(withBeams->levels, withRays->levels);
+    }
+    ASSERT_EQ(byBeams.samples, byRays.samples);
+    ASSERT_EQ(byBeams.seenSamples, byRays.seenSamples);
+    add(byBeams, costs.byBeams);
+    add(byRays, costs.byRays);
+  }
+}
+
+void expectSameRandomBakes(std::uint64_t first, std::uint64_t last) {
+  const RandomLevels levels;
+  constexpr std::array<std::optional<int>, 4> kSamples = {1, 4, 9, std::nullopt};
+  BothCosts points;
+  BothCosts balls;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const Level level = levels.level(seed);
+    BakeSettings settings = level.bake;
+    settings.texel = 0.5;
+    settings.softSamples = 16;
+    settings.samples = kSamples[seed % kSamples.size()];
+    expectSameBakes(level, settings, fmt::format("seed {}", seed), points);
+    expectSameBakes(withBalls(level, seed / 4), settings, fmt::format("seed {} with balls", seed),
+                    balls);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  print("points", points);
+  print("balls ", balls);
+  EXPECT_LT(2 * points.byBeams.rays, points.byRays.rays);
+  EXPECT_LT(3 * balls.byBeams.rays, 4 * balls.byRays.rays);
+}
+
+}  // namespace hearth::test
