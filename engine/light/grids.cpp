@@ -59,8 +59,7 @@ class WallRun {
   bool continues(const Segment& from, const Segment& to, Vec2 vertex) const {
     const Vec2 direction = seed_.p1 - seed_.p0;
     if (dot(direction, to.p1 - to.p0) <= 0) return false;
-    const double tolerance =
-        std::min(kAuthorNoise, kAuthorNoiseOfEdge * std::min(from.length, to.length));
+    const double tolerance = noiseOf(std::min(from.length, to.length));
     for (const Vec2 p : {to.p0, to.p1})
       if (std::abs(cross(direction, p - seed_.p0)) > tolerance * seed_.length) return false;
     constexpr double kAny = std::numeric_limits<double>::max();
@@ -190,7 +189,7 @@ std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) 
 }
 
 bool continueInOnePlane(const Sector& a, const Sector& b, bool floor, const Segment& along) {
-  const double tolerance = std::min(kAuthorNoise, kAuthorNoiseOfEdge * along.length);
+  const double tolerance = noiseOf(along.length);
   const auto isLevelAt = [&](Vec2 p) {
     const double step = floor ? b.airBottom(p) - a.airBottom(p) : b.airTop(p) - a.airTop(p);
     return std::abs(step) <= tolerance;

@@ -34,11 +34,12 @@ void keepOpen(OpenStretch& open, std::span<const AirOver> airs) {
                 b.at1.zTop - a.at1.zBottom - kHeightNoise);
 }
 
-/// Cuts off where the air of one does not reach the foot (head) of the other's.
-void keepAtFoot(OpenStretch& open, const AirOver& air, const AirOver& near, bool floor) {
-  const auto clearance = [floor](AirColumn some, AirColumn whole) {
+/// Cuts off where the air of one does not reach the foot (head) of the other's, but for `noise`.
+void keepAtFoot(OpenStretch& open, const AirOver& air, const AirOver& near, bool floor,
+                double noise) {
+  const auto clearance = [floor, noise](AirColumn some, AirColumn whole) {
     const double step = floor ? some.zBottom - whole.zBottom : whole.zTop - some.zTop;
-    return kAuthorNoise - step;
+    return noise - step;
   };
   keepClear(open, clearance(air.at0, near.at0), clearance(air.at1, near.at1));
 }
@@ -56,7 +57,7 @@ std::vector<OpenStretch> openAtFoot(const Level& level, const Segment& segment, 
     const std::array<AirOver, 3> airs = {{near, {range, range}, {twin.air1, twin.air0}}};
     OpenStretch open{opening->next, 0, 1};
     keepOpen(open, airs);
-    for (const AirOver& air : airs) keepAtFoot(open, air, near, floor);
+    for (const AirOver& air : airs) keepAtFoot(open, air, near, floor, noiseOf(segment.length));
     if (open.begin < open.end) found.push_back(open);
   }
   return found;

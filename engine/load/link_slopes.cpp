@@ -6,6 +6,7 @@
 
 #include "load/link.h"
 #include "load/plane_fit.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 

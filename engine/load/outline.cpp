@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "math/tolerance.h"
-
 namespace hearth {
 
 namespace {
@@ -64,10 +62,6 @@ class OutlineBuilder {
 };
 
 }  // namespace
-
-double noiseOf(double shortestEdge) {
-  return std::min(kAuthorNoise, kAuthorNoiseOfEdge * shortestEdge);
-}
 
 BoxTree Outlines::treeOf(const OutlineSector& sector) const {
   std::vector<Box> boxes;

@@ -58,9 +58,6 @@ struct Outlines {
   BoxTree treeOf(const OutlineSector& sector) const;
 };
 
-/// Metres below which lengths are noise where edges of these lengths are concerned.
-double noiseOf(double shortestEdge);
-
 /// Turns loops round where that is needed. Sectors come out sound unless unreadable.
 Outlines makeOutlines(const LevelDescription& description);
 

@@ -20,23 +20,23 @@ struct Range {
 /// The heights at which a finished segment opens to `next`, bottom to top; ranges that meet are
 /// one.
 std::vector<Range> openRanges(const Segment& segment, SectorId next) {
+  const double noise = noiseOf(segment.length);
   std::vector<Range> ranges;
   for (const WallPiece& piece : segment.pieces) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     if (!opening || opening->next != next) continue;
-    if (!ranges.empty() && piece.zBottom - ranges.back().zTop <= kAuthorNoise)
+    if (!ranges.empty() && piece.zBottom - ranges.back().zTop <= noise)
       ranges.back().zTop = piece.zTop;
     else
       ranges.push_back({piece.zBottom, piece.zTop});
   }
-  std::erase_if(ranges, [](Range range) { return range.zTop - range.zBottom <= kAuthorNoise; });
+  std::erase_if(ranges, [noise](Range range) { return range.zTop - range.zBottom <= noise; });
   return ranges;
 }
 
-bool areAlike(const std::vector<Range>& a, const std::vector<Range>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](Range x, Range y) {
-    return std::abs(x.zBottom - y.zBottom) <= kAuthorNoise &&
-           std::abs(x.zTop - y.zTop) <= kAuthorNoise;
+bool areAlike(const std::vector<Range>& a, const std::vector<Range>& b, double noise) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [noise](Range x, Range y) {
+    return std::abs(x.zBottom - y.zBottom) <= noise && std::abs(x.zTop - y.zTop) <= noise;
   });
 }
 
@@ -59,7 +59,8 @@ void examine(const Linking& linking, const TwinIndex& twins, SegmentId id, Secto
   passage.leadsBack |= leadsBack;
   if (leadsBack && !isUnknown && id < *twin)
     passage.opensAlike &=
-        areAlike(openRanges(segment, target), openRanges(linking.level[*twin], segment.sector));
+        areAlike(openRanges(segment, target), openRanges(linking.level[*twin], segment.sector),
+                 noiseOf(segment.length));
 }
 
 }  // namespace

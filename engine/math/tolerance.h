@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 /// Every tolerance of the engine, with its unit and where it comes from.
 namespace hearth {
 
@@ -7,6 +9,11 @@ namespace hearth {
 /// (a thousandth of the shortest edge concerned where that is less).
 inline constexpr double kAuthorNoise = 1e-3;
 inline constexpr double kAuthorNoiseOfEdge = 1e-3;
+
+/// Metres, of the shortest edge concerned.
+constexpr double noiseOf(double shortestEdge) {
+  return std::min(kAuthorNoise, kAuthorNoiseOfEdge * shortestEdge);
+}
 
 /// Metres. How far a position (player, camera, light) may miss the sector that it is in.
 inline constexpr double kPositionSlack = 1e-6;

@@ -182,6 +182,23 @@ TEST(TexelGrid, doesNotTakeLightPastTheSolidPartOfAStack) {
   EXPECT_EQ(rooms.at(SurfaceKind::Solid, {2 - 1e-9, 0, 1}, "dark"), 0);
 }
 
+TEST(TexelGrid, doesNotTakeLightPastASillOfALevelOfAThousandth) {
+  // Rooms of 4 mm; between their floors stands a sill of 0.3 mm, which is no author's noise there.
+  const std::string_view solid = "{'texture':'#808080'}";
+  const auto overSillTo = [&](std::string_view next) {
+    return fmt::format("{{'walls':[{{'texture':'#808080','z':0.0003}},{{'next':'{}'}}]}}", next);
+  };
+  const BakedRoom rooms(
+      levelOf(sectorText("dark", "0,0, 0.004,0, 0.004,0.004, 0,0.004", 0, 0.003,
+                         fmt::format("[{0},{1},{0},{0}]", solid, overSillTo("bright"))) +
+              "," +
+              sectorText("bright", "0.004,0, 0.008,0, 0.008,0.004, 0.004,0.004", 0, 0.003,
+                         fmt::format("[{0},{0},{0},{1}]", solid, overSillTo("dark")))),
+      "{'lights':[{'x':0.006,'y':0.002,'z':0.0001,'intensity':200}],'bake':{'texel':0.000125}}");
+  EXPECT_EQ(rooms.at(SurfaceKind::Floor, {0.004 + 1e-6, 0.002, 0}, "bright"), 200);
+  EXPECT_EQ(rooms.at(SurfaceKind::Floor, {0.004 - 1e-6, 0.002, 0}, "dark"), 0);
+}
+
 TEST(TexelGrid, doesNotTakeLightPastWhereASlopeClosesAPortal) {
   // The slopes are one plane, and the portal between them ends at 1 m: it is open up to y = 1.
   const std::string_view solid = "{'texture':'#808080'}";
