@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "image/jpeg_tables.h"
 #include "image/replace_file.h"
 #include "math/check.h"
 
@@ -22,8 +23,9 @@ namespace {
 /// decoder's own buffer grows with what a PNG unpacks to, whatever its header says; this stops it.
 constexpr std::size_t kMaxDecoderBytes = std::size_t{512} << 20;
 
+/// Of zeros: stb decodes scans of JPEGs by tables that the file may not have given.
 void* boundedMalloc(std::size_t bytes) {
-  return bytes <= kMaxDecoderBytes ? std::malloc(bytes) : nullptr;
+  return bytes <= kMaxDecoderBytes ? std::calloc(1, bytes) : nullptr;
 }
 
 void* boundedRealloc(void* old, std::size_t bytes) {
@@ -68,6 +70,8 @@ constexpr std::int64_t kMaxBytesPerPixel = 16;
 /// Room for what a file may hold beside its pixels: colour profile, preview, comments.
 constexpr std::int64_t kMaxExtraBytes = std::int64_t{4} << 20;
 
+constexpr const char* kDamaged = "is damaged or cut short; save it anew as PNG";
+
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -78,7 +82,12 @@ int readSome(void* file, char* bytes, int size) {
       std::fread(bytes, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(file)));
 }
 
-void skip(void* file, int bytes) { std::fseek(static_cast<std::FILE*>(file), bytes, SEEK_CUR); }
+void skip(void* file, int bytes) {
+  auto* const stream = static_cast<std::FILE*>(file);
+  std::fseek(stream, bytes, SEEK_CUR);
+  // Seeking forgets that the end was reached, and stb, which reads no more then, would wait for it.
+  if (const int next = std::getc(stream); next != EOF) std::ungetc(next, stream);
+}
 
 int atEnd(void* file) {
   auto* const stream = static_cast<std::FILE*>(file);
@@ -113,6 +122,7 @@ tl::expected<File, std::string> openRegular(const std::filesystem::path& path) {
 }
 
 tl::expected<ImageSize, std::string> sizeOf(std::FILE* file, const std::filesystem::path& path) {
+  if (!haveSoundTables(file, JpegPart::Header)) return failure(path, kDamaged);
   ImageSize size;
   int channels = 0;
   const stbi_io_callbacks callbacks = fileCallbacks();
@@ -195,14 +205,14 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
     return tl::make_unexpected(checked.error());
   }
 
-  std::rewind(file->get());
+  if (!haveSoundTables(file->get(), JpegPart::All)) return failure(path, kDamaged);
   const stbi_io_callbacks callbacks = fileCallbacks();
   ImageSize decoded;
   int channels = 0;
   const std::unique_ptr<stbi_uc, PixelsFree> rgb(stbi_load_from_callbacks(
       &callbacks, file->get(), &decoded.width, &decoded.height, &channels, 3));
   if (!rgb || decoded != *size) {
-    return failure(path, "is damaged or cut short; save it anew as PNG");
+    return failure(path, kDamaged);
   }
   return fromBytes(decoded, rgb.get());
 }

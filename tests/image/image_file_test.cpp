@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -189,6 +190,17 @@ TEST_F(ImageFile, WidensGrey) {
   EXPECT_EQ(grey1->pixels(), (std::vector<Rgb>{{0, 0, 0}, {255, 255, 255}}));
 }
 
+TEST_F(ImageFile, ReadsAPngWhoseFirstChunkOfDataIsEmpty) {
+  Bytes bytes = png(1, 1, 8, 0, {0, 77});
+  constexpr std::ptrdiff_t kHeaderBytes = 8 + 4 + 4 + 13 + 4;  // signature and IHDR
+  Bytes empty;
+  appendChunk(empty, "IDAT", {});
+  bytes.insert(bytes.begin() + kHeaderBytes, empty.begin(), empty.end());
+  const auto image = readImage(fileOf("empty.png", bytes), kMaxPixels);
+  ASSERT_TRUE(image) << image.error();
+  EXPECT_EQ(image->at(0, 0), (Rgb{77, 77, 77}));
+}
+
 TEST_F(ImageFile, ReadsBmpAndTgaByContent) {
   const Bytes bmp{'B', 'M', 58, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0,  // file header
                   40,  0,   0,  0, 1, 0, 0, 0, 1, 0, 0,  0, 1, 0,  // size 1 x 1
@@ -245,6 +257,77 @@ TEST_F(ImageFile, SurvivesEveryFlippedByte) {
     const auto image = readImage(fileOf("flipped.png", bytes), kMaxPixels);
     EXPECT_TRUE(!image || image->pixels().size() <= std::size_t{kMaxPixels}) << i;
   }
+}
+
+/// The start of a JPEG: one Huffman table, whose codes are `eightBits` of 8 bits and as many of 9.
+Bytes jpegWithTable(std::uint8_t eightBits, std::uint8_t nineBits) {
+  const int symbols = eightBits + nineBits;
+  Bytes bytes{0xFF, 0xD8, 0xFF, 0xC4};
+  const int length = 2 + 17 + symbols;
+  bytes.insert(bytes.end(), {static_cast<std::uint8_t>(length >> 8),
+                             static_cast<std::uint8_t>(length & 0xFF), 0x00});
+  bytes.insert(bytes.end(), 7, 0);
+  bytes.insert(bytes.end(), {eightBits, nineBits});
+  bytes.insert(bytes.end(), 7, 0);
+  bytes.insert(bytes.end(), static_cast<std::size_t>(symbols), 1);
+  return bytes;
+}
+
+TEST_F(ImageFile, RefusesAJpegOfTooManyHuffmanSymbols) {
+  for (const auto& [eightBits, nineBits] :
+       {std::pair<std::uint8_t, std::uint8_t>{0, 255}, {1, 255}, {255, 255}}) {
+    const bool isSound = eightBits + nineBits <= 255;
+    Bytes bytes = jpegWithTable(eightBits, nineBits);
+    const Bytes header = {0xFF, 0xC0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0};  // 8 x 8 grey pixels
+    bytes.insert(bytes.end(), header.begin(), header.end());
+    const auto size = readImageSize(fileOf("table.jpg", bytes));
+    EXPECT_EQ(size.has_value(), isSound);
+    EXPECT_FALSE(readImage(path("table.jpg"), kMaxPixels));
+    if (size) continue;
+    EXPECT_NE(size.error().find("is damaged"), std::string::npos) << size.error();
+  }
+}
+
+TEST_F(ImageFile, RefusesAJpegThatEndsWithinTheCountsOfSuchATable) {
+  Bytes bytes = jpegWithTable(1, 255);
+  bytes.resize(16);  // up to the count of codes of 9 bits
+  const auto size = readImageSize(fileOf("counts.jpg", bytes));
+  ASSERT_FALSE(size);
+  EXPECT_NE(size.error().find("is damaged"), std::string::npos) << size.error();
+}
+
+TEST_F(ImageFile, ReadsAJpegWithoutItsTablesTheSameEachTime) {
+  Bytes bytes = bytesOf(std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/baseline.jpg"));
+  // Its scan names the tables of number 3, which it does not give.
+  const Bytes scan = {0xFF, 0xDA, 0x00, 0x0C, 0x03};
+  const auto at = std::search(bytes.begin(), bytes.end(), scan.begin(), scan.end());
+  ASSERT_NE(at, bytes.end());
+  for (int component = 0; component < 3; ++component) at[6 + 2 * component] = 0x33;
+  const auto first = readImage(fileOf("tables.jpg", bytes), kMaxPixels);
+  for (int i = 0; i < 3; ++i) {
+    const auto again = readImage(path("tables.jpg"), kMaxPixels);
+    ASSERT_EQ(first.has_value(), again.has_value());
+    if (first) {
+      EXPECT_EQ(*first, *again);
+    }
+  }
+}
+
+TEST_F(ImageFile, RefusesAJpegThatEndsWithinAnApplicationSegment) {
+  // The name of the segment is cut short, and what follows it is skipped after that.
+  const Bytes bytes{0xFF, 0xD8, 0xFF, 0xE0, 0, 16, 'J', 'F', 'I'};
+  EXPECT_FALSE(readImageSize(fileOf("cut.jpg", bytes)));
+  EXPECT_FALSE(readImage(path("cut.jpg"), kMaxPixels));
+}
+
+TEST_F(ImageFile, RefusesAJpegWithSuchATableBetweenItsScans) {
+  const auto file = std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/baseline.jpg");
+  Bytes bytes = bytesOf(file);
+  ASSERT_TRUE(readImage(file, kMaxPixels));
+  const Bytes table = jpegWithTable(255, 255);
+  bytes.insert(bytes.end() - 2, table.begin() + 2, table.end());  // before the end of the image
+  EXPECT_TRUE(readImageSize(fileOf("between.jpg", bytes)));
+  EXPECT_FALSE(readImage(path("between.jpg"), kMaxPixels));
 }
 
 TEST_F(ImageFile, RefusesAHeaderThatClaimsTooManyPixels) {

@@ -1,0 +1,85 @@
+#include "image/jpeg_tables.h"
+
+#include <algorithm>
+
+namespace hearth {
+namespace {
+
+// Codes of ITU-T T.81, table B.1.
+constexpr int kStartOfImage = 0xD8;
+constexpr int kHuffmanTables = 0xC4;
+constexpr int kFirstRestart = 0xD0;
+constexpr int kLastRestart = 0xD7;
+constexpr int kEndOfImage = 0xD9;
+constexpr int kStartOfScan = 0xDA;
+
+constexpr int kMostSymbols = 255;
+constexpr int kCodeLengths = 16;
+
+/// Goes through a JPEG file as stb_image does: segment by segment. A scan has no length of its own,
+/// and ends at the next marker.
+class TableChecker {
+ public:
+  explicit TableChecker(std::FILE* file) : file_(file) {}
+
+  bool check(JpegPart part) {
+    if (nextMarker() != kStartOfImage) return true;
+    while (const int marker = nextMarker()) {
+      if (marker == kEndOfImage || (marker == kStartOfScan && part == JpegPart::Header)) break;
+      if (marker != kHuffmanTables)
+        skipSegment();
+      else if (!areSound())
+        return false;
+    }
+    return true;
+  }
+
+ private:
+  /// The code after the next 0xFF, but for those that stand inside scans; 0 at the file's end.
+  int nextMarker() {
+    for (int byte = std::getc(file_); byte != EOF; byte = std::getc(file_)) {
+      if (byte != 0xFF) continue;
+      while (byte == 0xFF) byte = std::getc(file_);
+      if (byte > 0 && (byte < kFirstRestart || byte > kLastRestart)) return byte;
+    }
+    return 0;
+  }
+
+  int read16() {
+    const int high = std::getc(file_);
+    const int low = std::getc(file_);
+    return low == EOF ? 0 : high << 8 | low;
+  }
+
+  void skipSegment() {
+    const int length = read16();
+    if (length > 2) std::fseek(file_, length - 2, SEEK_CUR);
+  }
+
+  /// Reads a segment of tables.
+  bool areSound() {
+    for (int left = read16() - 2; left > 0;) {
+      int symbols = 0;
+      std::getc(file_);  // class and number of the table
+      for (int i = 0; i < kCodeLengths; ++i) symbols += std::max(std::getc(file_), 0);
+      if (symbols > kMostSymbols) return false;
+      if (std::feof(file_) != 0) return true;  // cut short, which is told later
+      std::fseek(file_, symbols, SEEK_CUR);
+      left -= 1 + kCodeLengths + symbols;
+    }
+    return true;
+  }
+
+  std::FILE* file_;
+};
+
+}  // namespace
+
+bool haveSoundTables(std::FILE* file, JpegPart part) {
+  std::rewind(file);
+  const bool areSound = TableChecker(file).check(part);
+  std::rewind(file);
+  return areSound;
+}
+
+}  // namespace hearth
