@@ -1,5 +1,7 @@
 // Bytes of a fuzzer as saved bakes of one level: each is refused with a message, or is light that
-// can be drawn and saved again. With the preset `fuzz`; tests/light/fuzz says how.
+// can be drawn and saved again.
+
+#include "light/saved_bake.h"
 
 #include <zlib.h>
 
@@ -8,7 +10,6 @@
 #include <string>
 
 #include "light/geometry_hash.h"
-#include "light/saved_bake.h"
 #include "light/texel_limits.h"
 #include "load/load.h"
 #include "math/check.h"

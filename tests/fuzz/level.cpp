@@ -1,0 +1,14 @@
+// Bytes of a fuzzer as a level file: each is refused with a message at its place, or is a level
+// that can be looked at from anywhere and baked.
+
+#include "fuzzed_level.h"
+#include "scratch_folder.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const hearth::fuzz::ScratchFolder folder;
+  const auto file = folder.write("level.json", hearth::fuzz::asText(data, size));
+  const hearth::LoadResult result = hearth::loadLevel(file);
+  hearth::fuzz::expectSaid(result);
+  if (result.loaded) hearth::fuzz::expectUsable(*result.loaded);
+  return 0;
+}
