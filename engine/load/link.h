@@ -82,6 +82,8 @@ void validatePortals(Linking& linking);
 void validateInterfaces(Linking& linking);
 /// Sectors without height whose flat portals lead round in a ring.
 void validateRings(Linking& linking);
+/// Coordinates beyond kPreciseReach: a warning, once.
+void validateReach(Linking& linking);
 /// A light that lies on a surface of its sector: a warning. After `finishLevel`.
 void validateLight(Report& report, const Level& level, Place place, const LightSource& light);
 /// Tells what `finishLevel` found, at its cause.

@@ -130,6 +130,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   linking.level.name = description.name.empty() ? file_.stem().string() : description.name;
   linking.outlines = makeOutlines(description);
   validateOutlines(report_, description, linking.outlines);
+  validateReach(linking);
   linkFlats(linking);
   linkWalls(linking);
   linkSegments(linking);

@@ -44,6 +44,10 @@ inline constexpr double kArrival = 1e-7;
 /// positions have. A shadow moves by no more.
 inline constexpr double kHair = 1e-6;
 
+/// Metres from the origin up to which all of these are more than rounding: doubles are 2 * 10^-9
+/// apart there, a fiftieth of kArrival, of which following a ray to its end takes a part.
+inline constexpr double kPreciseReach = 1e7;
+
 /// Share of a distance from the eye or the light. Crossings that are nearer to each other are put
 /// in order exactly; their rounding, a few 10^-16 of the distance, is far less unless the ray is
 /// nearly in line with a wall.

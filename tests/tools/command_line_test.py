@@ -139,9 +139,9 @@ class Mistakes(InFolder):
         far = self.folder / "far.json"
         far.write_text(json.dumps({"light": 1, "sectors": {"room": {
             "floor": {"texture": "#808080"}, "ceiling": {"texture": "#808080"},
-            "loops": {"border": {"v": [5e8, 0, 5e8 + 4, 0, 5e8 + 4, 4, 5e8, 4],
+            "loops": {"border": {"v": [9e6, 0, 9e6 + 1, 0, 9e6 + 1, 1, 9e6, 1],
                                  "walls": {"texture": "#808080"}}}}}}))
-        self.refuse(run("info", far), "--texel.*from the origin")
+        self.refuse(run("info", far, "--texel", "0.008"), "--texel.*from the origin")
 
     def test_bounces_in_a_lights_file_that_no_command_bakes(self):
         level = self.folder / "bounces.json"
