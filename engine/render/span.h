@@ -26,6 +26,8 @@ struct FrameStats {
   int flatPortals = 0;  ///< looks through an interface
   int segments = 0;     ///< projected
   std::size_t spans = 0;
+
+  friend bool operator==(const FrameStats&, const FrameStats&) = default;
 };
 
 /// What shows where: every pixel of the frame lies in exactly one span.
