@@ -303,6 +303,16 @@ class Bake(InFolder):
         self.assertRegex(run("bake", dark, "--quiet").stderr, "dark.json:1:1: warning: no light")
         self.refuse(run("bake", self.level, "--samples", "8", "--quiet"), "--samples.*square")
 
+    def test_of_no_light_is_done_and_warned_of(self):
+        dark = self.folder / "dark.json"
+        dark.write_text((SOURCE / "tests/levels/rooms.json").read_text())
+        for light in ["", '{"x": 2, "y": 3, "z": 2, "intensity": 0}',
+                      '{"x": 2, "y": 3, "z": 2, "curve": [[0, 255], [0.001, 0]]}']:
+            (self.folder / "dark.lights.json").write_text(f"[{light}]")
+            result = run("bake", dark)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("warning: no light reaches any surface", result.stderr)
+
     def test_takes_samples_as_needed(self):
         result = run("bake", self.level, "--samples", "auto")
         self.assertEqual(result.returncode, 0, result.stderr)
