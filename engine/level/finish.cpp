@@ -218,6 +218,7 @@ void measureSegments(Level& level) {
     segment.length = length(segment.p1 - segment.p0);
     segment.air0 = {sector.airBottom(segment.p0), sector.airTop(segment.p0)};
     segment.air1 = {sector.airBottom(segment.p1), sector.airTop(segment.p1)};
+    segment.airRises = segment.air0 != segment.air1;
   }
 }
 

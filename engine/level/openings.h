@@ -27,6 +27,7 @@ constexpr PortalHeights portalHeights(double zBottom, double zTop, double nextFl
 
 /// The air of a segment's sector, `share` (0..1) of the way from p0 to p1.
 constexpr AirColumn airAt(const Segment& segment, double share) {
+  if (!segment.airRises) return segment.air0;
   return {std::lerp(segment.air0.zBottom, segment.air1.zBottom, share),
           std::lerp(segment.air0.zTop, segment.air1.zTop, share)};
 }

@@ -38,6 +38,8 @@ struct LightOpening {
 struct AirColumn {
   double zBottom;
   double zTop;
+
+  friend constexpr bool operator==(AirColumn, AirColumn) = default;
 };
 
 /// A piece of a sector's outline. Seen from the front (from inside the sector) p0 is on the left.
@@ -59,6 +61,7 @@ struct Segment {
   double length = 0;              ///< metres
   AirColumn air0{};               ///< at p0
   AirColumn air1{};               ///< at p1
+  bool airRises = false;          ///< the two differ: over a slope
   std::vector<WallPiece> pieces;  ///< bottom to top; cover the air without a gap
   std::vector<LightOpening> lightOpenings;
 };

@@ -21,26 +21,31 @@ void findClimbs(std::vector<double>& climbs, const Projection& projection, int h
   for (int row = 0; row < height; ++row) climbs.push_back(projection.climbOf(row + 0.5));
 }
 
-/// Draws a picture strip by strip, with `paint(span, strip)` for each span. Threads take parts:
-/// neighbouring strips, drawn one after the other in the same memory.
+/// Draws a picture strip by strip, with `paint(span, strip, stats)` for each span. Threads take
+/// parts: neighbouring strips, drawn one after the other in the same memory.
 template <typename Paint>
 void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& paint) {
   const int strips = Strip::countIn(picture.width());
   const int parts = threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
+  scratch.stripsPainted.assign(static_cast<std::size_t>(parts), {});
   const auto firstOf = [&](std::size_t part) {
     return static_cast<int>(static_cast<std::size_t>(strips) * part /
                             static_cast<std::size_t>(parts));
   };
   parallelFor(static_cast<std::size_t>(parts), threads, [&](std::size_t part) {
     Strip& strip = scratch.strips[part];
+    PaintStats stats;
     for (int i = firstOf(part); i < firstOf(part + 1); ++i) {
       strip.begin(i, picture.height(), kHole);
-      for (const Span& span : scratch.stripSpans.of(i)) paint(span, strip);
+      for (const Span& span : scratch.stripSpans.of(i)) paint(span, strip, stats);
       strip.copyTo(picture);
     }
+    scratch.stripsPainted[part] = stats;
   });
+  scratch.painted = {};
+  for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
 
 }  // namespace
@@ -54,8 +59,9 @@ void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
   const Projection projection = projectionFor(level_, camera);
   findSpans(camera, projection, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, picture, threads,
-              [&](const Span& span, Strip& strip) { painter.paint(span, mode, strip); });
+  paintStrips(scratch, picture, threads, [&](const Span& span, Strip& strip, PaintStats& stats) {
+    painter.paint(span, mode, strip, stats);
+  });
 }
 
 Image Renderer::draw(const Camera& camera, LightMode mode) const {
@@ -71,7 +77,7 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   const Projection projection = projectionFor(level_, camera);
   findSpans(camera, projection, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, picture, 1, [&](const Span& span, Strip& strip) {
+  paintStrips(scratch, picture, 1, [&](const Span& span, Strip& strip, PaintStats&) {
     paintChannel(painter, span, channel, scratch.climbs, strip);
   });
   return picture;

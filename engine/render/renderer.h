@@ -22,8 +22,10 @@ inline constexpr Rgb kHole = {255, 0, 255};
 struct FrameScratch {
   VisibilityScratch visibility;  ///< with the spans of the last frame
   StripSpans stripSpans;
-  std::vector<double> climbs;  ///< of the centres of rows, see Projection::climbOf
-  std::vector<Strip> strips;   ///< one for each part that threads take
+  std::vector<double> climbs;             ///< of the centres of rows, see Projection::climbOf
+  std::vector<Strip> strips;              ///< one for each part that threads take
+  std::vector<PaintStats> stripsPainted;  ///< by the same parts
+  PaintStats painted;                     ///< in the last frame
 };
 
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.

@@ -214,10 +214,22 @@ void paintBatch(Rgb* pixels, RowBatch& batch, const SpanMapping& mapping, const 
   paintMixed(pixels, batch, mapping, material, settings, mode);
 }
 
+void count(const Span& span, const Material& material, PaintStats& stats) {
+  const SurfaceKind kind = material.surface.kind;
+  if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
+  if (!material.lightmap) return;
+  ++stats.lightmapSpans;
+  if (material.lightmap->channels == 3) ++stats.coloredSpans;
+  stats.lightmapPixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+}
+
 }  // namespace
 
-void SpanPainter::paint(const Span& span, LightMode mode, Strip& strip) const {
-  const Material material = materialOf(span.surface);
+void SpanPainter::paint(const Span& span, LightMode mode, Strip& strip, PaintStats& stats) const {
+  Material material = materialOf(span.surface);
+  if (mode == LightMode::None) material.lightmap = nullptr;
+  if (!material.lightmap) material.lit = nullptr;
+  count(span, material, stats);
   const SpanMapping mapping = mappingOf(material, span);
   RowBatch batch;
   for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(RowBatch::kRows)) {

@@ -38,7 +38,8 @@ class SpanPainter {
         projection_(projection),
         climbs_(climbs) {}
 
-  void paint(const Span& span, LightMode mode, Strip& strip) const;
+  /// Adds to `stats` what it did.
+  void paint(const Span& span, LightMode mode, Strip& strip, PaintStats& stats) const;
 
   Material materialOf(SurfaceId id) const;
   SpanMapping mappingOf(const Material& material, const Span& span) const {

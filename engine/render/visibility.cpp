@@ -67,6 +67,7 @@ class Visibility {
 
   void look(const Viewport& viewport) {
     ++found_.stats.viewports;
+    found_.stats.windows += viewport.windows.size();
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
     const std::vector<std::optional<ColumnHit>>& hits = closestHits(viewport);
@@ -166,6 +167,7 @@ class Visibility {
 
   void showWall(const Segment& segment, const Window& window, const ColumnHit& hit,
                 std::size_t firstNew) {
+    countColumn(segment);
     visitWallColumn(
         level_, segment, hit.share,
         [&](SurfaceId surface, double zBottom, double zTop) {
@@ -180,6 +182,12 @@ class Visibility {
             viewportBehind(opening, firstNew)
                 .windows.push_back({window.column, top, bottom, hit.depth});
         });
+  }
+
+  void countColumn(const Segment& segment) {
+    ++found_.stats.wallColumns;
+    if (std::holds_alternative<Stack>(segment.kind)) ++found_.stats.stackColumns;
+    if (segment.airRises) ++found_.stats.slopeColumns;
   }
 
   void addUpright(SurfaceId id, const Window& window, const ColumnHit& hit) {
@@ -229,6 +237,7 @@ class Visibility {
 
   void look(const FlatPortalView& view) {
     ++found_.stats.flatPortals;
+    found_.stats.windows += view.windows.size();
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
     const Interface& interface = level_[view.interface];

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <string_view>
 
 #include "hearth/bench/measure.h"
 #include "loaded.h"
@@ -24,6 +27,11 @@ Clock countingClock() {
   return [now = 0.0]() mutable { return now++; };
 }
 
+double mean(const FrameBench& frame, std::string_view counter) {
+  const auto found = std::ranges::find(frame.counters, counter, &FrameCounter::name);
+  return found == frame.counters.end() ? std::nan("") : found->mean;
+}
+
 TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
   const LoadedLevel level = loaded("tests/levels/rooms.json");
   const BenchReport report = measure(level, level.level.bake, {}, 3, 2, countingClock());
@@ -34,8 +42,8 @@ TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
   EXPECT_EQ(report.frames.back().size, (PictureSize{1920, 1080}));
   for (const FrameBench& frame : report.frames) {
     EXPECT_EQ(frame.milliseconds.median, 1000);
-    EXPECT_GE(frame.spans, frame.size.width) << "at least one to a column";
-    EXPECT_GE(frame.viewports, 1);
+    EXPECT_GE(mean(frame, "spans"), frame.size.width) << "at least one to a column";
+    EXPECT_GE(mean(frame, "viewports"), 1);
   }
   for (const BakeBench& bake : report.bakes) EXPECT_EQ(bake.seconds.p95, 1);
 }

@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "hearth/bench/machine.h"
 #include "hearth/bench/measure.h"
@@ -21,6 +24,15 @@ double perSecond(double count, const BakeBench& bake) { return count / bake.seco
 
 Json toJson(const Spread& spread) { return {{"median", spread.median}, {"p95", spread.p95}}; }
 
+Json toJson(const FrameBench& frame) {
+  Json json{{"width", frame.size.width},
+            {"height", frame.size.height},
+            {"threads", frame.threads},
+            {"milliseconds", toJson(frame.milliseconds)}};
+  for (const FrameCounter& counter : frame.counters) json[std::string(counter.name)] = counter.mean;
+  return json;
+}
+
 Json toJson(const BenchReport& report, const Machine& machine) {
   Json json{{"machine",
              {{"processor", machine.processor},
@@ -29,15 +41,7 @@ Json toJson(const BenchReport& report, const Machine& machine) {
             {"repeats", report.repeats},
             {"drawnWith", optionsOf(report.drawSettings)}};
   json["frames"] = Json::array();
-  for (const FrameBench& frame : report.frames)
-    json["frames"].push_back({{"width", frame.size.width},
-                              {"height", frame.size.height},
-                              {"threads", frame.threads},
-                              {"milliseconds", toJson(frame.milliseconds)},
-                              {"viewports", frame.viewports},
-                              {"flatPortals", frame.flatPortals},
-                              {"segments", frame.segments},
-                              {"spans", frame.spans}});
+  for (const FrameBench& frame : report.frames) json["frames"].push_back(toJson(frame));
   json["bake"] = {{"texel", report.settings.texel},
                   {"samples", samplesInWords(report.settings)},
                   {"surfaces", report.bake.surfaces},
@@ -56,17 +60,32 @@ Json toJson(const BenchReport& report, const Machine& machine) {
   return json;
 }
 
+std::string inWords(PictureSize size) { return fmt::format("{}x{}", size.width, size.height); }
+
+/// A column for each size; threads do the same work.
+void printCounters(std::span<const FrameBench> frames) {
+  std::vector<FrameBench> sizes(frames.begin(), frames.end());
+  std::erase_if(sizes, [](const FrameBench& frame) { return frame.threads != 1; });
+  if (sizes.empty()) return;
+  fmt::print("\n{:>16}", "work of a frame");
+  for (const FrameBench& frame : sizes) fmt::print(" {:>11}", inWords(frame.size));
+  fmt::print("\n");
+  for (std::size_t i = 0; i < sizes.front().counters.size(); ++i) {
+    fmt::print("{:>16}", sizes.front().counters[i].name);
+    for (const FrameBench& frame : sizes) fmt::print(" {:>11.1f}", frame.counters[i].mean);
+    fmt::print("\n");
+  }
+}
+
 void print(const BenchReport& report, const Machine& machine) {
   const std::string drawnWith = optionsOf(report.drawSettings);
   fmt::print("{}, {} thread(s), {}; {} repeats{}\n\n", machine.processor, machine.threads,
              machine.compiler, report.repeats, drawnWith.empty() ? "" : "; " + drawnWith);
-  fmt::print("{:>16} {:>8} {:>10} {:>10} {:>10} {:>12} {:>9} {:>7}\n", "frame", "threads", "ms",
-             "ms, p95", "viewports", "flatportals", "segments", "spans");
+  fmt::print("{:>16} {:>8} {:>10} {:>10}\n", "frame", "threads", "ms", "ms, p95");
   for (const FrameBench& frame : report.frames)
-    fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f} {:>10.1f} {:>12.1f} {:>9.1f} {:>7.0f}\n",
-               fmt::format("{}x{}", frame.size.width, frame.size.height), frame.threads,
-               frame.milliseconds.median, frame.milliseconds.p95, frame.viewports,
-               frame.flatPortals, frame.segments, frame.spans);
+    fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f}\n", inWords(frame.size), frame.threads,
+               frame.milliseconds.median, frame.milliseconds.p95);
+  printCounters(report.frames);
   fmt::print("\nbake: {} texels of {} m, {}; {} texel-light tests, {} rays, {} bytes\n",
              report.bake.texels, report.settings.texel, samplesInWords(report.settings),
              report.texelLightTests, report.bake.rays, report.bake.bytes);

@@ -25,10 +25,26 @@ std::vector<int> threadCounts(int threads) {
   return threads == 1 ? std::vector{1} : std::vector{1, threads};
 }
 
+FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
+  const auto mean = [](auto count) { return static_cast<double>(count); };
+  return {{{"viewports", mean(found.viewports)},
+           {"flatPortals", mean(found.flatPortals)},
+           {"windows", mean(found.windows)},
+           {"segments", mean(found.segments)},
+           {"wallColumns", mean(found.wallColumns)},
+           {"stackColumns", mean(found.stackColumns)},
+           {"slopeColumns", mean(found.slopeColumns)},
+           {"spans", mean(found.spans)},
+           {"slopeSpans", mean(painted.slopeSpans)},
+           {"lightmapSpans", mean(painted.lightmapSpans)},
+           {"coloredSpans", mean(painted.coloredSpans)},
+           {"lightmapPixels", mean(painted.lightmapPixels)}}};
+}
+
 /// Frames of one size on so many threads, with all times that were taken.
 class FrameTimes {
  public:
-  FrameTimes(PictureSize size, int threads) : bench_{size, threads, {}} {}
+  FrameTimes(PictureSize size, int threads) : bench_{size, threads, {}, countersOf({}, {})} {}
 
   void draw(const Renderer& renderer, Camera camera, const Clock& clock) {
     camera.width = bench_.size.width;
@@ -36,24 +52,20 @@ class FrameTimes {
     const double begin = clock();
     renderer.draw(camera, LightMode::Both, scratch_, picture_, bench_.threads);
     milliseconds_.push_back(1e3 * (clock() - begin));
-    const FrameStats& stats = scratch_.visibility.found.stats;
-    bench_.viewports += stats.viewports;
-    bench_.flatPortals += stats.flatPortals;
-    bench_.segments += stats.segments;
-    bench_.spans += static_cast<double>(stats.spans);
+    const FrameCounters ofFrame = countersOf(scratch_.visibility.found.stats, scratch_.painted);
+    for (std::size_t i = 0; i < ofFrame.size(); ++i) bench_.counters[i].mean += ofFrame[i].mean;
   }
 
   /// Forgets the times and the work so far, but not the memory.
   void begin() {
-    bench_ = {bench_.size, bench_.threads, {}};
+    bench_.counters = countersOf({}, {});
     milliseconds_.clear();
   }
 
   FrameBench result() const {
     FrameBench bench = bench_;
-    const auto frames = static_cast<double>(milliseconds_.size());
-    for (double* work : {&bench.viewports, &bench.flatPortals, &bench.segments, &bench.spans})
-      *work /= frames;
+    for (FrameCounter& counter : bench.counters)
+      counter.mean /= static_cast<double>(milliseconds_.size());
     bench.milliseconds = spreadOf(milliseconds_);
     return bench;
   }

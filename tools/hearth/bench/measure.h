@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "hearth/options.h"
@@ -19,16 +21,19 @@ struct Spread {
 /// Of at least one value.
 Spread spreadOf(std::vector<double> values);
 
+/// Of the work of a frame, mean over the shots, which neither size of machine nor chance changes.
+struct FrameCounter {
+  std::string_view name;  ///< stable: scripts read it
+  double mean = 0;
+};
+using FrameCounters = std::array<FrameCounter, 12>;
+
 /// Frames of one size, of all shots of a level.
 struct FrameBench {
   PictureSize size;
   int threads = 1;
   Spread milliseconds;  ///< a frame
-  // Work of a frame, mean over the shots, which neither size of machine nor chance changes.
-  double viewports = 0;
-  double flatPortals = 0;
-  double segments = 0;
-  double spans = 0;
+  FrameCounters counters;
 };
 
 struct BakeBench {
