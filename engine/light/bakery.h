@@ -19,7 +19,7 @@ struct BakeStats {
   std::size_t coloredSurfaces = 0;  ///< of those, the ones with three channels
   std::int64_t texels = 0;          ///< computed
   std::int64_t rays = 0;            ///< that were traced
-  std::int64_t bytes = 0;           ///< of all lightmaps
+  std::int64_t bytes = 0;           ///< of all lightmaps, as they are kept
 };
 
 /// What a bake did for one surface.
@@ -30,8 +30,8 @@ struct SurfaceCost {
 
 /// The baked light of a level. Surfaces that no light reaches have no lightmap.
 struct BakedLight {
-  LitSurfaces surfaces;                            ///< by SurfaceId
-  std::vector<std::optional<Lightmap>> lightmaps;  ///< by SurfaceId
+  LitSurfaces surfaces;                                ///< by SurfaceId
+  std::vector<std::optional<KeptLightmap>> lightmaps;  ///< by SurfaceId
   BakeStats stats;
   std::vector<SurfaceCost> surfaceCosts;  ///< by SurfaceId
   std::vector<LightCost> lightCosts;      ///< in the order of the level's lights

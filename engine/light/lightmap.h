@@ -14,13 +14,17 @@ namespace hearth {
 /// by side. White light has one channel, which answers for all.
 struct Lightmap {
   TexelRect rect;
-  std::vector<std::uint8_t> levels;
-  int channels = 1;  ///< or 3: red, green, blue
+  std::vector<std::uint8_t> levels;  ///< of all texels, or of one that stands for all
+  int channels = 1;                  ///< or 3: red, green, blue
+
+  /// True where one texel stands for all.
+  bool isEven() const { return levels.size() == static_cast<std::size_t>(channels); }
 
   std::uint8_t at(int i, int j, int channel = 0) const {
     const std::size_t texel =
-        static_cast<std::size_t>(j - rect.j0) * static_cast<std::size_t>(rect.width) +
-        static_cast<std::size_t>(i - rect.i0);
+        isEven() ? 0
+                 : static_cast<std::size_t>(j - rect.j0) * static_cast<std::size_t>(rect.width) +
+                       static_cast<std::size_t>(i - rect.i0);
     return levels[channels == 1 ? texel : 3 * texel + static_cast<std::size_t>(channel)];
   }
 
@@ -39,6 +43,11 @@ struct Lightmap {
     const double below = std::lerp(level(i, j + 1), level(i + 1, j + 1), across - i);
     return std::lerp(above, below, down - j);
   }
+};
+
+/// A lightmap that is kept and drawn. Where all its texels are the same, it has only one of them.
+struct KeptLightmap : Lightmap {
+  KeptLightmap(Lightmap map);  // NOLINT(google-explicit-constructor): it is the same light
 };
 
 }  // namespace hearth

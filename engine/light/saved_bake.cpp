@@ -109,7 +109,8 @@ void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
        {surface, folded(rect.i0), folded(rect.j0), static_cast<std::uint32_t>(rect.width),
         static_cast<std::uint32_t>(rect.height), static_cast<std::uint32_t>(map.channels)})
     putShort(bytes, number);
-  bytes.append(map.levels.begin(), map.levels.end());
+  const std::size_t copies = map.isEven() ? texelsIn(rect) : 1;
+  for (std::size_t i = 0; i < copies; ++i) bytes.append(map.levels.begin(), map.levels.end());
 }
 
 struct Header {
@@ -190,7 +191,7 @@ class LightmapReader {
       return fmt::format("has a lightmap for surface {}, of a level with {}", surface,
                          light_.surfaces.size());
     const auto& lit = light_.surfaces[surface];
-    std::optional<Lightmap>& map = light_.lightmaps[surface];
+    std::optional<KeptLightmap>& map = light_.lightmaps[surface];
     if (!lit) return wrong(surface, "that never shows light");
     if (map) return wrong(surface, "that has one already");
     const TexelRect rect{unfolded(i0), unfolded(j0), static_cast<int>(width),

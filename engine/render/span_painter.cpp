@@ -174,12 +174,19 @@ void shadeWithLightmap(Rgb* pixels, const RowBatch& batch, const Material& mater
                                                          batch));
 }
 
+/// The levels of a lightmap that is even, or of none.
+Channels evenLevels(const Lightmap* lightmap) {
+  if (!lightmap) return sameChannels(0);
+  const std::uint8_t* texel = lightmap->levels.data();
+  return lightmap->channels == 1 ? lightTexel<1>(texel) : lightTexel<3>(texel);
+}
+
 template <typename ColorAt>
 void shade(Rgb* pixels, const RowBatch& batch, const Material& material,
            const DrawSettings& settings, ColorAt colorAt) {
-  if (!material.lightmap) {
-    const Channels shares =
-        lightShares(sameChannels(0), sameChannels(static_cast<float>(material.sectorLight)));
+  if (!material.hasUnevenLight()) {
+    const Channels shares = lightShares(evenLevels(material.lightmap),
+                                        sameChannels(static_cast<float>(material.sectorLight)));
     return shade(pixels, batch, colorAt, [shares](std::size_t) { return shares; });
   }
   if (material.lightmap->channels == 1)
@@ -205,7 +212,7 @@ void paintMixed(Rgb* pixels, RowBatch& batch, const SpanMapping& mapping, const 
 
 void paintBatch(Rgb* pixels, RowBatch& batch, const SpanMapping& mapping, const Material& material,
                 const DrawSettings& settings, LightMode mode) {
-  if (mode != LightMode::None && material.lightmap)
+  if (mode != LightMode::None && material.hasUnevenLight())
     findLightPlaces(batch, mapping, material.lightmap->rect);
   if (mode == LightMode::Only)
     return shade(pixels, batch, material, settings, [](std::size_t) { return sameChannels(255); });
@@ -217,7 +224,7 @@ void paintBatch(Rgb* pixels, RowBatch& batch, const SpanMapping& mapping, const 
 void count(const Span& span, const Material& material, PaintStats& stats) {
   const SurfaceKind kind = material.surface.kind;
   if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
-  if (!material.lightmap) return;
+  if (!material.hasUnevenLight()) return;
   ++stats.lightmapSpans;
   if (material.lightmap->channels == 3) ++stats.coloredSpans;
   stats.lightmapPixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
@@ -228,7 +235,7 @@ void count(const Span& span, const Material& material, PaintStats& stats) {
 void SpanPainter::paint(const Span& span, LightMode mode, Strip& strip, PaintStats& stats) const {
   Material material = materialOf(span.surface);
   if (mode == LightMode::None) material.lightmap = nullptr;
-  if (!material.lightmap) material.lit = nullptr;
+  if (!material.hasUnevenLight()) material.lit = nullptr;
   count(span, material, stats);
   const SpanMapping mapping = mappingOf(material, span);
   RowBatch batch;

@@ -21,6 +21,9 @@ struct Material {
   const Lightmap* lightmap;  ///< null where no light reaches the surface
   const LitSurface* lit;     ///< null for sky
   double sectorLight;        ///< 0..1; sky is bright by itself
+
+  /// Whether light differs from pixel to pixel.
+  bool hasUnevenLight() const { return lightmap && !lightmap->isEven(); }
 };
 
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint

@@ -87,7 +87,7 @@ TEST_F(Keep, IsNeitherDarkNorGlaring) {
   std::int64_t texels = 0;
   std::int64_t lit = 0;
   std::int64_t full = 0;
-  for (const std::optional<Lightmap>& map : light.lightmaps) {
+  for (const auto& map : light.lightmaps) {
     if (!map) continue;
     for (int j = map->rect.j0; j < map->rect.j0 + map->rect.height; ++j)
       for (int i = map->rect.i0; i < map->rect.i0 + map->rect.width; ++i) {

@@ -30,6 +30,7 @@ TEST(Sampling, asShadowsNeedIsTheSampleInTheMiddleWhereThereAreNone) {
   for (std::size_t s = 0; s < light.lightmaps.size(); ++s) {
     const std::vector<std::uint8_t>& found = light.lightmaps[s]->levels;
     const std::vector<std::uint8_t>& middle = room.light().lightmaps[s]->levels;
+    ASSERT_EQ(found.size(), middle.size());
     for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], middle[i], 1);
   }
 }

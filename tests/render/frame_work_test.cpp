@@ -54,7 +54,7 @@ std::string annex(std::string_view more = "") {
 }
 
 const std::string kToAnnex = "{'next':'annex'}";
-const std::string kLamp = "[{'x':4,'y':0,'z':2}]";
+const std::string kLamp = "[{'x':4,'y':0,'z':2,'falloff':0.5}]";
 
 TEST(FrameWork, forSlopesIsNoneWithoutThem) {
   const Work work = workOf(levelOf(hall(kToAnnex) + "," + annex()));
@@ -115,8 +115,33 @@ TEST(FrameWork, forLightIsCountedByThePixel) {
 
 TEST(FrameWork, forLightIsOfThreeChannelsOnlyWhereColorArrives) {
   EXPECT_EQ(workOf(levelOf(hall(), kLamp)).painted.coloredSpans, 0U);
-  const Work work = workOf(levelOf(hall(), "[{'x':4,'y':0,'z':2,'color':'#ff8000'}]"));
+  const Work work =
+      workOf(levelOf(hall(), "[{'x':4,'y':0,'z':2,'falloff':0.5,'color':'#ff8000'}]"));
   EXPECT_EQ(work.painted.coloredSpans, work.found.spans);
+}
+
+TEST(FrameWork, forEvenLightIsThatOfNone) {
+  const test::BakedRoom room = levelOf(hall(kToAnnex) + "," + annex(),
+                                       "[{'x':4,'y':0,'z':2,'intensity':77,'color':'#ff8000'}]");
+  EXPECT_EQ(room.light().stats.bytes,
+            3 * static_cast<std::int64_t>(room.light().stats.litSurfaces));
+  EXPECT_EQ(workOf(room).painted.lightmapSpans, 0U);
+}
+
+TEST(FrameWork, forEvenLightShowsTheSameAsThatOfAllItsTexels) {
+  for (const std::string_view color : {"#ffffff", "#ff8000"}) {
+    const LoadedLevel loaded =
+        test::levelFrom("{'light':0.3,'sectors':{" + hall() + "}}",
+                        fmt::format("[{{'x':4,'y':0,'z':2,'intensity':77,'color':'{}'}}]", color));
+    const BakedLight even = bake(loaded.level, loaded.level.bake, 1);
+    for (const auto& map : even.lightmaps) EXPECT_TRUE(map.value().isEven());
+    const BakedLight whole = test::withAllTexels(even);
+    const Camera camera{SectorId(0), {1, 0, 1.6}, 20, 0, 90, kWidth, kHeight};
+    for (const LightMode mode : {LightMode::Both, LightMode::Only})
+      EXPECT_EQ(Renderer(loaded.level, loaded.textures, even).draw(camera, mode),
+                Renderer(loaded.level, loaded.textures, whole).draw(camera, mode))
+          << color;
+  }
 }
 
 TEST(FrameWork, isTheSameForAnyNumberOfThreads) {

@@ -1,6 +1,8 @@
 #include "support/baked_room.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "math/check.h"
 #include "support/level_text.h"
@@ -31,6 +33,17 @@ std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
     if (lit->contains(texels) || length(lit->nearest(texels) - texels) < kNear) return SurfaceId(i);
   }
   return std::nullopt;
+}
+
+BakedLight withAllTexels(BakedLight light) {
+  for (auto& map : light.lightmaps) {
+    if (!map || !map->isEven()) continue;
+    std::vector<std::uint8_t> levels;
+    for (std::int64_t i = 0; i < map->rect.count(); ++i)
+      levels.insert(levels.end(), map->levels.begin(), map->levels.end());
+    map->levels = std::move(levels);
+  }
+  return light;
 }
 
 }  // namespace hearth::test

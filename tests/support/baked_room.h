@@ -27,4 +27,7 @@ class BakedRoom {
   BakedLight light_;
 };
 
+/// The same light, with all texels of lightmaps of which one was kept.
+BakedLight withAllTexels(BakedLight light);
+
 }  // namespace hearth::test

@@ -31,23 +31,32 @@ LightReport reportOf(const LoadedLevel& loaded, const BakeSettings& settings = {
 }
 
 TEST(LightReport, SaysWhySurfacesHaveNoLightmap) {
-  const LightReport report = reportOf(twoRooms("[{'x':2,'y':2,'z':1}]"));
+  const LightReport report = reportOf(twoRooms("[{'x':2,'y':2,'z':1,'falloff':1}]"));
   EXPECT_EQ(report.all.white, 6);
   EXPECT_EQ(report.all.unfaced, 1) << "the far room's west wall";
   EXPECT_EQ(report.all.unreached, 5);
   EXPECT_EQ(report.all.bare, 0);
   EXPECT_EQ(report.all.surfaces(), 12);
-  EXPECT_EQ(report.all.whiteTexels, report.all.bytes());
+  EXPECT_EQ(report.all.whiteTexels, report.all.bytes);
   EXPECT_EQ(report.all.skippedTexels, report.all.whiteTexels) << "the rooms are alike";
 }
 
 TEST(LightReport, HasThreeChannelsOnlyWhereColorArrives) {
   const LightReport report =
-      reportOf(twoRooms("[{'x':2,'y':2,'z':1,'color':'#ff8000'},{'x':12,'y':2,'z':1}]"));
+      reportOf(twoRooms("[{'x':2,'y':2,'z':1,'falloff':1,'color':'#ff8000'},"
+                        "{'x':12,'y':2,'z':1,'falloff':1}]"));
   EXPECT_EQ(report.all.colored, 6);
   EXPECT_EQ(report.all.white, 6);
-  EXPECT_EQ(report.all.bytes(), 4 * report.all.whiteTexels);
+  EXPECT_EQ(report.all.bytes, 4 * report.all.whiteTexels);
   EXPECT_EQ(report.coloredLights, 1);
+}
+
+TEST(LightReport, HasOneValueForALightmapThatIsEven) {
+  const LightReport report = reportOf(
+      twoRooms("[{'x':2,'y':2,'z':1,'color':'#ff8000'},{'x':12,'y':2,'z':1,'falloff':1}]"));
+  EXPECT_EQ(report.all.even, 6) << "in the first room light does not fall off";
+  EXPECT_EQ(report.all.bytes, 6 * 3 + report.all.whiteTexels);
+  EXPECT_EQ(report.all.sparedBytes(), 3 * report.all.coloredTexels - 6 * 3);
 }
 
 TEST(LightReport, TellsBallsFromPoints) {
@@ -75,7 +84,7 @@ TEST(LightReport, CountsLightsThatReachNothing) {
 TEST(LightReport, OfALevelWithoutLightsCostsNothing) {
   const LightReport report = reportOf(twoRooms("[]"));
   EXPECT_EQ(report.all.rays, 0);
-  EXPECT_EQ(report.all.bytes(), 0);
+  EXPECT_EQ(report.all.bytes, 0);
   EXPECT_EQ(report.points.raysPerSample(), 0);
 }
 
@@ -89,9 +98,9 @@ TEST(LightReport, AddsUpToTheStatisticsOfTheBake) {
   EXPECT_EQ(sum.surfaces() - sum.bare, static_cast<std::int64_t>(light.stats.surfaces));
   EXPECT_EQ(sum.white + sum.colored, static_cast<std::int64_t>(light.stats.litSurfaces));
   EXPECT_EQ(sum.whiteTexels + sum.coloredTexels + sum.skippedTexels, light.stats.texels);
-  EXPECT_EQ(sum.bytes(), light.stats.bytes);
+  EXPECT_EQ(sum.bytes, light.stats.bytes);
   EXPECT_EQ(sum.rays, light.stats.rays);
-  EXPECT_EQ(sum.bytes(), report.all.bytes());
+  EXPECT_EQ(sum.bytes, report.all.bytes);
 }
 
 TEST(FeatureUses, CountWallsAsTheyWereWritten) {

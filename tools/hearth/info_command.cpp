@@ -87,9 +87,11 @@ nlohmann::ordered_json toJson(const SurfaceReport& report) {
           {"unreached", report.unreached},
           {"oneChannel", report.white},
           {"threeChannels", report.colored},
+          {"even", report.even},
           {"texels", report.whiteTexels + report.coloredTexels},
           {"skippedTexels", report.skippedTexels},
-          {"bytes", report.bytes()},
+          {"bytes", report.bytes},
+          {"sparedBytes", report.sparedBytes()},
           {"rays", report.rays}};
 }
 
@@ -138,7 +140,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
                                 {"width", loaded.textures[i].width()},
                                 {"height", loaded.textures[i].height()}});
   json["requires"] = {{"textureBytes", contents.textureBytes},
-                      {"lightmapBytes", contents.light.all.bytes()},
+                      {"lightmapBytes", contents.light.all.bytes},
                       {"rays", contents.light.all.rays}};
   json["light"] = lightToJson(contents.settings, contents.light);
   for (const auto& [name, used, of] : featureUses(level, contents.light))
@@ -157,16 +159,17 @@ void printLine(std::string_view what, std::int64_t count) {
 
 void printRow(std::string_view name, const SurfaceReport& row) {
   if (row.surfaces() == 0) return;
-  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>11} {:>13}\n", name, row.surfaces(),
-             row.bare, row.unfaced, row.unreached, row.white, row.colored, row.bytes(), row.rays);
+  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>6} {:>11} {:>13}\n", name,
+             row.surfaces(), row.bare, row.unfaced, row.unreached, row.white, row.colored, row.even,
+             row.bytes, row.rays);
 }
 
 void printLight(const Contents& contents) {
   const auto& [settings, light] = std::tie(contents.settings, contents.light);
   fmt::print("\nlight, with texels of {} m, {}\n", settings.texel, samplesInWords(settings));
   fmt::print("{:<16} {:>8} {:>26} {:>14}\n", "", "", "without a lightmap", "of channels");
-  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>11} {:>13}\n", "", "surfaces", "bare",
-             "unfaced", "unreached", "one", "three", "bytes", "rays");
+  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>6} {:>11} {:>13}\n", "", "surfaces",
+             "bare", "unfaced", "unreached", "one", "three", "even", "bytes", "rays");
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)
     printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
   printRow("all", light.all);
@@ -176,6 +179,7 @@ void printLight(const Contents& contents) {
                  kind.raysPerSample(), kind.rays);
   };
   printLine("texels of surfaces without a lightmap", light.all.skippedTexels);
+  printLine("bytes that even lightmaps spare", light.all.sparedBytes());
   printLights("points of light", light.points);
   printLights("balls of light", light.balls);
   printLine("lights that reach nothing", light.uselessLights);
@@ -195,7 +199,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("surfaces", std::ssize(level.surfaces));
   fmt::print("\nrequires\n");
   line("bytes of textures", contents.textureBytes);
-  line("bytes of lightmaps", contents.light.all.bytes());
+  line("bytes of lightmaps", contents.light.all.bytes);
   line("rays to bake them", contents.light.all.rays);
   printLight(contents);
   fmt::print("\nmodels only\n");

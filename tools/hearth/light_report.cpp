@@ -20,6 +20,8 @@ SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
     const bool isWhite = map->channels == 1;
     (isWhite ? report.white : report.colored) = 1;
     (isWhite ? report.whiteTexels : report.coloredTexels) = texels;
+    report.even = map->isEven() ? 1 : 0;
+    report.bytes = std::ssize(map->levels);
   } else {
     (light.surfaceCosts[i].facingLights == 0 ? report.unfaced : report.unreached) = 1;
     report.skippedTexels = texels;
@@ -72,9 +74,11 @@ SurfaceReport& SurfaceReport::operator+=(const SurfaceReport& other) {
   unreached += other.unreached;
   white += other.white;
   colored += other.colored;
+  even += other.even;
   whiteTexels += other.whiteTexels;
   coloredTexels += other.coloredTexels;
   skippedTexels += other.skippedTexels;
+  bytes += other.bytes;
   rays += other.rays;
   return *this;
 }
@@ -116,6 +120,8 @@ std::vector<FeatureUse> featureUses(const Level& level, const LightReport& light
        std::ssize(level.surfaces)},
       {"surfaces with a lightmap", light.all.white + light.all.colored, std::ssize(level.surfaces)},
       {"lightmaps of three channels", light.all.colored, light.all.white + light.all.colored},
+      {"lightmaps of more than one value", light.all.white + light.all.colored - light.all.even,
+       light.all.white + light.all.colored},
       {"lights with a colour", light.coloredLights, std::ssize(level.lights)},
       {"lights with a radius", light.balls.lights, std::ssize(level.lights)},
   };

@@ -17,13 +17,16 @@ struct SurfaceReport {
   std::int64_t unreached = 0;  ///< no lightmap: lights face it, but none of their light arrives
   std::int64_t white = 0;      ///< lightmaps of one channel
   std::int64_t colored = 0;    ///< lightmaps of three
+  std::int64_t even = 0;       ///< of both: all texels are the same, and one is kept
   std::int64_t whiteTexels = 0;
   std::int64_t coloredTexels = 0;
   std::int64_t skippedTexels = 0;  ///< of surfaces without a lightmap
+  std::int64_t bytes = 0;          ///< of lightmaps, as they are kept
   std::int64_t rays = 0;
 
   std::int64_t surfaces() const { return bare + unfaced + unreached + white + colored; }
-  std::int64_t bytes() const { return whiteTexels + 3 * coloredTexels; }
+  /// Of lightmaps that are even, not kept.
+  std::int64_t sparedBytes() const { return whiteTexels + 3 * coloredTexels - bytes; }
   SurfaceReport& operator+=(const SurfaceReport& other);
 };
 
