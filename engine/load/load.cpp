@@ -137,11 +137,11 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   linkSlopes(linking);
   validateInterfaces(linking);
   validateRings(linking);
-  TextureFiles textures = readTextures(report_, table, file_, description.textures, limits_);
-  if (linking.level.segments.empty()) return std::nullopt;
-
-  const std::vector<LevelFault> faults = finishLevel(linking.level);
-  reportFaults(linking, faults);
+  const bool isEmpty = linking.level.segments.empty();
+  if (!isEmpty) reportFaults(linking, finishLevel(linking.level));
+  TextureFiles textures =
+      readTextures(report_, table, linking.level.surfaces, file_, description.textures, limits_);
+  if (isEmpty) return std::nullopt;
   validatePortals(linking);
   linkPositions(linking, lights);
   if (report_.hasErrors()) return std::nullopt;
@@ -149,7 +149,8 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
 
   for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
-  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_};
+  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_,
+                     textures.decoded};
 }
 
 }  // namespace

@@ -14,11 +14,13 @@ namespace hearth {
 
 struct LoadedLevel {
   Level level;                  ///< finished
-  std::vector<Image> textures;  ///< by TextureId; none of them empty
+  std::vector<Image> textures;  ///< by TextureId; one black pixel where no surface wears it
   std::filesystem::path path;
   /// All that was read: the level first, then its lights if it has any, then the images. A program
   /// that watches these knows when to load again.
   std::vector<std::filesystem::path> files;
+  /// Images among the files that a surface wears. Of the others only the header is read.
+  std::size_t decodedImages = 0;
 };
 
 struct LoadResult {

@@ -75,25 +75,36 @@ void reportMissing(Report& report, const NameReference& name, const ImageFinder&
                suggest(name.name, views, "put it into " + finder.searched()));
 }
 
-std::optional<Image> readFile(Report& report, const NameReference& name, const fs::path& path,
-                              const LoadLimits& limits) {
+/// Whether the file is an image that may be decoded, by its header.
+bool checkHeader(Report& report, const NameReference& name, const fs::path& path,
+                 const LoadLimits& limits) {
   const auto size = readImageSize(path);
   if (!size) {
     report.error(name.place, size.error(), "replace the image");
-    return std::nullopt;
+    return false;
   }
   const std::int64_t pixels = std::int64_t{size->width} * size->height;
-  if (pixels > limits.imagePixels) {
-    report.error(name.place,
-                 fmt::format("{} has {} x {} pixels, more than {}", path.string(), size->width,
-                             size->height, limits.imagePixels),
-                 "raise the limit with --max-image-pixels");
-    return std::nullopt;
-  }
+  if (pixels <= limits.imagePixels) return true;
+  report.error(name.place,
+               fmt::format("{} has {} x {} pixels, more than {}", path.string(), size->width,
+                           size->height, limits.imagePixels),
+               "raise the limit with --max-image-pixels");
+  return false;
+}
+
+std::optional<Image> decode(Report& report, const NameReference& name, const fs::path& path,
+                            const LoadLimits& limits) {
   auto image = readImage(path, limits.imagePixels);
   if (image) return *std::move(image);
   report.error(name.place, image.error(), "replace the image");
   return std::nullopt;
+}
+
+/// By TextureId.
+std::vector<bool> wornBy(std::span<const Surface> surfaces, std::size_t textures) {
+  std::vector<bool> worn(textures);
+  for (const Surface& surface : surfaces) worn[surface.mapping.texture.index()] = true;
+  return worn;
 }
 
 }  // namespace
@@ -120,12 +131,15 @@ TextureId TextureTable::idOf(const NameReference& name) {
   return found->second;
 }
 
-TextureFiles readTextures(Report& report, const TextureTable& table, const fs::path& levelFile,
+TextureFiles readTextures(Report& report, const TextureTable& table,
+                          std::span<const Surface> surfaces, const fs::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits) {
   const ImageFinder finder(levelFile, folder);
+  const std::vector<bool> worn = wornBy(surfaces, table.names().size());
   TextureFiles textures;
   for (const NameReference& name : table.names()) {
-    Image& image = textures.images.emplace_back();
+    const bool isWorn = worn[textures.images.size()];
+    Image& image = textures.images.emplace_back(1, 1);
     if (name.name.starts_with('#')) {
       if (const std::optional<Rgb> color = parseColor(name.name))
         image = Image(1, 1, *color);
@@ -145,7 +159,9 @@ TextureFiles readTextures(Report& report, const TextureTable& table, const fs::p
       continue;
     }
     textures.files.push_back(*path);
-    if (auto read = readFile(report, name, *path, limits)) image = *std::move(read);
+    if (!checkHeader(report, name, *path, limits) || !isWorn) continue;
+    ++textures.decoded;
+    if (auto read = decode(report, name, *path, limits)) image = *std::move(read);
   }
   return textures;
 }

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "image/image.h"
+#include "level/surface.h"
 #include "level/texture_mapping.h"
 #include "load/description.h"
 #include "load/limits.h"
@@ -33,12 +35,14 @@ class TextureTable {
 struct TextureFiles {
   std::vector<Image> images;                 ///< by TextureId
   std::vector<std::filesystem::path> files;  ///< that were read
+  std::size_t decoded = 0;                   ///< files of which more than the header was read
 };
 
-/// Reads the images. `folder` is what the level file names, if it does. A missing or broken image
-/// is reported where it is first used.
+/// Reads the images that `surfaces` wear. Of the others only the header is read, and they are one
+/// black pixel. `folder` is what the level file names, if it does. A missing or broken image is
+/// reported where it is first used.
 TextureFiles readTextures(Report& report, const TextureTable& table,
-                          const std::filesystem::path& levelFile,
+                          std::span<const Surface> surfaces, const std::filesystem::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits);
 
 }  // namespace hearth

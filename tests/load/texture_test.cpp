@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "image/image_file.h"
 #include "load_text.h"
@@ -84,6 +87,62 @@ class TextureSearch : public testing::Test {
  private:
   TemporaryFolder folder_;
 };
+
+/// Two rooms whose portal has a texture for a step up.
+class TextureOfAStep : public testing::Test {
+ protected:
+  LoadResult load(double nextFloor) {
+    const auto sector = [](const std::string& name, const std::string& v, double floor,
+                           const std::string& walls) {
+      return fmt::format(
+          R"("{}": {{"floor": {{"z": {}, "texture": "wall"}}, "ceiling": {{"texture": "wall"}},)"
+          R"( "loops": {{"border": {{"v": [{}], "walls": [{}]}}}}}})",
+          name, floor, v, walls);
+    };
+    const std::string solid = R"({"texture": "wall"})";
+    return loadLevel(folder_.write(
+        "levels/level.json",
+        R"({"light": 1, "sectors": {)" +
+            sector("a", "0,0, 4,0, 4,4, 0,4", 0,
+                   fmt::format(R"({0}, {{"next": "b", "lower": "step"}}, {0}, {0})", solid)) +
+            ", " +
+            sector("b", "4,0, 8,0, 8,4, 4,4", nextFloor,
+                   fmt::format(R"({0}, {0}, {0}, {{"next": "a"}})", solid)) +
+            "}}"));
+  }
+
+  void addImage(const std::string& name, const Image& image) {
+    const auto file = folder_.path() / "textures" / name;
+    std::filesystem::create_directories(file.parent_path());
+    ASSERT_TRUE(writePng(file, image));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TextureOfAStep, isDecodedOnlyWhereTheStepIs) {
+  addImage("wall.png", Image(3, 2));
+  addImage("step.png", Image(5, 4));
+  const LoadResult level = load(0);
+  ASSERT_TRUE(level.loaded) << listed(level);
+  EXPECT_EQ(level.loaded->decodedImages, 1U) << "once, though many surfaces wear it";
+  EXPECT_EQ(level.loaded->files.size(), 3U) << "all are to be watched";
+  const LoadResult stepped = load(1);
+  ASSERT_TRUE(stepped.loaded) << listed(stepped);
+  EXPECT_EQ(stepped.loaded->decodedImages, 2U);
+  const auto hasSize = [](int width, int height) {
+    return [=](const Image& image) { return image.width() == width && image.height() == height; };
+  };
+  EXPECT_TRUE(std::ranges::any_of(level.loaded->textures, hasSize(1, 1)));
+  EXPECT_TRUE(std::ranges::any_of(stepped.loaded->textures, hasSize(5, 4)));
+}
+
+TEST_F(TextureOfAStep, mustBeAnImageThoughNoStepIsThere) {
+  addImage("wall.png", Image(3, 2));
+  EXPECT_EQ(countErrors(load(0)), 1U) << "there is none";
+  folder_.write("textures/step.png", "no image");
+  EXPECT_EQ(countErrors(load(0)), 1U);
+}
 
 TEST_F(TextureSearch, looksIntoTexturesBesideTheLevelsFolderThenIntoThatItself) {
   addImage("levels/wall.png", {1, 0, 0});

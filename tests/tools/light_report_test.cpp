@@ -106,11 +106,13 @@ TEST(LightReport, AddsUpToTheStatisticsOfTheBake) {
 TEST(FeatureUses, CountWallsAsTheyWereWritten) {
   const LoadedLevel tutorial = loaded("levels/tutorial.json");
   std::map<std::string_view, FeatureUse> uses;
-  for (const FeatureUse& use : featureUses(tutorial.level, reportOf(tutorial)))
+  for (const FeatureUse& use : featureUses(tutorial, reportOf(tutorial)))
     uses.insert({use.name, use});
   EXPECT_EQ(uses.at("walls that are stacks").used, 18);
   EXPECT_EQ(uses.at("sectors with a slope").of, std::ssize(tutorial.level.sectors));
   EXPECT_LT(uses.at("walls that are stacks").of, std::ssize(tutorial.level.segments));
+  EXPECT_EQ(uses.at("images that a surface wears").used, 6);
+  EXPECT_EQ(uses.at("images that a surface wears").of, 6);
   for (const auto& [name, use] : uses) {
     EXPECT_LE(0, use.used) << name;
     EXPECT_LE(use.used, use.of) << name;

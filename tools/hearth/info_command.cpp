@@ -143,7 +143,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
                       {"lightmapBytes", contents.light.all.bytes},
                       {"rays", contents.light.all.rays}};
   json["light"] = lightToJson(contents.settings, contents.light);
-  for (const auto& [name, used, of] : featureUses(level, contents.light))
+  for (const auto& [name, used, of] : featureUses(loaded, contents.light))
     json["models"][std::string(name)] = {{"used", used}, {"of", of}};
   json["bake"] = {
       {"texelMetres", contents.settings.texel},
@@ -203,7 +203,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("rays to bake them", contents.light.all.rays);
   printLight(contents);
   fmt::print("\nmodels only\n");
-  for (const auto& [name, used, of] : featureUses(level, contents.light))
+  for (const auto& [name, used, of] : featureUses(loaded, contents.light))
     fmt::print("{:>11}  of {} {}\n", used, of, name);
   fmt::print("\nuses\n");
   for (const auto& [feature, name] : kFormatFeatures) line(name, contents.features[feature]);

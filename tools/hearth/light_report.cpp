@@ -98,7 +98,8 @@ LightReport lightReport(const Level& level, const BakedLight& light) {
   return report;
 }
 
-std::vector<FeatureUse> featureUses(const Level& level, const LightReport& light) {
+std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport& light) {
+  const Level& level = loaded.level;
   const auto count = [](const auto& range, auto&& isUsed) {
     return static_cast<std::int64_t>(std::ranges::count_if(range, isUsed));
   };
@@ -118,6 +119,8 @@ std::vector<FeatureUse> featureUses(const Level& level, const LightReport& light
       {"surfaces that are sidewalls",
        count(level.surfaces, [](const Surface& s) { return isSidewall(s.kind); }),
        std::ssize(level.surfaces)},
+      {"images that a surface wears", static_cast<std::int64_t>(loaded.decodedImages),
+       count(level.textures, [](const std::string& name) { return !name.starts_with('#'); })},
       {"surfaces with a lightmap", light.all.white + light.all.colored, std::ssize(level.surfaces)},
       {"lightmaps of three channels", light.all.colored, light.all.white + light.all.colored},
       {"lightmaps of more than one value", light.all.white + light.all.colored - light.all.even,

@@ -7,6 +7,7 @@
 
 #include "level/level.h"
 #include "light/bakery.h"
+#include "load/load.h"
 
 namespace hearth {
 
@@ -59,6 +60,6 @@ struct FeatureUse {
 };
 
 /// What a level pays for only where it has it.
-std::vector<FeatureUse> featureUses(const Level& level, const LightReport& light);
+std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport& light);
 
 }  // namespace hearth
