@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/renderer.h"
+#include "rooms_behind_a_door.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
 
@@ -154,28 +155,9 @@ TEST(FrameWork, isTheSameForAnyNumberOfThreads) {
   }
 }
 
-/// A hall whose east wall is a closed door, and rooms in a row behind it, open to one another.
-std::string roomsBehindADoor(int rooms) {
-  std::string sectors =
-      hall("{'next':'door','texture':'#404040'}") + "," +
-      test::sectorText("door", "8,-4, 9,-4, 9,4, 8,4", 0, 0,
-                       fmt::format("[{0},{{'next':'room0'}},{0},{{'next':'hall'}}]", kSolid));
-  for (int i = 0; i < rooms; ++i) {
-    const std::string west = i == 0 ? "door" : fmt::format("room{}", i - 1);
-    const std::string east = i + 1 < rooms ? fmt::format("{{'next':'room{}'}}", i + 1) : kSolid;
-    sectors +=
-        "," + test::sectorText(fmt::format("room{}", i),
-                               fmt::format("{0},-4, {1},-4, {1},4, {0},4", 9 + i, 10 + i), 0, 3,
-                               fmt::format("[{0},{1},{0},{{'next':'{2}','texture':"
-                                           "'#404040'}}]",
-                                           kSolid, east, west));
-  }
-  return sectors;
-}
-
 TEST(FrameWork, doesNotGrowWithSectorsThatAreNotSeen) {
-  const Work one = workOf(levelOf(roomsBehindADoor(1)));
-  const Work thousand = workOf(levelOf(roomsBehindADoor(1000)));
+  const Work one = workOf({test::roomsBehindADoor(1), "[]"});
+  const Work thousand = workOf({test::roomsBehindADoor(1000), "[]"});
   EXPECT_EQ(one.found.viewports, 1);
   EXPECT_EQ(thousand.found, one.found);
   EXPECT_EQ(thousand.painted, one.painted);

@@ -4,6 +4,7 @@
 
 #include "load/load.h"
 #include "render/renderer.h"
+#include "rooms_behind_a_door.h"
 #include "support/allocations.h"
 
 namespace hearth {
@@ -58,10 +59,26 @@ TEST_F(FramesOfTheTutorial, areThoseOfANewScratch) {
   }
 }
 
+/// Of a renderer and its first frame, in the hall of this level.
+std::size_t bytesOfAFrame(const LoadedLevel& loaded) {
+  const BakedLight light = bake(loaded.level, loaded.level.bake, 1);
+  const std::size_t before = test::allocatedBytes();
+  (void)Renderer(loaded.level, loaded.textures, light)
+      .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, 320, 200}, LightMode::Both);
+  return test::allocatedBytes() - before;
+}
+
+TEST(MemoryOfAFrame, doesNotGrowWithSectorsThatAreNotSeen) {
+  EXPECT_EQ(bytesOfAFrame(test::levelFrom(test::roomsBehindADoor(1000))),
+            bytesOfAFrame(test::levelFrom(test::roomsBehindADoor(1))));
+}
+
 TEST(AllocationCount, SeesWhatTakesMemory) {
   const std::size_t before = test::allocationCount();
-  const Image image(1, 1);
+  const std::size_t bytesBefore = test::allocatedBytes();
+  const Image image(10, 1);
   EXPECT_EQ(test::allocationCount(), before + 1);
+  EXPECT_EQ(test::allocatedBytes(), bytesBefore + 30);
 }
 
 }  // namespace

@@ -7,9 +7,11 @@
 namespace {
 
 std::atomic<std::size_t> allocations = 0;
+std::atomic<std::size_t> bytesAskedFor = 0;
 
 void* counted(std::size_t bytes) {
   ++allocations;
+  bytesAskedFor += bytes;
   void* memory = std::malloc(bytes == 0 ? 1 : bytes);
   if (!memory) throw std::bad_alloc();
   return memory;
@@ -25,5 +27,6 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 namespace hearth::test {
 
 std::size_t allocationCount() { return allocations; }
+std::size_t allocatedBytes() { return bytesAskedFor; }
 
 }  // namespace hearth::test

@@ -8,4 +8,7 @@ namespace hearth::test {
 /// hearth_test_allocations count.
 std::size_t allocationCount();
 
+/// How many bytes it has asked for in all of these, whether or not it has given them back.
+std::size_t allocatedBytes();
+
 }  // namespace hearth::test
