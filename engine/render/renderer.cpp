@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 
 #include "level/locate.h"
 #include "light/parallel.h"
@@ -34,7 +35,7 @@ void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& pai
     return static_cast<int>(static_cast<std::size_t>(strips) * part /
                             static_cast<std::size_t>(parts));
   };
-  parallelFor(static_cast<std::size_t>(parts), threads, [&](std::size_t part) {
+  const auto paintPart = [&](std::size_t part) {
     Strip& strip = scratch.strips[part];
     PaintStats stats;
     for (int i = firstOf(part); i < firstOf(part + 1); ++i) {
@@ -43,7 +44,9 @@ void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& pai
       strip.copyTo(picture);
     }
     scratch.stripsPainted[part] = stats;
-  });
+  };
+  // By reference: a copy would take memory in every frame.
+  parallelFor(static_cast<std::size_t>(parts), threads, std::cref(paintPart));
   scratch.painted = {};
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
