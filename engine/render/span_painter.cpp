@@ -234,6 +234,7 @@ void count(const Span& span, const Material& material, PaintStats& stats) {
 
 void SpanPainter::paint(const Span& span, LightMode mode, Strip& strip, PaintStats& stats) const {
   Material material = materialOf(span.surface);
+  // Without light that differs from pixel to pixel there is no lightmap to be mapped to.
   if (mode == LightMode::None) material.lightmap = nullptr;
   if (!material.hasUnevenLight()) material.lit = nullptr;
   count(span, material, stats);
