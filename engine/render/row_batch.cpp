@@ -17,13 +17,20 @@ using TwoRows = __m128d;
 
 TwoRows both(double value) { return _mm_set1_pd(value); }
 
+TwoRows at(const Affine& along, TwoRows measures) {
+  return _mm_add_pd(both(along.atZero), _mm_mul_pd(measures, both(along.per)));
+}
+
+TwoRows at(const ImageAxis& along, TwoRows measures) {
+  const TwoRows fromOrigin = _mm_sub_pd(at(along.place, measures), both(along.origin));
+  return _mm_sub_pd(_mm_mul_pd(fromOrigin, both(along.texelsPerPlace)), both(along.offset));
+}
+
 /// Calls `find(k, two)` with the values of `along` at the rows k and k + 1 of the batch.
-template <typename Find>
-void forTwoRows(const RowBatch& batch, const Affine& along, Find&& find) {
-  const TwoRows atZero = both(along.atZero);
-  const TwoRows per = both(along.per);
+template <typename Along, typename Find>
+void forTwoRows(const RowBatch& batch, const Along& along, Find&& find) {
   for (std::size_t k = 0; k < batch.count; k += 2)
-    find(k, _mm_add_pd(atZero, _mm_mul_pd(_mm_load_pd(&batch.measure[k]), per)));
+    find(k, at(along, _mm_load_pd(&batch.measure[k])));
 }
 
 /// Two numbers of 32 bits.
@@ -59,9 +66,9 @@ __m128i dividedTexels(TwoRows x, TwoRows size, TwoRows perTexel) {
   return _mm_cvttpd_epi32(_mm_add_pd(rest, _mm_and_pd(isNegative, size)));
 }
 
-void findRepeated(RowBatch::Indices& found, const Affine& along, std::int32_t size,
+void findRepeated(RowBatch::Indices& found, const ImageAxis& along, std::int32_t size,
                   const RowBatch& batch) {
-  if (along.per == 0) return found.fill(repeated(along.atZero, size));
+  if (along.place.per == 0) return found.fill(repeated(along.at(0), size));
   if (planted(PlantedBug::TruncatingRepeat)) {
     for (std::size_t k = 0; k < batch.count; ++k)
       found[k] = repeated(along.at(batch.measure[k]), size);
@@ -79,7 +86,7 @@ void findRepeated(RowBatch::Indices& found, const Affine& along, std::int32_t si
 void storeShares(float* to, TwoRows shares) { store(to, _mm_castps_si128(_mm_cvtpd_ps(shares))); }
 
 /// Between the centres of texels of an image that repeats. `along` is from the first one's centre.
-void findRepeatedPlaces(RowBatch::Places& found, const Affine& along, int texels,
+void findRepeatedPlaces(RowBatch::Places& found, const ImageAxis& along, int texels,
                         const RowBatch& batch) {
   findRepeated(found.texel, along, texels, batch);
   forTwoRows(batch, along, [&](std::size_t k, TwoRows x) {
@@ -89,7 +96,8 @@ void findRepeatedPlaces(RowBatch::Places& found, const Affine& along, int texels
 
 /// The same where nothing repeats: what is beyond the edge is taken back to it, and the texel
 /// before the last is the last to have a next one.
-void findPlaces(RowBatch::Places& found, const Affine& along, int texels, const RowBatch& batch) {
+template <typename Along>
+void findPlaces(RowBatch::Places& found, const Along& along, int texels, const RowBatch& batch) {
   const TwoRows last = both(texels - 1);
   const TwoRows lastBefore = both(std::max(0, texels - 2));
   forTwoRows(batch, along, [&](std::size_t k, TwoRows x) {
@@ -101,11 +109,14 @@ void findPlaces(RowBatch::Places& found, const Affine& along, int texels, const 
 }
 
 /// In texels from the centre of the first one.
-Affine fromFirst(Affine along, int first) { return {along.atZero - (first + 0.5), along.per}; }
+ImageAxis fromFirst(ImageAxis along) {
+  along.offset += 0.5;
+  return along;
+}
 
-Affine fromFirstOfLightmap(Affine along, int first) {
-  if (planted(PlantedBug::LightmapHalfTexelOff)) along.atZero += 0.5;
-  return fromFirst(along, first);
+Affine fromFirst(const Affine& along, int first) {
+  const double wrong = planted(PlantedBug::LightmapHalfTexelOff) ? 0.5 : 0;
+  return {along.atZero - (first + 0.5) + wrong, along.per};
 }
 
 /// Depths at every so many rows, and between them what lies evenly between.
@@ -150,16 +161,16 @@ void findTexels(RowBatch& batch, const SpanMapping& mapping, const Image& image)
 }
 
 void findMixtures(RowBatch& batch, const SpanMapping& mapping, const Image& image) {
-  findRepeatedPlaces(batch.texelColumn, fromFirst(mapping.u, 0), image.width(), batch);
+  findRepeatedPlaces(batch.texelColumn, fromFirst(mapping.u), image.width(), batch);
   if (mapping.isSky)
-    findPlaces(batch.texelRow, fromFirst(mapping.v, 0), image.height(), batch);
+    findPlaces(batch.texelRow, fromFirst(mapping.v), image.height(), batch);
   else
-    findRepeatedPlaces(batch.texelRow, fromFirst(mapping.v, 0), image.height(), batch);
+    findRepeatedPlaces(batch.texelRow, fromFirst(mapping.v), image.height(), batch);
 }
 
 void findLightPlaces(RowBatch& batch, const SpanMapping& mapping, const TexelRect& rect) {
-  findPlaces(batch.lightColumn, fromFirstOfLightmap(mapping.s, rect.i0), rect.width, batch);
-  findPlaces(batch.lightRow, fromFirstOfLightmap(mapping.t, rect.j0), rect.height, batch);
+  findPlaces(batch.lightColumn, fromFirst(mapping.s, rect.i0), rect.width, batch);
+  findPlaces(batch.lightRow, fromFirst(mapping.t, rect.j0), rect.height, batch);
   if (planted(PlantedBug::FlatsUnfiltered) && mapping.isPlane)
     for (auto* places : {&batch.lightColumn, &batch.lightRow}) places->share.fill(0);
 }

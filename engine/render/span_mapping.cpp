@@ -9,9 +9,8 @@ namespace hearth {
 
 namespace {
 
-Affine along(double atEye, double perMetre, double texelsPerMetre, double offset) {
-  return {atEye * texelsPerMetre - offset, perMetre * texelsPerMetre};
-}
+/// The same texel all along the span.
+ImageAxis constant(double texel) { return {.place = {texel, 0}}; }
 
 SpanMapping uprightMapping(const Level& level, const Projection& projection, const Span& span,
                            const Image& image, const LitSurface* lit) {
@@ -19,15 +18,16 @@ SpanMapping uprightMapping(const Level& level, const Projection& projection, con
   const TextureMapping& texture = surface.mapping;
   SpanMapping mapping{.depth = span.depth};
   const double start = planted(PlantedBug::AlongIgnored) ? 0 : texture.along;
-  mapping.u.atZero = image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x;
+  mapping.u =
+      constant(image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x);
   const double eyeZ = projection.eye().z;
-  mapping.v = along(span.zRef - eyeZ, -span.depth, image.height() / texture.repeat.y,
-                    texture.offsetTexels.y);
+  mapping.v = {
+      {eyeZ, span.depth}, span.zRef, -image.height() / texture.repeat.y, texture.offsetTexels.y};
   if (!lit) return mapping;
   const Segment& segment = level[*surface.segment];
   const Vec2 at = lerp(segment.p0, segment.p1, span.share);
   mapping.s.atZero = lit->grid.toTexels({at.x, at.y, 0}).x;
-  mapping.t = along(eyeZ, span.depth, 1 / lit->grid.texel, 0);
+  mapping.t = {eyeZ / lit->grid.texel, span.depth / lit->grid.texel};
   return mapping;
 }
 
@@ -56,10 +56,8 @@ SpanMapping planeMapping(const Level& level, const Projection& projection, const
   const auto [zAtEye, rise, origin] = planeOver(level, surface, eye, ray);
   SpanMapping mapping{
       .isPlane = true, .height = zAtEye - projection.eye().z, .rise = rise, .depth = span.depth};
-  mapping.u =
-      along(eye.x - origin.x, ray.x, image.width() / texture.repeat.x, texture.offsetTexels.x);
-  mapping.v =
-      along(eye.y - origin.y, ray.y, image.height() / texture.repeat.y, texture.offsetTexels.y);
+  mapping.u = {{eye.x, ray.x}, origin.x, image.width() / texture.repeat.x, texture.offsetTexels.x};
+  mapping.v = {{eye.y, ray.y}, origin.y, image.height() / texture.repeat.y, texture.offsetTexels.y};
   if (!lit) return mapping;
   const TexelGrid& grid = lit->grid;
   const Vec2 atEye = grid.toTexels({eye.x, eye.y, zAtEye});
@@ -78,10 +76,12 @@ SpanMapping skyMapping(const Level& level, const Projection& projection, const S
       surface.kind == SurfaceKind::SkyFloor || surface.kind == SurfaceKind::SkyLowerStep;
   const double tangentPerClimb = (below ? -1 : 1) / length(ray);
   SpanMapping mapping{.isSky = true, .depth = std::numeric_limits<double>::infinity()};
-  mapping.u.atZero =
-      image.width() * (compassDegrees(ray) / 360) / texture.repeat.x - texture.offsetTexels.x;
-  mapping.v = {image.height() - texture.offsetTexels.y,
-               -tangentPerClimb * image.height() / texture.repeat.y};
+  mapping.u = constant(image.width() * (compassDegrees(ray) / 360) / texture.repeat.x -
+                       texture.offsetTexels.x);
+  mapping.v = {{0, tangentPerClimb},
+               texture.repeat.y,
+               -image.height() / texture.repeat.y,
+               texture.offsetTexels.y};
   return mapping;
 }
 

@@ -18,6 +18,17 @@ struct Affine {
   double at(double x) const { return atZero + x * per; }
 };
 
+/// A texel coordinate of an image, not yet repeated. Places are worked out before texels: where
+/// authors put edges of texels, at round places, rounding then finds these, whatever the way there.
+struct ImageAxis {
+  Affine place;       ///< in metres; of a sky the tangent of the elevation
+  double origin = 0;  ///< the place of the image's edge
+  double texelsPerPlace = 1;
+  double offset = 0;  ///< in texels
+
+  double at(double x) const { return (place.at(x) - origin) * texelsPerPlace - offset; }
+};
+
 /// Where the rows of a span lie in space, on the texture and on the lightmap. The four texel
 /// coordinates change evenly along the span with one number, its measure: on flats and slopes the
 /// depth, on upright surfaces and sky the climb (see Projection::climbOf).
@@ -28,8 +39,8 @@ struct SpanMapping {
   double height = 0;
   double rise = 0;
   double depth = 0;  ///< metres; of a plane the farthest
-  Affine u{};        ///< in texels of the image, not yet repeated
-  Affine v{};
+  ImageAxis u{};
+  ImageAxis v{};
   Affine s{};  ///< in texels of the lightmap
   Affine t{};
 

@@ -120,7 +120,7 @@ TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
   batch.firstRow = 0;
   batch.count = 4;
   findMeasures(batch, SpanMapping{}, std::vector{0.5, 1.0, 7.75, -0.25}, 1);
-  findMixtures(batch, {.u = {0, 1}, .v = {0.5, 0}}, Image(8, 1));
+  findMixtures(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}}, Image(8, 1));
   const int texels[] = {0, 0, 7, 7};
   const float shares[] = {0, 0.5, 0.25, 0.25};
   for (std::size_t k = 0; k < batch.count; ++k) {
@@ -137,7 +137,7 @@ TEST(DrawSettings, KeepSkiesWithinTheirImage) {
   batch.count = 3;
   findMeasures(batch, SpanMapping{}, std::vector{-5.0, 1.25, 50.0}, 1);
   for (const int height : {1, 4}) {
-    findMixtures(batch, {.isSky = true, .v = {0, 1}}, Image(8, height));
+    findMixtures(batch, {.isSky = true, .v = {.place = {0, 1}}}, Image(8, height));
     for (std::size_t k = 0; k < batch.count; ++k) {
       EXPECT_GE(batch.texelRow.texel[k], 0);
       EXPECT_LE(batch.texelRow.texel[k] + (batch.texelRow.share[k] > 0 ? 1 : 0), height - 1);

@@ -58,7 +58,8 @@ TEST(RowBatch, findsTheTexelsThatAModuloOfEachRowGives) {
       for (std::size_t i = 0; i < RowBatch::kRows - 1; ++i)
         measures.push_back(i % 3 == 0 ? std::round(anywhere(random)) : anywhere(random));
       RowBatch batch = batchOf(measures);
-      findTexels(batch, {.u = {0.25, 1}, .v = {-3, 0.5}}, Image(width, height));
+      findTexels(batch, {.u = {.place = {0.25, 1}}, .v = {.place = {-3, 0.5}}},
+                 Image(width, height));
       const auto modulo = [](double x, int size) {
         const double rest = std::fmod(std::floor(x), size);
         return static_cast<int>(rest < 0 ? rest + size : rest);
