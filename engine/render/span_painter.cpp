@@ -9,6 +9,8 @@ namespace hearth {
 
 namespace {
 
+// What every pixel calls is inlined by force: a call costs as much as it does.
+
 /// The texels of an image by row and column.
 class Texels {
  public:
@@ -29,10 +31,10 @@ class NearestTexels {
  public:
   NearestTexels(const Image& image, const RowBatch& batch) : texels_(image), batch_(batch) {}
 
-  Rgb texel(std::size_t k) const {
+  [[gnu::always_inline]] Rgb texel(std::size_t k) const {
     return texels_.at(batch_.texelColumn.texel[k], batch_.texelRow.texel[k]);
   }
-  Channels operator()(std::size_t k) const { return channelsOf(texel(k)); }
+  [[gnu::always_inline]] Channels operator()(std::size_t k) const { return channelsOf(texel(k)); }
 
  private:
   Texels texels_;
@@ -49,7 +51,7 @@ class MixedTexels {
         rowAfterLast_(isSky ? lastRow_ : 0),
         batch_(batch) {}
 
-  Channels operator()(std::size_t k) const {
+  [[gnu::always_inline]] Channels operator()(std::size_t k) const {
     const std::int32_t left = batch_.texelColumn.texel[k];
     const std::int32_t right = left == lastColumn_ ? 0 : left + 1;
     const std::int32_t upper = batch_.texelRow.texel[k];
@@ -82,7 +84,7 @@ class LightmapShares {
         sectorLight_(sameChannels(static_cast<float>(sectorLight))),
         batch_(batch) {}
 
-  Channels operator()(std::size_t k) const {
+  [[gnu::always_inline]] Channels operator()(std::size_t k) const {
     const float across = batch_.lightColumn.share[k];
     const float down = batch_.lightRow.share[k];
     const std::uint8_t* upper = levels_ +
@@ -94,12 +96,14 @@ class LightmapShares {
   }
 
  private:
-  Channels nearest(const std::uint8_t* upper, float across, float down) const {
+  [[gnu::always_inline]] Channels nearest(const std::uint8_t* upper, float across,
+                                          float down) const {
     return lightTexel<kChannels>(upper + (across < 0.5F ? 0 : kChannels) +
                                  (down < 0.5F ? 0 : bytesPerRow_));
   }
 
-  Channels mixture(const std::uint8_t* upper, float across, float down) const {
+  [[gnu::always_inline]] Channels mixture(const std::uint8_t* upper, float across,
+                                          float down) const {
     const std::uint8_t* lower = upper + bytesPerRow_;
     const Channels right = sameChannels(across);
     const Channels above =
