@@ -13,6 +13,7 @@ import math
 import textwrap
 
 SKY = 24.0  # the height of all skies: steps between them would show sky where towers stand behind
+IMAGE = 128  # pixels of a side of all images that lie on slopes
 
 
 def rounded(value, digits=3):
@@ -251,30 +252,38 @@ class Plan:
         text = "{ " + ", ".join(parts) + " }"
         return text if len(text) < 96 else "{ " + (",\n" + " " * 18).join(parts) + " }"
 
-    def flat(self, z, texture, opening, rise=None):
+    def flat(self, z, texture, opening, rise=None, start=None):
         parts = [f'"z": {rounded(z)}']
         if opening:
             parts.append(f'"next": {{ "up": "{opening[0]}", "down": "{opening[1]}" }}')
         elif texture == "sky":
             parts.append(f'"texture": {json.dumps(self.sky)}, "parallax": true')
         else:
-            parts.append(f'"texture": {self.sloped(texture, rise) if rise else self.texture(texture)}')
+            parts.append(f'"texture": {self.sloped(texture, rise, start) if rise else self.texture(texture)}')
         return "{ " + ", ".join(parts) + " }"
 
-    def sloped(self, name, rise):
+    def sloped(self, name, rise, start):
         """The texture of a slope, turned to fall with it. Images lie on slopes as seen from above: where
-        they shall not look drawn out, they are to be shorter by its steepness."""
+        they shall not look drawn out, they are to be shorter by its steepness. They start at the border's
+        first corner, `start`: right for rows of tiles, which begin at the eaves; others are shifted to
+        where they would lie from (0, 0), so that they run on however the slope is cut."""
         su, sv, _ = self.textures[name]
         fall = [rise(0, 0) - rise(1, 0), rise(0, 0) - rise(0, 1)]
         cosine = 1 / math.hypot(1, *fall)
         east, south = (0 if abs(part) < 0.01 else math.copysign(1, part) for part in fall)
-        if name in self.directed:
+        directed = name in self.directed
+        if directed:
             suffix = {1: "s", -1: "n", 0: ""}[south] + {1: "e", -1: "w", 0: ""}[east]
             name += "" if suffix == "s" else f"-{suffix}"
             if east and south:  # painted aslant, and for a steep roof
                 su, sv, cosine = su * math.sqrt(2), sv * math.sqrt(2), 1
         scale = (su * cosine, sv) if east else (su, sv * cosine)
-        return json.dumps(f"{name} {rounded(scale[0])},{rounded(scale[1])}")
+        scale = [rounded(size) for size in scale]
+        text = f"{name} {scale[0]},{scale[1]}"
+        if not directed:
+            shifts = [rounded(-IMAGE * at / size % IMAGE) for at, size in zip(start, scale)]
+            text += f" {shifts[0]},{shifts[1]}"
+        return json.dumps(text)
 
     def slope(self, heights, corners, texture):
         su, sv, _ = self.textures[texture]
@@ -302,8 +311,9 @@ class Plan:
             lines.append(f'      "//": "--- {self.headings[sector.name]}"')
         if sector.light is not None:
             lines.append(f'      "light": {sector.light}')
-        lines.append(f'      "floor":   {self.flat(sector.floor, sector.floor_texture, up, sector.floor_rise)}')
-        ceiling = self.flat(sector.ceiling, sector.ceiling_texture, down, sector.ceiling_drop)
+        floor = self.flat(sector.floor, sector.floor_texture, up, sector.floor_rise, corners[0])
+        lines.append(f'      "floor":   {floor}')
+        ceiling = self.flat(sector.ceiling, sector.ceiling_texture, down, sector.ceiling_drop, corners[0])
         lines.append(f'      "ceiling": {ceiling}')
         if sector.floor_rise:
             lines.append('      "slopeFloor": ' + self.slope(sector.floor_rise, corners, sector.sidewall))
