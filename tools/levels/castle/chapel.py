@@ -1,6 +1,6 @@
 """The chapel."""
 
-from castle.site import doorway, floating, glazed, outdoors, plan, room, square
+from castle.site import doorway, floating, glazed, glowing, outdoors, plan, room, square
 from plan import rectangle, ring
 
 NAVE = 0.2
@@ -30,9 +30,10 @@ def chapel():
     strips("chancel", 27.4, 31, NAVE + 0.2, "marble", corner=1.2)
     candles = [square(29.65, y, 0.04) for y in (16.1, 17.4)]
     floating("altar", ALTAR, (NAVE + 0.2, "marble"), (7.8, "wood"), NAVE + 1.2, NAVE + 1.3, "dressed",
-             lower_holes=[rectangle(29.45, 15.97, 29.9, 17.53)], wall="dressed", upper_holes=candles, light=0.5)
+             lower_holes=[rectangle(29.45, 15.97, 29.9, 17.53)], wall="dressed", upper_holes=candles,
+             glow=(NAVE + 1.65, 0.5, []))
     for i, candle in enumerate(candles):
-        room(f"altar-candle-{i + 1}", candle, (NAVE + 1.6, "ember"), (7.8, "wood"), skin="ember", light=0.8)
+        glowing(f"altar-candle-{i + 1}", candle, NAVE + 1.6, NAVE + 1.65, "altar", light=0.8)
     doorway("chapel-door", rectangle(22, 15.9, 22.6, 17.6), NAVE, 2.8)
     for side, y0, y1 in (("north", 15.75, 16.75), ("south", 16.75, 17.75)):
         glazed(f"chapel-window-{side}", [(31, y0), (31, y1)], (1, 0), 2.25, 4.6, sidewall="dressed",

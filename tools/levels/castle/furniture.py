@@ -1,6 +1,6 @@
 """What stands and hangs in the great hall."""
 
-from castle.site import floating, room, square
+from castle.site import floating, glowing, room, square
 from plan import rectangle
 
 HALL, APEX = 0.4, 10.6
@@ -68,9 +68,9 @@ def candles():
         flames = [square(x + dx, 6.75, 0.03) for dx in (-0.7, -0.35, 0.35, 0.7)]
         chain = square(x, 6.75, 0.02)
         board(f"candles-{name}", candle_beam(name), (floor, "carpet"), 5.1, 5.2, "wood", wall="iron",
-              light=0.8, upper_holes=[chain, *flames])
+              upper_holes=[chain, *flames], glow=(5.45, 0.8, [chain]))
         for i, flame in enumerate(flames):
-            room(f"candle-{name}-{i + 1}", flame, (5.4, "ember"), (APEX, "wood"), skin="ember", light=1)
+            glowing(f"candle-{name}-{i + 1}", flame, 5.4, 5.45, f"candles-{name}", light=1)
 
 
 def cloths():

@@ -1,7 +1,8 @@
 """The great hall."""
 
 from castle.furniture import APEX, DAIS, HALL, PLACES, furnish, pitch
-from castle.site import STAIR_OUTER, STAIR_X, STAIR_Y, WALK, doorway, outdoors, pillar, plan, room
+from castle.site import (
+    STAIR_OUTER, STAIR_X, STAIR_Y, WALK, doorway, glowing, opening_above, outdoors, pillar, plan, room)
 from plan import rectangle, ring
 
 GALLERY, HALL_WEST = 3.6, 8.9
@@ -49,7 +50,9 @@ def hall():
     fire = rectangle(17, 0.85, 18.2, 1.3)
     room("hall-hearth", [(16.4, 1.4), (16.8, 0.7), (18.4, 0.7), (18.8, 1.4)], (HALL, "stone"),
          (2.3, "brick"), wall="brick", holes=[fire], surround=("dressed", 0.3))
-    room("hall-fire", fire, (HALL + 0.2, "ember"), (2.3, "brick"), skin="ember", light=0.8)
+    glowing("hall-fire", fire, HALL + 0.2, HALL + 0.25, "hall-fire", light=0.8)
+    room("hall-fire-above", fire, (HALL + 0.25, None), (2.3, "brick"), wall="brick",
+         opening=opening_above("hall-fire"))
 
     def south(x, y):
         return 0.75 * (13 - y)

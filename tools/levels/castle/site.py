@@ -44,11 +44,30 @@ def pillar(name, outline, z, skin):
     room(name, outline, (z, skin), (z, skin), skin=skin)
 
 
-def floating(name, outline, floor, ceiling, low, high, stuff, lower_holes=(), upper_holes=(), **other):
-    """A slab of `stuff` between two heights in a room's air. `other` is said of the air above it."""
+def floating(name, outline, floor, ceiling, low, high, stuff, lower_holes=(), upper_holes=(), glow=None,
+             **other):
+    """A slab of `stuff` between two heights in a room's air. `other` is said of the air above it.
+    `glow` = (z, light, holes) is what the air on it has of flames, up to a height where other air with
+    `holes` begins: ceilings have nothing of it."""
     below = {"wall": other["wall"]} if "wall" in other else {}
     room(f"{name}-under", outline, floor, (low, stuff), holes=lower_holes, **below)
-    room(name, outline, (high, stuff), ceiling, skin=stuff, holes=upper_holes, **other)
+    if glow:
+        top, light, holes = glow
+        opening = opening_above(name)
+        room(name, outline, (high, stuff), (top, None), skin=stuff, holes=upper_holes,
+             **{**other, "light": light, "opening": opening})
+        room(opening[0], outline, (top, None), ceiling, holes=holes, **other, opening=opening)
+    else:
+        room(name, outline, (high, stuff), ceiling, skin=stuff, holes=upper_holes, **other)
+
+
+def opening_above(name):
+    return (f"{name}-above", name)
+
+
+def glowing(name, outline, z, top, beside, **other):
+    """Embers in the air that glows `beside` them, and that ends above them at `top`."""
+    room(name, outline, (z, "ember"), (top, None), skin="ember", opening=opening_above(beside), **other)
 
 
 FRAME = ("dressed", 0.2)  # around openings
