@@ -68,4 +68,4 @@ def crypt():
     pool()
     below("crypt-passage",
           [(4.6, TOWER_SOUTH), (6.4, TOWER_SOUTH), (6.4, 21.4), (7, 21.4), (7, 23.6), (4.6, 23.6)],
-          (-2.3, "brick"), light=BELOW + 0.05)
+          (-2.3, "brick"), light=BELOW + 0.05, surround=FRAME)
