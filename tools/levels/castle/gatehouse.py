@@ -20,11 +20,11 @@ def bars(name, turned, x0, x1, middles, **vault):
              skin="iron", **other)
 
     for i, x in enumerate(middles):
-        iron(f"bar-{i + 1}", x - 0.05, x + 0.05, (2.4, "iron"))
+        iron(f"bar-{i + 1}", x - 0.05, x + 0.05, (2.75, "iron"))
     begins, ends = [x0, *(x + 0.05 for x in middles)], [*(x - 0.05 for x in middles), x1]
     for i, (begin, end) in enumerate(zip(begins, ends)):
-        iron(f"gap-{i + 1}", begin, end, (2.7, "iron"))
-        iron(f"gap-{i + 1}-above", begin, end, (4.4, "ashlar"), floor=(2.8, "iron"), **vault)
+        iron(f"gap-{i + 1}", begin, end, (2.9, "iron"))
+        iron(f"gap-{i + 1}-above", begin, end, (4.4, "ashlar"), floor=(3, "iron"), **vault)
 
 
 def gatehouse():
