@@ -265,8 +265,8 @@ class Plan:
     def sloped(self, name, rise, start):
         """The texture of a slope, turned to fall with it. Images lie on slopes as seen from above: where
         they shall not look drawn out, they are to be shorter by its steepness. They start at the border's
-        first corner, `start`: right for rows of tiles, which begin at the eaves; others are shifted to
-        where they would lie from (0, 0), so that they run on however the slope is cut."""
+        first corner, `start`: right for tiles, whose rows go round a roof at one height; others are shifted
+        to where they would lie from (0, 0), so that they run on however the slope is cut."""
         su, sv, _ = self.textures[name]
         fall = [rise(0, 0) - rise(1, 0), rise(0, 0) - rise(0, 1)]
         cosine = 1 / math.hypot(1, *fall)

@@ -2,11 +2,37 @@
 
 from castle.furniture import APEX, DAIS, HALL, PLACES, furnish, pitch
 from castle.site import (
-    STAIR_OUTER, STAIR_X, STAIR_Y, WALK, doorway, glowing, opening_above, outdoors, pillar, plan, room)
+    STAIR_OUTER, STAIR_X, STAIR_Y, WALK, doorway, glazed, glowing, opening_above, outdoors, pillar, plan, room)
 from plan import rectangle, ring
 
 GALLERY, HALL_WEST = 3.6, 8.9
 STRIPS = {"north": (1.4, 6), "middle": (6, 7.5), "south": (7.5, 12.5)}
+
+
+def roof():
+    """Above the windows of its gables it begins higher, so that they are in walls and not in slopes. It is
+    cut where its image of 2.4 m begins anew."""
+    eaves, ridge, lintel, cuts, scale = 7.4, 6.75, 10.2, (4.34, 9.16), 2.4
+    west, east = 8.5 + scale, 8.5 + 6 * scale
+
+    def south(x, y):
+        return 0.75 * (13 - y)
+
+    def north(x, y):
+        return 0.75 * (y - 0.5)
+
+    def part(name, outline, rise, z=eaves):
+        outdoors(f"hall-roof-{name}", outline, z, "roof", skin="plaster",
+                 floor_rise=lambda x, y: rise(x, y) - (z - eaves))
+
+    part("south", [(west, ridge), (east, ridge), (east, cuts[1]), (24.5, cuts[1]), (24.5, 13), (8.5, 13),
+                   (8.5, cuts[1]), (west, cuts[1])], south)
+    part("north", [(8.5, 0.5), (24.5, 0.5), (24.5, cuts[0]), (east, cuts[0]), (east, ridge), (west, ridge),
+                   (west, cuts[0]), (8.5, cuts[0])], north)
+    for side, x0, x1, x, inwards in (("west", 8.5, west, 8.5, 1), ("east", east, 24.5, 24.5, -1)):
+        part(f"south-{side}", rectangle(x0, ridge, x1, cuts[1]), south, lintel)
+        part(f"north-{side}", rectangle(x0, cuts[0], x1, ridge), north, lintel)
+        glazed(f"hall-gable-{side}", [(x, ridge - 0.5), (x, ridge + 0.5)], (inwards, 0), 8.3, 1.65)
 
 
 def hall():
@@ -54,15 +80,7 @@ def hall():
     room("hall-fire-above", fire, (HALL + 0.25, None), (2.3, "brick"), wall="brick",
          opening=opening_above("hall-fire"))
 
-    def south(x, y):
-        return 0.75 * (13 - y)
-
-    def north(x, y):
-        return 0.75 * (y - 0.5)
-
-    outdoors("hall-roof-south", rectangle(8.5, 6.75, 24.5, 13), 7.4, "roof", skin="plaster", floor_rise=south)
-    outdoors("hall-roof-north", rectangle(8.5, 0.5, 24.5, 6.75), 7.4, "roof", skin="plaster",
-             floor_rise=north)
+    roof()
     tower = ring(STAIR_X, STAIR_Y, STAIR_OUTER, 12)
     north_side = [tower[k] for k in range(4, 10)]
     outdoors("kitchen-roof", [(2.5, 0.5), (8.5, 0.5), *north_side[::-1]], WALK, "roof", skin="ashlar",
