@@ -28,12 +28,14 @@ def vaults():
 
 
 def tomb():
-    """On a plinth in the light of the opening. Its lid is cut where slabs of marble end."""
-    plinth, body = rectangle(11.25, 21.25, 12.75, 23.75), rectangle(11.5, 21.5, 12.5, 23.5)
+    """On a plinth in the light of the opening. Its lid stands over on all sides."""
+    plinth, lid, body = (rectangle(12 - x, 22.5 - y, 12 + x, 22.5 + y)
+                         for x, y in ((0.8, 1.3), (0.62, 1.12), (0.5, 1)))
     common = {"ceiling": (-0.6, None), "opening": ("crypt-shaft", "crypt-light"), "skin": "dressed"}
     below("crypt-light", LIGHT, holes=[plinth], **common)
-    below("tomb-plinth", plinth, floor=(CRYPT + 0.2, "dressed"), holes=[body], **common)
-    below("tomb", body, floor=(CRYPT + 0.9, "marble"), **common)
+    below("tomb-plinth", plinth, floor=(CRYPT + 0.2, "dressed"), holes=[lid], **common)
+    below("tomb", lid, (CRYPT + 0.85, "dressed"), floor=(CRYPT + 0.2, "dressed"), holes=[body], wall="dressed")
+    below("tomb-lid", lid, floor=(CRYPT + 1, "dressed"), **common)
 
 
 def niches():
