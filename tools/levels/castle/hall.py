@@ -11,9 +11,10 @@ STRIPS = {"north": (1.4, 6), "middle": (6, 7.5), "south": (7.5, 12.5)}
 
 def roof():
     """Above the windows of its gables it begins higher, so that they are in walls and not in slopes. It is
-    cut where its image of 2.4 m begins anew."""
+    cut where its image of 2.4 m begins anew. Dressed stones cover its verges."""
     eaves, ridge, lintel, cuts, scale = 7.4, 6.75, 10.2, (4.34, 9.16), 2.4
-    west, east = 8.5 + scale, 8.5 + 6 * scale
+    x0, x1 = 8.7, 24.3
+    west, east = x0 + scale, x0 + 6 * scale
 
     def south(x, y):
         return 0.75 * (13 - y)
@@ -21,18 +22,22 @@ def roof():
     def north(x, y):
         return 0.75 * (y - 0.5)
 
-    def part(name, outline, rise, z=eaves):
-        outdoors(f"hall-roof-{name}", outline, z, "roof", skin="plaster",
-                 floor_rise=lambda x, y: rise(x, y) - (z - eaves))
+    def part(name, outline, rise, z=eaves, texture="roof", over=0):
+        outdoors(f"hall-roof-{name}", outline, z, texture, skin="plaster",
+                 floor_rise=lambda x, y: rise(x, y) - (z - eaves) + over)
 
-    part("south", [(west, ridge), (east, ridge), (east, cuts[1]), (24.5, cuts[1]), (24.5, 13), (8.5, 13),
-                   (8.5, cuts[1]), (west, cuts[1])], south)
-    part("north", [(8.5, 0.5), (24.5, 0.5), (24.5, cuts[0]), (east, cuts[0]), (east, ridge), (west, ridge),
-                   (west, cuts[0]), (8.5, cuts[0])], north)
-    for side, x0, x1, x, inwards in (("west", 8.5, west, 8.5, 1), ("east", east, 24.5, 24.5, -1)):
-        part(f"south-{side}", rectangle(x0, ridge, x1, cuts[1]), south, lintel)
-        part(f"north-{side}", rectangle(x0, cuts[0], x1, ridge), north, lintel)
-        glazed(f"hall-gable-{side}", [(x, ridge - 0.5), (x, ridge + 0.5)], (inwards, 0), 8.3, 1.65)
+    part("south", [(west, ridge), (east, ridge), (east, cuts[1]), (x1, cuts[1]), (x1, 13), (x0, 13),
+                   (x0, cuts[1]), (west, cuts[1])], south)
+    part("north", [(x0, 0.5), (x1, 0.5), (x1, cuts[0]), (east, cuts[0]), (east, ridge), (west, ridge),
+                   (west, cuts[0]), (x0, cuts[0])], north)
+    for side, begin, end, front, inwards in (("west", x0, west, 8.5, 1), ("east", east, x1, 24.5, -1)):
+        part(f"south-{side}", rectangle(begin, ridge, end, cuts[1]), south, lintel)
+        part(f"north-{side}", rectangle(begin, cuts[0], end, ridge), north, lintel)
+        verge = sorted((front, front + 0.2 * inwards))
+        for i, (y0, y1, rise, z) in enumerate(((0.5, cuts[0], north, eaves), (cuts[0], ridge, north, lintel),
+                                               (ridge, cuts[1], south, lintel), (cuts[1], 13, south, eaves))):
+            part(f"verge-{side}-{i + 1}", rectangle(verge[0], y0, verge[1], y1), rise, z, "dressed", 0.12)
+        glazed(f"hall-gable-{side}", [(front, ridge - 0.5), (front, ridge + 0.5)], (inwards, 0), 8.3, 1.65)
 
 
 def hall():
