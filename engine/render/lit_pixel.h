@@ -63,7 +63,7 @@ inline Channels lightShares(Channels lightmapLevels, Channels sectorLight) {
   return _mm_min_ps(sameChannels(1), _mm_add_ps(lightmap, sectorLight));
 }
 
-/// More than single precision can lose of a level.
+/// More than single precision can lose of a level where light is a number that an author wrote.
 inline constexpr float kLostOfLevel = 0x1p-15F;
 
 /// Each channel rounded half up, once, and written. Halves are common, as authors write sector
