@@ -30,8 +30,8 @@ struct SurfaceCost {
 
 /// The baked light of a level. Surfaces that no light reaches have no lightmap.
 struct BakedLight {
-  LitSurfaces surfaces;                                ///< by SurfaceId
-  std::vector<std::optional<KeptLightmap>> lightmaps;  ///< by SurfaceId
+  LitSurfaces surfaces;                            ///< by SurfaceId
+  std::vector<std::optional<Lightmap>> lightmaps;  ///< by SurfaceId
   BakeStats stats;
   std::vector<SurfaceCost> surfaceCosts;  ///< by SurfaceId
   std::vector<LightCost> lightCosts;      ///< in the order of the level's lights

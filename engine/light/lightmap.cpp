@@ -1,14 +1,15 @@
 #include "light/lightmap.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace hearth {
 
-KeptLightmap::KeptLightmap(Lightmap map) : Lightmap(std::move(map)) {
-  if (isEven()) return;
+Lightmap asKept(Lightmap map) {
+  const auto second = map.levels.begin() + map.channels;
   // Alike are all texels when each is as the one before.
-  if (std::equal(levels.begin() + channels, levels.end(), levels.begin()))
-    levels = {levels.begin(), levels.begin() + channels};
+  if (!map.isEven() && std::equal(second, map.levels.end(), map.levels.begin()))
+    map.levels = {map.levels.begin(), second};
+  return map;
 }
 
 }  // namespace hearth

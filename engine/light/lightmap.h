@@ -45,9 +45,7 @@ struct Lightmap {
   }
 };
 
-/// A lightmap that is kept and drawn. Where all its texels are the same, it has only one of them.
-struct KeptLightmap : Lightmap {
-  KeptLightmap(Lightmap map);  // NOLINT(google-explicit-constructor): it is the same light
-};
+/// The same light, of one texel where all are alike: as lightmaps are kept and drawn.
+Lightmap asKept(Lightmap map);
 
 }  // namespace hearth

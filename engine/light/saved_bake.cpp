@@ -191,7 +191,7 @@ class LightmapReader {
       return fmt::format("has a lightmap for surface {}, of a level with {}", surface,
                          light_.surfaces.size());
     const auto& lit = light_.surfaces[surface];
-    std::optional<KeptLightmap>& map = light_.lightmaps[surface];
+    std::optional<Lightmap>& map = light_.lightmaps[surface];
     if (!lit) return wrong(surface, "that never shows light");
     if (map) return wrong(surface, "that has one already");
     const TexelRect rect{unfolded(i0), unfolded(j0), static_cast<int>(width),
@@ -203,7 +203,7 @@ class LightmapReader {
       return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
     if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
     const std::string_view levels = in_.take(channels * texelsIn(rect));
-    map = Lightmap{rect, {levels.begin(), levels.end()}, static_cast<int>(channels)};
+    map = asKept({rect, {levels.begin(), levels.end()}, static_cast<int>(channels)});
     return std::nullopt;
   }
 

@@ -34,7 +34,7 @@ std::optional<Lightmap> TexelSums::toLightmap(int samples) const {
   for (const LightSum& sum : sums_) map.levels.push_back(sum.mean(samples));
   if (std::ranges::all_of(map.levels, [](std::uint8_t level) { return level == 0; }))
     return std::nullopt;
-  return channels_ == 3 && isGrey(map) ? withOneChannel(map) : map;
+  return asKept(channels_ == 3 && isGrey(map) ? withOneChannel(map) : map);
 }
 
 }  // namespace hearth
