@@ -221,16 +221,16 @@ void Beam::findScreens(MetSector& sector) {
 /// screen it would cross, in the hull, the line of the first or last wall beyond the end of that:
 /// which lies outside the hull, and yet between two points of it.
 void Beam::findScreenFrom(MetSector& sector, Met& first) {
-  screens_.clear();
+  chain_.clear();
   for (Met* met = &first;; met = nextInLoop(sector, *met)) {
     if (!met || met->mostOfTargets >= -hull_->margin()) return;
     if (met != &first && !met->startsInside) return;
-    screens_.push_back(static_cast<std::uint32_t>(met - mets_.data()));
+    chain_.push_back(static_cast<std::uint32_t>(met - mets_.data()));
     if (!met->endsInside) break;
-    if (screens_.size() > sector.end - sector.begin) return;
+    if (chain_.size() > sector.end - sector.begin) return;
   }
   ++sector.screens;
-  for (const std::uint32_t index : screens_) mets_[index].screen = sector.screens;
+  for (const std::uint32_t index : chain_) mets_[index].screen = sector.screens;
 }
 
 void Beam::go(const Visit& visit) {

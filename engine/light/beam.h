@@ -121,7 +121,8 @@ class Beam {
   std::vector<const LightOpening*> exits_;
   std::vector<MetSector> sectors_;
   std::vector<Visit> visits_;
-  std::vector<std::uint32_t> screens_;
+  std::vector<std::uint32_t> chain_;    ///< of `mets_`: a screen that may be
+  std::vector<std::uint32_t> screens_;  ///< before the way of the visit at hand
   std::optional<Gate> gate_;
   bool arrives_ = false;    ///< some ray, perhaps, at its target
   bool isStopped_ = false;  ///< some ray, perhaps, elsewhere
