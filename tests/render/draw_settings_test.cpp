@@ -8,11 +8,13 @@
 #include "image/compare.h"
 #include "load/load.h"
 #include "render/renderer.h"
-#include "render/row_batch.h"
+#include "row_batches.h"
 #include "support/level_text.h"
 
 namespace hearth {
 namespace {
+
+using test::batchOf;
 
 /// A level that is drawn twice, as exactly as possible and with settings.
 class Drawn {
@@ -82,7 +84,7 @@ TEST(DrawSettings, OfTexturesLeavePlainColoursAsTheyAre) {
   EXPECT_TRUE(drawn.isSame({.textureFilter = TextureFilter::Bilinear}, camera, LightMode::None));
 }
 
-TEST(DrawSettings, InterpolateLightWithinALevelWhereItChangesEvenly) {
+TEST(DrawSettings, OfLightMissAFewLevelsWhereItChangesEvenly) {
   const Drawn drawn = room();
   const Camera camera = cameraAt({6, 6, 2}, 225, 0);  // far from the lamp: texels of many rows
   const PictureDifference difference =
@@ -97,10 +99,7 @@ TEST(DrawSettings, OfDepthMissByNoMoreThanTheyPromise) {
   std::vector<double> climbs;
   for (int row = 0; row < 64; ++row) climbs.push_back(-(row + 0.5 + 8) / distancePx);
   for (const int every : {2, 4, 8, 16}) {
-    RowBatch batch{};
-    batch.firstRow = 0;
-    batch.count = climbs.size();
-    findMeasures(batch, floor, climbs, every);
+    const RowBatch batch = batchOf(climbs, floor, every);
     bool misses = false;
     for (std::size_t k = 0; k < climbs.size(); ++k) {
       const double exact = floor.depthAt(climbs[k]);
@@ -116,10 +115,7 @@ TEST(DrawSettings, OfDepthMissByNoMoreThanTheyPromise) {
 }
 
 TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
-  RowBatch batch{};
-  batch.firstRow = 0;
-  batch.count = 4;
-  findMeasures(batch, SpanMapping{}, std::vector{0.5, 1.0, 7.75, -0.25}, 1);
+  RowBatch batch = batchOf({0.5, 1.0, 7.75, -0.25});
   findMixtures(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}}, Image(8, 1));
   const int texels[] = {0, 0, 7, 7};
   const float shares[] = {0, 0.5, 0.25, 0.25};
@@ -132,10 +128,7 @@ TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
 }
 
 TEST(DrawSettings, KeepSkiesWithinTheirImage) {
-  RowBatch batch{};
-  batch.firstRow = 0;
-  batch.count = 3;
-  findMeasures(batch, SpanMapping{}, std::vector{-5.0, 1.25, 50.0}, 1);
+  RowBatch batch = batchOf({-5.0, 1.25, 50.0});
   for (const int height : {1, 4}) {
     findMixtures(batch, {.isSky = true, .v = {.place = {0, 1}}}, Image(8, height));
     for (std::size_t k = 0; k < batch.count; ++k) {

@@ -5,19 +5,12 @@
 #include <vector>
 
 #include "render/lit_pixel.h"
-#include "render/row_batch.h"
+#include "row_batches.h"
 
 namespace hearth {
 namespace {
 
-/// A batch of the rows from 0 on whose measures are given.
-RowBatch batchOf(const std::vector<double>& measures) {
-  RowBatch batch{};
-  batch.firstRow = 0;
-  batch.count = measures.size();
-  findMeasures(batch, SpanMapping{}, measures, 1);
-  return batch;
-}
+using test::batchOf;
 
 Rgb shaded(Rgb color, double level, double sectorLight) {
   Rgb pixel;
