@@ -19,6 +19,8 @@ constexpr Ramp kSoil{
     {{84, 66, 52}, {114, 92, 71}, {142, 118, 92}, {166, 142, 114}, {190, 168, 138}}};
 constexpr Ramp kTurf{
     {{66, 76, 54}, {92, 104, 66}, {118, 130, 80}, {144, 154, 98}, {174, 180, 124}}};
+constexpr Ramp kStraw{
+    {{112, 88, 48}, {148, 120, 66}, {182, 152, 88}, {208, 180, 114}, {230, 208, 150}}};
 
 /// Light from the upper left on a round top.
 int domeTone(const Cell& cell, int strength) { return -strength * (cell.dx + cell.dy) / 16; }
@@ -59,6 +61,18 @@ Rgb grassPixel(int x, int y) {
   return shade(kTurf, tone, x, y);
 }
 
+/// Handfuls of stalks, each fallen its own way, upon one another.
+Rgb hayPixel(int x, int y) {
+  const int clouds = cloudNoise(x, y, {kTileSide, kTileSide, 64, 64}, 121);
+  const Cell handful = nearestCell(x, y, 16, 16, 124);
+  const int lean = handful.id % 5 - 2;
+  const Grain stalks{kTileSide, kTileSide, 16, 2};
+  const int stalk = handful.id / 8 % 3 == 0 ? smoothNoise(y, x + lean * y, stalks, 127)
+                                            : smoothNoise(x, y + lean * x, stalks, 128);
+  const int rim = handful.border < 2 ? 24 : 0;
+  return shade(kStraw, 136 + stalk / 3 + clouds / 8 + handful.id / 32 % 30 - 15 - rim, x, y);
+}
+
 }  // namespace
 
 Image makeCobble() { return paintTile(cobblePixel); }
@@ -66,5 +80,7 @@ Image makeCobble() { return paintTile(cobblePixel); }
 Image makeDirt() { return paintTile(dirtPixel); }
 
 Image makeGrass() { return paintTile(grassPixel); }
+
+Image makeHay() { return paintTile(hayPixel); }
 
 }  // namespace hearth::textures

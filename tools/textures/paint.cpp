@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "textures/textures.h"
-
 namespace hearth::textures {
 namespace {
 
@@ -44,9 +42,9 @@ int bevel(BlockPixel pixel, int strength) {
   return 0;
 }
 
-Image paintTile(Rgb (*pixelAt)(int x, int y)) {
-  Image image(kTileSide, kTileSide);
-  for (int y = 0; y < kTileSide; ++y) {
+Image paintTile(Rgb (*pixelAt)(int x, int y), int height) {
+  Image image(kTileSide, height);
+  for (int y = 0; y < height; ++y) {
     for (int x = 0; x < kTileSide; ++x) image.at(x, y) = pixelAt(x, y);
   }
   return image;

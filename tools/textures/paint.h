@@ -3,6 +3,7 @@
 #include <array>
 
 #include "image/image.h"
+#include "textures/textures.h"
 
 namespace hearth::textures {
 
@@ -31,8 +32,8 @@ int edgeDistance(BlockPixel pixel);
 /// Tone to add for a bevelled edge lit from the upper left.
 int bevel(BlockPixel pixel, int strength);
 
-/// A surface texture, painted pixel by pixel.
-Image paintTile(Rgb (*pixelAt)(int x, int y));
+/// A surface texture, kTileSide pixels wide, painted pixel by pixel.
+Image paintTile(Rgb (*pixelAt)(int x, int y), int height = kTileSide);
 
 /// Whether the pixel is cut off by the block's rounded corners.
 bool inCorner(BlockPixel pixel);

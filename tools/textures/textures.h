@@ -7,10 +7,12 @@
 
 namespace hearth::textures {
 
-/// The side of a surface texture in pixels. Each repeats seamlessly in both directions.
+/// The side of a surface texture in pixels; pictures are higher than wide. Each repeats seamlessly
+/// in both directions.
 inline constexpr int kTileSide = 128;
 
 Image makeAshlar();    ///< Cut stones in four courses of one height, three to a course.
+Image makeBanner();    ///< A gold tower on green, 640 pixels high: a banner of 1 by 5.
 Image makeBeam();      ///< Two hewn timbers, their grain along the rows.
 Image makeBrick();     ///< Running bond, 4 bricks by 8 courses.
 Image makeCarpet();    ///< Lozenges of crimson and gold, two by two.
@@ -21,6 +23,7 @@ Image makeDressed();   ///< Smooth stones in four courses without upright joints
 Image makeEmber();     ///< Glowing coals.
 Image makeGlass();     ///< Leaded panes in lozenges of pale colours.
 Image makeGrass();     ///< Short turf.
+Image makeHay();       ///< Stalks of straw that lie as they fell.
 Image makeIron();      ///< Riveted plates, two by two.
 Image makeMarble();    ///< A chessboard of light and dark slabs, two by two.
 Image makeMossy();     ///< The stones of makeAshlar, wet and overgrown.
@@ -30,7 +33,10 @@ Image makePlaster();   ///< Lime plaster with trowel marks and hairline cracks.
 Image makeRoof();      ///< Beaver-tail tiles, 8 by 8, the lower edge of each at the bottom.
 Image makeSlate();     ///< Square roof slates, 8 by 8, the lower edge of each at the bottom.
 Image makeStone();     ///< A floor of cut stones of many sizes.
+Image makeTapestry();  ///< A tree with golden fruit in a border, 352 pixels high.
 Image makeWater();     ///< Ripples along the rows.
+Image makeWindow();    ///< A saint below a rose in coloured glass, 288 pixels high, pointed at the
+                       ///< top.
 Image makeWood();      ///< Eight planks, their grain along the rows.
 
 /// A dusk panorama of 1536x256 pixels, which are square on the screen, seamless from left to right:
