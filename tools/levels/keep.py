@@ -39,7 +39,7 @@ HEAD = """\
 
   "shots": [
     { "name": "arrival",   "camera": [13, 53.6, 3.3, 279, 5],      "fov": 92 },
-    { "name": "bridge",    "camera": [9.4, 40.8, 1.9, 312, -6],    "fov": 95 },
+    { "name": "bridge",    "camera": [10.3, 40.8, 1.9, 313, -6],   "fov": 95 },
     { "name": "courtyard", "camera": [18.5, 28.8, 1.6, 250, 6],    "fov": 90 },
     { "name": "opening",   "camera": [14.8, 22.9, 2.0, 184, -57],  "fov": 95 },
     { "name": "hall",      "camera": [22.8, 9.8, 2.4, 202, 8],     "fov": 90 },
