@@ -91,10 +91,11 @@ class Sector:
 
 
 class Plan:
-    def __init__(self, textures, sky, directed):
+    def __init__(self, textures, sky, directed, pictures):
         self.sky = sky  # as the format writes it
         self.directed = directed  # textures that have a sense: turned, they have a suffix
         self.textures = textures  # by name: the size of one repeat, and whether it hangs from a mass
+        self.pictures = pictures  # by name: where along its wall the image begins, and the height of its top
         self.sectors = []
         self.headings = {}  # by the name of the sector that each stands above
         self.pending = None  # the heading of the next sector
@@ -181,11 +182,12 @@ class Plan:
         if a is None:
             return json.dumps(f"{name} {su},{sv}")
         length = math.dist(a, b)
-        start = ((b[0] - a[0]) * a[0] + (b[1] - a[1]) * a[1]) / length % su
+        begin, anchor = self.pictures.get(name, (0, 0))
+        start = (((b[0] - a[0]) * a[0] + (b[1] - a[1]) * a[1]) / length - begin) % su
         parts = [f'"name": "{name}", "scale": [{su}, {sv}]']
         if rounded(start) % su:
             parts.append(f'"along": {rounded(start)}')
-        parts.append(f'"zref": {rounded(top + hangs) if hangs else 0}')
+        parts.append(f'"zref": {rounded(top + hangs) if hangs else anchor}')
         return "{ " + ", ".join(parts) + " }"
 
     def wall(self, sector, a, b, across, framing):

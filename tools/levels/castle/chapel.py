@@ -1,6 +1,7 @@
 """The chapel."""
 
-from castle.site import doorway, floating, glazed, glowing, outdoors, plan, room, square
+from castle.site import closed, doorway, floating, opening_above, outdoors, plan, room, square
+from castle.things import CANDLE, candle
 from plan import rectangle, ring
 
 NAVE = 0.2
@@ -28,16 +29,17 @@ def chapel():
     ALTAR = rectangle(29.35, 15.85, 30, 17.65)
     strips("nave", 22.6, 27.4, NAVE, "carpet", columns=(25.1, 26.8))
     strips("chancel", 27.4, 31, NAVE + 0.2, "marble", corner=1.2)
-    candles = [square(29.65, y, 0.04) for y in (16.1, 17.4)]
+    candles, flames = [(29.65, y) for y in (16.1, 17.4)], NAVE + 1.65
     floating("altar", ALTAR, (NAVE + 0.2, "marble"), (7.8, "wood"), NAVE + 1.2, NAVE + 1.3, "dressed",
-             lower_holes=[rectangle(29.45, 15.97, 29.9, 17.53)], wall="dressed", upper_holes=candles,
-             glow=(NAVE + 1.65, 0.5, []))
-    for i, candle in enumerate(candles):
-        glowing(f"altar-candle-{i + 1}", candle, NAVE + 1.6, NAVE + 1.65, "altar", light=0.8)
+             lower_holes=[rectangle(29.45, 15.97, 29.9, 17.53)], wall="dressed",
+             upper_holes=[square(*place, CANDLE) for place in candles], glow=(flames + 0.02, 0.5, []))
+    for i, place in enumerate(candles):
+        candle(f"altar-candle-{i + 1}", *place, flames, (flames + 0.02, None), opening=opening_above("altar"))
     doorway("chapel-door", rectangle(22, 15.9, 22.6, 17.6), NAVE, 2.8)
     for side, y0, y1 in (("north", 15.75, 16.75), ("south", 16.75, 17.75)):
-        glazed(f"chapel-window-{side}", [(31, y0), (31, y1)], (1, 0), 2.25, 4.6, sidewall="dressed",
-               ceiling_drop=lambda x, y: 1.4 * abs(y - 16.75), light=0.6)
+        closed(f"chapel-window-{side}", [(31, y0), (31, y1)], (1, 0), 2.25, 4.5, "window", 0.6,
+               surround=("dressed", 0.1), sidewall="dressed",
+               ceiling_drop=lambda x, y: 1.4 * abs(y - 16.75))
     for i, x in enumerate((23.4, 25.4, 28.4)):
         doorway(f"chapel-window-{i + 1}", rectangle(x, 19.9, x + 0.7, 20.5), 1.8, 2.4)
 

@@ -6,13 +6,16 @@ from plan import Plan, SKY, rectangle, ring
 
 # Metres of one repeat across and down; beams and dressed stones hang from the top of what they clad.
 TEXTURES = {
-    "ashlar": (2, 2, 0), "beam": (2, 0.8, 0.2), "brick": (1.6, 1.6, 0), "carpet": (1.5, 1.5, 0),
-    "cobble": (2.4, 2.4, 0), "dirt": (3, 3, 0), "door": (1.6, 2.6, 0), "dressed": (1.6, 1.6, 0.2),
-    "ember": (1.2, 1.2, 0), "glass": (1, 1, 0), "grass": (3, 3, 0), "iron": (1.2, 1.2, 0),
-    "marble": (2, 2, 0), "mossline": (2, 2, 0), "mossy": (2, 2, 0), "plaster": (3, 3, 0),
-    "post": (0.8, 2, 0), "roof": (2.4, 2.4, 0), "slate": (2.4, 2.4, 0), "stone": (2.4, 2.4, 0),
-    "water": (4, 4, 0), "wood": (2, 2, 0),
+    "ashlar": (2, 2, 0), "banner": (0.75, 3.75, 0), "beam": (2, 0.8, 0.2), "brick": (1.6, 1.6, 0),
+    "carpet": (1.5, 1.5, 0), "cobble": (2.4, 2.4, 0), "dirt": (3, 3, 0), "door": (1.6, 2.6, 0),
+    "dressed": (1.6, 1.6, 0.2), "ember": (1.2, 1.2, 0), "glass": (1, 1, 0), "grass": (3, 3, 0),
+    "hay": (1.6, 1.6, 0), "iron": (1.2, 1.2, 0), "marble": (2, 2, 0), "mossline": (2, 2, 0),
+    "mossy": (2, 2, 0), "plaster": (3, 3, 0), "post": (0.8, 2, 0), "roof": (2.4, 2.4, 0),
+    "slate": (2.4, 2.4, 0), "stone": (2.4, 2.4, 0), "tapestry": (1.375, 3.75, 0), "water": (4, 4, 0),
+    "window": (2, 4.5, 0), "wood": (2, 2, 0),
 }
+# Those that are one picture: metres along their walls where it begins, and the height of its top.
+PICTURES = {"banner": (4.125, 5.25), "tapestry": (13.5, 5.25), "window": (15.75, 6.75)}
 DIRECTED = {"roof", "slate"}  # those that come turned, for slopes
 
 AXIS = 17
@@ -28,7 +31,7 @@ TOWER_SOUTH = STAIR_Y + STAIR_OUTER
 # The light of the open air, of rooms, and of what lies below the ground.
 OUTDOORS, INDOORS, BELOW = 0.2, 0.13, 0.1
 
-plan = Plan(TEXTURES, "sky 1,1 -426,0", DIRECTED)
+plan = Plan(TEXTURES, "sky 1,1 -426,0", DIRECTED, PICTURES)
 
 
 def outdoors(name, outline, z, texture, **other):
@@ -78,14 +81,19 @@ def doorway(name, outline, z, height, **other):
          **{"wall": "dressed", "surround": FRAME, "light": INDOORS + 0.05, **other})
 
 
-def glazed(name, front, inwards, z, height, **other):
-    """A window in a reveal behind the line `front`: leaded glass with a light behind it."""
+def closed(name, front, inwards, z, height, stuff, light, **other):
+    """A doorway in a reveal behind the line `front`, and `stuff` that fills it."""
     def behind(depth):
         return [(x + depth * inwards[0], y + depth * inwards[1]) for x, y in front]
 
     doorway(name, [*front, *behind(0.2)[::-1]], z, height, **other)
-    room(f"{name}-glass", [*behind(0.2), *behind(0.22)[::-1]], (z, "dressed"), (z + height, "dressed"),
-         **{"light": 0.85, **other, "wall": "glass"})
+    room(f"{name}-{stuff}", [*behind(0.2), *behind(0.22)[::-1]], (z, "dressed"), (z + height, "dressed"),
+         **{**other, "wall": stuff, "light": light})
+
+
+def glazed(name, front, inwards, z, height):
+    """A window of leaded glass with a light behind it."""
+    closed(name, front, inwards, z, height, "glass", 0.85)
 
 
 def moss(z):
