@@ -36,7 +36,7 @@ TEST_F(Keep, HoldsSectorsLightsAndShots) {
   EXPECT_GE(level().sectors.size(), 60U);
   EXPECT_GE(level().lights.size(), 25U);
   EXPECT_EQ(level().shots.size(), 8U);
-  EXPECT_EQ(level().interfaces.size(), 6U);
+  EXPECT_EQ(level().interfaces.size(), 7U);
 }
 
 /// What the shots show of the level: one ray for every square of 4 x 4 pixels.

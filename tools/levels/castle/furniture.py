@@ -1,6 +1,7 @@
 """What stands and hangs in the great hall."""
 
-from castle.site import floating, glowing, room, square
+from castle.site import floating, opening_above, room, square
+from castle.things import CANDLE, candle, on_legs
 from plan import rectangle
 
 HALL, APEX = 0.4, 10.6
@@ -10,8 +11,8 @@ DAIS = HALL + 0.2
 # what hangs before the walls.
 TABLES = {"west": (12.9, 3.4), "centre": (16.4, 3.4), "south": (12.9, 9.8)}
 CANDLES = {"west": (14, HALL), "centre": (17.5, HALL), "east": (22, DAIS)}
-HANGINGS = {"west": rectangle(13.5, 1.41, 15, 1.46), "east": rectangle(21.75, 1.41, 23.25, 1.46)}
-BANNERS = [rectangle(23.94, y, 23.99, y + 0.75) for y in (4.5, 6.375, 8.25)]
+HANGINGS = {"west": rectangle(13.5, 1.41, 14.875, 1.46), "east": rectangle(21.75, 1.41, 23.125, 1.46)}
+BANNERS = [rectangle(23.94, y, 23.99, y + 0.75) for y in (4.125, 6.375, 8.625)]
 SEAT, BACK = rectangle(23.3, 6.45, 23.74, 7.05), rectangle(23.75, 6.4, 23.85, 7.1)
 LEAVES = [rectangle(x, 11.68, x + 0.08, 12.48) for x in (16.5, 18.22)]  # of the door, which is open
 
@@ -50,33 +51,32 @@ def board(name, outline, floor, low, high, stuff, **other):
 
 
 def tables():
-    def on_legs(name, outline, top, inset):
-        (x0, y0), (x1, y1) = outline[0], outline[2]
-        legs = [rectangle(x, y0 + inset, x + 0.1, y1 - inset) for x in (x0 + 0.2, x1 - 0.3)]
-        board(name, outline, (HALL, "marble"), HALL + top - 0.07, HALL + top, "wood", wall="post",
-              lower_holes=legs)
+    def put(name, outline, top, inset):
+        on_legs(name, outline, (HALL, "marble"), (APEX, "wood"), top, inset, ceiling_drop=pitch)
 
     for name in TABLES:
         top, *benches = table(name)
-        on_legs(f"table-{name}", top, 0.76, 0.2)
+        put(f"table-{name}", top, 0.76, 0.2)
         for side, bench in zip(("north", "south"), benches):
-            on_legs(f"bench-{name}-{side}", bench, 0.45, 0.06)
+            put(f"bench-{name}-{side}", bench, 0.45, 0.06)
 
 
 def candles():
     for name, (x, floor) in CANDLES.items():
-        flames = [square(x + dx, 6.75, 0.03) for dx in (-0.7, -0.35, 0.35, 0.7)]
+        places = [(x + dx, 6.75) for dx in (-0.7, -0.35, 0.35, 0.7)]
         chain = square(x, 6.75, 0.02)
         board(f"candles-{name}", candle_beam(name), (floor, "carpet"), 5.1, 5.2, "wood", wall="iron",
-              upper_holes=[chain, *flames], glow=(5.45, 0.8, [chain]))
-        for i, flame in enumerate(flames):
-            glowing(f"candle-{name}-{i + 1}", flame, 5.4, 5.45, f"candles-{name}", light=1)
+              upper_holes=[chain, *(square(*place, CANDLE) for place in places)], glow=(5.45, 0.8, [chain]))
+        for i, place in enumerate(places):
+            candle(f"candle-{name}-{i + 1}", *place, 5.43, (5.45, None),
+                   opening=opening_above(f"candles-{name}"))
 
 
 def cloths():
-    floors = ((HALL, "marble"), (DAIS, "wood"), (DAIS, "wood"), (DAIS, "carpet"), (DAIS, "wood"))
-    for i, (outline, floor) in enumerate(zip([*HANGINGS.values(), *BANNERS], floors)):
-        board(f"hanging-{i + 1}", outline, floor, 1.5, 5.25, "carpet")
+    for (side, outline), floor in zip(HANGINGS.items(), ((HALL, "marble"), (DAIS, "wood"))):
+        board(f"tapestry-{side}", outline, floor, 1.5, 5.25, "tapestry")
+    for i, (outline, stuff) in enumerate(zip(BANNERS, ("wood", "carpet", "wood"))):
+        board(f"banner-{i + 1}", outline, (DAIS, stuff), 1.5, 5.25, "banner")
 
 
 def furnish():

@@ -2,10 +2,13 @@
 
 from castle.furniture import APEX, DAIS, HALL, PLACES, furnish, pitch
 from castle.site import (
-    STAIR_OUTER, STAIR_X, STAIR_Y, WALK, doorway, glazed, glowing, opening_above, outdoors, pillar, plan, room)
+    INDOORS, STAIR_OUTER, STAIR_X, STAIR_Y, WALK, closed, doorway, floating, glazed, glowing, opening_above,
+    outdoors, pillar, plan, room, square)
+from castle.things import BARREL, CANDLE, barrel, candle
 from plan import rectangle, ring
 
 GALLERY, HALL_WEST = 3.6, 8.9
+SHELF = rectangle(8.91, 9.9, 9.21, 11.9)
 STRIPS = {"north": (1.4, 6), "middle": (6, 7.5), "south": (7.5, 12.5)}
 
 
@@ -40,6 +43,38 @@ def roof():
         glazed(f"hall-gable-{side}", [(front, ridge - 0.5), (front, ridge + 0.5)], (inwards, 0), 8.3, 1.65)
 
 
+def screens():
+    """Below the gallery: three bays between joists on posts, wainscot, a door, stores."""
+    ceiling, ys = (3.3, "wood"), [1.4, 4.15, 4.55, 8.95, 9.35, 12.5]
+    barrels = [(9.35, 1.9), (9.35, 2.7), (10.1, 1.85)]
+    posts = {name: rectangle(12.35, y, 12.65, y + 0.3)
+             for name, y in (("-north-joist", 4.2), ("-south-joist", 9))}
+    holes = {"-north": [ring(*place, BARREL, 8) for place in barrels], "-south": [SHELF],
+             **{name: [post] for name, post in posts.items()}}
+    for part, y0, y1 in zip(("-north", "-north-joist", "", "-south-joist", "-south"), ys, ys[1:]):
+        room(f"screens{part}", rectangle(HALL_WEST, y0, 12.7, y1), (HALL, "marble"),
+             (3, "beam") if part in posts else ceiling, skin="beam", foot=[("wood", 1.6)],
+             holes=holes.get(part, []))
+    for name, post in posts.items():
+        pillar(f"screens{name}-post", post, HALL, "post")
+    for i, place in enumerate(barrels):
+        barrel(f"screens-barrel-{i + 1}", *place, HALL, ceiling)
+    shelf(ceiling)
+    closed("kitchen-door", [(HALL_WEST, 6.15), (HALL_WEST, 7.35)], (-1, 0), HALL, 2.1, "door", INDOORS)
+
+
+def shelf(ceiling):
+    """Pots, and a candle, on the western wall."""
+    z, wax = 1.8, (9.06, 10.9)
+    pots = [(height, ring(9.06, y, 0.09, 8)) for height, y in ((0.2, 10.2), (0.14, 10.5), (0.24, 11.5))]
+    air = {"ceiling": (z + 0.3, None), "opening": opening_above("screens-shelf")}
+    floating("screens-shelf", SHELF, (HALL, "marble"), ceiling, z - 0.05, z, "wood", glow=(z + 0.3, 0.4, []),
+             upper_holes=[square(*wax, CANDLE), *(outline for _, outline in pots)])
+    candle("screens-candle", *wax, z + 0.25, **air)
+    for i, (height, outline) in enumerate(pots):
+        room(f"screens-pot-{i + 1}", outline, (z + height, "dirt"), skin="dirt", **air)
+
+
 def hall():
     plan.heading("The great hall: three strips, the outer two below slopes; beams, dais, gallery")
 
@@ -58,11 +93,7 @@ def hall():
                  skin="beam")
         bay(name, x0, x1, 6.4, "post", "post")
 
-    posts = [rectangle(12.35, y, 12.65, y + 0.3) for y in (4.2, 9)]
-    room("screens", rectangle(HALL_WEST, 1.4, 12.7, 12.5), (HALL, "marble"), (3.3, "wood"), wall="wood",
-         skin="beam", holes=posts)
-    for i, post in enumerate(posts):
-        pillar(f"screens-post-{i + 1}", post, HALL, "post")
+    screens()
     bay("gallery", HALL_WEST, 12.5, GALLERY, "wood", "wood")
     bay("rail", 12.5, 12.7, GALLERY + 0.9, "beam", "beam", skin="wood")
     bay("west", 12.7, 15.4, HALL, "marble")
