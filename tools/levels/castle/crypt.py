@@ -1,7 +1,8 @@
 """The crypt, below the courtyard."""
 
 from castle.courtyard import OPENING
-from castle.site import BELOW, CRYPT, FRAME, TOWER_SOUTH, pillar, plan, room
+from castle.site import BELOW, CRYPT, FRAME, TOWER_SOUTH, pillar, plan, room, square
+from castle.things import CANDLE, candle
 from plan import rectangle, ring
 
 LIGHT = ring(*OPENING, 2.1, 8)  # what lies below the opening
@@ -52,12 +53,20 @@ def niches():
                   **common)
 
 
+def candles():
+    """In niches of the eastern wall, on both sides of the pool."""
+    for side, y in (("north", 18.35), ("south", 26.65)):
+        ceiling = (-2.9, "brick")
+        below(f"candle-niche-{side}", rectangle(20, y - 0.3, 20.3, y + 0.3), ceiling, floor=(-3.5, "dressed"),
+              light=0.5, surround=FRAME, holes=[square(20.15, y, CANDLE)])
+        candle(f"crypt-candle-{side}", 20.15, y, -3.15, ceiling)
+
+
 def pool():
-    water, stone = CRYPT - 0.35, ring(22.4, 22.5, 0.28, 8)
+    water = CRYPT - 0.35
     columns = [ring(20.35, y, 0.24, 8) for y in (21.2, 23.8)]
     below("crypt-pool", rectangle(20, 19.5, 23.5, 25.5), (-2, "mossy"), floor=(water, "water"), wall="mossy",
-          skin="dressed", holes=[*columns, stone])
-    below("crypt-pool-stone", stone, (-2, "mossy"), floor=(CRYPT + 0.2, "mossy"), skin="mossy")
+          skin="dressed", holes=columns)
     for i, column in enumerate(columns):
         pillar(f"crypt-pool-column-{i + 1}", column, water, "dressed")
 
@@ -67,6 +76,7 @@ def crypt():
     vaults()
     tomb()
     niches()
+    candles()
     pool()
     below("crypt-passage",
           [(4.6, TOWER_SOUTH), (6.4, TOWER_SOUTH), (6.4, 21.4), (7, 21.4), (7, 23.6), (4.6, 23.6)],
