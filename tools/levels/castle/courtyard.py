@@ -47,11 +47,26 @@ def courtyard():
     plan.add("crypt-shaft", shaft, (-0.6, None), OPEN_AIR, wall="ashlar", light=OUTDOORS,
              opening=("crypt-shaft", "crypt-light"))
 
-    plan.heading("The stable, below its roof of boards")
+    stable()
+
+
+def stable():
+    plan.heading("The stable, below its roof of boards: three stalls, mangers, hay")
+    loft, back = (2.5, "wood"), 2.51
     posts = [rectangle(5.65, y, 5.9, y + 0.25) for y in (18.3, 20.6, 23.15, 25.45)]
-    room("stable", rectangle(2.5, 18.15, 6, 25.85), (COURT, "dirt"), (2.5, "wood"), wall="wood",
-         skin="wood", holes=posts)
+    partitions = [rectangle(back, y, 4.9, y + 0.12) for y in (20.66, 23.21)]
+    mangers = [rectangle(back, y, 3.1, y + 1.9) for y in (18.5, 23.6)]
+    heap = [(back, 20.79), (4.1, 20.79), (3.25, 23.2), (back, 23.2)]
+    room("stable", rectangle(2.5, 18.15, 6, 25.85), (COURT, "dirt"), loft, wall="wood", skin="wood",
+         holes=[*posts, *partitions, *mangers, heap])
     for i, post in enumerate(posts):
         pillar(f"stable-post-{i + 1}", post, COURT, "post")
+    for i, partition in enumerate(partitions):
+        room(f"stable-partition-{i + 1}", partition, (0.95, "wood"), loft, skin="wood")
+    for i, manger in enumerate(mangers):
+        room(f"stable-manger-{i + 1}", manger, (0.7, "hay"), loft, skin="wood", sidewall="hay",
+             floor_rise=lambda x, y: 0.6 * (3.1 - x))
+    room("stable-hay", heap, (COURT, "hay"), loft, skin="hay",
+         floor_rise=lambda x, y: 0.8 * (4.1 - x) - 0.28 * (y - 20.79))
     outdoors("stable-roof", rectangle(2.5, 18, 6, 26), 2.75, "wood", skin="wood",
              floor_rise=lambda x, y: 0.5 * (6 - x))

@@ -3,6 +3,7 @@
 from castle.site import (
     BOWL, COURT, PARAPET, WALK, battlement, brazier, doorway, glazed, mirrored, on_both_sides,
     outdoors, plan, room)
+from castle.things import on_legs
 from plan import rectangle, ring
 
 GATE_TOP = 8.4
@@ -67,11 +68,25 @@ def gatehouse():
              skin="ashlar", holes=[ring(18.4, 32.2, BOWL, 8)])
     brazier("brazier-gate", 18.4, 32.2, GATE_TOP)
 
-    room("guardroom", rectangle(12.6, 30.7, 21.4, 33.2), (5.6, "wood"), (7.95, "wood"), wall="plaster",
-         skin="ashlar")
+    guardroom()
     doorway("guard-window", rectangle(16.5, 33.2, 17.5, 34), 6.4, 1.2)
     doorway("guard-window-court", rectangle(16.2, 30, 17.8, 30.7), 6.4, 1.2)
     for part, y0, y1, holes in PASSAGE:
         room(f"gate-{part}", rectangle(16.1, y0, 17.9, y1), (COURT, "cobble"), (4.4, "ashlar"),
              wall="ashlar", skin="ashlar", holes=[rectangle(16.12, BARS[0], 17.88, BARS[1])] if holes else [])
     bars("portcullis", lambda points: points, 16.12, 17.88, [16.2, 16.6, 17, 17.4, 17.8])
+
+
+def guardroom():
+    """Three bays between beams: a chest and a bed, the windows, a table and a bench."""
+    floor, ceiling, xs = (5.6, "wood"), (7.95, "wood"), [12.6, 15, 15.3, 18.5, 18.8, 21.4]
+    chest, bed = rectangle(13.3, 30.75, 14.4, 31.25), rectangle(12.8, 32.5, 14.7, 33.15)
+    table, bench = rectangle(19, 31.3, 20.8, 31.9), rectangle(19, 30.95, 20.8, 31.15)
+    for part, x0, x1, holes in zip(("-west", "-west-beam", "", "-east-beam", "-east"), xs, xs[1:],
+                                   ([chest, bed], [], [], [], [table, bench])):
+        above, skin = ((7.8, "post"), "beam") if part.endswith("beam") else (ceiling, "ashlar")
+        room(f"guardroom{part}", rectangle(x0, 30.7, x1, 33.2), floor, above, skin=skin, holes=holes)
+    room("guard-chest", chest, (6.1, "wood"), ceiling, skin="door")
+    room("guard-bed", bed, (6, "hay"), ceiling, skin="wood")
+    on_legs("guard-table", table, floor, ceiling, 0.76, 0.15)
+    on_legs("guard-bench", bench, floor, ceiling, 0.45, 0.03)
