@@ -1,6 +1,7 @@
 #include "level/light_source.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "math/planted_bug.h"
 
@@ -20,10 +21,31 @@ double curveAt(const std::vector<CurvePoint>& curve, double distance) {
   return a.level + share * (after->level - a.level);
 }
 
+double reachOf(const std::vector<CurvePoint>& curve, double level) {
+  const auto isMore = [level](const CurvePoint& point) { return point.level > level; };
+  const auto last = std::find_if(curve.rbegin(), curve.rend(), isMore);
+  if (last == curve.rend()) return 0;
+  if (last == curve.rbegin()) return std::numeric_limits<double>::infinity();
+  const CurvePoint a = *last;
+  const CurvePoint b = *(last - 1);
+  if (b.level == level) return b.distance;
+  return a.distance + (a.level - level) / (a.level - b.level) * (b.distance - a.distance);
+}
+
 }  // namespace
 
 double LightSource::levelAt(double distance) const {
   return curve.empty() ? intensity / (distance * falloff + 1) : curveAt(curve, distance);
+}
+
+double LightSource::reach(double level) const {
+  const double most = std::max({share(0), share(1), share(2)});
+  if (most == 0) return 0;
+  const double white = level / most;
+  if (!curve.empty()) return reachOf(curve, white);
+  if (intensity <= white) return 0;
+  return white == 0 || falloff == 0 ? std::numeric_limits<double>::infinity()
+                                    : (intensity / white - 1) / falloff;
 }
 
 }  // namespace hearth

@@ -26,6 +26,9 @@ struct LightSource {
 
   /// Light in levels at `distance` metres, before colour.
   double levelAt(double distance) const;
+  /// Metres from which on no channel of the light has more than so many levels: 0 where none ever
+  /// has, and infinite where some always has.
+  double reach(double level) const;
   /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
   double share(int channel) const { return color[channel] / 255.0; }
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
@@ -37,8 +40,12 @@ struct BakeSettings {
   /// Per texel, a square number; none for as many as the edges of shadows need.
   std::optional<int> samples = 1;
   int softSamples = 64;  ///< per sample and light with a radius; a square number
+  /// Levels. From where on a light has no more than so many, it is left out.
+  double cutOff = 0;
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
+
+  friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
 };
 
 }  // namespace hearth

@@ -36,6 +36,7 @@ SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int s
 void addTile(const TexelRect& tile, int side, SurfaceLight& surface, TexelSums& sums) {
   const SampleBlocks blocks = samplesOf(surface, tile, side);
   for (const std::size_t light : surface.facing()) {
+    if (!surface.reaches(light, blocks)) continue;
     const std::vector<double>& seen = surface.seenShares(light, blocks);
     for (int j = 0; j < tile.height * side; ++j)
       for (int i = 0; i < tile.width * side; ++i) {

@@ -49,6 +49,12 @@ std::int64_t texelsOf(const LitSurfaces& surfaces) {
   return sum;
 }
 
+std::optional<std::string> mistakeInSquare(int number) {
+  const double side = std::max(1.0, std::round(std::sqrt(std::max(number, 1))));
+  if (side * side == number) return std::nullopt;
+  return fmt::format("{} is no square number, try {}", number, side * side);
+}
+
 }  // namespace
 
 BakeStats statsOf(const BakedLight& baked) {
@@ -67,10 +73,11 @@ BakeStats statsOf(const BakedLight& baked) {
 }
 
 std::optional<std::string> mistakeInSettings(const Level& level, const BakeSettings& settings) {
-  const int samples = settings.samples.value_or(1);
-  const double side = std::max(1.0, std::round(std::sqrt(std::max(samples, 1))));
-  if (side * side != samples)
-    return fmt::format("samples: {} is no square number, try {}", samples, side * side);
+  if (const auto mistake = mistakeInSquare(settings.samples.value_or(1)))
+    return fmt::format("samples: {}", *mistake);
+  if (const auto mistake = mistakeInSquare(settings.softSamples))
+    return fmt::format("soft-samples: {}", *mistake);
+  if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
   if (settings.bounces != 0)
     return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);
   if (const auto mistake = mistakeInTexel(level, settings.texel))
@@ -86,7 +93,7 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
   baked.surfaces = makeLitSurfaces(level, settings.texel);
   baked.lightmaps.resize(baked.surfaces.size());
 
-  const LightSights sights(level, settings.softSamples);
+  const LightSights sights(level, settings);
 
   done.begin(texelsOf(baked.surfaces));
   baked.surfaceCosts.resize(baked.surfaces.size());

@@ -24,7 +24,7 @@ struct BakeStats {
 
 /// What a bake did for one surface.
 struct SurfaceCost {
-  std::size_t facingLights = 0;  ///< that can shine on the front of its plane
+  std::size_t facingLights = 0;  ///< that lie before its plane, and reach as far
   std::int64_t rays = 0;
 };
 

@@ -286,10 +286,11 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
   return seen / whole;
 }
 
-LightSights::LightSights(const Level& level, int softSamples) {
+LightSights::LightSights(const Level& level, const BakeSettings& settings) {
   for (const LightSource& light : level.lights) {
-    fine.emplace_back(level, light, softSamples);
-    rough.emplace_back(level, light, std::max(1, softSamples / 4));
+    fine.emplace_back(level, light, settings.softSamples);
+    rough.emplace_back(level, light, std::max(1, settings.softSamples / 4));
+    reach.push_back(light.reach(settings.cutOff));
   }
 }
 

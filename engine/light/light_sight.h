@@ -82,11 +82,13 @@ class LightSight {
 
 /// How points see the lights of a level, in their order.
 struct LightSights {
-  LightSights(const Level& level, int softSamples);
+  LightSights(const Level& level, const BakeSettings& settings);
 
   std::vector<LightSight> fine;
   /// With a quarter of the samples to a ball: for points of which the mean is taken.
   std::vector<LightSight> rough;
+  /// Metres from which on they are left out, see LightSource::reach.
+  std::vector<double> reach;
 };
 
 }  // namespace hearth

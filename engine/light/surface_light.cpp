@@ -1,6 +1,7 @@
 #include "light/surface_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,26 @@ bool isInFront(const LightSource& light, const LitSurface& surface) {
   const double distance = surface.distanceInFront(light.position);
   if (planted(PlantedBug::LightInPlaneShines)) return distance > -kInPlane - light.radius;
   return std::abs(distance) > kInPlane && distance > -light.radius;
+}
+
+/// Corners of all that samples of the surface can lie on, but for tolerances.
+std::array<Vec3, 4> cornersOf(const LitSurface& surface) {
+  const TexelRect& rect = surface.texels;
+  const double i0 = rect.i0;
+  const double j0 = rect.j0;
+  return {surface.toWorld({i0, j0}), surface.toWorld({i0 + rect.width, j0}),
+          surface.toWorld({i0, j0 + rect.height}),
+          surface.toWorld({i0 + rect.width, j0 + rect.height})};
+}
+
+/// Metres from a point to the box, along the axes, around some others: to what these span it is no
+/// less.
+double distanceToBox(Vec3 from, std::span<const Vec3> corners) {
+  const auto along = [&](double Vec3::*axis) {
+    const auto [least, most] = std::ranges::minmax(corners, {}, axis);
+    return std::max({0.0, least.*axis - from.*axis, from.*axis - most.*axis});
+  };
+  return length(Vec3{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)});
 }
 
 template <typename Visit>
@@ -45,12 +66,22 @@ SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
       placement_(surfaces, id),
       costs_(level.lights.size()) {
   for (std::size_t i = 0; i < level.lights.size(); ++i)
-    if (isInFront(level.lights[i], surface_)) facing_.push_back(i);
+    if (isInFront(level.lights[i], surface_) && reachesBox(i, cornersOf(surface_)))
+      facing_.push_back(i);
 }
 
 int SurfaceLight::channels() const {
   const auto isColored = [this](std::size_t i) { return light(i).isColored(); };
   return std::ranges::any_of(facing_, isColored) ? 3 : 1;
+}
+
+bool SurfaceLight::reachesBox(std::size_t light, std::span<const Vec3> corners) const {
+  return distanceToBox(level_.lights[light].position, corners) <
+         sights_.reach[light] + kAuthorNoise;
+}
+
+bool SurfaceLight::reaches(std::size_t light, const SampleBlocks& blocks) const {
+  return reachesBox(light, blocks.whole().box.corners());
 }
 
 SamplePoint SurfaceLight::place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
@@ -130,6 +161,7 @@ double SurfaceLight::seenShareByBeam(const LightSight& sight, std::size_t light,
 double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {
   const Vec3 toLight = light(index).position - at.point;
   const double distance = length(toLight);
+  if (distance >= sights_.reach[index]) return 0;
   const double level = light(index).levelAt(distance);
   if (!lambert_) return level;
   const Vec3 normal = planted(PlantedBug::CosineOfWrongNormal)

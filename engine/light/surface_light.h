@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <vector>
 
 #include "level/level.h"
@@ -27,11 +28,14 @@ class SurfaceLight {
                bool lambert, SurfaceId id, Seeing seeing = Seeing::ByBeams);
 
   const TexelRect& texels() const { return surface_.texels; }
-  /// Indices of the lights that can shine on the surface's plane.
+  /// Indices of the lights that can shine on the surface's plane, and reach as far.
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return level_.lights[index]; }
   /// 3 where one of the facing lights is coloured, else 1.
   int channels() const;
+
+  /// Whether a light reaches as far as some of the samples, perhaps.
+  bool reaches(std::size_t light, const SampleBlocks& blocks) const;
 
   SamplePoint place(Vec2 texelPoint) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
@@ -58,6 +62,7 @@ class SurfaceLight {
     const Beam& beam;
     Beam::Outcome outcome;
   };
+  bool reachesBox(std::size_t light, std::span<const Vec3> corners) const;
   double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at,
                    const Known* known);
   Beam& beamAt(std::size_t depth);

@@ -52,7 +52,7 @@ Level withBalls(Level level, std::uint64_t seed) {
 void expectSameBakes(const Level& level, const BakeSettings& settings, const std::string& what,
                      BothCosts& costs) {
   const LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
-  const LightSights sights(level, settings.softSamples);
+  const LightSights sights(level, settings);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i]) continue;
     SCOPED_TRACE(fmt::format("{}, surface {}", what, i));

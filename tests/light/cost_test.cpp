@@ -74,5 +74,24 @@ TEST(BakeCost, ofASurfaceThatNoLightFacesIsNothing) {
   EXPECT_EQ(rooms.light().surfaceCosts[east.value().index()].facingLights, 1U);
 }
 
+TEST(BakeCost, ofASurfaceThatNoLightReachesIsNothing) {
+  // A hall of 40 m with a pillar; the light ends 6 m from its middle.
+  const test::BakedRoom hall(
+      "{'light': 0.1, 'sectors': {" +
+          test::sectorText("hall", "0,0, 40,0, 40,4, 20,4, 20,3, 18,3, 18,4, 0,4", 0, 3) + "}}",
+      "[{'x':2,'y':2,'z':2,'curve':[[0,255],[6,0]]}]");
+  const auto costAt = [&](Vec3 p) {
+    return hall.light().surfaceCosts[hall.surfaceAt(SurfaceKind::Solid, p, "")->index()];
+  };
+  EXPECT_EQ(costAt({0, 2, 1}).facingLights, 1U);
+  for (const Vec3 far : {Vec3{40, 2, 1}, Vec3{18, 3.5, 1}, Vec3{19, 3, 1}}) {
+    EXPECT_EQ(costAt(far).facingLights, 0U) << far.x;
+    EXPECT_EQ(costAt(far).rays, 0) << far.x;
+  }
+  // Of long surfaces only the tiles of texels that it reaches are tested.
+  const std::int64_t texelsAcross = 40 * 8;
+  EXPECT_LT(hall.light().lightCosts[0].samples, texelsAcross * (4 + 4 + 3 + 3) * 8 / 2);
+}
+
 }  // namespace
 }  // namespace hearth

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/baked_room.h"
 #include "support/level_text.h"
@@ -87,6 +89,81 @@ TEST(LightKeys, samplesLieInsideTheirTexel) {
       EXPECT_EQ(floor.at(12, j), 200) << samples;
     }
   }
+}
+
+LightSource withCurve(std::vector<CurvePoint> curve) {
+  LightSource light;
+  light.curve = std::move(curve);
+  return light;
+}
+
+TEST(LightReach, endsWhereALightHasNoMoreThanSoManyLevels) {
+  LightSource light;
+  light.intensity = 200;
+  light.falloff = 0.5;
+  EXPECT_DOUBLE_EQ(light.reach(50), 6);  // 200 / (0.5 * 6 + 1) = 50
+  EXPECT_EQ(light.reach(200), 0);
+  EXPECT_TRUE(std::isinf(light.reach(0)));
+  light.falloff = 0;
+  EXPECT_TRUE(std::isinf(light.reach(199)));
+  EXPECT_EQ(withCurve({{1, 100}, {3, 20}, {4, 20}}).reach(60), 2);
+  EXPECT_TRUE(std::isinf(withCurve({{1, 100}, {3, 20}}).reach(10)));
+}
+
+TEST(LightReach, isThatOfACurvesLastPointWithLight) {
+  EXPECT_EQ(withCurve({{1, 0}, {2, 100}, {3.1, 0}, {9, 0}}).reach(0), 3.1);
+  EXPECT_EQ(withCurve({{1, 80}, {2, 80}, {2, 0}}).reach(0), 2) << "a jump";
+  EXPECT_EQ(withCurve({{1, 0}, {2, 0}}).reach(0), 0);
+}
+
+TEST(LightReach, isThatOfTheBrightestChannel) {
+  LightSource light;
+  light.falloff = 1;
+  light.color[0] = 51;
+  light.color[1] = light.color[2] = 0;
+  EXPECT_DOUBLE_EQ(light.reach(17), 2);  // 51 / (2 + 1)
+  light.color[0] = 0;
+  EXPECT_EQ(light.reach(0), 0);
+}
+
+/// The largest difference of two bakes of a level, in levels.
+int largestDifference(const BakedLight& a, const BakedLight& b) {
+  int largest = 0;
+  for (std::size_t s = 0; s < a.lightmaps.size(); ++s) {
+    if (!a.surfaces[s]) continue;
+    const TexelRect& rect = a.surfaces[s]->texels;
+    const auto levelAt = [](const std::optional<Lightmap>& map, int i, int j) {
+      return map ? map->at(i, j) : 0;
+    };
+    for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+      for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
+        largest = std::max(largest,
+                           std::abs(levelAt(a.lightmaps[s], i, j) - levelAt(b.lightmaps[s], i, j)));
+  }
+  return largest;
+}
+
+TEST(CutOff, losesNoMoreThanItsLevelsOfEachLight) {
+  const BakedRoom exact(roomWith(""),
+                        "[{'x':1,'y':2,'z':2,'falloff':2},{'x':5,'y':1,'z':1,'falloff':3}]");
+  const auto lossAt = [&](double cutOff) {
+    BakeSettings settings = exact.level().bake;
+    settings.cutOff = cutOff;
+    return largestDifference(exact.light(), bake(exact.level(), settings, 2));
+  };
+  EXPECT_EQ(lossAt(0), 0);
+  for (const int levels : {20, 30, 40}) {
+    EXPECT_GT(lossAt(levels), levels / 2) << levels;
+    EXPECT_LE(lossAt(levels), 2 * levels + 1) << levels;  // of two lights, and two roundings
+  }
+}
+
+TEST(CutOff, savesTheWorkOfLightsThatAreLeftOut) {
+  const BakedRoom exact(roomWith(""), "[{'x':0.5,'y':2,'z':2,'falloff':2}]");
+  BakeSettings settings = exact.level().bake;
+  settings.cutOff = 30;  // 3.75 m
+  EXPECT_LT(bake(exact.level(), settings, 2).lightCosts[0].samples,
+            exact.light().lightCosts[0].samples);
 }
 
 }  // namespace

@@ -24,6 +24,17 @@ TEST(BakeSettings, takeSquareNumbersOfSamplesOrNone) {
     EXPECT_TRUE(mistakeIn({.samples = wrong}).ends_with("is no square number, try 1")) << wrong;
 }
 
+TEST(BakeSettings, takeSquareNumbersOfSoftSamples) {
+  EXPECT_EQ(mistakeIn({.softSamples = 256}), "");
+  EXPECT_EQ(mistakeIn({.softSamples = 60}), "soft-samples: 60 is no square number, try 64");
+}
+
+TEST(BakeSettings, takeCutOffsFromNothingOn) {
+  EXPECT_EQ(mistakeIn({.cutOff = 4}), "");
+  for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_TRUE(mistakeIn({.cutOff = wrong}).starts_with("cut-off: ")) << wrong;
+}
+
 TEST(BakeSettings, takeNoBounces) {
   EXPECT_TRUE(mistakeIn({.bounces = 1}).starts_with("bounces: 1 "));
 }

@@ -29,13 +29,6 @@ SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
   return report;
 }
 
-/// Whether a light is dark at any distance.
-bool isDark(const LightSource& light) {
-  if (std::ranges::all_of(light.color, [](std::uint8_t share) { return share == 0; })) return true;
-  if (light.curve.empty()) return light.intensity == 0;
-  return std::ranges::all_of(light.curve, [](const CurvePoint& point) { return point.level == 0; });
-}
-
 void addLights(const Level& level, const BakedLight& baked, LightReport& report) {
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     const LightSource& light = level.lights[i];
@@ -45,7 +38,7 @@ void addLights(const Level& level, const BakedLight& baked, LightReport& report)
     kind.samples += cost.samples;
     kind.rays += cost.rays;
     report.coloredLights += light.isColored() ? 1 : 0;
-    report.uselessLights += isDark(light) || cost.seenSamples == 0 ? 1 : 0;
+    report.uselessLights += light.reach(0) == 0 || cost.seenSamples == 0 ? 1 : 0;
   }
 }
 
