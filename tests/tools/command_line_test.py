@@ -111,6 +111,8 @@ class Mistakes(InFolder):
                 (("--samples", "1.5"), "--samples.*whole"),
                 (("--samples", "8"), "--samples.*square.* 9"),
                 (("--samples", "some"), "--samples.*no number"),
+                (("--soft-samples", "60"), "--soft-samples.*square.* 64"),
+                (("--cut-off", "-1"), "--cut-off.*outside"),
                 (("--bounces", "1"), "--bounces"),
                 (("--threads", "0"), "--threads"),
                 (("--light", "some"), "--light.*both.none.only"),
@@ -370,14 +372,15 @@ class SavedBake(InFolder):
         # By so little that no texel moves.
         self.level = self.copy_level('"v": [0,4, 4,4, 4,8, 0,8]', '"v": [0,4, 4,4, 4,7.9999, 0,7.9999]')
         self.refuse_bake(r"rooms\.bake was baked for other geometry than the level has now, with the "
-                         r'settings "--texel 0\.5 --samples 1 --bounces 0 --no-lambert": '
+                         r'settings "--texel 0\.5 --samples 1 --soft-samples 64 --cut-off 0 --bounces 0 '
+                         r'--no-lambert": '
                          r"bake again with `hearth bake \S*copy\.json -o \S*rooms\.bake`")
         self.bake_again()
         self.draw("--light-from", self.bake)
 
     def test_is_refused_beside_options_of_a_bake(self):
-        for options in [("--texel", "0.5"), ("--samples", "4"), ("--bounces", "0"), ("--lambert",),
-                        ("--no-lambert",), ("--threads", "1")]:
+        for options in [("--texel", "0.5"), ("--samples", "4"), ("--soft-samples", "16"),
+                        ("--cut-off", "1"), ("--bounces", "0"), ("--lambert",), ("--no-lambert",), ("--threads", "1")]:
             with self.subTest(options=options):
                 self.refuse_bake(f"--light-from: .*baked already; leave out {' '.join(options)}$",
                                  *options)

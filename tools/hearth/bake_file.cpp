@@ -9,21 +9,10 @@
 
 namespace hearth {
 
-namespace {
-
-/// As the options of a bake.
-std::string words(const BakeSettings& settings) {
-  return fmt::format("--texel {} --samples {} --bounces {} {}", settings.texel,
-                     settings.samples ? fmt::to_string(*settings.samples) : "auto",
-                     settings.bounces, settings.lambert ? "--lambert" : "--no-lambert");
-}
-
-}  // namespace
-
 tl::expected<void, std::string> writeBake(const std::string& path, const Level& level,
                                           const Bake& bake) {
   const std::string bytes =
-      encodeBake(level, bake.light, bake.settings.texel, words(bake.settings));
+      encodeBake(level, bake.light, bake.settings.texel, optionsOf(bake.settings));
   return replaceFile(path, [&](std::ostream& stream) {
     stream.write(bytes.data(), std::ssize(bytes));
     return stream.good();

@@ -21,8 +21,8 @@ std::vector<Option> limitOptions() {
 }
 
 std::vector<Option> settingOptions() {
-  return {Option::Texel,   Option::Samples,   Option::Bounces,
-          Option::Lambert, Option::NoLambert, Option::Threads};
+  return {Option::Texel,   Option::Samples, Option::SoftSamples, Option::CutOff,
+          Option::Bounces, Option::Lambert, Option::NoLambert,   Option::Threads};
 }
 
 std::vector<Option> drawOptions() {

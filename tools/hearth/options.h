@@ -40,6 +40,8 @@ enum class Option {
   Report,
   Texel,
   Samples,
+  SoftSamples,
+  CutOff,
   Bounces,
   Lambert,
   NoLambert,

@@ -39,57 +39,10 @@ std::optional<LoadedLevel> openLevel(const OptionValues& values) {
   return std::move(result.loaded);
 }
 
-tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
-                                                        const OptionValues& values) {
-  BakeSettings settings = level.bake;
-  settings.texel = values.number(Option::Texel).value_or(settings.texel);
-  if (const auto samples = values.number(Option::Samples))
-    settings.samples = static_cast<int>(*samples);
-  else if (values.has(Option::Samples))
-    settings.samples.reset();  // "auto"
-  if (const auto bounces = values.number(Option::Bounces))
-    settings.bounces = static_cast<int>(*bounces);
-  if (values.has(Option::Lambert) && values.has(Option::NoLambert))
-    return tl::unexpected<std::string>("give --lambert or --no-lambert, not both");
-  if (values.has(Option::Lambert)) settings.lambert = true;
-  if (values.has(Option::NoLambert)) settings.lambert = false;
-
-  if (const auto mistake = mistakeInSettings(level, settings))
-    return tl::unexpected(fmt::format("--{}", *mistake));  // the option of the setting's name
-  return settings;
-}
-
-std::string samplesInWords(const BakeSettings& settings) {
-  if (!settings.samples) return "samples where shadows' edges need them";
-  return fmt::format("{} sample(s) each", *settings.samples);
-}
-
 LightMode lightModeFrom(const OptionValues& values) {
   const std::string mode = values.text(Option::Light).value_or("both");
   if (mode == "none") return LightMode::None;
   return mode == "only" ? LightMode::Only : LightMode::Both;
-}
-
-DrawSettings drawSettingsFrom(const OptionValues& values) {
-  DrawSettings settings;
-  if (values.text(Option::TextureFilter) == "bilinear")
-    settings.textureFilter = TextureFilter::Bilinear;
-  if (values.text(Option::LightFilter) == "nearest") settings.lightFilter = LightFilter::Nearest;
-  settings.lightEvery = static_cast<int>(values.number(Option::LightEvery).value_or(1));
-  settings.depthEvery = static_cast<int>(values.number(Option::DepthEvery).value_or(1));
-  return settings;
-}
-
-std::string optionsOf(const DrawSettings& settings) {
-  std::string options;
-  const auto add = [&](Option option, auto value) {
-    options += fmt::format("{}{} {}", options.empty() ? "" : " ", row(option).name, value);
-  };
-  if (settings.textureFilter == TextureFilter::Bilinear) add(Option::TextureFilter, "bilinear");
-  if (settings.lightFilter == LightFilter::Nearest) add(Option::LightFilter, "nearest");
-  if (settings.lightEvery != 1) add(Option::LightEvery, settings.lightEvery);
-  if (settings.depthEvery != 1) add(Option::DepthEvery, settings.depthEvery);
-  return options;
 }
 
 tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,

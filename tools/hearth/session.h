@@ -7,6 +7,7 @@
 
 #include "hearth/options.h"
 #include "hearth/progress.h"
+#include "hearth/settings.h"
 #include "light/bakery.h"
 #include "load/load.h"
 #include "render/camera.h"
@@ -19,20 +20,8 @@ namespace hearth {
 /// stderr, one per line; nothing after errors.
 std::optional<LoadedLevel> openLevel(const OptionValues& values);
 
-/// The settings of a bake: the command line overrides the file. Errors name the option to change.
-tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
-                                                        const OptionValues& values);
-
-/// How many samples a texel has.
-std::string samplesInWords(const BakeSettings& settings);
-
 /// What `--light` asks for.
 LightMode lightModeFrom(const OptionValues& values);
-
-/// How accurately to draw.
-DrawSettings drawSettingsFrom(const OptionValues& values);
-/// The options that ask for these settings; empty for those that hold without any.
-std::string optionsOf(const DrawSettings& settings);
 
 struct Bake {
   BakedLight light;
