@@ -10,9 +10,6 @@ namespace hearth {
 
 namespace {
 
-/// Of a ball. The share of it that lies before a plane is right within 0.4 % then.
-constexpr int kBallPoints = 20000;
-
 /// The light moved off the walls and flats of its sector; beyond a sky there are only walls.
 Vec3 rayOrigin(const Level& level, const LightSource& light) {
   const Sector& sector = level[light.sector];
@@ -34,15 +31,15 @@ double spread(int index, int base) {
 
 }  // namespace
 
-TruthLight::TruthLight(const Level& level) : level_(level) {
-  for (const LightSource& light : level.lights) shapes_.push_back(shapeOf(light));
+TruthLight::TruthLight(const Level& level, int ballPoints) : level_(level) {
+  for (const LightSource& light : level.lights) shapes_.push_back(shapeOf(light, ballPoints));
 }
 
-TruthLight::Shape TruthLight::shapeOf(const LightSource& light) const {
+TruthLight::Shape TruthLight::shapeOf(const LightSource& light, int ballPoints) const {
   const Vec3 middle = rayOrigin(level_, light);
   if (light.radius == 0) return {{{middle, light.sector}}, 1};
   Shape ball{{}, 0};
-  for (int i = 1; ball.count < kBallPoints; ++i) {
+  for (int i = 1; ball.count < ballPoints; ++i) {
     const Vec3 p{spread(i, 2), spread(i, 3), spread(i, 5)};
     if (dot(p, p) > 1) continue;
     ++ball.count;

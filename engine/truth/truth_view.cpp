@@ -21,8 +21,9 @@ std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::floor
 
 }  // namespace
 
-TruthView::TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera)
-    : level_(level), textures_(textures), camera_(camera), light_(level) {
+TruthView::TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera,
+                     int ballPoints)
+    : level_(level), textures_(textures), camera_(camera), light_(level, ballPoints) {
   camera_.eye = nudgedInside(level, level[camera.sector], camera.eye);
 }
 
@@ -61,17 +62,21 @@ Vec3 TruthView::textureColor(const TruthHit& hit) const {
   return {static_cast<double>(color.r), static_cast<double>(color.g), static_cast<double>(color.b)};
 }
 
+/// The shares of a texture's red, green and blue that show.
+Vec3 TruthView::lightOn(const TruthHit& hit) const {
+  const Vec3 baked = light_.at(hit);
+  const double sector = level_[hit.sector].light;
+  const auto share = [&](double level) { return std::min(1.0, level / 255 + sector); };
+  return {share(baked.x), share(baked.y), share(baked.z)};
+}
+
 TruthPixel TruthView::pixel(double i, double j, TruthLightMode mode) const {
   const TruthHit found = hit(i, j);
-  Vec3 exact = mode == TruthLightMode::Only ? Vec3{255, 255, 255} : textureColor(found);
-  if (mode != TruthLightMode::None && !isSky(found.kind)) {
-    const Vec3 baked = light_.at(found);
-    const double sector = level_[found.sector].light;
-    exact = {exact.x * std::min(1.0, baked.x / 255 + sector),
-             exact.y * std::min(1.0, baked.y / 255 + sector),
-             exact.z * std::min(1.0, baked.z / 255 + sector)};
-  }
-  return {{rounded(exact.x), rounded(exact.y), rounded(exact.z)}, exact, found};
+  const Vec3 color = mode == TruthLightMode::Only ? Vec3{255, 255, 255} : textureColor(found);
+  const bool isLit = mode != TruthLightMode::None && !isSky(found.kind);
+  const Vec3 light = isLit ? lightOn(found) : Vec3{1, 1, 1};
+  const Vec3 exact{color.x * light.x, color.y * light.y, color.z * light.z};
+  return {{rounded(exact.x), rounded(exact.y), rounded(exact.z)}, exact, light, found};
 }
 
 bool TruthView::isClear(double i, double j, double radius) const {

@@ -17,6 +17,7 @@ enum class TruthLightMode {
 struct TruthPixel {
   Rgb color;   ///< rounded half up
   Vec3 exact;  ///< red, green, blue before rounding, 0..255
+  Vec3 light;  ///< their shares, 0..1, by which light multiplies; 1 of sky, and without light
   TruthHit hit;
 };
 
@@ -27,8 +28,9 @@ struct TruthPixel {
 class TruthView {
  public:
   /// Keeps references to level and textures (by TextureId), not to the camera, whose eye must be
-  /// in its sector.
-  TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera);
+  /// in its sector. `ballPoints` as TruthLight takes them.
+  TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera,
+            int ballPoints = TruthLight::kBallPoints);
 
   TruthHit hit(double i, double j) const;
 
@@ -46,6 +48,7 @@ class TruthView {
  private:
   Vec3 directionTo(double i, double j) const;
   Vec3 textureColor(const TruthHit& hit) const;
+  Vec3 lightOn(const TruthHit& hit) const;
 
   const Level& level_;
   const std::vector<Image>& textures_;
