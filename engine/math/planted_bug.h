@@ -39,6 +39,7 @@ enum class PlantedBug {
   NonConvexByFirstWall,
   RoundingTruncates,
   ChannelLost,
+  MultiplyAddFused,
   RadiusIgnored,
   SamplesOutsideTexel,
   CurveExtrapolated,
@@ -52,7 +53,7 @@ enum class PlantedBug {
   BeamPastFlatPortals,
 };
 
-inline constexpr std::array<std::string_view, 40> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 41> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -82,6 +83,7 @@ inline constexpr std::array<std::string_view, 40> kPlantedBugNames = {
     "non-convex-by-first-wall",
     "rounding-truncates",
     "channel-lost",
+    "multiply-add-fused",
     "radius-ignored",
     "samples-outside-texel",
     "curve-extrapolated",

@@ -32,7 +32,7 @@ Rgb normalColor(const LitSurface* lit) {
   return {rounded(127.5 * (n.x + 1)), rounded(127.5 * (n.y + 1)), rounded(127.5 * (n.z + 1))};
 }
 
-Rgb uvColor(const SpanMapping& mapping, double measure, const Image& image) {
+Rgb uvColor(const SpanMapping& mapping, double measure, const Texture& image) {
   const auto share = [](double x, int size) {
     return static_cast<std::uint8_t>(255 * (x / size - std::floor(x / size)));
   };
@@ -56,7 +56,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
   const SpanMapping mapping = painter.mappingOf(material, span);
   for (int row = span.rowBegin; row < span.rowEnd; ++row) {
     const double measure = mapping.measureAt(climbs[static_cast<std::size_t>(row)]);
-    Rgb& pixel = *strip.at(span.column, row);
+    Rgb pixel = colorOf(*strip.at(span.column, row));
     switch (channel) {
       case Channel::Sector:
         pixel = indexColor(material.surface.sector.index());
@@ -80,6 +80,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = pixel == kHole ? Rgb{0, 160, 0} : Rgb{255, 0, 0};
         break;
     }
+    *strip.at(span.column, row) = pixelOf(pixel);
   }
 }
 

@@ -19,7 +19,8 @@ constexpr int kPartsPerThread = 4;
 
 void findClimbs(std::vector<double>& climbs, const Projection& projection, int height) {
   climbs.clear();
-  for (int row = 0; row < height; ++row) climbs.push_back(projection.climbOf(row + 0.5));
+  const int rows = height + static_cast<int>(RowBatch::kMostLanes);
+  for (int row = 0; row < rows; ++row) climbs.push_back(projection.climbOf(row + 0.5));
 }
 
 /// Draws a picture strip by strip, with `paint(span, strip, stats)` for each span. Threads take
@@ -37,10 +38,11 @@ void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& pai
   };
   const auto paintPart = [&](std::size_t part) {
     Strip& strip = scratch.strips[part];
+    RowBatch batch{};
     PaintStats stats;
     for (int i = firstOf(part); i < firstOf(part + 1); ++i) {
       strip.begin(i, picture.height(), kHole);
-      for (const Span& span : scratch.stripSpans.of(i)) paint(span, strip, stats);
+      for (const Span& span : scratch.stripSpans.of(i)) paint(span, batch, strip, stats);
       strip.copyTo(picture);
     }
     scratch.stripsPainted[part] = stats;
@@ -62,9 +64,10 @@ void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
   const Projection projection = projectionFor(level_, camera);
   findSpans(camera, projection, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, picture, threads, [&](const Span& span, Strip& strip, PaintStats& stats) {
-    painter.paint(span, mode, strip, stats);
-  });
+  paintStrips(scratch, picture, threads,
+              [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
+                painter.paint(span, mode, batch, strip, stats);
+              });
 }
 
 Image Renderer::draw(const Camera& camera, LightMode mode) const {
@@ -80,7 +83,7 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   const Projection projection = projectionFor(level_, camera);
   findSpans(camera, projection, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, picture, 1, [&](const Span& span, Strip& strip, PaintStats&) {
+  paintStrips(scratch, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
     paintChannel(painter, span, channel, scratch.climbs, strip);
   });
   return picture;

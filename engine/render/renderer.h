@@ -10,6 +10,7 @@
 #include "render/draw_settings.h"
 #include "render/strip.h"
 #include "render/strip_spans.h"
+#include "render/texture.h"
 #include "render/visibility_scratch.h"
 
 namespace hearth {
@@ -31,10 +32,13 @@ struct FrameScratch {
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
 class Renderer {
  public:
-  /// Level, textures and light must outlive the renderer. `textures` are by TextureId.
+  /// Level and light must outlive the renderer. `textures` are by TextureId, and copied.
   Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
            DrawSettings settings = {})
-      : level_(level), textures_(textures), light_(light), settings_(settings) {}
+      : level_(level),
+        textures_(textures.begin(), textures.end()),
+        light_(light),
+        settings_(settings) {}
 
   const DrawSettings& settings() const { return settings_; }
 
@@ -52,7 +56,7 @@ class Renderer {
                  Image& picture) const;
 
   const Level& level_;
-  const std::vector<Image>& textures_;
+  std::vector<Texture> textures_;
   const BakedLight& light_;
   DrawSettings settings_;
 };

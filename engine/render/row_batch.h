@@ -3,48 +3,44 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-
-#include "image/image.h"
-#include "light/lit_surface.h"
-#include "render/span_mapping.h"
 
 namespace hearth {
 
-/// Some rows of a span, and of each the texel that it shows and its place in the lightmap: arrays,
-/// so that several rows are worked out at once, and short, so that the first cache holds them.
+/// Some rows of a span, and all that is found of them on the way to their pixels: arrays, so that
+/// as many rows as a register holds are worked out at once, and short, so that the first cache
+/// holds them. Whole registers are read and written: what lies behind the last row means nothing.
 struct RowBatch {
-  static constexpr std::size_t kRows = 64;  ///< even
-  using Indices = std::array<std::int32_t, kRows>;
+  static constexpr std::size_t kRows = 128;      ///< a multiple of kMostLanes
+  static constexpr std::size_t kMostLanes = 16;  ///< of single precision, in any register
 
-  int firstRow;
-  std::size_t count;
-  alignas(16) std::array<double, kRows> measure;  ///< see SpanMapping
+  template <typename T>
+  struct alignas(64) Rows : std::array<T, kRows> {};
 
-  /// Along one axis of an image or lightmap.
-  struct Places {
-    Indices texel;  ///< counted from the edge
-    /// Of mixtures: how far the row is from that texel's centre to the next one's, 0..1.
-    std::array<float, kRows> share;
+  /// Texels of an image, by their numbers.
+  using Texels = Rows<std::int32_t>;
+  /// The four around each row.
+  struct Around {
+    Texels upperLeft;
+    Texels upperRight;
+    Texels lowerLeft;
+    Texels lowerRight;
   };
-  Places texelColumn;
-  Places texelRow;
-  Places lightColumn;
-  Places lightRow;
+  /// How far a row is from the centre of one texel to that of the next, 0..1.
+  struct Between {
+    Rows<float> across;
+    Rows<float> down;
+  };
+
+  std::size_t count;
+  const double* measures;  ///< see SpanMapping; kMostLanes more than there are rows can be read
+  Rows<double> depths;     ///< of planes: what `measures` points at
+  Around texels;           ///< the upper left ones are all where nothing is mixed
+  Between betweenTexels;
+  Rows<std::uint64_t> lightTexels;  ///< the first byte of the upper left one of four
+  Between betweenLightTexels;
+  /// The shares of a texture's red, green and blue that show, 0..1.
+  std::array<Rows<float>, 3> shown;
+  bool isEvenlyLit;  ///< what is shown in the first kMostLanes rows is shown in all
 };
-
-/// The first of these to be called. `climbs` are those of the rows of the picture; between every so
-/// many of them the depth of planes is interpolated.
-void findMeasures(RowBatch& batch, const SpanMapping& mapping, std::span<const double> climbs,
-                  int depthEvery);
-/// The texels of the image that the rows fall into.
-void findTexels(RowBatch& batch, const SpanMapping& mapping, const Image& image);
-/// The first two of the four texels around the rows.
-void findMixtures(RowBatch& batch, const SpanMapping& mapping, const Image& image);
-/// Those of the lightmap.
-void findLightPlaces(RowBatch& batch, const SpanMapping& mapping, const TexelRect& rect);
-
-/// Index of the texel that texel coordinate `x` falls into, of an image that repeats every `size`.
-std::int32_t repeated(double x, std::int32_t size);
 
 }  // namespace hearth

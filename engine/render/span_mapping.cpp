@@ -13,7 +13,7 @@ namespace {
 ImageAxis constant(double texel) { return {.place = {texel, 0}}; }
 
 SpanMapping uprightMapping(const Level& level, const Projection& projection, const Span& span,
-                           const Image& image, const LitSurface* lit) {
+                           const Texture& image, const LitSurface* lit) {
   const Surface& surface = level[span.surface];
   const TextureMapping& texture = surface.mapping;
   SpanMapping mapping{.depth = span.depth};
@@ -48,7 +48,7 @@ PlaneOverRay planeOver(const Level& level, const Surface& surface, Vec2 eye, Vec
 }
 
 SpanMapping planeMapping(const Level& level, const Projection& projection, const Span& span,
-                         const Image& image, const LitSurface* lit) {
+                         const Texture& image, const LitSurface* lit) {
   const Surface& surface = level[span.surface];
   const TextureMapping& texture = surface.mapping;
   const Vec2 eye = projection.eye().xy();
@@ -68,7 +68,7 @@ SpanMapping planeMapping(const Level& level, const Projection& projection, const
 }
 
 SpanMapping skyMapping(const Level& level, const Projection& projection, const Span& span,
-                       const Image& image) {
+                       const Texture& image) {
   const Surface& surface = level[span.surface];
   const TextureMapping& texture = surface.mapping;
   const Vec2 ray = projection.rayOf(planted(PlantedBug::SkyByScreenColumn) ? 0 : span.column + 0.5);
@@ -88,7 +88,7 @@ SpanMapping skyMapping(const Level& level, const Projection& projection, const S
 }  // namespace
 
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
-                      const Image& image, const LitSurface* lit) {
+                      const Texture& image, const LitSurface* lit) {
   const Surface& surface = level[span.surface];
   if (isSky(surface.kind)) return skyMapping(level, projection, span, image);
   if (surface.segment) return uprightMapping(level, projection, span, image, lit);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "image/image.h"
 #include "level/level.h"
 #include "light/lit_surface.h"
 #include "render/camera.h"
 #include "render/span.h"
+#include "render/texture.h"
 
 namespace hearth {
 
@@ -53,13 +53,13 @@ struct SpanMapping {
   }
 
   /// v of a sky: beyond the image its edge rows go on.
-  double skyV(double climb, const Image& image) const {
+  double skyV(double climb, const Texture& image) const {
     return std::max(0.5, std::min(v.at(climb), image.height() - 0.5));
   }
 };
 
 /// `lit` is null where no light can be: sky, and what cannot show.
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
-                      const Image& image, const LitSurface* lit);
+                      const Texture& image, const LitSurface* lit);
 
 }  // namespace hearth

@@ -3,21 +3,22 @@
 #include <span>
 #include <vector>
 
-#include "image/image.h"
 #include "level/level.h"
 #include "light/bakery.h"
 #include "render/camera.h"
 #include "render/draw_settings.h"
 #include "render/row_batch.h"
+#include "render/row_kernels.h"
 #include "render/span.h"
 #include "render/strip.h"
+#include "render/texture.h"
 
 namespace hearth {
 
 /// What the pixels of a surface are made from.
 struct Material {
   const Surface& surface;
-  const Image& image;
+  const Texture& image;
   const Lightmap* lightmap;  ///< null where no light reaches the surface
   const LitSurface* lit;     ///< null for sky
   double sectorLight;        ///< 0..1; sky is bright by itself
@@ -26,12 +27,17 @@ struct Material {
   bool hasUnevenLight() const { return lightmap && !lightmap->isEven(); }
 };
 
+/// The depths of a batch on a plane: at every so many rows, and between them what lies evenly
+/// between.
+void findDepthsEvery(int every, RowBatch& batch, const SpanMapping& mapping, const double* climbs);
+
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint
 /// with one painter, as no two spans share a pixel.
 class SpanPainter {
  public:
-  /// All must outlive the painter. `climbs` are Projection::climbOf the centres of all rows.
-  SpanPainter(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
+  /// All must outlive the painter. `climbs` are Projection::climbOf the centres of all rows, and of
+  /// RowBatch::kMostLanes below the picture.
+  SpanPainter(const Level& level, const std::vector<Texture>& textures, const BakedLight& light,
               const DrawSettings& settings, const Projection& projection,
               std::span<const double> climbs)
       : level_(level),
@@ -41,8 +47,9 @@ class SpanPainter {
         projection_(projection),
         climbs_(climbs) {}
 
-  /// Adds to `stats` what it did.
-  void paint(const Span& span, LightMode mode, Strip& strip, PaintStats& stats) const;
+  /// Uses `batch` for what it works out, and adds to `stats` what it did.
+  void paint(const Span& span, LightMode mode, RowBatch& batch, Strip& strip,
+             PaintStats& stats) const;
 
   Material materialOf(SurfaceId id) const;
   SpanMapping mappingOf(const Material& material, const Span& span) const {
@@ -51,13 +58,21 @@ class SpanPainter {
 
  private:
   double sectorLightOn(const Surface& surface) const;
+  void findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
+  void findTexels(const Texture& image, const SpanMapping& mapping, RowBatch& batch) const;
+  void findShown(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
+  void findShownInEachRow(const Material& material, const SpanMapping& mapping,
+                          RowBatch& batch) const;
+  void findShownEvery(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
+  void shade(const Texture& image, LightMode mode, const RowBatch& batch, Pixel* pixels) const;
 
   const Level& level_;
-  const std::vector<Image>& textures_;
+  const std::vector<Texture>& textures_;
   const BakedLight& light_;
   const DrawSettings& settings_;
   const Projection& projection_;
   std::span<const double> climbs_;
+  const RowKernels& kernels_ = rowKernels();
 };
 
 }  // namespace hearth

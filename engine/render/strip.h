@@ -1,15 +1,16 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "image/image.h"
+#include "render/texture.h"
 
 namespace hearth {
 
-/// A few columns of a picture while they are drawn: so few that the processor's first cache holds
-/// them (8 columns of 1080 rows are 26 KB), row by row like the picture that they are copied to.
+/// A few columns of a picture while they are drawn, one behind the other: so few that the
+/// processor's caches hold them, with the part of the picture that they are copied to (8 columns of
+/// 1080 rows are 36 KB).
 class Strip {
  public:
   static constexpr int kColumns = 8;
@@ -20,25 +21,26 @@ class Strip {
   /// Begins a strip of a picture, with all pixels of one colour. It keeps its memory.
   void begin(int index, int height, Rgb color) {
     firstColumn_ = index * kColumns;
-    pixels_.assign(static_cast<std::size_t>(height) * kColumns, color);
+    rowsPerColumn_ = static_cast<std::size_t>(height) + kSpareRows;
+    pixels_.assign(rowsPerColumn_ * kColumns, pixelOf(color));
   }
 
-  /// A pixel by its place in the picture; the one below it is kColumns further on.
-  Rgb* at(int column, int row) {
-    return &pixels_[static_cast<std::size_t>(row) * kColumns +
-                    static_cast<std::size_t>(column - firstColumn_)];
+  /// A pixel by its place in the picture; the one below it follows.
+  Pixel* at(int column, int row) {
+    return &pixels_[static_cast<std::size_t>(column - firstColumn_) * rowsPerColumn_ +
+                    static_cast<std::size_t>(row)];
   }
 
-  void copyTo(Image& picture) const {
-    const int columns = std::min(kColumns, picture.width() - firstColumn_);
-    for (int row = 0; row < picture.height(); ++row)
-      std::copy_n(&pixels_[static_cast<std::size_t>(row) * kColumns], columns,
-                  &picture.at(firstColumn_, row));
-  }
+  void copyTo(Image& picture) const;
 
  private:
+  /// Behind each column, so that neighbouring columns do not share a set of the cache at heights
+  /// that are powers of two, and 4 rows can be read at once.
+  static constexpr std::size_t kSpareRows = 16;
+
   int firstColumn_ = 0;
-  std::vector<Rgb> pixels_;
+  std::size_t rowsPerColumn_ = 0;
+  std::vector<Pixel> pixels_;
 };
 
 }  // namespace hearth

@@ -29,6 +29,7 @@ OUTSIDERS = {
     r"nlohmann/.*": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
     r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/light/*.cpp", "tests/*/*.cpp"],
+    r"hwy/.*": ["engine/render/*.cpp", "engine/render/*-inl.h", "tests/*/*.cpp"],
     r"embree.*": ["tests/*/*"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
 }

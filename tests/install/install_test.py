@@ -193,9 +193,9 @@ class Package(unittest.TestCase):
 
     def test_depend_on_the_libraries_that_they_need(self):
         depends = self.field("hearth", "Depends")
-        for library in ["libc6 (>=", "libstdc++6 (>=", "libsdl2-2.0-0 (>=", "libfmt9 (>=", "zlib1g (>="]:
+        for library in ["libc6 (>=", "libstdc++6 (>=", "libsdl2-2.0-0 (>=", "libfmt9 (>=", "libhwy1 (>=", "zlib1g (>="]:
             self.assertIn(library, depends)
-        self.assertEqual(self.field("libhearth-dev", "Depends"), "libexpected-dev, libfmt-dev, zlib1g-dev")
+        self.assertEqual(self.field("libhearth-dev", "Depends"), "libexpected-dev, libfmt-dev, libhwy-dev, zlib1g-dev")
 
     def test_are_of_the_version_that_the_changelog_begins_with(self):
         for package in self.packages:

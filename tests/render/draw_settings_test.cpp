@@ -8,13 +8,15 @@
 #include "image/compare.h"
 #include "load/load.h"
 #include "render/renderer.h"
+#include "render/row_kernels.h"
+#include "render/span_painter.h"
 #include "row_batches.h"
 #include "support/level_text.h"
 
 namespace hearth {
 namespace {
 
-using test::batchOf;
+using test::setRows;
 
 /// A level that is drawn twice, as exactly as possible and with settings.
 class Drawn {
@@ -99,41 +101,51 @@ TEST(DrawSettings, OfDepthMissByNoMoreThanTheyPromise) {
   std::vector<double> climbs;
   for (int row = 0; row < 64; ++row) climbs.push_back(-(row + 0.5 + 8) / distancePx);
   for (const int every : {2, 4, 8, 16}) {
-    const RowBatch batch = batchOf(climbs, floor, every);
+    RowBatch batch{};
+    setRows(batch, climbs);
+    findDepthsEvery(every, batch, floor, climbs.data());
     bool misses = false;
-    for (std::size_t k = 0; k < climbs.size(); ++k) {
+    for (std::size_t k = 0; k < batch.count; ++k) {
       const double exact = floor.depthAt(climbs[k]);
       // n^2 / 8 of the second derivative of 1 / r is n^2 / 4 r^3; where rows lie r below the
       // horizon.
       const double nearest = static_cast<double>(k / every * every) + 8.5;
       const double bound = every * every / (4.0 * nearest * nearest * nearest) * distancePx;
-      EXPECT_LE(std::abs(batch.measure[k] - exact), bound + 1e-9) << every << ' ' << k;
-      misses = misses || batch.measure[k] != exact;
+      EXPECT_LE(std::abs(batch.measures[k] - exact), bound + 1e-9) << every << ' ' << k;
+      misses = misses || batch.measures[k] != exact;
     }
     EXPECT_TRUE(misses);
   }
 }
 
 TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
-  RowBatch batch = batchOf({0.5, 1.0, 7.75, -0.25});
-  findMixtures(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}}, Image(8, 1));
-  const int texels[] = {0, 0, 7, 7};
+  RowBatch batch{};
+  setRows(batch, {0.5, 1.0, 7.75, -0.25});
+  rowKernels().findTexelsAround(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}},
+                                Texture(Image(8, 1)));
+  const int left[] = {0, 0, 7, 7};
+  const int right[] = {1, 1, 0, 0};
   const float shares[] = {0, 0.5, 0.25, 0.25};
   for (std::size_t k = 0; k < batch.count; ++k) {
-    EXPECT_EQ(batch.texelColumn.texel[k], texels[k]) << k;
-    EXPECT_EQ(batch.texelColumn.share[k], shares[k]) << k;
-    EXPECT_EQ(batch.texelRow.texel[k], 0);
-    EXPECT_EQ(batch.texelRow.share[k], 0);
+    EXPECT_EQ(batch.texels.upperLeft[k], left[k]) << k;
+    EXPECT_EQ(batch.texels.upperRight[k], right[k]) << k;
+    EXPECT_EQ(batch.texels.lowerLeft[k], left[k]) << k;
+    EXPECT_EQ(batch.texels.lowerRight[k], right[k]) << k;
+    EXPECT_EQ(batch.betweenTexels.across[k], shares[k]) << k;
+    EXPECT_EQ(batch.betweenTexels.down[k], 0);
   }
 }
 
 TEST(DrawSettings, KeepSkiesWithinTheirImage) {
-  RowBatch batch = batchOf({-5.0, 1.25, 50.0});
+  RowBatch batch{};
+  setRows(batch, {-5.0, 1.25, 50.0});
   for (const int height : {1, 4}) {
-    findMixtures(batch, {.isSky = true, .v = {.place = {0, 1}}}, Image(8, height));
+    rowKernels().findTexelsAround(batch, {.isSky = true, .v = {.place = {0, 1}}},
+                                  Texture(Image(1, height)));
     for (std::size_t k = 0; k < batch.count; ++k) {
-      EXPECT_GE(batch.texelRow.texel[k], 0);
-      EXPECT_LE(batch.texelRow.texel[k] + (batch.texelRow.share[k] > 0 ? 1 : 0), height - 1);
+      EXPECT_GE(batch.texels.upperLeft[k], 0);
+      EXPECT_GE(batch.texels.lowerLeft[k], batch.texels.upperLeft[k]);
+      EXPECT_LT(batch.texels.lowerLeft[k], height);
     }
   }
 }

@@ -1,0 +1,109 @@
+// Compiled once for each instruction set, see row_kernels.cpp.
+
+#include "render/strip.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/strip.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET == HWY_SCALAR
+
+int copyBlocks(const Pixel*, std::size_t, Image&, int) { return 0; }
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::Full128<Pixel> kFour;
+constexpr hn::Repartition<std::uint64_t, decltype(kFour)> kTwo;
+constexpr hn::Repartition<std::uint8_t, decltype(kFour)> kBytes;
+using FourPixels = hn::Vec<decltype(kFour)>;
+using Bytes = hn::Vec<decltype(kBytes)>;
+
+/// Four rows of four pixels.
+struct Block {
+  FourPixels rows[4];
+};
+
+/// Of four columns, each so many pixels behind the one before it.
+HWY_INLINE Block transposed(const Pixel* column, std::size_t next) {
+  const auto a = hn::LoadU(kFour, column);
+  const auto b = hn::LoadU(kFour, column + next);
+  const auto c = hn::LoadU(kFour, column + 2 * next);
+  const auto d = hn::LoadU(kFour, column + 3 * next);
+  const auto abUpper = hn::BitCast(kTwo, hn::InterleaveLower(kFour, a, b));
+  const auto cdUpper = hn::BitCast(kTwo, hn::InterleaveLower(kFour, c, d));
+  const auto abLower = hn::BitCast(kTwo, hn::InterleaveUpper(kFour, a, b));
+  const auto cdLower = hn::BitCast(kTwo, hn::InterleaveUpper(kFour, c, d));
+  return {{hn::BitCast(kFour, hn::InterleaveLower(kTwo, abUpper, cdUpper)),
+           hn::BitCast(kFour, hn::InterleaveUpper(kTwo, abUpper, cdUpper)),
+           hn::BitCast(kFour, hn::InterleaveLower(kTwo, abLower, cdLower)),
+           hn::BitCast(kFour, hn::InterleaveUpper(kTwo, abLower, cdLower))}};
+}
+
+/// Bytes of four pixels by their numbers; 128 is a byte of 0.
+HWY_INLINE Bytes picked(FourPixels pixels, Bytes numbers) {
+  return hn::TableLookupBytesOr0(hn::BitCast(kBytes, pixels), numbers);
+}
+
+/// Writes a row of eight pixels as 24 bytes.
+HWY_INLINE void writeRow(FourPixels left, FourPixels right, std::uint8_t* to) {
+  constexpr std::uint8_t x = 128;
+  alignas(16) constexpr std::uint8_t kLeft[] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, x, x, x, x};
+  alignas(16) constexpr std::uint8_t kRight[] = {x, x, x, x, x, x, x, x, x, x, x, x, 0, 1, 2, 4};
+  alignas(16) constexpr std::uint8_t kRest[] = {5, 6, 8, 9, 10, 12, 13, 14, x, x, x, x, x, x, x, x};
+  hn::StoreU(hn::Or(picked(left, hn::Load(kBytes, kLeft)), picked(right, hn::Load(kBytes, kRight))),
+             kBytes, to);
+  const hn::Half<decltype(kBytes)> half;
+  hn::StoreU(hn::LowerHalf(half, picked(right, hn::Load(kBytes, kRest))), half, to + 16);
+}
+
+/// Copies eight columns to the picture, and says how many rows: multiples of four.
+int copyBlocks(const Pixel* pixels, std::size_t rowsPerColumn, Image& picture, int firstColumn) {
+  const int rows = picture.height() / 4 * 4;
+  const auto bytesPerRow = static_cast<std::size_t>(picture.width()) * sizeof(Rgb);
+  auto* to = reinterpret_cast<std::uint8_t*>(&picture.at(firstColumn, 0));
+  for (int row = 0; row < rows; row += 4) {
+    const Block left = transposed(pixels + row, rowsPerColumn);
+    const Block right = transposed(pixels + 4 * rowsPerColumn + row, rowsPerColumn);
+    for (int i = 0; i < 4; ++i, to += bytesPerRow) writeRow(left.rows[i], right.rows[i], to);
+  }
+  return rows;
+}
+
+#endif
+
+}  // namespace
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hearth {
+
+namespace {
+
+HWY_EXPORT(copyBlocks);
+
+}  // namespace
+
+void Strip::copyTo(Image& picture) const {
+  const int columns = std::min(kColumns, picture.width() - firstColumn_);
+  const bool isWhole = columns == kColumns;
+  const int copied = isWhole ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_,
+                                                                picture, firstColumn_)
+                             : 0;
+  for (int row = copied; row < picture.height(); ++row)
+    for (int i = 0; i < columns; ++i)
+      picture.at(firstColumn_ + i, row) = colorOf(
+          pixels_[static_cast<std::size_t>(i) * rowsPerColumn_ + static_cast<std::size_t>(row)]);
+}
+
+}  // namespace hearth
+#endif

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+
+namespace hearth {
+
+/// A colour in 32 bits: red in the lowest, then green and blue. The highest mean nothing.
+using Pixel = std::uint32_t;
+
+inline Pixel pixelOf(Rgb color) {
+  return color.r | std::uint32_t{color.g} << 8 | std::uint32_t{color.b} << 16;
+}
+
+inline Rgb colorOf(Pixel pixel) {
+  return {static_cast<std::uint8_t>(pixel), static_cast<std::uint8_t>(pixel >> 8),
+          static_cast<std::uint8_t>(pixel >> 16)};
+}
+
+/// An image as spans read it, texel by texel: each in 32 bits, and column by column, as the spans
+/// of walls and skies go down one.
+class Texture {
+ public:
+  explicit Texture(const Image& image) : width_(image.width()), height_(image.height()) {
+    texels_.reserve(image.pixels().size());
+    for (int x = 0; x < width_; ++x)
+      for (int y = 0; y < height_; ++y) texels_.push_back(pixelOf(image.at(x, y)));
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// The texel (x, y) is the one of number x * height() + y.
+  const Pixel* texels() const { return texels_.data(); }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<Pixel> texels_;
+};
+
+}  // namespace hearth
