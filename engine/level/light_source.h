@@ -39,7 +39,8 @@ struct BakeSettings {
   double texel = 0.125;  ///< metres
   /// Per texel, a square number; none for as many as the edges of shadows need.
   std::optional<int> samples = 1;
-  int softSamples = 64;  ///< per sample and light with a radius; a square number
+  /// Per sample and light with a radius, a square number; 0 for lights without one.
+  int softSamples = 64;
   /// Levels. From where on a light has no more than so many, it is left out.
   double cutOff = 0;
   bool lambert = false;  ///< multiply by the cosine at the surface

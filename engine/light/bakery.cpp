@@ -75,8 +75,9 @@ BakeStats statsOf(const BakedLight& baked) {
 std::optional<std::string> mistakeInSettings(const Level& level, const BakeSettings& settings) {
   if (const auto mistake = mistakeInSquare(settings.samples.value_or(1)))
     return fmt::format("samples: {}", *mistake);
-  if (const auto mistake = mistakeInSquare(settings.softSamples))
-    return fmt::format("soft-samples: {}", *mistake);
+  if (settings.softSamples != 0)
+    if (const auto mistake = mistakeInSquare(settings.softSamples))
+      return fmt::format("soft-samples: {}", *mistake);
   if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
   if (settings.bounces != 0)
     return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);

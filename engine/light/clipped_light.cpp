@@ -50,7 +50,7 @@ class ClippedLight {
         corners_(blocks_.samples()) {}
 
   void add(std::size_t light) {
-    if (surface_.light(light).radius > 0)
+    if (surface_.radiusOf(light) > 0)
       addSoft(light);
     else
       addHard(light);

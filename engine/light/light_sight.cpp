@@ -178,7 +178,7 @@ DiscCells::DiscCells(int across) {
 LightSight::LightSight(const Level& level, const LightSource& light, int softSamples)
     : raytracer_(level),
       middle_(Raytracer::sourceOf(level, light)),
-      radius_(planted(PlantedBug::RadiusIgnored) ? 0 : light.radius),
+      radius_(softSamples == 0 || planted(PlantedBug::RadiusIgnored) ? 0 : light.radius),
       cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
       discCells_(radius_ > 0 ? cells_ : 0) {
   beamLight_ = {middle_.position, radius_, {middle_.sector}, false};
@@ -289,7 +289,7 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
   for (const LightSource& light : level.lights) {
     fine.emplace_back(level, light, settings.softSamples);
-    rough.emplace_back(level, light, std::max(1, settings.softSamples / 4));
+    rough.emplace_back(level, light, (settings.softSamples + 3) / 4);
     reach.push_back(light.reach(settings.cutOff));
   }
 }

@@ -14,10 +14,10 @@ namespace {
 
 /// Whether any of the light can shine on the plane of the surface. Of a ball that can be a part,
 /// but none where its middle lies in the plane.
-bool isInFront(const LightSource& light, const LitSurface& surface) {
+bool isInFront(const LightSource& light, double radius, const LitSurface& surface) {
   const double distance = surface.distanceInFront(light.position);
-  if (planted(PlantedBug::LightInPlaneShines)) return distance > -kInPlane - light.radius;
-  return std::abs(distance) > kInPlane && distance > -light.radius;
+  if (planted(PlantedBug::LightInPlaneShines)) return distance > -kInPlane - radius;
+  return std::abs(distance) > kInPlane && distance > -radius;
 }
 
 /// Corners of all that samples of the surface can lie on, but for tolerances.
@@ -66,8 +66,12 @@ SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
       placement_(surfaces, id),
       costs_(level.lights.size()) {
   for (std::size_t i = 0; i < level.lights.size(); ++i)
-    if (isInFront(level.lights[i], surface_) && reachesBox(i, cornersOf(surface_)))
+    if (isInFront(level.lights[i], radiusOf(i), surface_) && reachesBox(i, cornersOf(surface_)))
       facing_.push_back(i);
+}
+
+double SurfaceLight::radiusOf(std::size_t light) const {
+  return sights_.fine[light].beamLight().radius;
 }
 
 int SurfaceLight::channels() const {
@@ -94,7 +98,7 @@ double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const
                                const Known* known) {
   const LitSurface& there = *surfaces_[at.surface.index()];
   // What continues a surface may lie a tolerance off its plane.
-  if (at.surface != id_ && !isInFront(light(index), there)) return 0;
+  if (at.surface != id_ && !isInFront(light(index), radiusOf(index), there)) return 0;
   const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
   LightCost& cost = costs_[index];
   const double seen = known ? sight.seenShare(target, known->beam, known->outcome, cost.rays)

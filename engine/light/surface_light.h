@@ -31,6 +31,8 @@ class SurfaceLight {
   /// Indices of the lights that can shine on the surface's plane, and reach as far.
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return level_.lights[index]; }
+  /// Of the ball as which it is seen; 0 of a point.
+  double radiusOf(std::size_t light) const;
   /// 3 where one of the facing lights is coloured, else 1.
   int channels() const;
 

@@ -21,6 +21,23 @@ std::string roomWith(std::string_view more) {
                      sectorText("room", "0,0, 6,0, 6,4, 0,4", 0, 3, "{'texture':'#808080'}", more));
 }
 
+/// The largest difference of two bakes of a level, in levels.
+int largestDifference(const BakedLight& a, const BakedLight& b) {
+  int largest = 0;
+  for (std::size_t s = 0; s < a.lightmaps.size(); ++s) {
+    if (!a.surfaces[s]) continue;
+    const TexelRect& rect = a.surfaces[s]->texels;
+    const auto levelAt = [](const std::optional<Lightmap>& map, int i, int j) {
+      return map ? map->at(i, j) : 0;
+    };
+    for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+      for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
+        largest = std::max(largest,
+                           std::abs(levelAt(a.lightmaps[s], i, j) - levelAt(b.lightmaps[s], i, j)));
+  }
+  return largest;
+}
+
 TEST(LightKeys, lambertMultipliesByTheCosineAtEverySurface) {
   const Vec3 light{2, 1.5, 2};
   // The floor rises from 0 at y = 0 to 1 at y = 4.
@@ -42,6 +59,21 @@ TEST(LightKeys, aBallWhoseMiddleLiesInAPlaneDoesNotLightIt) {
   const BakedRoom room(roomWith(""), "[{'x':3,'y':2,'z':0,'radius':0.5}]");
   EXPECT_EQ(room.at(SurfaceKind::Floor, {4, 3, 0}), 0);
   EXPECT_GT(room.at(SurfaceKind::Ceiling, {4, 3, 3}), 100);
+}
+
+TEST(LightKeys, aBallWithoutSamplesIsAPoint) {
+  const std::string wall = sectorText("room", "0,0, 6,0, 6,4, 3,4, 3,2, 2.9,2, 2.9,4, 0,4", 0, 3);
+  const std::string level = "{'light': 0, 'sectors': {" + wall + "}}";
+  const BakedRoom ball(level, "[{'x':1,'y':3,'z':2,'radius':0.5}]");
+  const BakedRoom point(level, "[{'x':1,'y':3,'z':2}]");
+  BakeSettings settings = ball.level().bake;
+  settings.softSamples = 0;
+  EXPECT_GT(largestDifference(ball.light(), point.light()), 50);
+  for (const std::optional<int> samples : {std::optional(1), std::optional<int>()}) {
+    settings.samples = samples;
+    const BakedLight asPoint = bake(ball.level(), settings, 2);
+    EXPECT_EQ(largestDifference(asPoint, bake(point.level(), settings, 2)), 0);
+  }
 }
 
 /// Metres under a light 2 m above the floor.
@@ -124,23 +156,6 @@ TEST(LightReach, isThatOfTheBrightestChannel) {
   EXPECT_DOUBLE_EQ(light.reach(17), 2);  // 51 / (2 + 1)
   light.color[0] = 0;
   EXPECT_EQ(light.reach(0), 0);
-}
-
-/// The largest difference of two bakes of a level, in levels.
-int largestDifference(const BakedLight& a, const BakedLight& b) {
-  int largest = 0;
-  for (std::size_t s = 0; s < a.lightmaps.size(); ++s) {
-    if (!a.surfaces[s]) continue;
-    const TexelRect& rect = a.surfaces[s]->texels;
-    const auto levelAt = [](const std::optional<Lightmap>& map, int i, int j) {
-      return map ? map->at(i, j) : 0;
-    };
-    for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
-      for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
-        largest = std::max(largest,
-                           std::abs(levelAt(a.lightmaps[s], i, j) - levelAt(b.lightmaps[s], i, j)));
-  }
-  return largest;
 }
 
 TEST(CutOff, losesNoMoreThanItsLevelsOfEachLight) {

@@ -25,7 +25,7 @@ TEST(BakeSettings, takeSquareNumbersOfSamplesOrNone) {
 }
 
 TEST(BakeSettings, takeSquareNumbersOfSoftSamples) {
-  EXPECT_EQ(mistakeIn({.softSamples = 256}), "");
+  for (const int right : {0, 1, 256}) EXPECT_EQ(mistakeIn({.softSamples = right}), "");
   EXPECT_EQ(mistakeIn({.softSamples = 60}), "soft-samples: 60 is no square number, try 64");
 }
 
