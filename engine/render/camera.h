@@ -34,16 +34,17 @@ struct CameraPoint {
 /// down shears: it only moves the row of the horizon.
 class Projection {
  public:
-  /// `eye` is the camera's eye, moved off the walls it may touch.
-  Projection(const Camera& camera, Vec3 eye)
+  /// `eye` is the camera's eye, moved off the walls it may touch. Columns and rows are those of a
+  /// picture in which squares of `pixelSize` pixels are one.
+  Projection(const Camera& camera, Vec3 eye, int pixelSize = 1)
       : eye_(eye),
         direction_{sinCosDegrees(camera.angle).cos, sinCosDegrees(camera.angle).sin},
         right_(turned90(direction_)),
-        centerColumn_(camera.width / 2.0),
-        distancePx_(camera.width / 2.0 / tanDegrees(camera.fov / 2)),
-        horizonRow_(camera.height / 2.0 + (planted(PlantedBug::PitchIgnored)
-                                               ? 0
-                                               : distancePx_ * tanDegrees(camera.pitch))) {}
+        centerColumn_(camera.width / 2.0 / pixelSize),
+        distancePx_(centerColumn_ / tanDegrees(camera.fov / 2)),
+        horizonRow_(
+            camera.height / 2.0 / pixelSize +
+            (planted(PlantedBug::PitchIgnored) ? 0 : distancePx_ * tanDegrees(camera.pitch))) {}
 
   Vec3 eye() const { return eye_; }
   Vec2 direction() const { return direction_; }

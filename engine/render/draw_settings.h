@@ -26,6 +26,8 @@ struct DrawSettings {
   LightFilter lightFilter = LightFilter::Bilinear;
   int lightEvery = 1;  ///< rows; in between, light is interpolated. At least 1
   int depthEvery = 1;  ///< rows of flats and slopes; in between, depth is interpolated. At least 1
+  /// Squares of so many pixels a side show what the middle of them sees. At least 1
+  int pixelSize = 1;
 
   friend bool operator==(const DrawSettings&, const DrawSettings&) = default;
 };

@@ -23,11 +23,15 @@ void findClimbs(std::vector<double>& climbs, const Projection& projection, int h
   for (int row = 0; row < rows; ++row) climbs.push_back(projection.climbOf(row + 0.5));
 }
 
+/// How many squares of pixels cover so many pixels.
+int squaresIn(int pixels, int pixelSize) { return (pixels + pixelSize - 1) / pixelSize; }
+
 /// Draws a picture strip by strip, with `paint(span, strip, stats)` for each span. Threads take
 /// parts: neighbouring strips, drawn one after the other in the same memory.
 template <typename Paint>
-void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& paint) {
-  const int strips = Strip::countIn(picture.width());
+void paintStrips(FrameScratch& scratch, int pixelSize, Image& picture, int threads, Paint&& paint) {
+  const int strips = Strip::countIn(squaresIn(picture.width(), pixelSize));
+  const int rows = squaresIn(picture.height(), pixelSize);
   const int parts = threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
@@ -41,9 +45,9 @@ void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& pai
     RowBatch batch{};
     PaintStats stats;
     for (int i = firstOf(part); i < firstOf(part + 1); ++i) {
-      strip.begin(i, picture.height(), kHole);
+      strip.begin(i, rows, kHole);
       for (const Span& span : scratch.stripSpans.of(i)) paint(span, batch, strip, stats);
-      strip.copyTo(picture);
+      strip.copyTo(picture, pixelSize);
     }
     scratch.stripsPainted[part] = stats;
   };
@@ -55,16 +59,17 @@ void paintStrips(FrameScratch& scratch, Image& picture, int threads, Paint&& pai
 
 }  // namespace
 
-Projection projectionFor(const Level& level, const Camera& camera) {
-  return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye));
+Projection projectionFor(const Level& level, const Camera& camera, int pixelSize) {
+  return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye), pixelSize);
 }
 
 void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
                     int threads) const {
-  const Projection projection = projectionFor(level_, camera);
-  findSpans(camera, projection, scratch, picture);
+  const int pixelSize = settings_.pixelSize;
+  const Projection projection = projectionFor(level_, camera, pixelSize);
+  findSpans(camera, projection, pixelSize, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, picture, threads,
+  paintStrips(scratch, pixelSize, picture, threads,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
                 painter.paint(span, mode, batch, strip, stats);
               });
@@ -81,21 +86,24 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   FrameScratch scratch;
   Image picture;
   const Projection projection = projectionFor(level_, camera);
-  findSpans(camera, projection, scratch, picture);
+  findSpans(camera, projection, 1, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
+  paintStrips(scratch, 1, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
     paintChannel(painter, span, channel, scratch.climbs, strip);
   });
   return picture;
 }
 
-void Renderer::findSpans(const Camera& camera, const Projection& projection, FrameScratch& scratch,
-                         Image& picture) const {
+void Renderer::findSpans(const Camera& camera, const Projection& projection, int pixelSize,
+                         FrameScratch& scratch, Image& picture) const {
   if (picture.width() != camera.width || picture.height() != camera.height)
     picture = Image(camera.width, camera.height);
-  scratch.stripSpans.sort(findVisibleSpans(level_, camera, projection, scratch.visibility).spans,
-                          camera.width);
-  findClimbs(scratch.climbs, projection, camera.height);
+  Camera squares = camera;
+  squares.width = squaresIn(camera.width, pixelSize);
+  squares.height = squaresIn(camera.height, pixelSize);
+  scratch.stripSpans.sort(findVisibleSpans(level_, squares, projection, scratch.visibility).spans,
+                          squares.width);
+  findClimbs(scratch.climbs, projection, squares.height);
 }
 
 }  // namespace hearth

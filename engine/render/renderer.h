@@ -43,7 +43,8 @@ class Renderer {
   const DrawSettings& settings() const { return settings_; }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
-  /// and the same pixels whatever the number of threads that colour them.
+  /// and the same pixels whatever the number of threads that colour them. Channels are drawn with
+  /// all pixels, whatever the settings.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
             int threads = 1) const;
   /// Single pictures.
@@ -51,9 +52,9 @@ class Renderer {
   Image draw(const Camera& camera, Channel channel) const;
 
  private:
-  /// The first phase of a frame, into the scratch; and the picture's size.
-  void findSpans(const Camera& camera, const Projection& projection, FrameScratch& scratch,
-                 Image& picture) const;
+  /// The first phase of a frame, into the scratch, of squares of pixels; and the picture's size.
+  void findSpans(const Camera& camera, const Projection& projection, int pixelSize,
+                 FrameScratch& scratch, Image& picture) const;
 
   const Level& level_;
   std::vector<Texture> textures_;
@@ -62,6 +63,6 @@ class Renderer {
 };
 
 /// The projection of a camera whose eye is moved off the walls that it may touch.
-Projection projectionFor(const Level& level, const Camera& camera);
+Projection projectionFor(const Level& level, const Camera& camera, int pixelSize = 1);
 
 }  // namespace hearth

@@ -1,6 +1,7 @@
 #include "render/span_painter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "math/planted_bug.h"
 
@@ -13,10 +14,12 @@ constexpr Rgb kWhite = {255, 255, 255};
 void count(const Span& span, const Material& material, PaintStats& stats) {
   const SurfaceKind kind = material.surface.kind;
   if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
+  const auto rows = static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+  stats.pixels += rows;
   if (!material.hasUnevenLight()) return;
   ++stats.lightmapSpans;
   if (material.lightmap->channels == 3) ++stats.coloredSpans;
-  stats.lightmapPixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+  stats.lightmapPixels += rows;
 }
 
 /// Calls `between(begin, end)` for every so many rows; the last row ends the last of them.
@@ -76,7 +79,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
     batch.count = std::min(RowBatch::kRows, static_cast<std::size_t>(span.rowEnd - row));
     findMeasures(row, mapping, batch);
     if (mode != LightMode::Only) findTexels(material.image, mapping, batch);
-    if (material.hasUnevenLight()) findShown(material, mapping, batch);
+    if (material.hasUnevenLight()) stats.lightLookups += findShown(material, mapping, batch);
     shade(material.image, mode, batch, strip.at(span.column, row));
   }
 }
@@ -96,10 +99,11 @@ void SpanPainter::findTexels(const Texture& image, const SpanMapping& mapping,
     kernels_.findTexelsAround(batch, mapping, image);
 }
 
-void SpanPainter::findShown(const Material& material, const SpanMapping& mapping,
-                            RowBatch& batch) const {
+std::size_t SpanPainter::findShown(const Material& material, const SpanMapping& mapping,
+                                   RowBatch& batch) const {
   if (settings_.lightEvery > 1) return findShownEvery(material, mapping, batch);
   findShownInEachRow(material, mapping, batch);
+  return batch.count;
 }
 
 void SpanPainter::findShownInEachRow(const Material& material, const SpanMapping& mapping,
@@ -108,8 +112,8 @@ void SpanPainter::findShownInEachRow(const Material& material, const SpanMapping
   kernels_.findShown(batch, *material.lightmap, material.sectorLight);
 }
 
-void SpanPainter::findShownEvery(const Material& material, const SpanMapping& mapping,
-                                 RowBatch& batch) const {
+std::size_t SpanPainter::findShownEvery(const Material& material, const SpanMapping& mapping,
+                                        RowBatch& batch) const {
   const std::size_t rows = batch.count;
   const double* const measures = batch.measures;
   RowBatch::Rows<double> fewer{measures[0]};
@@ -118,9 +122,10 @@ void SpanPainter::findShownEvery(const Material& material, const SpanMapping& ma
                   [&](std::size_t, std::size_t end) { fewer[batch.count++] = measures[end]; });
   batch.measures = fewer.data();
   findShownInEachRow(material, mapping, batch);
-  batch.count = rows;
+  const std::size_t lookups = std::exchange(batch.count, rows);
   batch.measures = measures;
   for (RowBatch::Rows<float>& shown : batch.shown) spread(shown, rows, settings_.lightEvery);
+  return lookups;
 }
 
 void SpanPainter::shade(const Texture& image, LightMode mode, const RowBatch& batch,

@@ -60,10 +60,13 @@ class SpanPainter {
   double sectorLightOn(const Surface& surface) const;
   void findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
   void findTexels(const Texture& image, const SpanMapping& mapping, RowBatch& batch) const;
-  void findShown(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
+  /// How often these read the lightmap.
+  std::size_t findShown(const Material& material, const SpanMapping& mapping,
+                        RowBatch& batch) const;
+  std::size_t findShownEvery(const Material& material, const SpanMapping& mapping,
+                             RowBatch& batch) const;
   void findShownInEachRow(const Material& material, const SpanMapping& mapping,
                           RowBatch& batch) const;
-  void findShownEvery(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
   void shade(const Texture& image, LightMode mode, const RowBatch& batch, Pixel* pixels) const;
 
   const Level& level_;

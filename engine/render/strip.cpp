@@ -93,16 +93,18 @@ HWY_EXPORT(copyBlocks);
 
 }  // namespace
 
-void Strip::copyTo(Image& picture) const {
-  const int columns = std::min(kColumns, picture.width() - firstColumn_);
-  const bool isWhole = columns == kColumns;
-  const int copied = isWhole ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_,
+void Strip::copyTo(Image& picture, int pixelSize) const {
+  const int firstColumn = firstColumn_ * pixelSize;
+  const int columns = std::min(kColumns * pixelSize, picture.width() - firstColumn);
+  const bool isBlock = columns == kColumns && pixelSize == 1;
+  const int copied = isBlock ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_,
                                                                 picture, firstColumn_)
                              : 0;
   for (int row = copied; row < picture.height(); ++row)
     for (int i = 0; i < columns; ++i)
-      picture.at(firstColumn_ + i, row) = colorOf(
-          pixels_[static_cast<std::size_t>(i) * rowsPerColumn_ + static_cast<std::size_t>(row)]);
+      picture.at(firstColumn + i, row) =
+          colorOf(pixels_[static_cast<std::size_t>(i / pixelSize) * rowsPerColumn_ +
+                          static_cast<std::size_t>(row / pixelSize)]);
 }
 
 }  // namespace hearth

@@ -31,7 +31,8 @@ class Strip {
                     static_cast<std::size_t>(row)];
   }
 
-  void copyTo(Image& picture) const;
+  /// Each pixel as a square of pixels of the picture, whose edge may cut it.
+  void copyTo(Image& picture, int pixelSize) const;
 
  private:
   /// Behind each column, so that neighbouring columns do not share a set of the cache at heights

@@ -24,13 +24,21 @@ class Drawn {
   explicit Drawn(LoadedLevel loaded)
       : loaded_(std::move(loaded)), light_(bake(loaded_.level, loaded_.level.bake, 2)) {}
 
-  Image with(DrawSettings settings, const Camera& camera, LightMode mode = LightMode::Both) const {
+  Image with(const DrawSettings& settings, const Camera& camera,
+             LightMode mode = LightMode::Both) const {
     return Renderer(loaded_.level, loaded_.textures, light_, settings).draw(camera, mode);
   }
-  bool isSame(DrawSettings settings, const Camera& camera, LightMode mode) const {
+  PaintStats workOf(const DrawSettings& settings, const Camera& camera) const {
+    FrameScratch scratch;
+    Image picture;
+    Renderer(loaded_.level, loaded_.textures, light_, settings)
+        .draw(camera, LightMode::Both, scratch, picture);
+    return scratch.painted;
+  }
+  bool isSame(const DrawSettings& settings, const Camera& camera, LightMode mode) const {
     return with(settings, camera, mode) == with({}, camera, mode);
   }
-  bool changesAnyShot(DrawSettings settings) const {
+  bool changesAnyShot(const DrawSettings& settings) const {
     for (const Shot& shot : loaded_.level.shots)
       if (!isSame(settings, cameraOf(shot), LightMode::Both)) return true;
     return false;
@@ -61,6 +69,7 @@ TEST(DrawSettings, EachChangesAShotOfTheTutorial) {
   EXPECT_TRUE(tutorial.changesAnyShot({.lightFilter = LightFilter::Nearest}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightEvery = 2}));
   EXPECT_TRUE(tutorial.changesAnyShot({.depthEvery = 2}));
+  EXPECT_TRUE(tutorial.changesAnyShot({.pixelSize = 2}));
 }
 
 TEST(DrawSettings, OfDepthConcernPlanesAlone) {
@@ -148,6 +157,39 @@ TEST(DrawSettings, KeepSkiesWithinTheirImage) {
       EXPECT_LT(batch.texels.lowerLeft[k], height);
     }
   }
+}
+
+TEST(DrawSettings, SquaresOfPixelsShowWhatTheirMiddlesSee) {
+  const Drawn drawn = room();
+  Camera camera = cameraAt({6, 6, 2}, 225, 10);
+  camera.width = 203;  // 67 squares and two pixels
+  camera.height = 149;
+  const Image all = drawn.with({}, camera);
+  const Image squares = drawn.with({.pixelSize = 3}, camera);
+  int differing = 0;
+  for (int j = 0; j < camera.height; ++j)
+    for (int i = 0; i < camera.width; ++i) {
+      const int middleI = i / 3 * 3 + 1;
+      const int middleJ = j / 3 * 3 + 1;
+      ASSERT_EQ(squares.at(i, j), squares.at(i / 3 * 3, j / 3 * 3)) << i << ' ' << j;
+      if (middleI >= camera.width || middleJ >= camera.height) continue;
+      differing += squares.at(i, j) == all.at(middleI, middleJ) ? 0 : 1;
+    }
+  // The same rays, but for rounding: at the edges of texels that can show the next one.
+  EXPECT_LE(differing, camera.width * camera.height / 1000);
+}
+
+TEST(DrawSettings, CountThePixelsAndTheLightThatAreSaved) {
+  const Drawn drawn = room();
+  const Camera camera = cameraAt({6, 6, 2}, 225, 0);
+  const PaintStats all = drawn.workOf({}, camera);
+  EXPECT_EQ(all.pixels, 320U * 200);
+  EXPECT_EQ(all.lightLookups, all.lightmapPixels);
+  EXPECT_EQ(drawn.workOf({.pixelSize = 2}, camera).pixels, 160U * 100);
+  const PaintStats fewer = drawn.workOf({.lightEvery = 8}, camera);
+  EXPECT_EQ(fewer.lightmapPixels, all.lightmapPixels);
+  EXPECT_LT(fewer.lightLookups, all.lightLookups / 6);
+  EXPECT_GE(fewer.lightLookups, all.lightLookups / 8);
 }
 
 }  // namespace
