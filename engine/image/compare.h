@@ -10,18 +10,20 @@ namespace hearth {
 /// differs most, in levels 0..255. Pooled scores (mean error, PSNR) are missing on purpose: they
 /// rate one level of brightness everywhere worse than a hole.
 struct PictureDifference {
-  std::int64_t differing = 0;    ///< Pixels that differ at all.
-  std::int64_t over2 = 0;        ///< Pixels that differ by more than 2 levels.
-  std::int64_t over8 = 0;        ///< Pixels that differ by more than 8 levels.
-  int largest = 0;               ///< The largest difference, in levels.
-  std::int64_t largestBlob = 0;  ///< Pixels of the largest patch of differing pixels; a patch holds
-                                 ///< together through common edges, not through corners.
+  std::int64_t differing = 0;  ///< Pixels that differ at all.
+  std::int64_t over2 = 0;      ///< Pixels that differ by more than 2 levels.
+  std::int64_t over8 = 0;      ///< Pixels that differ by more than 8 levels.
+  int largest = 0;             ///< The largest difference, in levels.
+  /// Pixels of the largest patch of pixels that differ, or by more than is said; a patch holds
+  /// together through common edges, not through corners.
+  std::int64_t largestBlob = 0;
 
   friend constexpr bool operator==(PictureDifference, PictureDifference) = default;
 };
 
-/// The pictures must have the same size.
-PictureDifference compare(const Image& expected, const Image& actual);
+/// The pictures must have the same size. Patches are of pixels that differ by more than `blobOver`
+/// levels.
+PictureDifference compare(const Image& expected, const Image& actual, int blobOver = 0);
 
 /// The difference of every channel, made visible: none is black, one level is 88 and each further
 /// one 24 more, up to 255. The pictures must have the same size.

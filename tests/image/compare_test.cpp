@@ -71,6 +71,15 @@ TEST(Compare, FindsTheLargestOfSeveralBlobs) {
             7);
 }
 
+TEST(Compare, TakesBlobsOfPixelsThatDifferByMoreThanIsSaid) {
+  const Image expected(5, 1);
+  Image actual = expected;
+  for (int i = 0; i < 5; ++i) actual.at(i, 0) = {static_cast<std::uint8_t>(i + 1), 0, 0};
+  EXPECT_EQ(compare(expected, actual).largestBlob, 5);
+  EXPECT_EQ(compare(expected, actual, 3).largestBlob, 2);
+  EXPECT_EQ(compare(expected, actual, 5).largestBlob, 0);
+}
+
 TEST(Compare, ABlobMayBeAsLargeAsThePicture) {
   const Image black(1000, 1000);
   const Image grey(1000, 1000, {1, 1, 1});
