@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/lit_surface.h"
+
 namespace hearth {
 
 namespace {
@@ -38,17 +40,26 @@ double texelBound(const Level& level, double texel) {
   return sum;
 }
 
+/// As many as a bake computes. Takes long to count, and a reach within limits.
+double texelsOf(const Level& level, double texel) {
+  double sum = 0;
+  for (const auto& surface : makeLitSurfaces(level, texel))
+    if (surface) sum += static_cast<double>(surface->texels.count());
+  return sum;
+}
+
 }  // namespace
 
 std::optional<std::string> mistakeInTexel(const Level& level, double texel) {
   if (!std::isfinite(texel) || texel <= 0) return fmt::format("{} m is no size", texel);
-  if (const double texels = texelBound(level, texel); texels > kMostTexels)
-    return fmt::format("{} m would take up to {:.3g} texels, more than {:.3g}: use larger ones",
-                       texel, texels, kMostTexels);
   if (const double reach = reachOf(level); reach / texel > kFarthestTexel)
     return fmt::format(
         "a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least", reach,
         reach / kFarthestTexel);
+  if (texelBound(level, texel) <= kMostTexels) return std::nullopt;
+  if (const double texels = texelsOf(level, texel); texels > kMostTexels)
+    return fmt::format("{} m would take {:.3g} texels, more than {:.3g}: use larger ones", texel,
+                       texels, kMostTexels);
   return std::nullopt;
 }
 

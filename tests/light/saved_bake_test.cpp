@@ -256,7 +256,7 @@ TEST_F(SavedRoom, tellsWhatIsWrongInItsHeader) {
   EXPECT_EQ(withTexel(-1), "has texels that cannot be: -1 m is no size");
   EXPECT_EQ(withTexel(NAN), "has texels that cannot be: nan m is no size");
   EXPECT_EQ(withTexel(INFINITY), "has texels that cannot be: inf m is no size");
-  EXPECT_TRUE(withTexel(1e-9).starts_with("has texels that cannot be: 1e-09 m would take up to "));
+  EXPECT_TRUE(withTexel(1e-9).starts_with("has texels that cannot be: a level that reaches "));
   EXPECT_TRUE(withTexel(0.5).starts_with("was baked for other geometry"));
   EXPECT_TRUE(mistakeAfter([](std::string& bytes) {
                 put(bytes, kGeometryAt, 0);

@@ -45,5 +45,20 @@ TEST(BakeSettings, takeTexelsThatFitTheMemory) {
     EXPECT_TRUE(mistakeIn({.texel = wrong}).starts_with("texel: ")) << wrong;
 }
 
+TEST(BakeSettings, countTexelsOfSurfacesAndNotOfSkies) {
+  // A field of 90 km, with earth or with sky below.
+  const auto fields = [](const char* floor) {
+    return test::levelFrom(std::string("{'light':0.1,'sectors':{") + "'a':{'floor':" + floor +
+                           ",'ceiling':{'z':10,'parallax':true,'texture':'#808080'},"
+                           "'loops':{'border':{'v':[0,0,90000,0,90000,90000,0,90000],"
+                           "'walls':{'texture':'#808080'}}}}}}");
+  };
+  const auto mistake = [&](const char* floor) {
+    return mistakeInSettings(fields(floor).level, {}).value_or("");
+  };
+  EXPECT_EQ(mistake("{'parallax':true,'texture':'#808080'}"), "");
+  EXPECT_TRUE(mistake("{'texture':'#808080'}").ends_with("use larger ones"));
+}
+
 }  // namespace
 }  // namespace hearth
