@@ -266,12 +266,15 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
   if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return 0;
   if (lattice.isUniform() && planes_.empty()) return 1;
   addLines(discCells_.distances2.size());
+  std::vector<double> volumes;
+  volumes.reserve(lines.size());
+  for (const BallDisc::Line& line : lines) volumes.push_back(line.wholeVolume());
   auto point = discCells_.points.begin();
   double seen = 0;
   double whole = 0;
   for (int j = 0; j < cells_; ++j)
     for (int i = 0; i < cells_; ++i) {
-      const double all = kWholeCell.integral([&](Vec2) { return lines[*point++].wholeVolume(); });
+      const double all = kWholeCell.integral([&](Vec2) { return volumes[*point++]; });
       whole += all;
       const int litCorners = lattice.litCorners(i, j);
       if (litCorners == 0) continue;
