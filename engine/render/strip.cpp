@@ -3,6 +3,7 @@
 #include "render/strip.h"
 
 #include <algorithm>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/strip.cpp"
@@ -94,17 +95,35 @@ HWY_EXPORT(copyBlocks);
 }  // namespace
 
 void Strip::copyTo(Image& picture, int pixelSize) const {
-  const int firstColumn = firstColumn_ * pixelSize;
-  const int columns = std::min(kColumns * pixelSize, picture.width() - firstColumn);
-  const bool isBlock = columns == kColumns && pixelSize == 1;
-  const int copied = isBlock ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_,
+  if (pixelSize > 1) return copySquaresTo(picture, pixelSize);
+  const int columns = std::min(kColumns, picture.width() - firstColumn_);
+  const bool isWhole = columns == kColumns;
+  const int copied = isWhole ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_,
                                                                 picture, firstColumn_)
                              : 0;
   for (int row = copied; row < picture.height(); ++row)
-    for (int i = 0; i < columns; ++i)
-      picture.at(firstColumn + i, row) =
-          colorOf(pixels_[static_cast<std::size_t>(i / pixelSize) * rowsPerColumn_ +
-                          static_cast<std::size_t>(row / pixelSize)]);
+    for (int i = 0; i < columns; ++i) picture.at(firstColumn_ + i, row) = colorAt(i, row);
+}
+
+void Strip::copySquaresTo(Image& picture, int size) const {
+  const int left = firstColumn_ * size;
+  const int width = std::min(kColumns * size, picture.width() - left);
+  for (int top = 0; top < picture.height(); top += size) {
+    Rgb* const first = &picture.at(left, top);
+    writeRow(first, width, size, top / size);
+    for (int row = top + 1; row < std::min(top + size, picture.height()); ++row)
+      std::copy_n(first, width, &picture.at(left, row));
+  }
+}
+
+/// Four bytes at once, but for the last pixel: the fourth is the next one's first, which comes
+/// after.
+void Strip::writeRow(Rgb* to, int width, int size, int row) const {
+  Rgb* const last = to + width - 1;
+  const Pixel* pixel = &pixels_[static_cast<std::size_t>(row)];
+  for (; to + size <= last; pixel += rowsPerColumn_)
+    for (int i = 0; i < size; ++i, ++to) std::memcpy(static_cast<void*>(to), pixel, sizeof *pixel);
+  std::fill(to, last + 1, colorOf(*pixel));
 }
 
 }  // namespace hearth

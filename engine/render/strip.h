@@ -39,6 +39,13 @@ class Strip {
   /// that are powers of two, and 4 rows can be read at once.
   static constexpr std::size_t kSpareRows = 16;
 
+  void copySquaresTo(Image& picture, int size) const;
+  void writeRow(Rgb* to, int width, int size, int row) const;
+  Rgb colorAt(int column, int row) const {
+    return colorOf(
+        pixels_[static_cast<std::size_t>(column) * rowsPerColumn_ + static_cast<std::size_t>(row)]);
+  }
+
   int firstColumn_ = 0;
   std::size_t rowsPerColumn_ = 0;
   std::vector<Pixel> pixels_;
