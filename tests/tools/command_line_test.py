@@ -19,7 +19,7 @@ from pathlib import Path
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["walk", "shot", "bake", "check", "info"]
+COMMANDS = ["walk", "shot", "bake", "check", "info", "bench", "tradeoff"]
 
 
 def run(*arguments, **options):
@@ -286,6 +286,23 @@ class Walk(InFolder):
 
 
 class Bake(InFolder):
+    def test_picks_settings_that_fit_a_time_and_bakes_with_them(self):
+        saved = self.folder / "light.bake"
+        result = run("bake", self.level, "--time-budget", "100", "-o", saved)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        picked = re.search(r"^picked +(--texel (\S+) .*): about \S+ s, light off by about \S+ levels",
+                           result.stdout, re.MULTILINE)
+        self.assertEqual(picked[2], "0.03125", "time for the finest there is")
+        self.assertRegex(result.stdout, "texels +[0-9]+ of 0.03125 m")
+        again = self.folder / "again.bake"
+        self.assertEqual(run("bake", self.level, "-o", again, *picked[1].split()).returncode, 0)
+        self.assertEqual(saved.read_bytes(), again.read_bytes())
+
+    def test_takes_a_time_or_settings(self):
+        for options in [("--texel", "1"), ("--samples", "4"), ("--quality", "high")]:
+            self.refuse(run("bake", self.level, "--time-budget", "1", *options),
+                        f"give --time-budget or {options[0]}, not both")
+
     def test_prints_its_figures_and_writes_the_lightmaps(self):
         result = run("bake", self.level, "-o", self.out, "--samples", "4", "--texel", "0.25")
         self.assertEqual(result.returncode, 0, result.stderr)

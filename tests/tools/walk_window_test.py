@@ -251,6 +251,21 @@ def resizes(display, walk):
     walk.expect_screenshot()
 
 
+def keeps_to_a_time(display, hearth, level, folder):
+    """No processor draws in a hundredth of a millisecond: the coarsest squares are picked, and shown."""
+    walk = Walk(display, hearth, level, folder, "--target-ms", "0.01")
+    try:
+        picked = wait_for("the walk tells what it has picked", lambda: re.match(
+            r"picked (--pixel-size 4): about \S+ ms a frame, ", walk.output.read_text()))
+        if picked[1] not in " ".join(walk.screenshot()[1]):
+            sys.exit("FAILED: it is drawn as picked")
+        walk.expect_screenshot()
+        walk.leave()
+    finally:
+        walk.process.kill()
+        walk.process.wait()
+
+
 def replays(hearth, level, folder):
     result = subprocess.run([hearth, "walk", level, "--replay", folder / "walk.txt", "--headless"],
                             capture_output=True, text=True)
@@ -278,6 +293,7 @@ def main():
                 walk.process.kill()
                 walk.process.wait()
             replays(hearth, level, folder)
+            keeps_to_a_time(display, hearth, level, folder)
         finally:
             display.close()
     print("walked in a window")

@@ -5,6 +5,7 @@
 
 #include "hearth/atlas.h"
 #include "hearth/bake_file.h"
+#include "hearth/budget.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
 #include "image/image_file.h"
@@ -27,6 +28,22 @@ void print(const Bake& bake) {
   fmt::print("time      {:.3f} s\n", bake.seconds);
 }
 
+/// With the settings of the command line, or those that fit the time that it gives.
+tl::expected<Bake, std::string> bakeInTime(const Level& level, const OptionValues& values) {
+  const std::optional<double> budget = values.number(Option::TimeBudget);
+  if (!budget) return bakeFor(level, values, ProgressStyle::Lines);
+  for (const Option option :
+       {Option::Quality, Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff})
+    if (values.has(option))
+      return tl::unexpected(fmt::format("give --time-budget or {}, not both", row(option).name));
+  const auto settings = bakeSettingsFor(level, values);
+  if (!settings) return tl::unexpected(settings.error());
+  const FittingBake fitting =
+      bakeFitting(level, *settings, *budget, threadsFrom(values), steadySeconds);
+  if (!values.has(Option::Quiet)) fmt::print("picked    {}\n", words(fitting));
+  return bakeWith(level, fitting.settings, values, ProgressStyle::Lines);
+}
+
 ExitStatus run(const OptionValues& values) {
   const std::optional<std::string> output = values.text(Option::Output);
   const auto extension = std::filesystem::path(output.value_or("")).extension();
@@ -35,7 +52,7 @@ ExitStatus run(const OptionValues& values) {
         "-o: {}: light is written as a .bake to draw with or as a .png to look at", *output));
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto bake = bakeFor(loaded->level, values, ProgressStyle::Lines);
+  const auto bake = bakeInTime(loaded->level, values);
   if (!bake) return fail(bake.error());
   if (!values.has(Option::Quiet)) print(*bake);
   if (!output) return ExitStatus::Done;
@@ -54,7 +71,7 @@ ExitStatus run(const OptionValues& values) {
 Command bakeCommand() {
   return {"bake",
           "bakes the light and says what that took",
-          std::vector<Option>{Option::Output, Option::Quiet} + bakeOptions(),
+          std::vector<Option>{Option::Output, Option::TimeBudget, Option::Quiet} + bakeOptions(),
           {},
           run};
 }

@@ -80,7 +80,7 @@ Command checkCommand() {
           std::vector<Option>{Option::Golden, Option::Update, Option::Report} + lightOptions(),
           {},
           run,
-          true};
+          LevelFiles::Several};
 }
 
 }  // namespace hearth

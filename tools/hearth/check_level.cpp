@@ -87,7 +87,7 @@ class LevelCheck {
     if (!light) return refused(light.error());
 
     removeFailed(folders_.failed);
-    const Renderer renderer(loaded->level, loaded->textures, *light);
+    const Renderer renderer(loaded->level, loaded->textures, *light, drawSettingsFrom(values_));
     for (const Shot& shot : loaded->level.shots)
       judge(shot.name, renderer.draw(cameraOf(shot), LightMode::Both));
     for (const std::string& name : staleGoldens(folders_.golden, loaded->level.shots))

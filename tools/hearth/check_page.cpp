@@ -9,31 +9,20 @@
 #include <string_view>
 
 #include "hearth/base64.h"
+#include "hearth/html.h"
 #include "image/replace_file.h"
 
 namespace hearth {
 
 namespace {
 
-// Colours are the reader's own: dark where the browser is dark.
-constexpr std::string_view kHead = R"html(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>hearth check</title>
-<style>
-:root { color-scheme: light dark; }
-body { margin: 0 auto; max-width: 120rem; padding: 1rem 1.5rem; font: 1rem/1.5 system-ui, sans-serif; }
-h1, h2, h3, p { margin: 0 0 .5rem; overflow-wrap: anywhere; }
-section { margin-top: 2rem; }
+constexpr std::string_view kStyle = R"css(section { margin-top: 2rem; }
 article { margin: 1rem 0; padding-top: 1rem; border-top: 1px solid GrayText; }
 code { display: block; margin-bottom: .75rem; overflow-x: auto; white-space: pre; }
 .row { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr)); }
 .grid { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 20rem), 1fr)); }
 .grid { margin-top: 1.5rem; }
 .grid, .row { align-items: start; }
-figure { margin: 0; min-width: 0; }
 figcaption { overflow-wrap: anywhere; }
 img { display: block; width: 100%; height: auto; image-rendering: pixelated; }
 .pair { position: relative; }
@@ -42,38 +31,13 @@ img { display: block; width: 100%; height: auto; image-rendering: pixelated; }
   background: white; box-shadow: 0 0 2px 1px black; }
 input { display: block; width: 100%; margin: .5rem 0 0; }
 .sides { display: flex; justify-content: space-between; gap: 1rem; }
-</style>
-</head>
-<body>
-<h1>hearth check</h1>
-)html";
+)css";
 
 constexpr std::string_view kSlider =
     R"html(<input type="range" min="0" max="100" value="50" autocomplete="off" aria-label="where expected ends and actual begins"
 oninput="this.closest('figure').style.setProperty('--at', this.value + '%')">
 <figcaption class="sides"><span>left: expected</span><span>right: actual</span></figcaption>
 )html";
-
-std::string escaped(std::string_view text) {
-  std::string html;
-  for (const char c : text) switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  return html;
-}
 
 /// One page on its way out. Whether all of it arrived is asked at the end.
 class Page {
@@ -165,10 +129,10 @@ class Page {
 tl::expected<void, std::string> writeCheckPage(const std::filesystem::path& path,
                                                std::span<const LevelFindings> levels) {
   return replaceFile(path, [&](std::ostream& out) {
-    out << kHead;
+    out << pageBegin("hearth check", kStyle) << "<h1>hearth check</h1>\n";
     Page page(out);
     for (const LevelFindings& findings : levels) page.add(findings);
-    out << "</body>\n</html>\n";
+    out << kPageEnd;
     return page.hasReadAll();
   });
 }

@@ -12,8 +12,8 @@ ExitStatus fail(std::string_view message) {
 }
 
 std::vector<Command> allCommands() {
-  return {walkCommand(),  shotCommand(), bakeCommand(),
-          checkCommand(), infoCommand(), benchCommand()};
+  return {walkCommand(), shotCommand(),  bakeCommand(),    checkCommand(),
+          infoCommand(), benchCommand(), tradeoffCommand()};
 }
 
 std::vector<Option> limitOptions() {
@@ -26,10 +26,13 @@ std::vector<Option> settingOptions() {
 }
 
 std::vector<Option> drawOptions() {
-  return {Option::TextureFilter, Option::LightFilter, Option::LightEvery, Option::DepthEvery};
+  return {Option::TextureFilter, Option::LightFilter, Option::LightEvery, Option::DepthEvery,
+          Option::PixelSize};
 }
 
-std::vector<Option> bakeOptions() { return settingOptions() + limitOptions(); }
+std::vector<Option> bakeOptions() {
+  return std::vector<Option>{Option::Quality} + settingOptions() + limitOptions();
+}
 
 std::vector<Option> lightOptions() {
   return std::vector<Option>{Option::LightFrom} + bakeOptions();

@@ -14,6 +14,9 @@ enum class ExitStatus { Done = 0, Differs = 1, BadInput = 2 };
 /// Prints `hearth: error: MESSAGE` to stderr, one line.
 ExitStatus fail(std::string_view message);
 
+/// How many level files a command is given.
+enum class LevelFiles { OneOrNone, One, Several };
+
 /// A command of the program, as help lists it.
 struct Command {
   std::string_view name;
@@ -21,7 +24,7 @@ struct Command {
   std::vector<Option> options;
   std::vector<Option> required;  ///< of the options
   ExitStatus (*run)(const OptionValues& values);
-  bool takesSeveralLevels = false;
+  LevelFiles levels = LevelFiles::One;
   std::string more = {};  ///< that its help says after the options
 };
 
@@ -31,6 +34,7 @@ Command bakeCommand();
 Command checkCommand();
 Command infoCommand();
 Command benchCommand();
+Command tradeoffCommand();
 
 /// All of these, as help lists them.
 std::vector<Command> allCommands();

@@ -33,6 +33,9 @@ constexpr std::array kTable = {
     OptionRow{Option::Channel, "--channel", ValueKind::Choice,
               "sector|surface|depth|uv|normal|light|overdraw|world|camera|depthspace|screen", 0, 0,
               "", "the renderer's own numbers, or a view of the geometry, as a picture"},
+    OptionRow{Option::Quality, "--quality", ValueKind::Choice, "draft|normal|high|reference", 0, 0,
+              "normal: as the level says",
+              "settings of bake and frames that go together; single ones given beside it count"},
     OptionRow{Option::TextureFilter, "--texture-filter", ValueKind::Choice, "nearest|bilinear", 0,
               0, "nearest", "what a pixel takes of the texels around it"},
     OptionRow{Option::LightFilter, "--light-filter", ValueKind::Choice, "nearest|bilinear", 0, 0,
@@ -41,6 +44,8 @@ constexpr std::array kTable = {
               "look light up only every so many rows of a surface, and interpolate between"},
     OptionRow{Option::DepthEvery, "--depth-every", ValueKind::Integer, "ROWS", 1, 64, "1",
               "work depth out only every so many rows of a flat or slope, and interpolate between"},
+    OptionRow{Option::PixelSize, "--pixel-size", ValueKind::Integer, "PIXELS", 1, 64, "1",
+              "draw squares of so many pixels a side instead of pixels"},
     OptionRow{Option::LightFrom, "--light-from", ValueKind::Text, "FILE.bake", 0, 0, "baked anew",
               "light that `hearth bake` saved, or another program wrote"},
     OptionRow{Option::Start, "--start", ValueKind::Text, "X,Y,Z,ANGLE", 0, 0, "the player's",
@@ -49,6 +54,8 @@ constexpr std::array kTable = {
               "how a picture of another size fills the window: all of it, or by whole pixels"},
     OptionRow{Option::FrameCap, "--frame-cap", ValueKind::Number, "FRAMES", 0, 1000, "0: no limit",
               "frames per second at most"},
+    OptionRow{Option::TargetMs, "--target-ms", ValueKind::Number, "MS", 0.01, 1000, "",
+              "pick the most accurate settings with which a frame takes no longer"},
     OptionRow{Option::Vsync, "--vsync", ValueKind::Choice, "on|off", 0, 0, "on",
               "wait for the display before each frame"},
     OptionRow{Option::Record, "--record", ValueKind::Text, "FILE", 0, 0, "",
@@ -69,13 +76,19 @@ constexpr std::array kTable = {
     OptionRow{Option::Update, "--update", ValueKind::Flag, "", 0, 0, "",
               "keep the pictures as they are drawn now"},
     OptionRow{Option::Report, "--report", ValueKind::Text, "OUT.html", 0, 0, "",
-              "write a page that shows the shots, also when all are as kept"},
+              "write a page that shows all of it; of a check, also when all is as kept"},
+    OptionRow{Option::List, "--list", ValueKind::Flag, "", 0, 0, "",
+              "only print what is approximated, with its setting and the bound on its error"},
+    OptionRow{Option::Csv, "--csv", ValueKind::Flag, "", 0, 0, "", "print CSV"},
+    OptionRow{Option::TimeBudget, "--time-budget", ValueKind::Number, "SECONDS", 0.01, 1e6, "",
+              "pick the most accurate settings with which the bake takes no longer"},
     OptionRow{Option::Texel, "--texel", ValueKind::Number, "METRES", 1e-6, 1e6, "0.125",
               "size of a lightmap's texels"},
     OptionRow{Option::Samples, "--samples", ValueKind::Integer, "COUNT|auto", 1, 4096, "1",
               "samples per texel, a square number; auto: as many as shadows' edges need"},
-    OptionRow{Option::SoftSamples, "--soft-samples", ValueKind::Integer, "COUNT", 1, 4096, "64",
-              "directions in which a sample looks at a light with a radius, a square number"},
+    OptionRow{Option::SoftSamples, "--soft-samples", ValueKind::Integer, "COUNT", 0, 4096, "64",
+              "directions in which a sample looks at a light with a radius, a square number; 0: it "
+              "is a point"},
     OptionRow{Option::CutOff, "--cut-off", ValueKind::Number, "LEVELS", 0, 255, "0: nothing",
               "leave a light out from where on it has no more than so many levels"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 0, "0",
@@ -106,16 +119,6 @@ std::optional<double> parseNumber(std::string_view text) {
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
     return std::nullopt;
   return value;
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return parts;
-    begin = end + 1;
-  }
 }
 
 std::optional<std::string> mistakeInChoice(const OptionRow& row, const std::string& value) {
@@ -179,6 +182,16 @@ std::optional<std::string> OptionValues::text(Option option) const {
 std::optional<double> OptionValues::number(Option option) const {
   const auto found = values_.find(option);
   return found == values_.end() ? std::nullopt : parseNumber(found->second);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
 }
 
 std::optional<PictureSize> parseSize(std::string_view text) {

@@ -19,14 +19,17 @@ enum class Option {
   Fov,
   Light,
   Channel,
+  Quality,
   TextureFilter,
   LightFilter,
   LightEvery,
   DepthEvery,
+  PixelSize,
   LightFrom,
   Start,
   Scale,
   FrameCap,
+  TargetMs,
   Vsync,
   Record,
   Replay,
@@ -38,6 +41,9 @@ enum class Option {
   Golden,
   Update,
   Report,
+  List,
+  Csv,
+  TimeBudget,
   Texel,
   Samples,
   SoftSamples,
@@ -101,6 +107,9 @@ struct PictureSize {
   friend bool operator==(PictureSize, PictureSize) = default;
 };
 std::optional<PictureSize> parseSize(std::string_view text);
+
+/// The parts of a text between separators; at least one.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Numbers separated by commas, all of them finite.
 std::optional<std::vector<double>> parseNumbers(std::string_view text);

@@ -45,17 +45,18 @@ LightMode lightModeFrom(const OptionValues& values) {
   return mode == "only" ? LightMode::Only : LightMode::Both;
 }
 
-tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
-                                        ProgressStyle inFile) {
-  const auto settings = bakeSettingsFor(level, values);
-  if (!settings) return tl::unexpected(settings.error());
+int threadsFrom(const OptionValues& values) {
+  return static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
+}
 
-  const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
+Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValues& values,
+              ProgressStyle inFile) {
+  const int threads = threadsFrom(values);
   const auto start = std::chrono::steady_clock::now();
   BakedLight light = [&] {
     BakeProgress progress;
     const ProgressDisplay display(progressStyle(values, inFile), progress);
-    return bake(level, *settings, threads, &progress);
+    return bake(level, settings, threads, &progress);
   }();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (light.stats.litSurfaces == 0)
@@ -63,7 +64,14 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
                "{}:1:1: warning: no light reaches any surface, so only sector light shows, at "
                "/lights, add lights or raise their intensity\n",
                values.level);
-  return Bake{std::move(light), *settings, threads, seconds.count()};
+  return Bake{std::move(light), settings, threads, seconds.count()};
+}
+
+tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
+                                        ProgressStyle inFile) {
+  return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
+    return bakeWith(level, settings, values, inFile);
+  });
 }
 
 tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values) {

@@ -35,6 +35,13 @@ struct Bake {
 tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
                                         ProgressStyle inFile = ProgressStyle::None);
 
+/// The same with other settings.
+Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValues& values,
+              ProgressStyle inFile);
+
+/// The threads that bake.
+int threadsFrom(const OptionValues& values);
+
 /// The light to draw with: from the file that `--light-from` names, or baked.
 tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);
 

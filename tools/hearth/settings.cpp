@@ -2,13 +2,25 @@
 
 #include <fmt/format.h>
 
+#include "hearth/quality.h"
 #include "light/bakery.h"
+#include "math/check.h"
 
 namespace hearth {
 
+namespace {
+
+const Quality& qualityFrom(const OptionValues& values) {
+  const Quality* quality = qualityNamed(values.text(Option::Quality).value_or("normal"));
+  CHECK(quality, *values.text(Option::Quality));  // the option takes no other
+  return *quality;
+}
+
+}  // namespace
+
 tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
                                                         const OptionValues& values) {
-  BakeSettings settings = level.bake;
+  BakeSettings settings = qualityFrom(values).bake.of(level.bake);
   settings.texel = values.number(Option::Texel).value_or(settings.texel);
   if (const auto samples = values.number(Option::Samples))
     settings.samples = static_cast<int>(*samples);
@@ -42,12 +54,18 @@ std::string samplesInWords(const BakeSettings& settings) {
 }
 
 DrawSettings drawSettingsFrom(const OptionValues& values) {
-  DrawSettings settings;
-  if (values.text(Option::TextureFilter) == "bilinear")
-    settings.textureFilter = TextureFilter::Bilinear;
-  if (values.text(Option::LightFilter) == "nearest") settings.lightFilter = LightFilter::Nearest;
-  settings.lightEvery = static_cast<int>(values.number(Option::LightEvery).value_or(1));
-  settings.depthEvery = static_cast<int>(values.number(Option::DepthEvery).value_or(1));
+  DrawSettings settings = qualityFrom(values).draw;
+  if (const auto filter = values.text(Option::TextureFilter))
+    settings.textureFilter =
+        *filter == "bilinear" ? TextureFilter::Bilinear : TextureFilter::Nearest;
+  if (const auto filter = values.text(Option::LightFilter))
+    settings.lightFilter = *filter == "nearest" ? LightFilter::Nearest : LightFilter::Bilinear;
+  const auto take = [&](Option option, int& setting) {
+    if (const auto given = values.number(option)) setting = static_cast<int>(*given);
+  };
+  take(Option::LightEvery, settings.lightEvery);
+  take(Option::DepthEvery, settings.depthEvery);
+  take(Option::PixelSize, settings.pixelSize);
   return settings;
 }
 
@@ -60,6 +78,7 @@ std::string optionsOf(const DrawSettings& settings) {
   if (settings.lightFilter == LightFilter::Nearest) add(Option::LightFilter, "nearest");
   if (settings.lightEvery != 1) add(Option::LightEvery, settings.lightEvery);
   if (settings.depthEvery != 1) add(Option::DepthEvery, settings.depthEvery);
+  if (settings.pixelSize != 1) add(Option::PixelSize, settings.pixelSize);
   return options;
 }
 

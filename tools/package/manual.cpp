@@ -50,7 +50,7 @@ void printCommand(const Command& command) {
   std::vector<std::string_view> names;
   for (const Option option : command.options) names.push_back(row(option).name);
   fmt::print(".TP\n.B hearth {} \\fILEVEL\\fR{}\n{}.\n", command.name,
-             command.takesSeveralLevels ? "..." : "", troff(command.help));
+             command.levels == LevelFiles::Several ? "..." : "", troff(command.help));
   fmt::print("Takes {}.\n", listed(names));
   if (!command.more.empty()) fmt::print(".IP\n.EX\n{}\n.EE\n", troff(command.more));
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -10,7 +9,6 @@
 #include "hearth/bench/measure.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
-#include "light/parallel.h"
 
 namespace hearth {
 
@@ -98,19 +96,15 @@ void print(const BenchReport& report, const Machine& machine) {
                perSecond(1e-6 * static_cast<double>(report.bake.rays), bake));
 }
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 ExitStatus run(const OptionValues& values) {
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto settings = bakeSettingsFor(loaded->level, values);
   if (!settings) return fail(settings.error());
-  const int threads = static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
+  const int threads = threadsFrom(values);
   const int repeats = static_cast<int>(values.number(Option::Repeats).value_or(kRepeats));
   const BenchReport report =
-      measure(*loaded, *settings, drawSettingsFrom(values), threads, repeats, seconds);
+      measure(*loaded, *settings, drawSettingsFrom(values), threads, repeats, steadySeconds);
   if (values.has(Option::Json))
     fmt::print("{}\n", toJson(report, thisMachine()).dump(1));
   else

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "render/renderer.h"
@@ -38,7 +39,9 @@ FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
            {"slopeSpans", mean(painted.slopeSpans)},
            {"lightmapSpans", mean(painted.lightmapSpans)},
            {"coloredSpans", mean(painted.coloredSpans)},
-           {"lightmapPixels", mean(painted.lightmapPixels)}}};
+           {"lightmapPixels", mean(painted.lightmapPixels)},
+           {"lightLookups", mean(painted.lightLookups)},
+           {"pixels", mean(painted.pixels)}}};
 }
 
 /// Frames of one size on so many threads, with all times that were taken.
@@ -78,6 +81,10 @@ class FrameTimes {
 };
 
 }  // namespace
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 Spread spreadOf(std::vector<double> values) {
   std::ranges::sort(values);

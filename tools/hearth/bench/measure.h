@@ -26,7 +26,7 @@ struct FrameCounter {
   std::string_view name;  ///< stable: scripts read it
   double mean = 0;
 };
-using FrameCounters = std::array<FrameCounter, 12>;
+using FrameCounters = std::array<FrameCounter, 14>;
 
 /// Frames of one size, of all shots of a level.
 struct FrameBench {
@@ -54,6 +54,8 @@ struct BenchReport {
 
 /// In seconds, from any beginning.
 using Clock = std::function<double()>;
+/// One that nobody sets.
+double steadySeconds();
 
 /// Draws every shot of the level in three sizes, and bakes, each `repeats` times on one thread and
 /// on `threads`: everything once, then everything again, so that what else the machine does

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "hearth/budget.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
 #include "hearth/walk/keys.h"
@@ -50,6 +51,10 @@ tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& 
 }
 
 std::optional<std::string> mistakeInOptions(const OptionValues& values) {
+  if (values.has(Option::TargetMs))
+    for (const Option option : std::vector<Option>{Option::Quality} + drawOptions())
+      if (values.has(option))
+        return fmt::format("give --target-ms or {}, not both", row(option).name);
   if (values.has(Option::Headless) && !values.has(Option::Replay))
     return "--headless: give --replay, which alone needs no window";
   if (!values.has(Option::Replay)) return std::nullopt;
@@ -109,6 +114,22 @@ ExitStatus keepWalk(const Level& level, const RecordedStart& start, const Journe
   return written ? ExitStatus::Done : fail(written.error());
 }
 
+/// Those of the command line, or those that fit the time that it gives for a frame.
+DrawSettings drawSettingsInTime(const LoadedLevel& loaded, const BakedLight& light, const Eye& eye,
+                                const Plan& plan, WalkWindow& window, const OptionValues& values) {
+  const std::optional<double> target = values.number(Option::TargetMs);
+  if (!target) return drawSettingsFrom(values);
+  const auto [width, height] =
+      plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
+  const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
+                      plan.settings.fov, width,     height};
+  const FittingFrame fitting =
+      frameFitting(Renderer(loaded.level, loaded.textures, light), camera, *target, steadySeconds);
+  fmt::print("picked {}\n", words(fitting));
+  std::fflush(stdout);  // before the walk, not after it
+  return fitting.draw;
+}
+
 ExitStatus walkInWindow(const LoadedLevel& loaded, const Plan& plan, Journey& journey,
                         const OptionValues& values) {
   const Level& level = loaded.level;
@@ -119,7 +140,9 @@ ExitStatus walkInWindow(const LoadedLevel& loaded, const Plan& plan, Journey& jo
   const auto light = lightBehind(loaded, values);
   if (!light) return fail(light.error());
 
-  const Renderer renderer(level, loaded.textures, *light, drawSettingsFrom(values));
+  const Renderer renderer(
+      level, loaded.textures, *light,
+      drawSettingsInTime(loaded, *light, eyeOf(level, journey.walker()), plan, *window, values));
   Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
   WalkLoop loop(level, renderer, journey, screenshots, *window, plan.settings);
   if (plan.replay) loop.replay(plan.replay->inputs);
@@ -154,12 +177,12 @@ Command walkCommand() {
           "opens a window and walks the level: H in it shows the keys",
           std::vector<Option>{Option::Start, Option::Camera, Option::Sector, Option::Shot,
                               Option::Size, Option::Scale, Option::Fov, Option::FrameCap,
-                              Option::Vsync, Option::Light, Option::Record, Option::Replay,
-                              Option::Headless, Option::Quiet} +
+                              Option::TargetMs, Option::Vsync, Option::Light, Option::Record,
+                              Option::Replay, Option::Headless, Option::Quiet} +
               drawOptions() + lightOptions(),
           {},
           run,
-          false,
+          LevelFiles::One,
           "Keys:\n" + keyHelp()};
 }
 

@@ -1,0 +1,84 @@
+#include "hearth/tradeoff/approximations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "../loaded.h"
+#include "hearth/command.h"
+#include "hearth/settings.h"
+#include "render/renderer.h"
+
+namespace hearth {
+namespace {
+
+TEST(Approximations, areAllSettingsOfBakesAndFrames) {
+  std::set<Option> settings;
+  for (const Approximation& approximation : approximations())
+    settings.insert(approximation.setting);
+  EXPECT_EQ(settings.size(), approximations().size()) << "each once";
+  for (const Option option : drawOptions())
+    EXPECT_TRUE(settings.contains(option)) << row(option).name;
+  // What light is, and not how nearly it is found.
+  const std::set<Option> others{Option::Bounces, Option::Lambert, Option::NoLambert,
+                                Option::Threads};
+  for (const Option option : settingOptions())
+    EXPECT_NE(settings.contains(option), others.contains(option)) << row(option).name;
+}
+
+TEST(Approximations, areTriedWithValuesThatTheirOptionsTake) {
+  for (const Approximation& approximation : approximations())
+    for (const std::string_view value : triedOf(approximation))
+      EXPECT_EQ(mistakeIn(row(approximation.setting), std::string(value)), std::nullopt)
+          << row(approximation.setting).name << ' ' << value;
+}
+
+/// A shipped level in coarse light, as its settings leave it.
+class ShippedLevel {
+ public:
+  explicit ShippedLevel(const std::string& path) : loaded_(loaded(path)) {
+    base_.set(Option::Texel, "0.5");
+    light_ = bakeWith(base_);
+    for (const Image& picture : picturesOf(light_, {})) pictures_.push_back(picture);
+  }
+
+  bool isChangedBy(const Approximation& approximation, std::string_view value) const {
+    OptionValues values = base_;
+    values.set(approximation.setting, std::string(value));
+    if (approximation.of == Approximation::Of::Frame)
+      return picturesOf(light_, drawSettingsFrom(values)) != pictures_;
+    return picturesOf(bakeWith(values), {}) != pictures_;
+  }
+
+ private:
+  BakedLight bakeWith(const OptionValues& values) const {
+    return bake(loaded_.level, bakeSettingsFor(loaded_.level, values).value(), 2);
+  }
+
+  std::vector<Image> picturesOf(const BakedLight& light, const DrawSettings& settings) const {
+    const Renderer renderer(loaded_.level, loaded_.textures, light, settings);
+    std::vector<Image> pictures;
+    for (const Shot& shot : loaded_.level.shots)
+      pictures.push_back(renderer.draw(cameraOf(shot), LightMode::Both));
+    return pictures;
+  }
+
+  LoadedLevel loaded_;
+  OptionValues base_;
+  BakedLight light_;
+  std::vector<Image> pictures_;
+};
+
+TEST(Approximations, eachChangeWhatIsSeenOfAShippedLevel) {
+  const ShippedLevel level("levels/tutorial.json");
+  for (const Approximation& approximation : approximations()) {
+    const auto tried = triedOf(approximation);
+    EXPECT_TRUE(std::ranges::any_of(tried, [&](std::string_view value) {
+      return level.isChangedBy(approximation, value);
+    })) << row(approximation.setting).name;
+  }
+}
+
+}  // namespace
+}  // namespace hearth

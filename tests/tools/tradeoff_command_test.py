@@ -1,0 +1,105 @@
+"""Holds `hearth tradeoff` to what it prints and writes. How long things take is nobody's business here.
+
+usage: tradeoff_command_test.py HEARTH SOURCE_DIR
+"""
+
+import csv
+import io
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.dom.minidom
+from pathlib import Path
+
+HEARTH = ""
+SOURCE = Path()
+
+
+def run(*arguments):
+    return subprocess.run([HEARTH, "tradeoff", *map(str, arguments)], capture_output=True, text=True)
+
+
+def measure(*options):
+    return run(SOURCE / "tests/levels/rooms.json", "--size", "24x15", "--repeats", "1", *options)
+
+
+class Tradeoff(unittest.TestCase):
+    def refuse(self, result, message):
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, message)
+        self.assertEqual(result.stdout, "")
+
+    def test_lists_every_approximation_without_a_level(self):
+        result = run("--list")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        settings = [line.split()[0] for line in result.stdout.splitlines() if line.startswith("--")]
+        self.assertEqual(len(settings), len(set(settings)))
+        for setting in ["--texel", "--samples", "--light-filter", "--pixel-size"]:
+            self.assertIn(setting, settings)
+        for path in [line.strip() for line in result.stdout.splitlines() if "engine/" in line]:
+            self.assertTrue((SOURCE / path).is_file(), path)
+
+    def test_needs_a_level_to_measure(self):
+        self.refuse(run(), "LEVEL is required")
+
+    def test_needs_shots_to_look_at(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "bare.json"
+            level = json.loads((SOURCE / "tests/levels/rooms.json").read_text())
+            level.pop("shots")
+            level["textures"] = str(SOURCE / "textures")
+            level["lights"] = str(SOURCE / "tests/levels/rooms.lights.json")
+            path.write_text(json.dumps(level))
+            self.refuse(run(path), "bare.json: .*shots")
+
+    def test_prints_the_same_errors_and_work_each_time(self):
+        def rows():
+            result = measure("--csv", "--quiet")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            return list(csv.DictReader(io.StringIO(result.stdout)))
+
+        first, second = rows(), rows()
+        self.assertEqual(first[0]["settings"], "", "the level's own come first")
+        self.assertEqual(len(first), len({row["settings"] for row in first}))
+        timed = {"front", "bake_seconds", "frame_ms"}
+        for a, b in zip(first, second, strict=True):
+            self.assertEqual({key: a[key] for key in a.keys() - timed},
+                             {key: b[key] for key in b.keys() - timed})
+        self.assertTrue(any(row["front"] for row in first))
+
+    def test_finds_finer_texels_nearer_to_truth(self):
+        rows = {row["settings"]: row
+                for row in csv.DictReader(io.StringIO(measure("--csv", "--quiet").stdout))}
+        errors = [float(rows[f"--texel {size}"]["light_rms"]) for size in (1, 0.03125)]
+        self.assertGreater(errors[0], errors[1])
+        self.assertLess(int(rows["--texel 1"]["texels"]), int(rows["--texel 0.03125"]["texels"]))
+
+    def test_takes_the_settings_that_it_is_given_for_all(self):
+        rows = list(csv.DictReader(io.StringIO(measure("--csv", "--quiet", "--texel", "0.5").stdout)))
+        texels = {row["texels"] for row in rows if "--texel" not in row["settings"]}
+        self.assertEqual(len(texels), 1)
+
+    def test_writes_a_page_that_needs_no_other_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "trade.html"
+            result = measure("--report", path)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("of", result.stderr, "how far it is")
+            page = path.read_text()
+            self.assertEqual(page.count("<svg"), 2)
+            for begin in [i for i in range(len(page)) if page.startswith("<svg", i)]:
+                xml.dom.minidom.parseString(page[begin:page.index("</svg>", begin) + 6])
+            self.assertNotRegex(page, r"(src|href)=")
+            self.assertIn("--texel 0.0625", page)
+
+    def test_says_when_a_page_cannot_be_written(self):
+        result = measure("--quiet", "--report", "/nowhere/trade.html")
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, "/nowhere/trade.html")
+
+
+if __name__ == "__main__":
+    HEARTH, SOURCE = sys.argv[1], Path(sys.argv[2])
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "level/level.h"
+#include "render/draw_settings.h"
+
+namespace hearth {
+
+/// Settings of a bake, relative to those of a level's author, who knows how large its rooms are.
+struct BakeQuality {
+  double texels;      ///< sides of the level's own
+  bool samplesEdges;  ///< as many samples as edges of shadows need; else as the level says
+  int softSamples;
+
+  BakeSettings of(const BakeSettings& levels) const;
+};
+
+/// Settings that go together. `hearth tradeoff` measures what each costs and how far off it is.
+struct Quality {
+  std::string_view name;
+  BakeQuality bake;
+  DrawSettings draw;
+};
+
+/// From the one that is soonest done to the one that is nearest to truth.
+std::span<const Quality> qualities();
+
+/// Null where none has the name.
+const Quality* qualityNamed(std::string_view name);
+
+}  // namespace hearth

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "hearth/bench/measure.h"
+#include "hearth/tradeoff/errors.h"
+#include "hearth/tradeoff/trials.h"
+
+namespace hearth {
+
+/// What a trial takes, in time, which differs from run to run, and in work, which does not; and
+/// how far off it is.
+struct Measured {
+  Trial trial;
+  double bakeSeconds = 0;
+  double frameMilliseconds = 0;  ///< median over shots and repeats, on one thread
+  std::int64_t texels = 0;
+  std::int64_t rays = 0;
+  std::int64_t bytes = 0;   ///< of lightmaps
+  double pixels = 0;        ///< that a frame colours, and ...
+  double lightLookups = 0;  ///< ... those at which it looks light up; mean over the shots
+  Errors errors;
+};
+
+/// How trials are measured.
+struct TrialBench {
+  PictureSize frameSize{640, 400};  ///< that is timed
+  int threads = 1;                  ///< of bakes
+  int repeats = 5;                  ///< of frames
+  Clock clock;
+  std::function<void(std::size_t)> done;  ///< called with the number of trials that are measured
+};
+
+/// Bakes what has the same bake only once. `truth` is of the level's shots; none may be empty.
+std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
+                                    std::span<const TruthPicture> truth, const TrialBench& bench);
+
+}  // namespace hearth

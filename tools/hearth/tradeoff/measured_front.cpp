@@ -1,0 +1,41 @@
+#include "hearth/tradeoff/measured_front.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hearth {
+
+namespace {
+
+// Means of `hearth tradeoff` on levels/tutorial.json and levels/keep.json, of costs as factors.
+
+constexpr std::array kFrames = {
+    MeasuredFrame{{}, 1, 0.066},
+    MeasuredFrame{{.pixelSize = 2}, 0.44, 0.61},
+    MeasuredFrame{{.pixelSize = 3}, 0.27, 0.60},
+    MeasuredFrame{{.pixelSize = 4}, 0.20, 0.70},
+};
+
+constexpr std::array kBakes = {
+    MeasuredBake{{0.25, true, 64}, 21, 2.3},  MeasuredBake{{0.25, false, 64}, 10.5, 2.4},
+    MeasuredBake{{0.5, false, 16}, 2.3, 3.6}, MeasuredBake{{1, false, 16}, 0.68, 5.1},
+    MeasuredBake{{1, false, 0}, 0.45, 5.7},   MeasuredBake{{2, false, 0}, 0.22, 7.8},
+    MeasuredBake{{4, false, 0}, 0.125, 11.7},
+};
+
+template <typename Measured>
+const Measured& within(std::span<const Measured> front, double cost) {
+  const auto fits = [cost](const Measured& of) { return of.cost <= cost; };
+  const auto found = std::ranges::find_if(front, fits);
+  return found == front.end() ? front.back() : *found;
+}
+
+}  // namespace
+
+std::span<const MeasuredFrame> measuredFrames() { return kFrames; }
+std::span<const MeasuredBake> measuredBakes() { return kBakes; }
+
+const MeasuredFrame& frameWithin(double cost) { return within(measuredFrames(), cost); }
+const MeasuredBake& bakeWithin(double cost) { return within(measuredBakes(), cost); }
+
+}  // namespace hearth
