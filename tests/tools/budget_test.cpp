@@ -6,6 +6,7 @@
 
 #include "hearth/tradeoff/measured_front.h"
 #include "loaded.h"
+#include "support/level_text.h"
 
 namespace hearth {
 namespace {
@@ -50,6 +51,18 @@ TEST(Budget, ofABakeIsSpentOnTheMostAccurateSettings) {
     last = fitting.settings.texel;
   }
   EXPECT_EQ(last, own.texel / 4);
+}
+
+TEST(Budget, isNotSpentOnMoreTexelsThanThereCanBe) {
+  const LoadedLevel field =
+      test::levelFrom("{'light':0.1,'sectors':{" +
+                      test::sectorText("a", "0,0, 90000,0, 90000,90000, 0,90000", 0, 3) + "}}");
+  BakeSettings own;
+  own.texel = 2;
+  ASSERT_TRUE(mistakeInSettings(field.level, measuredBakes().front().bake.of(own)));
+  const FittingBake fitting = bakeFitting(field.level, own, 1e9, 2, clockOf(1));
+  EXPECT_EQ(mistakeInSettings(field.level, fitting.settings), std::nullopt);
+  EXPECT_EQ(fitting.settings.texel, own.texel) << "half of it is too fine";
 }
 
 TEST(Budget, ofAFrameIsSpentOnTheMostAccurateSettings) {

@@ -17,8 +17,10 @@ FittingBake bakeFitting(const Level& level, const BakeSettings& ofLevel, double 
   (void)bake(level, fastest.bake.of(ofLevel), threads);
   const double tried = clock() - begin;
   const double ofLevelsOwn = std::max(tried, 1e-6) / fastest.cost;
-  const MeasuredBake& found = bakeWithin((seconds - tried) / ofLevelsOwn);
-  return {found.bake.of(ofLevel), found.cost * ofLevelsOwn, found.rms};
+  const MeasuredBake* found = &bakeWithin((seconds - tried) / ofLevelsOwn);
+  // Of a large level, fine texels may be too many for any time.
+  while (found != &fastest && mistakeInSettings(level, found->bake.of(ofLevel))) ++found;
+  return {found->bake.of(ofLevel), found->cost * ofLevelsOwn, found->rms};
 }
 
 FittingFrame frameFitting(const Renderer& renderer, const Camera& camera, double milliseconds,
