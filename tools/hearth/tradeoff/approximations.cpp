@@ -30,21 +30,21 @@ constexpr std::array kApproximations = {
     Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear",
                   "none of the nearest texel, which is what levels are defined to show; a mixture "
                   "differs by up to the contrast of neighbouring texels",
-                  "engine/render/row_batch.h"},
+                  "engine/render/row_kernels.cpp"},
     Approximation{Option::LightFilter, Of::Frame, "nearest|bilinear",
                   "nearest: half of the difference of neighbouring texels, and steps that are seen",
-                  "engine/render/span_painter.h"},
+                  "engine/render/row_kernels.cpp"},
     Approximation{Option::LightEvery, Of::Frame, "1|2|4|8|16",
                   "an eighth of the rows, squared, by how fast light bends; the edges of shadows "
                   "are blurred over as many rows",
-                  "engine/render/span_painter.h"},
+                  "engine/render/span_painter.cpp"},
     Approximation{Option::PixelSize, Of::Frame, "1|2|3|4",
                   "all edges are moved by up to half of a square; what is smaller comes and goes",
-                  "engine/render/renderer.h"},
+                  "engine/render/renderer.cpp"},
     Approximation{Option::DepthEvery, Of::Frame, "1|2|4|8|16",
                   "of the depth a quarter of (rows / rows below the horizon), squared: near the "
                   "horizon textures are bent",
-                  "engine/render/row_batch.h"},
+                  "engine/render/span_painter.cpp"},
 };
 
 }  // namespace
