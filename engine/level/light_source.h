@@ -43,6 +43,7 @@ struct BakeSettings {
   int softSamples = 64;
   /// Levels. From where on a light has no more than so many, it is left out.
   double cutOff = 0;
+  int bits = 8;          ///< of a texel and channel, or 16
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
 

@@ -64,18 +64,19 @@ void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums, BakeProgr
 
 }  // namespace
 
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, std::optional<int> samples,
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& settings,
                                     BakeProgress& progress) {
   if (surface.facing().empty()) {
     progress.add(surface.texels().count());
     return std::nullopt;
   }
   TexelSums sums(surface.texels(), surface.channels());
-  if (samples)
-    addSampledLight(static_cast<int>(std::lround(std::sqrt(*samples))), surface, sums, progress);
+  if (settings.samples)
+    addSampledLight(static_cast<int>(std::lround(std::sqrt(*settings.samples))), surface, sums,
+                    progress);
   else
     addClippedLight(surface, sums, progress);
-  return sums.toLightmap(samples.value_or(1));
+  return sums.toLightmap(settings.samples.value_or(1), settings.bits);
 }
 
 }  // namespace hearth

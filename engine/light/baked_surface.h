@@ -8,9 +8,8 @@
 
 namespace hearth {
 
-/// The lightmap of a surface; none where no light reaches it. `samples` to a texel, a square
-/// number, or none for as many as shadows' edges need.
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, std::optional<int> samples,
+/// The lightmap of a surface; none where no light reaches it.
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& settings,
                                     BakeProgress& progress);
 
 }  // namespace hearth

@@ -67,7 +67,7 @@ BakeStats statsOf(const BakedLight& baked) {
     if (!baked.lightmaps[i]) continue;
     ++stats.litSurfaces;
     if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
-    stats.bytes += static_cast<std::int64_t>(baked.lightmaps[i]->levels.size());
+    stats.bytes += static_cast<std::int64_t>(baked.lightmaps[i]->bytes());
   }
   return stats;
 }
@@ -78,6 +78,8 @@ std::optional<std::string> mistakeInSettings(const Level& level, const BakeSetti
   if (settings.softSamples != 0)
     if (const auto mistake = mistakeInSquare(settings.softSamples))
       return fmt::format("soft-samples: {}", *mistake);
+  if (settings.bits != 8 && settings.bits != 16)
+    return fmt::format("light-bits: {} is neither 8 nor 16", settings.bits);
   if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
   if (settings.bounces != 0)
     return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);
@@ -105,7 +107,7 @@ BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
     const std::size_t i = order[job];
     if (isPlantedUnlit(level.surfaces[i].kind)) return;
     SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, SurfaceId(i));
-    baked.lightmaps[i] = bakeSurface(surface, settings.samples, done);
+    baked.lightmaps[i] = bakeSurface(surface, settings, done);
     const std::scoped_lock lock(addsLightCosts);
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });

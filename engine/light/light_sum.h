@@ -23,12 +23,18 @@ class LightSum {
 
   /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
   std::uint8_t mean(int samples) const {
-    const std::int64_t one = std::int64_t{samples} * kUnit;
-    return static_cast<std::uint8_t>(
-        std::clamp((sum_ + one / 2) / one, std::int64_t{0}, std::int64_t{255}));
+    return static_cast<std::uint8_t>(rounded(std::int64_t{samples} * kUnit, 255));
+  }
+  /// The same in 256ths of a level.
+  std::uint16_t fineMean(int samples) const {
+    return static_cast<std::uint16_t>(rounded(std::int64_t{samples} * (kUnit / 256), 255 * 256));
   }
 
  private:
+  std::int64_t rounded(std::int64_t one, std::int64_t most) const {
+    return std::clamp((sum_ + one / 2) / one, std::int64_t{0}, most);
+  }
+
   static constexpr std::int64_t kUnit = 1 << 20;
   static constexpr std::int64_t kFull = std::int64_t{1} << 61;
 

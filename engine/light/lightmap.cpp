@@ -4,11 +4,20 @@
 
 namespace hearth {
 
+namespace {
+
+/// Whether each texel of so many bytes is as the one before.
+bool isEven(const std::vector<std::uint8_t>& texels, std::ptrdiff_t bytes) {
+  return texels.empty() || std::equal(texels.begin() + bytes, texels.end(), texels.begin());
+}
+
+}  // namespace
+
 Lightmap asKept(Lightmap map) {
-  const auto second = map.levels.begin() + map.channels;
-  // Alike are all texels when each is as the one before.
-  if (!map.isEven() && std::equal(second, map.levels.end(), map.levels.begin()))
-    map.levels = {map.levels.begin(), second};
+  if (map.isEven() || !isEven(map.levels, map.channels) || !isEven(map.fractions, map.channels))
+    return map;
+  for (std::vector<std::uint8_t>* texels : {&map.levels, &map.fractions})
+    if (!texels->empty()) *texels = {texels->begin(), texels->begin() + map.channels};
   return map;
 }
 

@@ -10,22 +10,24 @@
 
 namespace hearth {
 
-/// The light on one surface: 8 bits a texel and channel, row by row, the channels of a texel side
-/// by side. White light has one channel, which answers for all.
+/// The light on one surface: 8 or 16 bits a texel and channel, row by row, the channels of a texel
+/// side by side. White light has one channel, which answers for all.
 struct Lightmap {
   TexelRect rect;
   std::vector<std::uint8_t> levels;  ///< of all texels, or of one that stands for all
   int channels = 1;                  ///< or 3: red, green, blue
+  /// Of 16 bits, what is left of each: 256ths of a level.
+  std::vector<std::uint8_t> fractions = {};
 
   /// True where one texel stands for all.
   bool isEven() const { return levels.size() == static_cast<std::size_t>(channels); }
+  std::size_t bytes() const { return levels.size() + fractions.size(); }
 
-  std::uint8_t at(int i, int j, int channel = 0) const {
-    const std::size_t texel =
-        isEven() ? 0
-                 : static_cast<std::size_t>(j - rect.j0) * static_cast<std::size_t>(rect.width) +
-                       static_cast<std::size_t>(i - rect.i0);
-    return levels[channels == 1 ? texel : 3 * texel + static_cast<std::size_t>(channel)];
+  /// Whole levels.
+  std::uint8_t at(int i, int j, int channel = 0) const { return levels[indexOf(i, j, channel)]; }
+  double levelAt(int i, int j, int channel = 0) const {
+    const std::size_t index = indexOf(i, j, channel);
+    return levels[index] + (fractions.empty() ? 0 : fractions[index] / 256.0);
   }
 
   /// Light of a channel in levels (0..255) at texel coordinates, interpolated between texel
@@ -36,12 +38,21 @@ struct Lightmap {
     const double down = std::clamp(t - (rect.j0 + 0.5), 0.0, rect.height - 1.0);
     const int i = std::min(static_cast<int>(across), rect.width - 2);
     const int j = std::min(static_cast<int>(down), rect.height - 2);
-    const auto level = [&](int texel, int row) -> double {
-      return at(rect.i0 + texel, rect.j0 + row, channel);
+    const auto level = [&](int texel, int row) {
+      return levelAt(rect.i0 + texel, rect.j0 + row, channel);
     };
     const double above = std::lerp(level(i, j), level(i + 1, j), across - i);
     const double below = std::lerp(level(i, j + 1), level(i + 1, j + 1), across - i);
     return std::lerp(above, below, down - j);
+  }
+
+ private:
+  std::size_t indexOf(int i, int j, int channel) const {
+    const std::size_t texel =
+        isEven() ? 0
+                 : static_cast<std::size_t>(j - rect.j0) * static_cast<std::size_t>(rect.width) +
+                       static_cast<std::size_t>(i - rect.i0);
+    return channels == 1 ? texel : 3 * texel + static_cast<std::size_t>(channel);
   }
 };
 

@@ -22,6 +22,8 @@ namespace {
 constexpr std::string_view kMagic = "\x89HEARTH\n";
 /// To be raised with the layout, and with the rules of surfaces, their order and texel grids.
 constexpr std::uint32_t kVersion = 1;
+/// The same with fractions of levels.
+constexpr std::uint32_t kFineVersion = 2;
 constexpr std::size_t kVersionEnd = 12;
 constexpr std::size_t kHeaderBytes = 44;
 /// Surface, i0, j0, width, height and channels, before the texels of each lightmap.
@@ -110,7 +112,8 @@ void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
         static_cast<std::uint32_t>(rect.height), static_cast<std::uint32_t>(map.channels)})
     putShort(bytes, number);
   const std::size_t copies = map.isEven() ? texelsIn(rect) : 1;
-  for (std::size_t i = 0; i < copies; ++i) bytes.append(map.levels.begin(), map.levels.end());
+  for (const auto* texels : {&map.levels, &map.fractions})
+    for (std::size_t i = 0; i < copies; ++i) bytes.append(texels->begin(), texels->end());
 }
 
 struct Header {
@@ -139,9 +142,9 @@ Mistake mistakeInFrame(std::string_view bytes) {
   };
   if (bytes.size() < kVersionEnd) return cutShort(kHeaderBytes + kChecksumBytes);
   Reader in(bytes.substr(kMagic.size()));
-  if (const std::uint32_t version = in.take32(); version != kVersion)
-    return fmt::format("is a saved bake of version {}, and only version {} can be read", version,
-                       kVersion);
+  if (const std::uint32_t version = in.take32(); version != kVersion && version != kFineVersion)
+    return fmt::format("is a saved bake of version {}, and only versions {} and {} can be read",
+                       version, kVersion, kFineVersion);
   if (bytes.size() < kHeaderBytes + kChecksumBytes) return cutShort(kHeaderBytes + kChecksumBytes);
   const Header header = takeHeader(in);
   if (bytes.size() < header.fileBytes) return cutShort(header.fileBytes);
@@ -165,8 +168,8 @@ Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_
 /// Takes the lightmaps of a file whose frame and geometry are right.
 class LightmapReader {
  public:
-  LightmapReader(const Level& level, BakedLight& light, Reader& in)
-      : level_(level), light_(light), in_(in) {}
+  LightmapReader(const Level& level, BakedLight& light, Reader& in, bool isFine)
+      : level_(level), light_(light), in_(in), isFine_(isFine) {}
 
   Mistake readAll(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -201,9 +204,15 @@ class LightmapReader {
                    fmt::format("with texels {} instead of {}", words(rect), words(lit->texels)));
     if (channels != 1 && channels != 3)
       return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
-    if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
+    const std::size_t planes = isFine_ ? 2 : 1;
+    if (in_.left() / (planes * channels) < texelsIn(rect))
+      return wrong(surface, "that is cut short");
     const std::string_view levels = in_.take(channels * texelsIn(rect));
-    map = asKept({rect, {levels.begin(), levels.end()}, static_cast<int>(channels)});
+    const std::string_view fractions = isFine_ ? in_.take(levels.size()) : "";
+    map = asKept({rect,
+                  {levels.begin(), levels.end()},
+                  static_cast<int>(channels),
+                  {fractions.begin(), fractions.end()}});
     return std::nullopt;
   }
 
@@ -219,6 +228,7 @@ class LightmapReader {
   const Level& level_;
   BakedLight& light_;
   Reader& in_;
+  bool isFine_;  ///< levels are followed by their fractions
 };
 
 }  // namespace
@@ -228,13 +238,15 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
   CHECK(settings.size() <= kMostSettingsBytes, settings);
   std::string lightmaps;
   std::uint32_t count = 0;
+  bool isFine = false;
   for (std::size_t i = 0; i < light.lightmaps.size(); ++i) {
     if (!light.lightmaps[i]) continue;
     put(lightmaps, static_cast<std::uint32_t>(i), *light.lightmaps[i]);
+    isFine |= !light.lightmaps[i]->fractions.empty();
     ++count;
   }
   std::string bytes(kMagic);
-  put(bytes, kVersion);
+  put(bytes, isFine ? kFineVersion : kVersion);
   put(bytes, static_cast<std::uint32_t>(settings.size()));
   put(bytes, std::uint64_t{kHeaderBytes + settings.size() + lightmaps.size() + kChecksumBytes});
   put(bytes, geometryHash(level, texel));
@@ -248,6 +260,7 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
 
 tl::expected<BakedLight, std::string> decodeBake(const Level& level, std::string_view bytes) {
   if (auto mistake = mistakeInFrame(bytes)) return tl::unexpected(std::move(*mistake));
+  const bool isFine = Reader(bytes.substr(kMagic.size())).take32() == kFineVersion;
   Reader in(bytes.substr(kVersionEnd, bytes.size() - kVersionEnd - kChecksumBytes));
   const Header header = takeHeader(in);
   if (const std::size_t most = std::min(kMostSettingsBytes, in.left()); header.settingsBytes > most)
@@ -260,7 +273,7 @@ tl::expected<BakedLight, std::string> decodeBake(const Level& level, std::string
   BakedLight light;
   light.surfaces = makeLitSurfaces(level, header.texel);
   light.lightmaps.resize(light.surfaces.size());
-  if (auto mistake = LightmapReader(level, light, in).readAll(header.lightmaps))
+  if (auto mistake = LightmapReader(level, light, in, isFine).readAll(header.lightmaps))
     return tl::unexpected(std::move(*mistake));
   light.stats = statsOf(light);
   return light;

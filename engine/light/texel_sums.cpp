@@ -7,17 +7,23 @@ namespace hearth {
 
 namespace {
 
-bool isGrey(const Lightmap& map) {
-  for (std::size_t i = 0; i < map.levels.size(); i += 3)
-    if (map.levels[i] != map.levels[i + 1] || map.levels[i + 1] != map.levels[i + 2]) return false;
+using Texels = std::vector<std::uint8_t>;
+
+bool isGrey(const Texels& texels) {
+  for (std::size_t i = 0; i < texels.size(); i += 3)
+    if (texels[i] != texels[i + 1] || texels[i + 1] != texels[i + 2]) return false;
   return true;
 }
 
-Lightmap withOneChannel(const Lightmap& map) {
-  Lightmap white{map.rect, {}, 1};
-  white.levels.reserve(map.levels.size() / 3);
-  for (std::size_t i = 0; i < map.levels.size(); i += 3) white.levels.push_back(map.levels[i]);
-  return white;
+Texels everyThird(const Texels& texels) {
+  Texels kept;
+  kept.reserve(texels.size() / 3);
+  for (std::size_t i = 0; i < texels.size(); i += 3) kept.push_back(texels[i]);
+  return kept;
+}
+
+bool isDark(const Texels& texels) {
+  return std::ranges::all_of(texels, [](std::uint8_t byte) { return byte == 0; });
 }
 
 }  // namespace
@@ -28,13 +34,23 @@ TexelSums::TexelSums(TexelRect rect, int channels)
       sums_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height) *
             static_cast<std::size_t>(channels)) {}
 
-std::optional<Lightmap> TexelSums::toLightmap(int samples) const {
+std::optional<Lightmap> TexelSums::toLightmap(int samples, int bits) const {
   Lightmap map{rect_, {}, channels_};
   map.levels.reserve(sums_.size());
-  for (const LightSum& sum : sums_) map.levels.push_back(sum.mean(samples));
-  if (std::ranges::all_of(map.levels, [](std::uint8_t level) { return level == 0; }))
-    return std::nullopt;
-  return asKept(channels_ == 3 && isGrey(map) ? withOneChannel(map) : map);
+  if (bits == 8) {
+    for (const LightSum& sum : sums_) map.levels.push_back(sum.mean(samples));
+  } else {
+    map.fractions.reserve(sums_.size());
+    for (const LightSum& sum : sums_) {
+      const std::uint16_t level = sum.fineMean(samples);
+      map.levels.push_back(static_cast<std::uint8_t>(level >> 8));
+      map.fractions.push_back(static_cast<std::uint8_t>(level));
+    }
+  }
+  if (isDark(map.levels) && isDark(map.fractions)) return std::nullopt;
+  if (channels_ == 3 && isGrey(map.levels) && isGrey(map.fractions))
+    map = {rect_, everyThird(map.levels), 1, everyThird(map.fractions)};
+  return asKept(std::move(map));
 }
 
 }  // namespace hearth

@@ -22,9 +22,9 @@ class TexelSums {
       sum[channel].add(level * light.share(channel));
   }
 
-  /// The means of so many samples a texel. None where all is dark; one channel where no coloured
-  /// light has arrived.
-  std::optional<Lightmap> toLightmap(int samples) const;
+  /// The means of so many samples a texel, in 8 or 16 bits. None where all is dark; one channel
+  /// where no coloured light has arrived.
+  std::optional<Lightmap> toLightmap(int samples, int bits) const;
 
  private:
   std::size_t index(int i, int j) const {

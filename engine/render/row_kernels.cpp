@@ -227,21 +227,49 @@ class LightPairs {
   RowBatch::Rows<std::uint64_t> texels_;
 };
 
+/// The four texels of a lightmap around rows.
 template <int kChannels>
-void findShownIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
-  const std::uint8_t* levels = lightmap.levels.data();
-  const auto bytesPerRow = static_cast<std::size_t>(lightmap.rect.width) * kChannels;
+class LightAround {
+ public:
+  LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
+      : batch_(batch),
+        upper_(LightPairs<kChannels>::template at<0>(batch, texels)),
+        lower_(LightPairs<kChannels>::template at<kBeforeLower>(batch, texels + bytesPerRow)) {}
+
+  HWY_INLINE Channels mixture(std::size_t k) const {
+    const Floats across = hn::Load(kFloat, &batch_.betweenLightTexels.across[k]);
+    const Floats down = hn::Load(kFloat, &batch_.betweenLightTexels.down[k]);
+    return mixed(upper_.mixedAcross(k, across), lower_.mixedAcross(k, across), down);
+  }
+
+ private:
   // Two bytes behind the upper pair are those of the lower row, and those before the lower of the
   // upper.
-  const auto upper = LightPairs<kChannels>::template at<0>(batch, levels);
-  const auto lower =
-      LightPairs<kChannels>::template at < kChannels == 1 ? 0 : 2 > (batch, levels + bytesPerRow);
-  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat)) {
-    const Floats across = hn::Load(kFloat, &batch.betweenLightTexels.across[k]);
-    const Floats down = hn::Load(kFloat, &batch.betweenLightTexels.down[k]);
-    storeShown(mixed(upper.mixedAcross(k, across), lower.mixedAcross(k, across), down), sectorLight,
-               batch, k);
+  static constexpr int kBeforeLower = kChannels == 1 ? 0 : 2;
+
+  const RowBatch& batch_;
+  LightPairs<kChannels> upper_;
+  LightPairs<kChannels> lower_;
+};
+
+/// `share` of b added to a.
+HWY_INLINE Channels added(const Channels& a, const Channels& b, float share) {
+  const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all(share))); };
+  return {sum(a.red, b.red), sum(a.green, b.green), sum(a.blue, b.blue)};
+}
+
+template <int kChannels>
+void findShownIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
+  const auto bytesPerRow = static_cast<std::size_t>(lightmap.rect.width) * kChannels;
+  const LightAround<kChannels> levels(batch, lightmap.levels.data(), bytesPerRow);
+  if (lightmap.fractions.empty()) {
+    for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
+      storeShown(levels.mixture(k), sectorLight, batch, k);
+    return;
   }
+  const LightAround<kChannels> fractions(batch, lightmap.fractions.data(), bytesPerRow);
+  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
+    storeShown(added(levels.mixture(k), fractions.mixture(k), 1 / 256.0F), sectorLight, batch, k);
 }
 
 void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
@@ -255,15 +283,17 @@ HWY_INLINE Channels allOf(Rgb color) {
           all(static_cast<float>(color.b))};
 }
 
+/// The one texel of a lightmap.
+HWY_INLINE Channels evenLight(const Lightmap& lightmap) {
+  const auto channel = [&](int number) {
+    return all(static_cast<float>(lightmap.levelAt(lightmap.rect.i0, lightmap.rect.j0, number)));
+  };
+  return {channel(0), channel(1), channel(2)};
+}
+
 void showEvenly(RowBatch& batch, const Lightmap* lightmap, double sectorLight) {
   batch.isEvenlyLit = true;
-  Rgb levels;
-  if (lightmap) {
-    const std::uint8_t* texel = lightmap->levels.data();
-    levels = lightmap->channels == 1 ? Rgb{texel[0], texel[0], texel[0]}
-                                     : Rgb{texel[0], texel[1], texel[2]};
-  }
-  storeShown(allOf(levels), sectorLight, batch, 0);
+  storeShown(lightmap ? evenLight(*lightmap) : allOf(Rgb{}), sectorLight, batch, 0);
 }
 
 /// More than single precision can lose of a level where light is a number that an author wrote.

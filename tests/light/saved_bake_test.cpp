@@ -39,6 +39,7 @@ void expectSameLight(const BakedLight& a, const BakedLight& b) {
     EXPECT_EQ(a.lightmaps[i]->rect, b.lightmaps[i]->rect);
     EXPECT_EQ(a.lightmaps[i]->channels, b.lightmaps[i]->channels);
     EXPECT_EQ(a.lightmaps[i]->levels, b.lightmaps[i]->levels);
+    EXPECT_EQ(a.lightmaps[i]->fractions, b.lightmaps[i]->fractions);
   }
 }
 
@@ -49,9 +50,11 @@ struct SavedSize {
 };
 
 /// Bakes, saves, reads and draws.
-SavedSize expectRoundTrip(const LoadedLevel& loaded) {
+SavedSize expectRoundTrip(const LoadedLevel& loaded, int bits = 8) {
   const Level& level = loaded.level;
-  const BakedLight light = bake(level, level.bake, 2);
+  BakeSettings settings = level.bake;
+  settings.bits = bits;
+  const BakedLight light = bake(level, settings, 2);
   const std::string bytes = encodeBake(level, light, level.bake.texel, kSettings);
   const auto read = decodeBake(level, bytes);
   EXPECT_TRUE(read) << read.error();
@@ -72,6 +75,7 @@ TEST(SavedBake, ofTheTutorialDrawsTheSamePictures) {
   const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
   ASSERT_TRUE(result.loaded);
   EXPECT_LE(expectRoundTrip(*result.loaded).perLevel(), 1.5);
+  EXPECT_LE(expectRoundTrip(*result.loaded, 16).perLevel(), 1.5);
 }
 
 TEST(SavedBake, ofRandomLevelsDrawTheSamePictures) {
@@ -187,10 +191,10 @@ TEST_F(SavedRoom, tellsWhatIsNoneOrOfAnotherVersion) {
   EXPECT_EQ(mistakeIn("\x89PNG\r\n\x1a\n and more"), "is no saved bake");
   EXPECT_EQ(mistakeIn("{}"), "is no saved bake");
   EXPECT_EQ(mistakeIn(""), "is cut short: 0 of 48 bytes are there");
-  EXPECT_EQ(mistakeAfter([](std::string& bytes) { put(bytes, kVersionAt, 2); }),
-            "is a saved bake of version 2, and only version 1 can be read");
-  EXPECT_EQ(mistakeIn(std::string("\x89HEARTH\n\x02\0\0\0", 12)),
-            "is a saved bake of version 2, and only version 1 can be read");
+  EXPECT_EQ(mistakeAfter([](std::string& bytes) { put(bytes, kVersionAt, 3); }),
+            "is a saved bake of version 3, and only versions 1 and 2 can be read");
+  EXPECT_EQ(mistakeIn(std::string("\x89HEARTH\n\x03\0\0\0", 12)),
+            "is a saved bake of version 3, and only versions 1 and 2 can be read");
 }
 
 TEST_F(SavedRoom, isRefusedWithOneByteMoreOrAnyNumberLess) {

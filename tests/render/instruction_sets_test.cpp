@@ -26,12 +26,13 @@ class InstructionSets : public testing::Test {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   }
 
-  void expectTheSamePictures(const std::string& name, const DrawSettings& settings,
-                             LightMode mode) {
+  void expectTheSamePictures(const std::string& name, const DrawSettings& settings, LightMode mode,
+                             int lightBits = 8) {
     const LoadedLevel loaded =
         loadLevel(HEARTH_SOURCE_DIR "/levels/" + name + ".json").loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
+    coarse.bits = lightBits;
     const BakedLight light = bake(loaded.level, coarse, 2);
     const Renderer renderer(loaded.level, loaded.textures, light, settings);
     for (const Shot& shot : loaded.level.shots) {
@@ -62,6 +63,7 @@ TEST_F(InstructionSets, mixTexelsTheSame) {
       "tutorial", {.textureFilter = TextureFilter::Bilinear, .lightEvery = 3, .depthEvery = 2},
       LightMode::Both);
   expectTheSamePictures("keep", {.lightFilter = LightFilter::Nearest}, LightMode::Both);
+  expectTheSamePictures("tutorial", {}, LightMode::Both, 16);
 }
 
 }  // namespace

@@ -38,10 +38,12 @@ std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
 BakedLight withAllTexels(BakedLight light) {
   for (auto& map : light.lightmaps) {
     if (!map || !map->isEven()) continue;
-    std::vector<std::uint8_t> levels;
-    for (std::int64_t i = 0; i < map->rect.count(); ++i)
-      levels.insert(levels.end(), map->levels.begin(), map->levels.end());
-    map->levels = std::move(levels);
+    for (std::vector<std::uint8_t>* texels : {&map->levels, &map->fractions}) {
+      const std::vector<std::uint8_t> one = std::move(*texels);
+      texels->clear();
+      for (std::int64_t i = 0; i < map->rect.count(); ++i)
+        texels->insert(texels->end(), one.begin(), one.end());
+    }
   }
   return light;
 }

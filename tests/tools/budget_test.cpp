@@ -87,10 +87,10 @@ TEST(Budget, saysWhatItHasPickedAndWhatToExpect) {
             "drawn exactly: about 10 ms a frame, 6.6 % of pixels off by more than 2 levels");
   BakeSettings settings;
   settings.texel = 0.25;
-  EXPECT_EQ(
-      words(FittingBake{settings, 1.23, 7.8}),
-      "--texel 0.25 --samples 1 --soft-samples 64 --cut-off 0 --bounces 0 --no-lambert: about "
-      "1.2 s, light off by about 7.8 levels (RMS)");
+  EXPECT_EQ(words(FittingBake{settings, 1.23, 7.8}),
+            "--texel 0.25 --samples 1 --soft-samples 64 --cut-off 0 --light-bits 8 --bounces 0 "
+            "--no-lambert: about "
+            "1.2 s, light off by about 7.8 levels (RMS)");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ std::vector<Option> limitOptions() {
 }
 
 std::vector<Option> settingOptions() {
-  return {Option::Texel,   Option::Samples, Option::SoftSamples, Option::CutOff,
+  return {Option::Texel,   Option::Samples, Option::SoftSamples, Option::CutOff, Option::LightBits,
           Option::Bounces, Option::Lambert, Option::NoLambert,   Option::Threads};
 }
 

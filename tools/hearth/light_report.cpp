@@ -21,7 +21,7 @@ SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
     (isWhite ? report.white : report.colored) = 1;
     (isWhite ? report.whiteTexels : report.coloredTexels) = texels;
     report.even = map->isEven() ? 1 : 0;
-    report.bytes = std::ssize(map->levels);
+    report.bytes = static_cast<std::int64_t>(map->bytes());
   } else {
     (light.surfaceCosts[i].facingLights == 0 ? report.unfaced : report.unreached) = 1;
     report.skippedTexels = texels;

@@ -91,6 +91,8 @@ constexpr std::array kTable = {
               "is a point"},
     OptionRow{Option::CutOff, "--cut-off", ValueKind::Number, "LEVELS", 0, 255, "0: nothing",
               "leave a light out from where on it has no more than so many levels"},
+    OptionRow{Option::LightBits, "--light-bits", ValueKind::Choice, "8|16", 0, 0, "8",
+              "bits of a lightmap's texel and channel"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 0, "0",
               "reflections of light that are followed"},
     OptionRow{Option::Lambert, "--lambert", ValueKind::Flag, "", 0, 0, "",

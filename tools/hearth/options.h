@@ -48,6 +48,7 @@ enum class Option {
   Samples,
   SoftSamples,
   CutOff,
+  LightBits,
   Bounces,
   Lambert,
   NoLambert,

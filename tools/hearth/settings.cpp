@@ -28,6 +28,7 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
     settings.samples.reset();  // "auto"
   if (const auto softSamples = values.number(Option::SoftSamples))
     settings.softSamples = static_cast<int>(*softSamples);
+  if (const auto bits = values.text(Option::LightBits)) settings.bits = *bits == "16" ? 16 : 8;
   settings.cutOff = values.number(Option::CutOff).value_or(settings.cutOff);
   if (const auto bounces = values.number(Option::Bounces))
     settings.bounces = static_cast<int>(*bounces);
@@ -42,10 +43,11 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
 }
 
 std::string optionsOf(const BakeSettings& settings) {
-  return fmt::format("--texel {} --samples {} --soft-samples {} --cut-off {} --bounces {} {}",
-                     settings.texel, settings.samples ? fmt::to_string(*settings.samples) : "auto",
-                     settings.softSamples, settings.cutOff, settings.bounces,
-                     settings.lambert ? "--lambert" : "--no-lambert");
+  return fmt::format(
+      "--texel {} --samples {} --soft-samples {} --cut-off {} --light-bits {} --bounces {} {}",
+      settings.texel, settings.samples ? fmt::to_string(*settings.samples) : "auto",
+      settings.softSamples, settings.cutOff, settings.bits, settings.bounces,
+      settings.lambert ? "--lambert" : "--no-lambert");
 }
 
 std::string samplesInWords(const BakeSettings& settings) {

@@ -27,6 +27,8 @@ constexpr std::array kApproximations = {
     Approximation{Option::CutOff, Of::Bake, "1|4|16",
                   "as many levels as it says, of each light that is left out",
                   "engine/level/light_source.h"},
+    Approximation{Option::LightBits, Of::Bake, "8|16", "8: half a level; 16: a 512th",
+                  "engine/light/light_sum.h"},
     Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear",
                   "none of the nearest texel, which is what levels are defined to show; a mixture "
                   "differs by up to the contrast of neighbouring texels",
