@@ -39,8 +39,9 @@ struct BakeSettings {
   double texel = 0.125;  ///< metres
   /// Per texel, a square number; none for as many as the edges of shadows need.
   std::optional<int> samples = 1;
-  /// Per sample and light with a radius, a square number; 0 for lights without one.
-  int softSamples = 64;
+  /// Per sample and light with a radius, a square number; 0 for lights without one. 36 are the
+  /// fewest that are less than a level off beside straight edges.
+  int softSamples = 36;
   /// Levels. From where on a light has no more than so many, it is left out.
   double cutOff = 0;
   int bits = 8;          ///< of a texel and channel, or 16

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "light/lit_lattice.h"
@@ -62,58 +61,47 @@ Vec3 spreadPoint(int i) {
   return {coordinate(kSteps[0]), coordinate(kSteps[1]), coordinate(kSteps[2])};
 }
 
-/// The directions from a point in which it would see a ball, as a disc of radius 1.
+/// The directions from a point in which it would see a ball, as a disc of radius 1. With D metres
+/// to the ball's middle and R its radius, the disc's point p lies in the direction
+/// `w = forward + t (p.x right + p.y up)`, where `t = R / sqrt(D^2 - R^2)` is the tangent of half
+/// the angle that the ball fills; and the line along w is inside the ball from `(D - h) / |w|^2` to
+/// `(D + h) / |w|^2` lengths of w, where `h = R sqrt(1 - p^2)`.
 class BallDisc {
  public:
   /// Of the ball, what lies in front of all planes shines.
   BallDisc(Vec3 eye, Vec3 middle, double radius, const std::vector<Plane>& planes)
       : eye_(eye), planes_(planes), distance_(length(middle - eye)), radius_(radius) {
-    forward_ = (1 / distance_) * (middle - eye);
-    const Vec3 other = std::abs(forward_.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-    const Vec3 right = cross(forward_, other);
-    right_ = (1 / length(right)) * right;
-    up_ = cross(right_, forward_);
-    tangent_ = radius / std::sqrt((distance_ - radius) * (distance_ + radius));
+    const Vec3 forward = (1 / distance_) * (middle - eye);
+    const Vec3 other = std::abs(forward.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+    const Vec3 right = cross(forward, other);
+    const double tangent = radius / std::sqrt((distance_ - radius) * (distance_ + radius));
+    forward_ = forward;
+    right_ = (tangent / length(right)) * right;
+    up_ = cross(right_, forward);
+    tangent2_ = tangent * tangent;
   }
 
-  /// What a line from the eye has inside the ball, as distances from the eye.
+  /// What a line from the eye has inside the ball, in lengths of its w from the eye.
   struct Chord {
     double from;
     double to;  ///< less than `from` where there is nothing
-  };
 
-  /// What lines through points of the disc that are equally far from its middle have in common.
-  struct Line {
-    double length2;  ///< of the way from the eye to a point of the disc 1 m before it
-    double length;
-    Chord whole;
-
-    /// Volume of the ball along the line, for each share of the disc's area; up to a factor. A unit
-    /// of solid angle has (to^3 - from^3) / 3 of it, a unit of the disc 1 / length^3 of solid
+    double middle() const { return (from + to) / 2; }
+    /// Of the ball along the line, for each share of the disc's area; up to a factor. A unit of
+    /// solid angle has |w|^3 (to^3 - from^3) / 3 of it, a unit of the disc t^2 / |w|^3 of solid
     /// angle.
-    double volumeOf(Chord chord) const {
-      if (chord.to <= chord.from) return 0;
-      const double cubes = chord.to * chord.to * chord.to - chord.from * chord.from * chord.from;
-      return cubes / (length2 * length);
-    }
-    double wholeVolume() const { return volumeOf(whole); }
+    double volume() const { return to > from ? to * to * to - from * from * from : 0; }
   };
 
-  /// `p2` is the square of the distance from the disc's middle.
-  Line lineAt(double p2) const {
-    const double length2 = 1 + tangent_ * tangent_ * p2;
-    const double length = std::sqrt(length2);
-    const double middle = distance_ / length;
-    const double half2 = radius_ * radius_ - (distance_ - middle) * (distance_ + middle);
-    const double half = std::sqrt(std::max(0.0, half2));
-    return {length2, length, {middle - half, middle + half}};
+  Chord wholeChord(DiscCells::Distance p) const {
+    const double half = radius_ * p.half;
+    const double perLength2 = 1 / (1 + tangent2_ * p.square);
+    return {(distance_ - half) * perLength2, (distance_ + half) * perLength2};
   }
 
   /// What shines of a line's chord.
-  Chord shiningChord(Vec2 p, const Line& line) const {
-    Chord chord = line.whole;
-    if (planes_.empty()) return chord;
-    const Vec3 way = wayTo(p, line);
+  Chord shiningChord(Vec2 p, Chord chord) const {
+    const Vec3 way = wayTo(p);
     for (const Plane& plane : planes_) {
       const double speed = dot(way, plane.normal);
       const double crossing = -plane.inFront(eye_) / speed;
@@ -123,24 +111,19 @@ class BallDisc {
     return chord;
   }
 
-  Vec3 pointAt(Vec2 p, const Line& line, double distance) const {
-    return eye_ + distance * wayTo(p, line);
-  }
+  Vec3 pointAt(Vec2 p, double ways) const { return eye_ + ways * wayTo(p); }
 
  private:
-  Vec3 wayTo(Vec2 p, const Line& line) const {
-    const Vec3 way = forward_ + (tangent_ * p.x) * right_ + (tangent_ * p.y) * up_;
-    return (1 / line.length) * way;
-  }
+  Vec3 wayTo(Vec2 p) const { return forward_ + p.x * right_ + p.y * up_; }
 
   Vec3 eye_;
   const std::vector<Plane>& planes_;
   double distance_;
   double radius_;
-  Vec3 forward_;  ///< unit vectors
-  Vec3 right_;
+  Vec3 forward_;  ///< unit vector
+  Vec3 right_;    ///< t long, like `up_`
   Vec3 up_;
-  double tangent_;  ///< of half the angle that the ball fills
+  double tangent2_;
 };
 
 Vec2 onDisc(Vec2 cells, int cellsAcross) { return 2.0 / cellsAcross * cells - Vec2{1, 1}; }
@@ -153,26 +136,39 @@ Vec2 nearestOnDisc(Vec2 cells, int cellsAcross) {
 }  // namespace
 
 DiscCells::DiscCells(int across) {
-  std::map<double, std::uint32_t> indices;
-  const auto distance2At = [&](Vec2 p) {
-    const auto index = static_cast<std::uint32_t>(distances2.size());
-    const auto [entry, isNew] = indices.try_emplace(dot(p, p), index);
-    if (isNew) distances2.push_back(dot(p, p));
-    return entry->second;
-  };
   for (int j = 0; j <= across; ++j)
-    for (int i = 0; i <= across; ++i) {
-      const Vec2 p = nearestOnDisc({static_cast<double>(i), static_cast<double>(j)}, across);
-      corners.push_back({p, distance2At(p)});
-    }
-  cornerDistances = distances2.size();
+    for (int i = 0; i <= across; ++i)
+      corners.push_back(nearestOnDisc({static_cast<double>(i), static_cast<double>(j)}, across));
+  std::vector<Vec2> inside;
   for (int j = 0; j < across; ++j)
     for (int i = 0; i < across; ++i)
       kWholeCell.integral([&](Vec2 inCell) {
         const Vec2 cell{static_cast<double>(i), static_cast<double>(j)};
-        points.push_back(distance2At(onDisc(cell + inCell, across)));
+        inside.push_back(onDisc(cell + inCell, across));
         return 0.0;
       });
+  cornerDistances = distancesOf(corners);
+  insideDistances = distancesOf(inside);
+}
+
+DiscCells::Distance DiscCells::distanceOf(Vec2 point) {
+  const double square = dot(point, point);
+  return {square, std::sqrt(std::max(0.0, 1 - square))};
+}
+
+DiscCells::Distances DiscCells::distancesOf(const std::vector<Vec2>& points) {
+  Distances distances;
+  for (const Vec2 point : points) distances.all.push_back(distanceOf(point));
+  std::ranges::sort(distances.all, {}, &Distance::square);
+  const auto isSame = [](Distance a, Distance b) { return a.square == b.square; };
+  distances.all.erase(std::unique(distances.all.begin(), distances.all.end(), isSame),
+                      distances.all.end());
+  for (const Vec2 point : points) {
+    const auto found =
+        std::ranges::lower_bound(distances.all, dot(point, point), {}, &Distance::square);
+    distances.ofPoints.push_back(static_cast<std::uint32_t>(found - distances.all.begin()));
+  }
+  return distances;
 }
 
 LightSight::LightSight(const Level& level, const LightSource& light, int softSamples)
@@ -244,37 +240,35 @@ double LightSight::seenOfPoints(Sees&& sees) const {
 template <typename Sees>
 double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
   const BallDisc disc(target.point, middle_.position, radius_, planes_);
-  std::vector<BallDisc::Line> lines;
-  lines.reserve(discCells_.distances2.size());
-  const auto addLines = [&](std::size_t count) {
-    while (lines.size() < count) lines.push_back(disc.lineAt(discCells_.distances2[lines.size()]));
-  };
-  addLines(discCells_.cornerDistances);
-  const auto seesAt = [&](Vec2 p, const BallDisc::Line& line) {
-    const auto [from, to] = disc.shiningChord(p, line);
-    return from <= to && sees({disc.pointAt(p, line, (from + to) / 2), middle_.sector});
+  const auto seesAt = [&](Vec2 p, BallDisc::Chord whole) {
+    const BallDisc::Chord chord = disc.shiningChord(p, whole);
+    return chord.from <= chord.to && sees({disc.pointAt(p, chord.middle()), middle_.sector});
   };
   const auto isLit = [&](Vec2 cells) {
     const Vec2 p = nearestOnDisc(cells, cells_);
-    return seesAt(p, disc.lineAt(dot(p, p)));
+    return seesAt(p, disc.wholeChord(DiscCells::distanceOf(p)));
   };
-  auto corner = discCells_.corners.begin();
+  std::vector<BallDisc::Chord> cornerChords;
+  cornerChords.reserve(discCells_.cornerDistances.all.size());
+  for (const DiscCells::Distance distance : discCells_.cornerDistances.all)
+    cornerChords.push_back(disc.wholeChord(distance));
+  std::size_t corner = 0;
   const LitLattice lattice(cells_, cells_, isLit, [&](int, int) {
-    const DiscCells::Corner& at = *corner++;
-    return seesAt(at.point, lines[at.distance2]);
+    const std::uint32_t distance = discCells_.cornerDistances.ofPoints[corner];
+    return seesAt(discCells_.corners[corner++], cornerChords[distance]);
   });
   if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return 0;
   if (lattice.isUniform() && planes_.empty()) return 1;
-  addLines(discCells_.distances2.size());
   std::vector<double> volumes;
-  volumes.reserve(lines.size());
-  for (const BallDisc::Line& line : lines) volumes.push_back(line.wholeVolume());
-  auto point = discCells_.points.begin();
+  volumes.reserve(discCells_.insideDistances.all.size());
+  for (const DiscCells::Distance distance : discCells_.insideDistances.all)
+    volumes.push_back(disc.wholeChord(distance).volume());
+  auto distance = discCells_.insideDistances.ofPoints.begin();
   double seen = 0;
   double whole = 0;
   for (int j = 0; j < cells_; ++j)
     for (int i = 0; i < cells_; ++i) {
-      const double all = kWholeCell.integral([&](Vec2) { return volumes[*point++]; });
+      const double all = kWholeCell.integral([&](Vec2) { return volumes[*distance++]; });
       whole += all;
       const int litCorners = lattice.litCorners(i, j);
       if (litCorners == 0) continue;
@@ -282,8 +276,7 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
       const Vec2 cell{static_cast<double>(i), static_cast<double>(j)};
       seen += isAllSeen ? all : lattice.part(i, j).integral([&](Vec2 inCell) {
         const Vec2 p = onDisc(cell + inCell, cells_);
-        const BallDisc::Line line = disc.lineAt(dot(p, p));
-        return line.volumeOf(disc.shiningChord(p, line));
+        return disc.shiningChord(p, disc.wholeChord(DiscCells::distanceOf(p))).volume();
       });
     }
   return seen / whole;

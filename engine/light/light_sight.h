@@ -22,20 +22,29 @@ struct LightTarget {
   Plane plane;      ///< the surface's, its normal into the air
 };
 
-/// Points of a disc of radius 1 that are asked for again and again: the corners of its cells, and
-/// where what these have in front of them is integrated (`kWholeCell`). Many are equally far from
-/// the middle.
+/// Points of a disc of radius 1 that are asked for again and again. Many are equally far from its
+/// middle, and what has to do with that is worked out once.
 struct DiscCells {
   explicit DiscCells(int across);
 
-  struct Corner {
-    Vec2 point;  ///< of the disc, the nearest
-    std::uint32_t distance2;
+  /// How far a line through the disc is from its middle, p.
+  struct Distance {
+    double square;  ///< p^2
+    double half;    ///< sqrt(1 - p^2): half of what the line has of a ball of radius 1
   };
-  std::vector<Corner> corners;        ///< row by row
-  std::vector<std::uint32_t> points;  ///< cell by cell; indices of `distances2`, like the corners'
-  std::vector<double> distances2;     ///< squares of those from the middle, each once
-  std::size_t cornerDistances = 0;    ///< the first of `distances2`: of corners
+  static Distance distanceOf(Vec2 point);
+
+  /// Those of a list of points, each once.
+  struct Distances {
+    std::vector<Distance> all;
+    std::vector<std::uint32_t> ofPoints;  ///< indices of `all`
+  };
+  static Distances distancesOf(const std::vector<Vec2>& points);
+
+  std::vector<Vec2> corners;  ///< of the cells, row by row; of those off the disc its nearest point
+  Distances cornerDistances;
+  Distances
+      insideDistances;  ///< of the points where a cell is integrated (kWholeCell), cell by cell
 };
 
 /// Answers which share of a light a point of a surface sees: of a point of light all or nothing, of

@@ -50,10 +50,8 @@ class Walk {
         origin_(source.position),
         delta_(target - source.position),
         planLength2_(dot(delta_.xy(), delta_.xy())),
-        sector_(source.sector) {
-    const double distance = length(delta_);
-    slack_ = distance > 0 ? kArrival / distance : 1;
-  }
+        length2_(dot(delta_, delta_)),
+        sector_(source.sector) {}
 
   /// To where the ray, going on, comes to in the end.
   void passGate(const Beam::Gate& gate) {
@@ -68,12 +66,12 @@ class Walk {
     for (std::size_t step = 0; step < stepLimit(); ++step) {
       const Exit exit = findExit();
       if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
-        if (hit->t >= 1 - slack_ && sector_ == goal) return true;
+        if (sector_ == goal && isAtEnd(hit->t)) return true;
         if (!crossInterface(*hit)) return false;
         continue;
       }
-      if (exit.t >= 1 - slack_ && sector_ == goal) return true;
-      if (exit.t > 1 + slack_ || !exit.segment) return liesBehindFlatPortal(goal);
+      if (sector_ == goal && isAtEnd(exit.t)) return true;
+      if (exit.t > 1 && !isNearEnd(exit.t)) return liesBehindFlatPortal(goal);
       if (!pass(exit)) return false;
     }
     return false;
@@ -96,6 +94,10 @@ class Walk {
  private:
   /// No line through a level that means something crosses so many sectors.
   std::size_t stepLimit() const { return 4 * level_.segments.size() + 16; }
+
+  /// Within kArrival of the ray's end. (Asked of each ray, so without root and division.)
+  bool isNearEnd(double t) const { return (1 - t) * (1 - t) * length2_ <= kArrival * kArrival; }
+  bool isAtEnd(double t) const { return t >= 1 || isNearEnd(t); }
 
   /// Signed distance (scaled) of a vertex to the right of the ray; the same bits for all segments
   /// that share the vertex, so that no ray slips between two of them.
@@ -221,7 +223,7 @@ class Walk {
 
   /// Goes through the opening of the exit at the ray's height, if there is one.
   bool pass(const Exit& exit) {
-    const double slack = exit.t >= 1 - slack_ ? kArrival : 0;
+    const double slack = isAtEnd(exit.t) ? kArrival : 0;
     for (const LightOpening& opening : exit.segment->lightOpenings) {
       if (!isOpenAt(opening, exit.t, slack)) continue;
       sector_ = opening.next;
@@ -252,7 +254,7 @@ class Walk {
   Vec3 origin_;
   Vec3 delta_;
   double planLength2_;
-  double slack_ = 0;  ///< kArrival as a share of the ray
+  double length2_;
 
   SectorId sector_;                 ///< where the ray is ...
   double t_ = 0;                    ///< ... since this share of its way ...

@@ -389,7 +389,7 @@ class SavedBake(InFolder):
         # By so little that no texel moves.
         self.level = self.copy_level('"v": [0,4, 4,4, 4,8, 0,8]', '"v": [0,4, 4,4, 4,7.9999, 0,7.9999]')
         self.refuse_bake(r"rooms\.bake was baked for other geometry than the level has now, with the "
-                         r'settings "--texel 0\.5 --samples 1 --soft-samples 64 --cut-off 0 --light-bits 8 '
+                         r'settings "--texel 0\.5 --samples 1 --soft-samples 36 --cut-off 0 --light-bits 8 '
                          r'--bounces 0 --no-lambert": '
                          r"bake again with `hearth bake \S*copy\.json -o \S*rooms\.bake`")
         self.bake_again()

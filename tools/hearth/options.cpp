@@ -86,7 +86,7 @@ constexpr std::array kTable = {
               "size of a lightmap's texels"},
     OptionRow{Option::Samples, "--samples", ValueKind::Integer, "COUNT|auto", 1, 4096, "1",
               "samples per texel, a square number; auto: as many as shadows' edges need"},
-    OptionRow{Option::SoftSamples, "--soft-samples", ValueKind::Integer, "COUNT", 0, 4096, "64",
+    OptionRow{Option::SoftSamples, "--soft-samples", ValueKind::Integer, "COUNT", 0, 4096, "36",
               "directions in which a sample looks at a light with a radius, a square number; 0: it "
               "is a point"},
     OptionRow{Option::CutOff, "--cut-off", ValueKind::Number, "LEVELS", 0, 255, "0: nothing",

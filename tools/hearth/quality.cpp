@@ -10,12 +10,10 @@ namespace {
 constexpr DrawSettings kExact{};
 constexpr DrawSettings kSquares{.pixelSize = 2};
 
-// More than 16 looks at a ball change no figure of the levels that come with Hearth; 64 are what
-// holds without a quality.
 constexpr std::array kQualities = {
     Quality{"draft", {2, false, 0}, kSquares},
-    Quality{"normal", {1, false, 64}, kExact},
-    Quality{"high", {0.5, false, 16}, kExact},
+    Quality{"normal", {1, false, 36}, kExact},
+    Quality{"high", {0.5, false, 36}, kExact},
     Quality{"reference", {0.25, true, 64}, kExact},
 };
 

@@ -20,9 +20,9 @@ constexpr std::array kApproximations = {
         "grid to 1/sqrt(samples); auto: straight edges exactly",
         "engine/light/baked_surface.h"},
     Approximation{
-        Option::SoftSamples, Of::Bake, "0|4|16|64|256",
-        "the share of a ball that is seen: 2 levels of 255 at the most with 64 at straight "
-        "edges, at the rate of 1/sqrt(soft samples) at least",
+        Option::SoftSamples, Of::Bake, "0|4|16|36|64|256",
+        "the share of a ball that is seen: less than a level of 255 with 36 at straight edges, "
+        "falling at the rate of 1/sqrt(soft samples) at least",
         "engine/light/light_sight.h"},
     Approximation{Option::CutOff, Of::Bake, "1|4|16",
                   "as many levels as it says, of each light that is left out",
