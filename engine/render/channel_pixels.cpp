@@ -68,7 +68,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = gray(255 / (1 + (mapping.isPlane ? measure : mapping.depth)));
         break;
       case Channel::Uv:
-        pixel = uvColor(mapping, measure, material.image);
+        pixel = uvColor(mapping, measure, material.image());
         break;
       case Channel::Normal:
         pixel = normalColor(material.lit);

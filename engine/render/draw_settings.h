@@ -10,8 +10,9 @@ enum class LightMode {
 };
 
 enum class TextureFilter {
-  Nearest,   ///< the texel that the pixel's centre falls into
-  Bilinear,  ///< a mixture of the four texels around it
+  Nearest,    ///< the texel that the pixel's centre falls into
+  Bilinear,   ///< a mixture of the four texels around it
+  Mipmapped,  ///< as nearest, of a smaller version where texels would be smaller than pixels
 };
 
 enum class LightFilter {

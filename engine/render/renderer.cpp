@@ -63,6 +63,16 @@ Projection projectionFor(const Level& level, const Camera& camera, int pixelSize
   return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye), pixelSize);
 }
 
+Renderer::Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
+                   DrawSettings settings)
+    : level_(level), light_(light), settings_(settings) {
+  textures_.reserve(textures.size());
+  for (const Image& image : textures)
+    textures_.push_back(settings.textureFilter == TextureFilter::Mipmapped
+                            ? MipMap::withAllSizes(image)
+                            : MipMap(image));
+}
+
 void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
                     int threads) const {
   const int pixelSize = settings_.pixelSize;

@@ -34,11 +34,7 @@ class Renderer {
  public:
   /// Level and light must outlive the renderer. `textures` are by TextureId, and copied.
   Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
-           DrawSettings settings = {})
-      : level_(level),
-        textures_(textures.begin(), textures.end()),
-        light_(light),
-        settings_(settings) {}
+           DrawSettings settings = {});
 
   const DrawSettings& settings() const { return settings_; }
 
@@ -57,7 +53,7 @@ class Renderer {
                  FrameScratch& scratch, Image& picture) const;
 
   const Level& level_;
-  std::vector<Texture> textures_;
+  std::vector<MipMap> textures_;
   const BakedLight& light_;
   DrawSettings settings_;
 };

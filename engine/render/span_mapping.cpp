@@ -87,6 +87,17 @@ SpanMapping skyMapping(const Level& level, const Projection& projection, const S
 
 }  // namespace
 
+SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to) {
+  const auto scale = [](ImageAxis& axis, int sizeFrom, int sizeTo) {
+    const double scaled = static_cast<double>(sizeTo) / sizeFrom;
+    axis.texelsPerPlace *= scaled;
+    axis.offset *= scaled;
+  };
+  scale(mapping.u, from.width(), to.width());
+  scale(mapping.v, from.height(), to.height());
+  return mapping;
+}
+
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
                       const Texture& image, const LitSurface* lit) {
   const Surface& surface = level[span.surface];

@@ -58,6 +58,9 @@ struct SpanMapping {
   }
 };
 
+/// The same span on an image that shows the same in another size.
+SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to);
+
 /// `lit` is null where no light can be: sky, and what cannot show.
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
                       const Texture& image, const LitSurface* lit);

@@ -1,9 +1,11 @@
 #include "render/span_painter.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "math/planted_bug.h"
+#include "render/footprint.h"
 
 namespace hearth {
 
@@ -51,6 +53,16 @@ void spread(RowBatch::Rows<float>& values, std::size_t rows, int every) {
   });
 }
 
+/// The size of the texture that fits the first row. Only the rows that it fits stay in the batch.
+const Texture& fitting(const MipMap& texture, const Footprint& footprint, RowBatch& batch) {
+  const int level = footprint.levelAt(batch.measures[0]);
+  const std::span measures(batch.measures, batch.count);
+  const auto fits = [&](double measure) { return footprint.levelAt(measure) == level; };
+  batch.count =
+      static_cast<std::size_t>(std::ranges::partition_point(measures, fits) - measures.begin());
+  return texture.level(level);
+}
+
 }  // namespace
 
 void findDepthsEvery(int every, RowBatch& batch, const SpanMapping& mapping, const double* climbs) {
@@ -73,14 +85,19 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
   if (!material.hasUnevenLight()) material.lit = nullptr;
   count(span, material, stats);
   const SpanMapping mapping = mappingOf(material, span);
+  std::optional<Footprint> footprint;
+  if (settings_.textureFilter == TextureFilter::Mipmapped && mode != LightMode::Only)
+    footprint.emplace(level_, projection_, span, material.image(), mapping);
   if (!material.hasUnevenLight())
     kernels_.showEvenly(batch, material.lightmap, material.sectorLight);
-  for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(RowBatch::kRows)) {
+  for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(batch.count)) {
     batch.count = std::min(RowBatch::kRows, static_cast<std::size_t>(span.rowEnd - row));
     findMeasures(row, mapping, batch);
-    if (mode != LightMode::Only) findTexels(material.image, mapping, batch);
+    const Texture& image =
+        footprint ? fitting(material.texture, *footprint, batch) : material.image();
+    if (mode != LightMode::Only) findTexels(material.image(), image, mapping, batch);
     if (material.hasUnevenLight()) stats.lightLookups += findShown(material, mapping, batch);
-    shade(material.image, mode, batch, strip.at(span.column, row));
+    shade(image, mode, batch, strip.at(span.column, row));
   }
 }
 
@@ -91,12 +108,16 @@ void SpanPainter::findMeasures(int firstRow, const SpanMapping& mapping, RowBatc
   findDepthsEvery(settings_.depthEvery, batch, mapping, batch.measures);
 }
 
-void SpanPainter::findTexels(const Texture& image, const SpanMapping& mapping,
+void SpanPainter::findTexels(const Texture& full, const Texture& image, const SpanMapping& mapping,
                              RowBatch& batch) const {
-  if (settings_.textureFilter == TextureFilter::Nearest)
-    kernels_.findTexels(batch, mapping, image);
-  else
-    kernels_.findTexelsAround(batch, mapping, image);
+  switch (settings_.textureFilter) {
+    case TextureFilter::Nearest:
+      return kernels_.findTexels(batch, mapping, image);
+    case TextureFilter::Bilinear:
+      return kernels_.findTexelsAround(batch, mapping, image);
+    case TextureFilter::Mipmapped:
+      return kernels_.findTexels(batch, onImage(mapping, full, image), image);
+  }
 }
 
 std::size_t SpanPainter::findShown(const Material& material, const SpanMapping& mapping,
@@ -132,10 +153,10 @@ void SpanPainter::shade(const Texture& image, LightMode mode, const RowBatch& ba
                         Pixel* pixels) const {
   if (mode == LightMode::Only)
     kernels_.shadeColor(pixels, batch, kWhite);
-  else if (settings_.textureFilter == TextureFilter::Nearest)
-    kernels_.shadeTexels(pixels, batch, image);
-  else
+  else if (settings_.textureFilter == TextureFilter::Bilinear)
     kernels_.shadeMixtures(pixels, batch, image);
+  else
+    kernels_.shadeTexels(pixels, batch, image);
 }
 
 Material SpanPainter::materialOf(SurfaceId id) const {

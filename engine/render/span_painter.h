@@ -18,11 +18,12 @@ namespace hearth {
 /// What the pixels of a surface are made from.
 struct Material {
   const Surface& surface;
-  const Texture& image;
+  const MipMap& texture;
   const Lightmap* lightmap;  ///< null where no light reaches the surface
   const LitSurface* lit;     ///< null for sky
   double sectorLight;        ///< 0..1; sky is bright by itself
 
+  const Texture& image() const { return texture.full(); }
   /// Whether light differs from pixel to pixel.
   bool hasUnevenLight() const { return lightmap && !lightmap->isEven(); }
 };
@@ -37,7 +38,7 @@ class SpanPainter {
  public:
   /// All must outlive the painter. `climbs` are Projection::climbOf the centres of all rows, and of
   /// RowBatch::kMostLanes below the picture.
-  SpanPainter(const Level& level, const std::vector<Texture>& textures, const BakedLight& light,
+  SpanPainter(const Level& level, const std::vector<MipMap>& textures, const BakedLight& light,
               const DrawSettings& settings, const Projection& projection,
               std::span<const double> climbs)
       : level_(level),
@@ -53,13 +54,15 @@ class SpanPainter {
 
   Material materialOf(SurfaceId id) const;
   SpanMapping mappingOf(const Material& material, const Span& span) const {
-    return hearth::mappingOf(level_, projection_, span, material.image, material.lit);
+    return hearth::mappingOf(level_, projection_, span, material.image(), material.lit);
   }
 
  private:
   double sectorLightOn(const Surface& surface) const;
   void findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
-  void findTexels(const Texture& image, const SpanMapping& mapping, RowBatch& batch) const;
+  /// Of the image, which is the full texture or a size of it, on which `mapping` is.
+  void findTexels(const Texture& full, const Texture& image, const SpanMapping& mapping,
+                  RowBatch& batch) const;
   /// How often these read the lightmap.
   std::size_t findShown(const Material& material, const SpanMapping& mapping,
                         RowBatch& batch) const;
@@ -70,7 +73,7 @@ class SpanPainter {
   void shade(const Texture& image, LightMode mode, const RowBatch& batch, Pixel* pixels) const;
 
   const Level& level_;
-  const std::vector<Texture>& textures_;
+  const std::vector<MipMap>& textures_;
   const BakedLight& light_;
   const DrawSettings& settings_;
   const Projection& projection_;

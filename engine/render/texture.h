@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "image/halved.h"
 #include "image/image.h"
 
 namespace hearth {
@@ -39,6 +41,31 @@ class Texture {
   int width_;
   int height_;
   std::vector<Pixel> texels_;
+};
+
+/// A texture in several sizes, each half as wide and high as the one before: mip levels.
+class MipMap {
+ public:
+  /// In its full size alone.
+  explicit MipMap(const Image& image) : levels_{Texture(image)} {}
+  /// Down to a single texel.
+  static MipMap withAllSizes(Image image) {
+    MipMap sizes(image);
+    while (image.width() > 1 || image.height() > 1) {
+      image = halved(image);
+      sizes.levels_.emplace_back(image);
+    }
+    return sizes;
+  }
+
+  const Texture& full() const { return levels_.front(); }
+  /// 0 is the full size; past the smallest it is that.
+  const Texture& level(int number) const {
+    return levels_[std::min(static_cast<std::size_t>(number), levels_.size() - 1)];
+  }
+
+ private:
+  std::vector<Texture> levels_;
 };
 
 }  // namespace hearth

@@ -66,6 +66,7 @@ constexpr DrawSettings kCoarseLight{.lightEvery = 8};
 TEST(DrawSettings, EachChangesAShotOfTheTutorial) {
   const Drawn tutorial(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value());
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Bilinear}));
+  EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Mipmapped}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightFilter = LightFilter::Nearest}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightEvery = 2}));
   EXPECT_TRUE(tutorial.changesAnyShot({.depthEvery = 2}));
@@ -91,8 +92,33 @@ TEST(DrawSettings, OfLightLeaveTexturesAsTheyAre) {
 TEST(DrawSettings, OfTexturesLeavePlainColoursAsTheyAre) {
   const Drawn drawn = room();
   const Camera camera = cameraAt({1, 1, 2}, 45, -20);
-  EXPECT_TRUE(drawn.isSame({.textureFilter = TextureFilter::Bilinear}, camera, LightMode::Both));
-  EXPECT_TRUE(drawn.isSame({.textureFilter = TextureFilter::Bilinear}, camera, LightMode::None));
+  for (const TextureFilter filter : {TextureFilter::Bilinear, TextureFilter::Mipmapped})
+    for (const LightMode mode : {LightMode::Both, LightMode::None})
+      EXPECT_TRUE(drawn.isSame({.textureFilter = filter}, camera, mode));
+}
+
+/// Black and white, texel by texel.
+Image chessBoard() {
+  Image board(64, 64);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      if ((x + y) % 2 == 0) board.at(x, y) = {255, 255, 255};
+  return board;
+}
+
+TEST(DrawSettings, MipmappedShowsMeansOfWhatIsFarAndTexelsOfWhatIsNear) {
+  LoadedLevel hall = test::levelFrom(
+      "{'sectors':{" + test::sectorText("hall", "0,0, 90,0, 90,20, 0,20", 0, 8) + "}}");
+  hall.textures.assign(hall.textures.size(), chessBoard());
+  const Drawn drawn(std::move(hall));
+  const Camera camera = cameraAt({1, 10, 1}, 0);
+  const Image exact = drawn.with({}, camera, LightMode::None);
+  const Image means =
+      drawn.with({.textureFilter = TextureFilter::Mipmapped}, camera, LightMode::None);
+  for (int column = 0; column < camera.width; ++column) {
+    EXPECT_EQ(means.at(column, 199), exact.at(column, 199)) << column;  // 1.6 m off
+    EXPECT_EQ(means.at(column, 104), (Rgb{128, 128, 128})) << column;   // 36 m off
+  }
 }
 
 TEST(DrawSettings, OfLightMissAFewLevelsWhereItChangesEvenly) {

@@ -62,6 +62,7 @@ TEST_F(InstructionSets, mixTexelsTheSame) {
   expectTheSamePictures(
       "tutorial", {.textureFilter = TextureFilter::Bilinear, .lightEvery = 3, .depthEvery = 2},
       LightMode::Both);
+  expectTheSamePictures("tutorial", {.textureFilter = TextureFilter::Mipmapped}, LightMode::Both);
   expectTheSamePictures("keep", {.lightFilter = LightFilter::Nearest}, LightMode::Both);
   expectTheSamePictures("tutorial", {}, LightMode::Both, 16);
 }

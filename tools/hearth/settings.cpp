@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "hearth/quality.h"
 #include "light/bakery.h"
 #include "math/check.h"
@@ -15,6 +19,15 @@ const Quality& qualityFrom(const OptionValues& values) {
   CHECK(quality, *values.text(Option::Quality));  // the option takes no other
   return *quality;
 }
+
+struct NamedFilter {
+  TextureFilter filter;
+  std::string_view name;
+};
+
+constexpr std::array kTextureFilters = {NamedFilter{TextureFilter::Nearest, "nearest"},
+                                        NamedFilter{TextureFilter::Bilinear, "bilinear"},
+                                        NamedFilter{TextureFilter::Mipmapped, "mipmapped"}};
 
 }  // namespace
 
@@ -57,9 +70,8 @@ std::string samplesInWords(const BakeSettings& settings) {
 
 DrawSettings drawSettingsFrom(const OptionValues& values) {
   DrawSettings settings = qualityFrom(values).draw;
-  if (const auto filter = values.text(Option::TextureFilter))
-    settings.textureFilter =
-        *filter == "bilinear" ? TextureFilter::Bilinear : TextureFilter::Nearest;
+  if (const auto name = values.text(Option::TextureFilter))
+    settings.textureFilter = std::ranges::find(kTextureFilters, *name, &NamedFilter::name)->filter;
   if (const auto filter = values.text(Option::LightFilter))
     settings.lightFilter = *filter == "nearest" ? LightFilter::Nearest : LightFilter::Bilinear;
   const auto take = [&](Option option, int& setting) {
@@ -76,7 +88,9 @@ std::string optionsOf(const DrawSettings& settings) {
   const auto add = [&](Option option, auto value) {
     options += fmt::format("{}{} {}", options.empty() ? "" : " ", row(option).name, value);
   };
-  if (settings.textureFilter == TextureFilter::Bilinear) add(Option::TextureFilter, "bilinear");
+  if (settings.textureFilter != TextureFilter::Nearest)
+    add(Option::TextureFilter,
+        std::ranges::find(kTextureFilters, settings.textureFilter, &NamedFilter::filter)->name);
   if (settings.lightFilter == LightFilter::Nearest) add(Option::LightFilter, "nearest");
   if (settings.lightEvery != 1) add(Option::LightEvery, settings.lightEvery);
   if (settings.depthEvery != 1) add(Option::DepthEvery, settings.depthEvery);

@@ -29,9 +29,9 @@ constexpr std::array kApproximations = {
                   "engine/level/light_source.h"},
     Approximation{Option::LightBits, Of::Bake, "8|16", "8: half a level; 16: a 512th",
                   "engine/light/light_sum.h"},
-    Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear",
-                  "none of the nearest texel, which is what levels are defined to show; a mixture "
-                  "differs by up to the contrast of neighbouring texels",
+    Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear|mipmapped",
+                  "none of the nearest texel, which is what levels are defined to show; mixtures "
+                  "and means differ by up to the contrast of neighbouring texels",
                   "engine/render/row_kernels.cpp"},
     Approximation{Option::LightFilter, Of::Frame, "nearest|bilinear",
                   "nearest: half of the difference of neighbouring texels, and steps that are seen",
