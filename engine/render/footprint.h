@@ -17,8 +17,8 @@ class Footprint {
 
   /// At one of the span's measures.
   double texelsAt(double measure) const;
-  /// The mip level whose texels are nearest to a pixel in area: 0 is the full size. It rises or falls
-  /// along the span, but not both.
+  /// The mip level whose texels are nearest to a pixel in area: 0 is the full size. It rises or
+  /// falls along the span, but not both.
   int levelAt(double measure) const;
 
  private:

@@ -25,16 +25,21 @@ constexpr hn::ScalableTag<float> kFloat;
 using Doubles = hn::Vec<decltype(kDouble)>;
 using Floats = hn::Vec<decltype(kFloat)>;
 
-HWY_INLINE Doubles all(double value) { return hn::Set(kDouble, value); }
-HWY_INLINE Floats all(float value) { return hn::Set(kFloat, value); }
-
-HWY_INLINE Doubles at(const Affine& along, Doubles measure) {
-  return hn::Add(all(along.atZero), hn::Mul(measure, all(along.per)));
+/// In all lanes of Reals, which are Doubles or Floats: places are found in one or the other.
+template <typename Reals>
+HWY_INLINE Reals all(double value) {
+  return hn::Set(hn::DFromV<Reals>(), static_cast<hn::TFromV<Reals>>(value));
 }
 
-HWY_INLINE Doubles at(const ImageAxis& along, Doubles measure) {
-  const Doubles fromOrigin = hn::Sub(at(along.place, measure), all(along.origin));
-  return hn::Sub(hn::Mul(fromOrigin, all(along.texelsPerPlace)), all(along.offset));
+template <typename Reals>
+HWY_INLINE Reals at(const Affine& along, Reals measure) {
+  return hn::Add(all<Reals>(along.atZero), hn::Mul(measure, all<Reals>(along.per)));
+}
+
+template <typename Reals>
+HWY_INLINE Reals at(const ImageAxis& along, Reals measure) {
+  const Reals fromOrigin = hn::Sub(at(along.place, measure), all<Reals>(along.origin));
+  return hn::Sub(hn::Mul(fromOrigin, all<Reals>(along.texelsPerPlace)), all<Reals>(along.offset));
 }
 
 /// In texels from the centre of the first one, not from its edge.
@@ -43,22 +48,26 @@ HWY_INLINE ImageAxis fromFirst(ImageAxis along) {
   return along;
 }
 
-HWY_INLINE Doubles clamped(Doubles x, double low, double high) {
-  return hn::Max(hn::Min(x, all(high)), all(low));
+template <typename Reals>
+HWY_INLINE Reals clamped(Reals x, double low, double high) {
+  return hn::Max(hn::Min(x, all<Reals>(high)), all<Reals>(low));
 }
 
-/// Texel coordinates as whole numbers; past 2^50, where doubles leave nothing behind the point,
-/// those of 2^50.
-HWY_INLINE Doubles wholeTexels(Doubles x) {
-  const Doubles kept = clamped(x, -0x1p50, 0x1p50);
+/// Texel coordinates as whole numbers; past 2^50 (of floats 2^21), where nothing is left behind the
+/// point, those of 2^50.
+template <typename Reals>
+HWY_INLINE Reals wholeTexels(Reals x) {
+  constexpr double kMost = sizeof(hn::TFromV<Reals>) == sizeof(double) ? 0x1p50 : 0x1p21;
+  const Reals kept = clamped(x, -kMost, kMost);
   return hn::Floor(planted(PlantedBug::TruncatingRepeat) ? hn::Abs(kept) : kept);
 }
 
 /// Two neighbouring texels, and how far a row is from the centre of the first to that of the next.
+template <typename Reals>
 struct Between {
-  Doubles first;
-  Doubles next;
-  Doubles share;
+  Reals first;
+  Reals next;
+  Reals share;
 };
 
 /// An axis of an image that repeats.
@@ -67,25 +76,29 @@ class Repeating {
   Repeating(const ImageAxis& along, int size)
       : along_(along), alongFromFirst_(fromFirst(along)), size_(size), perTexel_(1.0 / size) {}
 
-  HWY_INLINE Doubles texel(Doubles measure) const {
+  template <typename Reals>
+  HWY_INLINE Reals texel(Reals measure) const {
     return repeated(wholeTexels(at(along_, measure)));
   }
 
-  HWY_INLINE Between between(Doubles measure) const {
-    const Doubles x = at(alongFromFirst_, measure);
-    const Doubles whole = wholeTexels(x);
-    const Doubles first = repeated(whole);
-    const Doubles after = hn::Add(first, all(1.0));
-    return {first, hn::IfThenElseZero(hn::Lt(after, all(size_)), after), hn::Sub(x, whole)};
+  template <typename Reals>
+  HWY_INLINE Between<Reals> between(Reals measure) const {
+    const Reals x = at(alongFromFirst_, measure);
+    const Reals whole = wholeTexels(x);
+    const Reals first = repeated(whole);
+    const Reals after = hn::Add(first, all<Reals>(1));
+    return {first, hn::IfThenElseZero(hn::Lt(after, all<Reals>(size_)), after), hn::Sub(x, whole)};
   }
 
  private:
   /// The remainder of a division that rounds down. Of the middle of a texel, so that rounding
-  /// cannot miss a multiple of the size: below 2^50 it moves the quotient by less than half a
-  /// texel.
-  HWY_INLINE Doubles repeated(Doubles whole) const {
-    const Doubles repeats = hn::Floor(hn::Mul(hn::Add(whole, all(0.5)), all(perTexel_)));
-    return hn::Sub(whole, hn::Mul(repeats, all(size_)));
+  /// cannot miss a multiple of the size: below 2^50 (of floats 2^21) it moves the quotient by less
+  /// than half a texel.
+  template <typename Reals>
+  HWY_INLINE Reals repeated(Reals whole) const {
+    const Reals middle = hn::Add(whole, all<Reals>(0.5));
+    const Reals repeats = hn::Floor(hn::Mul(middle, all<Reals>(perTexel_)));
+    return hn::Sub(whole, hn::Mul(repeats, all<Reals>(size_)));
   }
 
   ImageAxis along_;
@@ -96,11 +109,12 @@ class Repeating {
 
 /// `x`, taken back to the centres of the first and the last of so many texels. The texel before the
 /// last is the last to have a next one.
-HWY_INLINE Between betweenKept(Doubles x, double size) {
-  const Doubles last = all(size - 1);
-  const Doubles kept = hn::Max(hn::Min(x, last), all(0.0));
-  const Doubles first = hn::Floor(hn::Min(kept, all(std::max(0.0, size - 2))));
-  return {first, hn::Min(hn::Add(first, all(1.0)), last), hn::Sub(kept, first)};
+template <typename Reals>
+HWY_INLINE Between<Reals> betweenKept(Reals x, double size) {
+  const Reals last = all<Reals>(size - 1);
+  const Reals kept = hn::Max(hn::Min(x, last), all<Reals>(0));
+  const Reals first = hn::Floor(hn::Min(kept, all<Reals>(std::max(0.0, size - 2))));
+  return {first, hn::Min(hn::Add(first, all<Reals>(1)), last), hn::Sub(kept, first)};
 }
 
 /// The rows of a sky, which do not repeat: beyond the image its edge goes on.
@@ -109,11 +123,13 @@ class SkyRows {
   SkyRows(const ImageAxis& along, int size)
       : along_(along), alongFromFirst_(fromFirst(along)), size_(size) {}
 
-  HWY_INLINE Doubles texel(Doubles measure) const {
+  template <typename Reals>
+  HWY_INLINE Reals texel(Reals measure) const {
     return hn::Floor(clamped(at(along_, measure), 0.5, size_ - 0.5));
   }
 
-  HWY_INLINE Between between(Doubles measure) const {
+  template <typename Reals>
+  HWY_INLINE Between<Reals> between(Reals measure) const {
     return betweenKept(at(alongFromFirst_, measure), size_);
   }
 
@@ -132,7 +148,8 @@ class LightAxis {
                         along.per},
         size_(size) {}
 
-  HWY_INLINE Between between(Doubles measure) const {
+  template <typename Reals>
+  HWY_INLINE Between<Reals> between(Reals measure) const {
     return betweenKept(at(alongFromFirst_, measure), size_);
   }
 
@@ -142,24 +159,26 @@ class LightAxis {
 };
 
 /// An axis along which nothing changes from row to row.
+template <typename Reals>
 class SameTexel {
  public:
-  explicit SameTexel(const Repeating& axis) : texel_(axis.texel(all(0.0))) {}
+  explicit SameTexel(const Repeating& axis) : texel_(axis.texel(all<Reals>(0))) {}
 
-  HWY_INLINE Doubles texel(Doubles) const { return texel_; }
+  HWY_INLINE Reals texel(Reals) const { return texel_; }
 
  private:
-  Doubles texel_;
+  Reals texel_;
 };
 
+template <typename Reals>
 class SamePlace {
  public:
-  explicit SamePlace(const LightAxis& axis) : between_(axis.between(all(0.0))) {}
+  explicit SamePlace(const LightAxis& axis) : between_(axis.between(all<Reals>(0))) {}
 
-  HWY_INLINE Between between(Doubles) const { return between_; }
+  HWY_INLINE Between<Reals> between(Reals) const { return between_; }
 
  private:
-  Between between_;
+  Between<Reals> between_;
 };
 
 }  // namespace hearth::HWY_NAMESPACE

@@ -20,11 +20,70 @@ HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
 namespace {
 
-// Places are found in double precision.
+// Places are found in double precision or, where that is asked for, in single: Reals are Doubles or
+// Floats.
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE Floats singlesFrom(const double* from) {
+  return hn::DemoteTo(kFloat, hn::LoadU(kDouble, from));
+}
+
+template <typename Wide, typename Narrow, typename T>
+HWY_INLINE void widen(Wide wide, Narrow narrow, T* to) {
+  hn::Store(hn::PromoteTo(wide, narrow), wide, to);
+}
+
+#else
+
+/// As many doubles as there are floats in a register.
+HWY_INLINE Floats singlesFrom(const double* from) {
+  const hn::Half<decltype(kFloat)> half;
+  const auto lower = hn::DemoteTo(half, hn::LoadU(kDouble, from));
+  const auto upper = hn::DemoteTo(half, hn::LoadU(kDouble, from + hn::Lanes(kDouble)));
+  return hn::Combine(kFloat, upper, lower);
+}
+
+/// Stores as lanes of twice the size.
+template <typename Wide, typename Narrow, typename T>
+HWY_INLINE void widen(Wide wide, Narrow narrow, T* to) {
+  const hn::Half<hn::DFromV<Narrow> > half;
+  hn::Store(hn::PromoteTo(wide, hn::LowerHalf(half, narrow)), wide, to);
+  hn::Store(hn::PromoteTo(wide, hn::UpperHalf(half, narrow)), wide, to + hn::Lanes(wide));
+}
+
+#endif
+
+HWY_INLINE void load(const double* from, Doubles& reals) { reals = hn::LoadU(kDouble, from); }
+HWY_INLINE void load(const double* from, Floats& reals) { reals = singlesFrom(from); }
+
+/// Measures or climbs.
+template <typename Reals>
+HWY_INLINE Reals loaded(const double* from) {
+  Reals reals;
+  load(from, reals);
+  return reals;
+}
+
+template <typename Reals>
+constexpr std::size_t lanes() {
+  return hn::Lanes(hn::DFromV<Reals>());
+}
+
+constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
+using Integers = hn::Vec<decltype(kSigned)>;
+constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
+using Words = hn::Vec<decltype(kWord)>;
 
 /// The number of a texel of which `size` lie one behind the other.
 HWY_INLINE Doubles numberOf(Doubles line, Doubles place, int size) {
-  return hn::Add(hn::Mul(line, all(static_cast<double>(size))), place);
+  return hn::Add(hn::Mul(line, all<Doubles>(size)), place);
+}
+
+/// As integers, since floats have no room for the numbers of large images.
+HWY_INLINE Integers numberOf(Floats line, Floats place, int size) {
+  return hn::Add(hn::Mul(hn::ConvertTo(kSigned, line), hn::Set(kSigned, size)),
+                 hn::ConvertTo(kSigned, place));
 }
 
 HWY_INLINE void store(Doubles number, std::int32_t* to) {
@@ -32,55 +91,72 @@ HWY_INLINE void store(Doubles number, std::int32_t* to) {
   hn::Store(hn::DemoteTo(tag, number), tag, to);
 }
 
+HWY_INLINE void store(Integers number, std::int32_t* to) { hn::Store(number, kSigned, to); }
+
 HWY_INLINE void store(Doubles share, float* to) {
   const hn::Rebind<float, decltype(kDouble)> tag;
   hn::Store(hn::DemoteTo(tag, share), tag, to);
 }
 
-/// Whole numbers of less than 2^52: added to it, they are its lowest bits.
-HWY_INLINE void store(Doubles number, std::uint64_t* to) {
+HWY_INLINE void store(Floats share, float* to) { hn::Store(share, kFloat, to); }
+
+HWY_INLINE void storeDepths(Doubles depths, double* to) { hn::Store(depths, kDouble, to); }
+HWY_INLINE void storeDepths(Floats depths, double* to) { widen(kDouble, depths, to); }
+
+/// The first bytes of texels, of which each has so many.
+HWY_INLINE void storeBytes(Doubles number, int bytes, std::uint64_t* to) {
+  // Whole numbers of less than 2^52: added to it, they are its lowest bits.
   const hn::RebindToUnsigned<decltype(kDouble)> tag;
-  const auto bits = hn::BitCast(tag, hn::Add(number, all(0x1p52)));
-  hn::Store(hn::Xor(bits, hn::BitCast(tag, all(0x1p52))), tag, to);
+  const Doubles byte = hn::Mul(number, all<Doubles>(bytes));
+  const auto bits = hn::BitCast(tag, hn::Add(byte, all<Doubles>(0x1p52)));
+  hn::Store(hn::Xor(bits, hn::BitCast(tag, all<Doubles>(0x1p52))), tag, to);
 }
 
+HWY_INLINE void storeBytes(Integers number, int bytes, std::uint64_t* to) {
+  const Integers byte = hn::Mul(number, hn::Set(kSigned, bytes));
+  widen(hn::RebindToUnsigned<decltype(kDouble)>(), hn::BitCast(kWord, byte), to);
+}
+
+template <typename Reals>
 void findDepths(RowBatch& batch, const SpanMapping& mapping, const double* climbs) {
-  const Doubles farthest = all(mapping.depth);
-  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kDouble)) {
-    const Doubles climb = hn::LoadU(kDouble, climbs + k);
-    const Doubles found = hn::Div(all(mapping.height), hn::Sub(climb, all(mapping.rise)));
-    const auto isInside = hn::And(hn::Ge(found, all(0.0)), hn::Lt(found, farthest));
-    hn::Store(hn::IfThenElse(isInside, found, farthest), kDouble, &batch.depths[k]);
+  const Reals farthest = all<Reals>(mapping.depth);
+  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+    const Reals climb = loaded<Reals>(climbs + k);
+    const Reals found =
+        hn::Div(all<Reals>(mapping.height), hn::Sub(climb, all<Reals>(mapping.rise)));
+    const auto isInside = hn::And(hn::Ge(found, all<Reals>(0)), hn::Lt(found, farthest));
+    storeDepths(hn::IfThenElse(isInside, found, farthest), &batch.depths[k]);
   }
   batch.measures = batch.depths.data();
 }
 
-template <typename Columns, typename Rows>
+template <typename Reals, typename Columns, typename Rows>
 void findTexelsAlong(RowBatch& batch, int height, const Columns& columns, const Rows& rows) {
-  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kDouble)) {
-    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
+  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+    const Reals measure = loaded<Reals>(batch.measures + k);
     store(numberOf(columns.texel(measure), rows.texel(measure), height),
           &batch.texels.upperLeft[k]);
   }
 }
 
+template <typename Reals>
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
   const int height = image.height();
   const Repeating columns(mapping.u, image.width());
   const Repeating rows(mapping.v, height);
-  if (mapping.isPlane) return findTexelsAlong(batch, height, columns, rows);
-  const SameTexel column(columns);
-  if (!mapping.isSky) return findTexelsAlong(batch, height, column, rows);
-  findTexelsAlong(batch, height, column, SkyRows(mapping.v, height));
+  if (mapping.isPlane) return findTexelsAlong<Reals>(batch, height, columns, rows);
+  const SameTexel<Reals> column(columns);
+  if (!mapping.isSky) return findTexelsAlong<Reals>(batch, height, column, rows);
+  findTexelsAlong<Reals>(batch, height, column, SkyRows(mapping.v, height));
 }
 
-template <typename Rows>
+template <typename Reals, typename Rows>
 void findTexelsAroundAlong(RowBatch& batch, int height, const Repeating& columns,
                            const Rows& rows) {
-  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kDouble)) {
-    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
-    const Between across = columns.between(measure);
-    const Between down = rows.between(measure);
+  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+    const Reals measure = loaded<Reals>(batch.measures + k);
+    const Between<Reals> across = columns.between(measure);
+    const Between<Reals> down = rows.between(measure);
     store(numberOf(across.first, down.first, height), &batch.texels.upperLeft[k]);
     store(numberOf(across.next, down.first, height), &batch.texels.upperRight[k]);
     store(numberOf(across.first, down.next, height), &batch.texels.lowerLeft[k]);
@@ -90,52 +166,59 @@ void findTexelsAroundAlong(RowBatch& batch, int height, const Repeating& columns
   }
 }
 
+template <typename Reals>
 void findTexelsAround(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
   const int height = image.height();
   const Repeating columns(mapping.u, image.width());
   if (!mapping.isSky)
-    return findTexelsAroundAlong(batch, height, columns, Repeating(mapping.v, height));
-  findTexelsAroundAlong(batch, height, columns, SkyRows(mapping.v, height));
+    return findTexelsAroundAlong<Reals>(batch, height, columns, Repeating(mapping.v, height));
+  findTexelsAroundAlong<Reals>(batch, height, columns, SkyRows(mapping.v, height));
 }
 
 /// All of the nearer texel where nothing is to be mixed.
-HWY_INLINE Doubles filtered(Doubles share, LightFilter filter) {
-  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(share, all(0.5))) : share;
+template <typename Reals>
+HWY_INLINE Reals filtered(Reals share, LightFilter filter) {
+  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(share, all<Reals>(0.5))) : share;
 }
 
-template <typename Columns>
+template <typename Reals, typename Columns>
 void findLightTexelsAlong(RowBatch& batch, const Lightmap& lightmap, LightFilter filter,
                           const Columns& columns, const LightAxis& rows) {
-  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kDouble)) {
-    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
-    const Between across = columns.between(measure);
-    const Between down = rows.between(measure);
-    const Doubles texel = numberOf(down.first, across.first, lightmap.rect.width);
-    store(hn::Mul(texel, all(static_cast<double>(lightmap.channels))), &batch.lightTexels[k]);
+  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+    const Reals measure = loaded<Reals>(batch.measures + k);
+    const Between<Reals> across = columns.between(measure);
+    const Between<Reals> down = rows.between(measure);
+    storeBytes(numberOf(down.first, across.first, lightmap.rect.width), lightmap.channels,
+               &batch.lightTexels[k]);
     store(filtered(across.share, filter), &batch.betweenLightTexels.across[k]);
     store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
   }
 }
 
+template <typename Reals>
 void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
                      LightFilter filter) {
   const TexelRect& rect = lightmap.rect;
   const LightAxis columns(mapping.s, rect.i0, rect.width);
   const LightAxis rows(mapping.t, rect.j0, rect.height);
   if (!mapping.isPlane)
-    return findLightTexelsAlong(batch, lightmap, filter, SamePlace(columns), rows);
-  findLightTexelsAlong(batch, lightmap, filter, columns, rows);
+    return findLightTexelsAlong<Reals>(batch, lightmap, filter, SamePlace<Reals>(columns), rows);
+  findLightTexelsAlong<Reals>(batch, lightmap, filter, columns, rows);
   if (planted(PlantedBug::FlatsUnfiltered)) {
     batch.betweenLightTexels.across.fill(0);
     batch.betweenLightTexels.down.fill(0);
   }
 }
 
-// Colours are made in single precision.
+template <typename Reals>
+constexpr PlaceKernels placeKernels() {
+  return {.findDepths = findDepths<Reals>,
+          .findTexels = findTexels<Reals>,
+          .findTexelsAround = findTexelsAround<Reals>,
+          .findLightTexels = findLightTexels<Reals>};
+}
 
-constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
-constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
-using Words = hn::Vec<decltype(kWord)>;
+// Colours are made in single precision.
 
 struct Channels {
   Floats red;
@@ -166,8 +249,8 @@ HWY_INLINE Channels mixed(const Channels& a, const Channels& b, Floats share) {
 
 /// What is shown of a texture: min(1, lightmap/255 + sector light).
 HWY_INLINE Floats shownIn(Floats levels, double sectorLight) {
-  const Floats lightmap = hn::Mul(levels, all(1 / 255.0F));
-  return hn::Min(all(1.0F), hn::Add(lightmap, all(static_cast<float>(sectorLight))));
+  const Floats lightmap = hn::Mul(levels, all<Floats>(1 / 255.0F));
+  return hn::Min(all<Floats>(1.0F), hn::Add(lightmap, all<Floats>(sectorLight)));
 }
 
 HWY_INLINE void storeShown(const Channels& levels, double sectorLight, RowBatch& batch,
@@ -254,7 +337,7 @@ class LightAround {
 
 /// `share` of b added to a.
 HWY_INLINE Channels added(const Channels& a, const Channels& b, float share) {
-  const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all(share))); };
+  const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all<Floats>(share))); };
   return {sum(a.red, b.red), sum(a.green, b.green), sum(a.blue, b.blue)};
 }
 
@@ -279,14 +362,15 @@ void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
 }
 
 HWY_INLINE Channels allOf(Rgb color) {
-  return {all(static_cast<float>(color.r)), all(static_cast<float>(color.g)),
-          all(static_cast<float>(color.b))};
+  return {all<Floats>(static_cast<float>(color.r)), all<Floats>(static_cast<float>(color.g)),
+          all<Floats>(static_cast<float>(color.b))};
 }
 
 /// The one texel of a lightmap.
 HWY_INLINE Channels evenLight(const Lightmap& lightmap) {
   const auto channel = [&](int number) {
-    return all(static_cast<float>(lightmap.levelAt(lightmap.rect.i0, lightmap.rect.j0, number)));
+    return all<Floats>(
+        static_cast<float>(lightmap.levelAt(lightmap.rect.i0, lightmap.rect.j0, number)));
   };
   return {channel(0), channel(1), channel(2)};
 }
@@ -304,8 +388,8 @@ constexpr float kLostOfLevel = 0x1p-15F;
 /// set are the highest eight.
 HWY_INLINE Words shaded(Floats color, Floats shown) {
   const float half = planted(PlantedBug::RoundingTruncates) ? 0 : 0.5F + kLostOfLevel;
-  const Floats level = hn::Floor(hn::Add(hn::Mul(color, shown), all(half)));
-  return hn::BitCast(kWord, hn::Add(level, all(0x1p23F)));
+  const Floats level = hn::Floor(hn::Add(hn::Mul(color, shown), all<Floats>(half)));
+  return hn::BitCast(kWord, hn::Add(level, all<Floats>(0x1p23F)));
 }
 
 HWY_INLINE Words shaded(const Channels& color, const RowBatch& batch, std::size_t k) {
@@ -384,10 +468,8 @@ void shadeMixtures(Pixel* pixels, const RowBatch& batch, const Texture& image) {
 
 const RowKernels& kernels() {
   static constexpr RowKernels kKernels{
-      .findDepths = findDepths,
-      .findTexels = findTexels,
-      .findTexelsAround = findTexelsAround,
-      .findLightTexels = findLightTexels,
+      .inDoubles = placeKernels<Doubles>(),
+      .inSingles = placeKernels<Floats>(),
       .findShown = findShown,
       .showEvenly = showEvenly,
       .shadeColor = shadeColor,

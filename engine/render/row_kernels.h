@@ -8,9 +8,8 @@
 
 namespace hearth {
 
-/// What is done with batches of rows, as many rows at once as the registers of a processor hold.
-/// Whatever the processor, the results are the same to the bit.
-struct RowKernels {
+/// Where the rows of a batch lie, on a plane and on what covers it.
+struct PlaceKernels {
   /// The depths on a plane at climbs, as measures. As many climbs can be read as measures.
   void (*findDepths)(RowBatch& batch, const SpanMapping& mapping, const double* climbs);
   /// The texels of the image that the rows fall into.
@@ -20,6 +19,14 @@ struct RowKernels {
   /// Those of the lightmap, which is not even.
   void (*findLightTexels)(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
                           LightFilter filter);
+};
+
+/// What is done with batches of rows, as many rows at once as the registers of a processor hold.
+/// Whatever the processor, the results are the same to the bit.
+struct RowKernels {
+  PlaceKernels inDoubles;  ///< in double precision
+  PlaceKernels inSingles;
+
   /// What is shown in the light of these.
   void (*findShown)(RowBatch& batch, const Lightmap& lightmap, double sectorLight);
   /// What is shown in the same light in all rows; of a lightmap that is even, or null.

@@ -104,7 +104,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
 void SpanPainter::findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const {
   batch.measures = &climbs_[static_cast<std::size_t>(firstRow)];
   if (!mapping.isPlane) return;
-  if (settings_.depthEvery == 1) return kernels_.findDepths(batch, mapping, batch.measures);
+  if (settings_.depthEvery == 1) return places_.findDepths(batch, mapping, batch.measures);
   findDepthsEvery(settings_.depthEvery, batch, mapping, batch.measures);
 }
 
@@ -112,11 +112,11 @@ void SpanPainter::findTexels(const Texture& full, const Texture& image, const Sp
                              RowBatch& batch) const {
   switch (settings_.textureFilter) {
     case TextureFilter::Nearest:
-      return kernels_.findTexels(batch, mapping, image);
+      return places_.findTexels(batch, mapping, image);
     case TextureFilter::Bilinear:
-      return kernels_.findTexelsAround(batch, mapping, image);
+      return places_.findTexelsAround(batch, mapping, image);
     case TextureFilter::Mipmapped:
-      return kernels_.findTexels(batch, onImage(mapping, full, image), image);
+      return places_.findTexels(batch, onImage(mapping, full, image), image);
   }
 }
 
@@ -129,7 +129,7 @@ std::size_t SpanPainter::findShown(const Material& material, const SpanMapping& 
 
 void SpanPainter::findShownInEachRow(const Material& material, const SpanMapping& mapping,
                                      RowBatch& batch) const {
-  kernels_.findLightTexels(batch, mapping, *material.lightmap, settings_.lightFilter);
+  places_.findLightTexels(batch, mapping, *material.lightmap, settings_.lightFilter);
   kernels_.findShown(batch, *material.lightmap, material.sectorLight);
 }
 

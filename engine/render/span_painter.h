@@ -79,6 +79,8 @@ class SpanPainter {
   const Projection& projection_;
   std::span<const double> climbs_;
   const RowKernels& kernels_ = rowKernels();
+  const PlaceKernels& places_ =
+      settings_.precision == Precision::Single ? kernels_.inSingles : kernels_.inDoubles;
 };
 
 }  // namespace hearth

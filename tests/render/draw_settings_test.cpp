@@ -68,6 +68,7 @@ TEST(DrawSettings, EachChangesAShotOfTheTutorial) {
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Bilinear}));
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Mipmapped}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightFilter = LightFilter::Nearest}));
+  EXPECT_TRUE(tutorial.changesAnyShot({.precision = Precision::Single}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightEvery = 2}));
   EXPECT_TRUE(tutorial.changesAnyShot({.depthEvery = 2}));
   EXPECT_TRUE(tutorial.changesAnyShot({.pixelSize = 2}));
@@ -80,6 +81,23 @@ TEST(DrawSettings, OfDepthConcernPlanesAlone) {
   const Image coarse = drawn.with(kCoarseDepth, wall);
   for (int row = 20; row < 180; ++row) EXPECT_EQ(coarse.at(160, row), exact.at(160, row)) << row;
   EXPECT_FALSE(coarse == exact);
+}
+
+/// Where rounding puts a pixel on the other side of an edge between texels.
+TEST(DrawSettings, OfPrecisionMissSingleTexels) {
+  const Level level = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value().level;
+  const Drawn tutorial(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value());
+  std::int64_t wrong = 0;
+  std::int64_t pixels = 0;
+  for (const Shot& shot : level.shots) {
+    const PictureDifference difference =
+        compare(tutorial.with({}, cameraOf(shot)),
+                tutorial.with({.precision = Precision::Single}, cameraOf(shot)));
+    wrong += difference.over2;
+    pixels += std::int64_t{shot.width} * shot.height;
+    EXPECT_LE(difference.largestBlob, 8) << shot.name;
+  }
+  EXPECT_LT(wrong * 1000, pixels);
 }
 
 TEST(DrawSettings, OfLightLeaveTexturesAsTheyAre) {
@@ -156,8 +174,8 @@ TEST(DrawSettings, OfDepthMissByNoMoreThanTheyPromise) {
 TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
   RowBatch batch{};
   setRows(batch, {0.5, 1.0, 7.75, -0.25});
-  rowKernels().findTexelsAround(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}},
-                                Texture(Image(8, 1)));
+  rowKernels().inDoubles.findTexelsAround(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}},
+                                          Texture(Image(8, 1)));
   const int left[] = {0, 0, 7, 7};
   const int right[] = {1, 1, 0, 0};
   const float shares[] = {0, 0.5, 0.25, 0.25};
@@ -175,8 +193,8 @@ TEST(DrawSettings, KeepSkiesWithinTheirImage) {
   RowBatch batch{};
   setRows(batch, {-5.0, 1.25, 50.0});
   for (const int height : {1, 4}) {
-    rowKernels().findTexelsAround(batch, {.isSky = true, .v = {.place = {0, 1}}},
-                                  Texture(Image(1, height)));
+    rowKernels().inDoubles.findTexelsAround(batch, {.isSky = true, .v = {.place = {0, 1}}},
+                                            Texture(Image(1, height)));
     for (std::size_t k = 0; k < batch.count; ++k) {
       EXPECT_GE(batch.texels.upperLeft[k], 0);
       EXPECT_GE(batch.texels.lowerLeft[k], batch.texels.upperLeft[k]);

@@ -63,6 +63,10 @@ TEST_F(InstructionSets, mixTexelsTheSame) {
       "tutorial", {.textureFilter = TextureFilter::Bilinear, .lightEvery = 3, .depthEvery = 2},
       LightMode::Both);
   expectTheSamePictures("tutorial", {.textureFilter = TextureFilter::Mipmapped}, LightMode::Both);
+  expectTheSamePictures("tutorial", {.precision = Precision::Single}, LightMode::Both);
+  expectTheSamePictures("tutorial",
+                        {.textureFilter = TextureFilter::Bilinear, .precision = Precision::Single},
+                        LightMode::Both);
   expectTheSamePictures("keep", {.lightFilter = LightFilter::Nearest}, LightMode::Both);
   expectTheSamePictures("tutorial", {}, LightMode::Both, 16);
 }

@@ -26,8 +26,8 @@ std::vector<Option> settingOptions() {
 }
 
 std::vector<Option> drawOptions() {
-  return {Option::TextureFilter, Option::LightFilter, Option::LightEvery, Option::DepthEvery,
-          Option::PixelSize};
+  return {Option::TextureFilter, Option::LightFilter, Option::LightEvery,
+          Option::DepthEvery,    Option::Precision,   Option::PixelSize};
 }
 
 std::vector<Option> bakeOptions() {

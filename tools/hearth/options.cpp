@@ -45,6 +45,8 @@ constexpr std::array kTable = {
               "look light up only every so many rows of a surface, and interpolate between"},
     OptionRow{Option::DepthEvery, "--depth-every", ValueKind::Integer, "ROWS", 1, 64, "1",
               "work depth out only every so many rows of a flat or slope, and interpolate between"},
+    OptionRow{Option::Precision, "--precision", ValueKind::Choice, "single|double", 0, 0, "double",
+              "of the numbers with which a pixel's places on textures and lightmaps are found"},
     OptionRow{Option::PixelSize, "--pixel-size", ValueKind::Integer, "PIXELS", 1, 64, "1",
               "draw squares of so many pixels a side instead of pixels"},
     OptionRow{Option::LightFrom, "--light-from", ValueKind::Text, "FILE.bake", 0, 0, "baked anew",

@@ -24,6 +24,7 @@ enum class Option {
   LightFilter,
   LightEvery,
   DepthEvery,
+  Precision,
   PixelSize,
   LightFrom,
   Start,

@@ -74,6 +74,8 @@ DrawSettings drawSettingsFrom(const OptionValues& values) {
     settings.textureFilter = std::ranges::find(kTextureFilters, *name, &NamedFilter::name)->filter;
   if (const auto filter = values.text(Option::LightFilter))
     settings.lightFilter = *filter == "nearest" ? LightFilter::Nearest : LightFilter::Bilinear;
+  if (const auto precision = values.text(Option::Precision))
+    settings.precision = *precision == "single" ? Precision::Single : Precision::Double;
   const auto take = [&](Option option, int& setting) {
     if (const auto given = values.number(option)) setting = static_cast<int>(*given);
   };
@@ -92,6 +94,7 @@ std::string optionsOf(const DrawSettings& settings) {
     add(Option::TextureFilter,
         std::ranges::find(kTextureFilters, settings.textureFilter, &NamedFilter::filter)->name);
   if (settings.lightFilter == LightFilter::Nearest) add(Option::LightFilter, "nearest");
+  if (settings.precision == Precision::Single) add(Option::Precision, "single");
   if (settings.lightEvery != 1) add(Option::LightEvery, settings.lightEvery);
   if (settings.depthEvery != 1) add(Option::DepthEvery, settings.depthEvery);
   if (settings.pixelSize != 1) add(Option::PixelSize, settings.pixelSize);

@@ -40,6 +40,11 @@ constexpr std::array kApproximations = {
                   "an eighth of the rows, squared, by how fast light bends; the edges of shadows "
                   "are blurred over as many rows",
                   "engine/render/span_painter.cpp"},
+    Approximation{
+        Option::Precision, Of::Frame, "single|double",
+        "single: of places a 10-millionth of the largest coordinate, and of depth as much "
+        "of (depth / height above the plane): edges of texels are moved by that",
+        "engine/render/row_kernels.cpp"},
     Approximation{Option::PixelSize, Of::Frame, "1|2|3|4",
                   "all edges are moved by up to half of a square; what is smaller comes and goes",
                   "engine/render/renderer.cpp"},
