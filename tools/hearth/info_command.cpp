@@ -143,8 +143,8 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
                       {"lightmapBytes", contents.light.all.bytes},
                       {"rays", contents.light.all.rays}};
   json["light"] = lightToJson(contents.settings, contents.light);
-  for (const auto& [name, used, of] : featureUses(loaded, contents.light))
-    json["models"][std::string(name)] = {{"used", used}, {"of", of}};
+  for (const auto& [name, used, of, rest] : featureUses(loaded, contents.light))
+    json["models"][std::string(name)] = {{"used", used}, {"of", of}, {"rest", rest}};
   json["bake"] = {
       {"texelMetres", contents.settings.texel},
       {"geometry", fmt::format("{:016x}", geometryHash(level, contents.settings.texel))}};
@@ -173,6 +173,9 @@ void printLight(const Contents& contents) {
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)
     printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
   printRow("all", light.all);
+  fmt::print(
+      "bare: sky, or nothing of it can show; unfaced: all lights are behind its plane; "
+      "unreached: none arrives\n");
   const auto printLights = [](std::string_view what, const LightKindReport& kind) {
     if (kind.lights > 0)
       fmt::print("{:>11}  {}: {:.2f} rays a sample, {} rays\n", kind.lights, what,
@@ -202,9 +205,13 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("bytes of lightmaps", contents.light.all.bytes);
   line("rays to bake them", contents.light.all.rays);
   printLight(contents);
-  fmt::print("\nmodels only\n");
-  for (const auto& [name, used, of] : featureUses(loaded, contents.light))
-    fmt::print("{:>11}  of {} {}\n", used, of, name);
+  fmt::print("\n{:<55}{}\n", "models only", "and of the rest");
+  for (const FeatureUse& use : featureUses(loaded, contents.light)) {
+    const std::string what = fmt::format("of {} {}", use.of, use.name);
+    const std::string rest =
+        use.used < use.of ? fmt::format("{:>5} {}", use.of - use.used, use.rest) : "";
+    fmt::print("{:>11}  {:{}}{}\n", use.used, what, rest.empty() ? 0 : 42, rest);
+  }
   fmt::print("\nuses\n");
   for (const auto& [feature, name] : kFormatFeatures) line(name, contents.features[feature]);
 }

@@ -57,6 +57,7 @@ struct FeatureUse {
   std::string_view name;  ///< stable: scripts read it
   std::int64_t used;
   std::int64_t of;
+  std::string_view rest;  ///< why the others are spared it
 };
 
 /// What a level pays for only where it has it.
