@@ -320,6 +320,18 @@ TEST_F(ImageFile, RefusesAJpegThatEndsWithinAnApplicationSegment) {
   EXPECT_FALSE(readImage(path("cut.jpg"), kMaxPixels));
 }
 
+TEST_F(ImageFile, ReadsAJpegWhoseScanEndsInANumberTheSameEachTime) {
+  const auto file = std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/short_scan.jpg");
+  const auto first = readImage(file, kMaxPixels);
+  for (int i = 0; i < 3; ++i) {
+    const auto again = readImage(file, kMaxPixels);
+    ASSERT_EQ(first.has_value(), again.has_value());
+    if (first) {
+      EXPECT_EQ(*first, *again);
+    }
+  }
+}
+
 TEST_F(ImageFile, RefusesAJpegWithSuchATableBetweenItsScans) {
   const auto file = std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/baseline.jpg");
   Bytes bytes = bytesOf(file);
