@@ -1,36 +1,13 @@
 #include "light/geometry_hash.h"
 
-#include <bit>
 #include <optional>
 #include <variant>
+
+#include "math/hash.h"
 
 namespace hearth {
 
 namespace {
-
-/// FNV-1a of 64 bits (Fowler, Noll, Vo) over numbers of 8 bytes, the low byte first.
-class Hash {
- public:
-  std::uint64_t value() const { return value_; }
-
-  void addWhole(std::uint64_t number) {
-    constexpr std::uint64_t kPrime = 0x100000001b3;
-    for (int shift = 0; shift < 64; shift += 8)
-      value_ = (value_ ^ ((number >> shift) & 0xff)) * kPrime;
-  }
-
-  void addReal(double number) {
-    addWhole(std::bit_cast<std::uint64_t>(number + 0.0));  // -0 and 0 are one place
-  }
-
-  void addPoint(Vec2 p) {
-    addReal(p.x);
-    addReal(p.y);
-  }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
 
 /// Hashes the level from its sectors down to its sub-walls.
 class GeometryHasher {

@@ -6,6 +6,7 @@ usage: install_test.py BUILD_DIR SOURCE_DIR COMPILER [GROUP]
 
 import gzip
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -13,6 +14,9 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+# No bakes of other runs are found, and none are left.
+os.environ["XDG_CACHE_HOME"] = os.devnull
 
 BUILD, SOURCE, COMPILER = Path(), Path(), ""
 

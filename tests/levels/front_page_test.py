@@ -3,12 +3,16 @@
 usage: front_page_test.py SOURCE_DIR HEARTH
 """
 
+import os
 import re
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+# No bakes of other runs are found, and none are left.
+os.environ["XDG_CACHE_HOME"] = os.devnull
 
 SOURCE = Path()
 HEARTH = Path()

@@ -13,9 +13,13 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 from pathlib import Path
+
+# No bakes of other runs are found, and none are left.
+os.environ["XDG_CACHE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
@@ -496,6 +500,80 @@ def write_bake(bake, light):
         "<IIQQdI", 1, len(settings), 44 + len(settings) + len(maps) + 4, int(bake["geometry"], 16),
         bake["texelMetres"], len(bake["surfaces"])) + settings + maps
     return whole + struct.pack("<I", zlib.crc32(whole))
+
+
+class KeptBakes(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.cache = self.folder / "cache"
+        self.environment = {**os.environ, "XDG_CACHE_HOME": str(self.cache)}
+
+    def kept(self):
+        return sorted((self.cache / "hearth").glob("*"))
+
+    def draw(self, *options, level=None, **environment):
+        result = run("shot", level or self.level, "-o", self.out, *options,
+                     env={**self.environment, **environment})
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return self.out.read_bytes()
+
+    def test_are_drawn_with_instead_of_baking(self):
+        picture = self.draw()
+        [kept] = self.kept()
+        self.assertEqual(kept.suffix, ".bake")
+        # Light of another level in its place shows.
+        other = self.folder / "rooms.json"
+        other.write_text(self.level.read_text())
+        (self.folder / "rooms.lights.json").write_text('[{ "x": 2, "y": 3, "z": 2 }]')
+        self.assertEqual(run("bake", other, "-o", self.folder / "other.bake").returncode, 0)
+        (self.folder / "other.bake").replace(kept)
+        self.assertNotEqual(self.draw(), picture)
+        self.assertEqual(self.draw("--no-cache"), picture)
+
+    def test_are_baked_anew_in_silence_where_they_are_damaged(self):
+        picture = self.draw()
+        [kept] = self.kept()
+        whole = kept.read_bytes()
+        for damaged in (b"", whole[:100], whole[:-1], whole[:50] + b"x" + whole[51:], whole * 2):
+            kept.write_bytes(damaged)
+            self.assertEqual(self.draw(), picture)
+            self.assertEqual(kept.read_bytes(), whole)
+
+    def test_are_none_of_other_settings(self):
+        pictures = {self.draw("--texel", texel) for texel in ("0.125", "0.5", "1")}
+        self.assertEqual(len(pictures), 3)
+        self.assertEqual(len(self.kept()), 3)
+
+    def test_leave_nothing_where_none_are_wanted(self):
+        self.draw("--no-cache")
+        self.assertFalse(self.cache.exists())
+
+    def test_lie_in_the_home_folder_by_default(self):
+        self.draw(XDG_CACHE_HOME="", HOME=str(self.folder))
+        self.draw(XDG_CACHE_HOME="relative", HOME=str(self.folder))
+        self.assertEqual(len(list((self.folder / ".cache/hearth").glob("*.bake"))), 1)
+
+    def test_are_safe_with_many_programs_at_once(self):
+        picture = self.draw("--no-cache")
+        outs = [self.folder / f"{i}.png" for i in range(12)]
+        programs = [subprocess.Popen([HEARTH, "shot", self.level, "-o", out], env=self.environment)
+                    for out in outs]
+        self.assertEqual([program.wait() for program in programs], [0] * len(outs))
+        self.assertEqual({out.read_bytes() for out in outs}, {picture})
+        self.assertEqual([file.suffix for file in self.kept()], [".bake"])
+
+    def test_survive_programs_that_are_killed(self):
+        picture = self.draw("--no-cache")
+        for milliseconds in range(0, 60, 4):
+            program = subprocess.Popen([HEARTH, "shot", self.level, "-o", self.folder / "killed.png"],
+                                       env=self.environment)
+            time.sleep(milliseconds / 1000)
+            program.kill()
+            program.wait()
+            self.assertEqual(self.draw(), picture)
+            for kept in self.kept():
+                if kept.suffix == ".bake" and milliseconds % 8:
+                    kept.unlink()
 
 
 class LightOfAnother(InFolder):

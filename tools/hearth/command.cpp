@@ -35,7 +35,7 @@ std::vector<Option> bakeOptions() {
 }
 
 std::vector<Option> lightOptions() {
-  return std::vector<Option>{Option::LightFrom} + bakeOptions();
+  return std::vector<Option>{Option::LightFrom, Option::NoCache} + bakeOptions();
 }
 
 std::vector<Option> operator+(std::vector<Option> a, const std::vector<Option>& b) {

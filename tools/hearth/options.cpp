@@ -51,6 +51,8 @@ constexpr std::array kTable = {
               "draw squares of so many pixels a side instead of pixels"},
     OptionRow{Option::LightFrom, "--light-from", ValueKind::Text, "FILE.bake", 0, 0, "baked anew",
               "light that `hearth bake` saved, or another program wrote"},
+    OptionRow{Option::NoCache, "--no-cache", ValueKind::Flag, "", 0, 0, "",
+              "bake anew, and keep nothing for the next time"},
     OptionRow{Option::Start, "--start", ValueKind::Text, "X,Y,Z,ANGLE", 0, 0, "the player's",
               "where the walk begins: the eye (metres), and where it looks (degrees)"},
     OptionRow{Option::Scale, "--scale", ValueKind::Choice, "smooth|integer", 0, 0, "smooth",

@@ -27,6 +27,7 @@ enum class Option {
   Precision,
   PixelSize,
   LightFrom,
+  NoCache,
   Start,
   Scale,
   FrameCap,

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "hearth/bake_cache.h"
 #include "hearth/bake_file.h"
 #include "hearth/command.h"
 #include "hearth/shell_text.h"
@@ -25,6 +26,28 @@ LoadLimits limitsFrom(const OptionValues& values) {
   take(Option::MaxVertices, limits.vertices);
   take(Option::MaxLights, limits.lights);
   return limits;
+}
+
+void warnIfDark(const BakedLight& light, const OptionValues& values) {
+  if (light.stats.litSurfaces > 0) return;
+  fmt::print(stderr,
+             "{}:1:1: warning: no light reaches any surface, so only sector light shows, at "
+             "/lights, add lights or raise their intensity\n",
+             values.level);
+}
+
+BakedLight cachedLight(const Level& level, const BakeSettings& settings,
+                       const OptionValues& values) {
+  const auto cache = values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
+  if (cache) {
+    if (auto light = cache->find(level, settings)) {
+      warnIfDark(*light, values);
+      return std::move(*light);
+    }
+  }
+  Bake bake = bakeWith(level, settings, values, ProgressStyle::None);
+  if (cache) cache->keep(level, bake);
+  return std::move(bake.light);
 }
 
 }  // namespace
@@ -59,11 +82,7 @@ Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValu
     return bake(level, settings, threads, &progress);
   }();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (light.stats.litSurfaces == 0)
-    fmt::print(stderr,
-               "{}:1:1: warning: no light reaches any surface, so only sector light shows, at "
-               "/lights, add lights or raise their intensity\n",
-               values.level);
+  warnIfDark(light, values);
   return Bake{std::move(light), settings, threads, seconds.count()};
 }
 
@@ -76,7 +95,9 @@ tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& 
 
 tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values) {
   if (!values.has(Option::LightFrom))
-    return bakeFor(level, values).map([](Bake&& bake) { return std::move(bake.light); });
+    return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
+      return cachedLight(level, settings, values);
+    });
   if (const std::string given = typedOptions(values, settingOptions()); !given.empty())
     return tl::unexpected(
         fmt::format("--light-from: this light is baked already; leave out{}", given));

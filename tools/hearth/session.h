@@ -42,7 +42,8 @@ Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValu
 /// The threads that bake.
 int threadsFrom(const OptionValues& values);
 
-/// The light to draw with: from the file that `--light-from` names, or baked.
+/// The light to draw with: from the file that `--light-from` names, from the user's cache or, if it
+/// is not there, baked and kept there.
 tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);
 
 /// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
