@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 import zlib
 from pathlib import Path
 
@@ -23,7 +24,7 @@ os.environ["XDG_CACHE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["walk", "shot", "bake", "check", "info", "bench", "tradeoff"]
+COMMANDS = ["walk", "shot", "bake", "check", "info", "map", "bench", "tradeoff"]
 
 
 def run(*arguments, **options):
@@ -619,6 +620,67 @@ class LightOfAnother(InFolder):
         file = self.folder / "another.bake"
         file.write_bytes(write_bake(self.bake, lambda point: [0]))
         self.refuse(self.shot("--light-from", file), "other geometry .* settings \"a test\"")
+
+
+class Map(InFolder):
+    SVG = "{http://www.w3.org/2000/svg}"
+
+    def plan(self, level):
+        out = self.folder / "plan.svg"
+        result = run("map", level, "-o", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return xml.etree.ElementTree.parse(out).getroot()
+
+    def titles(self, plan):
+        return [title.text for title in plan.iter(self.SVG + "title")]
+
+    def test_names_all_sectors_lights_and_shots(self):
+        for name in ("tutorial", "keep"):
+            with self.subTest(level=name):
+                level = json.loads((SOURCE / f"levels/{name}.json").read_text())
+                lights = json.loads((SOURCE / f"levels/{name}.lights.json").read_text())["lights"]
+                titles = self.titles(self.plan(SOURCE / f"levels/{name}.json"))
+                for sector in level["sectors"]:
+                    self.assertTrue(any(t.startswith(f"{sector}: floor ") for t in titles), sector)
+                for shot in level["shots"]:
+                    self.assertTrue(any(t.startswith(f"shot {shot['name']} at z") for t in titles))
+                self.assertEqual(sum(t.startswith("light at z ") for t in titles), len(lights))
+                self.assertTrue(any(t.startswith("player at z ") for t in titles))
+
+    def test_tells_walls_steps_openings_and_one_way_portals_apart(self):
+        drawn = {path.get("class"): path.get("d", "").count("M")
+                 for path in self.plan(SOURCE / "levels/tutorial.json").iter(self.SVG + "path")
+                 if path.get("d", "").count("L") == path.get("d", "").count("M") > 0}
+        self.assertEqual(set(drawn), {"solid", "step", "opening", "oneway"})
+        self.assertEqual(drawn["oneway"], 1)
+        self.assertGreater(drawn["solid"], 60)
+
+    def test_holds_whatever_a_name_may_be(self):
+        text = self.level.read_text().replace('"garden"', '"<b>&\\"garden\'"')
+        level = self.folder / "rooms.json"
+        level.write_text(text)
+        (self.folder / "rooms.lights.json").write_text("[]")
+        titles = self.titles(self.plan(level))
+        self.assertTrue(any(t.startswith("<b>&\"garden': floor ") for t in titles), titles)
+
+    def test_leaves_what_is_far_larger_out_of_the_frame(self):
+        plan = self.plan(SOURCE / "levels/keep.json")  # with a lake of 2 km
+        _, _, width, height = map(float, plan.get("viewBox").split())
+        self.assertLess(max(width, height), 2000)
+        names = [text.text for text in plan.iter(self.SVG + "text")]
+        self.assertTrue({"courtyard", "lake"} <= set(names))
+        self.assertNotIn("end-1", names)  # of the far shore
+
+    def test_is_written_as_svg_or_not_at_all(self):
+        result = run("map", self.level, "-o", self.folder / "plan.png")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertRegex(result.stderr, "plan.png: the plan is written as a .svg")
+        broken = self.folder / "broken.json"
+        broken.write_text("{")
+        kept = self.folder / "kept.svg"
+        kept.write_text("kept")
+        self.assertEqual(run("map", broken, "-o", kept).returncode, 2)
+        self.assertEqual(kept.read_text(), "kept")
 
 
 class Info(InFolder):

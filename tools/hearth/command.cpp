@@ -12,8 +12,8 @@ ExitStatus fail(std::string_view message) {
 }
 
 std::vector<Command> allCommands() {
-  return {walkCommand(), shotCommand(),  bakeCommand(),    checkCommand(),
-          infoCommand(), benchCommand(), tradeoffCommand()};
+  return {walkCommand(), shotCommand(), bakeCommand(),  checkCommand(),
+          infoCommand(), mapCommand(),  benchCommand(), tradeoffCommand()};
 }
 
 std::vector<Option> limitOptions() {

@@ -33,6 +33,7 @@ Command shotCommand();
 Command bakeCommand();
 Command checkCommand();
 Command infoCommand();
+Command mapCommand();
 Command benchCommand();
 Command tradeoffCommand();
 

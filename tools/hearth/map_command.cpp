@@ -1,0 +1,36 @@
+#include <filesystem>
+
+#include "hearth/command.h"
+#include "hearth/plan.h"
+#include "hearth/session.h"
+#include "image/replace_file.h"
+
+namespace hearth {
+
+namespace {
+
+ExitStatus run(const OptionValues& values) {
+  const std::string output = *values.text(Option::Output);
+  if (std::filesystem::path(output).extension() != ".svg")
+    return fail("-o: " + output + ": the plan is written as a .svg");
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const std::string plan = planOf(loaded->level);
+  const auto written = replaceFile(output, [&](std::ostream& stream) {
+    stream << plan;
+    return stream.good();
+  });
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+}  // namespace
+
+Command mapCommand() {
+  return {"map",
+          "draws the plan of the level, with names, heights, portals, lights and shots",
+          std::vector<Option>{Option::Output, Option::Quiet} + limitOptions(),
+          {Option::Output},
+          run};
+}
+
+}  // namespace hearth
