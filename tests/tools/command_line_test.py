@@ -8,6 +8,7 @@ import math
 import os
 import re
 import resource
+import shlex
 import signal
 import struct
 import subprocess
@@ -24,7 +25,7 @@ os.environ["XDG_CACHE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["walk", "shot", "bake", "check", "info", "map", "bench", "tradeoff"]
+COMMANDS = ["new", "walk", "shot", "bake", "check", "info", "map", "bench", "tradeoff"]
 
 
 def run(*arguments, **options):
@@ -622,6 +623,49 @@ class LightOfAnother(InFolder):
         self.refuse(self.shot("--light-from", file), "other geometry .* settings \"a test\"")
 
 
+class New(InFolder):
+    def test_writes_a_level_that_draws_without_a_word(self):
+        for name in ("castle", "keep.json", "two words", "quo\"ted", "d\u00f6rf.v2"):
+            with self.subTest(name=name):
+                result = run("new", self.folder / name)
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                level = self.folder / (name if name.endswith(".json") else name + ".json")
+                self.assertIn(str(level), result.stdout)
+                drawn = run("shot", level, "--shot", "hall", "-o", self.out)
+                self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+                info = json.loads(run("info", level, "--json").stdout)
+                self.assertEqual(info["name"], level.stem)
+                self.assertEqual((info["sectors"], info["lights"]), (2, 2))
+                self.assertGreater(level.read_text().count('"//"'), 4)
+
+    def test_says_how_to_walk_it(self):
+        result = run("new", self.folder / "two words")
+        command = result.stdout.splitlines()[-1]
+        self.assertEqual(shlex.split(command), ["hearth", "walk", f"{self.folder}/two words.json"])
+
+    def test_never_touches_a_file_that_is_there(self):
+        for there in ("castle.json", "castle.lights.json"):
+            with self.subTest(there=there):
+                file = self.folder / there
+                file.write_text("mine")
+                result = run("new", self.folder / "castle")
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertRegex(result.stderr, f"{there}: is there already; choose another name")
+                self.assertEqual([f.name for f in self.folder.glob("castle*")], [there])
+                self.assertEqual(file.read_text(), "mine")
+                file.unlink()
+
+    def test_leaves_nothing_where_it_cannot_write(self):
+        result = run("new", self.folder / "missing" / "castle")
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, "castle.lights.json: cannot be written: No such file")
+        full = subprocess.run(["bash", "-c", 'ulimit -f 1; trap "" XFSZ; "$0" new "$1"', HEARTH,
+                               self.folder / "castle"], capture_output=True, text=True)
+        self.assertEqual(full.returncode, 2)
+        self.assertRegex(full.stderr, "castle.json: cannot be written; check that there is room")
+        self.assertEqual(list(self.folder.glob("castle*")), [])
+
+
 class Map(InFolder):
     SVG = "{http://www.w3.org/2000/svg}"
 
@@ -756,7 +800,8 @@ class Help(unittest.TestCase):
                 helped = set(re.findall(r"--[a-z-]+|(?<=\s)-o\b", run(command, "--help").stdout))
                 rows = re.findall(r"^\| `(-[-a-z]+)[^|]*\|[^|]*\|([^|]*)\|", text, re.MULTILINE)
                 documented = {option for option, commands in rows
-                              if command in commands.split() or commands.strip() == "all"}
+                              if command in commands.split() or
+                              (commands.strip() == "all" and command != "new")}
                 self.assertEqual(helped - {"--help"}, documented)
 
 

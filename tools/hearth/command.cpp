@@ -12,7 +12,7 @@ ExitStatus fail(std::string_view message) {
 }
 
 std::vector<Command> allCommands() {
-  return {walkCommand(), shotCommand(), bakeCommand(),  checkCommand(),
+  return {newCommand(),  walkCommand(), shotCommand(),  bakeCommand(),    checkCommand(),
           infoCommand(), mapCommand(),  benchCommand(), tradeoffCommand()};
 }
 

@@ -34,6 +34,7 @@ Command bakeCommand();
 Command checkCommand();
 Command infoCommand();
 Command mapCommand();
+Command newCommand();
 Command benchCommand();
 Command tradeoffCommand();
 

@@ -51,7 +51,7 @@ void printCommand(const Command& command) {
   for (const Option option : command.options) names.push_back(row(option).name);
   fmt::print(".TP\n.B hearth {} \\fILEVEL\\fR{}\n{}.\n", command.name,
              command.levels == LevelFiles::Several ? "..." : "", troff(command.help));
-  fmt::print("Takes {}.\n", listed(names));
+  fmt::print("Takes {}.\n", names.empty() ? "no options" : listed(names));
   if (!command.more.empty()) fmt::print(".IP\n.EX\n{}\n.EE\n", troff(command.more));
 }
 
