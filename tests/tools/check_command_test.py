@@ -330,11 +330,12 @@ class Levels(InFolder):
         self.assertRegex(result.stderr, r"room\.json would share .*room\.golden")
         self.assertEqual(self.files(), before)
 
-    def test_lights_files_beside_their_levels_are_passed_over(self):
+    def test_lights_files_beside_their_levels_and_schemas_are_passed_over(self):
         attic = self.write_level("attic")
+        (self.folder / "level.schema.json").write_text("{}")
         self.assertEqual(self.check("--update", levels=[attic]).returncode, 0)
         levels = sorted(self.folder.glob("*.json"))
-        self.assertEqual(len(levels), 4)
+        self.assertEqual(len(levels), 5)
         result = self.check(levels=levels)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 

@@ -14,14 +14,16 @@ namespace hearth {
 
 namespace {
 
-/// Without lights files that stand beside a level of the list: `levels/*.json` names them, too.
+/// Without lights files that stand beside a level of the list, and schemas: `levels/*.json` names
+/// them, too.
 std::vector<std::string> levelsAmong(const std::vector<std::string>& files) {
   std::vector<std::string> levels;
   for (const std::string& file : files) {
     const auto isLightsOf = [&](const std::string& level) {
       return std::filesystem::path(level).replace_extension(".lights.json") == file;
     };
-    if (std::ranges::none_of(files, isLightsOf)) levels.push_back(file);
+    if (!file.ends_with(".schema.json") && std::ranges::none_of(files, isLightsOf))
+      levels.push_back(file);
   }
   return levels;
 }
