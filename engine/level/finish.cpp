@@ -212,12 +212,19 @@ class PieceBuilder {
   std::vector<LevelFault>& faults_;
 };
 
+/// Within the flats, as walls are: rounding may take the end of a wedge past the flat that it
+/// stands on or hangs from.
+AirColumn airColumnAt(const Sector& sector, Vec2 p) {
+  return {std::max(sector.airBottom(p), sector.floor.z),
+          std::min(sector.airTop(p), sector.ceiling.z)};
+}
+
 void measureSegments(Level& level) {
   for (Segment& segment : level.segments) {
     const Sector& sector = level[segment.sector];
     segment.length = length(segment.p1 - segment.p0);
-    segment.air0 = {sector.airBottom(segment.p0), sector.airTop(segment.p0)};
-    segment.air1 = {sector.airBottom(segment.p1), sector.airTop(segment.p1)};
+    segment.air0 = airColumnAt(sector, segment.p0);
+    segment.air1 = airColumnAt(sector, segment.p1);
     segment.airRises = segment.air0 != segment.air1;
   }
 }

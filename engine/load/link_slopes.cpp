@@ -87,8 +87,10 @@ class SlopeLinker {
                                double zFlat, double up) {
     Slope slope{border_[0], plane.zAtOrigin, plane.gradient, {}, described.isRelative};
     if (described.sidewall) slope.sidewall = linking_.textures.link(*described.sidewall);
+    double lowest = 0;
     for (std::size_t i = 0; i < border_.size(); ++i) {
       const double height = up * (slope.zAt(border_[i]) - zFlat);
+      lowest = std::min(lowest, height);
       if (described.heights[i] || height >= -noise_) continue;
       fail(described.heightPlaces[i],
            fmt::format("the plane of the other heights is {:.6g} m on the wrong side of the flat "
@@ -97,6 +99,8 @@ class SlopeLinker {
            "a wedge stands on its floor or hangs from its ceiling: correct the other heights");
       return std::nullopt;
     }
+    // Noise can take the plane past the flat, where no wall would bound the air.
+    slope.zAt0 -= up * lowest;
     return slope;
   }
 

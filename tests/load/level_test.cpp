@@ -214,6 +214,22 @@ TEST(Level, fillsUnknownHeightsOfASlopeFromThePlaneOfTheOthers) {
   EXPECT_EQ(level.sectors[0].ceiling.textureOrigin, (Vec2{1, 1}));
 }
 
+TEST(Level, keepsAWedgeOnItsFlatWhereNoiseWouldTakeItPast) {
+  const Level level = loadSectors(sectorText("a", "1,12, 1,7, 5,7, 5,12", "{'texture': '#808080'}",
+                                             "'slopeFloor': {'z': [0, 0.5, 0.4998, null]}, "
+                                             "'slopeCeil': {'z': [0, 0.5, 0.4998, null]}"))
+                          .level;
+  EXPECT_NEAR(level.sectors[0].floorSlope.value().zAt({5, 12}), 0, 1e-12);
+  EXPECT_NEAR(level.sectors[0].floorSlope.value().zAt({1, 12}), 0.0002, 1e-12);
+  EXPECT_NEAR(level.sectors[0].ceilingSlope.value().zAt({5, 12}), 4, 1e-12);
+  for (const Segment& segment : level.segments) {
+    EXPECT_GE(segment.air0.zBottom, 0);
+    EXPECT_GE(segment.air1.zBottom, 0);
+    EXPECT_LE(segment.air0.zTop, 4);
+    EXPECT_LE(segment.air1.zTop, 4);
+  }
+}
+
 TEST(Level, letsAWedgeTouchTheCeiling) {
   const LoadResult result = loadText(
       "{'light': 1, 'sectors': {" +

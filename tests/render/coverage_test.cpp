@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "level/locate.h"
 #include "load/load.h"
 #include "render/renderer.h"
+#include "support/level_text.h"
 
 namespace hearth {
 namespace {
@@ -107,6 +109,21 @@ TEST_F(Coverage, isCompleteWithTheEyeOnFloorsAndCeilings) {
         camera.pitch = pitch;
         expectCoveredOnce(camera);
       }
+  }
+}
+
+TEST(CoverageOfWedges, isCompleteWhereHeightsThatAreOffWouldPassTheFloor) {
+  // The heights' plane is 0.2 mm below the floor in the corner (5, 12).
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light': 1, 'sectors': {'a': {'floor': {'texture': '#808080'}, "
+      "'ceiling': {'texture': '#808080'}, 'slopeFloor': {'z': [0, 0.5, 0.4998, null]}, "
+      "'loops': {'border': {'v': [1,12, 1,7, 5,7, 5,12], 'walls': {'texture': '#808080'}}}}}}");
+  const BakedLight light = withoutLight(loaded.level);
+  const Renderer renderer(loaded.level, loaded.textures, light);
+  for (double z = 0.01; z < 0.02; z += 0.0001) {
+    const Image drawn =
+        renderer.draw({SectorId(0), {4.9, 11.9, z}, 45, 0, 90, 61, 301}, Channel::Overdraw);
+    EXPECT_EQ(std::ranges::count(drawn.pixels(), kHole), 0) << z;
   }
 }
 
