@@ -97,9 +97,12 @@ class SideOutline {
       if ((orientation(wall.p0, wall.p1, p) > 0) == (wall.p1.y > p.y))
         isInside[wall.sector] ^= true;
     });
-    const Piece twin = reversed(pieceOf(segment));
-    tree_.query(boxOf(segment.p0, segment.p1), [&](std::uint32_t i) {
-      if (pieceOf(*segments_[i]) == twin) isInside.erase(segments_[i]->sector);
+    // On an outline rounding says which side it is on.
+    tree_.query(grown({p, p}, kAuthorNoise), [&](std::uint32_t i) {
+      const Segment& wall = *segments_[i];
+      const double noise =
+          noiseOf(std::min(length(segment.p1 - segment.p0), length(wall.p1 - wall.p0)));
+      if (length(nearestOnSegment(wall.p0, wall.p1, p) - p) <= noise) isInside.erase(wall.sector);
     });
     return std::any_of(isInside.begin(), isInside.end(),
                        [](const auto& entry) { return entry.second; });

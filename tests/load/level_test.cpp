@@ -191,6 +191,22 @@ TEST(Level, joinsFlatsOfBothSpellingsIntoOneInterface) {
   EXPECT_FALSE(level.sectors[2].ceilingSurface);
 }
 
+TEST(Level, letsSectorsAboveAFlatPortalTouchInAPoint) {
+  // A corner of the one lies, but for rounding, in the middle of a wall of the other.
+  const std::string large = "2.067,10.239, 0.839,10.145, 0.642,9.334, 2.192,9.46";
+  const std::string small = "0.04,9.776, 0.164,9.5, 0.7405,9.7395, 0.3,10.06";
+  const std::string above =
+      "'floor': {'z': 4, 'next': 'up-down'}, 'ceiling': {'z': 8, 'texture': "
+      "'#404040'}";
+  const std::string below = "'ceiling': {'z': 4, 'next': 'up-down'}";
+  const std::string wall = "{'texture': '#808080'}";
+  const LoadResult result = loadText(
+      "{'light': 1, 'sectors': {" + sectorText("up", large, wall, above) + "," +
+      sectorText("up2", small, wall, above) + "," + sectorText("down", large, wall, below) + "," +
+      sectorText("down2", small, wall, below) + "}}");
+  EXPECT_TRUE(result.loaded) << listed(result);
+}
+
 TEST(Level, takesNamesWithADashInTheObjectFormOfNext) {
   const Level level =
       loadSectors(sectorText("a-b", kRoom, "{'texture': '#808080'}",
