@@ -31,6 +31,11 @@ TEST(RandomLevel, NeighbouringSeedsGiveDifferentLevels) {
   EXPECT_NE(makeRandomLevel(1).levelJson, makeRandomLevel(2).levelJson);
 }
 
+TEST(RandomLevel, IsMadeAnewWhereAMeshLeavesNoRoomForSectors) {
+  const RandomLevel level = makeRandomLevel(16944);
+  EXPECT_GE(nlohmann::json::parse(level.levelJson)["sectors"].size(), 3u);
+}
+
 TEST(RandomLevel, EveryFeatureIsInATwentiethOfTheLevels) {
   std::map<Feature, std::uint64_t> counts;
   for (std::uint64_t seed = 0; seed < kLevels; ++seed) {
