@@ -52,11 +52,10 @@ class Meeting {
         point_(ray.at(t)),
         part_() {
     // Rounding may take the ray out of the air that it is in; only light is ever truly out of it.
-    const bool isLight = ray.kind == RayKind::Light;
     const double bottom = sector_.airBottom(point_.xy());
     const double top = sector_.airTop(point_.xy());
-    if (!(isLight && sector_.floor.parallax)) point_.z = std::max(point_.z, bottom);
-    if (!(isLight && sector_.ceiling.parallax)) point_.z = std::min(point_.z, top);
+    if (!(isLight() && sector_.floor.parallax)) point_.z = std::max(point_.z, bottom);
+    if (!(isLight() && sector_.ceiling.parallax)) point_.z = std::min(point_.z, top);
     part_ = partAt(segment_, sector_, point_.z);
   }
 
@@ -67,16 +66,21 @@ class Meeting {
   }
 
  private:
+  bool isLight() const { return ray_.kind == RayKind::Light; }
+
   std::variant<TruthHit, Passage> throughPortal(const Portal& portal) const {
     const Sector& next = level_[portal.next];
     const double z = point_.z;
     const bool isClosed = next.floor.z >= next.ceiling.z;
-    if (z < std::max(sector_.floor.z, next.floor.z)) {
-      const bool isSky = part_.atFloor && sector_.floor.parallax && next.floor.parallax;
-      if (const auto step = isSky ? skyStep(false) : lowerStep(portal, next)) return *step;
-    } else if (z > std::min(sector_.ceiling.z, next.ceiling.z) || isClosed) {
-      const bool isSky = part_.atCeiling && sector_.ceiling.parallax && next.ceiling.parallax;
-      if (const auto step = isSky ? skyStep(true) : upperStep(portal, next)) return *step;
+    const bool isBelow = z < std::max(sector_.floor.z, next.floor.z);
+    const bool isAbove = z > std::min(sector_.ceiling.z, next.ceiling.z);
+    const bool isSkyBelow = part_.atFloor && sector_.floor.parallax && next.floor.parallax;
+    const bool isSkyAbove = part_.atCeiling && sector_.ceiling.parallax && next.ceiling.parallax;
+    // To light the opening between sky floors has no bottom. It still ends at the lower ceiling.
+    if (isBelow && !(isSkyBelow && isLight())) {
+      if (const auto step = isSkyBelow ? skyStep(false) : lowerStep(portal, next)) return *step;
+    } else if (isAbove || (isClosed && !isBelow)) {
+      if (const auto step = isSkyAbove ? skyStep(true) : upperStep(portal, next)) return *step;
     }
     const SegmentId twin = findTwin(level_, portal.next, segment_);
     if (const auto wedge = sidewall(next, level_[twin])) return *wedge;
@@ -97,12 +101,12 @@ class Meeting {
   /// slopes. Light may meet it beyond a sky, where nobody looks.
   std::optional<TruthHit> step(SurfaceKind kind, const std::optional<TextureMapping>& texture,
                                double zRef) const {
-    if (!texture && ray_.kind == RayKind::Look) return std::nullopt;
+    if (!texture && !isLight()) return std::nullopt;
     return hit(kind, texture, zRef);
   }
 
   std::optional<TruthHit> skyStep(bool isUpper) const {
-    if (ray_.kind == RayKind::Light) return std::nullopt;
+    if (isLight()) return std::nullopt;
     const Flat& sky = isUpper ? sector_.ceiling : sector_.floor;
     TruthHit found =
         hit(isUpper ? SurfaceKind::SkyUpperStep : SurfaceKind::SkyLowerStep, sky.texture, sky.z);

@@ -202,6 +202,19 @@ TEST(TruthLight, PassesSkyFloorsFromBelow) {
   EXPECT_EQ(whiteLevel(light, ceilingPoint(room, {-0.5 - 1e-9, 2, 5})), 0);
 }
 
+TEST(TruthLight, PassesBelowSkyFloorsOnlyUpToTheLowerCeiling) {
+  for (const double z : {1.9, 2.1}) {
+    TestLevel test;
+    const SectorId high = test.addBox("high", {0, 0}, {4, 4}, {3, 5});
+    const SectorId low = test.addBox("low", {4, 0}, {8, 4}, {0, 2});
+    for (const SectorId id : {high, low}) test.sector(id).floor.parallax = true;
+    test.link(high, low);
+    test.addLight(high, {3.9, 2, z}, 100);
+    const TruthLight light(test.finished());
+    EXPECT_EQ(whiteLevel(light, eastWallPoint(test, low, {8, 2, z - 0.5})), z < 2 ? 100 : 0) << z;
+  }
+}
+
 TEST(TruthLight, IsStoppedBesideASkyWhereNothingShowsAndNothingIsTextured) {
   TestLevel test;
   const SectorId yard = test.addBox("yard", {0, 0}, {4, 4}, {0, 3});
