@@ -52,6 +52,8 @@ UprightOutline uprightAir(const Level& level, const Surface& surface) {
     const Segment& twin = level[opening->twin];
     if (surface.kind == SurfaceKind::FloorSidewall)
       return clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, -1);
+    // Wedges may pass each other by an author's noise. Then the lower one shows, as in openingSpan.
+    air = clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, 1);
     return clipped(air, {twin.air1.zTop, twin.air0.zTop}, 1);
   }
   return air;

@@ -157,8 +157,10 @@ Panel panelOf(const Level& level, const Surface& surface) {
   WallOutline outline(wall.length, surface.zBottom, surface.zTop);
   if (surface.kind == SurfaceKind::FloorSidewall)
     outline.keepBelow(floorOver(sectorBehind(level, wall, surface), wall));
-  if (surface.kind == SurfaceKind::CeilingSidewall)
+  if (surface.kind == SurfaceKind::CeilingSidewall) {
     outline.keepAbove(ceilingOver(sectorBehind(level, wall, surface), wall));
+    outline.keepAbove(floorOver(sectorBehind(level, wall, surface), wall));
+  }
   return wallPanel(level, wall, outline);
 }
 

@@ -29,6 +29,32 @@ TEST(UprightAir, reachesAnEndOfItsSegmentWhereTheGapInMetresIsRounding) {
   EXPECT_GT(low, high);
 }
 
+TEST(UprightAir, ofAHangingWedgeEndsAtTheStandingOneThatItPassesByNoise) {
+  // They touch in the corner (4, 0), but for half a millimetre.
+  const std::string wall = "{'next':'b','texture':'#808080'}";
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':1,'sectors':{" +
+      test::sectorText(
+          "a", "0,0, 4,0, 4,4, 0,4", 0, 3,
+          "[{'texture':'#808080'}," + wall + ",{'texture':'#808080'},{'texture':'#808080'}]") +
+      "," +
+      test::sectorText("b", "4,0, 8,0, 8,4, 4,4", 0, 3,
+                       "[{'texture':'#808080'},{'texture':'#808080'},{'texture':'#808080'},"
+                       "{'next':'a','texture':'#808080'}]",
+                       ",'slopeFloor':{'z':[1,1,0,0],'sidewall':'#808080'},"
+                       "'slopeCeil':{'z':[2.0005,2.0005,0,0],'sidewall':'#808080'}") +
+      "}}");
+  std::vector<double> ends;
+  for (const Surface& surface : loaded.level.surfaces) {
+    if (!isSidewall(surface.kind)) continue;
+    const auto [low, high] = heightsAt(uprightAir(loaded.level, surface), 0, 4);
+    ends.push_back(surface.kind == SurfaceKind::FloorSidewall ? high : low);
+  }
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_NEAR(ends[0], 1, 1e-12);
+  EXPECT_NEAR(ends[1], 1, 1e-12);
+}
+
 TEST(SlopeGrid, runsUphillHoweverGentleTheSlopeOfALargeSector) {
   // 0.8 mm over 1000 km.
   const LoadedLevel loaded = test::levelFrom(
