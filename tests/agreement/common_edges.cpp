@@ -27,6 +27,13 @@ double noiseOf(const Edge& edge) {
   return std::clamp(kAuthorNoiseOfEdge * length(edge.b - edge.a), kRounding, kAuthorNoise);
 }
 
+/// A point of the panel's plane, within noise, in its axes. Slopes have their corners from the map:
+/// those of two planes that noise parts lie above one another, not along the normal.
+Vec2 inPlane(const Panel& panel, Vec3 p) {
+  if (panel.normal.z != 0) p.z -= panel.distanceInFront(p) / panel.normal.z;
+  return panel.axes.of(p);
+}
+
 /// The part of `edge` along which `other` runs the opposite way.
 std::optional<Edge> overlap(const Edge& edge, const Edge& other, double noise) {
   const double size = length(edge.b - edge.a);
@@ -155,7 +162,7 @@ std::vector<Edge> commonEdges(const Level& level, const std::vector<Vec3>& corne
       const double noise = std::min(noiseOf(edge), noiseOf(other));
       if (std::abs(from.distanceInFront(a)) > noise) continue;
       if (std::abs(from.distanceInFront(b)) > noise) continue;
-      const std::optional<Edge> shared = overlap(edge, {from.axes.of(a), from.axes.of(b)}, noise);
+      const std::optional<Edge> shared = overlap(edge, {inPlane(from, a), inPlane(from, b)}, noise);
       if (!shared) continue;
       for (const Edge& part : cutAt(corners, from.axes, *shared))
         if (isOpen(level, from, to, part)) common.push_back(part);

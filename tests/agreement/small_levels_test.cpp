@@ -1,0 +1,49 @@
+// Small levels in which it is easy to take the light of a texel elsewhere than the format says.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "agreement/compare_level.h"
+#include "support/level_text.h"
+
+namespace hearth::agreement {
+namespace {
+
+using test::sectorText;
+
+constexpr std::string_view kWall = "{'texture':'#808080'}";
+
+/// Holds what a camera, "x,y,z,angle,pitch", sees of sectors in the light of one lamp.
+void expectAgreement(std::string_view sectors, std::string_view lamp, std::string_view camera) {
+  const LoadedLevel level = test::levelFrom(
+      fmt::format("{{'shots':[{{'name':'view','camera':[{}],'size':[160,100]}}],'sectors':{{{}}}}}",
+                  camera, sectors),
+      fmt::format("{{'lights':[{{{}}}],'bake':{{'texel':0.25}}}}", lamp));
+  const Tally tally = compareLevel(level, "small level", 1);
+  EXPECT_EQ(tally.holes, 0);
+  EXPECT_EQ(tally.missed(), 0) << tally.firstMiss << '\n' << table(tally);
+}
+
+/// Two sectors beside one another with slopes of these heights, the second 4 m on along x.
+std::string slopes(std::string_view first, std::string_view second) {
+  const auto slope = [](std::string_view heights) {
+    return fmt::format(",'slopeFloor':{{'z':[{}],'sidewall':'#808080'}}", heights);
+  };
+  const auto walls = [](std::string_view one, std::string_view three) {
+    return fmt::format("[{0},{1},{0},{2}]", kWall, one, three);
+  };
+  return sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3, walls("{'next':'b'}", kWall), slope(first)) +
+         "," +
+         sectorText("b", "4,0, 12,0, 12,4, 4,4", 0, 3, walls(kWall, "{'next':'a'}"), slope(second));
+}
+
+TEST(SmallLevels, agreeOnACornerThatTwoSlopesShareButForNoise) {
+  expectAgreement(slopes("0,0,1,1", "0.0003,0.0003,1.0003,1.0003"),
+                  "'x':4.2,'y':3.9,'z':1.3,'falloff':3", "3.3,3.3,1.9,45,-45");
+}
+
+}  // namespace
+}  // namespace hearth::agreement
