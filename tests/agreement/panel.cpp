@@ -10,6 +10,9 @@ namespace hearth::agreement {
 
 namespace {
 
+constexpr double kRoundingOfMargin = 1e-3;  ///< share: of 10^-6 m, that of coordinates of 10^6 m
+constexpr double kLeastSine = 1e-6;         ///< of a corner; a sharper one has its inside 1 m away
+
 /// Heights over a wall: at its p0 and at its p1.
 struct Heights {
   double at0;
@@ -53,6 +56,23 @@ class WallOutline {
   double length_;
   std::vector<Vec2> corners_;
 };
+
+double distanceToEdge(const Edge& edge, Vec2 st) {
+  return length(nearestOnSegment(edge.a, edge.b, st) - st);
+}
+
+/// The point before both edges that is `margin` from each; none where they form no corner.
+std::optional<Vec2> inCorner(const Edge& a, const Edge& b, double margin) {
+  const Vec2 alongA = turned90(inward(a));
+  const double sine = dot(alongA, inward(b));
+  if (!(std::abs(sine) > kLeastSine)) return std::nullopt;
+  const Vec2 onA = a.a + margin * inward(a);
+  const Vec2 p = onA + (margin - dot(onA - b.a, inward(b))) / sine * alongA;
+  const auto isBeside = [&](const Edge& edge) {
+    return distanceToEdge(edge, p) < (1 + kRoundingOfMargin) * margin;
+  };
+  return isBeside(a) && isBeside(b) ? std::optional(p) : std::nullopt;
+}
 
 Heights floorOver(const Sector& sector, const Segment& wall) {
   return {sector.airBottom(wall.p0), sector.airBottom(wall.p1)};
@@ -136,14 +156,26 @@ double Panel::distanceTo(Vec2 st) const {
   return contains(st) ? 0 : length(nearestOnEdge(st) - st);
 }
 
-Vec2 Panel::movedInside(Vec2 st, double margin) const {
-  // In a corner the edges take turns: each step towards one may come nearer to the other.
-  for (int turn = 0; turn < 100; ++turn)
-    for (const Edge& edge : edges) {
-      if (length(nearestOnSegment(edge.a, edge.b, st) - st) >= margin) continue;
-      st = st + (margin - dot(st - edge.a, inward(edge))) * inward(edge);
-    }
-  return st;
+std::vector<Vec2> Panel::movedInside(Vec2 st, double margin, Vec2 from) const {
+  std::vector<Edge> beside;
+  for (const Edge& edge : edges)
+    if (distanceToEdge(edge, st) < margin && length(edge.b - edge.a) > margin)
+      beside.push_back(edge);
+  std::vector<Vec2> inside;
+  const auto addIfClear = [&](Vec2 p) {
+    const bool isClear = std::ranges::all_of(edges, [&](const Edge& edge) {
+      return distanceToEdge(edge, p) > (1 - kRoundingOfMargin) * margin;
+    });
+    if (isClear && contains(p)) inside.push_back(p);
+  };
+  for (const Edge& edge : beside)
+    addIfClear(st + (margin - dot(st - edge.a, inward(edge))) * inward(edge));
+  for (std::size_t i = 0; i < beside.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (const std::optional<Vec2> p = inCorner(beside[i], beside[k], margin)) addIfClear(*p);
+  if (inside.empty()) return {st};
+  std::ranges::sort(inside, {}, [&](Vec2 p) { return length(p - from); });
+  return inside;
 }
 
 Panel panelOf(const Level& level, const Segment& wall) {

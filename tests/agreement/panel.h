@@ -41,8 +41,10 @@ struct Panel {
   Vec2 nearestOnEdge(Vec2 st) const;
   /// Metres from the panel; 0 inside.
   double distanceTo(Vec2 st) const;
-  /// A point that is too near to an edge, or on it, moved inside until `margin` metres from it.
-  Vec2 movedInside(Vec2 st, double margin) const;
+  /// A point that is too near to an edge, or on it, moved inside until `margin` metres from all
+  /// edges: all such points at the edges and corners beside it, from the nearest to `from` on. The
+  /// point itself where it is far from edges, or where the panel is too narrow.
+  std::vector<Vec2> movedInside(Vec2 st, double margin, Vec2 from) const;
 };
 
 /// The part of a floor or ceiling, of a slope or of an upright surface that bounds air.

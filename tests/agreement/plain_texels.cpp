@@ -45,7 +45,7 @@ std::vector<TexelSample> PlainTexels::samplesOf(const Texel& texel) {
     for (double s = 0.5; s < side; ++s) {
       const Vec2 inTexels{texel.i + s / side, texel.j + t / side};
       const Vec3 center = grids_[texel.surface].at(level_.bake.texel * inTexels);
-      samples.push_back({center, placeOf(texel.surface, center)});
+      samples.push_back(sampleAt(texel.surface, center));
     }
   return samples;
 }
@@ -78,21 +78,27 @@ std::optional<std::size_t> PlainTexels::surfaceOf(const SurfacePoint& hit) const
 }
 
 /// Of the surface and what continues it near the sample, the point that is nearest to it.
-SurfacePoint PlainTexels::placeOf(std::size_t surface, Vec3 sample) {
-  double least = panels_[surface]->distanceTo(panels_[surface]->axes.of(sample));
+TexelSample PlainTexels::sampleAt(std::size_t surface, Vec3 center) {
+  double least = panels_[surface]->distanceTo(panels_[surface]->axes.of(center));
   if (least <= kInsideEdge) least = 0;  // it lies on the surface, up to what samples keep off edges
-  for (const std::size_t other : reachedFrom(surface, sample, least)) {
-    const double distance = panels_[other]->distanceTo(panels_[other]->axes.of(sample));
+  for (const std::size_t other : reachedFrom(surface, center, least)) {
+    const double distance = panels_[other]->distanceTo(panels_[other]->axes.of(center));
     if (distance >= least - kInsideEdge) continue;
     least = distance;
     surface = other;
   }
   const Panel& panel = *panels_[surface];
-  const Vec2 st = panel.axes.of(sample);
+  const Vec2 st = panel.axes.of(center);
   const Vec2 nearest = panel.contains(st) ? st : panel.nearestOnEdge(st);
   const Surface& found = level_.surfaces[surface];
-  return {found.kind, found.sector, found.segment,
-          panel.axes.at(panel.movedInside(nearest, kInsideEdge)), panel.normal};
+  TexelSample placed{center, {found.kind, found.sector, found.segment, {}, panel.normal}, {}};
+  const std::vector<Vec2> places = panel.movedInside(nearest, kInsideEdge, st);
+  placed.place.point = panel.axes.at(places.front());
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    placed.others.push_back(placed.place);
+    placed.others.back().point = panel.axes.at(places[i]);
+  }
+  return placed;
 }
 
 /// What continues the surface, reached over common edges no more than `distance` from the sample,

@@ -20,6 +20,9 @@ struct Texel {
 struct TexelSample {
   Vec3 center;         ///< of its part of the texel
   SurfacePoint place;  ///< where it takes its light
+  /// Where it may take it as well: in the other corners of the surface that meet in the point
+  /// nearest to it.
+  std::vector<SurfacePoint> others;
 };
 
 /// The four texels whose centres are around a point of a surface.
@@ -49,7 +52,7 @@ class PlainTexels {
   std::optional<std::size_t> surfaceOf(const SurfacePoint& hit) const;
   const std::vector<CommonEdge>& continuationsOf(std::size_t surface);
   std::vector<std::size_t> reachedFrom(std::size_t surface, Vec3 sample, double distance);
-  SurfacePoint placeOf(std::size_t surface, Vec3 sample);
+  TexelSample sampleAt(std::size_t surface, Vec3 center);
 
   const Level& level_;
   std::vector<std::optional<Panel>> panels_;  ///< by index of surface; none for skies

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "agreement/compare_level.h"
+#include "agreement/panel.h"
 #include "support/level_text.h"
 
 namespace hearth::agreement {
@@ -43,6 +44,27 @@ std::string slopes(std::string_view first, std::string_view second) {
 TEST(SmallLevels, agreeOnACornerThatTwoSlopesShareButForNoise) {
   expectAgreement(slopes("0,0,1,1", "0.0003,0.0003,1.0003,1.0003"),
                   "'x':4.2,'y':3.9,'z':1.3,'falloff':3", "3.3,3.3,1.9,45,-45");
+}
+
+TEST(SmallLevels, agreeWhereAHoleTouchesTheBorderInTheMiddleOfATexel) {
+  // So that the floor has two corners there, of which the lamp lights one.
+  const std::string room =
+      "'a':{'floor':{'texture':'#808080'},'ceiling':{'z':3,'texture':'#808080'},'loops':{"
+      "'border':{'v':[0,0, 3.875,0, 3.875,1.875, 3.875,4, 0,4],'walls':{'texture':'#808080'}},"
+      "'hole':{'v':[2,0.475, 2,3.275, 3.875,1.875],'walls':{'texture':'#808080'}}}}";
+  expectAgreement(room, "'x':3,'y':0.5,'z':1", "3.4,1.2,0.9,54.9,-45");
+  expectAgreement(room, "'x':3,'y':3.5,'z':1", "3.4,2.6,0.9,303.2,-45");
+}
+
+TEST(SmallLevels, moveSamplesIntoTheTipOfASharpCorner) {
+  const LoadedLevel loaded =
+      test::levelFrom("{'light':1,'sectors':{" + sectorText("a", "0,0, 8,0, 8,0.05", 0, 3) + "}}");
+  const Level& level = loaded.level;
+  const Panel floor = panelOf(level, level[level.sectors[0].floorSurface.value()]);
+  const std::vector<Vec2> places = floor.movedInside({0, 0}, 1e-6, {-0.1, 0.1});
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_TRUE(floor.contains(places[0]));
+  EXPECT_NEAR(length(floor.nearestOnEdge(places[0]) - places[0]), 1e-6, 1e-9);
 }
 
 }  // namespace

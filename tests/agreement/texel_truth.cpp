@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "agreement/curve_miss.h"
 
@@ -10,10 +11,11 @@ namespace hearth::agreement {
 namespace {
 
 /// Metres around a sample. One on an edge is taken a micrometre inside it, and in a corner the
-/// format does not say which way: two that are both right lie less than two of these apart.
-/// Elsewhere only rounding moves a sample: that of coordinates, and the 10^-7 m that the bakery
-/// leaves before it. Where many pixels are excused, a light, a wall and a row of samples are in one
-/// line: 413 pixels of a sloped floor of seed 1949, where that line is y = 2.125.
+/// format does not say which way: two that are both right lie less than two of these apart. Where
+/// several corners of a surface meet, as where a hole touches the border, it does not say in which:
+/// all are tried. Elsewhere only rounding moves a sample: that of coordinates, and the 10^-7 m that
+/// the bakery leaves before it. Where many pixels are excused, a light, a wall and a row of samples
+/// are in one line: 413 pixels of a sloped floor of seed 1949, where that line is y = 2.125.
 constexpr std::array kHairs{1e-6, 2e-6};
 constexpr double kStep = 0.25;  ///< levels: more is an edge of a shadow or a jump
 
@@ -82,7 +84,7 @@ Channels TexelTruth::hairSlack(const PatchLight& patch) const {
   Channels slack{};
   for (std::size_t k = 0; k < 4; ++k)
     for (const TexelSample& sample : patch.texels[k]->samples) {
-      const Channels step = stepAround(sample.place);
+      const Channels step = stepAround(sample);
       const auto count = static_cast<double>(patch.texels[k]->samples.size());
       for (std::size_t channel = 0; channel < 3; ++channel)
         slack[channel] += patch.weights[k] / count * step[channel];
@@ -90,16 +92,21 @@ Channels TexelTruth::hairSlack(const PatchLight& patch) const {
   return slack;
 }
 
-/// Of each light the greatest difference to a hair away, where that is a step: what one of them
-/// gains another may lose.
-Channels TexelTruth::stepAround(const SurfacePoint& place) const {
+/// Of each light the greatest difference to a hair away from where the sample may lie, where that
+/// is a step: what one of them gains another may lose.
+Channels TexelTruth::stepAround(const TexelSample& sample) const {
+  std::vector<SurfacePoint> centers = sample.others;
+  centers.push_back(sample.place);
+  std::vector<SurfacePoint> places = centers;
+  for (const double hair : kHairs)
+    for (const SurfacePoint& center : centers)
+      std::ranges::copy(texels_.ringAround(center, hair), std::back_inserter(places));
   Channels steps{};
   for (std::size_t i = 0; i < level_.lights.size(); ++i) {
-    const double here = truth_.from(i, place);
+    const double here = truth_.from(i, sample.place);
     double greatest = 0;
-    for (const double hair : kHairs)
-      for (const SurfacePoint& moved : texels_.ringAround(place, hair))
-        greatest = std::max(greatest, std::abs(truth_.from(i, moved) - here));
+    for (const SurfacePoint& place : places)
+      greatest = std::max(greatest, std::abs(truth_.from(i, place) - here));
     if (greatest > kStep) add(steps, i, greatest);
   }
   return steps;

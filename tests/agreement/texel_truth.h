@@ -64,7 +64,7 @@ class TexelTruth {
 
  private:
   const TexelLight& lightOf(const Texel& texel);
-  Channels stepAround(const SurfacePoint& place) const;
+  Channels stepAround(const TexelSample& sample) const;
   void add(Channels& sum, std::size_t light, double level) const;
 
   const Level& level_;
