@@ -150,10 +150,13 @@ std::vector<Vec3> cornersOf(const Level& level, const std::vector<std::optional<
   return corners;
 }
 
+bool areInOnePlane(const Panel& a, const Panel& b) {
+  return length(a.normal - b.normal) <= kAuthorNoiseOfEdge && liesInPlaneOf(a, b) &&
+         liesInPlaneOf(b, a);
+}
+
 std::vector<Edge> commonEdges(const Level& level, const std::vector<Vec3>& corners,
                               const Panel& from, const Panel& to) {
-  if (length(from.normal - to.normal) > kAuthorNoiseOfEdge) return {};
-  if (!liesInPlaneOf(from, to) || !liesInPlaneOf(to, from)) return {};
   std::vector<Edge> common;
   for (const Edge& edge : from.edges)
     for (const Edge& other : to.edges) {

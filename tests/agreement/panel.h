@@ -15,6 +15,8 @@ struct Axes {
 
   Vec2 of(Vec3 p) const { return {dot(p - origin, s), dot(p - origin, t)}; }
   Vec3 at(Vec2 st) const { return origin + st.x * s + st.y * t; }
+
+  friend bool operator==(const Axes&, const Axes&) = default;
 };
 
 /// From a to b, with the panel in front: on the side of `turned90(b - a)`.

@@ -1,51 +1,75 @@
 #include "agreement/plain_grids.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
 
 #include "agreement/common_edges.h"
+#include "math/tolerance.h"
 
 namespace hearth::agreement {
 
 namespace {
 
-/// By index of panel, the least index of its run: of all that continue one another. Without a
-/// panel, or where `isMember` says no, a run of its own.
-template <typename IsMember>
-std::vector<std::size_t> runsOf(const Level& level, const std::vector<Vec3>& corners,
-                                const std::vector<std::optional<Panel>>& panels,
-                                IsMember&& isMember) {
-  std::vector<std::size_t> run(panels.size());
-  std::iota(run.begin(), run.end(), std::size_t{0});
-  for (std::size_t a = 0; a < panels.size(); ++a)
-    for (std::size_t b = 0; b < panels.size(); ++b) {
-      if (run[a] == run[b] || !isMember(a) || !isMember(b)) continue;
-      if (commonEdges(level, corners, *panels[a], *panels[b]).empty()) continue;
-      const auto [joined, former] = std::minmax(run[a], run[b]);
-      std::ranges::replace(run, std::size_t{former}, std::size_t{joined});
-    }
-  return run;
+using Panels = std::vector<std::optional<Panel>>;
+
+/// Gathers runs: of all that continue one another, the plane of the first being that of all.
+/// `isInPlane(first, next, beside)` says whether a panel is, that goes on from `beside`.
+template <typename IsInPlane>
+std::vector<std::vector<std::size_t>> runsOf(const Level& level, const std::vector<Vec3>& corners,
+                                             const Panels& panels,
+                                             const std::vector<std::size_t>& order,
+                                             IsInPlane&& isInPlane) {
+  std::vector<bool> isTaken(panels.size());
+  std::vector<std::vector<std::size_t>> runs;
+  for (const std::size_t first : order) {
+    if (isTaken[first]) continue;
+    isTaken[first] = true;
+    std::vector<std::size_t>& run = runs.emplace_back(1, first);
+    for (std::size_t i = 0; i < run.size(); ++i)
+      for (const std::size_t next : order) {
+        if (isTaken[next] || !isInPlane(first, next, run[i])) continue;
+        if (commonEdges(level, corners, *panels[run[i]], *panels[next]).empty() &&
+            commonEdges(level, corners, *panels[next], *panels[run[i]]).empty())
+          continue;
+        isTaken[next] = true;
+        run.push_back(next);
+      }
+  }
+  return runs;
 }
 
-/// From the first vertex of the run's walls, along the longest of them, and z.
+/// From the first vertex of the run's walls, along the longest of them, and z. All are in the plane
+/// of the longest, to within a thousandth of the shorter of two that meet, and a millimetre.
 std::vector<Axes> wallGrids(const Level& level, const std::vector<Vec3>& corners) {
-  std::vector<std::optional<Panel>> walls;
+  Panels walls;
   for (const Segment& wall : level.segments) walls.push_back(panelOf(level, wall));
-  const auto runs =
-      runsOf(level, corners, walls, [&](std::size_t i) { return !walls[i]->edges.empty(); });
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (!walls[i]->edges.empty()) order.push_back(i);
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    const Segment& wallA = level.segments[a];
+    const Segment& wallB = level.segments[b];
+    if (wallA.length != wallB.length) return wallA.length > wallB.length;
+    return lessXY(wallA.p0, wallB.p0);
+  });
+  const auto isInPlane = [&](std::size_t longest, std::size_t next, std::size_t beside) {
+    const Segment& wall = level.segments[next];
+    const double noise = noiseOf(std::min(wall.length, level.segments[beside].length));
+    return dot(walls[longest]->normal, walls[next]->normal) > 0 &&
+           std::ranges::all_of(std::array{wall.p0, wall.p1}, [&](Vec2 p) {
+             return std::abs(walls[longest]->distanceInFront({p.x, p.y, 0})) <= noise;
+           });
+  };
   std::vector<Axes> grids;
-  for (const std::size_t run : runs) {
-    const Segment* longest = &level.segments[run];
-    Vec2 first = longest->p0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (runs[i] != run) continue;
-      const Segment& wall = level.segments[i];
-      if (wall.length > longest->length) longest = &wall;
-      for (const Vec2 vertex : {wall.p0, wall.p1})
+  for (const auto& wall : walls) grids.push_back(wall->axes);
+  for (const std::vector<std::size_t>& run : runsOf(level, corners, walls, order, isInPlane)) {
+    Vec2 first = level.segments[run.front()].p0;
+    for (const std::size_t i : run)
+      for (const Vec2 vertex : {level.segments[i].p0, level.segments[i].p1})
         if (lessXY(vertex, first)) first = vertex;
-    }
-    const Vec2 along = (1 / longest->length) * (longest->p1 - longest->p0);
-    grids.push_back({{first.x, first.y, 0}, {along.x, along.y, 0}, {0, 0, 1}});
+    for (const std::size_t i : run)
+      grids[i] = {{first.x, first.y, 0}, walls[run.front()]->axes.s, {0, 0, 1}};
   }
   return grids;
 }
@@ -60,29 +84,44 @@ Vec2 firstBorderVertex(const Level& level, const Sector& sector) {
   return first;
 }
 
+/// Of slopes: from the first border vertex of the run, along the contour line and the steepest
+/// ascent of the slope that has it. What is not sloped keeps the axes of its panel.
+std::vector<Axes> slopeGrids(const Level& level, const std::vector<Vec3>& corners,
+                             const Panels& panels) {
+  const auto sectorOf = [&](std::size_t i) -> const Sector& {
+    return level[level.surfaces[i].sector];
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (panels[i] && isSlope(level.surfaces[i].kind)) order.push_back(i);
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    return lessXY(firstBorderVertex(level, sectorOf(a)), firstBorderVertex(level, sectorOf(b)));
+  });
+  const auto isInPlane = [&](std::size_t, std::size_t next, std::size_t beside) {
+    return areInOnePlane(*panels[beside], *panels[next]);
+  };
+  std::vector<Axes> grids;
+  for (const auto& panel : panels) grids.push_back(panel ? panel->axes : Axes{});
+  for (const std::vector<std::size_t>& run : runsOf(level, corners, panels, order, isInPlane)) {
+    const Sector& sector = sectorOf(run.front());
+    const Vec2 first = firstBorderVertex(level, sector);
+    const bool isOver = isOverhead(level.surfaces[run.front()].kind);
+    Axes axes = panels[run.front()]->axes;
+    axes.origin = {first.x, first.y, isOver ? sector.airTop(first) : sector.airBottom(first)};
+    for (const std::size_t i : run) grids[i] = axes;
+  }
+  return grids;
+}
+
 }  // namespace
 
 std::vector<Axes> plainGrids(const Level& level, const std::vector<std::optional<Panel>>& panels) {
   const std::vector<Vec3> corners = cornersOf(level, panels);
   const std::vector<Axes> ofWalls = wallGrids(level, corners);
-  const auto slopeRuns = runsOf(level, corners, panels,
-                                [&](std::size_t i) { return isSlope(level.surfaces[i].kind); });
-  std::vector<Axes> grids(panels.size());
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    if (!panels[i]) continue;
-    const Surface& surface = level.surfaces[i];
-    grids[i] = surface.segment ? ofWalls[surface.segment->index()] : panels[i]->axes;
-    if (!isSlope(surface.kind)) continue;
-    const Sector& sector = level[surface.sector];
-    Vec2 first = firstBorderVertex(level, sector);
-    for (std::size_t k = 0; k < panels.size(); ++k) {
-      if (slopeRuns[k] != slopeRuns[i]) continue;
-      const Vec2 vertex = firstBorderVertex(level, level[level.surfaces[k].sector]);
-      if (lessXY(vertex, first)) first = vertex;
-    }
-    const Slope& slope = isOverhead(surface.kind) ? *sector.ceilingSlope : *sector.floorSlope;
-    grids[i].origin = {first.x, first.y, slope.zAt(first)};
-  }
+  std::vector<Axes> grids = slopeGrids(level, corners, panels);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (const std::optional<SegmentId> segment = level.surfaces[i].segment)
+      grids[i] = ofWalls[segment->index()];
   return grids;
 }
 

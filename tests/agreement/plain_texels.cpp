@@ -116,11 +116,17 @@ std::vector<std::size_t> PlainTexels::reachedFrom(std::size_t surface, Vec3 samp
   return reached;
 }
 
+/// Of walls, those of one run are.
+bool PlainTexels::areInOnePlane(std::size_t a, std::size_t b) const {
+  if (level_.surfaces[a].segment && level_.surfaces[b].segment) return grids_[a] == grids_[b];
+  return agreement::areInOnePlane(*panels_[a], *panels_[b]);
+}
+
 const std::vector<CommonEdge>& PlainTexels::continuationsOf(std::size_t surface) {
   if (!continuations_[surface]) {
     continuations_[surface].emplace();
     for (std::size_t to = 0; to < panels_.size(); ++to) {
-      if (to == surface || !panels_[to]) continue;
+      if (to == surface || !panels_[to] || !areInOnePlane(surface, to)) continue;
       for (const Edge& edge : commonEdges(level_, corners_, *panels_[surface], *panels_[to]))
         continuations_[surface]->push_back({to, edge});
     }

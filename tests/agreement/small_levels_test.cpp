@@ -46,6 +46,11 @@ TEST(SmallLevels, agreeOnACornerThatTwoSlopesShareButForNoise) {
                   "'x':4.2,'y':3.9,'z':1.3,'falloff':3", "3.3,3.3,1.9,45,-45");
 }
 
+TEST(SmallLevels, agreeOnTheGridOfARunOfSlopesThatAreParallelButForNoise) {
+  expectAgreement(slopes("0,0,1,1", "0,0.0009,1.0009,1"),
+                  "'x':11,'y':1,'z':0.65,'intensity':2000,'falloff':20", "9.5,1,1.5,0,-30");
+}
+
 TEST(SmallLevels, agreeWhereAHoleTouchesTheBorderInTheMiddleOfATexel) {
   // So that the floor has two corners there, of which the lamp lights one.
   const std::string room =
@@ -65,6 +70,17 @@ TEST(SmallLevels, moveSamplesIntoTheTipOfASharpCorner) {
   ASSERT_EQ(places.size(), 1U);
   EXPECT_TRUE(floor.contains(places[0]));
   EXPECT_NEAR(length(floor.nearestOnEdge(places[0]) - places[0]), 1e-6, 1e-9);
+}
+
+TEST(SmallLevels, agreeOnWallsThatAreInLineWithTheLongerOneButForNoise) {
+  // The second is 0.48 mm off the line of the first, which is 1.28 mm off that of the second.
+  expectAgreement(sectorText("a", "0,0, 1.6,0, 2.2,0.00048, 2.2,3, 0,3", 0, 3),
+                  "'x':1.9,'y':0.3,'z':1.5,'falloff':3", "1.6,1.5,1.5,285,0");
+}
+
+TEST(SmallLevels, agreeOnWallsThatLeaveTheLineOfTheLongestBitByBit) {
+  expectAgreement(sectorText("a", "0,0, 1,0, 1.237,0.00016, 1.947,0.00064, 1.947,3, 0,3", 0, 3),
+                  "'x':1.5,'y':0.3,'z':1.5,'falloff':3", "1.2,1.5,1.5,285,0");
 }
 
 }  // namespace
