@@ -11,16 +11,17 @@ namespace {
 
 constexpr std::array kFrames = {
     MeasuredFrame{{}, 1, 0.066},
+    MeasuredFrame{{.precision = Precision::Single}, 0.92, 0.066},
     MeasuredFrame{{.pixelSize = 2}, 0.44, 0.61},
     MeasuredFrame{{.pixelSize = 3}, 0.27, 0.60},
     MeasuredFrame{{.pixelSize = 4}, 0.20, 0.70},
 };
 
 constexpr std::array kBakes = {
-    MeasuredBake{{0.25, true, 64}, 21, 2.3},  MeasuredBake{{0.25, false, 64}, 10.5, 2.4},
-    MeasuredBake{{0.5, false, 16}, 2.3, 3.6}, MeasuredBake{{1, false, 16}, 0.68, 5.1},
-    MeasuredBake{{1, false, 0}, 0.45, 5.7},   MeasuredBake{{2, false, 0}, 0.22, 7.8},
-    MeasuredBake{{4, false, 0}, 0.125, 11.7},
+    MeasuredBake{{0.25, true, 64}, 26, 2.3},  MeasuredBake{{0.25, false, 64}, 12, 2.4},
+    MeasuredBake{{0.5, false, 16}, 2.3, 3.6}, MeasuredBake{{1, false, 16}, 0.86, 5.1},
+    MeasuredBake{{1, false, 0}, 0.53, 5.7},   MeasuredBake{{2, false, 0}, 0.28, 7.8},
+    MeasuredBake{{4, false, 0}, 0.16, 11.7},
 };
 
 template <typename Measured>
