@@ -33,36 +33,85 @@ SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int s
   return surface.inBlocks(std::move(samples), columns, rows);
 }
 
-void addTile(const TexelRect& tile, int side, SurfaceLight& surface, TexelSums& sums) {
-  const SampleBlocks blocks = samplesOf(surface, tile, side);
-  for (const std::size_t light : surface.facing()) {
+/// Of a tile of a surface: its samples, and which lights to ask.
+struct Tile {
+  TexelRect rect;
+  int side;  ///< side x side samples to each texel
+  std::span<const std::size_t> lights;
+};
+
+void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
+  const auto& [rect, side, lights] = tile;
+  const SampleBlocks blocks = samplesOf(surface, rect, side);
+  for (const std::size_t light : lights) {
     if (!surface.reaches(light, blocks)) continue;
+    TexelSums& sums = sumsOf(light);
     const std::vector<double>& seen = surface.seenShares(light, blocks);
-    for (int j = 0; j < tile.height * side; ++j)
-      for (int i = 0; i < tile.width * side; ++i) {
+    for (int j = 0; j < rect.height * side; ++j)
+      for (int i = 0; i < rect.width * side; ++i) {
         const std::size_t index = blocks.index(i, j);
         const SamplePoint& at = blocks.samples()[index];
         if (seen[index] == 0) continue;
         if (planted(PlantedBug::BorderTexelsBlack) && at.point != at.target) continue;
-        sums.add(tile.i0 + i / side, tile.j0 + j / side, surface.light(light),
+        sums.add(rect.i0 + i / side, rect.j0 + j / side, surface.light(light),
                  seen[index] * surface.fullLevel(light, at));
       }
   }
 }
 
-/// side x side samples to each texel.
-void addSampledLight(int side, SurfaceLight& surface, TexelSums& sums, BakeProgress& progress) {
+void addSampledLight(int side, std::span<const std::size_t> lights, SurfaceLight& surface,
+                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop) {
   const TexelRect rect = surface.texels();
   const auto tiles = [](int texels) { return std::int64_t{(texels + kTile - 1) / kTile}; };
   SurfaceProgress done(progress, rect.count(), tiles(rect.width) * tiles(rect.height));
   for (int j = 0; j < rect.height; j += kTile)
-    for (int i = 0; i < rect.width; i += kTile, done.step())
-      addTile({rect.i0 + i, rect.j0 + j, std::min(kTile, rect.width - i),
-               std::min(kTile, rect.height - j)},
-              side, surface, sums);
+    for (int i = 0; i < rect.width && !stop.stop_requested(); i += kTile, done.step()) {
+      const TexelRect part{rect.i0 + i, rect.j0 + j, std::min(kTile, rect.width - i),
+                           std::min(kTile, rect.height - j)};
+      addTile({part, side, lights}, surface, sumsOf);
+    }
 }
 
 }  // namespace
+
+void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+               const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
+               const std::stop_token& stop) {
+  if (settings.samples)
+    addSampledLight(static_cast<int>(std::lround(std::sqrt(*settings.samples))), lights, surface,
+                    sumsOf, progress, stop);
+  else
+    addClippedLight(surface, lights, sumsOf, progress, stop);
+}
+
+void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+                      const BakeSettings& settings, const SumsOf& sumsOf) {
+  const TexelRect rect = surface.texels();
+  const auto samplesAlong = [](int texels) { return (texels + kDraftSide - 1) / kDraftSide; };
+  const auto middle = [](int first, int texels, int k) {
+    return first + std::min((k + 0.5) * kDraftSide, static_cast<double>(texels));
+  };
+  const int columns = samplesAlong(rect.width);
+  const int rows = samplesAlong(rect.height);
+  std::vector<SamplePoint> samples;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      samples.push_back(
+          surface.place({middle(rect.i0, rect.width, i), middle(rect.j0, rect.height, j)}));
+  const SampleBlocks blocks = surface.inBlocks(std::move(samples), columns, rows);
+  for (const std::size_t light : lights) {
+    TexelSums& sums = sumsOf(light);
+    const std::vector<double>& seen = surface.seenShares(light, blocks);
+    for (int j = 0; j < rect.height; ++j)
+      for (int i = 0; i < rect.width; ++i) {
+        const std::size_t index = blocks.index(i / kDraftSide, j / kDraftSide);
+        if (seen[index] > 0)
+          sums.add(rect.i0 + i, rect.j0 + j, surface.light(light),
+                   settings.samples.value_or(1) * seen[index] *
+                       surface.fullLevel(light, blocks.samples()[index]));
+      }
+  }
+}
 
 std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& settings,
                                     BakeProgress& progress) {
@@ -71,11 +120,13 @@ std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& s
     return std::nullopt;
   }
   TexelSums sums(surface.texels(), surface.channels());
-  if (settings.samples)
-    addSampledLight(static_cast<int>(std::lround(std::sqrt(*settings.samples))), surface, sums,
-                    progress);
-  else
-    addClippedLight(surface, sums, progress);
+  addLights(
+      surface, surface.facing(), settings, [&](std::size_t) -> TexelSums& { return sums; },
+      progress);
+  return lightmapOf(sums, settings);
+}
+
+std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings) {
   return sums.toLightmap(settings.samples.value_or(1), settings.bits);
 }
 

@@ -1,15 +1,35 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
+#include <stop_token>
 
 #include "light/bake_progress.h"
 #include "light/lightmap.h"
 #include "light/surface_light.h"
+#include "light/texel_sums.h"
 
 namespace hearth {
+
+/// The sums to which the light of each light goes: one for all, or one for each.
+using SumsOf = std::function<TexelSums&(std::size_t light)>;
+
+/// Adds what some of the surface's facing lights bring to its texels. Asked to stop, less of it.
+void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+               const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
+               const std::stop_token& stop = {});
+
+/// The same, in haste: one sample to kDraftSide x kDraftSide texels.
+inline constexpr int kDraftSide = 4;
+void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+                      const BakeSettings& settings, const SumsOf& sumsOf);
 
 /// The lightmap of a surface; none where no light reaches it.
 std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& settings,
                                     BakeProgress& progress);
+
+/// Of the sums of all its lights.
+std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings);
 
 }  // namespace hearth

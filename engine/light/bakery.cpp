@@ -34,9 +34,7 @@ std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
 std::int64_t addTo(std::vector<LightCost>& sum, const std::vector<LightCost>& costs) {
   std::int64_t rays = 0;
   for (std::size_t i = 0; i < costs.size(); ++i) {
-    sum[i].samples += costs[i].samples;
-    sum[i].seenSamples += costs[i].seenSamples;
-    sum[i].rays += costs[i].rays;
+    sum[i] += costs[i];
     rays += costs[i].rays;
   }
   return rays;

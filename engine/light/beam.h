@@ -6,6 +6,7 @@
 
 #include "level/level.h"
 #include "light/beam_hull.h"
+#include "light/id_set.h"
 
 namespace hearth {
 
@@ -39,6 +40,11 @@ class Beam {
 
   /// `within`, if any, is a beam of the same light to a box that holds this one.
   Outcome follow(const BeamLight& light, const BeamTargets& targets, const Beam* within);
+
+  /// Adds the sectors that rays can come into.
+  void addSectorsTo(SectorSet& sectors) const {
+    for (const MetSector& sector : sectors_) sectors.add(sector.id);
+  }
 
   /// Whether rays can come into a sector; and its walls that they can meet then.
   bool meets(SectorId sector) const;

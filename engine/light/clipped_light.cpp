@@ -42,18 +42,17 @@ constexpr int kFinestSoft = 4;
 
 class ClippedLight {
  public:
-  ClippedLight(SurfaceLight& surface, TexelSums& sums)
+  explicit ClippedLight(SurfaceLight& surface)
       : surface_(surface),
-        sums_(sums),
         rect_(surface.texels()),
         blocks_(surface.inBlocks(placedCorners(), rect_.width + 1, rect_.height + 1)),
         corners_(blocks_.samples()) {}
 
-  void add(std::size_t light) {
+  void add(std::size_t light, TexelSums& sums) {
     if (surface_.radiusOf(light) > 0)
-      addSoft(light);
+      addSoft(light, sums);
     else
-      addHard(light);
+      addHard(light, sums);
   }
 
  private:
@@ -135,15 +134,15 @@ class ClippedLight {
   }
 
   template <typename LevelOf>
-  void addTexels(std::size_t light, LevelOf&& levelOf) {
+  void addTexels(std::size_t light, TexelSums& sums, LevelOf&& levelOf) {
     between_.clear();
     for (int j = 0; j < rect_.height; ++j)
       for (int i = 0; i < rect_.width; ++i)
         if (const double level = levelOf(i, j); level > 0)
-          sums_.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
+          sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
   }
 
-  void addHard(std::size_t light) {
+  void addHard(std::size_t light, TexelSums& sums) {
     const auto isLit = [&](Vec2 p) { return surface_.seenShare(light, placedBetween(p)) > 0; };
     const std::vector<double>& seen = surface_.seenShares(light, blocks_);
     const auto isCornerLit = [&](int i, int j) { return seen[index(i, j)] > 0; };
@@ -152,7 +151,7 @@ class ClippedLight {
     std::vector<double> full;
     full.reserve(corners_.size());
     for (const SamplePoint& at : corners_) full.push_back(surface_.fullLevel(light, at));
-    addTexels(light, [&](int i, int j) {
+    addTexels(light, sums, [&](int i, int j) {
       const int lit = lattice.litCorners(i, j);
       if (lit == 0) return 0.0;
       const CornerLevels levels = levelsAt(full, i, j);
@@ -166,17 +165,16 @@ class ClippedLight {
   }
 
   /// What is seen of a ball changes gradually, so that its share too is interpolated.
-  void addSoft(std::size_t light) {
+  void addSoft(std::size_t light, TexelSums& sums) {
     std::vector<double> levels = surface_.seenShares(light, blocks_);
     for (std::size_t i = 0; i < levels.size(); ++i)
       levels[i] = levelAt(light, corners_[i], levels[i]);
-    addTexels(light, [&](int i, int j) {
+    addTexels(light, sums, [&](int i, int j) {
       return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(levels, i, j));
     });
   }
 
   SurfaceLight& surface_;
-  TexelSums& sums_;
   TexelRect rect_;
   SampleBlocks blocks_;  ///< of corners, one more each way than texels
   const std::vector<SamplePoint>& corners_;
@@ -186,12 +184,14 @@ class ClippedLight {
 
 }  // namespace
 
-void addClippedLight(SurfaceLight& surface, TexelSums& sums, BakeProgress& progress) {
-  SurfaceProgress lights(progress, surface.texels().count(), std::ssize(surface.facing()));
-  ClippedLight clipped(surface, sums);
-  for (const std::size_t light : surface.facing()) {
-    clipped.add(light);
-    lights.step();
+void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
+                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop) {
+  SurfaceProgress done(progress, surface.texels().count(), std::ssize(lights));
+  ClippedLight clipped(surface);
+  for (const std::size_t light : lights) {
+    if (stop.stop_requested()) return;
+    clipped.add(light, sumsOf(light));
+    done.step();
   }
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "light/bake_progress.h"
-#include "light/surface_light.h"
-#include "light/texel_sums.h"
+#include <span>
+#include <stop_token>
+
+#include "light/baked_surface.h"
 
 namespace hearth {
 
@@ -10,6 +11,7 @@ namespace hearth {
 /// texel, which four texels share, and some more to each edge between corners of which one is lit.
 /// The polygon that these make of a texel's lit part is as exact as the shadow's edge is straight;
 /// a texel that no edge crosses costs one ray for each light.
-void addClippedLight(SurfaceLight& surface, TexelSums& sums, BakeProgress& progress);
+void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
+                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop);
 
 }  // namespace hearth

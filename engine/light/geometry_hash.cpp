@@ -9,20 +9,17 @@ namespace hearth {
 
 namespace {
 
-/// Hashes the level from its sectors down to its sub-walls.
+/// Hashes sectors down to their sub-walls.
 class GeometryHasher {
  public:
-  std::uint64_t hash(const Level& level, double texel) {
-    hash_.addReal(texel);
-    hash_.addWhole(level.sectors.size());
-    for (const Sector& sector : level.sectors) {
-      addFlat(sector.floor, sector.floorSlope);
-      addFlat(sector.ceiling, sector.ceilingSlope);
-      hash_.addWhole(sector.loops.size());
-      for (const Loop& loop : sector.loops) hash_.addWhole(loop.count);
-      for (const Segment& segment : level.segmentsOf(sector)) addSegment(segment);
-    }
-    return hash_.value();
+  GeometryHasher(Hash& hash, const PartNumbers& numbers) : hash_(hash), numbers_(numbers) {}
+
+  void add(const Level& level, const Sector& sector) {
+    addFlat(sector.floor, sector.floorSlope);
+    addFlat(sector.ceiling, sector.ceilingSlope);
+    hash_.addWhole(sector.loops.size());
+    for (const Loop& loop : sector.loops) hash_.addWhole(loop.count);
+    for (const Segment& segment : level.segmentsOf(sector)) addSegment(segment);
   }
 
  private:
@@ -38,7 +35,7 @@ class GeometryHasher {
       hash_.addPoint(slope->gradient);
     } else if (flat.interface) {
       hash_.addWhole(FlatPortal);
-      hash_.addWhole(flat.interface->value);
+      hash_.addWhole(numbers_.ofInterface(*flat.interface));
     } else {
       hash_.addWhole(flat.parallax ? Sky : Plain);
     }
@@ -54,7 +51,7 @@ class GeometryHasher {
 
   void addWall(const Portal& portal) {
     hash_.addWhole(PortalWall);
-    hash_.addWhole(portal.next.value);
+    hash_.addWhole(numbers_.ofSector(portal.next));
   }
 
   void addWall(const Stack& stack) {
@@ -66,13 +63,35 @@ class GeometryHasher {
     }
   }
 
-  Hash hash_;
+  Hash& hash_;
+  const PartNumbers& numbers_;
 };
 
 }  // namespace
 
 std::uint64_t geometryHash(const Level& level, double texel) {
-  return GeometryHasher().hash(level, texel);
+  const PartNumbers ids{[](SectorId id) { return id.value; },
+                        [](InterfaceId id) { return id.value; }};
+  Hash hash;
+  hash.addReal(texel);
+  hash.addWhole(level.sectors.size());
+  for (const Sector& sector : level.sectors) addGeometry(hash, level, sector, ids);
+  return hash.value();
+}
+
+void addGeometry(Hash& hash, const Level& level, const Sector& sector, const PartNumbers& numbers) {
+  GeometryHasher(hash, numbers).add(level, sector);
+}
+
+void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) {
+  // By name, so that no new member is forgotten.
+  const auto& [position, sector, intensity, falloff, curve, color, radius] = light;
+  hash.addPoint(position);
+  hash.addWhole(sectorNumber);
+  for (const double number : {intensity, falloff, radius}) hash.addReal(number);
+  hash.addWhole(curve.size());
+  for (const auto& [distance, level] : curve) hash.addPoint(Vec2{distance, level});
+  for (const std::uint8_t share : color) hash.addWhole(share);
 }
 
 }  // namespace hearth

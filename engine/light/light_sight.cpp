@@ -178,7 +178,9 @@ LightSight::LightSight(const Level& level, const LightSource& light, int softSam
       cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
       discCells_(radius_ > 0 ? cells_ : 0) {
   beamLight_ = {middle_.position, radius_, {middle_.sector}, false};
+  sectors_ = {middle_.sector};
   if (radius_ == 0) return;
+  SectorSet met;
   planes_ = planesInside(level, level[middle_.sector], middle_.position, radius_);
   isCutByPlanes_ = true;
   for (int i = 0; pointCount_ < kPointsPerSample * softSamples; ++i) {
@@ -186,7 +188,7 @@ LightSight::LightSight(const Level& level, const LightSource& light, int softSam
     if (dot(p, p) > 1) continue;
     ++pointCount_;
     const Vec3 position = middle_.position + radius_ * p;
-    const std::optional<SectorId> sector = raytracer_.sectorAt(middle_, position);
+    const std::optional<SectorId> sector = raytracer_.sectorAt(middle_, position, met);
     if (sector) points_.push_back({position, *sector});
     isCutByPlanes_ &= isBeforePlanes(position) == (sector == middle_.sector);
     isCutByPlanes_ &= !sector || sector == middle_.sector;
@@ -194,16 +196,17 @@ LightSight::LightSight(const Level& level, const LightSource& light, int softSam
       beamLight_.sectors.push_back(*sector);
   }
   beamLight_.isCutByWalls = isCutByPlanes_;
+  sectors_ = met.sorted();
 }
 
 bool LightSight::isBeforePlanes(Vec3 p) const {
   return std::ranges::all_of(planes_, [p](const Plane& plane) { return plane.inFront(p) > 0; });
 }
 
-double LightSight::seenShare(const LightTarget& target, std::int64_t& rays) const {
+double LightSight::seenShare(const LightTarget& target, std::int64_t& rays, SectorSet* met) const {
   return seenShareBy(target, [&](const Raytracer::Source& source) {
     ++rays;
-    return raytracer_.sees(source, target.point, target.sector);
+    return raytracer_.sees(source, target.point, target.sector, met);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "level/level.h"
@@ -58,13 +59,16 @@ class LightSight {
   /// With 0 it is a point.
   LightSight(const Level& level, const LightSource& light, int softSamples);
 
-  /// 0..1. Adds the rays that it took to `rays`.
-  double seenShare(const LightTarget& target, std::int64_t& rays) const;
+  /// 0..1. Adds the rays that it took to `rays`, and tells `met`, if any, where they came.
+  double seenShare(const LightTarget& target, std::int64_t& rays, SectorSet* met = nullptr) const;
   /// The same, of one of the targets of a beam from `beamLight()`, whose rays have this outcome.
   double seenShare(const LightTarget& target, const Beam& beam, Beam::Outcome outcome,
                    std::int64_t& rays) const;
 
   const BeamLight& beamLight() const { return beamLight_; }
+  /// On which it depends what of the light shines: that of its middle, and all that lines from
+  /// there to other points of it come into.
+  std::span<const SectorId> sectors() const { return sectors_; }
 
  private:
   template <typename Sees>
@@ -88,6 +92,7 @@ class LightSight {
   /// Whether what shines is what lies in front of all planes, if there are any.
   bool isCutByPlanes_ = false;
   BeamLight beamLight_;
+  std::vector<SectorId> sectors_;
 };
 
 /// How points see the lights of a level, in their order.

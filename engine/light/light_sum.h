@@ -21,6 +21,9 @@ class LightSum {
     sum_ = std::min(sum_ + static_cast<std::int64_t>(units), kFull);
   }
 
+  void add(LightSum other) { sum_ = std::min(sum_ + other.sum_, kFull); }
+  bool isDark() const { return sum_ == 0; }
+
   /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
   std::uint8_t mean(int samples) const {
     return static_cast<std::uint8_t>(rounded(std::int64_t{samples} * kUnit, 255));

@@ -44,9 +44,11 @@ struct BeamWalls {
 template <typename Walls>
 class Walk {
  public:
-  Walk(const Level& level, Walls walls, const Raytracer::Source& source, Vec3 target)
+  Walk(const Level& level, Walls walls, const Raytracer::Source& source, Vec3 target,
+       SectorSet* met)
       : level_(level),
         walls_(walls),
+        met_(met),
         origin_(source.position),
         delta_(target - source.position),
         planLength2_(dot(delta_.xy(), delta_.xy())),
@@ -122,6 +124,7 @@ class Walk {
 
   /// The first segment seen from its front beyond where the ray came into the sector.
   Exit findExit() const {
+    if (met_) met_->add(sector_);
     Exit best{nullptr, std::numeric_limits<double>::infinity()};
     if (planLength2_ == 0) return best;
     walls_.visit(sector_, [&](const Segment& segment) {
@@ -251,6 +254,7 @@ class Walk {
 
   const Level& level_;
   Walls walls_;
+  SectorSet* met_;
   Vec3 origin_;
   Vec3 delta_;
   double planLength2_;
@@ -271,18 +275,19 @@ Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& lig
   return {{inside.x, inside.y, aboveSky || belowSky ? light.position.z : inside.z}, light.sector};
 }
 
-bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector) const {
-  return Walk(level_, AllWalls{level_}, source, target).arrivesAt(sector);
+bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
+  return Walk(level_, AllWalls{level_}, source, target, met).arrivesAt(sector);
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Beam& beam) const {
-  Walk walk(level_, BeamWalls{beam}, source, target);
+  Walk walk(level_, BeamWalls{beam}, source, target, nullptr);
   if (beam.gate()) walk.passGate(*beam.gate());
   return walk.arrivesAt(sector);
 }
 
-std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point) const {
-  return Walk(level_, AllWalls{level_}, source, point).sectorAtEnd();
+std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
+                                            SectorSet& met) const {
+  return Walk(level_, AllWalls{level_}, source, point, &met).sectorAtEnd();
 }
 
 }  // namespace hearth

@@ -4,6 +4,7 @@
 
 #include "level/level.h"
 #include "light/beam.h"
+#include "light/id_set.h"
 
 namespace hearth {
 
@@ -23,13 +24,14 @@ class Raytracer {
 
   /// True when the line from the source first meets a surface at `target`, a point on the border of
   /// the air of `sector`. The caller has made sure that the surface there faces the source.
-  bool sees(const Source& source, Vec3 target, SectorId sector) const;
+  /// `met`, if any, is told where the line comes.
+  bool sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met = nullptr) const;
   /// The same, of a ray of a beam: only what the beam meets is looked at.
   bool sees(const Source& source, Vec3 target, SectorId sector, const Beam& beam) const;
 
   /// The sector in which the line from the source arrives at a point of the air; none where it
   /// meets a surface before.
-  std::optional<SectorId> sectorAt(const Source& source, Vec3 point) const;
+  std::optional<SectorId> sectorAt(const Source& source, Vec3 point, SectorSet& met) const;
 
  private:
   const Level& level_;

@@ -52,8 +52,11 @@ std::optional<Vec2> insideCorner(const LitSurface::Edge& before, const LitSurfac
 
 }  // namespace
 
-SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id)
-    : surfaces_(surfaces), id_(id), hair_(kHair / surfaces[id.index()]->grid.texel) {}
+SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought)
+    : surfaces_(surfaces),
+      id_(id),
+      hair_(kHair / surfaces[id.index()]->grid.texel),
+      sought_(sought) {}
 
 SamplePoint SamplePlacement::place(Vec2 p) const {
   const LitSurface& own = *surfaces_[id_.index()];
@@ -101,6 +104,8 @@ std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const
           length(nearestOnSegment(next.edge0, next.edge1, there) - there) <= reach)
         joined.push_back(next.surface);
   }
+  if (sought_)
+    for (const SurfaceId id : joined) sought_->add(id);
   joined.erase(joined.begin());
   return joined;
 }

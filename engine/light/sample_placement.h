@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "level/level.h"
+#include "light/id_set.h"
 #include "light/lit_surface.h"
 
 namespace hearth {
@@ -28,7 +29,8 @@ struct SamplePoint {
 /// it is the one over the fewest edges, of these the first in the level.
 class SamplePlacement {
  public:
-  SamplePlacement(const LitSurfaces& surfaces, SurfaceId id);
+  /// `sought`, if any, is told on which surfaces places are sought.
+  SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought = nullptr);
 
   SamplePoint place(Vec2 texelPoint) const;
 
@@ -44,6 +46,7 @@ class SamplePlacement {
   const LitSurfaces& surfaces_;
   SurfaceId id_;
   double hair_;  ///< kHair in texels
+  SurfaceSet* sought_;
 };
 
 }  // namespace hearth

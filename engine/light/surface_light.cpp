@@ -55,7 +55,8 @@ bool isRayPlanted() {
 }  // namespace
 
 SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
-                           const LightSights& sights, bool lambert, SurfaceId id, Seeing seeing)
+                           const LightSights& sights, bool lambert, SurfaceId id, Seeing seeing,
+                           Trail* trail)
     : level_(level),
       surfaces_(surfaces),
       sights_(sights),
@@ -63,7 +64,8 @@ SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
       id_(id),
       lambert_(lambert),
       seeing_(isRayPlanted() ? Seeing::ByRaysAlone : seeing),
-      placement_(surfaces, id),
+      trail_(trail),
+      placement_(surfaces, id, trail ? &trail->surfaces() : nullptr),
       costs_(level.lights.size()) {
   for (std::size_t i = 0; i < level.lights.size(); ++i)
     if (isInFront(level.lights[i], radiusOf(i), surface_) && reachesBox(i, cornersOf(surface_)))
@@ -102,7 +104,7 @@ double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const
   const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
   LightCost& cost = costs_[index];
   const double seen = known ? sight.seenShare(target, known->beam, known->outcome, cost.rays)
-                            : sight.seenShare(target, cost.rays);
+                            : sight.seenShare(target, cost.rays, metBy(index));
   ++cost.samples;
   if (seen > 0) ++cost.seenSamples;
   return seen;
@@ -117,22 +119,34 @@ const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const Sam
   return seen_;
 }
 
+double SurfaceLight::seenShare(std::size_t light, const SamplePoint& at) {
+  return seenShare(sights_.fine[light], light, at, nullptr);
+}
+
 Beam& SurfaceLight::beamAt(std::size_t depth) {
   while (beams_.size() <= depth) beams_.emplace_back(level_);
   return beams_[depth];
 }
 
+/// Within that of less depth, if there is one.
+Beam::Outcome SurfaceLight::followBeam(std::size_t depth, std::size_t light, const BeamLight& from,
+                                       const BeamTargets& targets) {
+  Beam& beam = beamAt(depth);
+  if (depth > 0) return beam.follow(from, targets, &beams_[depth - 1]);
+  const Beam::Outcome outcome = beam.follow(from, targets, nullptr);
+  if (SectorSet* met = metBy(light)) beam.addSectorsTo(*met);
+  return outcome;
+}
+
 void SurfaceLight::addBlock(std::size_t light, const SampleBlocks& blocks,
                             const SampleBlocks::Block& block, std::size_t depth) {
-  Beam& beam = beamAt(depth);
   const BeamLight& from = sights_.fine[light].beamLight();
-  const Beam* within = depth > 0 ? &beams_[depth - 1] : nullptr;
-  const Beam::Outcome outcome = beam.follow(from, blocks.targetsOf(block), within);
-  if (outcome != Beam::Outcome::Unknown) return addSamples(light, blocks, block, {beam, outcome});
+  const Known known{beamAt(depth), followBeam(depth, light, from, blocks.targetsOf(block))};
+  if (known.outcome != Beam::Outcome::Unknown) return addSamples(light, blocks, block, known);
   for (const SampleBlocks::Block& part : blocks.partsOf(block))
     addBlock(light, blocks, part, depth + 1);
   if (block.parts > 0) return;
-  if (from.radius == 0) return addSamples(light, blocks, block, {beam, outcome});
+  if (from.radius == 0) return addSamples(light, blocks, block, known);
   forEachSample(blocks, block, [&](std::size_t index) {
     seen_[index] = seenShareByBeam(sights_.fine[light], light, blocks.samples()[index], depth + 1);
   });
@@ -151,14 +165,12 @@ double SurfaceLight::roughlySeenShare(std::size_t light, const SamplePoint& at) 
                                     : seenShare(sight, light, at, nullptr);
 }
 
-/// A beam to one sample, within that of less depth. Worth it for a ball, which takes many rays.
+/// By a beam to one sample. Worth it for a ball, which takes many rays.
 double SurfaceLight::seenShareByBeam(const LightSight& sight, std::size_t light,
                                      const SamplePoint& at, std::size_t depth) {
   const BeamTargets target{TargetBox::ofPoint(at.target, surface_.normal),
                            {&level_[at.surface].sector, 1}};
-  Beam& beam = beamAt(depth);
-  const Beam* within = depth > 0 ? &beams_[depth - 1] : nullptr;
-  const Known known{beam, beam.follow(sight.beamLight(), target, within)};
+  const Known known{beamAt(depth), followBeam(depth, light, sight.beamLight(), target)};
   return seenShare(sight, light, at, &known);
 }
 

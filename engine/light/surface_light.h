@@ -11,6 +11,7 @@
 #include "light/lit_surface.h"
 #include "light/sample_blocks.h"
 #include "light/sample_placement.h"
+#include "light/trail.h"
 
 namespace hearth {
 
@@ -23,9 +24,9 @@ enum class Seeing {
 /// What of the level's lights arrives at points of one surface.
 class SurfaceLight {
  public:
-  /// Keeps references to all but `id`.
+  /// Keeps references to all but `id`. `trail`, if any, is told from what light is found.
   SurfaceLight(const Level& level, const LitSurfaces& surfaces, const LightSights& sights,
-               bool lambert, SurfaceId id, Seeing seeing = Seeing::ByBeams);
+               bool lambert, SurfaceId id, Seeing seeing = Seeing::ByBeams, Trail* trail = nullptr);
 
   const TexelRect& texels() const { return surface_.texels; }
   /// Indices of the lights that can shine on the surface's plane, and reach as far.
@@ -46,9 +47,7 @@ class SurfaceLight {
   const std::vector<double>& seenShares(std::size_t light, const SampleBlocks& blocks);
 
   /// Which share of a light the point sees, 0..1.
-  double seenShare(std::size_t light, const SamplePoint& at) {
-    return seenShare(sights_.fine[light], light, at, nullptr);
-  }
+  double seenShare(std::size_t light, const SamplePoint& at);
   /// With fewer rays to a ball.
   double roughlySeenShare(std::size_t light, const SamplePoint& at);
 
@@ -64,10 +63,14 @@ class SurfaceLight {
     const Beam& beam;
     Beam::Outcome outcome;
   };
+  /// Told of sectors that rays of the light come into; if any.
+  SectorSet* metBy(std::size_t light) { return trail_ ? &trail_->sectorsOf(light) : nullptr; }
   bool reachesBox(std::size_t light, std::span<const Vec3> corners) const;
   double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at,
                    const Known* known);
   Beam& beamAt(std::size_t depth);
+  Beam::Outcome followBeam(std::size_t depth, std::size_t light, const BeamLight& from,
+                           const BeamTargets& targets);
   void addBlock(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
                 std::size_t depth);
   void addSamples(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
@@ -82,6 +85,7 @@ class SurfaceLight {
   SurfaceId id_;
   bool lambert_;
   Seeing seeing_;
+  Trail* trail_;
   SamplePlacement placement_;
   std::vector<std::size_t> facing_;
   std::vector<LightCost> costs_;

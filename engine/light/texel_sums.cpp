@@ -34,6 +34,42 @@ TexelSums::TexelSums(TexelRect rect, int channels)
       sums_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height) *
             static_cast<std::size_t>(channels)) {}
 
+void TexelSums::add(const TexelSums& other) {
+  for (int j = other.rect_.j0; j < other.rect_.j0 + other.rect_.height; ++j)
+    for (int i = other.rect_.i0; i < other.rect_.i0 + other.rect_.width; ++i) {
+      LightSum* sum = &sums_[index(i, j)];
+      const LightSum* more = &other.sums_[other.index(i, j)];
+      for (int channel = 0; channel < channels_; ++channel)
+        sum[channel].add(more[other.channels_ == 1 ? 0 : channel]);
+    }
+}
+
+bool TexelSums::isTexelDark(int i, int j) const {
+  const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(index(i, j));
+  return std::all_of(first, first + channels_, [](LightSum sum) { return sum.isDark(); });
+}
+
+TexelSums TexelSums::cropped() const {
+  int left = rect_.i0 + rect_.width;
+  int right = rect_.i0;
+  int top = rect_.j0 + rect_.height;
+  int bottom = rect_.j0;
+  for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j)
+    for (int i = rect_.i0; i < rect_.i0 + rect_.width; ++i) {
+      if (isTexelDark(i, j)) continue;
+      left = std::min(left, i);
+      right = std::max(right, i + 1);
+      top = std::min(top, j);
+      bottom = std::max(bottom, j + 1);
+    }
+  if (right <= left) return {{rect_.i0, rect_.j0, 0, 0}, channels_};
+  TexelSums part({left, top, right - left, bottom - top}, channels_);
+  for (int j = top; j < bottom; ++j)
+    std::copy_n(&sums_[index(left, j)], part.rect_.width * channels_,
+                &part.sums_[part.index(left, j)]);
+  return part;
+}
+
 std::optional<Lightmap> TexelSums::toLightmap(int samples, int bits) const {
   Lightmap map{rect_, {}, channels_};
   map.levels.reserve(sums_.size());

@@ -22,11 +22,18 @@ class TexelSums {
       sum[channel].add(level * light.share(channel));
   }
 
+  /// Of texels that lie among these; one channel goes to all.
+  void add(const TexelSums& other);
+  /// The same without rows and columns at the borders that are dark.
+  TexelSums cropped() const;
+  std::size_t bytes() const { return sums_.size() * sizeof(LightSum); }
+
   /// The means of so many samples a texel, in 8 or 16 bits. None where all is dark; one channel
   /// where no coloured light has arrived.
   std::optional<Lightmap> toLightmap(int samples, int bits) const;
 
  private:
+  bool isTexelDark(int i, int j) const;
   std::size_t index(int i, int j) const {
     return (static_cast<std::size_t>(j - rect_.j0) * static_cast<std::size_t>(rect_.width) +
             static_cast<std::size_t>(i - rect_.i0)) *

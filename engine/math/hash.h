@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <string_view>
 
 #include "math/vec.h"
 
@@ -23,9 +24,19 @@ class Hash {
     addWhole(std::bit_cast<std::uint64_t>(number + 0.0));  // -0 and 0 are one place
   }
 
+  void addText(std::string_view text) {
+    addWhole(text.size());
+    for (const char c : text) addWhole(static_cast<unsigned char>(c));
+  }
+
   void addPoint(Vec2 p) {
     addReal(p.x);
     addReal(p.y);
+  }
+
+  void addPoint(Vec3 p) {
+    addPoint(p.xy());
+    addReal(p.z);
   }
 
  private:

@@ -49,19 +49,8 @@ std::optional<std::uint64_t> hashOfProgram() {
   return hash.value();
 }
 
-void add(Hash& hash, const LightSource& light) {
-  // By name, so that no new member is forgotten.
-  const auto& [position, sector, intensity, falloff, curve, color, radius] = light;
-  hash.addPoint(position.xy());
-  hash.addReal(position.z);
-  hash.addWhole(sector.value);
-  for (const double number : {intensity, falloff, radius}) hash.addReal(number);
-  hash.addWhole(curve.size());
-  for (const auto& [distance, level] : curve) hash.addPoint({distance, level});
-  for (const std::uint8_t share : color) hash.addWhole(share);
-}
-
 void add(Hash& hash, const BakeSettings& settings) {
+  // By name, so that no new member is forgotten.
   const auto& [texel, samples, softSamples, cutOff, bits, lambert, bounces] = settings;
   hash.addReal(texel);
   hash.addReal(cutOff);
@@ -105,7 +94,7 @@ std::uint64_t lightHash(const Level& level, const BakeSettings& settings) {
   Hash hash;
   hash.addWhole(geometryHash(level, settings.texel));
   hash.addWhole(level.lights.size());
-  for (const LightSource& light : level.lights) add(hash, light);
+  for (const LightSource& light : level.lights) addLight(hash, light, light.sector.value);
   add(hash, settings);
   return hash.value();
 }

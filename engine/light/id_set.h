@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include "level/ids.h"
+
+namespace hearth {
+
+/// Ids of one kind, each once.
+template <typename Id>
+class IdSet {
+ public:
+  void add(Id id) { ids_.insert(id.value); }
+  void clear() { ids_.clear(); }
+
+  /// In rising order.
+  std::vector<Id> sorted() const {
+    std::vector<Id> ids;
+    for (const std::uint32_t value : ids_) ids.push_back(Id(value));
+    std::ranges::sort(ids);
+    return ids;
+  }
+
+ private:
+  std::unordered_set<std::uint32_t> ids_;
+};
+
+using SectorSet = IdSet<SectorId>;
+using SurfaceSet = IdSet<SurfaceId>;
+
+}  // namespace hearth

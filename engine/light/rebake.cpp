@@ -1,0 +1,375 @@
+#include "light/rebake.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "light/baked_surface.h"
+#include "light/light_prints.h"
+#include "light/light_sight.h"
+#include "light/parallel.h"
+#include "light/surface_light.h"
+#include "light/texel_sums.h"
+#include "light/trail.h"
+
+namespace hearth {
+
+struct LightMemory::Kept {
+  /// Stands for the print of a sector or surface.
+  using Number = std::uint32_t;
+
+  /// What one light brings to one surface.
+  struct Share {
+    TexelSums sums;
+    LightCost cost;
+    std::vector<Number> sectors;  ///< from which it was found
+
+    std::size_t bytes() const { return sums.bytes() + sectors.size() * sizeof(Number); }
+  };
+  /// A surface that was lit.
+  struct Surface {
+    std::vector<std::uint64_t> lights;                 ///< prints of those that face it
+    std::vector<std::shared_ptr<const Share>> shares;  ///< of these
+    std::vector<Number> samplesOn;                     ///< surfaces
+    std::optional<Lightmap> lightmap;
+
+    std::shared_ptr<const Share> shareOf(std::uint64_t light) const {
+      const auto found = std::ranges::find(lights, light);
+      return found == lights.end() ? nullptr
+                                   : shares[static_cast<std::size_t>(found - lights.begin())];
+    }
+    std::size_t bytes() const {
+      std::size_t sum = lightmap ? lightmap->bytes() : 0;
+      for (const auto& share : shares) sum += share->bytes();
+      return sum;
+    }
+  };
+
+  std::size_t mostBytes;
+  std::size_t bytes = 0;
+  std::optional<BakeSettings> settings;
+  std::unordered_map<std::uint64_t, Number> numbers;                           ///< of prints
+  std::unordered_map<std::uint64_t, std::shared_ptr<const Surface>> surfaces;  ///< by their prints
+
+  void clear() {
+    surfaces.clear();
+    bytes = 0;
+  }
+
+  /// If there is room.
+  void keep(std::uint64_t print, std::shared_ptr<const Surface> surface) {
+    auto& kept = surfaces[print];
+    if (kept) bytes -= kept->bytes();
+    kept = std::move(surface);
+    bytes += kept->bytes();
+    if (bytes <= mostBytes) return;
+    bytes -= kept->bytes();
+    surfaces.erase(print);
+  }
+
+  Number numberOf(std::uint64_t print) {
+    return numbers.try_emplace(print, static_cast<Number>(numbers.size())).first->second;
+  }
+};
+
+LightMemory::LightMemory(std::size_t mostBytes) : kept_(std::make_unique<Kept>()) {
+  kept_->mostBytes = mostBytes;
+}
+
+LightMemory::~LightMemory() = default;
+
+std::size_t LightMemory::bytes() const { return kept_->bytes; }
+
+class Rebake::Baker {
+ public:
+  Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings);
+
+  std::int64_t texelLightsLeft() const { return texelLightsLeft_; }
+  BakedLight draft(int threads) const;
+  std::optional<BakedLight> finish(int threads, BakeProgress& progress,
+                                   const std::stop_token& stop);
+
+ private:
+  using Number = LightMemory::Kept::Number;
+  using Share = LightMemory::Kept::Share;
+  using Surface = LightMemory::Kept::Surface;
+
+  /// What is known of a surface, and what is not.
+  struct Plan {
+    std::shared_ptr<const Surface> old;  ///< if it was lit before, on surfaces that are still there
+    std::vector<std::size_t> facing;     ///< lights
+    std::vector<std::shared_ptr<const Share>> known;  ///< of these; null where it is left to find
+    std::vector<std::size_t> left;                    ///< lights whose shares are
+
+    bool isUnchanged() const { return old && known == old->shares; }
+  };
+
+  std::vector<bool> presentNumbers() const;
+  Plan planFor(SurfaceId id, const std::vector<bool>& isPresent) const;
+  std::vector<std::size_t> byFallingWork() const;
+  std::size_t lightsAtOnce(SurfaceId id) const;
+  std::int64_t texelsOfRounds() const;
+  std::shared_ptr<const Surface> lit(SurfaceId id, BakeProgress& progress,
+                                     const std::stop_token& stop) const;
+  void findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
+                const std::stop_token& stop) const;
+  Share shareOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
+                Trail& trail) const;
+  TexelSums sumsFor(SurfaceId id) const;
+  BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
+  void remember(std::span<const std::shared_ptr<const Surface>> lit);
+  std::optional<Lightmap> draftOf(SurfaceId id, const LightSights& sights) const;
+
+  LightMemory::Kept& memory_;
+  const Level& level_;
+  BakeSettings settings_;
+  LitSurfaces surfaces_;
+  LightPrints prints_;
+  LightSights sights_;
+  std::vector<Number> sectorNumbers_;   ///< by SectorId
+  std::vector<Number> surfaceNumbers_;  ///< by SurfaceId
+  std::vector<Plan> plans_;             ///< by SurfaceId
+  std::int64_t texelLightsLeft_ = 0;
+};
+
+Rebake::Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings)
+    : baker_(std::make_unique<Baker>(*memory.kept_, level, settings)) {}
+
+Rebake::~Rebake() = default;
+
+std::int64_t Rebake::texelLightsLeft() const { return baker_->texelLightsLeft(); }
+
+BakedLight Rebake::draft(int threads) const { return baker_->draft(threads); }
+
+std::optional<BakedLight> Rebake::finish(int threads, BakeProgress* progress,
+                                         const std::stop_token& stop) {
+  BakeProgress unwatched;
+  return baker_->finish(threads, progress ? *progress : unwatched, stop);
+}
+
+// --- What is to be done --------------------------------------------------------------------------
+
+Rebake::Baker::Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings)
+    : memory_(memory),
+      level_(level),
+      settings_(settings),
+      surfaces_(makeLitSurfaces(level, settings.texel)),
+      prints_(lightPrints(level, surfaces_)),
+      sights_(level, settings),
+      plans_(surfaces_.size()) {
+  if (memory.settings != settings) memory.clear();
+  memory.settings = settings;
+  for (const std::uint64_t print : prints_.sectors)
+    sectorNumbers_.push_back(memory.numberOf(print));
+  for (const std::uint64_t print : prints_.surfaces)
+    surfaceNumbers_.push_back(memory.numberOf(print));
+  const std::vector<bool> isPresent = presentNumbers();
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (!surfaces_[i]) continue;
+    plans_[i] = planFor(SurfaceId(i), isPresent);
+    texelLightsLeft_ += surfaces_[i]->texels.count() * std::ssize(plans_[i].left);
+  }
+}
+
+std::vector<bool> Rebake::Baker::presentNumbers() const {
+  std::vector<bool> isPresent(memory_.numbers.size());
+  for (const auto* numbers : {&sectorNumbers_, &surfaceNumbers_})
+    for (const Number number : *numbers) isPresent[number] = true;
+  return isPresent;
+}
+
+Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>& isPresent) const {
+  const auto areThere = [&](const std::vector<Number>& numbers) {
+    return std::ranges::all_of(numbers, [&](Number number) { return isPresent[number]; });
+  };
+  Plan plan;
+  plan.facing = SurfaceLight(level_, surfaces_, sights_, settings_.lambert, id).facing();
+  const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
+  if (old != memory_.surfaces.end() && areThere(old->second->samplesOn)) plan.old = old->second;
+  for (const std::size_t light : plan.facing) {
+    std::shared_ptr<const Share> share;
+    if (plan.old) share = plan.old->shareOf(prints_.lights[light]);
+    if (share && !areThere(share->sectors)) share = nullptr;
+    if (!share) plan.left.push_back(light);
+    plan.known.push_back(std::move(share));
+  }
+  return plan;
+}
+
+/// Largest first, so that no thread starts the longest job last.
+std::vector<std::size_t> Rebake::Baker::byFallingWork() const {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i)
+    if (surfaces_[i]) order.push_back(i);
+  const auto work = [&](std::size_t i) {
+    return surfaces_[i]->texels.count() * (1 + std::ssize(plans_[i].left));
+  };
+  std::ranges::stable_sort(order, std::ranges::greater(), work);
+  return order;
+}
+
+// --- The light -----------------------------------------------------------------------------------
+
+std::optional<BakedLight> Rebake::Baker::finish(int threads, BakeProgress& progress,
+                                                const std::stop_token& stop) {
+  progress.begin(texelsOfRounds());
+  std::vector<std::shared_ptr<const Surface>> surfaces(surfaces_.size());
+  const std::vector<std::size_t> order = byFallingWork();
+  parallelFor(order.size(), threads, [&](std::size_t job) {
+    if (stop.stop_requested()) return;
+    auto surface = lit(SurfaceId(order[job]), progress, stop);
+    if (!stop.stop_requested()) surfaces[order[job]] = std::move(surface);
+  });
+  const bool isWhole =
+      std::ranges::all_of(order, [&](std::size_t i) { return surfaces[i] != nullptr; });
+  if (isWhole) memory_.clear();
+  remember(surfaces);
+  if (!isWhole) return std::nullopt;
+  return collect(surfaces);
+}
+
+/// So that the sums of the lights take no more than 32 MB.
+std::size_t Rebake::Baker::lightsAtOnce(SurfaceId id) const {
+  const auto texels = static_cast<std::size_t>(surfaces_[id.index()]->texels.count());
+  return std::max(std::size_t{1}, (std::size_t{32} << 20) / (texels * 3 * sizeof(LightSum)));
+}
+
+/// Texels, as often as samples are placed on them.
+std::int64_t Rebake::Baker::texelsOfRounds() const {
+  std::int64_t texels = 0;
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    if (plans_[i].left.empty()) continue;
+    const std::size_t atOnce = lightsAtOnce(SurfaceId(i));
+    const std::size_t rounds = (plans_[i].left.size() + atOnce - 1) / atOnce;
+    texels += surfaces_[i]->texels.count() * static_cast<std::int64_t>(rounds);
+  }
+  return texels;
+}
+
+std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
+    SurfaceId id, BakeProgress& progress, const std::stop_token& stop) const {
+  const Plan& plan = plans_[id.index()];
+  if (plan.isUnchanged()) return plan.old;
+  Surface surface;
+  for (const std::size_t light : plan.facing) surface.lights.push_back(prints_.lights[light]);
+  surface.shares = plan.known;
+  if (plan.old) surface.samplesOn = plan.old->samplesOn;
+  if (!plan.left.empty()) findLeft(id, surface, progress, stop);
+  if (!plan.facing.empty()) {
+    TexelSums sums = sumsFor(id);
+    for (const auto& share : surface.shares) sums.add(share->sums);
+    surface.lightmap = lightmapOf(sums, settings_);
+  }
+  return std::make_shared<const Surface>(std::move(surface));
+}
+
+TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
+  const bool isColored = std::ranges::any_of(plans_[id.index()].facing, [this](std::size_t light) {
+    return level_.lights[light].isColored();
+  });
+  return {surfaces_[id.index()]->texels, isColored ? 3 : 1};
+}
+
+/// The shares of the lights that are left.
+void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
+                             const std::stop_token& stop) const {
+  Trail trail;
+  SurfaceLight surface(level_, surfaces_, sights_, settings_.lambert, id, Seeing::ByBeams, &trail);
+  std::span<const std::size_t> left = plans_[id.index()].left;
+  auto share = found.shares.begin();
+  for (const std::size_t atOnce = lightsAtOnce(id); !left.empty();) {
+    const auto lights = left.first(std::min(atOnce, left.size()));
+    left = left.subspan(lights.size());
+    std::map<std::size_t, TexelSums> sums;
+    for (const std::size_t light : lights)
+      sums.try_emplace(light, surface.texels(), level_.lights[light].isColored() ? 3 : 1);
+    addLights(
+        surface, lights, settings_, [&](std::size_t light) -> TexelSums& { return sums.at(light); },
+        progress, stop);
+    for (const std::size_t light : lights) {
+      share = std::find(share, found.shares.end(), nullptr);
+      *share = std::make_shared<const Share>(shareOf(light, surface, sums.at(light), trail));
+    }
+  }
+  for (const SurfaceId sought : trail.surfaces().sorted())
+    found.samplesOn.push_back(surfaceNumbers_[sought.index()]);
+  std::ranges::sort(found.samplesOn);
+  found.samplesOn.erase(std::unique(found.samplesOn.begin(), found.samplesOn.end()),
+                        found.samplesOn.end());
+}
+
+Rebake::Baker::Share Rebake::Baker::shareOf(std::size_t light, const SurfaceLight& surface,
+                                            const TexelSums& sums, Trail& trail) const {
+  SectorSet& met = trail.sectorsOf(light);
+  for (const std::vector<LightSight>* sights : {&sights_.fine, &sights_.rough})
+    for (const SectorId sector : (*sights)[light].sectors()) met.add(sector);
+  Share share{sums.cropped(), surface.costs()[light], {}};
+  for (const SectorId sector : met.sorted())
+    share.sectors.push_back(sectorNumbers_[sector.index()]);
+  return share;
+}
+
+BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>> lit) const {
+  BakedLight baked;
+  baked.surfaces = surfaces_;
+  baked.lightmaps.resize(lit.size());
+  baked.surfaceCosts.resize(lit.size());
+  baked.lightCosts.resize(level_.lights.size());
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (!lit[i]) continue;
+    const std::vector<std::size_t>& facing = plans_[i].facing;
+    baked.lightmaps[i] = lit[i]->lightmap;
+    baked.surfaceCosts[i].facingLights = facing.size();
+    for (std::size_t k = 0; k < facing.size(); ++k) {
+      const LightCost& cost = lit[i]->shares[k]->cost;
+      baked.lightCosts[facing[k]] += cost;
+      baked.surfaceCosts[i].rays += cost.rays;
+    }
+  }
+  baked.stats = statsOf(baked);
+  return baked;
+}
+
+/// As many as there is room for.
+void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> lit) {
+  for (std::size_t i = 0; i < lit.size(); ++i)
+    if (lit[i]) memory_.keep(prints_.surfaces[i], lit[i]);
+}
+
+// --- A draft -------------------------------------------------------------------------------------
+
+BakedLight Rebake::Baker::draft(int threads) const {
+  BakeSettings points = settings_;
+  points.softSamples = 0;
+  const LightSights sights(level_, points);
+  BakedLight baked;
+  baked.surfaces = surfaces_;
+  baked.lightmaps.resize(surfaces_.size());
+  const std::vector<std::size_t> order = byFallingWork();
+  parallelFor(order.size(), threads, [&](std::size_t job) {
+    baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), sights);
+  });
+  baked.stats = statsOf(baked);
+  return baked;
+}
+
+std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& sights) const {
+  const Plan& plan = plans_[id.index()];
+  if (plan.facing.empty()) return std::nullopt;
+  TexelSums sums = sumsFor(id);
+  for (const auto& share : plan.known)
+    if (share) sums.add(share->sums);
+  if (!plan.left.empty()) {
+    SurfaceLight surface(level_, surfaces_, sights, settings_.lambert, id);
+    addDraftOfLights(surface, plan.left, settings_,
+                     [&](std::size_t) -> TexelSums& { return sums; });
+  }
+  return lightmapOf(sums, settings_);
+}
+
+}  // namespace hearth
