@@ -31,8 +31,8 @@ Level room(std::string_view lights = "[{'x':2,'y':1,'z':1}, {'x':3,'y':2,'z':1,'
       .level;
 }
 
-Bake bakeOf(const Level& level, const BakeSettings& settings) {
-  return {bake(level, settings, 1), settings, 1, 0};
+void bakeAndKeep(const BakeCache& cache, const Level& level, const BakeSettings& settings) {
+  cache.keep(level, settings, bake(level, settings, 2));
 }
 
 void expectSame(const BakedLight& found, const BakedLight& expected) {
@@ -76,23 +76,23 @@ TEST_F(BakeCacheTest, hasWhatWasKept) {
   for (const BakeSettings& settings :
        {level.bake, BakeSettings{.texel = 0.5}, BakeSettings{.texel = 0.5, .bits = 16}}) {
     EXPECT_FALSE(cache_.find(level, settings));
-    const Bake baked = bakeOf(level, settings);
-    cache_.keep(level, baked);
+    const BakedLight baked = bake(level, settings, 2);
+    cache_.keep(level, settings, baked);
     const auto found = cache_.find(level, settings);
     ASSERT_TRUE(found);
-    expectSame(*found, baked.light);
+    expectSame(*found, baked);
   }
 }
 
 TEST_F(BakeCacheTest, hasNothingOfAnotherProgram) {
   const Level level = room();
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   EXPECT_FALSE(BakeCache(folder_, kProgram + 1).find(level, level.bake));
 }
 
 TEST_F(BakeCacheTest, hasNothingThatWasAlteredOrCutShort) {
   const Level level = room();
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   const fs::path file = onlyFile();
   std::ifstream in(file, std::ios::binary);
   const std::string whole(std::istreambuf_iterator<char>(in), {});
@@ -107,14 +107,14 @@ TEST_F(BakeCacheTest, hasNothingThatWasAlteredOrCutShort) {
     write(whole.substr(0, i));
     EXPECT_FALSE(cache_.find(level, level.bake)) << i;
   }
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   EXPECT_TRUE(cache_.find(level, level.bake));
 }
 
 TEST_F(BakeCacheTest, letsThoseGoThatWereUsedLongestAgo) {
   const Level level = room();
   const auto at = [&](double texel) { return BakeSettings{.texel = texel}; };
-  cache_.keep(level, bakeOf(level, at(0.5)));
+  bakeAndKeep(cache_, level, at(0.5));
   const std::uint64_t size = fs::file_size(onlyFile());
   fs::remove_all(folder_);
   const BakeCache small(folder_, kProgram, 3 * size + 100);
@@ -124,13 +124,13 @@ TEST_F(BakeCacheTest, letsThoseGoThatWereUsedLongestAgo) {
           std::string::npos)
         fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
   };
-  for (const double texel : {0.5, 0.501, 0.502}) small.keep(level, bakeOf(level, at(texel)));
+  for (const double texel : {0.5, 0.501, 0.502}) bakeAndKeep(small, level, at(texel));
   EXPECT_EQ(files().size(), 3U);
   setAge(at(0.5), 3);
   setAge(at(0.501), 2);
   setAge(at(0.502), 1);
   EXPECT_TRUE(small.find(level, at(0.5)));  // used now
-  small.keep(level, bakeOf(level, at(0.503)));
+  bakeAndKeep(small, level, at(0.503));
   EXPECT_EQ(files().size(), 3U);
   EXPECT_FALSE(small.find(level, at(0.501)));
   for (const double texel : {0.5, 0.502, 0.503}) EXPECT_TRUE(small.find(level, at(texel))) << texel;
@@ -138,18 +138,18 @@ TEST_F(BakeCacheTest, letsThoseGoThatWereUsedLongestAgo) {
 
 TEST_F(BakeCacheTest, keepsNothingThatIsLargerThanAll) {
   const Level level = room();
-  BakeCache(folder_, kProgram, 100).keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(BakeCache(folder_, kProgram, 100), level, level.bake);
   EXPECT_TRUE(files().empty());
 }
 
 TEST_F(BakeCacheTest, clearsAwayWhatStoppedProgramsLeft) {
   const Level level = room();
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   const fs::path old = folder_ / "1.bake.5.part";
   const fs::path recent = folder_ / "2.bake.6.part";
   for (const fs::path& part : {old, recent}) std::ofstream(part) << "half";
   fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(2));
-  cache_.keep(level, bakeOf(level, {.texel = 1}));
+  bakeAndKeep(cache_, level, {.texel = 1});
   EXPECT_FALSE(fs::exists(old));
   EXPECT_TRUE(fs::exists(recent));
 }
@@ -157,19 +157,19 @@ TEST_F(BakeCacheTest, clearsAwayWhatStoppedProgramsLeft) {
 TEST_F(BakeCacheTest, isNoneWhereItsFolderCannotBe) {
   std::ofstream(folder_) << "a file";
   const Level level = room();
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   EXPECT_FALSE(cache_.find(level, level.bake));
   EXPECT_TRUE(fs::is_regular_file(folder_));
 }
 
 TEST_F(BakeCacheTest, readsNoFolderThatLiesInPlaceOfABake) {
   const Level level = room();
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   const fs::path file = onlyFile();
   fs::remove(file);
   fs::create_directory(file);
   EXPECT_FALSE(cache_.find(level, level.bake));
-  cache_.keep(level, bakeOf(level, level.bake));
+  bakeAndKeep(cache_, level, level.bake);
   EXPECT_TRUE(fs::is_directory(file));
   EXPECT_EQ(files().size(), 1U);
 }

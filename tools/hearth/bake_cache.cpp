@@ -129,13 +129,13 @@ std::optional<BakedLight> BakeCache::find(const Level& level, const BakeSettings
   return std::move(*light);
 }
 
-void BakeCache::keep(const Level& level, const Bake& bake) const {
-  const std::string bytes =
-      encodeBake(level, bake.light, bake.settings.texel, optionsOf(bake.settings));
+void BakeCache::keep(const Level& level, const BakeSettings& settings,
+                     const BakedLight& light) const {
+  const std::string bytes = encodeBake(level, light, settings.texel, optionsOf(settings));
   if (bytes.size() > mostBytes_) return;
   std::error_code error;
   if (fs::create_directories(folder_, error)) fs::permissions(folder_, fs::perms::owner_all, error);
-  const fs::path file = fileOf(level, bake.settings);
+  const fs::path file = fileOf(level, settings);
   // Of a name of its own, as another program may be writing the same bake.
   fs::path part = file;
   part += fmt::format(".{}{}", ::getpid(), kPartExtension);

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "hearth/session.h"
 #include "level/level.h"
 #include "light/bakery.h"
 
@@ -32,7 +31,7 @@ class BakeCache {
   /// The light as the program would bake it; none where it is not there, or not whole.
   std::optional<BakedLight> find(const Level& level, const BakeSettings& settings) const;
   /// Does its best, and leaves no half of it.
-  void keep(const Level& level, const Bake& bake) const;
+  void keep(const Level& level, const BakeSettings& settings, const BakedLight& light) const;
 
  private:
   std::filesystem::path fileOf(const Level& level, const BakeSettings& settings) const;

@@ -15,25 +15,8 @@ namespace hearth {
 
 namespace {
 
-LoadLimits limitsFrom(const OptionValues& values) {
-  LoadLimits limits;
-  const auto take = [&](Option option, auto& limit) {
-    if (const auto given = values.number(option))
-      limit = static_cast<std::remove_reference_t<decltype(limit)>>(*given);
-  };
-  take(Option::MaxFileBytes, limits.fileBytes);
-  take(Option::MaxImagePixels, limits.imagePixels);
-  take(Option::MaxVertices, limits.vertices);
-  take(Option::MaxLights, limits.lights);
-  return limits;
-}
-
 void warnIfDark(const BakedLight& light, const OptionValues& values) {
-  if (light.stats.litSurfaces > 0) return;
-  fmt::print(stderr,
-             "{}:1:1: warning: no light reaches any surface, so only sector light shows, at "
-             "/lights, add lights or raise their intensity\n",
-             values.level);
+  if (const auto warning = warningIfDark(light, values)) fmt::print(stderr, "{}\n", *warning);
 }
 
 BakedLight cachedLight(const Level& level, const BakeSettings& settings,
@@ -46,16 +29,37 @@ BakedLight cachedLight(const Level& level, const BakeSettings& settings,
     }
   }
   Bake bake = bakeWith(level, settings, values, ProgressStyle::None);
-  if (cache) cache->keep(level, bake);
+  if (cache) cache->keep(level, settings, bake.light);
   return std::move(bake.light);
 }
 
 }  // namespace
 
+LoadLimits loadLimitsFrom(const OptionValues& values) {
+  LoadLimits limits;
+  const auto take = [&](Option option, auto& limit) {
+    if (const auto given = values.number(option))
+      limit = static_cast<std::remove_reference_t<decltype(limit)>>(*given);
+  };
+  take(Option::MaxFileBytes, limits.fileBytes);
+  take(Option::MaxImagePixels, limits.imagePixels);
+  take(Option::MaxVertices, limits.vertices);
+  take(Option::MaxLights, limits.lights);
+  return limits;
+}
+
+std::optional<std::string> warningIfDark(const BakedLight& light, const OptionValues& values) {
+  if (light.stats.litSurfaces > 0) return std::nullopt;
+  return fmt::format(
+      "{}:1:1: warning: no light reaches any surface, so only sector light shows, at /lights, add "
+      "lights or raise their intensity",
+      values.level);
+}
+
 std::optional<LoadedLevel> openLevel(const OptionValues& values) {
   LoadResult result = [&] {
     const ProgressDisplay display(progressStyle(values), Stage::Loading);
-    return loadLevel(values.level, limitsFrom(values));
+    return loadLevel(values.level, loadLimitsFrom(values));
   }();
   for (const Diagnostic& diagnostic : result.diagnostics)
     fmt::print(stderr, "{}\n", format(diagnostic));

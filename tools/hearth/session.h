@@ -20,6 +20,12 @@ namespace hearth {
 /// stderr, one per line; nothing after errors.
 std::optional<LoadedLevel> openLevel(const OptionValues& values);
 
+/// The limits that the command line gives.
+LoadLimits loadLimitsFrom(const OptionValues& values);
+
+/// Of a level in which nothing is lit.
+std::optional<std::string> warningIfDark(const BakedLight& light, const OptionValues& values);
+
 /// What `--light` asks for.
 LightMode lightModeFrom(const OptionValues& values);
 

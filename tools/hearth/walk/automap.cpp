@@ -1,6 +1,8 @@
 #include "hearth/walk/automap.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <variant>
 
 #include "hearth/walk/overlay.h"
@@ -131,8 +133,16 @@ class AutomapDrawer {
 
 }  // namespace
 
+SeenSectors::SeenSectors(const Level& level, const SeenSectors& before) : SeenSectors(level) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < before.isSeen_.size(); ++i)
+    if (before.isSeen_[i]) names.insert(before.level_->sectors[i].name);
+  for (std::size_t i = 0; i < isSeen_.size(); ++i)
+    isSeen_[i] = names.contains(level.sectors[i].name);
+}
+
 void SeenSectors::add(const std::vector<Span>& spans) {
-  for (const Span& span : spans) add(level_[span.surface].sector);
+  for (const Span& span : spans) add((*level_)[span.surface].sector);
 }
 
 WallKind wallKind(const Segment& segment) {

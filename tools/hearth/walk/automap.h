@@ -12,7 +12,9 @@ namespace hearth {
 /// The sectors that the player has seen since the walk began.
 class SeenSectors {
  public:
-  explicit SeenSectors(const Level& level) : level_(level), isSeen_(level.sectors.size(), false) {}
+  explicit SeenSectors(const Level& level) : level_(&level), isSeen_(level.sectors.size(), false) {}
+  /// In another version of the level: sectors of the same names.
+  SeenSectors(const Level& level, const SeenSectors& before);
 
   void add(SectorId sector) { isSeen_[sector.index()] = true; }
   /// All of which a frame shows something.
@@ -20,7 +22,7 @@ class SeenSectors {
   bool has(SectorId sector) const { return isSeen_[sector.index()]; }
 
  private:
-  const Level& level_;
+  const Level* level_;
   std::vector<bool> isSeen_;
 };
 

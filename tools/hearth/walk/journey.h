@@ -15,12 +15,18 @@ class Journey {
   enum class Memory { None, Inputs };
 
   Journey(const Level& level, const Walker& start, Memory memory)
-      : level_(level), memory_(memory), before_(start), after_(start) {}
+      : level_(&level), memory_(memory), before_(start), after_(start) {}
 
   void tick(const WalkInput& input) {
     before_ = after_;
-    after_ = walked(level_, after_, input);
+    after_ = walked(*level_, after_, input);
     if (memory_ == Memory::Inputs) inputs_.push_back(input);
+  }
+
+  /// Goes on in another level from where `walker` stands in it.
+  void goOnIn(const Level& level, const Walker& walker) {
+    level_ = &level;
+    before_ = after_ = walker;
   }
 
   /// No more can be kept.
@@ -29,11 +35,11 @@ class Journey {
   const Walker& walker() const { return after_; }
   /// `share` of a tick after the tick before the last. So the view lags by a tick at most, and
   /// moves evenly at any rate of frames.
-  Eye eye(double share) const { return eyeBetween(level_, before_, after_, share); }
+  Eye eye(double share) const { return eyeBetween(*level_, before_, after_, share); }
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 
  private:
-  const Level& level_;
+  const Level* level_;
   Memory memory_;
   Walker before_;
   Walker after_;

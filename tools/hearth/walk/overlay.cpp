@@ -1,6 +1,10 @@
 #include "hearth/walk/overlay.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "hearth/text_image.h"
 #include "hearth/walk/keys.h"
@@ -37,6 +41,22 @@ KeyListSize keyListSize() {
   return size;
 }
 
+/// In lines of so many pixels of letters, between words where that is possible.
+std::vector<std::string> brokenAt(std::string_view text, int width) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    std::size_t fits = text.size();
+    while (fits > 1 && textWidth(text.substr(0, fits)) > width) --fits;
+    if (fits < text.size())
+      if (const std::size_t blank = text.rfind(' ', fits); blank != std::string_view::npos && blank)
+        fits = blank;
+    lines.emplace_back(text.substr(0, fits));
+    text.remove_prefix(fits);
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  return lines;
+}
+
 }  // namespace
 
 int overlayScale(const Image& picture) {
@@ -65,6 +85,25 @@ void drawKeys(Image& picture) {
   for (const KeyRow& row : keyTable()) {
     drawText(picture, left, y, row.names, kNameColor, scale);
     drawText(picture, left + scale * (size.names + kGap), y, row.help, kTextColor, scale);
+    y += scale * kLine;
+  }
+}
+
+void drawNotes(Image& picture, std::span<const std::string> notes) {
+  const int scale = overlayScale(picture);
+  const int margin = scale * kMargin;
+  std::vector<std::string> lines;
+  for (const std::string& note : notes) {
+    const std::vector<std::string> broken = brokenAt(note, (picture.width() - 2 * margin) / scale);
+    lines.insert(lines.end(), broken.begin(), broken.end());
+  }
+  const int most = std::max(1, (picture.height() / 2 - 2 * margin) / (scale * kLine));
+  if (std::ssize(lines) > most) lines.resize(static_cast<std::size_t>(most));
+  darken(picture, 0, 0, picture.width(),
+         static_cast<int>(lines.size()) * scale * kLine + 2 * margin);
+  int y = margin;
+  for (const std::string& line : lines) {
+    drawText(picture, margin, y, line, kTextColor, scale);
     y += scale * kLine;
   }
 }

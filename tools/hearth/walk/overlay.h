@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "image/image.h"
@@ -16,6 +18,10 @@ void darken(Image& picture, int left, int top, int right, int bottom);
 
 /// The table of keys, in the middle. What a small picture has no room for is cut off.
 void drawKeys(Image& picture);
+
+/// Lines at the upper edge, broken where the picture ends. Of more than fit into half of it, the
+/// first.
+void drawNotes(Image& picture, std::span<const std::string> notes);
 
 /// One line at the lower edge.
 void drawMessage(Image& picture, std::string_view text);

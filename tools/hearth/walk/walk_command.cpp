@@ -5,14 +5,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "hearth/budget.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
 #include "hearth/walk/keys.h"
+#include "hearth/walk/live_level.h"
 #include "hearth/walk/recording_file.h"
 #include "hearth/walk/walk_loop.h"
 #include "hearth/walk/window.h"
@@ -87,13 +90,28 @@ ExitStatus replayHeadless(const Level& level, Journey& journey, const Recording&
   return judge(level, journey, recording);
 }
 
+using SharedLevel = std::shared_ptr<const LoadedLevel>;
+using SharedLitLevel = std::shared_ptr<const LitLevel>;
+
+/// Recordings are of one version of a level, and saved light is of one geometry.
+bool isLive(const OptionValues& values) {
+  return !values.has(Option::Record) && !values.has(Option::Replay) &&
+         !values.has(Option::LightFrom);
+}
+
+void answerDesktop() {
+  SDL_PumpEvents();
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
 /// Bakes while the window answers to the desktop.
-tl::expected<BakedLight, std::string> lightBehind(const LoadedLevel& loaded,
-                                                  const OptionValues& values) {
-  auto light = std::async(std::launch::async, [&] { return lightFor(loaded.level, values); });
-  while (light.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
-    SDL_PumpEvents();
-  return light.get();
+tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
+                                                    const OptionValues& values) {
+  auto light = std::async(std::launch::async, [&] { return lightFor(loaded->level, values); });
+  while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready) answerDesktop();
+  return light.get().map([&](BakedLight baked) {
+    return std::make_shared<const LitLevel>(loaded, std::move(baked), drawSettingsFrom(values));
+  });
 }
 
 WindowSettings windowSettings(const Plan& plan, const OptionValues& values) {
@@ -114,41 +132,41 @@ ExitStatus keepWalk(const Level& level, const RecordedStart& start, const Journe
   return written ? ExitStatus::Done : fail(written.error());
 }
 
-/// Those of the command line, or those that fit the time that it gives for a frame.
-DrawSettings drawSettingsInTime(const LoadedLevel& loaded, const BakedLight& light, const Eye& eye,
-                                const Plan& plan, WalkWindow& window, const OptionValues& values) {
-  const std::optional<double> target = values.number(Option::TargetMs);
-  if (!target) return drawSettingsFrom(values);
+/// The level drawn with settings that fit the time for a frame.
+SharedLitLevel drawnWithin(double milliseconds, const SharedLitLevel& lit, const Eye& eye,
+                           const Plan& plan, WalkWindow& window) {
   const auto [width, height] =
       plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
   const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
                       plan.settings.fov, width,     height};
-  const FittingFrame fitting =
-      frameFitting(Renderer(loaded.level, loaded.textures, light), camera, *target, steadySeconds);
+  const FittingFrame fitting = frameFitting(lit->renderer, camera, milliseconds, steadySeconds);
   fmt::print("picked {}\n", words(fitting));
   std::fflush(stdout);  // before the walk, not after it
-  return fitting.draw;
+  return std::make_shared<const LitLevel>(lit->loaded, lit->light, fitting.draw);
 }
 
-ExitStatus walkInWindow(const LoadedLevel& loaded, const Plan& plan, Journey& journey,
+ExitStatus walkInWindow(const SharedLevel& loaded, const Plan& plan, Journey& journey,
                         const OptionValues& values) {
-  const Level& level = loaded.level;
+  const Level& level = loaded->level;
   auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
   if (!window)
     return fail(
         fmt::format("no window can be opened: {}; `hearth shot` needs no display", window.error()));
-  const auto light = lightBehind(loaded, values);
-  if (!light) return fail(light.error());
+  std::optional<LiveLevel> live;
+  if (isLive(values)) live.emplace(values, loaded);
+  auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, values);
+  if (!lit) return fail(lit.error());
+  if (const auto target = values.number(Option::TargetMs))
+    *lit = drawnWithin(*target, *lit, eyeOf(level, journey.walker()), plan, *window);
+  if (live) live->redraw(*lit);
 
-  const Renderer renderer(
-      level, loaded.textures, *light,
-      drawSettingsInTime(loaded, *light, eyeOf(level, journey.walker()), plan, *window, values));
   Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(level, renderer, journey, screenshots, *window, plan.settings);
+  WalkLoop loop(level, (*lit)->renderer, journey, screenshots, *window, plan.settings);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
   if (keepWalk(level, plan.start, journey, values) != ExitStatus::Done) return ExitStatus::BadInput;
-  while (loop.round()) continue;
+  while (loop.round())
+    if (live) live->update(loop, journey, *window);
   loop.awaitScreenshots();
   if (!plan.replay) return keepWalk(level, plan.start, journey, values);
   if (!loop.isReplayOver()) return fail("--replay: left before its end");
@@ -157,8 +175,9 @@ ExitStatus walkInWindow(const LoadedLevel& loaded, const Plan& plan, Journey& jo
 
 ExitStatus run(const OptionValues& values) {
   if (const auto mistake = mistakeInOptions(values)) return fail(*mistake);
-  const std::optional<LoadedLevel> loaded = openLevel(values);
-  if (!loaded) return ExitStatus::BadInput;
+  std::optional<LoadedLevel> opened = openLevel(values);
+  if (!opened) return ExitStatus::BadInput;
+  const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened));
   const Level& level = loaded->level;
   const auto plan = planFor(level, values);
   if (!plan) return fail(plan.error());
@@ -167,7 +186,7 @@ ExitStatus run(const OptionValues& values) {
   Journey journey(level, *walker,
                   values.has(Option::Record) ? Journey::Memory::Inputs : Journey::Memory::None);
   if (values.has(Option::Headless)) return replayHeadless(level, journey, *plan->replay);
-  return walkInWindow(*loaded, *plan, journey, values);
+  return walkInWindow(loaded, *plan, journey, values);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ std::string_view nameOf(LightMode mode) {
 
 WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journey,
                    Screenshots& screenshots, Outside& outside, const WalkSettings& settings)
-    : level_(level),
-      renderer_(renderer),
+    : level_(&level),
+      renderer_(&renderer),
       journey_(journey),
       screenshots_(screenshots),
       outside_(outside),
@@ -45,6 +45,13 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
   scene_.view = settings.view;
   title_.reserve(level.name.size() + 64);  // so that no frame has to
   outside_.setTitle(level.name);
+}
+
+void WalkLoop::goOnIn(const Level& level, const Renderer& renderer) {
+  level_ = &level;
+  renderer_ = &renderer;
+  seen_ = SeenSectors(level, seen_);
+  shown_.reset();
 }
 
 bool WalkLoop::round() {
@@ -180,7 +187,7 @@ void WalkLoop::drawOrRest(double now) {
 }
 
 void WalkLoop::draw(double now) {
-  renderer_.draw(scene_.camera, scene_.view.mode, scratch_, picture_);
+  renderer_->draw(scene_.camera, scene_.view.mode, scratch_, picture_);
   if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
   seen_.add(scene_.camera.sector);
   seen_.add(journey_.walker().sector);
@@ -188,7 +195,7 @@ void WalkLoop::draw(double now) {
   drawOverlays();
   if (const auto mean = rate_.count(now, outside_.seconds())) {
     title_.clear();
-    fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_.name,
+    fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
                    1e3 * mean->drawSeconds, mean->framesPerSecond);
     outside_.setTitle(title_);
   }
@@ -198,19 +205,21 @@ void WalkLoop::draw(double now) {
 
 void WalkLoop::drawOverlays() {
   if (scene_.view.isMapShown)
-    drawAutomap(picture_, level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
+    drawAutomap(picture_, *level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
   if (scene_.view.areKeysShown) drawKeys(picture_);
+  if (!scene_.notes.empty()) drawNotes(picture_, scene_.notes);
   if (!scene_.message.empty()) drawMessage(picture_, scene_.message);
 }
 
 /// The options with which `hearth shot` draws this picture.
 std::string WalkLoop::cameraText() const {
   const Camera& camera = scene_.camera;
-  const std::string drawOptions = optionsOf(renderer_.settings());
+  const std::string drawOptions = optionsOf(renderer_->settings());
   return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} --light {}{}",
                      camera.eye.x, camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
-                     shellWord(level_[camera.sector].name), camera.fov, camera.width, camera.height,
-                     nameOf(scene_.view.mode), drawOptions.empty() ? "" : " " + drawOptions);
+                     shellWord((*level_)[camera.sector].name), camera.fov, camera.width,
+                     camera.height, nameOf(scene_.view.mode),
+                     drawOptions.empty() ? "" : " " + drawOptions);
 }
 
 }  // namespace hearth

@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "hearth/options.h"
 #include "hearth/walk/automap.h"
@@ -47,6 +49,12 @@ class WalkLoop {
   void replay(std::span<const WalkInput> inputs) { replay_ = inputs; }
   bool isReplayOver() const { return replay_ && replay_->empty(); }
 
+  /// From now on in another version of the level, where the journey has gone on already.
+  void goOnIn(const Level& level, const Renderer& renderer);
+
+  /// What stands over the picture until it is given anew, a line each.
+  void setNotes(std::vector<std::string> notes) { scene_.notes = std::move(notes); }
+
   /// False once the walk is over.
   bool round();
 
@@ -59,6 +67,7 @@ class WalkLoop {
     Camera camera;
     WalkView view;
     std::string message;
+    std::vector<std::string> notes;
 
     friend bool operator==(const Scene&, const Scene&) = default;
   };
@@ -78,8 +87,8 @@ class WalkLoop {
   void drawOverlays();
   std::string cameraText() const;
 
-  const Level& level_;
-  const Renderer& renderer_;
+  const Level* level_;
+  const Renderer* renderer_;
   Journey& journey_;
   Screenshots& screenshots_;
   Outside& outside_;

@@ -1,0 +1,258 @@
+// Files that are saved while a walk goes on in their level.
+
+#include "hearth/walk/live_level.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "hearth/settings.h"
+#include "image/image_file.h"
+#include "stage.h"
+
+namespace hearth {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::chrono::seconds kPatience{60};
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+Json read(const fs::path& file) { return Json::parse(std::ifstream(file)); }
+
+Image plain(Rgb color) { return {4, 4, color}; }
+
+/// A walk through a copy of a level, on a stage.
+class LiveWalk : public testing::Test {
+ protected:
+  LiveWalk() : folder_(fs::temp_directory_path() / fmt::format("hearth-live-{}", ::getpid())) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    for (const char* name : {"rooms.json", "rooms.lights.json"})
+      fs::copy(fs::path(HEARTH_SOURCE_DIR "/tests/levels") / name, folder_);
+    values_.level = (folder_ / "rooms.json").string();
+    values_.set(Option::NoCache, "");
+  }
+  ~LiveWalk() override { fs::remove_all(folder_); }
+
+  fs::path levelFile() const { return folder_ / "rooms.json"; }
+  fs::path lightsFile() const { return folder_ / "rooms.lights.json"; }
+
+  void begin() {
+    auto loaded = std::make_shared<const LoadedLevel>(load());
+    live_ = std::make_unique<LiveLevel>(values_, loaded);
+    const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
+    ASSERT_TRUE(lit) << lit.error();
+    live_->redraw(*lit);
+    const Player& player = *loaded->level.player;
+    journey_ = std::make_unique<Journey>(
+        loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
+        Journey::Memory::None);
+    screenshots_ = std::make_unique<Screenshots>(folder_, "live");
+    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *journey_, *screenshots_,
+                                       stage_, WalkSettings{});
+    loop_->round();
+  }
+
+  void round() {
+    stage_.now += 1.0 / 64;
+    loop_->round();
+    live_->update(*loop_, *journey_, stage_);
+  }
+
+  /// Rounds until something is so, or for too long.
+  bool comesTo(const std::function<bool()>& condition) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      round();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  bool comesToShowFresh() {
+    const Image expected = fresh();
+    return comesTo([&] { return stage_.shown == expected; });
+  }
+  bool isTold(const std::string& words) {
+    const bool has = comesTo([&] {
+      return std::ranges::any_of(stage_.printed, [&](const std::string& line) {
+        return line.find(words) != std::string::npos;
+      });
+    });
+    stage_.printed.clear();
+    round();
+    return has;
+  }
+
+  LoadedLevel load() const {
+    LoadResult result = loadLevel(levelFile());
+    for (const Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << format(diagnostic);
+    return *std::move(result.loaded);
+  }
+
+  /// What the files hold, loaded, baked and drawn afresh from where the walker is.
+  Image fresh() const {
+    const LoadedLevel loaded = load();
+    const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values_), 2);
+    const Eye eye = journey_->eye(1);
+    return Renderer(loaded.level, loaded.textures, light)
+        .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
+               stage_.window->height},
+              LightMode::Both);
+  }
+
+  /// Paints all floors that have a texture.
+  void paintFloors(const std::string& texture) {
+    Json level = read(levelFile());
+    for (auto& [name, sector] : level["sectors"].items())
+      if (sector["floor"].contains("texture")) sector["floor"]["texture"] = texture;
+    write(levelFile(), level.dump());
+  }
+
+  /// One room instead of all.
+  void writeRoom(const std::string& name, double floor) {
+    Json level = read(levelFile());
+    level.erase("shots");
+    level["player"] = {{"sector", name}, {"x", 1}, {"y", 2}, {"z", 1.6}, {"angle", 0}};
+    level["sectors"] = {
+        {name,
+         {{"floor", {{"z", floor}, {"texture", "#707070"}}},
+          {"ceiling", {{"z", 3}, {"texture", "#707070"}}},
+          {"loops",
+           {{"border", {{"v", {0, 0, 4, 0, 4, 4, 0, 4}}, {"walls", {{"texture", "#a08060"}}}}}}}}}};
+    write(levelFile(), level.dump());
+    write(lightsFile(), R"([{"x": 2, "y": 2, "z": 2.5, "falloff": 0.4}])");
+  }
+
+  fs::path folder_;
+  OptionValues values_;
+  test::Stage stage_;
+  std::unique_ptr<LiveLevel> live_;
+  std::unique_ptr<Journey> journey_;
+  std::unique_ptr<Screenshots> screenshots_;
+  std::unique_ptr<WalkLoop> loop_;
+};
+
+TEST_F(LiveWalk, ShowsALightThatWasChangedAndSaved) {
+  begin();
+  const Image before = stage_.shown;
+  Json lights = read(lightsFile());
+  lights[0]["intensity"] = 40;
+  write(lightsFile(), lights.dump());
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_NE(stage_.shown, before);
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
+TEST_F(LiveWalk, ShowsAFileThatWasPutInPlaceOfTheOld) {
+  begin();
+  Json lights = read(lightsFile());
+  lights[0]["color"] = "#ff2000";
+  write(folder_ / "new", lights.dump());
+  fs::rename(folder_ / "new", lightsFile());
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
+TEST_F(LiveWalk, ShowsATextureThatWasPaintedAnew) {
+  ASSERT_TRUE(writePng(folder_ / "paint.png", plain({200, 0, 0})));
+  paintFloors("paint");
+  begin();
+  const Image before = stage_.shown;
+  ASSERT_TRUE(writePng(folder_ / "paint.png", plain({0, 0, 200})));
+  ASSERT_TRUE(isTold("paint.png: shown"));
+  EXPECT_NE(stage_.shown, before);
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
+TEST_F(LiveWalk, KeepsTheLastGoodLevelBehindTheMistakesUntilTheyAreMended) {
+  begin();
+  const Image before = stage_.shown;
+  const std::string good = read(levelFile()).dump();
+  write(levelFile(), "{ \"sectors\": ");
+  ASSERT_TRUE(comesTo([&] { return stage_.shown != before; }));  // the message is over it
+  int same = 0;
+  for (int y = before.height() / 2; y < before.height(); ++y)
+    for (int x = 0; x < before.width(); ++x) same += stage_.shown.at(x, y) == before.at(x, y);
+  EXPECT_EQ(same, before.width() * (before.height() - before.height() / 2));
+  write(levelFile(), good);
+  ASSERT_TRUE(isTold("rooms.json: shown"));
+  EXPECT_EQ(stage_.shown, before);
+}
+
+TEST_F(LiveWalk, ShowsALevelOnceTheImageHasComeThatItNames) {
+  begin();
+  const Image before = stage_.shown;
+  paintFloors("late");
+  ASSERT_TRUE(comesTo([&] { return stage_.shown != before; }));
+  ASSERT_TRUE(writePng(folder_ / "late.png", plain({0, 200, 0})));
+  ASSERT_TRUE(comesToShowFresh());
+}
+
+TEST_F(LiveWalk, ShowsOnlyTheLastOfSeveralSaves) {
+  begin();
+  for (const int intensity : {30, 60, 90, 120}) {
+    Json lights = read(lightsFile());
+    lights[0]["intensity"] = intensity;
+    write(lightsFile(), lights.dump());
+    round();
+  }
+  ASSERT_TRUE(comesToShowFresh());
+}
+
+TEST_F(LiveWalk, ShowsADraftWhereBakingTakesLong) {
+  values_.set(Option::Texel, "0.03");
+  begin();
+  ASSERT_TRUE(comesToShowFresh());
+  Json lights = read(lightsFile());
+  for (Json& light : lights) light["intensity"] = 50;
+  write(lightsFile(), lights.dump());
+  ASSERT_TRUE(isTold("rooms.lights.json: a draft is shown"));
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
+TEST_F(LiveWalk, LiftsTheWalkerWithTheFloor) {
+  writeRoom("room", 0);
+  begin();
+  writeRoom("room", 0.5);
+  ASSERT_TRUE(isTold(": shown"));
+  EXPECT_EQ(journey_->walker().feet, (Vec3{1, 2, 0.5}));
+  EXPECT_TRUE(comesToShowFresh());
+}
+
+TEST_F(LiveWalk, GoesOnWhereTheWalkerStandsUnderAnotherName) {
+  writeRoom("room", 0);
+  begin();
+  writeRoom("chamber", 0);
+  ASSERT_TRUE(isTold(": shown"));
+  EXPECT_EQ(journey_->walker().feet, (Vec3{1, 2, 0}));
+  EXPECT_EQ(load().level[journey_->walker().sector].name, "chamber");
+}
+
+TEST_F(LiveWalk, GoesBackToTheStartWhereThereIsNoRoomAnyMore) {
+  begin();
+  const LoadedLevel loaded = load();
+  Walker walker = journey_->walker();
+  walker.feet = walker.feet + Vec3{1000, 0, 0};
+  const auto carried = carriedOver(loaded.level, walker, loaded.level);
+  ASSERT_TRUE(carried);
+  EXPECT_EQ(carried->feet, journey_->walker().feet);
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace hearth {
+
+/// Tells when files have been written: once whoever writes them has closed them or put them in
+/// their place, so that none is read half-written. By inotify(7), which the kernel tells.
+class FileWatch {
+ public:
+  FileWatch();
+  ~FileWatch();
+  FileWatch(const FileWatch&) = delete;
+  FileWatch& operator=(const FileWatch&) = delete;
+
+  /// Watches these from now on, and the folders in which they lie.
+  void watch(const std::vector<std::filesystem::path>& files);
+
+  struct Changes {
+    std::optional<std::filesystem::path> watched;  ///< one of the files
+    bool other = false;                            ///< any other file of the folders
+  };
+  /// Since the last call.
+  Changes changes();
+
+ private:
+  void watchFolder(const std::filesystem::path& folder);
+
+  int events_;                                    ///< a file descriptor; -1: nothing can be watched
+  std::map<int, std::filesystem::path> folders_;  ///< by the kernel's numbers
+  std::set<std::filesystem::path> files_;
+};
+
+}  // namespace hearth

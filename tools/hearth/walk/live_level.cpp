@@ -1,0 +1,128 @@
+#include "hearth/walk/live_level.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "level/locate.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+double secondsSinceSaved(const fs::path& file) {
+  std::error_code error;
+  const fs::file_time_type saved = fs::last_write_time(file, error);
+  return std::chrono::duration<double>(fs::file_time_type::clock::now() - saved).count();
+}
+
+void printToStderr(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+}
+
+/// The sector of a name if it contains the point, else the first that does.
+std::optional<SectorId> sectorAt(const Level& level, const std::string& name, Vec3 point) {
+  std::optional<SectorId> found;
+  for (std::size_t i = 0; i < level.sectors.size(); ++i) {
+    if (found && level.sectors[i].name != name) continue;
+    if (contains(level, level.sectors[i], point, kPositionSlack)) found = SectorId(i);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const Level& to) {
+  const Eye eye = eyeOf(from, walker);
+  Walker carried;
+  if (const auto feet = sectorAt(to, from[walker.sector].name, walker.feet)) {
+    carried = walker;
+    carried.sector = *feet;
+    return carried;
+  }
+  if (const auto head = sectorAt(to, from[eye.sector].name, eye.point))
+    carried = walkerAt(to, *head, eye.point, eye.angle, eye.pitch);
+  else if (to.player)
+    carried = walkerAt(to, to.player->sector, to.player->eye, to.player->angle, 0);
+  else
+    return std::nullopt;
+  carried.isFlying = walker.isFlying;
+  return carried;
+}
+
+LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded)
+    : workshop_(values, loaded) {
+  watch_.watch(loaded->files);
+}
+
+tl::expected<std::shared_ptr<const LitLevel>, std::string> LiveLevel::awaitFirst(
+    const std::function<void()>& wait) {
+  while (true) {
+    if (const auto news = workshop_.news()) {
+      printToStderr(news->warnings);
+      if (!news->mistakes.empty()) return tl::unexpected(news->mistakes.front());
+      if (news->level) return shown_ = news->level;
+    }
+    wait();
+  }
+}
+
+void LiveLevel::redraw(std::shared_ptr<const LitLevel> level) {
+  workshop_.setDraw(level->renderer.settings());
+  shown_ = std::move(level);
+}
+
+void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
+  if (!report_.empty()) outside.print(std::exchange(report_, ""));
+  const FileWatch::Changes changes = watch_.changes();
+  // What was missing may have come.
+  if (changes.watched || (changes.other && !mistakes_.empty())) {
+    saved_ = changes.watched;
+    workshop_.reload();
+  }
+  while (const auto news = workshop_.news()) take(*news, loop, journey);
+  loop.setNotes(notes());
+}
+
+void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
+  printToStderr(news.warnings);
+  printToStderr(news.mistakes);
+  if (!news.mistakes.empty()) mistakes_ = news.mistakes;
+  if (!news.level) return;
+  const bool isNew = news.level->loaded != shown_->loaded;
+  if (isNew) {
+    if (!goOnIn(*news.level, journey)) {
+      mistakes_ = {"there is no room where you stand, and the level has no player to start with"};
+      return printToStderr(mistakes_);
+    }
+    mistakes_.clear();
+    watch_.watch(news.level->loaded->files);
+  }
+  loop.goOnIn(news.level->loaded->level, news.level->renderer);
+  shown_ = news.level;
+  if (saved_)
+    report_ = fmt::format("{}: {} {:.3f} s after it was saved", saved_->filename().string(),
+                          news.isDraft ? "a draft is shown" : "shown", secondsSinceSaved(*saved_));
+  if (!news.isDraft) saved_.reset();
+}
+
+bool LiveLevel::goOnIn(const LitLevel& next, Journey& journey) const {
+  const auto walker = carriedOver(shown_->loaded->level, journey.walker(), next.loaded->level);
+  if (walker) journey.goOnIn(next.loaded->level, *walker);
+  return walker.has_value();
+}
+
+std::vector<std::string> LiveLevel::notes() const {
+  std::vector<std::string> notes = mistakes_;
+  if (const auto progress = workshop_.progress()) notes.push_back(progressText(*progress));
+  return notes;
+}
+
+}  // namespace hearth

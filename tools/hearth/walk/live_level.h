@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "hearth/options.h"
+#include "hearth/walk/file_watch.h"
+#include "hearth/walk/journey.h"
+#include "hearth/walk/outside.h"
+#include "hearth/walk/walk_loop.h"
+#include "hearth/walk/workshop.h"
+#include "load/load.h"
+
+namespace hearth {
+
+/// Lets a walk go on in its level as its files are edited: each time one of them is saved the level
+/// is loaded anew, and shown once it is lit. A level with mistakes is not shown: they stand over
+/// the last good one until they are mended.
+class LiveLevel {
+ public:
+  /// Lights `loaded`, meanwhile.
+  LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded);
+
+  /// The light of the level as it was given, perhaps a draft. `wait` is called again and again.
+  tl::expected<std::shared_ptr<const LitLevel>, std::string> awaitFirst(
+      const std::function<void()>& wait);
+  /// The same level drawn otherwise: so are the next ones.
+  void redraw(std::shared_ptr<const LitLevel> level);
+
+  /// Looks what has happened, between two frames.
+  void update(WalkLoop& loop, Journey& journey, Outside& outside);
+
+ private:
+  void take(const LevelNews& news, WalkLoop& loop, Journey& journey);
+  bool goOnIn(const LitLevel& next, Journey& journey) const;
+  std::vector<std::string> notes() const;
+
+  FileWatch watch_;
+  Workshop workshop_;
+  std::shared_ptr<const LitLevel> shown_;
+  std::vector<std::string> mistakes_;           ///< of the version that was saved last
+  std::optional<std::filesystem::path> saved_;  ///< and is not shown yet
+  std::string report_;                          ///< to be printed once the next frame is shown
+};
+
+/// Where a walker of one version of a level is in another: where he is, if that lies in a sector
+/// still, the one of the same name before others; else where the player starts. None where there is
+/// no such place.
+std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const Level& to);
+
+}  // namespace hearth

@@ -1,0 +1,167 @@
+#include "hearth/walk/workshop.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdint>
+#include <new>
+#include <utility>
+
+#include "hearth/session.h"
+#include "hearth/settings.h"
+
+namespace hearth {
+
+namespace {
+
+/// Texels, once for each light, from which on a draft is shown first: who edits shall see at once
+/// what he did, who begins can wait for a quarter of a second.
+constexpr std::int64_t kWorthADraft = 100'000;
+constexpr std::int64_t kWorthADraftAtFirst = 1'000'000;
+
+/// Bakes that are over sooner are not worth a word.
+constexpr double kPatienceSeconds = 0.3;
+
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Of this thread, on Linux, and of those that it starts: so that frames do not wait for bakes.
+void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
+
+}  // namespace
+
+Workshop::Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded)
+    : values_(values),
+      draw_(drawSettingsFrom(values)),
+      current_(std::move(loaded)),
+      thread_([this] { run(); }) {}
+
+Workshop::~Workshop() {
+  const std::scoped_lock lock(mutex_);
+  isOver_ = true;
+  stop_.request_stop();
+  wakeUp_.notify_all();
+}
+
+void Workshop::reload() {
+  const std::scoped_lock lock(mutex_);
+  isAsked_ = true;
+  stop_.request_stop();
+  wakeUp_.notify_all();
+}
+
+void Workshop::setDraw(const DrawSettings& settings) {
+  const std::scoped_lock lock(mutex_);
+  draw_ = settings;
+}
+
+std::optional<LevelNews> Workshop::news() {
+  const std::scoped_lock lock(mutex_);
+  if (news_.empty()) return std::nullopt;
+  LevelNews oldest = std::move(news_.front());
+  news_.pop_front();
+  return oldest;
+}
+
+std::optional<StageProgress> Workshop::progress() const {
+  const std::scoped_lock lock(mutex_);
+  const double seconds = secondsNow() - bakeBegin_;
+  if (!progress_ || seconds < kPatienceSeconds) return std::nullopt;
+  return StageProgress{Stage::Baking, progress_->texelsDone(), progress_->texels(), seconds};
+}
+
+// --- In the workshop's own thread ----------------------------------------------------------------
+
+void Workshop::run() {
+  giveWay();
+  for (bool isFirst = true; const auto stop = nextJob(); isFirst = false) {
+    try {
+      if (!isFirst) load();
+      if (!isLit_) light(isFirst, *stop);
+    } catch (const std::bad_alloc&) {
+      tell({.mistakes = {"not enough memory; larger --texel needs less"}});
+    }
+  }
+}
+
+/// Waits until there is something to do; none at the end.
+std::optional<std::stop_token> Workshop::nextJob() {
+  std::unique_lock lock(mutex_);
+  wakeUp_.wait(lock, [this] { return isAsked_ || isOver_; });
+  if (isOver_) return std::nullopt;
+  isAsked_ = false;
+  stop_ = std::stop_source();
+  return stop_.get_token();
+}
+
+/// The file's level takes the place of the one at hand, if it is one.
+void Workshop::load() {
+  LoadResult result = loadLevel(values_.level, loadLimitsFrom(values_));
+  LevelNews news;
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    (diagnostic.isError ? news.mistakes : news.warnings).push_back(format(diagnostic));
+  if (result.loaded) {
+    current_ = std::make_shared<const LoadedLevel>(*std::move(result.loaded));
+    isLit_ = false;
+  }
+  if (!result.loaded || !news.warnings.empty()) tell(std::move(news));
+}
+
+void Workshop::light(bool isFirst, const std::stop_token& stop) {
+  const Level& level = current_->level;
+  const auto settings = bakeSettingsFor(level, values_);
+  if (!settings) return tell({.mistakes = {settings.error()}});
+  const auto cache = values_.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
+  const bool isKept = isFirst && cache && showKept(*cache, *settings);
+
+  // Also where the light was kept: from then on an edit asks for little.
+  Rebake rebake(memory_, level, *settings);
+  const int threads = threadsFrom(values_);
+  if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft))
+    show(rebake.draft(threads), true);
+  const auto progress = std::make_shared<BakeProgress>();
+  setProgress(isKept ? nullptr : progress);
+  auto baked = rebake.finish(threads, progress.get(), stop);
+  setProgress(nullptr);
+  if (!baked) return;
+  isLit_ = true;
+  if (isKept) return;
+  const auto lit = show(*std::move(baked), false);
+  if (cache) cache->keep(level, *settings, lit->light);
+}
+
+bool Workshop::showKept(const BakeCache& cache, const BakeSettings& settings) {
+  auto light = cache.find(current_->level, settings);
+  if (!light) return false;
+  show(*std::move(light), false);
+  return true;
+}
+
+std::shared_ptr<const LitLevel> Workshop::show(BakedLight light, bool isDraft) {
+  LevelNews news;
+  news.isDraft = isDraft;
+  if (const auto warning = warningIfDark(light, values_); warning && !isDraft)
+    news.warnings.push_back(*warning);
+  const DrawSettings draw = [this] {
+    const std::scoped_lock lock(mutex_);
+    return draw_;
+  }();
+  auto lit = std::make_shared<const LitLevel>(current_, std::move(light), draw);
+  news.level = lit;
+  tell(std::move(news));
+  return lit;
+}
+
+void Workshop::setProgress(std::shared_ptr<const BakeProgress> progress) {
+  const std::scoped_lock lock(mutex_);
+  progress_ = std::move(progress);
+  bakeBegin_ = secondsNow();
+}
+
+void Workshop::tell(LevelNews news) {
+  const std::scoped_lock lock(mutex_);
+  news_.push_back(std::move(news));
+}
+
+}  // namespace hearth

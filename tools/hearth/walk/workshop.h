@@ -1,0 +1,97 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "hearth/bake_cache.h"
+#include "hearth/options.h"
+#include "hearth/progress.h"
+#include "light/bake_progress.h"
+#include "light/bakery.h"
+#include "light/rebake.h"
+#include "load/load.h"
+#include "render/renderer.h"
+
+namespace hearth {
+
+/// A version of a level with its light, as it is drawn.
+struct LitLevel {
+  LitLevel(std::shared_ptr<const LoadedLevel> level, BakedLight baked, const DrawSettings& settings)
+      : loaded(std::move(level)),
+        light(std::move(baked)),
+        renderer(loaded->level, loaded->textures, light, settings) {}
+  LitLevel(const LitLevel&) = delete;
+  LitLevel& operator=(const LitLevel&) = delete;
+
+  std::shared_ptr<const LoadedLevel> loaded;
+  BakedLight light;
+  Renderer renderer;
+};
+
+/// What has become of a version of a level.
+struct LevelNews {
+  std::vector<std::string> warnings = {};
+  std::vector<std::string> mistakes = {};           ///< for which it cannot be shown
+  std::shared_ptr<const LitLevel> level = nullptr;  ///< none after mistakes
+  bool isDraft = false;                             ///< better light is to come
+};
+
+/// Loads and bakes a level whenever it is asked to, in a thread of its own that gives way to all
+/// others. What was asked for before is given up then.
+class Workshop {
+ public:
+  /// Bakes `loaded` first, with the settings of the command line above those of the file.
+  Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded);
+  ~Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  /// Loads the file anew.
+  void reload();
+  /// How levels are drawn from the next one on.
+  void setDraw(const DrawSettings& settings);
+
+  /// The oldest that has not been given out.
+  std::optional<LevelNews> news();
+  /// Of a bake, while there is one that shows.
+  std::optional<StageProgress> progress() const;
+
+ private:
+  void run();
+  std::optional<std::stop_token> nextJob();
+  void load();
+  void light(bool isFirst, const std::stop_token& stop);
+  bool showKept(const BakeCache& cache, const BakeSettings& settings);
+  std::shared_ptr<const LitLevel> show(BakedLight light, bool isDraft);
+  void setProgress(std::shared_ptr<const BakeProgress> progress);
+  void tell(LevelNews news);
+
+  const OptionValues values_;
+
+  mutable std::mutex mutex_;  ///< of what follows
+  std::condition_variable wakeUp_;
+  bool isAsked_ = true;
+  bool isOver_ = false;
+  DrawSettings draw_;
+  std::stop_source stop_;  ///< of the job at hand
+  std::deque<LevelNews> news_;
+  std::shared_ptr<const BakeProgress> progress_;
+  double bakeBegin_ = 0;
+
+  // The thread's own:
+  std::shared_ptr<const LoadedLevel> current_;
+  bool isLit_ = false;  ///< with its own light, not a draft
+  LightMemory memory_;
+
+  std::jthread thread_;  ///< last, so that it ends first
+};
+
+}  // namespace hearth
