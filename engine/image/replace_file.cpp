@@ -33,6 +33,8 @@ tl::expected<void, std::string> replaceFile(const std::filesystem::path& path,
     std::filesystem::remove(part, error);
     return failure(path, "cannot be written; check that its folder exists and has room");
   }
+  if (std::filesystem::exists(target))
+    std::filesystem::permissions(part, target.permissions(), error);
   std::filesystem::rename(part, file, error);
   if (error) {
     const std::string reason = error.message();

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
-
 #include "level/finish.h"
 #include "load/link.h"
-#include "load/parse.h"
 #include "load/read.h"
+#include "load/read_document.h"
 
 namespace hearth {
 
@@ -24,7 +21,7 @@ class Loader {
 
   LoadResult load() {
     LoadResult result;
-    if (const std::optional<JsonValue> root = readDocument(file_)) {
+    if (const std::optional<JsonValue> root = rootOf(file_)) {
       const LevelDescription description = readLevel(report_, *root, limits_);
       const LightsDescription lights = readLightsOf(description);
       result.loaded = link(description, lights);
@@ -34,8 +31,7 @@ class Loader {
   }
 
  private:
-  std::optional<JsonValue> readDocument(const fs::path& path);
-  bool readText(const fs::path& path, Document& document, Place place);
+  std::optional<JsonValue> rootOf(const fs::path& path);
   LightsDescription readLightsOf(const LevelDescription& description);
   std::optional<LoadedLevel> link(const LevelDescription& description,
                                   const LightsDescription& lights);
@@ -49,42 +45,12 @@ class Loader {
 };
 
 /// The root of a file; reported when there is none.
-std::optional<JsonValue> Loader::readDocument(const fs::path& path) {
+std::optional<JsonValue> Loader::rootOf(const fs::path& path) {
   const auto index = static_cast<std::uint32_t>(documents_.size());
   Document& document = documents_.emplace_back();
-  document.file = path.string();
   files_.push_back(path);
-  if (!readText(path, document, {index, 0})) return std::nullopt;
-  if (!parse(document, index, report_)) return std::nullopt;
+  if (!readDocument(path, limits_, document, index, report_)) return std::nullopt;
   return JsonValue(document, index, 0);
-}
-
-bool Loader::readText(const fs::path& path, Document& document, Place place) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) {
-    report_.error(place, fs::exists(path, error) ? "not a regular file" : "no such file",
-                  "name a JSON file");
-    return false;
-  }
-  const std::uintmax_t size = fs::file_size(path, error);
-  // Places are offsets of 32 bits.
-  const std::uint64_t limit = std::min<std::uint64_t>(limits_.fileBytes, 0xFFFFFFFE);
-  if (error || size > limit) {
-    report_.error(place,
-                  error ? error.message() : fmt::format("{} bytes are more than {}", size, limit),
-                  error ? "make it readable" : "raise the limit with --max-file-bytes");
-    return false;
-  }
-  document.text.resize(size);
-  std::ifstream in(path, std::ios::binary);
-  if (!in.read(document.text.data(), static_cast<std::streamsize>(size))) {
-    document.text.clear();
-    report_.error(place, "cannot be read", "check its permissions");
-    return false;
-  }
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (document.text.starts_with(kByteOrderMark)) document.text.erase(0, kByteOrderMark.size());
-  return true;
 }
 
 LightsDescription Loader::readLightsOf(const LevelDescription& description) {
@@ -102,7 +68,7 @@ LightsDescription Loader::readLightsOf(const LevelDescription& description) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return {};
   }
-  const std::optional<JsonValue> root = readDocument(path);
+  const std::optional<JsonValue> root = rootOf(path);
   return root ? readLights(report_, *root, limits_) : LightsDescription{};
 }
 

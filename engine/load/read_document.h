@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "load/document.h"
+#include "load/limits.h"
+#include "load/report.h"
+
+namespace hearth {
+
+/// Reads a JSON file into a tree. What is wrong with the file as a whole, and what parse() finds,
+/// goes to the report; the result is false where the tree must not be used.
+bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, Document& document,
+                  std::uint32_t documentIndex, Report& report);
+
+}  // namespace hearth
