@@ -25,7 +25,7 @@ os.environ["XDG_CACHE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["new", "walk", "shot", "bake", "check", "info", "map", "bench", "tradeoff"]
+COMMANDS = ["new", "fmt", "walk", "shot", "bake", "check", "info", "map", "bench", "tradeoff"]
 
 
 def run(*arguments, **options):
@@ -664,6 +664,97 @@ class New(InFolder):
         self.assertEqual(full.returncode, 2)
         self.assertRegex(full.stderr, "castle.json: cannot be written; check that there is room")
         self.assertEqual(list(self.folder.glob("castle*")), [])
+
+
+class Fmt(InFolder):
+    PACKED = '{"light":1.50,"//":"a","//":"b","sectors":{"hall":{"floor":{"z":0}}}}'
+    LAID_OUT = """{
+  "light": 1.50,
+  "//": "a",
+  "//": "b",
+  "sectors": {
+    "hall": {
+      "floor": { "z": 0 }
+    }
+  }
+}
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.level = self.folder / "level.json"
+        self.level.write_text(self.PACKED)
+
+    def expect(self, result, status=0, stdout="", stderr=""):
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (status, stdout, stderr))
+
+    def test_replaces_the_file_and_keeps_its_permissions(self):
+        self.level.chmod(0o640)
+        self.expect(run("fmt", self.level))
+        self.assertEqual(self.level.read_text(), self.LAID_OUT)
+        self.assertEqual(self.level.stat().st_mode & 0o777, 0o640)
+        self.assertEqual(list(self.folder.iterdir()), [self.level])
+
+    def test_does_not_touch_a_file_that_is_laid_out(self):
+        self.level.write_text(self.LAID_OUT)
+        before = self.level.stat()
+        self.expect(run("fmt", self.level))
+        after = self.level.stat()
+        self.assertEqual((after.st_ino, after.st_mtime_ns), (before.st_ino, before.st_mtime_ns))
+
+    def test_keeps_a_link_and_replaces_what_it_names(self):
+        link = self.folder / "link.json"
+        link.symlink_to("level.json")
+        self.expect(run("fmt", link))
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(self.level.read_text(), self.LAID_OUT)
+
+    def test_writes_elsewhere(self):
+        other = self.folder / "other.json"
+        self.expect(run("fmt", self.level, "-o", other))
+        self.assertEqual(other.read_text(), self.LAID_OUT)
+        self.expect(run("fmt", self.level, "-o", "-"), stdout=self.LAID_OUT)
+        self.assertEqual(self.level.read_text(), self.PACKED)
+
+    def test_check_writes_nothing_and_tells_by_its_status(self):
+        self.expect(run("fmt", "--check", self.level), 1,
+                    f"{self.level}: not as `hearth fmt` lays it out\n")
+        self.assertEqual(self.level.read_text(), self.PACKED)
+        self.level.write_text(self.LAID_OUT)
+        self.expect(run("fmt", "--check", self.level))
+        self.expect(run("fmt", "--check", self.level, "-o", "-"), 2,
+                    stderr="hearth: error: --check writes nothing; give it or -o, not both\n")
+
+    def test_what_is_not_json_stays_as_it_is(self):
+        for text, message in [
+                ('{\n  "a": 1,,\n}', "level.json:2:10: error: not valid JSON: "),
+                ('{"a": 1, "a": 2}', 'level.json:1:10: error: the key "a" is given twice'),
+                ("[" * 65 + "]" * 65, "level.json:1:65: error: more than 64 arrays"),
+                ('{"a": 1e999}', "level.json:1:7: error: the number 1e999 is too large"),
+                ('{"//": 01}', "level.json:1:10: error: not valid JSON"),
+                ("", "level.json:1:1: error: not valid JSON")]:
+            with self.subTest(text=text):
+                self.level.write_text(text)
+                for options in [(), ("--check",), ("-o", self.out)]:
+                    self.refuse(run("fmt", self.level, *options), re.escape(message))
+                self.assertEqual(self.level.read_text(), text)
+
+    def test_says_when_it_would_grow_past_the_limit(self):
+        self.refuse(run("fmt", self.level, "--max-file-bytes", len(self.PACKED)),
+                    "laid out, it has more than .* bytes: raise the limit with --max-file-bytes")
+        self.refuse(run("fmt", self.level, "--max-file-bytes", "10"), "bytes are more than 10")
+
+    def test_says_when_nobody_takes_what_it_prints(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([HEARTH, "fmt", self.level, "-o", "-"], stdout=full,
+                                    stderr=subprocess.PIPE, text=True)
+        self.assertEqual((result.returncode, result.stderr),
+                         (2, "hearth: error: standard output cannot be written\n"))
+
+    def test_has_nothing_to_do_in_a_new_level(self):
+        self.assertEqual(run("new", self.folder / "castle").returncode, 0)
+        for name in ("castle.json", "castle.lights.json"):
+            self.expect(run("fmt", "--check", self.folder / name))
 
 
 class Map(InFolder):

@@ -12,8 +12,8 @@ ExitStatus fail(std::string_view message) {
 }
 
 std::vector<Command> allCommands() {
-  return {newCommand(),  walkCommand(), shotCommand(),  bakeCommand(),    checkCommand(),
-          infoCommand(), mapCommand(),  benchCommand(), tradeoffCommand()};
+  return {newCommand(),   fmtCommand(),  walkCommand(), shotCommand(),  bakeCommand(),
+          checkCommand(), infoCommand(), mapCommand(),  benchCommand(), tradeoffCommand()};
 }
 
 std::vector<Option> limitOptions() {

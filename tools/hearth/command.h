@@ -35,6 +35,7 @@ Command checkCommand();
 Command infoCommand();
 Command mapCommand();
 Command newCommand();
+Command fmtCommand();
 Command benchCommand();
 Command tradeoffCommand();
 

@@ -15,7 +15,7 @@ namespace hearth {
 
 namespace {
 
-/// {} is the level's name as JSON.
+/// As `hearth fmt` lays it out; {} is the level's name as JSON.
 constexpr std::string_view kLevel = R"({{
   "version": 1,
   "name": {},
@@ -23,36 +23,44 @@ constexpr std::string_view kLevel = R"({{
   "light": 0.1,
   "player": {{ "sector": "hall", "x": 1.5, "y": 2, "z": 1.6, "angle": 0 }},
   "shots": [
-    {{ "//": "a picture that `hearth check` keeps: x, y, z, angle, pitch", "name": "hall", "camera": [0.5, 3.5, 1.6, -25, 0] }}
+    {{ "//": "a picture that `hearth check` keeps: x, y, z, angle, pitch",
+      "name": "hall", "camera": [0.5, 3.5, 1.6, -25, 0] }}
   ],
   "sectors": {{
     "hall": {{
       "//": "A texture is a colour, or the name of an image: \"textures\": \"FOLDER\" above says where those lie.",
-      "floor": {{ "z": 0, "texture": "#6e5a46" }},
+      "floor":   {{ "z": 0, "texture": "#6e5a46" }},
       "ceiling": {{ "z": 2.8, "texture": "#b4aa96" }},
-      "loops": {{ "border": {{
-        "//": "The corners of the room, clockwise on the plan: x, y, x, y ... The first wall runs from the first corner to the second.",
-        "v": [0,0, 5,0, 5,1, 5,3, 5,4, 0,4],
-        "walls": [
-          {{ "texture": "#a08c78" }},
-          {{ "texture": "#a08c78" }},
-          {{ "//": "the doorway: from (5, 1) to (5, 3); below it shows the step, above it the lintel", "next": "study", "lower": "#5a4b3c", "upper": "#a08c78" }},
-          {{ "texture": "#a08c78" }},
-          {{ "texture": "#a08c78" }},
-          {{ "texture": "#a08c78" }}
-        ] }} }}
+      "loops": {{
+        "border": {{
+          "//": "The corners of the room, clockwise on the plan: x, y, x, y ... The first wall runs from the first corner to the second.",
+          "v": [0,0, 5,0, 5,1, 5,3, 5,4, 0,4],
+          "walls": [
+            {{ "texture": "#a08c78" }},
+            {{ "texture": "#a08c78" }},
+            {{ "//": "the doorway: from (5, 1) to (5, 3); below it shows the step, above it the lintel",
+              "next": "study", "lower": "#5a4b3c", "upper": "#a08c78" }},
+            {{ "texture": "#a08c78" }},
+            {{ "texture": "#a08c78" }},
+            {{ "texture": "#a08c78" }}
+          ]
+        }}
+      }}
     }},
     "study": {{
-      "floor": {{ "z": 0.2, "texture": "#46505a" }},
+      "floor":   {{ "z": 0.2, "texture": "#46505a" }},
       "ceiling": {{ "z": 2.4, "texture": "#969ba0" }},
-      "loops": {{ "border": {{
-        "v": [5,1, 9,1, 9,3, 5,3],
-        "walls": [
-          {{ "texture": "#78828c" }},
-          {{ "texture": "#78828c" }},
-          {{ "texture": "#78828c" }},
-          {{ "//": "and back, along the same line", "next": "hall" }}
-        ] }} }}
+      "loops": {{
+        "border": {{
+          "v": [5,1, 9,1, 9,3, 5,3],
+          "walls": [
+            {{ "texture": "#78828c" }},
+            {{ "texture": "#78828c" }},
+            {{ "texture": "#78828c" }},
+            {{ "//": "and back, along the same line", "next": "hall" }}
+          ]
+        }}
+      }}
     }}
   }}
 }}
@@ -62,8 +70,11 @@ constexpr std::string_view kLights = R"({
   "version": 1,
   "//": "Lights are baked into lightmaps when the level is opened. \"falloff\" is how fast one grows weaker, per metre; \"radius\" makes it a ball, whose shadows are soft.",
   "lights": [
-    { "//": "in the hall", "x": 1.5, "y": 1.2, "z": 2.3, "intensity": 230, "falloff": 0.3, "color": "#ffe8c8", "radius": 0.1 },
-    { "//": "in the study", "x": 8.2, "y": 1.7, "z": 1.4, "intensity": 210, "falloff": 1.5, "color": "#a0c8ff" }
+    { "//": "in the hall",
+      "x": 1.5, "y": 1.2, "z": 2.3, "intensity": 230, "falloff": 0.3, "color": "#ffe8c8",
+      "radius": 0.1 },
+    { "//": "in the study",
+      "x": 8.2, "y": 1.7, "z": 1.4, "intensity": 210, "falloff": 1.5, "color": "#a0c8ff" }
   ]
 }
 )";

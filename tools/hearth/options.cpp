@@ -80,6 +80,8 @@ constexpr std::array kTable = {
               "the folder that holds the folders of golden pictures"},
     OptionRow{Option::Update, "--update", ValueKind::Flag, "", 0, 0, "",
               "keep the pictures as they are drawn now"},
+    OptionRow{Option::Check, "--check", ValueKind::Flag, "", 0, 0, "",
+              "write nothing; status 1 where the file would change"},
     OptionRow{Option::Report, "--report", ValueKind::Text, "OUT.html", 0, 0, "",
               "write a page that shows all of it; of a check, also when all is as kept"},
     OptionRow{Option::List, "--list", ValueKind::Flag, "", 0, 0, "",

@@ -42,6 +42,7 @@ enum class Option {
   Quiet,
   Golden,
   Update,
+  Check,
   Report,
   List,
   Csv,

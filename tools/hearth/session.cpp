@@ -35,7 +35,7 @@ BakedLight cachedLight(const Level& level, const BakeSettings& settings,
 
 }  // namespace
 
-LoadLimits loadLimitsFrom(const OptionValues& values) {
+LoadLimits limitsFrom(const OptionValues& values) {
   LoadLimits limits;
   const auto take = [&](Option option, auto& limit) {
     if (const auto given = values.number(option))
@@ -59,7 +59,7 @@ std::optional<std::string> warningIfDark(const BakedLight& light, const OptionVa
 std::optional<LoadedLevel> openLevel(const OptionValues& values) {
   LoadResult result = [&] {
     const ProgressDisplay display(progressStyle(values), Stage::Loading);
-    return loadLevel(values.level, loadLimitsFrom(values));
+    return loadLevel(values.level, limitsFrom(values));
   }();
   for (const Diagnostic& diagnostic : result.diagnostics)
     fmt::print(stderr, "{}\n", format(diagnostic));

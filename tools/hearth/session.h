@@ -20,8 +20,8 @@ namespace hearth {
 /// stderr, one per line; nothing after errors.
 std::optional<LoadedLevel> openLevel(const OptionValues& values);
 
-/// The limits that the command line gives.
-LoadLimits loadLimitsFrom(const OptionValues& values);
+/// What the command line says of how much input is taken.
+LoadLimits limitsFrom(const OptionValues& values);
 
 /// Of a level in which nothing is lit.
 std::optional<std::string> warningIfDark(const BakedLight& light, const OptionValues& values);

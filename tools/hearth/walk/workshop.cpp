@@ -97,7 +97,7 @@ std::optional<std::stop_token> Workshop::nextJob() {
 
 /// The file's level takes the place of the one at hand, if it is one.
 void Workshop::load() {
-  LoadResult result = loadLevel(values_.level, loadLimitsFrom(values_));
+  LoadResult result = loadLevel(values_.level, limitsFrom(values_));
   LevelNews news;
   for (const Diagnostic& diagnostic : result.diagnostics)
     (diagnostic.isError ? news.mistakes : news.warnings).push_back(format(diagnostic));
