@@ -1,6 +1,6 @@
 """Holds levels/keep.json to what its plan writes.
 
-usage: keep_plan_test.py SOURCE_DIR
+usage: keep_plan_test.py SOURCE_DIR HEARTH
 """
 
 import subprocess
@@ -10,6 +10,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path()
+HEARTH = ""
 
 
 class KeepPlan(unittest.TestCase):
@@ -17,10 +18,11 @@ class KeepPlan(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             written = Path(folder) / "keep.json"
             subprocess.run([sys.executable, "-B", SOURCE / "tools/levels/keep.py", written], check=True)
+            subprocess.run([HEARTH, "fmt", written], check=True)
             self.assertTrue(written.read_bytes() == (SOURCE / "levels/keep.json").read_bytes(),
-                            "run tools/levels/keep.py")
+                            "run tools/levels/keep.py, then hearth fmt levels/keep.json")
 
 
 if __name__ == "__main__":
-    SOURCE = Path(sys.argv[1])
+    SOURCE, HEARTH = Path(sys.argv[1]), sys.argv[2]
     unittest.main(argv=sys.argv[:1])

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -239,6 +241,20 @@ TEST(Layout, ofALevelKeepsToTheLineAndMeansTheSame) {
     EXPECT_EQ(a.textures, b.textures);
   }
   fs::remove_all(folder);
+}
+
+TEST(Layout, isThatOfTheShippedLevels) {
+  std::size_t files = 0;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(fs::path(HEARTH_SOURCE_DIR) / "levels")) {
+    if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".schema")
+      continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    EXPECT_TRUE(laidOut(text) == text) << "hearth fmt " << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 4U);
 }
 
 TEST(Layout, refusesToGrowPastALimit) {

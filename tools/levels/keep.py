@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Writes levels/keep.json: the plan of a small castle.
 
-usage: tools/levels/keep.py [OUT.json]
+usage: tools/levels/keep.py [OUT.json] && hearth fmt levels/keep.json
+
+The plan knows nothing of layout: that is the second command's.
 
 The gate is in the south, the hall in the north, the chapel in the east, a stair tower between hall
 and western rampart. x = 17 is the axis of gate and bridge. The parts are in castle/.
@@ -33,19 +35,19 @@ HEAD = """\
   "lights": "keep.lights.json",
   "light": 0.1,
   "player": {
-    "sector": "road", "x": 17, "y": 47, "z": 1.6, "angle": 270,
-    "height": 1.8, "eye": 1.6, "radius": 0.3, "step": 0.4
+    "sector": "road", "x": 17, "y": 47, "z": 1.6, "angle": 270, "height": 1.8, "eye": 1.6,
+    "radius": 0.3, "step": 0.4
   },
 
   "shots": [
-    { "name": "arrival",   "camera": [13, 53.6, 3.3, 279, 5],      "fov": 92 },
-    { "name": "bridge",    "camera": [10.3, 40.8, 1.9, 313, -6],   "fov": 95 },
-    { "name": "courtyard", "camera": [18.5, 28.8, 1.6, 250, 6],    "fov": 90 },
-    { "name": "opening",   "camera": [14.8, 22.9, 2.0, 184, -57],  "fov": 95 },
-    { "name": "hall",      "camera": [22.8, 9.8, 2.4, 202, 8],     "fov": 90 },
-    { "name": "chapel",    "camera": [22.8, 17.0, 2.0, 355, 6],    "fov": 90 },
-    { "name": "crypt",     "camera": [7.6, 24.4, -3, 330, 4],      "fov": 90 },
-    { "name": "rampart",   "camera": [1.6, 14, 7.6, 62, -8],       "fov": 90 }
+    { "name": "arrival", "camera": [13, 53.6, 3.3, 279, 5], "fov": 92 },
+    { "name": "bridge", "camera": [10.3, 40.8, 1.9, 313, -6], "fov": 95 },
+    { "name": "courtyard", "camera": [18.5, 28.8, 1.6, 250, 6], "fov": 90 },
+    { "name": "opening", "camera": [14.8, 22.9, 2.0, 184, -57], "fov": 95 },
+    { "name": "hall", "camera": [22.8, 9.8, 2.4, 202, 8], "fov": 90 },
+    { "name": "chapel", "camera": [22.8, 17.0, 2.0, 355, 6], "fov": 90 },
+    { "name": "crypt", "camera": [7.6, 24.4, -3, 330, 4], "fov": 90 },
+    { "name": "rampart", "camera": [1.6, 14, 7.6, 62, -8], "fov": 90 }
   ],
 """
 

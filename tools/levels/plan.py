@@ -10,7 +10,6 @@ Coordinates are metres, y runs down the map, outlines may be given in either sen
 
 import json
 import math
-import textwrap
 
 SKY = 24.0  # the height of all skies: steps between them would show sky where towers stand behind
 IMAGE = 128  # pixels of a side of all images that lie on slopes
@@ -247,12 +246,11 @@ class Plan:
     def listed(rows):
         if len(rows) == 1:
             return rows[0]
-        return '{ "walls": [\n' + ",\n".join(" " * 16 + row for row in rows) + "\n              ] }"
+        return f'{{ "walls": [{", ".join(rows)}] }}'
 
     @staticmethod
     def row(parts):
-        text = "{ " + ", ".join(parts) + " }"
-        return text if len(text) < 96 else "{ " + (",\n" + " " * 18).join(parts) + " }"
+        return "{ " + ", ".join(parts) + " }"
 
     def flat(self, z, texture, opening, rise=None, start=None):
         parts = [f'"z": {rounded(z)}']
@@ -294,39 +292,36 @@ class Plan:
         return f'{{ "z": [{listed}], "sidewall": {sidewall} }}'
 
     def loop(self, name, sector, pieces):
-        listed = ", ".join(f"{a[0]},{a[1]}" for a, *_ in pieces)
-        corners = textwrap.fill(listed, 96, break_on_hyphens=False).replace("\n", "\n                ")
+        corners = ", ".join(f"{a[0]},{a[1]}" for a, *_ in pieces)
         walls = [self.wall(sector, *piece) for piece in pieces]
-        if len(set(walls)) == 1:
-            listed = walls[0]
-        else:
-            listed = "[\n" + ",\n".join(" " * 12 + wall for wall in walls) + "\n          ]"
-        return f'        "{name}": {{\n          "v": [{corners}],\n          "walls": {listed}\n        }}'
+        listed = walls[0] if len(set(walls)) == 1 else f'[{", ".join(walls)}]'
+        return f'"{name}": {{ "v": [{corners}], "walls": {listed} }}'
 
     def sector(self, sector):
         loops = self.neighbours(sector)
         corners = [a for a, *_ in loops[0]]
         up = sector.opening if sector.opening and sector.name == sector.opening[0] else None
         down = sector.opening if sector.opening and not up else None
-        lines = []
+        members = []
         if sector.name in self.headings:
-            lines.append(f'      "//": "--- {self.headings[sector.name]}"')
+            members.append(f'"//": "--- {self.headings[sector.name]}"')
         if sector.light is not None:
-            lines.append(f'      "light": {sector.light}')
+            members.append(f'"light": {sector.light}')
         floor = self.flat(sector.floor, sector.floor_texture, up, sector.floor_rise, corners[0])
-        lines.append(f'      "floor":   {floor}')
+        members.append(f'"floor": {floor}')
         ceiling = self.flat(sector.ceiling, sector.ceiling_texture, down, sector.ceiling_drop, corners[0])
-        lines.append(f'      "ceiling": {ceiling}')
+        members.append(f'"ceiling": {ceiling}')
         if sector.floor_rise:
-            lines.append('      "slopeFloor": ' + self.slope(sector.floor_rise, corners, sector.sidewall))
+            members.append('"slopeFloor": ' + self.slope(sector.floor_rise, corners, sector.sidewall))
         if sector.ceiling_drop:
-            lines.append('      "slopeCeil": ' + self.slope(sector.ceiling_drop, corners, sector.sidewall))
+            members.append('"slopeCeil": ' + self.slope(sector.ceiling_drop, corners, sector.sidewall))
         names = ["border"] + [f"hole-{i + 1}" for i in range(len(loops) - 1)]
-        lines.append('      "loops": {\n' + ",\n".join(
-            self.loop(name, sector, loop) for name, loop in zip(names, loops)) + "\n      }")
-        return f'    "{sector.name}": {{\n' + ",\n".join(lines) + "\n    }"
+        loops = [self.loop(name, sector, loop) for name, loop in zip(names, loops)]
+        members.append(f'"loops": {{ {", ".join(loops)} }}')
+        return f'"{sector.name}": {{ {", ".join(members)} }}'
 
     def text(self, head):
-        """The level file: `head` is the text of everything above the sectors."""
+        """The level file, to be laid out by `hearth fmt`: `head` is the text of everything above the
+        sectors."""
         body = ",\n\n".join(self.sector(sector) for sector in self.sectors)
-        return head + '\n  "sectors": {\n\n' + body + "\n  }\n}\n"
+        return head + '\n"sectors": {\n\n' + body + "\n}}\n"
