@@ -27,6 +27,9 @@ class Loader {
       result.loaded = link(description, lights);
     }
     result.diagnostics = report_.resolve(documents_);
+    if (result.loaded)
+      for (Document& document : documents_)
+        result.loaded->texts.push_back(std::move(document.text));
     return result;
   }
 
@@ -115,7 +118,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
 
   for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
-  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_,
+  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_, {},
                      textures.decoded};
 }
 

@@ -261,7 +261,7 @@ class Walk(InFolder):
         self.write(lines)
         self.refuse(self.replay(), r"walk\.txt:3:1: ")
         self.recording.unlink()
-        self.refuse(self.replay(), r"walk\.txt: there is no such file")
+        self.refuse(self.replay(), r"walk\.txt: no such file")
 
     def test_a_recording_of_another_level_is_refused(self):
         text = self.recording.read_text()
@@ -421,9 +421,9 @@ class SavedBake(InFolder):
         self.refuse_bake(r"rooms\.bake: \d+ bytes are more than 3000: .*--max-file-bytes",
                          "--max-file-bytes", "3000")
         self.bake.unlink()
-        self.refuse_bake(r"rooms\.bake: there is no such file")
+        self.refuse_bake(r"rooms\.bake: no such file")
         os.mkfifo(self.bake)
-        self.refuse_bake(r"rooms\.bake: is not a regular file")
+        self.refuse_bake(r"rooms\.bake: not a regular file")
 
     def test_that_cannot_be_written_is_an_error(self):
         for place in [self.folder / "missing/out.bake", self.level / "out.bake"]:

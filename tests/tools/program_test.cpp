@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "hearth/command.h"
@@ -52,7 +53,8 @@ TEST(FormatFeatures, CommentsAreNotCounted) {
   const std::string room =
       R"({"floor": {"texture": "a"}, "$old": {"texture": "#000000"}, "loops": [
           {"v": [0,0, 1,0, 1,1], "// walls": [], "walls": {"texture": "b 2,2 1,1"}}]})";
-  countSpellings(R"({"sectors": {"// was": )" + room + R"(, "room": )" + room + "}}", "", counts);
+  const std::array texts{R"({"sectors": {"// was": )" + room + R"(, "room": )" + room + "}}"};
+  countSpellings(texts, counts);
   EXPECT_EQ(counts[FormatFeature::SolidWall], 1);
   EXPECT_EQ(counts[FormatFeature::TextureOffset], 1);
   EXPECT_EQ(counts[FormatFeature::PlainColour], 0);

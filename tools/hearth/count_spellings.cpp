@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "hearth/format_features.h"
@@ -147,20 +146,10 @@ json parsed(std::string_view text) { return json::parse(text, nullptr, false); }
 
 }  // namespace
 
-void countSpellings(std::string_view levelText, std::string_view lightsText,
-                    FeatureCounts& counts) {
+void countSpellings(std::span<const std::string> texts, FeatureCounts& counts) {
   SpellingCounter counter(counts);
-  counter.countLevel(parsed(levelText));
-  if (!lightsText.empty()) counter.countLights(parsed(lightsText));
-}
-
-std::string lightsPath(const std::string& levelPath, std::string_view levelText) {
-  const std::filesystem::path level(levelPath);
-  const json file = parsed(levelText);
-  if (file.contains("lights")) return level.parent_path() / file["lights"].get<std::string>();
-  std::filesystem::path beside = level;
-  beside.replace_extension(".lights.json");
-  return std::filesystem::exists(beside) ? beside.string() : std::string();
+  counter.countLevel(parsed(texts[0]));
+  if (texts.size() > 1) counter.countLights(parsed(texts[1]));
 }
 
 }  // namespace hearth

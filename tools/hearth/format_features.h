@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -140,11 +141,8 @@ class FeatureCounts {
 /// Counts what the linked level still knows.
 void countGeometry(const Level& level, FeatureCounts& counts);
 
-/// Counts what only the texts of the two files tell: spellings. Both texts have been loaded without
-/// errors; `lightsText` is empty for a level without a lights file.
-void countSpellings(std::string_view levelText, std::string_view lightsText, FeatureCounts& counts);
-
-/// The lights file that a level names or that stands beside it; empty for none.
-std::string lightsPath(const std::string& levelPath, std::string_view levelText);
+/// Counts what only the texts of the files tell, of the level and, if it has any, of its lights:
+/// spellings. They have been loaded without errors.
+void countSpellings(std::span<const std::string> texts, FeatureCounts& counts);
 
 }  // namespace hearth

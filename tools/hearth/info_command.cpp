@@ -7,7 +7,6 @@
 #include "hearth/command.h"
 #include "hearth/format_features.h"
 #include "hearth/light_report.h"
-#include "hearth/read_bytes.h"
 #include "hearth/session.h"
 #include "light/geometry_hash.h"
 
@@ -24,21 +23,7 @@ struct Contents {
   FeatureCounts features;
 };
 
-/// Counts the spellings of the level's file and of its lights.
-tl::expected<void, std::string> countFiles(const LoadedLevel& loaded, const OptionValues& values,
-                                           FeatureCounts& features) {
-  const auto level = readBytes(loaded.path, values);
-  if (!level) return tl::unexpected(level.error());
-  const std::string path = lightsPath(loaded.path, *level);
-  const auto lights =
-      path.empty() ? tl::expected<std::string, std::string>() : readBytes(path, values);
-  if (!lights) return tl::unexpected(lights.error());
-  countSpellings(*level, *lights, features);
-  return {};
-}
-
-tl::expected<Contents, std::string> contentsOf(const LoadedLevel& loaded, const Bake& bake,
-                                               const OptionValues& values) {
+Contents contentsOf(const LoadedLevel& loaded, const Bake& bake) {
   const Level& level = loaded.level;
   Contents contents;
   contents.settings = bake.settings;
@@ -48,8 +33,7 @@ tl::expected<Contents, std::string> contentsOf(const LoadedLevel& loaded, const 
     contents.textureBytes += std::int64_t{3} * image.width() * image.height();
 
   countGeometry(level, contents.features);
-  if (const auto counted = countFiles(loaded, values, contents.features); !counted)
-    return tl::unexpected(counted.error());
+  countSpellings(loaded.texts, contents.features);
   return contents;
 }
 
@@ -223,13 +207,12 @@ ExitStatus run(const OptionValues& values) {
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeFor(loaded->level, values);
   if (!bake) return fail(bake.error());
-  const auto contents = contentsOf(*loaded, *bake, values);
-  if (!contents) return fail(contents.error());
+  const Contents contents = contentsOf(*loaded, *bake);
   if (!values.has(Option::Json)) {
-    print(*loaded, *contents);
+    print(*loaded, contents);
     return ExitStatus::Done;
   }
-  nlohmann::ordered_json json = toJson(*loaded, *contents);
+  nlohmann::ordered_json json = toJson(*loaded, contents);
   if (values.has(Option::Surfaces))
     json["bake"]["surfaces"] = toJson(loaded->level, bake->light.surfaces);
   fmt::print("{}\n", json.dump(2));

@@ -8,9 +8,8 @@
 
 namespace hearth {
 
-/// All bytes of a regular file: reading from a pipe may wait for ever. Files longer than
-/// `--max-file-bytes` are refused before memory is taken. Errors are one sentence that begins with
-/// the path.
+/// All bytes of a file of no more than `--max-file-bytes`: see readFile. Errors are one sentence
+/// that begins with the path.
 tl::expected<std::string, std::string> readBytes(const std::filesystem::path& path,
                                                  const OptionValues& values);
 
