@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <system_error>
 #include <vector>
@@ -30,6 +31,16 @@ void* boundedMalloc(std::size_t bytes) {
 
 void* boundedRealloc(void* old, std::size_t bytes) {
   return bytes <= kMaxDecoderBytes ? std::realloc(old, bytes) : nullptr;
+}
+
+/// What keeps a picture from being written as a PNG.
+std::optional<std::string> mistakeInSize(const std::filesystem::path& path, const Image& image) {
+  CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
+  // The encoder counts bytes in `int`, and packs into a buffer up to twice as large.
+  const std::int64_t bytes = (std::int64_t{3} * image.width() + 1) * image.height();
+  if (bytes <= std::numeric_limits<int>::max() / 4) return std::nullopt;
+  return fmt::format("{}: {} x {} pixels are too many for one PNG; write a smaller picture",
+                     path.string(), image.width(), image.height());
 }
 
 }  // namespace
@@ -218,15 +229,13 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
 }
 
 tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image) {
-  CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
-  // The encoder counts bytes in `int`, and packs into a buffer up to twice as large.
-  const std::int64_t bytes = (std::int64_t{3} * image.width() + 1) * image.height();
-  if (bytes > std::numeric_limits<int>::max() / 4) {
-    return failure(path, fmt::format("{} x {} pixels are too many for one PNG; write a smaller "
-                                     "picture",
-                                     image.width(), image.height()));
-  }
+  if (auto mistake = mistakeInSize(path, image)) return tl::make_unexpected(*mistake);
   return replaceFile(path, [&](std::ostream& stream) { return encodePng(stream, image); });
+}
+
+tl::expected<bool, std::string> createPng(const std::filesystem::path& path, const Image& image) {
+  if (auto mistake = mistakeInSize(path, image)) return tl::make_unexpected(*mistake);
+  return createFile(path, [&](std::ostream& stream) { return encodePng(stream, image); });
 }
 
 }  // namespace hearth

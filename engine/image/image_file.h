@@ -33,4 +33,7 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
 /// Writes a PNG, the same bytes for the same picture, and never half of it: see replaceFile.
 tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image);
 
+/// The same, but not over a file: false where there is one.
+tl::expected<bool, std::string> createPng(const std::filesystem::path& path, const Image& image);
+
 }  // namespace hearth

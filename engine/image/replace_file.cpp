@@ -1,47 +1,129 @@
 #include "image/replace_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
 namespace hearth {
 namespace {
 
-tl::unexpected<std::string> failure(const std::filesystem::path& path, const std::string& what) {
+namespace fs = std::filesystem;
+
+constexpr mode_t kUsualPermissions = 0666;  // less the user's umask
+
+tl::unexpected<std::string> failure(const fs::path& path, const std::string& what) {
   return tl::make_unexpected(fmt::format("{}: {}", path.string(), what));
 }
 
+/// With the system's reason, as far as there is one.
+tl::unexpected<std::string> notWritten(const fs::path& path, int reason) {
+  return failure(path, reason == 0
+                           ? "cannot be written"
+                           : "cannot be written: " +
+                                 std::error_code(reason, std::generic_category()).message());
+}
+
+/// A file that is being written, by this program alone. Where it fails, `errno` says why.
+class Part {
+ public:
+  Part(fs::path path, mode_t permissions) : path_(std::move(path)) {
+    do {
+      close();
+      file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+                     permissions);
+      // Where files cannot be locked, writers do not wait for one another.
+      if (file_ >= 0) ::flock(file_, LOCK_EX);
+    } while (file_ >= 0 && isTakenAway());
+  }
+  ~Part() { close(); }
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  bool fill(const FileWriter& write) {
+    if (file_ < 0 || ::ftruncate(file_, 0) != 0) return false;
+    errno = 0;
+    std::ofstream stream(path_, std::ios::binary | std::ios::in | std::ios::out);
+    const bool isWritten = stream.is_open() && write(stream);
+    stream.close();
+    // Else a machine that loses its power might keep the new name without the content.
+    return isWritten && stream.good() && ::fsync(file_) == 0;
+  }
+
+  /// Not of another file that bears its name, nor where it could not be opened.
+  void remove() {
+    if (file_ >= 0) ::unlink(path_.c_str());
+  }
+
+ private:
+  /// The one who held the lock has renamed or removed the file.
+  bool isTakenAway() const {
+    struct stat opened {};
+    struct stat named {};
+    return ::fstat(file_, &opened) == 0 &&
+           (::stat(path_.c_str(), &named) != 0 || opened.st_ino != named.st_ino ||
+            opened.st_dev != named.st_dev);
+  }
+
+  void close() {
+    if (file_ >= 0) ::close(file_);
+    file_ = -1;
+  }
+
+  fs::path path_;
+  int file_ = -1;
+};
+
+/// Renames it, unless there is a file of that name. Some file systems have no such renaming, and
+/// others no second names.
+bool renameToNew(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  return ::link(from.c_str(), to.c_str()) == 0 && ::unlink(from.c_str()) == 0;
+}
+
+fs::path partOf(fs::path file) { return file += ".part"; }
+
 }  // namespace
 
-tl::expected<void, std::string> replaceFile(const std::filesystem::path& path,
-                                            const std::function<bool(std::ostream&)>& write) {
+tl::expected<void, std::string> replaceFile(const fs::path& path, const FileWriter& write) {
   std::error_code error;
-  const std::filesystem::file_status target = std::filesystem::status(path, error);
-  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
+  const fs::file_status target = fs::status(path, error);
+  if (fs::exists(target) && !fs::is_regular_file(target))
     return failure(path, "is not a regular file; name a file to write");
-  }
   // Through a symbolic link, so that the link stays and what it names is replaced.
-  const std::filesystem::path file =
-      std::filesystem::exists(target) ? std::filesystem::canonical(path, error) : path;
-  std::filesystem::path part = file;
-  part += ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  const bool isWritten = write(stream);
-  stream.close();
-  if (!isWritten || !stream.good()) {
-    std::filesystem::remove(part, error);
-    return failure(path, "cannot be written; check that its folder exists and has room");
-  }
-  if (std::filesystem::exists(target))
-    std::filesystem::permissions(part, target.permissions(), error);
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(part, error);
-    return failure(path, fmt::format("cannot be written: {}", reason));
-  }
-  return {};
+  const fs::path file = fs::exists(target) ? fs::canonical(path, error) : path;
+  const fs::perms permissions = target.permissions();
+  Part part(partOf(file), fs::exists(target)
+                              ? static_cast<mode_t>(permissions | fs::perms::owner_write)
+                              : kUsualPermissions);
+  const bool isDone = part.fill(write) &&
+                      (!fs::exists(target) ||
+                       ::chmod(part.path().c_str(), static_cast<mode_t>(permissions)) == 0) &&
+                      ::rename(part.path().c_str(), file.c_str()) == 0;
+  if (isDone) return {};
+  const int reason = errno;
+  part.remove();
+  return notWritten(path, reason);
+}
+
+tl::expected<bool, std::string> createFile(const fs::path& path, const FileWriter& write) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(path, error))) return false;
+  Part part(partOf(path), kUsualPermissions);
+  if (part.fill(write) && renameToNew(part.path(), path)) return true;
+  const int reason = errno;
+  part.remove();
+  if (reason == EEXIST) return false;
+  return notWritten(path, reason);
 }
 
 }  // namespace hearth

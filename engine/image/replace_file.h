@@ -6,13 +6,22 @@
 #include <string>
 #include <tl/expected.hpp>
 
+/// Files that are whole or not there. What is written goes into a file beside its target, with
+/// `.part` at the end of its name, which is then renamed: no reader sees half a file, and a failure
+/// leaves what there was. Programs that write the same file wait for one another. One that is
+/// killed may leave its `.part`; the next to write that file overwrites it.
 namespace hearth {
 
-/// Replaces a file by what `write` puts out. It is written beside the target (with `.part` at the
-/// end of its name) and renamed, so that no reader sees half a file and a failure leaves the old
-/// one. Permissions stay as they were. `write` says whether it could. Errors are one sentence that
-/// begins with the path.
+/// Puts a file out, and says whether it could.
+using FileWriter = std::function<bool(std::ostream&)>;
+
+/// Replaces a file, or makes it. Permissions stay as they were. Errors are one sentence that begins
+/// with the path.
 tl::expected<void, std::string> replaceFile(const std::filesystem::path& path,
-                                            const std::function<bool(std::ostream&)>& write);
+                                            const FileWriter& write);
+
+/// Makes a file; false where there is one of that name, which then stays as it is.
+tl::expected<bool, std::string> createFile(const std::filesystem::path& path,
+                                           const FileWriter& write);
 
 }  // namespace hearth

@@ -662,7 +662,7 @@ class New(InFolder):
         full = subprocess.run(["bash", "-c", 'ulimit -f 1; trap "" XFSZ; "$0" new "$1"', HEARTH,
                                self.folder / "castle"], capture_output=True, text=True)
         self.assertEqual(full.returncode, 2)
-        self.assertRegex(full.stderr, "castle.json: cannot be written; check that there is room")
+        self.assertRegex(full.stderr, "castle.json: cannot be written: File too large")
         self.assertEqual(list(self.folder.glob("castle*")), [])
 
 

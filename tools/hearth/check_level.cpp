@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <system_error>
 
 #include "hearth/golden_picture.h"
@@ -11,6 +13,8 @@
 #include "hearth/shell_text.h"
 #include "image/compare.h"
 #include "image/image_file.h"
+#include "image/read_file.h"
+#include "image/replace_file.h"
 #include "render/renderer.h"
 
 namespace hearth {
@@ -23,6 +27,7 @@ constexpr std::string_view kExpected = ".expected.png";
 constexpr std::string_view kActual = ".actual.png";
 constexpr std::string_view kDifference = ".difference.png";
 constexpr std::string_view kPage = "report.html";
+constexpr std::string_view kPart = ".part";  // of what replaceFile was writing when it was killed
 
 /// What keeps a level from being checked at all.
 std::optional<std::string> mistakeInShots(const Level& level) {
@@ -39,7 +44,8 @@ void removeFailed(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> left;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
+    if (name.ends_with(kPart)) name.resize(name.size() - kPart.size());
     const auto isEnding = [&](std::string_view ending) { return name.ends_with(ending); };
     const bool isOurs =
         name == kPage || std::ranges::any_of(std::array{kExpected, kActual, kDifference}, isEnding);
@@ -59,10 +65,12 @@ Outcome makeFolder(const std::filesystem::path& folder) {
 }
 
 Outcome copyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::error_code error;
-  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
-  if (!error) return {};
-  return tl::unexpected(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
+  const auto bytes = readFile(from, std::numeric_limits<std::uint64_t>::max());
+  if (!bytes) return tl::unexpected(fmt::format("{}: {}", from.string(), bytes.error().what));
+  return replaceFile(to, [&](std::ostream& stream) {
+    stream << *bytes;
+    return stream.good();
+  });
 }
 
 /// Checks the shots of one level, one after the other.

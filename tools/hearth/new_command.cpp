@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +8,7 @@
 
 #include "hearth/command.h"
 #include "hearth/shell_text.h"
+#include "image/replace_file.h"
 
 namespace hearth {
 
@@ -83,21 +82,13 @@ using Written = tl::expected<void, std::string>;
 
 /// Writes a file that is not there yet.
 Written writeNew(const std::filesystem::path& path, std::string_view text) {
-  std::FILE* file = std::fopen(path.c_str(), "wxb");
-  if (!file) {
-    const std::error_code reason(errno, std::generic_category());
-    if (reason == std::errc::file_exists)
-      return tl::unexpected(
-          fmt::format("{}: is there already; choose another name", path.string()));
-    return tl::unexpected(
-        fmt::format("{}: cannot be written: {}", path.string(), reason.message()));
-  }
-  const bool isWritten = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (std::fclose(file) == 0 && isWritten) return {};
-  std::error_code ignored;
-  std::filesystem::remove(path, ignored);
-  return tl::unexpected(
-      fmt::format("{}: cannot be written; check that there is room", path.string()));
+  const auto created = createFile(path, [&](std::ostream& stream) {
+    stream << text;
+    return stream.good();
+  });
+  if (!created) return tl::unexpected(created.error());
+  if (*created) return {};
+  return tl::unexpected(fmt::format("{}: is there already; choose another name", path.string()));
 }
 
 Written writeLevel(const std::filesystem::path& level, const std::filesystem::path& lights) {

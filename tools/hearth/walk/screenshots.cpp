@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstring>
 #include <tl/expected.hpp>
 #include <utility>
 
@@ -17,31 +14,15 @@ namespace {
 
 constexpr int kMostScreenshots = 100000;  // of one level in one folder
 
-/// Makes an empty file that was not there before, so that two programs cannot pick one name.
-tl::expected<std::filesystem::path, std::string> newFile(const std::filesystem::path& folder,
-                                                         const std::string& stem) {
-  for (int number = 1; number <= kMostScreenshots; ++number) {
-    const std::filesystem::path path = folder / fmt::format("{}-{}.png", stem, number);
-    if (std::FILE* file = std::fopen(path.c_str(), "wbx")) {
-      std::fclose(file);
-      return path;
-    }
-    if (errno != EEXIST)
-      return tl::unexpected(fmt::format("{}: {}", path.string(), std::strerror(errno)));
-  }
-  return tl::unexpected(fmt::format("{} screenshots are enough", kMostScreenshots));
-}
-
 tl::expected<std::string, std::string> writeNew(const std::filesystem::path& folder,
                                                 const std::string& stem, const Image& picture) {
-  const auto path = newFile(folder, stem);
-  if (!path) return tl::unexpected(path.error());
-  if (const auto written = writePng(*path, picture); !written) {
-    std::error_code ignored;  // the message of the first error says more
-    std::filesystem::remove(*path, ignored);
-    return tl::unexpected(written.error());
+  for (int number = 1; number <= kMostScreenshots; ++number) {
+    const std::filesystem::path path = folder / fmt::format("{}-{}.png", stem, number);
+    const auto created = createPng(path, picture);
+    if (!created) return tl::unexpected(created.error());
+    if (*created) return "saved " + path.filename().string();
   }
-  return "saved " + path->filename().string();
+  return tl::unexpected(fmt::format("{} screenshots are enough", kMostScreenshots));
 }
 
 }  // namespace
