@@ -34,12 +34,6 @@ ExitStatus write(const std::string& path, const std::string& text) {
   return written ? ExitStatus::Done : fail(written.error());
 }
 
-ExitStatus print(const std::string& text) {
-  const bool isWritten = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  return std::fflush(stdout) == 0 && isWritten ? ExitStatus::Done
-                                               : fail("standard output cannot be written");
-}
-
 ExitStatus run(const OptionValues& values) {
   const std::string output = values.text(Option::Output).value_or(values.level);
   if (values.has(Option::Check) && values.has(Option::Output))
@@ -56,7 +50,10 @@ ExitStatus run(const OptionValues& values) {
     if (!isSame) fmt::print("{}: not as `hearth fmt` lays it out\n", values.level);
     return isSame ? ExitStatus::Done : ExitStatus::Differs;
   }
-  if (output == "-") return print(*laidOut);
+  if (output == "-") {
+    fmt::print("{}", *laidOut);
+    return ExitStatus::Done;
+  }
   if (isSame && output == values.level) return ExitStatus::Done;
   return write(output, *laidOut);
 }

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <new>
 #include <span>
 #include <string>
@@ -74,6 +75,12 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
   return command->run(values);
 }
 
+/// What was printed may still be on its way.
+ExitStatus afterPrinting(ExitStatus status) {
+  const bool isPrinted = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return isPrinted ? status : fail("standard output cannot be written");
+}
+
 ExitStatus runProgram(int argc, char** argv) {
   CLI::App program("Hearth draws sector and portal levels with baked light.", "hearth");
   program.require_subcommand(1);
@@ -90,7 +97,7 @@ ExitStatus runProgram(int argc, char** argv) {
 int main(int argc, char** argv) {
   hearth::ExitStatus status{};
   try {
-    status = hearth::runProgram(argc, argv);
+    status = hearth::afterPrinting(hearth::runProgram(argc, argv));
   } catch (const std::bad_alloc&) {
     status = hearth::fail("not enough memory; larger --texel or a smaller --size needs less");
   } catch (const std::system_error& error) {  // no more threads to be had
