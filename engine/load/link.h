@@ -43,12 +43,8 @@ struct Linking {
   /// about what shows in it.
   std::vector<bool> isDoubtful;
 
-  const SectorDescription& describedSector(const Edge& edge) const {
-    return description.sectors[edge.sector];
-  }
   const LoopDescription& describedLoop(const Edge& edge) const {
-    const OutlineLoop& loop = outlines.sectors[edge.sector].loops[edge.loop];
-    return describedSector(edge).loops[loop.described];
+    return hearth::describedLoop(description, outlines, edge);
   }
   const WallDescription& describedWall(const Edge& edge) const {
     return describedLoop(edge).wall(edge.wall);

@@ -6,6 +6,7 @@
 #include "load/link.h"
 #include "load/read.h"
 #include "load/read_document.h"
+#include "load/source.h"
 
 namespace hearth {
 
@@ -16,21 +17,18 @@ namespace fs = std::filesystem;
 class Loader {
  public:
   Loader(const fs::path& file, const LoadLimits& limits) : file_(file), limits_(limits) {
-    documents_.reserve(2);  // values point into them
+    source_.documents.reserve(2);  // values point into them
   }
 
-  LoadResult load() {
+  SourcedResult load() {
     LoadResult result;
     if (const std::optional<JsonValue> root = rootOf(file_)) {
-      const LevelDescription description = readLevel(report_, *root, limits_);
-      const LightsDescription lights = readLightsOf(description);
-      result.loaded = link(description, lights);
+      source_.level = readLevel(report_, *root, limits_);
+      source_.lights = readLightsOf(source_.level);
+      result.loaded = link(source_.level, source_.lights);
     }
-    result.diagnostics = report_.resolve(documents_);
-    if (result.loaded)
-      for (Document& document : documents_)
-        result.loaded->texts.push_back(std::move(document.text));
-    return result;
+    result.diagnostics = report_.resolve(source_.documents);
+    return {std::move(result), std::move(source_)};
   }
 
  private:
@@ -43,14 +41,14 @@ class Loader {
   const fs::path& file_;
   const LoadLimits& limits_;
   Report report_;
-  std::vector<Document> documents_;
+  LevelSource source_;
   std::vector<fs::path> files_;
 };
 
 /// The root of a file; reported when there is none.
 std::optional<JsonValue> Loader::rootOf(const fs::path& path) {
-  const auto index = static_cast<std::uint32_t>(documents_.size());
-  Document& document = documents_.emplace_back();
+  const auto index = static_cast<std::uint32_t>(source_.documents.size());
+  Document& document = source_.documents.emplace_back();
   files_.push_back(path);
   if (!readDocument(path, limits_, document, index, report_)) return std::nullopt;
   return JsonValue(document, index, 0);
@@ -118,13 +116,19 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
 
   for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
-  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_, {},
+  source_.outlines = std::move(linking.outlines);
+  source_.edgeOf = std::move(linking.edgeOf);
+  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_,
                      textures.decoded};
 }
 
 }  // namespace
 
 LoadResult loadLevel(const fs::path& file, const LoadLimits& limits) {
+  return Loader(file, limits).load().result;
+}
+
+SourcedResult loadLevelWithSource(const fs::path& file, const LoadLimits& limits) {
   return Loader(file, limits).load();
 }
 

@@ -20,7 +20,6 @@ struct LoadedLevel {
   /// All that was read: the level first, then its lights if it has any, then the images. A program
   /// that watches these knows when to load again.
   std::vector<std::filesystem::path> files;
-  std::vector<std::string> texts;  ///< of the level and of its lights, as they were read
   /// Images among the files that a surface wears. Of the others only the header is read.
   std::size_t decodedImages = 0;
 };

@@ -61,6 +61,13 @@ struct Outlines {
 /// Turns loops round where that is needed. Sectors come out sound unless unreadable.
 Outlines makeOutlines(const LevelDescription& description);
 
+/// What the file says of an edge's loop.
+inline const LoopDescription& describedLoop(const LevelDescription& description,
+                                            const Outlines& outlines, const Edge& edge) {
+  const OutlineLoop& loop = outlines.sectors[edge.sector].loops[edge.loop];
+  return description.sectors[edge.sector].loops[loop.described];
+}
+
 /// Reports loops that repeat a vertex, touch or cross themselves, cross each other, leave the
 /// border, nest or enclose no area, and marks their sectors as not sound. Warns of loops in sound
 /// sectors that were turned round. Finds the touches.

@@ -53,8 +53,8 @@ TEST(FormatFeatures, CommentsAreNotCounted) {
   const std::string room =
       R"({"floor": {"texture": "a"}, "$old": {"texture": "#000000"}, "loops": [
           {"v": [0,0, 1,0, 1,1], "// walls": [], "walls": {"texture": "b 2,2 1,1"}}]})";
-  const std::array texts{R"({"sectors": {"// was": )" + room + R"(, "room": )" + room + "}}"};
-  countSpellings(texts, counts);
+  const std::string level = R"({"sectors": {"// was": )" + room + R"(, "room": )" + room + "}}";
+  countSpellings(std::array<std::string_view, 1>{level}, counts);
   EXPECT_EQ(counts[FormatFeature::SolidWall], 1);
   EXPECT_EQ(counts[FormatFeature::TextureOffset], 1);
   EXPECT_EQ(counts[FormatFeature::PlainColour], 0);

@@ -146,7 +146,7 @@ json parsed(std::string_view text) { return json::parse(text, nullptr, false); }
 
 }  // namespace
 
-void countSpellings(std::span<const std::string> texts, FeatureCounts& counts) {
+void countSpellings(std::span<const std::string_view> texts, FeatureCounts& counts) {
   SpellingCounter counter(counts);
   counter.countLevel(parsed(texts[0]));
   if (texts.size() > 1) counter.countLights(parsed(texts[1]));

@@ -143,6 +143,6 @@ void countGeometry(const Level& level, FeatureCounts& counts);
 
 /// Counts what only the texts of the files tell, of the level and, if it has any, of its lights:
 /// spellings. They have been loaded without errors.
-void countSpellings(std::span<const std::string> texts, FeatureCounts& counts);
+void countSpellings(std::span<const std::string_view> texts, FeatureCounts& counts);
 
 }  // namespace hearth

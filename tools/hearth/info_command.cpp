@@ -23,7 +23,7 @@ struct Contents {
   FeatureCounts features;
 };
 
-Contents contentsOf(const LoadedLevel& loaded, const Bake& bake) {
+Contents contentsOf(const LoadedLevel& loaded, const LevelSource& source, const Bake& bake) {
   const Level& level = loaded.level;
   Contents contents;
   contents.settings = bake.settings;
@@ -33,7 +33,9 @@ Contents contentsOf(const LoadedLevel& loaded, const Bake& bake) {
     contents.textureBytes += std::int64_t{3} * image.width() * image.height();
 
   countGeometry(level, contents.features);
-  countSpellings(loaded.texts, contents.features);
+  std::vector<std::string_view> texts;
+  for (const Document& document : source.documents) texts.push_back(document.text);
+  countSpellings(texts, contents.features);
   return contents;
 }
 
@@ -203,11 +205,12 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
 ExitStatus run(const OptionValues& values) {
   if (values.has(Option::Surfaces) && !values.has(Option::Json))
     return fail("--surfaces: they are printed as JSON only; give --json, too");
-  const std::optional<LoadedLevel> loaded = openLevel(values);
+  const auto [result, source] = openLevelWithSource(values);
+  const std::optional<LoadedLevel>& loaded = result.loaded;
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeFor(loaded->level, values);
   if (!bake) return fail(bake.error());
-  const Contents contents = contentsOf(*loaded, *bake);
+  const Contents contents = contentsOf(*loaded, source, *bake);
   if (!values.has(Option::Json)) {
     print(*loaded, contents);
     return ExitStatus::Done;

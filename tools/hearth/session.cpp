@@ -56,14 +56,18 @@ std::optional<std::string> warningIfDark(const BakedLight& light, const OptionVa
       values.level);
 }
 
-std::optional<LoadedLevel> openLevel(const OptionValues& values) {
-  LoadResult result = [&] {
+SourcedResult openLevelWithSource(const OptionValues& values) {
+  SourcedResult opened = [&] {
     const ProgressDisplay display(progressStyle(values), Stage::Loading);
-    return loadLevel(values.level, limitsFrom(values));
+    return loadLevelWithSource(values.level, limitsFrom(values));
   }();
-  for (const Diagnostic& diagnostic : result.diagnostics)
+  for (const Diagnostic& diagnostic : opened.result.diagnostics)
     fmt::print(stderr, "{}\n", format(diagnostic));
-  return std::move(result.loaded);
+  return opened;
+}
+
+std::optional<LoadedLevel> openLevel(const OptionValues& values) {
+  return openLevelWithSource(values).result.loaded;
 }
 
 LightMode lightModeFrom(const OptionValues& values) {

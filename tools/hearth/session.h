@@ -9,7 +9,7 @@
 #include "hearth/progress.h"
 #include "hearth/settings.h"
 #include "light/bakery.h"
-#include "load/load.h"
+#include "load/source.h"
 #include "render/camera.h"
 #include "render/renderer.h"
 
@@ -19,6 +19,9 @@ namespace hearth {
 /// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
 /// stderr, one per line; nothing after errors.
 std::optional<LoadedLevel> openLevel(const OptionValues& values);
+
+/// The same, with the way back to the level's files.
+SourcedResult openLevelWithSource(const OptionValues& values);
 
 /// What the command line says of how much input is taken.
 LoadLimits limitsFrom(const OptionValues& values);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "load/description.h"
+#include "load/document.h"
+#include "load/load.h"
+#include "load/outline.h"
+
+namespace hearth {
+
+/// The way back from a loaded level to its files: what they say of each of its parts, and where.
+struct LevelSource {
+  std::vector<Document> documents;    ///< by Place::document
+  LevelDescription level;             ///< sectors and shots are those of the level, by index
+  LightsDescription lights;           ///< likewise
+  Outlines outlines;                  ///< welded: their points are the ends of segments
+  std::vector<std::uint32_t> edgeOf;  ///< by segment
+
+  const Edge& edge(SegmentId segment) const { return outlines.edges[edgeOf[segment.index()]]; }
+  const WallDescription& wall(SegmentId segment) const;
+  /// Of an end of an edge: of its x in the file.
+  Place vertexPlace(const Edge& edge, std::uint32_t vertex) const;
+};
+
+struct SourcedResult {
+  LoadResult result;
+  LevelSource source;  ///< incomplete where no level was loaded
+};
+
+/// `loadLevel`, for who has something to say of the level's files, too. Holds all of their text.
+SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadLimits& limits = {});
+
+}  // namespace hearth
