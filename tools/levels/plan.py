@@ -210,7 +210,7 @@ class Plan:
             top = sector.ceiling if is_last else across[i + 1].floor
             row = [] if is_last else [f'"z": {rounded(top - sector.floor)}']
             row.append(f'"next": "{other.name}"')
-            if other.floor > sector.floor and other.floor_texture != "sky":
+            if i == 0 and other.floor > sector.floor and other.floor_texture != "sky":
                 row.append(f'"lower": {painted(skins[i], other.floor)}')
             if other.ceiling < top and not (is_last and sector.is_sky() and other.is_sky()):
                 above = other.skin if is_last else skins[i + 1]
