@@ -61,6 +61,14 @@ class FrontPage(unittest.TestCase):
         self.change("levels/rooms.json", '"z": 2.2', '"z": 2.6')
         self.assertEqual(self.messages_of_a_shot(), "")
 
+    def test_the_guide_says_what_lint_finds_once_the_ceiling_is_lifted(self):
+        lint = ("lint", "levels/rooms.json", "--no-cache")
+        self.assertEqual(self.run_hearth(*lint).stdout, "")
+        self.change("levels/rooms.json", '"z": 2.2', '"z": 2.6')
+        found = self.run_hearth(*lint).stdout
+        self.assertNotEqual(found, "")
+        self.assertIn("    " + found, (SOURCE / "tools/README.md").read_text())
+
     def test_the_mistake_is_reported_as_the_page_says(self):
         self.change("levels/rooms.lights.json", '"intensity"', '"intensty"')
         self.assertNotEqual(self.messages_of_a_shot(), "")

@@ -21,18 +21,23 @@ void write(const std::filesystem::path& file, std::string_view text) {
 
 }  // namespace
 
-LoadedLevel levelFrom(std::string_view levelText, std::string_view lightsText) {
+SourcedResult levelWithSourceFrom(std::string_view levelText, std::string_view lightsText) {
   const auto folder =
       std::filesystem::temp_directory_path() / fmt::format("hearth-test-{}", ::getpid());
   std::filesystem::create_directories(folder);
   write(folder / "level.json", levelText);
   write(folder / "level.lights.json", lightsText);
-  LoadResult result = loadLevel(folder / "level.json");
+  SourcedResult sourced = loadLevelWithSource(folder / "level.json");
   std::filesystem::remove_all(folder);
   std::string messages;
-  for (const Diagnostic& diagnostic : result.diagnostics) messages += format(diagnostic) + '\n';
-  CHECK(result.loaded, messages);
-  return std::move(*result.loaded);
+  for (const Diagnostic& diagnostic : sourced.result.diagnostics)
+    messages += format(diagnostic) + '\n';
+  CHECK(sourced.result.loaded, messages);
+  return sourced;
+}
+
+LoadedLevel levelFrom(std::string_view levelText, std::string_view lightsText) {
+  return std::move(*levelWithSourceFrom(levelText, lightsText).result.loaded);
 }
 
 std::string sectorText(std::string_view name, std::string_view vertices, double floor,

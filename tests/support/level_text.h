@@ -3,13 +3,16 @@
 #include <string>
 #include <string_view>
 
-#include "load/load.h"
+#include "load/source.h"
 
 namespace hearth::test {
 
 /// A level from the text of its file and of its lights file. Single quotes may stand for double
 /// ones. Stops the test program with the loader's messages when the level has a mistake.
 LoadedLevel levelFrom(std::string_view levelText, std::string_view lightsText = "[]");
+
+/// The same, with the way back to the files.
+SourcedResult levelWithSourceFrom(std::string_view levelText, std::string_view lightsText = "[]");
 
 /// A sector of plain colours: `'name': { ... }`, whose walls are all `walls`.
 std::string sectorText(std::string_view name, std::string_view vertices, double floor,

@@ -25,7 +25,7 @@ os.environ["XDG_CACHE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["new", "fmt", "walk", "shot", "bake", "check", "info", "map", "bench", "tradeoff"]
+COMMANDS = ["new", "fmt", "walk", "shot", "bake", "check", "lint", "info", "map", "bench", "tradeoff"]
 
 
 def run(*arguments, **options):
@@ -180,7 +180,7 @@ class Mistakes(InFolder):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_mistyped_command(self):
-        self.refuse(run("shoot", self.level), 'no command "shoot".*walk, shot, bake, check, info')
+        self.refuse(run("shoot", self.level), 'no command "shoot".*walk, shot, bake, check, lint, info')
         self.refuse(run(), "name a command")
         self.refuse(run("--frobnicate"), "hearth: error")
 
@@ -875,6 +875,76 @@ class Info(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         features = json.loads(result.stdout)["features"]
         self.assertEqual([name for name, count in features.items() if count == 0], [])
+
+
+class Lint(InFolder):
+    def lint(self, level):
+        return run("lint", level, "--no-cache")
+
+    def test_finds_nothing_in_the_levels_that_are_shipped(self):
+        levels = [file for file in (SOURCE / "levels").glob("*.json")
+                  if not re.search(r"\.(lights|schema)\.json$", file.name)]
+        self.assertGreaterEqual(len(levels), 2)
+        for level in levels:
+            with self.subTest(level=level.name):
+                result = self.lint(level)
+                self.assertEqual((result.returncode, result.stdout), (0, ""))
+
+    def test_finds_nothing_in_a_new_level(self):
+        run("new", self.folder / "castle")
+        result = self.lint(self.folder / "castle.json")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_prints_a_line_for_each_mistake_as_the_loader_does(self):
+        run("new", self.folder / "castle")
+        level = self.folder / "castle.json"
+        text = level.read_text()
+        level.write_text(text.replace('{ "z": 0.2, "texture"', '{ "z": 0.5, "texture"')
+                         .replace('"light": 0.1', '"light": 0'))
+        lights = self.folder / "castle.lights.json"
+        lights.write_text(lights.read_text().replace('"intensity": 210', '"intensity": 0'))
+        result = self.lint(level)
+        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        lines = result.stdout.splitlines()
+        for line in lines:
+            self.assertRegex(line, r"^\S+\.json:\d+:\d+: warning: .+, at /\S+, .+ \[[a-z-]+\]$")
+        step = text.splitlines().index(next(l for l in text.splitlines() if "the doorway" in l)) + 1
+        self.assertTrue(lines[0].startswith(f"{level}:{step}:13: warning: the step to sector "
+                                            '"study" is 0.5 m high'), lines[0])
+        self.assertTrue(lines[0].endswith("make two of it [high-step]"), lines[0])
+        self.assertIn(f"{lights}:8:5: warning: the light in sector \"study\" reaches no surface, at "
+                      "/lights/1, ", result.stdout)
+
+    def test_tells_and_does_not_count_what_the_loader_warns_of(self):
+        level = SOURCE / "levels/tutorial.json"
+        result = self.lint(level)
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertRegex(result.stderr, "^[^\n]*: warning: a one-way portal[^\n]*\n$")
+
+    def test_refuses_a_level_that_does_not_load(self):
+        level = self.folder / "broken.json"
+        level.write_text("{ }")
+        result = self.lint(level)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("broken.json:1:1: error:", result.stderr)
+
+    def test_finds_the_same_in_light_that_was_kept(self):
+        run("new", self.folder / "castle")
+        level = self.folder / "castle.json"
+        level.write_text(level.read_text().replace('"light": 0.1', '"light": 0'))
+        lights = self.folder / "castle.lights.json"
+        lights.write_text(lights.read_text().replace('"intensity": 230', '"intensity": 2300'))
+        environment = {**os.environ, "XDG_CACHE_HOME": str(self.folder)}
+        first = run("lint", level, env=environment)
+        self.assertEqual(len(list(self.folder.glob("hearth/*.bake"))), 1)
+        self.assertIn("[overexposed]", first.stdout)
+        self.assertEqual(run("lint", level, env=environment).stdout, first.stdout)
+
+    def test_help_lists_the_kinds_that_the_guide_explains(self):
+        guide = (SOURCE / "tools/README.md").read_text().split("### hearth lint")[1]
+        explained = re.findall(r"^\| `([a-z-]+)` \|", guide, re.MULTILINE)
+        listed = re.findall(r"^  ([a-z]+(?:-[a-z]+)*)  +", run("lint", "--help").stdout, re.MULTILINE)
+        self.assertEqual(listed[-len(explained):], explained)
 
 
 class Help(unittest.TestCase):

@@ -32,6 +32,7 @@ Command walkCommand();
 Command shotCommand();
 Command bakeCommand();
 Command checkCommand();
+Command lintCommand();
 Command infoCommand();
 Command mapCommand();
 Command newCommand();

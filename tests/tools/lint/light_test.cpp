@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include "places.h"
+
+namespace hearth::test {
+
+namespace {
+
+/// A lit room and a dark one, with a wall between them.
+constexpr std::string_view kRooms = R"({ 'light': 0, 'sectors': {
+  'lit': { 'floor': {'texture': '#808080'}, 'ceiling': {'texture': '#808080'},
+    'loops': {'border': {'v': [0,0, 4,0, 4,4, 0,4], 'walls': {'texture': '#808080'}}}},
+  'dark': { 'floor': {'texture': '#808080'}, 'ceiling': {'texture': '#808080'},
+    'loops': {'border': {'v': [4,0, 8,0, 8,4, 4,4], 'walls': {'texture': '#808080'}}}}
+}})";
+
+constexpr std::string_view kLamp = "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 200 }]";
+
+TEST(BlackSurfaces, AreToldOnceForASectorThatHasNoOther) {
+  EXPECT_EQ(placesInLight(kRooms, kLamp), (Places{"4:3 /sectors/dark [black]"}));
+}
+
+TEST(BlackSurfaces, AreNoneWithALampOrLightOfTheSector) {
+  EXPECT_EQ(placesInLight(kRooms,
+                          "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 200 }, "
+                          "{ 'x': 6, 'y': 2, 'z': 2, 'intensity': 200 }]"),
+            Places{});
+  EXPECT_EQ(placesInLight(with(kRooms, "'light': 0,", "'light': 0.1,"), kLamp), Places{});
+}
+
+/// The lamp stands in the plane of the floor, which it does not light.
+TEST(BlackSurfaces, AreToldOneByOneInASectorThatHasOthers) {
+  const std::string lit = with(kRooms, "'dark': {", "'dark': { 'light': 0.1, ");
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 0, 'intensity': 200 }]"),
+            (Places{"2:21 /sectors/lit/floor [black]"}));
+}
+
+/// The far side of the pillar, 0.8 x 4 m, is in its own shadow.
+TEST(BlackSurfaces, MayBeInTheShadowOfThingsWhereTheyAreSmall) {
+  const std::string lit = with(kRooms, "'dark': {", "'dark': { 'light': 0.1, ");
+  const std::string level =
+      with(lit, "0,4], 'walls': {'texture': '#808080'}}",
+           "0,4], 'walls': {'texture': '#808080'}}, 'pillar': {'v': [3,1.6, 3,2.4, 3.8,2.4, "
+           "3.8,1.6], 'walls': {'texture': '#808080'}}");
+  EXPECT_EQ(placesInLight(level, "[{ 'x': 1, 'y': 2, 'z': 2, 'intensity': 200 }]"), Places{});
+}
+
+TEST(UselessLights, AreThoseThatGiveNoLight) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(lit,
+                          "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 200 },\n"
+                          " { 'x': 2, 'y': 2, 'z': 3, 'intensity': 0 },\n"
+                          " { 'x': 2, 'y': 2, 'z': 1, 'curve': [[0.5, 0]] }]"),
+            (Places{"2:2 /1 [useless-light]", "3:2 /2 [useless-light]"}));
+}
+
+TEST(UselessLights, MayShineLessFarThanToASurface) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'curve': [[0, 200], [1.9, 0]] }]"),
+            (Places{"1:2 /0 [useless-light]"}));
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'curve': [[0, 200], [2.1, 0]] }]"),
+            Places{});
+}
+
+TEST(Overexposure, IsFoundWhereMostLightIsLost) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(
+      placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 800 }]"),
+      (Places{"2:21 /sectors/lit/floor [overexposed]", "2:56 /sectors/lit/ceiling [overexposed]",
+              "3:62 /sectors/lit/loops/border/walls [overexposed]"}));
+}
+
+TEST(Overexposure, IsNoneWhereLightIsSomewhatMoreThanFull) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.5,");
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 380 }]"), Places{});
+}
+
+TEST(Overexposure, IsNoneInThePoolOfLightAroundALamp) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 3.8, 'intensity': 1000, 'falloff': 4 }]"),
+            Places{});
+}
+
+TEST(Overexposure, IsNoneInASectorThatIsFullyBright) {
+  const std::string bright = with(kRooms, "'light': 0,", "'light': 1,");
+  EXPECT_EQ(placesInLight(bright, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 800 }]"), Places{});
+}
+
+}  // namespace
+
+}  // namespace hearth::test

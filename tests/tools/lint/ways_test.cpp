@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include "places.h"
+#include "support/level_text.h"
+
+namespace hearth::test {
+
+namespace {
+
+std::string withPlayer(const std::vector<std::string>& sectors) {
+  return fmt::format(
+      "{{ 'light': 0.5, 'player': {{'x': 1, 'y': 1, 'z': 1.6}}, 'sectors': {{\n{} }} }}",
+      fmt::join(sectors, ",\n"));
+}
+
+/// A hall of 4 x 4 m with a room of `width` x 4 m beside it.
+std::string hallAndRoom(double floor, double ceiling, double width = 4) {
+  const std::string steps = "'upper': '#606060', 'lower': '#606060'";
+  const std::string solid = "{'texture': '#808080'}";
+  const std::string hall =
+      sectorText("hall", "0,0, 4,0, 4,4, 0,4", 0, 4,
+                 fmt::format("[{0},\n{{'next': 'room', {1}}}, {0}, {0}]", solid, steps));
+  const std::string room =
+      sectorText("room", fmt::format("4,0, {0},0, {0},4, 4,4", 4 + width), floor, ceiling,
+                 fmt::format("[{0}, {0}, {0},\n{{'next': 'hall', {1}}}]", solid, steps));
+  return withPlayer({hall, room});
+}
+
+constexpr const char* kStep = "3:1 /sectors/hall/loops/border/walls/1 [high-step]";
+constexpr const char* kWay = "3:1 /sectors/hall/loops/border/walls/1 [low-passage]";
+
+TEST(HighSteps, AreThoseThatThePlayerJustCannotClimb) {
+  for (const double rise : {0.41, 0.5, 0.6})
+    EXPECT_EQ(placesOf(findImpassable, hallAndRoom(rise, 4)), (Places{kStep})) << rise;
+  EXPECT_EQ(firstMessage(findImpassable, hallAndRoom(0.5, 4)),
+            "the step to sector \"room\" is 0.5 m high, the player climbs 0.4 m, and nothing else "
+            "leads there");
+}
+
+TEST(HighSteps, AreNoneThatHeClimbsOrThatNobodyWould) {
+  for (const double rise : {0.0, 0.2, 0.4, 0.61, 1.0, 2.0})
+    EXPECT_EQ(placesOf(findImpassable, hallAndRoom(rise, 4)), Places{}) << rise;
+}
+
+TEST(HighSteps, AreMeasuredOnTheStepThatTheLevelsPlayerClimbs) {
+  const std::string level = with(hallAndRoom(0.5, 4), "'z': 1.6}", "'z': 1.6, 'step': 0.5}");
+  EXPECT_EQ(placesOf(findImpassable, level), Places{});
+}
+
+/// Benches, plinths and beds.
+TEST(HighSteps, AreNoneOntoWhatIsNoRoom) {
+  EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0.5, 4, 0.9)), Places{});
+}
+
+/// Along the hall and the room beside it runs a third sector, from which either can be entered.
+TEST(HighSteps, AreNoneWhereSomethingElseLeadsUp) {
+  const auto levelWithStair = [](double rise) {
+    const std::string solid = "{'texture': '#808080'}";
+    const std::string lower = "'lower': '#606060'";
+    const std::string hall = sectorText(
+        "hall", "0,0, 4,0, 4,4, 0,4", 0, 4,
+        fmt::format("[{0}, {{'next': 'room', {1}}}, {{'next': 'stair', {1}}}, {0}]", solid, lower));
+    const std::string room =
+        sectorText("room", "4,0, 8,0, 8,4, 4,4", 0.5, 4,
+                   fmt::format("[{0}, {0}, {{'next': 'stair'}}, {{'next': 'hall'}}]", solid));
+    const std::string stair = sectorText(
+        "stair", "0,4, 4,4, 8,4, 8,5, 0,5", rise, 4,
+        fmt::format("[{{'next': 'hall'}}, {{'next': 'room', {1}}}, {0}, {0}, {0}]", solid, lower));
+    return withPlayer({hall, room, stair});
+  };
+  EXPECT_EQ(placesOf(findImpassable, levelWithStair(0.25)), Places{});
+  EXPECT_EQ(placesOf(findImpassable, levelWithStair(0.05)).size(), 1U);
+}
+
+TEST(HighSteps, AreNoneInGapsThatAreTooNarrowForThePlayer) {
+  const auto gap = [](double width) {
+    const std::string solid = "{'texture': '#808080'}";
+    const std::string hall = sectorText(
+        "hall", fmt::format("0,0, 4,0, 4,{}, 4,4, 0,4", width), 0, 4,
+        fmt::format("[{0}, {{'next': 'room', 'lower': '#606060'}}, {0}, {0}, {0}]", solid));
+    const std::string room =
+        sectorText("room", fmt::format("4,0, 8,0, 8,4, 4,4, 4,{}", width), 0.5, 4,
+                   fmt::format("[{0}, {0}, {0}, {0}, {{'next': 'hall'}}]", solid));
+    return withPlayer({hall, room});
+  };
+  EXPECT_EQ(placesOf(findImpassable, gap(0.59)), Places{});
+  EXPECT_EQ(placesOf(findImpassable, gap(0.61)).size(), 1U);
+}
+
+TEST(HighSteps, AreNoneWithoutAPlayer) {
+  const std::string level = with(hallAndRoom(0.5, 4), "'player': {'x': 1, 'y': 1, 'z': 1.6}, ", "");
+  EXPECT_EQ(placesOf(findImpassable, level), Places{});
+}
+
+TEST(HighSteps, AreNoneThatHeNeverComesTo) {
+  const std::string level =
+      with(hallAndRoom(0.5, 4), "{'next': 'room', 'upper': '#606060', 'lower': '#606060'}",
+           "{'texture': '#808080'}");
+  EXPECT_EQ(placesOf(findImpassable, level), Places{});
+}
+
+/// Who has dropped into a pit of half a metre does not come out.
+TEST(HighSteps, AreFoundOutOfPits) {
+  EXPECT_EQ(placesOf(findImpassable, hallAndRoom(-0.5, 4)),
+            (Places{"5:1 /sectors/room/loops/border/walls/3 [high-step]"}));
+}
+
+/// Along a wall whose step grows from 0.45 to 0.6 m.
+TEST(HighSteps, AreToldAsTheyAreWhereTheyAreLowest) {
+  const std::string wedge =
+      with(hallAndRoom(0.45, 4), "'room': {",
+           "'room': { 'slopeFloor': {'z': [0, 0, 0.15, 0.15], 'sidewall': '#505050'}, ");
+  EXPECT_NE(firstMessage(findImpassable, wedge).find(" is 0.45 m high"), std::string::npos);
+}
+
+/// Two pits side by side, half a metre apart in depth, with a wall between them up to the level of
+/// the rooms above: over that wall he would have to climb a metre.
+TEST(HighSteps, AreNoneBetweenRoomsThatHaveNoFloor) {
+  const auto room = [](std::string_view name, std::string_view pit, std::string_view vertices,
+                       std::string_view walls) {
+    return fmt::format(
+        "'{}': {{ 'floor': {{'z': 0, 'next': '{}-{}'}}, 'ceiling': {{'texture': '#808080'}}, "
+        "'loops': {{'border': {{'v': [{}], 'walls': [{}]}}}} }}",
+        name, name, pit, vertices, walls);
+  };
+  const auto pit = [](std::string_view name, std::string_view above, std::string_view vertices,
+                      double floor) {
+    return fmt::format(
+        "'{}': {{ 'floor': {{'z': {}, 'texture': '#808080'}}, 'ceiling': {{'z': 0, 'next': "
+        "'{}-{}'}}, 'loops': {{'border': {{'v': [{}], 'walls': {{'texture': '#808080'}}}}}} }}",
+        name, floor, above, name, vertices);
+  };
+  const std::string solid = "{'texture': '#808080'}";
+  const std::string left = "0,0, 4,0, 4,4, 0,4";
+  const std::string right = "4,0, 8,0, 8,4, 4,4";
+  const std::string level =
+      withPlayer({room("a", "c", left, fmt::format("{0}, {{'next': 'b'}}, {0}, {0}", solid)),
+                  room("b", "d", right, fmt::format("{0}, {0}, {0}, {{'next': 'a'}}", solid)),
+                  pit("c", "a", left, -1), pit("d", "b", right, -0.5)});
+  EXPECT_EQ(placesOf(findImpassable, level), Places{});
+}
+
+TEST(LowPassages, AreThoseThatThePlayerJustCannotWalk) {
+  for (const double height : {1.55, 1.7, 1.79})
+    EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, height)), (Places{kWay})) << height;
+  EXPECT_EQ(firstMessage(findImpassable, hallAndRoom(0, 1.7)),
+            "the way to sector \"room\" is 1.7 m high, the player 1.8 m, and nothing else leads "
+            "there");
+}
+
+TEST(LowPassages, AreThoseThatHeJustCannotCrouchInto) {
+  EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, 0.8)), (Places{kWay}));
+  EXPECT_EQ(firstMessage(findImpassable, hallAndRoom(0, 0.8)),
+            "the way to sector \"room\" is 0.8 m high, the player 0.9 m when he crouches, and "
+            "nothing else leads there");
+}
+
+TEST(LowPassages, AreNoneThatHeWalksOrCrouchesIntoOrThatNobodyWould) {
+  for (const double height : {1.8, 1.4, 1.0, 0.9, 0.7, 0.2, 0.0})
+    EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, height)), Places{}) << height;
+}
+
+TEST(LowPassages, AreNoneIntoWhatIsNoRoom) {
+  EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, 1.7, 0.9)), Places{});
+}
+
+}  // namespace
+
+}  // namespace hearth::test

@@ -1,0 +1,233 @@
+#include "walk/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory_resource>
+#include <optional>
+#include <set>
+
+#include "hearth/lint/described.h"
+#include "hearth/lint/links.h"
+#include "level/locate.h"
+#include "walk/passage.h"
+
+namespace hearth {
+
+namespace {
+
+/// Of the step that the player climbs: no higher ones are taken for a stair. Sills, parapets and
+/// tables are, and need not be climbed.
+constexpr double kHighestMeant = 1.5;
+
+/// Of the player's height: no lower ones are taken for a way. Niches, fireplaces and shafts are.
+constexpr double kLowestMeant = 0.85;
+
+/// Square metres that must be gained, or nobody meant to go there: benches, plinths and beds have
+/// less.
+constexpr double kRoom = 4;
+
+/// Where along a wall heights are compared: enough for wedges, which change them evenly.
+constexpr std::array kShares = {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
+
+/// What is asked of a body that passes a wall.
+struct Demand {
+  double rise;   ///< metres that it must climb
+  double clear;  ///< metres between what it stands on there and what is above
+};
+
+/// The height that feet come to in a column of air: below flat portals, too.
+double feetAt(const Level& level, SectorId id, Vec2 p) {
+  while (level[id].floor.interface)
+    id = across(level, level[*level[id].floor.interface], Side::Lower, p);
+  return level[id].airBottom(p);
+}
+
+Demand demandAt(const Level& level, const Segment& segment, const Passage& passage, SectorId next,
+                double share) {
+  const Vec2 p = lerp(segment.p0, segment.p1, share);
+  const double feet = feetAt(level, segment.sector, p);
+  double bottom = passage.zBottom({share, share});
+  if (bottom == -kNowhere) bottom = feetAt(level, next, p);
+  return {bottom - feet, passage.zTop({share, share}) - std::max(bottom, feet)};
+}
+
+/// A way that a body just cannot take.
+struct Hindrance {
+  FindingKind kind;
+  SegmentId segment;
+  SectorId next;
+  double zBottom;  ///< of the opening
+  Demand demand;
+};
+
+/// Where a body can go on foot. It counts too much rather than too little: slopes are taken for
+/// walkable and gaps for wide enough, so that what it cannot reach nobody can.
+class Walks {
+ public:
+  Walks(const Level& level, const Body& body) : level_(level), body_(body) {
+    links_.resize(level.sectors.size());
+    for (std::size_t i = 0; i < level.segments.size(); ++i) lookAtWall(SegmentId(i));
+    for (const Interface& interface : level.interfaces) lookAtFlat(interface);
+  }
+
+  const std::vector<Hindrance>& hindrances() const { return hindrances_; }
+
+  const std::vector<bool>& reachedFrom(SectorId sector) {
+    const auto [found, isNew] = reached_.try_emplace(sector);
+    if (isNew) found->second = hearth::reachedFrom(links_, sector);
+    return found->second;
+  }
+
+ private:
+  void lookAtWall(SegmentId id) {
+    const Segment& segment = level_[id];
+    std::pmr::vector<Passage> passages;
+    findPassages(level_, segment, passages);
+    for (const Passage& passage : passages)
+      for (std::size_t i = passage.first(); i <= passage.last(); ++i) {
+        const WallPiece& piece = segment.pieces[i];
+        const SectorId next = std::get<Opening>(piece.content).next;
+        lookAtWay({{}, id, next, piece.zBottom, {}}, passage);
+      }
+  }
+
+  void lookAtWay(Hindrance way, const Passage& passage) {
+    std::optional<Hindrance> easiest;
+    for (const double share : kShares) {
+      way.demand = demandAt(level_, level_[way.segment], passage, way.next, share);
+      if (!isHigh(way.demand) && !isLow(way.demand))
+        return links_[level_[way.segment].sector.index()].push_back(way.next);
+      const std::optional<FindingKind> kind = kindOf(way.demand);
+      if (!kind) continue;
+      way.kind = *kind;
+      if (!easiest || isEasier(way, *easiest)) easiest = way;
+    }
+    // Of what goes on below the wall, the walls down there tell.
+    const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
+    const bool isWide = level_[way.segment].length >= 2 * body_.radius;
+    if (easiest && hasBottom && isWide) hindrances_.push_back(*easiest);
+  }
+
+  bool isHigh(const Demand& demand) const { return demand.rise > body_.step + kSkin; }
+  bool isLow(const Demand& demand) const { return demand.clear < body_.height - kSkin; }
+
+  /// What it just fails in, and in nothing else.
+  std::optional<FindingKind> kindOf(const Demand& demand) const {
+    if (!isLow(demand) && demand.rise <= kHighestMeant * body_.step + kSkin)
+      return FindingKind::HighStep;
+    if (!isHigh(demand) && demand.clear >= kLowestMeant * body_.height - kSkin)
+      return FindingKind::LowPassage;
+    return std::nullopt;
+  }
+
+  static bool isEasier(const Hindrance& a, const Hindrance& b) {
+    if (a.kind != b.kind) return false;
+    return a.kind == FindingKind::HighStep ? a.demand.rise < b.demand.rise
+                                           : a.demand.clear > b.demand.clear;
+  }
+
+  /// Down he falls; up he is in both where he is taller than what is below.
+  void lookAtFlat(const Interface& interface) {
+    for (const SectorId upper : interface.upper)
+      for (const SectorId lower : interface.lower) {
+        links_[upper.index()].push_back(lower);
+        if (leastHeight(level_[lower]) < body_.height) links_[lower.index()].push_back(upper);
+      }
+  }
+
+  double leastHeight(const Sector& sector) const {
+    double least = kNowhere;
+    for (const Segment& segment : level_.segmentsOf(sector))
+      least = std::min(least, segment.air0.zTop - segment.air0.zBottom);
+    return least;
+  }
+
+  const Level& level_;
+  const Body& body_;
+  std::vector<std::vector<SectorId>> links_;
+  std::vector<Hindrance> hindrances_;
+  std::map<SectorId, std::vector<bool>> reached_;
+};
+
+/// On the map.
+double areaOf(const Level& level, const Sector& sector) {
+  double twice = 0;
+  for (const Segment& segment : level.segmentsOf(sector))
+    twice += cross(segment.p0 - sector.boxMin, segment.p1 - sector.boxMin);
+  return twice / 2;
+}
+
+class HindranceFinder {
+ public:
+  HindranceFinder(const LintedLevel& linted, Findings& findings)
+      : linted_(linted), level_(linted.level()), findings_(findings) {}
+
+  void look(const Body& body, bool isCrouching) {
+    Walks walks(level_, body);
+    const std::vector<bool> isVisited = walks.reachedFrom(level_.player->sector);
+    for (const Hindrance& hindrance : walks.hindrances()) {
+      const SectorId from = level_[hindrance.segment].sector;
+      // Who crouches climbs no more than who stands.
+      if (isCrouching && hindrance.kind == FindingKind::HighStep) continue;
+      if (!isVisited[from.index()]) continue;
+      const std::vector<bool>& before = walks.reachedFrom(from);
+      if (before[hindrance.next.index()] || told_.contains(hindrance.next)) continue;
+      const std::vector<SectorId> gained = missingIn(before, walks.reachedFrom(hindrance.next));
+      if (areaOf(gained) < kRoom) continue;
+      told_.insert(gained.begin(), gained.end());
+      report(hindrance, body, isCrouching);
+    }
+  }
+
+ private:
+  static std::vector<SectorId> missingIn(const std::vector<bool>& before,
+                                         const std::vector<bool>& after) {
+    std::vector<SectorId> missing;
+    for (std::size_t i = 0; i < after.size(); ++i)
+      if (after[i] && !before[i]) missing.emplace_back(i);
+    return missing;
+  }
+
+  double areaOf(const std::vector<SectorId>& sectors) const {
+    double area = 0;
+    for (const SectorId sector : sectors) area += hearth::areaOf(level_, level_[sector]);
+    return area;
+  }
+
+  void report(const Hindrance& hindrance, const Body& body, bool isCrouching) {
+    const Place place = describedPart(linted_, hindrance.segment, hindrance.zBottom).place;
+    const std::string& name = level_[hindrance.next].name;
+    if (hindrance.kind == FindingKind::HighStep)
+      findings_.add(hindrance.kind, place,
+                    fmt::format("the step to sector \"{}\" is {:.3g} m high, the player climbs "
+                                "{:.3g} m, and nothing else leads there",
+                                name, hindrance.demand.rise, body.step),
+                    "make it lower, or make two of it");
+    else
+      findings_.add(hindrance.kind, place,
+                    fmt::format("the way to sector \"{}\" is {:.3g} m high, the player {:.3g} m{}, "
+                                "and nothing else leads there",
+                                name, hindrance.demand.clear, body.height,
+                                isCrouching ? " when he crouches" : ""),
+                    "make it higher");
+  }
+
+  const LintedLevel& linted_;
+  const Level& level_;
+  Findings& findings_;
+  std::set<SectorId> told_;  ///< sectors that a finding has spoken of
+};
+
+}  // namespace
+
+void findImpassable(const LintedLevel& linted, Findings& findings) {
+  if (!linted.level().player) return;
+  HindranceFinder finder(linted, findings);
+  for (const bool isCrouching : {false, true})
+    finder.look(bodyOf(linted.level(), isCrouching ? 1 : 0), isCrouching);
+}
+
+}  // namespace hearth

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "load/report.h"
+
+/// What `hearth lint` finds: mistakes of authors that the loader takes.
+namespace hearth {
+
+/// The order is that of the table in tools/README.md.
+enum class FindingKind {
+  OneWayPortal,
+  Unreachable,
+  NearMiss,
+  TextureJump,
+  UnseenTexture,
+  HighStep,
+  LowPassage,
+  UselessLight,
+  Black,
+  Overexposed,
+};
+
+struct FindingKindRow {
+  FindingKind kind;
+  std::string_view name;  ///< stable: ends the line of each finding
+  std::string_view help;
+};
+
+inline constexpr std::array kFindingKinds{
+    FindingKindRow{FindingKind::OneWayPortal, "one-way-portal",
+                   "a part of a portal does not lead back"},
+    FindingKindRow{FindingKind::Unreachable, "unreachable",
+                   "no links lead from the player to a sector"},
+    FindingKindRow{FindingKind::NearMiss, "near-miss",
+                   "a vertex misses another one, or a wall, by a hair"},
+    FindingKindRow{FindingKind::TextureJump, "texture-jump",
+                   "an image does not run on from one wall to the next in line"},
+    FindingKindRow{FindingKind::UnseenTexture, "unseen-texture",
+                   "a portal gives a texture to a step that is not there"},
+    FindingKindRow{FindingKind::HighStep, "high-step",
+                   "a step that seems meant to be climbed is too high for the player"},
+    FindingKindRow{FindingKind::LowPassage, "low-passage",
+                   "a way that seems meant to be walked is too low for the player"},
+    FindingKindRow{FindingKind::UselessLight, "useless-light", "a light reaches no surface"},
+    FindingKindRow{FindingKind::Black, "black", "a surface has no light at all"},
+    FindingKindRow{FindingKind::Overexposed, "overexposed",
+                   "much of a surface has more light than can be shown"},
+};
+
+/// Collects findings, each at its place in the level's files. What is said there already, of
+/// another piece of one wall, is not said again.
+class Findings {
+ public:
+  void add(FindingKind kind, Place place, std::string message, std::string_view advice);
+
+  /// As the loader's warnings, with the kind's name at the end.
+  std::vector<Diagnostic> resolve(std::span<const Document> documents) const {
+    return report_.resolve(documents);
+  }
+
+ private:
+  Report report_;
+  std::set<std::pair<Place, std::string>> said_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+
+#include "hearth/lint/described.h"
+#include "hearth/lint/links.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// Levels by which the image must differ on the mean from itself, moved by the jump. Bricks and
+/// boards do; plaster and grass do not, nor does what comes again within the image.
+constexpr double kSeen = 8;
+
+/// Pixels of the image, along and down, that are looked at for that: enough for a mean.
+constexpr int kLookedAt = 128;
+
+/// Where a surface of a wall begins or ends: what of its image lies there.
+struct ImageEnd {
+  double u;  ///< in repeats
+  double v;  ///< where z is 0, likewise
+};
+
+/// Whether the file gives the height at which the image begins.
+bool hasZRef(const LintedLevel& linted, const Surface& surface) {
+  const DescribedPart part = describedPart(linted, *surface.segment, surface.zBottom);
+  if (part.solid) return part.solid->texture.zRef.has_value();
+  const bool isUpper =
+      surface.kind == SurfaceKind::UpperStep || surface.kind == SurfaceKind::StackUpperStep;
+  return (isUpper ? part.portal->upper : part.portal->lower)->zRef.has_value();
+}
+
+ImageEnd imageAt(const TextureMapping& mapping, double s, const Image& image) {
+  return {(s + mapping.along) / mapping.repeat.x - mapping.offsetTexels.x / image.width(),
+          *mapping.zRef / mapping.repeat.y - mapping.offsetTexels.y / image.height()};
+}
+
+/// Pixels from a whole number of repeats.
+double pixelsOff(double repeats, int pixels) {
+  return std::abs(repeats - std::round(repeats)) * pixels;
+}
+
+/// From 0 to 1: the part of a jump that is no whole number of repeats.
+double partOf(double repeats) { return repeats - std::floor(repeats); }
+
+/// Mean difference in levels between the image and itself, moved by these parts of it.
+double differenceMoved(const Image& image, double u, double v) {
+  const int right = static_cast<int>(std::round(u * image.width()));
+  const int down = static_cast<int>(std::round(v * image.height()));
+  const int stepX = std::max(1, image.width() / kLookedAt);
+  const int stepY = std::max(1, image.height() / kLookedAt);
+  std::int64_t sum = 0;
+  std::int64_t count = 0;
+  for (int y = 0; y < image.height(); y += stepY)
+    for (int x = 0; x < image.width(); x += stepX) {
+      const Rgb p = image.at(x, y);
+      const Rgb q = image.at((x + right) % image.width(), (y + down) % image.height());
+      sum += std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b);
+      count += 3;
+    }
+  return static_cast<double>(sum) / static_cast<double>(count);
+}
+
+class JumpFinder {
+ public:
+  JumpFinder(const LintedLevel& linted, Findings& findings)
+      : linted_(linted),
+        level_(linted.level()),
+        findings_(findings),
+        linked_(bothWays(linksOf(level_))) {
+    for (const Surface& surface : level_.surfaces)
+      if (isOfWall(surface)) starting_.emplace(segmentOf(surface).p0, &surface);
+  }
+
+  void look() {
+    for (const Surface& surface : level_.surfaces) {
+      if (!isOfWall(surface)) continue;
+      const auto [first, last] = starting_.equal_range(segmentOf(surface).p1);
+      for (auto next = first; next != last; ++next) lookAtJoint(surface, *next->second);
+    }
+  }
+
+ private:
+  static bool isOfWall(const Surface& surface) {
+    return isUpright(surface.kind) && !isSidewall(surface.kind);
+  }
+
+  const Segment& segmentOf(const Surface& surface) const { return level_[*surface.segment]; }
+  const Image& imageOf(const Surface& surface) const {
+    return linted_.loaded.textures[surface.mapping.texture.index()];
+  }
+
+  void lookAtJoint(const Surface& left, const Surface& right) {
+    if (!areAlike(left.mapping, right.mapping) || !areInOnePlane(left, right)) return;
+    if (!touch(left, right) || !areSeenTogether(left.sector, right.sector)) return;
+    const Image& image = imageOf(left);
+    const Segment& before = segmentOf(left);
+    const Segment& after = segmentOf(right);
+    const ImageEnd end = imageAt(left.mapping, before.sBefore + before.length, image);
+    ImageEnd start = imageAt(right.mapping, after.sBefore, image);
+    // Two heights that were both written down are meant: beams and ribs have stones of their own.
+    if (hasZRef(linted_, left) && hasZRef(linted_, right)) start.v = end.v;
+    const double u = start.u - end.u;
+    const double v = start.v - end.v;
+    if (differenceMoved(image, partOf(u), partOf(v)) > kSeen)
+      report(left, right, pixelsOff(u, image.width()), pixelsOff(v, image.height()));
+  }
+
+  static bool areAlike(const TextureMapping& a, const TextureMapping& b) {
+    return a.texture == b.texture && a.repeat == b.repeat;
+  }
+
+  bool areInOnePlane(const Surface& left, const Surface& right) const {
+    const Segment& a = segmentOf(left);
+    const Segment& b = segmentOf(right);
+    const Vec2 along = a.p1 - a.p0;
+    return dot(along, b.p1 - b.p0) > 0 &&
+           std::abs(cross(along, b.p1 - b.p0)) / a.length <= noiseOf(std::min(a.length, b.length));
+  }
+
+  static bool touch(const Surface& left, const Surface& right) {
+    return std::min(left.zTop, right.zTop) - std::max(left.zBottom, right.zBottom) > kAuthorNoise;
+  }
+
+  bool areSeenTogether(SectorId a, SectorId b) const {
+    return a == b || std::ranges::binary_search(linked_[a.index()], b);
+  }
+
+  void report(const Surface& left, const Surface& right, double u, double v) {
+    const Vec2 joint = segmentOf(right).p0;
+    findings_.add(
+        FindingKind::TextureJump, placeOf(linted_, right),
+        fmt::format("\"{}\" jumps by {:.0f} pixels along and {:.0f} up at ({}, {}), where it meets "
+                    "the {} of sector \"{}\"",
+                    level_.textures[right.mapping.texture.index()], u, v, joint.x, joint.y,
+                    name(left.kind), level_[left.sector].name),
+        "give it \"along\" and \"zref\" that let the image run on");
+  }
+
+  const LintedLevel& linted_;
+  const Level& level_;
+  Findings& findings_;
+  std::vector<std::vector<SectorId>> linked_;
+  std::multimap<Vec2, const Surface*, decltype(&lessXY)> starting_{&lessXY};  ///< by p0
+};
+
+}  // namespace
+
+void findTextureJumps(const LintedLevel& linted, Findings& findings) {
+  JumpFinder(linted, findings).look();
+}
+
+}  // namespace hearth

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "hearth/lint/described.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::string_view kAdvice = "leave it out, or give the sectors the heights that show it";
+
+bool isLowerStep(SurfaceKind kind) {
+  return kind == SurfaceKind::LowerStep || kind == SurfaceKind::StackLowerStep;
+}
+
+bool isUpperStep(SurfaceKind kind) {
+  return kind == SurfaceKind::UpperStep || kind == SurfaceKind::StackUpperStep;
+}
+
+/// Asks for each texture of a step whether some surface wears it. One may be given to
+/// many walls, as the `upper` of a wall that stands for all of a loop, or to both steps of a wall.
+class UnseenFinder {
+ public:
+  UnseenFinder(const LintedLevel& linted, Findings& findings)
+      : linted_(linted), findings_(findings) {
+    for (const Surface& surface : linted.level().surfaces) wear(surface);
+  }
+
+  void lookAtWall(const Segment& segment, const WallDescription& wall) {
+    const Sector& sector = linted_.level()[segment.sector];
+    if (isClosed(sector)) return;
+    if (const auto* portal = std::get_if<PortalDescription>(&wall.kind))
+      lookAtPortal(sector, *portal);
+    if (const auto* stack = std::get_if<StackDescription>(&wall.kind))
+      for (const SubWallDescription& part : stack->subWalls)
+        if (const auto* portal = std::get_if<PortalDescription>(&part.kind))
+          lookAtPortal(sector, *portal);
+  }
+
+ private:
+  void wear(const Surface& surface) {
+    if (!isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
+    const PortalDescription& portal =
+        *describedPart(linted_, *surface.segment, surface.zBottom).portal;
+    worn_.insert((isLowerStep(surface.kind) ? portal.lower : portal.upper)->name.place);
+  }
+
+  /// A door, which may be meant to open.
+  static bool isClosed(const Sector& sector) {
+    return sector.ceiling.z - sector.floor.z <= kAuthorNoise;
+  }
+
+  /// A wedge of the sector hides steps that are there.
+  void lookAtPortal(const Sector& sector, const PortalDescription& portal) {
+    const bool isOne =
+        portal.upper && portal.lower && portal.upper->name.place == portal.lower->name.place;
+    if (isOne && !sector.floorSlope && !sector.ceilingSlope)
+      return lookAtStep(*portal.upper, "texture", "no step", portal);
+    if (isOne) return;
+    if (portal.upper && !sector.ceilingSlope)
+      lookAtStep(*portal.upper, "upper", "no step down", portal);
+    if (portal.lower && !sector.floorSlope)
+      lookAtStep(*portal.lower, "lower", "no step up", portal);
+  }
+
+  void lookAtStep(const TextureDescription& texture, std::string_view key, std::string_view what,
+                  const PortalDescription& portal) {
+    if (worn_.contains(texture.name.place)) return;
+    findings_.add(FindingKind::UnseenTexture, texture.name.place,
+                  fmt::format("this \"{}\" never shows: there is {} to sector \"{}\"", key, what,
+                              portal.next.name),
+                  kAdvice);
+  }
+
+  const LintedLevel& linted_;
+  Findings& findings_;
+  std::set<Place> worn_;
+};
+
+}  // namespace
+
+void findUnseenTextures(const LintedLevel& linted, Findings& findings) {
+  UnseenFinder finder(linted, findings);
+  const Level& level = linted.level();
+  for (std::size_t i = 0; i < level.segments.size(); ++i)
+    finder.lookAtWall(level.segments[i], linted.source.wall(SegmentId(i)));
+}
+
+}  // namespace hearth
