@@ -1,4 +1,5 @@
-"""Follows "Your own level" of README.md word for word, in a tree that has its level and textures only.
+"""Follows "Your own level" of README.md word for word, in a tree that has its textures only: every
+command, every change of a file, and every message that comes of them.
 
 usage: front_page_test.py SOURCE_DIR HEARTH
 """
@@ -16,7 +17,8 @@ os.environ["XDG_CACHE_HOME"] = os.devnull
 
 SOURCE = Path()
 HEARTH = Path()
-BUILT = "build/release/tools/hearth/hearth"
+BUILT = "build/release/tools/hearth/hearth "
+FILES = ["levels/rooms.json", "levels/rooms.lights.json"]
 
 
 def section():
@@ -24,13 +26,11 @@ def section():
     return re.search(r"^## Your own level\n(.*?)^## ", readme, re.S | re.M)[1]
 
 
-def saved_files():
-    """The name and text of each file that the reader is asked to save."""
-    return re.findall(r"this as `([^`]+)`.*?```json\n(.*?)```", section(), re.S)
-
-
-def commands():
-    return re.findall(rf"^    {BUILT} (.*)$", section(), re.M)
+def parts():
+    """In their order: changes of files, as diffs, and lines that stand apart: commands and messages."""
+    for change, line in re.findall(r"^```diff\n(.*?)^```|^    (\S[^\n]*)$", section(),
+                                   re.S | re.M):
+        yield ("change", change) if change else ("line", line)
 
 
 class FrontPage(unittest.TestCase):
@@ -40,46 +40,58 @@ class FrontPage(unittest.TestCase):
         self.tree = Path(folder.name)
         (self.tree / "levels").mkdir()
         (self.tree / "textures").symlink_to(SOURCE / "textures")
-        for name, text in saved_files():
-            (self.tree / name).write_text(text)
+        self.messages = []  # that the program has given, and the page has not shown yet
 
     def run_hearth(self, *arguments):
         return subprocess.run([HEARTH, *arguments], cwd=self.tree, capture_output=True, text=True)
 
-    def messages_of_a_shot(self):
-        return self.run_hearth("shot", "levels/rooms.json", "-o", "rooms.png", "--quiet").stderr
+    def show(self):
+        """What a window would have to say of the level."""
+        shot = self.run_hearth("shot", FILES[0], "-o", "rooms.png", "--quiet")
+        self.messages = shot.stderr.splitlines()
 
-    def change(self, name, old, new):
-        text = (self.tree / name).read_text()
-        self.assertIn(old, text)
-        (self.tree / name).write_text(text.replace(old, new, 1))
+    def change(self, diff):
+        lines = [line for line in diff.splitlines() if line]
+        old = "".join(line[1:] + "\n" for line in lines if line[0] in " -")
+        new = "".join(line[1:] + "\n" for line in lines if line[0] in " +")
+        texts = {name: (self.tree / name).read_text() for name in FILES}
+        self.assertEqual(sum(text.count(old) for text in texts.values()), 1, old)
+        for name, text in texts.items():
+            if old in text:
+                (self.tree / name).write_text(text.replace(old, new))
+        self.show()
 
-    def test_the_level_draws_without_a_complaint_before_and_after_the_change(self):
-        self.assertEqual([name for name, _ in saved_files()],
-                         ["levels/rooms.json", "levels/rooms.lights.json"])
-        self.assertEqual(self.messages_of_a_shot(), "")
-        self.change("levels/rooms.json", '"z": 2.2', '"z": 2.6')
-        self.assertEqual(self.messages_of_a_shot(), "")
+    def obey(self, command):
+        if command.startswith("tools/run "):
+            return self.show()
+        result = self.run_hearth(*command.removeprefix(BUILT).split())
+        if not command.startswith(BUILT + "lint"):
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            return
+        self.messages = result.stdout.splitlines()
+        self.assertNotEqual(self.messages, [])
 
-    def test_the_guide_says_what_lint_finds_once_the_ceiling_is_lifted(self):
-        lint = ("lint", "levels/rooms.json", "--no-cache")
-        self.assertEqual(self.run_hearth(*lint).stdout, "")
-        self.change("levels/rooms.json", '"z": 2.2', '"z": 2.6')
-        found = self.run_hearth(*lint).stdout
-        self.assertNotEqual(found, "")
-        self.assertIn("    " + found, (SOURCE / "tools/README.md").read_text())
+    def test_leads_to_three_rooms_and_every_message_on_the_way_is_on_the_page(self):
+        for kind, text in parts():
+            if kind == "line" and text.startswith("levels/"):
+                self.assertEqual(text, self.messages.pop(0))
+                continue
+            self.assertEqual(self.messages, [], "not on the page")
+            if kind == "change":
+                self.change(text)
+            else:
+                self.obey(text)
+        self.assertEqual(self.messages, [])
+        self.assertEqual(self.run_hearth("lint", FILES[0]).stdout, "")
+        level = (self.tree / FILES[0]).read_text()
+        self.assertTrue(all(f'"{room}": {{' in level for room in ("hall", "study", "stair", "loft")))
+        self.assertTrue((self.tree / "levels/rooms.golden/hall.png").exists())
 
-    def test_the_mistake_is_reported_as_the_page_says(self):
-        self.change("levels/rooms.lights.json", '"intensity"', '"intensty"')
-        self.assertNotEqual(self.messages_of_a_shot(), "")
-        self.assertIn("    " + self.messages_of_a_shot(), section())
-
-    def test_the_pictures_are_kept_and_checked(self):
-        self.assertEqual(len(commands()), 2)
-        for command in commands():
-            check = self.run_hearth(*command.split())
-            self.assertEqual(check.returncode, 0, check.stderr)
-        self.assertTrue((self.tree / "levels/rooms.golden/door.png").exists())
+    def test_the_guide_to_lint_shows_a_line_of_the_page(self):
+        guide = (SOURCE / "tools/README.md").read_text()
+        shown = re.findall(r"^    (levels/rooms\.json:.*)$", guide, re.M)
+        self.assertEqual(len(shown), 1)
+        self.assertIn(("line", shown[0]), list(parts()))
 
 
 if __name__ == "__main__":
