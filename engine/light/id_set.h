@@ -14,7 +14,6 @@ template <typename Id>
 class IdSet {
  public:
   void add(Id id) { ids_.insert(id.value); }
-  void clear() { ids_.clear(); }
 
   /// In rising order.
   std::vector<Id> sorted() const {

@@ -9,10 +9,12 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <system_error>
 #include <vector>
 
 #include "hearth/settings.h"
+#include "image/read_file.h"
 #include "light/geometry_hash.h"
 #include "light/saved_bake.h"
 #include "math/hash.h"
@@ -28,17 +30,9 @@ constexpr std::string_view kBakeExtension = ".bake";
 constexpr std::string_view kPartExtension = ".part";
 constexpr std::chrono::hours kPartsOld{1};
 
-std::optional<std::string> bytesOf(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) return std::nullopt;
-  return bytes;
-}
-
 /// Of the very file that runs.
 std::optional<std::uint64_t> hashOfProgram() {
-  const auto program = bytesOf("/proc/self/exe");
+  const auto program = readFile("/proc/self/exe", std::numeric_limits<std::uint64_t>::max());
   if (!program || program->empty()) return std::nullopt;
   Hash hash;
   for (std::size_t i = 0; i < program->size(); i += sizeof(std::uint64_t)) {
@@ -118,13 +112,11 @@ fs::path BakeCache::fileOf(const Level& level, const BakeSettings& settings) con
 
 std::optional<BakedLight> BakeCache::find(const Level& level, const BakeSettings& settings) const {
   const fs::path file = fileOf(level, settings);
-  std::error_code error;
-  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > mostBytes_)
-    return std::nullopt;
-  const auto bytes = bytesOf(file);
+  const auto bytes = readFile(file, mostBytes_);
   if (!bytes) return std::nullopt;
   auto light = decodeBake(level, *bytes);
   if (!light) return std::nullopt;
+  std::error_code error;
   fs::last_write_time(file, fs::file_time_type::clock::now(), error);
   return std::move(*light);
 }
