@@ -34,8 +34,12 @@ FileWatch::~FileWatch() {
 void FileWatch::watch(const std::vector<fs::path>& files) {
   files_.clear();
   for (const fs::path& file : files) {
-    files_.insert(inFullWords(file));
-    watchFolder(inFullWords(file).parent_path());
+    std::error_code error;
+    // By its own name and, of a link, by that of what is written through it.
+    for (const fs::path& name : {inFullWords(file), fs::weakly_canonical(file, error)}) {
+      files_.insert(name);
+      watchFolder(name.parent_path());
+    }
   }
 }
 
