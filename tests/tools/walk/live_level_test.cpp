@@ -168,6 +168,18 @@ TEST_F(LiveWalk, ShowsAFileThatWasPutInPlaceOfTheOld) {
   EXPECT_EQ(stage_.shown, fresh());
 }
 
+TEST_F(LiveWalk, ShowsWhatWasWrittenThroughALink) {
+  fs::create_directories(folder_ / "kept");
+  fs::rename(lightsFile(), folder_ / "kept/lights.json");
+  fs::create_symlink("kept/lights.json", lightsFile());
+  begin();
+  Json lights = read(lightsFile());
+  lights[0]["intensity"] = 40;
+  write(lightsFile(), lights.dump());
+  ASSERT_TRUE(isTold("lights.json: shown"));
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
 TEST_F(LiveWalk, ShowsATextureThatWasPaintedAnew) {
   ASSERT_TRUE(writePng(folder_ / "paint.png", plain({200, 0, 0})));
   paintFloors("paint");
@@ -192,6 +204,26 @@ TEST_F(LiveWalk, KeepsTheLastGoodLevelBehindTheMistakesUntilTheyAreMended) {
   write(levelFile(), good);
   ASSERT_TRUE(isTold("rooms.json: shown"));
   EXPECT_EQ(stage_.shown, before);
+}
+
+TEST_F(LiveWalk, LeavesTheMistakesWhereAGoodSaveWasFollowedByABadOne) {
+  values_.set(Option::Texel, "0.06");
+  begin();
+  const std::string good = read(levelFile()).dump();
+  for (int intensity = 40; intensity < 200; intensity += 20) {
+    Json lights = read(lightsFile());
+    lights[0]["intensity"] = intensity;
+    write(lightsFile(), lights.dump());
+    round();
+    std::this_thread::sleep_for(std::chrono::milliseconds(intensity / 20));
+    write(levelFile(), "{");
+    for (int i = 0; i < 50; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(2))) round();
+    const Image broken = stage_.shown;
+    stage_.printed.clear();
+    write(levelFile(), good);
+    ASSERT_TRUE(isTold("rooms.json: shown"));
+    EXPECT_NE(broken, stage_.shown) << intensity;
+  }
 }
 
 TEST_F(LiveWalk, ShowsALevelOnceTheImageHasComeThatItNames) {

@@ -93,16 +93,14 @@ void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
 
 void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
   printToStderr(news.warnings);
-  printToStderr(news.mistakes);
-  if (!news.mistakes.empty()) mistakes_ = news.mistakes;
+  if (mistakes_ != news.mistakes) printToStderr(news.mistakes);
+  mistakes_ = news.mistakes;
   if (!news.level) return;
-  const bool isNew = news.level->loaded != shown_->loaded;
-  if (isNew) {
+  if (news.level->loaded != shown_->loaded) {
     if (!goOnIn(*news.level, journey)) {
       mistakes_ = {"there is no room where you stand, and the level has no player to start with"};
       return printToStderr(mistakes_);
     }
-    mistakes_.clear();
     watch_.watch(news.level->loaded->files);
   }
   loop.goOnIn(news.level->loaded->level, news.level->renderer);

@@ -2,11 +2,12 @@
 
 #include <sys/resource.h>
 
-#include <chrono>
 #include <cstdint>
 #include <new>
+#include <system_error>
 #include <utility>
 
+#include "hearth/bench/measure.h"
 #include "hearth/session.h"
 #include "hearth/settings.h"
 
@@ -21,10 +22,6 @@ constexpr std::int64_t kWorthADraftAtFirst = 1'000'000;
 
 /// Bakes that are over sooner are not worth a word.
 constexpr double kPatienceSeconds = 0.3;
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Of this thread, on Linux, and of those that it starts: so that frames do not wait for bakes.
 void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
@@ -66,7 +63,7 @@ std::optional<LevelNews> Workshop::news() {
 
 std::optional<StageProgress> Workshop::progress() const {
   const std::scoped_lock lock(mutex_);
-  const double seconds = secondsNow() - bakeBegin_;
+  const double seconds = steadySeconds() - bakeBegin_;
   if (!progress_ || seconds < kPatienceSeconds) return std::nullopt;
   return StageProgress{Stage::Baking, progress_->texelsDone(), progress_->texels(), seconds};
 }
@@ -80,7 +77,9 @@ void Workshop::run() {
       if (!isFirst) load();
       if (!isLit_) light(isFirst, *stop);
     } catch (const std::bad_alloc&) {
-      tell({.mistakes = {"not enough memory; larger --texel needs less"}});
+      refuse("not enough memory; larger --texel needs less");
+    } catch (const std::system_error& error) {  // no more threads to be had
+      refuse(error.what());
     }
   }
 }
@@ -99,8 +98,9 @@ std::optional<std::stop_token> Workshop::nextJob() {
 void Workshop::load() {
   LoadResult result = loadLevel(values_.level, limitsFrom(values_));
   LevelNews news;
+  mistakes_.clear();
   for (const Diagnostic& diagnostic : result.diagnostics)
-    (diagnostic.isError ? news.mistakes : news.warnings).push_back(format(diagnostic));
+    (diagnostic.isError ? mistakes_ : news.warnings).push_back(format(diagnostic));
   if (result.loaded) {
     current_ = std::make_shared<const LoadedLevel>(*std::move(result.loaded));
     isLit_ = false;
@@ -108,10 +108,15 @@ void Workshop::load() {
   if (!result.loaded || !news.warnings.empty()) tell(std::move(news));
 }
 
+void Workshop::refuse(std::string mistake) {
+  mistakes_ = {std::move(mistake)};
+  tell({});
+}
+
 void Workshop::light(bool isFirst, const std::stop_token& stop) {
   const Level& level = current_->level;
   const auto settings = bakeSettingsFor(level, values_);
-  if (!settings) return tell({.mistakes = {settings.error()}});
+  if (!settings) return refuse(settings.error());
   const auto cache = values_.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
   const bool isKept = isFirst && cache && showKept(*cache, *settings);
 
@@ -156,10 +161,11 @@ std::shared_ptr<const LitLevel> Workshop::show(BakedLight light, bool isDraft) {
 void Workshop::setProgress(std::shared_ptr<const BakeProgress> progress) {
   const std::scoped_lock lock(mutex_);
   progress_ = std::move(progress);
-  bakeBegin_ = secondsNow();
+  bakeBegin_ = steadySeconds();
 }
 
 void Workshop::tell(LevelNews news) {
+  news.mistakes = mistakes_;
   const std::scoped_lock lock(mutex_);
   news_.push_back(std::move(news));
 }

@@ -39,9 +39,10 @@ struct LitLevel {
 /// What has become of a version of a level.
 struct LevelNews {
   std::vector<std::string> warnings = {};
-  std::vector<std::string> mistakes = {};           ///< for which it cannot be shown
-  std::shared_ptr<const LitLevel> level = nullptr;  ///< none after mistakes
-  bool isDraft = false;                             ///< better light is to come
+  /// For which the files cannot be shown as they are now. Then `level`, if any, is of before.
+  std::vector<std::string> mistakes = {};
+  std::shared_ptr<const LitLevel> level = nullptr;
+  bool isDraft = false;  ///< better light is to come
 };
 
 /// Loads and bakes a level whenever it is asked to, in a thread of its own that gives way to all
@@ -68,6 +69,7 @@ class Workshop {
   void run();
   std::optional<std::stop_token> nextJob();
   void load();
+  void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
   bool showKept(const BakeCache& cache, const BakeSettings& settings);
   std::shared_ptr<const LitLevel> show(BakedLight light, bool isDraft);
@@ -88,7 +90,8 @@ class Workshop {
 
   // The thread's own:
   std::shared_ptr<const LoadedLevel> current_;
-  bool isLit_ = false;  ///< with its own light, not a draft
+  bool isLit_ = false;                 ///< with its own light, not a draft
+  std::vector<std::string> mistakes_;  ///< of the files as they were read last
   LightMemory memory_;
 
   std::jthread thread_;  ///< last, so that it ends first
