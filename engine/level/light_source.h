@@ -12,6 +12,8 @@ namespace hearth {
 struct CurvePoint {
   double distance;  ///< metres
   double level;     ///< 0..255 and beyond
+
+  friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };
 
 /// A point of light, or a ball of it when `radius` > 0.
@@ -32,6 +34,8 @@ struct LightSource {
   /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
   double share(int channel) const { return color[channel] / 255.0; }
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
+
+  friend bool operator==(const LightSource&, const LightSource&) = default;
 };
 
 /// How a bake samples light. Files give it, the command line overrides it.

@@ -87,5 +87,9 @@ void reportFaults(Linking& linking, std::span<const LevelFault> faults);
 /// Sectors of player, shots and lights. After `finishLevel`. A position is not looked for where a
 /// mistake has been reported about a sector that may hold it.
 void linkPositions(Linking& linking, const LightsDescription& lights);
+/// Of these the lights, and how they are baked.
+void linkLights(Linking& linking, const LightsDescription& lights);
+/// Whether neither level nor lights say anything of light: then all is fully bright.
+bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights);
 
 }  // namespace hearth

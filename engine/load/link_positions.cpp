@@ -29,6 +29,12 @@ class PositionLinker {
                                     described.height});
   }
 
+  void linkLights(const LightsDescription& lights) {
+    for (const LightDescription& light : lights.lights) linkLight(light);
+    linking_.level.bake = lights.bake;
+  }
+
+ private:
   void linkLight(const LightDescription& described) {
     const auto sector =
         locate(described.place, described.source.position, described.sector, PositionOf::Light);
@@ -38,7 +44,6 @@ class PositionLinker {
     validateLight(linking_.report, linking_.level, described.place, linking_.level.lights.back());
   }
 
- private:
   std::optional<SectorId> locate(Place place, Vec3 p, const std::optional<NameReference>& name,
                                  PositionOf what) {
     std::optional<SectorId> sector;
@@ -66,8 +71,18 @@ void linkPositions(Linking& linking, const LightsDescription& lights) {
   PositionLinker linker(linking);
   if (linking.description.player) linker.linkPlayer(*linking.description.player);
   for (const ShotDescription& shot : linking.description.shots) linker.linkShot(shot);
-  for (const LightDescription& light : lights.lights) linker.linkLight(light);
-  linking.level.bake = lights.bake;
+  linker.linkLights(lights);
+}
+
+void linkLights(Linking& linking, const LightsDescription& lights) {
+  PositionLinker(linking).linkLights(lights);
+}
+
+bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
+  if (!lights.lights.empty() || description.light) return false;
+  for (const SectorDescription& sector : description.sectors)
+    if (sector.light) return false;
+  return true;
 }
 
 }  // namespace hearth

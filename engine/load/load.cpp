@@ -81,13 +81,6 @@ void Loader::lightFully(Linking& linking) const {
                          "write a lights file, or give the level or its sectors a \"light\"");
 }
 
-bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
-  if (!lights.lights.empty() || description.light) return false;
-  for (const SectorDescription& sector : description.sectors)
-    if (sector.light) return false;
-  return true;
-}
-
 std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
                                         const LightsDescription& lights) {
   if (description.sectors.empty()) return std::nullopt;

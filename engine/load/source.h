@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "load/description.h"
@@ -32,5 +33,12 @@ struct SourcedResult {
 
 /// `loadLevel`, for who has something to say of the level's files, too. Holds all of their text.
 SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadLimits& limits = {});
+
+/// The level with what its lights file says now: what loading gives where no other file has
+/// changed, and much sooner; it tells of that file alone. `source` is that of `loaded`, and becomes
+/// that of the result if this has a level. None where the level has no such file (any more), or its
+/// first or last light comes or goes of a level that else is fully bright.
+std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
+                                       const LoadLimits& limits = {});
 
 }  // namespace hearth

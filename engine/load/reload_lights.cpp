@@ -1,0 +1,59 @@
+#include <system_error>
+#include <utility>
+
+#include "load/link.h"
+#include "load/read.h"
+#include "load/read_document.h"
+#include "load/source.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::uint32_t kLights = 1;  // among files and documents: the level's own is the first
+
+/// The level with these lights in place of its own.
+Level levelWith(const LightsDescription& lights, const Level& level, const LevelSource& source,
+                Report& report) {
+  const SectorNames names(source.level);
+  TextureTable textures;
+  Linking linking{source.level, report, names, textures, level, {}, {}, {}, {}};
+  linking.level.lights.clear();
+  linking.isDoubtful.resize(level.sectors.size());
+  linkLights(linking, lights);
+  return std::move(linking.level);
+}
+
+}  // namespace
+
+std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
+                                       const LoadLimits& limits) {
+  if (source.documents.size() <= kLights) return std::nullopt;
+  const std::filesystem::path& file = loaded.files[kLights];
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return std::nullopt;
+
+  Report report;
+  Document document;
+  LightsDescription lights;
+  if (readDocument(file, limits, document, kLights, report))
+    lights = readLights(report, JsonValue(document, kLights, 0), limits);
+  const bool wasBright = saysNothingOfLight(source.level, source.lights);
+  if (!report.hasErrors() && saysNothingOfLight(source.level, lights) != wasBright)
+    return std::nullopt;
+  Level level = levelWith(lights, loaded.level, source, report);
+
+  LoadResult result;
+  std::swap(source.documents[kLights], document);
+  result.diagnostics = report.resolve(source.documents);
+  if (report.hasErrors()) {
+    std::swap(source.documents[kLights], document);
+    return result;
+  }
+  source.lights = std::move(lights);
+  result.loaded = loaded;
+  result.loaded->level = std::move(level);
+  return result;
+}
+
+}  // namespace hearth
