@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "light/baked_surface.h"
+#include "light/geometry_hash.h"
 #include "light/light_prints.h"
 #include "light/light_sight.h"
 #include "light/parallel.h"
@@ -53,6 +54,8 @@ struct LightMemory::Kept {
   std::size_t mostBytes;
   std::size_t bytes = 0;
   std::optional<BakeSettings> settings;
+  std::uint64_t geometry = 0;               ///< hash of the geometry of the last level, ...
+  std::shared_ptr<const LitSurfaces> made;  ///< ... whose surfaces these are
   std::unordered_map<std::uint64_t, Number> numbers;                           ///< of prints
   std::unordered_map<std::uint64_t, std::shared_ptr<const Surface>> surfaces;  ///< by their prints
 
@@ -72,6 +75,15 @@ struct LightMemory::Kept {
     surfaces.erase(print);
   }
 
+  /// Those of the last level where the geometry is the same.
+  std::shared_ptr<const LitSurfaces> surfacesOf(const Level& level, double texel) {
+    const std::uint64_t hash = geometryHash(level, texel);
+    if (!made || geometry != hash)
+      made = std::make_shared<const LitSurfaces>(makeLitSurfaces(level, texel));
+    geometry = hash;
+    return made;
+  }
+
   Number numberOf(std::uint64_t print) {
     return numbers.try_emplace(print, static_cast<Number>(numbers.size())).first->second;
   }
@@ -87,12 +99,11 @@ std::size_t LightMemory::bytes() const { return kept_->bytes; }
 
 class Rebake::Baker {
  public:
-  Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings);
+  Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings, int threads);
 
   std::int64_t texelLightsLeft() const { return texelLightsLeft_; }
-  BakedLight draft(int threads) const;
-  std::optional<BakedLight> finish(int threads, BakeProgress& progress,
-                                   const std::stop_token& stop);
+  BakedLight draft() const;
+  std::optional<BakedLight> finish(BakeProgress& progress, const std::stop_token& stop);
 
  private:
   using Number = LightMemory::Kept::Number;
@@ -128,7 +139,9 @@ class Rebake::Baker {
   LightMemory::Kept& memory_;
   const Level& level_;
   BakeSettings settings_;
-  LitSurfaces surfaces_;
+  int threads_;
+  std::shared_ptr<const LitSurfaces> made_;
+  const LitSurfaces& surfaces_;
   LightPrints prints_;
   LightSights sights_;
   std::vector<Number> sectorNumbers_;   ///< by SectorId
@@ -137,28 +150,30 @@ class Rebake::Baker {
   std::int64_t texelLightsLeft_ = 0;
 };
 
-Rebake::Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings)
-    : baker_(std::make_unique<Baker>(*memory.kept_, level, settings)) {}
+Rebake::Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings, int threads)
+    : baker_(std::make_unique<Baker>(*memory.kept_, level, settings, threads)) {}
 
 Rebake::~Rebake() = default;
 
 std::int64_t Rebake::texelLightsLeft() const { return baker_->texelLightsLeft(); }
 
-BakedLight Rebake::draft(int threads) const { return baker_->draft(threads); }
+BakedLight Rebake::draft() const { return baker_->draft(); }
 
-std::optional<BakedLight> Rebake::finish(int threads, BakeProgress* progress,
-                                         const std::stop_token& stop) {
+std::optional<BakedLight> Rebake::finish(BakeProgress* progress, const std::stop_token& stop) {
   BakeProgress unwatched;
-  return baker_->finish(threads, progress ? *progress : unwatched, stop);
+  return baker_->finish(progress ? *progress : unwatched, stop);
 }
 
 // --- What is to be done --------------------------------------------------------------------------
 
-Rebake::Baker::Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings)
+Rebake::Baker::Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings,
+                     int threads)
     : memory_(memory),
       level_(level),
       settings_(settings),
-      surfaces_(makeLitSurfaces(level, settings.texel)),
+      threads_(threads),
+      made_(memory.surfacesOf(level, settings.texel)),
+      surfaces_(*made_),
       prints_(lightPrints(level, surfaces_)),
       sights_(level, settings),
       plans_(surfaces_.size()) {
@@ -169,11 +184,11 @@ Rebake::Baker::Baker(LightMemory::Kept& memory, const Level& level, const BakeSe
   for (const std::uint64_t print : prints_.surfaces)
     surfaceNumbers_.push_back(memory.numberOf(print));
   const std::vector<bool> isPresent = presentNumbers();
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if (!surfaces_[i]) continue;
-    plans_[i] = planFor(SurfaceId(i), isPresent);
-    texelLightsLeft_ += surfaces_[i]->texels.count() * std::ssize(plans_[i].left);
-  }
+  parallelFor(surfaces_.size(), threads, [&](std::size_t i) {
+    if (surfaces_[i]) plans_[i] = planFor(SurfaceId(i), isPresent);
+  });
+  for (std::size_t i = 0; i < surfaces_.size(); ++i)
+    if (surfaces_[i]) texelLightsLeft_ += surfaces_[i]->texels.count() * std::ssize(plans_[i].left);
 }
 
 std::vector<bool> Rebake::Baker::presentNumbers() const {
@@ -215,12 +230,12 @@ std::vector<std::size_t> Rebake::Baker::byFallingWork() const {
 
 // --- The light -----------------------------------------------------------------------------------
 
-std::optional<BakedLight> Rebake::Baker::finish(int threads, BakeProgress& progress,
+std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
                                                 const std::stop_token& stop) {
   progress.begin(texelsOfRounds());
   std::vector<std::shared_ptr<const Surface>> surfaces(surfaces_.size());
   const std::vector<std::size_t> order = byFallingWork();
-  parallelFor(order.size(), threads, [&](std::size_t job) {
+  parallelFor(order.size(), threads_, [&](std::size_t job) {
     if (stop.stop_requested()) return;
     auto surface = lit(SurfaceId(order[job]), progress, stop);
     if (!stop.stop_requested()) surfaces[order[job]] = std::move(surface);
@@ -343,7 +358,7 @@ void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> lit
 
 // --- A draft -------------------------------------------------------------------------------------
 
-BakedLight Rebake::Baker::draft(int threads) const {
+BakedLight Rebake::Baker::draft() const {
   BakeSettings points = settings_;
   points.softSamples = 0;
   const LightSights sights(level_, points);
@@ -351,7 +366,7 @@ BakedLight Rebake::Baker::draft(int threads) const {
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(surfaces_.size());
   const std::vector<std::size_t> order = byFallingWork();
-  parallelFor(order.size(), threads, [&](std::size_t job) {
+  parallelFor(order.size(), threads_, [&](std::size_t job) {
     baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), sights);
   });
   baked.stats = statsOf(baked);
@@ -361,6 +376,7 @@ BakedLight Rebake::Baker::draft(int threads) const {
 std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& sights) const {
   const Plan& plan = plans_[id.index()];
   if (plan.facing.empty()) return std::nullopt;
+  if (plan.isUnchanged()) return plan.old->lightmap;
   TexelSums sums = sumsFor(id);
   for (const auto& share : plan.known)
     if (share) sums.add(share->sums);

@@ -40,8 +40,8 @@ class LightMemory {
 class Rebake {
  public:
   /// Looks what is to be done; with settings without a mistake. Memory and level must outlive the
-  /// rebake, and the memory is its alone meanwhile.
-  Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings);
+  /// rebake, and the memory is its alone meanwhile. No byte depends on `threads`.
+  Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings, int threads);
   ~Rebake();
   Rebake(const Rebake&) = delete;
   Rebake& operator=(const Rebake&) = delete;
@@ -50,11 +50,11 @@ class Rebake {
   std::int64_t texelLightsLeft() const;
 
   /// The light in haste: of what is left to do one sample to 4 x 4 texels, and balls as points.
-  BakedLight draft(int threads) const;
+  BakedLight draft() const;
 
-  /// None where it was asked to stop; what was done until then is kept. Called once. The bytes do
-  /// not depend on `threads`. `progress`, if any, is new.
-  std::optional<BakedLight> finish(int threads, BakeProgress* progress = nullptr,
+  /// None where it was asked to stop; what was done until then is kept. Called once. `progress`, if
+  /// any, is new.
+  std::optional<BakedLight> finish(BakeProgress* progress = nullptr,
                                    const std::stop_token& stop = {});
 
  private:

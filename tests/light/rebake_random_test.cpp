@@ -175,7 +175,7 @@ BakeSettings settingsFor(const Level& level, std::uint64_t seed) {
 
 std::int64_t allTexelLights(const Level& level, const BakeSettings& settings) {
   LightMemory none;
-  return Rebake(none, level, settings).texelLightsLeft();
+  return Rebake(none, level, settings, kThreads).texelLightsLeft();
 }
 
 TEST(Rebake, IsTheFullBakeAfterEachOfManyEdits) {
@@ -188,10 +188,10 @@ TEST(Rebake, IsTheFullBakeAfterEachOfManyEdits) {
       SCOPED_TRACE(fmt::format("level {}, edit {}", seed, edit));
       const Level level = draft.edited();
       const BakeSettings settings = settingsFor(level, seed);
-      Rebake rebake(memory, level, settings);
+      Rebake rebake(memory, level, settings, kThreads);
       left += rebake.texelLightsLeft();
       all += allTexelLights(level, settings);
-      const auto light = rebake.finish(kThreads);
+      const auto light = rebake.finish();
       ASSERT_TRUE(light);
       test::expectSame(level, *light, bake(level, settings, kThreads));
       if (HasFailure()) return;

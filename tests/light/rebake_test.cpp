@@ -33,64 +33,64 @@ class RebakeOfRooms : public testing::Test {
 };
 
 TEST_F(RebakeOfRooms, AsksForNothingWhereNothingHasChanged) {
-  const auto first = Rebake(memory_, level_, settings_).finish(kThreads);
+  const auto first = Rebake(memory_, level_, settings_, kThreads).finish();
   const Level again = rooms();
-  Rebake rebake(memory_, again, settings_);
+  Rebake rebake(memory_, again, settings_, kThreads);
   EXPECT_EQ(rebake.texelLightsLeft(), 0);
-  expectSame(again, *rebake.finish(kThreads), *first);
+  expectSame(again, *rebake.finish(), *first);
 }
 
 TEST_F(RebakeOfRooms, AsksForOneLightWhereOneWasMoved) {
-  Rebake first(memory_, level_, settings_);
+  Rebake first(memory_, level_, settings_, kThreads);
   const std::int64_t all = first.texelLightsLeft();
-  ASSERT_TRUE(first.finish(kThreads));
+  ASSERT_TRUE(first.finish());
   ASSERT_GE(level_.lights.size(), 2U);
   level_.lights[0].position.z += 0.1;
-  Rebake rebake(memory_, level_, settings_);
+  Rebake rebake(memory_, level_, settings_, kThreads);
   EXPECT_GT(rebake.texelLightsLeft(), 0);
   EXPECT_LT(rebake.texelLightsLeft(), all);
-  expectSame(level_, *rebake.finish(kThreads), bake(level_, settings_, kThreads));
+  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
 }
 
 TEST_F(RebakeOfRooms, AsksForAllWhereSettingsHaveChanged) {
-  ASSERT_TRUE(Rebake(memory_, level_, settings_).finish(kThreads));
+  ASSERT_TRUE(Rebake(memory_, level_, settings_, kThreads).finish());
   settings_.samples = 4;
-  Rebake rebake(memory_, level_, settings_);
+  Rebake rebake(memory_, level_, settings_, kThreads);
   EXPECT_GT(rebake.texelLightsLeft(), 0);
-  expectSame(level_, *rebake.finish(kThreads), bake(level_, settings_, kThreads));
+  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
 }
 
 TEST_F(RebakeOfRooms, TakesEachWayOfSampling) {
   for (const std::optional<int> samples : {std::optional(4), std::optional<int>()}) {
     settings_.samples = samples;
-    ASSERT_TRUE(Rebake(memory_, level_, settings_).finish(kThreads));
+    ASSERT_TRUE(Rebake(memory_, level_, settings_, kThreads).finish());
     level_.lights[1].intensity += 10;
-    expectSame(level_, *Rebake(memory_, level_, settings_).finish(kThreads),
+    expectSame(level_, *Rebake(memory_, level_, settings_, kThreads).finish(),
                bake(level_, settings_, kThreads));
   }
 }
 
 TEST_F(RebakeOfRooms, GivesTheSameLightWhereThereIsNoRoomToRemember) {
   LightMemory small(1000);
-  Rebake first(small, level_, settings_);
+  Rebake first(small, level_, settings_, kThreads);
   const std::int64_t all = first.texelLightsLeft();
-  ASSERT_TRUE(first.finish(kThreads));
+  ASSERT_TRUE(first.finish());
   EXPECT_LE(small.bytes(), 1000U);
-  Rebake rebake(small, level_, settings_);
+  Rebake rebake(small, level_, settings_, kThreads);
   EXPECT_GT(rebake.texelLightsLeft(), all / 2);
-  expectSame(level_, *rebake.finish(kThreads), bake(level_, settings_, kThreads));
+  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
 }
 
 TEST_F(RebakeOfRooms, DoesNothingMoreOnceItIsStopped) {
   std::stop_source stop;
   stop.request_stop();
-  Rebake rebake(memory_, level_, settings_);
-  EXPECT_FALSE(rebake.finish(kThreads, nullptr, stop.get_token()));
+  Rebake rebake(memory_, level_, settings_, kThreads);
+  EXPECT_FALSE(rebake.finish(nullptr, stop.get_token()));
   EXPECT_EQ(memory_.bytes(), 0U);
 }
 
 TEST_F(RebakeOfRooms, GoesOnFromWhereItWasStopped) {
-  Rebake first(memory_, level_, settings_);
+  Rebake first(memory_, level_, settings_, 1);
   const std::int64_t all = first.texelLightsLeft();
   BakeProgress progress;
   std::stop_source stop;
@@ -98,11 +98,11 @@ TEST_F(RebakeOfRooms, GoesOnFromWhereItWasStopped) {
     while (2 * progress.texelsDone() <= progress.texels()) std::this_thread::yield();
     stop.request_stop();
   });
-  const bool isWhole = first.finish(1, &progress, stop.get_token()).has_value();
-  Rebake rebake(memory_, level_, settings_);
+  const bool isWhole = first.finish(&progress, stop.get_token()).has_value();
+  Rebake rebake(memory_, level_, settings_, kThreads);
   EXPECT_EQ(rebake.texelLightsLeft() == 0, isWhole);
   EXPECT_LT(rebake.texelLightsLeft(), all);
-  expectSame(level_, *rebake.finish(kThreads), bake(level_, settings_, kThreads));
+  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
 }
 
 /// Mean difference of texels, in levels.
@@ -125,14 +125,14 @@ double meanDifference(const BakedLight& a, const BakedLight& b) {
 
 TEST_F(RebakeOfRooms, DraftsWhatIsLeftRoughly) {
   const BakedLight full = bake(level_, settings_, kThreads);
-  const BakedLight draft = Rebake(memory_, level_, settings_).draft(kThreads);
+  const BakedLight draft = Rebake(memory_, level_, settings_, kThreads).draft();
   EXPECT_GT(meanDifference(full, draft), 0);
   EXPECT_LT(meanDifference(full, draft), 6);
 }
 
 TEST_F(RebakeOfRooms, DraftsWhatIsKnownAsItIs) {
-  const auto full = Rebake(memory_, level_, settings_).finish(kThreads);
-  const BakedLight draft = Rebake(memory_, level_, settings_).draft(kThreads);
+  const auto full = Rebake(memory_, level_, settings_, kThreads).finish();
+  const BakedLight draft = Rebake(memory_, level_, settings_, kThreads).draft();
   EXPECT_EQ(encodeBake(level_, draft, settings_.texel, ""),
             encodeBake(level_, *full, settings_.texel, ""));
 }

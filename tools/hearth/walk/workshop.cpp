@@ -121,13 +121,12 @@ void Workshop::light(bool isFirst, const std::stop_token& stop) {
   const bool isKept = isFirst && cache && showKept(*cache, *settings);
 
   // Also where the light was kept: from then on an edit asks for little.
-  Rebake rebake(memory_, level, *settings);
-  const int threads = threadsFrom(values_);
+  Rebake rebake(memory_, level, *settings, threadsFrom(values_));
   if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft))
-    show(rebake.draft(threads), true);
+    show(rebake.draft(), true);
   const auto progress = std::make_shared<BakeProgress>();
   setProgress(isKept ? nullptr : progress);
-  auto baked = rebake.finish(threads, progress.get(), stop);
+  auto baked = rebake.finish(progress.get(), stop);
   setProgress(nullptr);
   if (!baked) return;
   isLit_ = true;
