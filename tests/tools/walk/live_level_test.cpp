@@ -52,8 +52,10 @@ class LiveWalk : public testing::Test {
   fs::path lightsFile() const { return folder_ / "rooms.lights.json"; }
 
   void begin() {
-    auto loaded = std::make_shared<const LoadedLevel>(load());
-    live_ = std::make_unique<LiveLevel>(values_, loaded);
+    SourcedResult opened = loadLevelWithSource(levelFile());
+    ASSERT_TRUE(opened.result.loaded);
+    auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
+    live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source));
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
     live_->redraw(*lit);
@@ -206,6 +208,23 @@ TEST_F(LiveWalk, KeepsTheLastGoodLevelBehindTheMistakesUntilTheyAreMended) {
   EXPECT_EQ(stage_.shown, before);
 }
 
+TEST_F(LiveWalk, KeepsTheMistakesOfTheLevelWhereOnlyItsLightsAreSaved) {
+  begin();
+  const Image before = stage_.shown;
+  const std::string good = read(levelFile()).dump();
+  write(levelFile(), "{");
+  ASSERT_TRUE(comesTo([&] { return stage_.shown != before; }));
+  const Image broken = stage_.shown;
+  Json lights = read(lightsFile());
+  lights[0]["intensity"] = 40;
+  write(lightsFile(), lights.dump());
+  for (int i = 0; i < 100; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(2))) round();
+  EXPECT_EQ(stage_.shown, broken);
+  write(levelFile(), good);
+  ASSERT_TRUE(isTold("rooms.json: shown"));
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
 TEST_F(LiveWalk, LeavesTheMistakesWhereAGoodSaveWasFollowedByABadOne) {
   values_.set(Option::Texel, "0.06");
   begin();
@@ -233,6 +252,27 @@ TEST_F(LiveWalk, ShowsALevelOnceTheImageHasComeThatItNames) {
   ASSERT_TRUE(comesTo([&] { return stage_.shown != before; }));
   ASSERT_TRUE(writePng(folder_ / "late.png", plain({0, 200, 0})));
   ASSERT_TRUE(comesToShowFresh());
+}
+
+TEST_F(LiveWalk, ShowsLightsThatWereSavedWithTheLevel) {
+  writeRoom("room", 0);
+  begin();
+  writeRoom("room", 0.5);
+  ASSERT_TRUE(isTold(": shown"));
+  ASSERT_TRUE(comesToShowFresh());
+  write(lightsFile(), R"([{"x": 1, "y": 1, "z": 2.5, "falloff": 0.4}])");
+  ASSERT_TRUE(comesToShowFresh());
+}
+
+TEST_F(LiveWalk, ShowsTheMistakesOfLightsUntilTheyAreMended) {
+  begin();
+  const Image before = stage_.shown;
+  const std::string good = read(lightsFile()).dump();
+  write(lightsFile(), R"([{"x": 1}])");
+  ASSERT_TRUE(comesTo([&] { return stage_.shown != before; }));
+  write(lightsFile(), good);
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_EQ(stage_.shown, before);
 }
 
 TEST_F(LiveWalk, ShowsOnlyTheLastOfSeveralSaves) {

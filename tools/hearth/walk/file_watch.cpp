@@ -33,11 +33,11 @@ FileWatch::~FileWatch() {
 
 void FileWatch::watch(const std::vector<fs::path>& files) {
   files_.clear();
-  for (const fs::path& file : files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
     std::error_code error;
     // By its own name and, of a link, by that of what is written through it.
-    for (const fs::path& name : {inFullWords(file), fs::weakly_canonical(file, error)}) {
-      files_.insert(name);
+    for (const fs::path& name : {inFullWords(files[i]), fs::weakly_canonical(files[i], error)}) {
+      files_.emplace(name, i);
       watchFolder(name.parent_path());
     }
   }
@@ -62,8 +62,8 @@ FileWatch::Changes FileWatch::changes() {
       std::memcpy(&event, &bytes[at], sizeof event);
       const fs::path file = folders_[event.wd] / (event.len > 0 ? &bytes[at + sizeof event] : "");
       at += sizeof event + event.len;
-      if (files_.contains(file))
-        changes.watched = file;
+      if (const auto found = files_.find(file); found != files_.end())
+        changes.watched.insert(found->second);
       else
         changes.other = true;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -21,8 +21,8 @@ class FileWatch {
   void watch(const std::vector<std::filesystem::path>& files);
 
   struct Changes {
-    std::optional<std::filesystem::path> watched;  ///< one of the files
-    bool other = false;                            ///< any other file of the folders
+    std::set<std::size_t> watched;  ///< indices of the files
+    bool other = false;             ///< any other file of the folders
   };
   /// Since the last call.
   Changes changes();
@@ -32,7 +32,7 @@ class FileWatch {
 
   int events_;                                    ///< a file descriptor; -1: nothing can be watched
   std::map<int, std::filesystem::path> folders_;  ///< by the kernel's numbers
-  std::set<std::filesystem::path> files_;
+  std::map<std::filesystem::path, std::size_t> files_;
 };
 
 }  // namespace hearth

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -57,8 +58,9 @@ std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const
   return carried;
 }
 
-LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded)
-    : workshop_(values, loaded) {
+LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
+                     LevelSource source)
+    : workshop_(values, loaded, std::move(source)) {
   watch_.watch(loaded->files);
 }
 
@@ -83,9 +85,11 @@ void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
   if (!report_.empty()) outside.print(std::exchange(report_, ""));
   const FileWatch::Changes changes = watch_.changes();
   // What was missing may have come.
-  if (changes.watched || (changes.other && !mistakes_.empty())) {
-    saved_ = changes.watched;
-    workshop_.reload();
+  if (!changes.watched.empty() || (changes.other && !mistakes_.empty())) {
+    // The second file is that of the lights; a level that has none is loaded as a whole.
+    const bool areLights = changes.watched == std::set<std::size_t>{1};
+    workshop_.reload(areLights ? Workshop::Changed::Lights : Workshop::Changed::Anything);
+    if (!changes.watched.empty()) saved_ = shown_->loaded->files[*changes.watched.begin()];
   }
   while (const auto news = workshop_.news()) take(*news, loop, journey);
   loop.setNotes(notes());

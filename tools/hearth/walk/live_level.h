@@ -14,7 +14,7 @@
 #include "hearth/walk/outside.h"
 #include "hearth/walk/walk_loop.h"
 #include "hearth/walk/workshop.h"
-#include "load/load.h"
+#include "load/source.h"
 
 namespace hearth {
 
@@ -24,7 +24,8 @@ namespace hearth {
 class LiveLevel {
  public:
   /// Lights `loaded`, meanwhile.
-  LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded);
+  LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
+            LevelSource source);
 
   /// The light of the level as it was given, perhaps a draft. `wait` is called again and again.
   tl::expected<std::shared_ptr<const LitLevel>, std::string> awaitFirst(

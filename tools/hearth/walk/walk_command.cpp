@@ -145,15 +145,15 @@ SharedLitLevel drawnWithin(double milliseconds, const SharedLitLevel& lit, const
   return std::make_shared<const LitLevel>(lit->loaded, lit->light, fitting.draw);
 }
 
-ExitStatus walkInWindow(const SharedLevel& loaded, const Plan& plan, Journey& journey,
-                        const OptionValues& values) {
+ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Plan& plan,
+                        Journey& journey, const OptionValues& values) {
   const Level& level = loaded->level;
   auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
   if (!window)
     return fail(
         fmt::format("no window can be opened: {}; `hearth shot` needs no display", window.error()));
   std::optional<LiveLevel> live;
-  if (isLive(values)) live.emplace(values, loaded);
+  if (isLive(values)) live.emplace(values, loaded, std::move(source));
   auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, values);
   if (!lit) return fail(lit.error());
   if (const auto target = values.number(Option::TargetMs))
@@ -175,9 +175,9 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const Plan& plan, Journey& jo
 
 ExitStatus run(const OptionValues& values) {
   if (const auto mistake = mistakeInOptions(values)) return fail(*mistake);
-  std::optional<LoadedLevel> opened = openLevel(values);
-  if (!opened) return ExitStatus::BadInput;
-  const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened));
+  SourcedResult opened = openLevelWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
   const Level& level = loaded->level;
   const auto plan = planFor(level, values);
   if (!plan) return fail(plan.error());
@@ -186,7 +186,7 @@ ExitStatus run(const OptionValues& values) {
   Journey journey(level, *walker,
                   values.has(Option::Record) ? Journey::Memory::Inputs : Journey::Memory::None);
   if (values.has(Option::Headless)) return replayHeadless(level, journey, *plan->replay);
-  return walkInWindow(loaded, *plan, journey, values);
+  return walkInWindow(loaded, std::move(opened.source), *plan, journey, values);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
 #include <system_error>
@@ -17,7 +18,7 @@ namespace {
 
 /// Texels, once for each light, from which on a draft is shown first: who edits shall see at once
 /// what he did, who begins can wait for a quarter of a second.
-constexpr std::int64_t kWorthADraft = 100'000;
+constexpr std::int64_t kWorthADraft = 30'000;
 constexpr std::int64_t kWorthADraftAtFirst = 1'000'000;
 
 /// Bakes that are over sooner are not worth a word.
@@ -28,11 +29,13 @@ void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
 
 }  // namespace
 
-Workshop::Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded)
+Workshop::Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
+                   LevelSource source)
     : values_(values),
       draw_(drawSettingsFrom(values)),
       current_(std::move(loaded)),
-      thread_([this] { run(); }) {}
+      source_(std::move(source)),
+      thread_([this, stop = stop_.get_token()] { run(stop); }) {}
 
 Workshop::~Workshop() {
   const std::scoped_lock lock(mutex_);
@@ -41,9 +44,9 @@ Workshop::~Workshop() {
   wakeUp_.notify_all();
 }
 
-void Workshop::reload() {
+void Workshop::reload(Changed changed) {
   const std::scoped_lock lock(mutex_);
-  isAsked_ = true;
+  asked_ = std::max(changed, asked_.value_or(changed));
   stop_.request_stop();
   wakeUp_.notify_all();
 }
@@ -70,33 +73,38 @@ std::optional<StageProgress> Workshop::progress() const {
 
 // --- In the workshop's own thread ----------------------------------------------------------------
 
-void Workshop::run() {
+void Workshop::run(const std::stop_token& stopOfFirst) {
   giveWay();
-  for (bool isFirst = true; const auto stop = nextJob(); isFirst = false) {
-    try {
-      if (!isFirst) load();
-      if (!isLit_) light(isFirst, *stop);
-    } catch (const std::bad_alloc&) {
-      refuse("not enough memory; larger --texel needs less");
-    } catch (const std::system_error& error) {  // no more threads to be had
-      refuse(error.what());
-    }
+  attempt([&] { light(true, stopOfFirst); });
+  while (const auto job = nextJob())
+    attempt([&] {
+      load(job->changed);
+      if (!isLit_) light(false, job->stop);
+    });
+}
+
+void Workshop::attempt(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    refuse("not enough memory; larger --texel needs less");
+  } catch (const std::system_error& error) {  // no more threads to be had
+    refuse(error.what());
   }
 }
 
 /// Waits until there is something to do; none at the end.
-std::optional<std::stop_token> Workshop::nextJob() {
+std::optional<Workshop::Job> Workshop::nextJob() {
   std::unique_lock lock(mutex_);
-  wakeUp_.wait(lock, [this] { return isAsked_ || isOver_; });
+  wakeUp_.wait(lock, [this] { return asked_ || isOver_; });
   if (isOver_) return std::nullopt;
-  isAsked_ = false;
   stop_ = std::stop_source();
-  return stop_.get_token();
+  return Job{*std::exchange(asked_, std::nullopt), stop_.get_token()};
 }
 
 /// The file's level takes the place of the one at hand, if it is one.
-void Workshop::load() {
-  LoadResult result = loadLevel(values_.level, limitsFrom(values_));
+void Workshop::load(Changed changed) {
+  LoadResult result = loaded(changed);
   LevelNews news;
   mistakes_.clear();
   for (const Diagnostic& diagnostic : result.diagnostics)
@@ -111,6 +119,16 @@ void Workshop::load() {
 void Workshop::refuse(std::string mistake) {
   mistakes_ = {std::move(mistake)};
   tell({});
+}
+
+LoadResult Workshop::loaded(Changed changed) {
+  const LoadLimits limits = limitsFrom(values_);
+  if (changed == Changed::Lights && source_)
+    if (auto result = reloadLights(*current_, *source_, limits)) return *std::move(result);
+  source_.reset();
+  auto [result, source] = loadLevelWithSource(values_.level, limits);
+  if (result.loaded) source_ = std::move(source);
+  return std::move(result);
 }
 
 void Workshop::light(bool isFirst, const std::stop_token& stop) {

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,7 +18,7 @@
 #include "light/bake_progress.h"
 #include "light/bakery.h"
 #include "light/rebake.h"
-#include "load/load.h"
+#include "load/source.h"
 #include "render/renderer.h"
 
 namespace hearth {
@@ -50,13 +51,15 @@ struct LevelNews {
 class Workshop {
  public:
   /// Bakes `loaded` first, with the settings of the command line above those of the file.
-  Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded);
+  Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
+           LevelSource source);
   ~Workshop();
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  /// Loads the file anew.
-  void reload();
+  enum class Changed { Lights, Anything };
+  /// Loads the level anew: all of it, or just its lights where only their file has changed.
+  void reload(Changed changed);
   /// How levels are drawn from the next one on.
   void setDraw(const DrawSettings& settings);
 
@@ -66,9 +69,15 @@ class Workshop {
   std::optional<StageProgress> progress() const;
 
  private:
-  void run();
-  std::optional<std::stop_token> nextJob();
-  void load();
+  struct Job {
+    Changed changed;
+    std::stop_token stop;
+  };
+  void run(const std::stop_token& stopOfFirst);
+  void attempt(const std::function<void()>& work);
+  std::optional<Job> nextJob();
+  void load(Changed changed);
+  LoadResult loaded(Changed changed);
   void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
   bool showKept(const BakeCache& cache, const BakeSettings& settings);
@@ -80,7 +89,7 @@ class Workshop {
 
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable wakeUp_;
-  bool isAsked_ = true;
+  std::optional<Changed> asked_;
   bool isOver_ = false;
   DrawSettings draw_;
   std::stop_source stop_;  ///< of the job at hand
@@ -90,6 +99,7 @@ class Workshop {
 
   // The thread's own:
   std::shared_ptr<const LoadedLevel> current_;
+  std::optional<LevelSource> source_;  ///< of the current level, while it is that of the files
   bool isLit_ = false;                 ///< with its own light, not a draft
   std::vector<std::string> mistakes_;  ///< of the files as they were read last
   LightMemory memory_;
