@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <unordered_map>
+#include <vector>
+
+namespace hearth::doom {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// A number of a WAD, which has its lowest byte first. `bytes` has it at `at`.
+std::int16_t int16At(Bytes bytes, std::size_t at);
+std::int32_t int32At(Bytes bytes, std::size_t at);
+/// A name of a WAD: eight bytes, filled up with zeros; in upper case.
+std::string nameAt(Bytes bytes, std::size_t at);
+
+/// The archive in which Doom and its kin keep maps, pictures and sounds: named lumps in an order
+/// that means something (https://doomwiki.org/wiki/WAD).
+class Wad {
+ public:
+  struct Lump {
+    std::string name;  ///< in upper case
+    Bytes bytes;
+  };
+
+  /// Errors are one sentence that begins with the path.
+  static tl::expected<Wad, std::string> open(const std::filesystem::path& path,
+                                             std::uint64_t maxBytes);
+
+  Wad(Wad&&) = default;
+  Wad& operator=(Wad&&) = default;
+  Wad(const Wad&) = delete;  // lumps lie in the content
+  Wad& operator=(const Wad&) = delete;
+
+  const std::vector<Lump>& lumps() const { return lumps_; }
+  /// The last lump of that name (in upper case), as later ones take the place of earlier ones.
+  std::optional<std::size_t> find(std::string_view name) const;
+  /// Its bytes; none where there is none.
+  Bytes bytesOf(std::string_view name) const;
+
+ private:
+  explicit Wad(std::string content) : content_(std::move(content)) {}
+  std::optional<std::string> readDirectory();
+
+  std::string content_;
+  std::vector<Lump> lumps_;
+  std::unordered_map<std::string, std::size_t> last_;
+};
+
+}  // namespace hearth::doom
