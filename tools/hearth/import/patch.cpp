@@ -1,0 +1,75 @@
+#include "hearth/import/patch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hearth::doom {
+
+namespace {
+
+constexpr std::size_t kHeader = 8;
+constexpr std::size_t kColumnOffset = 4;
+constexpr std::size_t kPostHeader = 3;
+constexpr std::size_t kPostFrame = kPostHeader + 1;  // what a post has beside its pixels
+constexpr std::uint8_t kEndOfColumn = 255;
+
+/// Bytes of the longest column that makes sense, each of its pixels a post: a broken one may
+/// otherwise go on through the rest of a large lump.
+constexpr std::size_t kMaxColumn = kMaxSide * (kPostFrame + 1) + 1;
+
+std::optional<std::string> mistakeInHeader(Bytes patch) {
+  if (patch.size() < kHeader) return fmt::format("has {} bytes, too few for a patch", patch.size());
+  const int width = int16At(patch, 0);
+  const int height = int16At(patch, 2);
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
+    return fmt::format("is no patch: a side of {} x {} pixels is not within 1..{}", width, height,
+                       kMaxSide);
+  if (patch.size() < kHeader + kColumnOffset * static_cast<std::size_t>(width))
+    return fmt::format("has {} bytes, too few for {} columns", patch.size(), width);
+  return std::nullopt;
+}
+
+void drawPost(Bytes pixels, int x, int top, const Palette& palette, Picture& picture) {
+  const int length = static_cast<int>(pixels.size());
+  const int end = std::min(length, picture.image.height() - top);
+  for (int i = std::max(0, -top); i < end; ++i)
+    picture.draw(x, top + i, palette[pixels[static_cast<std::size_t>(i)]]);
+}
+
+/// False where the column breaks off.
+bool drawColumn(Bytes column, int x, int top, const Palette& palette, Picture& picture) {
+  int row = -1;
+  while (!column.empty() && column[0] != kEndOfColumn) {
+    if (column.size() < kPostHeader) return false;
+    const std::size_t length = column[1];
+    if (column.size() < kPostFrame + length) return false;
+    row = column[0] > row ? column[0] : row + column[0];
+    drawPost(column.subspan(kPostHeader, length), x, top + row, palette, picture);
+    column = column.subspan(kPostFrame + length);
+  }
+  return !column.empty();
+}
+
+}  // namespace
+
+std::optional<std::string> drawPatch(Bytes patch, int left, int top, const Palette& palette,
+                                     Picture& picture) {
+  if (auto mistake = mistakeInHeader(patch)) return mistake;
+  std::optional<std::string> first;
+  const int end = std::min<int>(int16At(patch, 0), picture.image.width() - left);
+  for (int i = std::max(0, -left); i < end; ++i) {
+    const std::int64_t begin =
+        int32At(patch, kHeader + kColumnOffset * static_cast<std::size_t>(i));
+    const auto size = static_cast<std::int64_t>(patch.size());
+    const bool isInside = begin >= 0 && begin < size;
+    const Bytes rest = isInside ? patch.subspan(static_cast<std::size_t>(begin)) : Bytes{};
+    const Bytes column = rest.first(std::min(rest.size(), kMaxColumn));
+    if (!drawColumn(column, left + i, top, palette, picture) && !first)
+      first = isInside ? fmt::format("breaks off in column {}", i)
+                       : fmt::format("has column {} at byte {} of {}", i, begin, size);
+  }
+  return first;
+}
+
+}  // namespace hearth::doom
