@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hearth::doom {
+
+/// What became of something that has no equal in a Hearth level.
+enum class Outcome : std::uint8_t { Repaired, Dropped };
+
+/// What of a map it became of, by its number among its kind.
+enum class Part : std::uint8_t { Line, Sector, Thing, Texture };
+
+struct Finding {
+  Outcome outcome;
+  Part part;
+  std::size_t number;  ///< of no meaning for textures
+  std::string what;    ///< what was found, and what was done
+};
+
+using Findings = std::vector<Finding>;
+
+}  // namespace hearth::doom
