@@ -26,7 +26,8 @@ LAYERS = {
 OUTSIDERS = {
     r"SDL.*": ["tools/*/*", "tests/*/*"],
     r"CLI/.*": ["tools/*/*.cpp", "tests/*/*.cpp"],
-    r"nlohmann/.*": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
+    r"nlohmann/json\.hpp": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
+    r"nlohmann/json_fwd\.hpp": ["tools/*/*.h"],  # parts of a tool hand JSON to one another
     r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/light/*.cpp", "tests/*/*.cpp"],
     r"hwy/.*": ["engine/render/*.cpp", "engine/render/*-inl.h", "tests/*/*.cpp"],

@@ -25,7 +25,7 @@ os.environ["XDG_CACHE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
-COMMANDS = ["new", "fmt", "walk", "shot", "bake", "check", "lint", "info", "map", "bench", "tradeoff"]
+COMMANDS = ["new", "import", "fmt", "walk", "shot", "bake", "check", "lint", "info", "map", "bench", "tradeoff"]
 
 
 def run(*arguments, **options):
@@ -664,6 +664,73 @@ class New(InFolder):
         self.assertEqual(full.returncode, 2)
         self.assertRegex(full.stderr, "castle.json: cannot be written: File too large")
         self.assertEqual(list(self.folder.glob("castle*")), [])
+
+
+class Import(InFolder):
+    WAD = Path("/usr/share/games/doom/freedoom2.wad")
+
+    def setUp(self):
+        super().setUp()
+        self.assertTrue(self.WAD.exists(), "tools/setup installs the package freedoom")
+
+    def run_import(self, *arguments):
+        return run("import", self.WAD, *arguments, "-o", self.folder / "maps")
+
+    def test_makes_a_level_that_draws_without_a_word(self):
+        result = self.run_import("MAP01")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertRegex(result.stdout, r"map01.json: \d+ sectors of 198, \d+ walls of 1069 lines, ")
+        drawn = run("shot", self.folder / "maps/map01.json", "-o", self.out)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+
+    def test_reports_as_json_what_it_reports_as_text(self):
+        text = self.run_import("MAP20").stdout
+        for file in (self.folder / "maps").glob("*.json"):
+            file.unlink()
+        [made] = json.loads(self.run_import("MAP20", "--json").stdout)
+        self.assertIn(f"{made['sectors']} sectors of {made['of']['sectors']}, ", text)
+        self.assertIn(f"{made['walls']} walls of {made['of']['lines']} lines, "
+                      f"{made['lights']} lights, {made['textures']} textures; ", text)
+        self.assertEqual(len(made["findings"]), text.count("\n") - 1)
+        for finding in made["findings"]:
+            self.assertIn(f"{finding['outcome']}: {finding['what']}\n", text)
+
+    def test_never_touches_a_level_that_is_there(self):
+        self.run_import("MAP01")
+        for name in ("map01.json", "map01.lights.json"):
+            with self.subTest(name=name):
+                file = self.folder / "maps" / name
+                file.write_text("mine")
+                self.refuse(self.run_import("MAP01"), " is there already: remove it, or give ano")
+                self.assertEqual(file.read_text(), "mine")
+                (self.folder / "maps/map01.lights.json").unlink()
+
+    def test_doors_can_stay_closed(self):
+        for way in ("open", "closed"):
+            run("import", self.WAD, "MAP01", "--doors", way, "-o", self.folder / way)
+        levels = [json.loads((self.folder / way / "map01.json").read_text())
+                  for way in ("open", "closed")]
+        opened = [name for name, sector in levels[0]["sectors"].items()
+                  if sector["ceiling"]["z"] > levels[1]["sectors"][name]["ceiling"]["z"]]
+        self.assertGreater(len(opened), 3)
+
+    def test_takes_a_table_of_what_shines(self):
+        table = self.folder / "table.json"
+        table.write_text('{"things": {"1": {"color": "#123456"}}}')
+        self.run_import("MAP01", "--light-table", table)
+        lights = json.loads((self.folder / "maps/map01.lights.json").read_text())["lights"]
+        self.assertEqual([light["color"] for light in lights], ["#123456"])
+
+    def test_says_what_is_wrong(self):
+        table = self.folder / "table.json"
+        table.write_text('{"things": {"1": {"colour": 1}}}')
+        self.refuse(self.run_import("MAP99"), "freedoom2.wad: there is no map MAP99; those of the WAD"
+                                              ": MAP01, MAP02, ")
+        self.refuse(self.run_import(), "freedoom2.wad: name a map of it: MAP01, ")
+        self.refuse(self.run_import("MAP01", "--light-table", table),
+                    "table.json: /things/1/colour: there is no such key")
+        self.refuse(run("import", self.level, "MAP01", "-o", self.folder), "not a WAD")
+        self.assertFalse((self.folder / "maps").exists())
 
 
 class Fmt(InFolder):

@@ -12,9 +12,9 @@ ExitStatus fail(std::string_view message) {
 }
 
 std::vector<Command> allCommands() {
-  return {newCommand(),  fmtCommand(),   walkCommand(),    shotCommand(),
-          bakeCommand(), checkCommand(), lintCommand(),    infoCommand(),
-          mapCommand(),  benchCommand(), tradeoffCommand()};
+  return {newCommand(),  importCommand(), fmtCommand(),   walkCommand(),
+          shotCommand(), bakeCommand(),   checkCommand(), lintCommand(),
+          infoCommand(), mapCommand(),    benchCommand(), tradeoffCommand()};
 }
 
 std::vector<Option> limitOptions() {

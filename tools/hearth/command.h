@@ -25,7 +25,8 @@ struct Command {
   std::vector<Option> required;  ///< of the options
   ExitStatus (*run)(const OptionValues& values);
   LevelFiles levels = LevelFiles::One;
-  std::string more = {};  ///< that its help says after the options
+  std::string more = {};                ///< that its help says after the options
+  std::string_view argument = "LEVEL";  ///< what stands for the level files in the help
 };
 
 Command walkCommand();
@@ -35,6 +36,7 @@ Command checkCommand();
 Command lintCommand();
 Command infoCommand();
 Command mapCommand();
+Command importCommand();
 Command newCommand();
 Command fmtCommand();
 Command benchCommand();

@@ -37,10 +37,11 @@ void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValue
 void addCommand(CLI::App& program, const Command& command, OptionValues& values) {
   CLI::App& app = *program.add_subcommand(std::string(command.name), std::string(command.help));
   app.footer(command.more);
+  const std::string argument(command.argument);
   if (command.levels == LevelFiles::Several)
-    app.add_option("LEVEL", values.levels, "the level files")->required()->type_name("");
+    app.add_option(argument, values.levels, "the level files")->required()->type_name("");
   else
-    app.add_option("LEVEL", values.level, "the level file")
+    app.add_option(argument, values.level, "the level file")
         ->required(command.levels == LevelFiles::One)
         ->type_name("");
   for (const Option option : command.options) {

@@ -17,7 +17,8 @@ namespace {
 constexpr double kMost = 4e9;  // of counts and bytes
 
 constexpr std::array kTable = {
-    OptionRow{Option::Output, "-o", ValueKind::Text, "FILE", 0, 0, "", "the file to write"},
+    OptionRow{Option::Output, "-o", ValueKind::Text, "FILE", 0, 0, "",
+              "the file to write; of import, the folder"},
     OptionRow{Option::Camera, "--camera", ValueKind::Text, "X,Y,Z,ANGLE[,PITCH]", 0, 0,
               "the player's", "where the eye is (metres) and looks (degrees; pitch -60..60)"},
     OptionRow{Option::Sector, "--sector", ValueKind::Text, "NAME", 0, 0, "found from the position",
@@ -87,6 +88,12 @@ constexpr std::array kTable = {
     OptionRow{Option::List, "--list", ValueKind::Flag, "", 0, 0, "",
               "only print what is approximated, with its setting and the bound on its error"},
     OptionRow{Option::Csv, "--csv", ValueKind::Flag, "", 0, 0, "", "print CSV"},
+    OptionRow{Option::Doors, "--doors", ValueKind::Choice, "open|closed", 0, 0, "open",
+              "how doors stand; lifts are down where they are open"},
+    OptionRow{Option::Ambient, "--ambient", ValueKind::Number, "SHARE", 0, 1, "0.75",
+              "of the light that the map gives its sectors, so much is everywhere in them"},
+    OptionRow{Option::LightTable, "--light-table", ValueKind::Text, "FILE", 0, 0, "its own",
+              "JSON that says which things, textures and flats of a map shine, and how"},
     OptionRow{Option::TimeBudget, "--time-budget", ValueKind::Number, "SECONDS", 0.01, 1e6, "",
               "pick the most accurate settings with which the bake takes no longer"},
     OptionRow{Option::Texel, "--texel", ValueKind::Number, "METRES", 1e-6, 1e6, "0.125",

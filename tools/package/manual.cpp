@@ -49,7 +49,7 @@ std::string listed(const std::vector<std::string_view>& names) {
 void printCommand(const Command& command) {
   std::vector<std::string_view> names;
   for (const Option option : command.options) names.push_back(row(option).name);
-  fmt::print(".TP\n.B hearth {} \\fILEVEL\\fR{}\n{}.\n", command.name,
+  fmt::print(".TP\n.B hearth {} \\fI{}\\fR{}\n{}.\n", command.name, command.argument,
              command.levels == LevelFiles::Several ? "..." : "", troff(command.help));
   fmt::print("Takes {}.\n", names.empty() ? "no options" : listed(names));
   if (!command.more.empty()) fmt::print(".IP\n.EX\n{}\n.EE\n", troff(command.more));

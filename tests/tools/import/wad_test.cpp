@@ -43,6 +43,11 @@ TEST(WadNames, endAtAZeroOrAfterEightBytesAndAreInUpperCase) {
   EXPECT_EQ(nameAt(bytesOf(content), 8), "FLOOR7_1");
 }
 
+TEST(WadNames, canBePrinted) {
+  const std::string content = LumpBuilder().name("A\x1b[1m\xff~ ").content();
+  EXPECT_EQ(nameAt(bytesOf(content), 0), "A?[1M?~ ");
+}
+
 TEST(Wad, hasItsLumpsInOrder) {
   for (const char* kind : {"IWAD", "PWAD"}) {
     const auto wad =

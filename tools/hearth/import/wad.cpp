@@ -33,7 +33,8 @@ std::string nameAt(Bytes bytes, std::size_t at) {
   std::string name;
   for (const std::uint8_t c : bytes.subspan(at, kName)) {
     if (c == 0) break;
-    name += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    const bool isPrintable = c >= ' ' && c <= '~';
+    name += static_cast<char>(!isPrintable ? '?' : c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
   }
   return name;
 }

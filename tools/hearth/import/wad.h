@@ -17,7 +17,8 @@ using Bytes = std::span<const std::uint8_t>;
 /// A number of a WAD, which has its lowest byte first. `bytes` has it at `at`.
 std::int16_t int16At(Bytes bytes, std::size_t at);
 std::int32_t int32At(Bytes bytes, std::size_t at);
-/// A name of a WAD: eight bytes, filled up with zeros; in upper case.
+/// A name of a WAD: eight bytes, filled up with zeros; in upper case. What cannot be printed is
+/// '?', as names go into messages.
 std::string nameAt(Bytes bytes, std::size_t at);
 
 /// The archive in which Doom and its kin keep maps, pictures and sounds: named lumps in an order

@@ -1,0 +1,54 @@
+#include "hearth/import/light_table.h"
+
+#include <gtest/gtest.h>
+
+namespace hearth::doom {
+
+namespace {
+
+std::string mistakeIn(std::string_view json) {
+  const auto table = parseLightTable(json);
+  EXPECT_FALSE(table) << json;
+  return table ? "" : table.error();
+}
+
+TEST(LightTable, readsAllKeys) {
+  const auto table = parseLightTable(R"({ "//": "mine", "things": { "2028": { "//": "lamp",
+    "color": "#102030", "intensity": 1, "falloff": 2, "reach": 3, "height": 4, "every": 5 } },
+    "walls": { "LITE3": {} }, "flats": { "LAVA1": { "reach": 7 } } })");
+  ASSERT_TRUE(table) << table.error();
+  const Glow& lamp = table->things.at(2028);
+  EXPECT_EQ(lamp.color, "#102030");
+  EXPECT_EQ(lamp.intensity, 1);
+  EXPECT_EQ(lamp.falloff, 2);
+  EXPECT_EQ(lamp.reach, 3);
+  EXPECT_EQ(lamp.height, 4);
+  EXPECT_EQ(lamp.every, 5);
+  EXPECT_EQ(table->walls.at("LITE3").color, "#ffffff");
+  EXPECT_EQ(table->flats.at("LAVA1").reach, 7);
+}
+
+TEST(LightTable, saysWhereItsMistakesAre) {
+  EXPECT_TRUE(mistakeIn("[").starts_with("/: it is no JSON"));
+  EXPECT_TRUE(mistakeIn("[]").starts_with("/: "));
+  EXPECT_TRUE(mistakeIn(R"({"thing": {}})").starts_with("/thing: "));
+  EXPECT_TRUE(mistakeIn(R"({"things": {"lamp": {}}})").starts_with("/things/lamp: "));
+  EXPECT_TRUE(mistakeIn(R"({"things": {"0": {}}})").starts_with("/things/0: "));
+  EXPECT_TRUE(mistakeIn(R"({"things": {"70000": {}}})").starts_with("/things/70000: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": 1}})").starts_with("/walls/A: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"colour": 1}}})").starts_with("/walls/A/colour: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"color": "red"}}})").starts_with("/walls/A/color: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"falloff": -1}}})").starts_with("/walls/A/falloff: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"every": 0.2}}})").starts_with("/walls/A/every: "));
+  EXPECT_TRUE(mistakeIn(R"({"flats": {"A": {"reach": "1"}}})").starts_with("/flats/A/reach: "));
+}
+
+TEST(LightTable, comesWithOneOfItsOwn) {
+  const auto table = parseLightTable(ownLightTable());
+  ASSERT_TRUE(table) << table.error();
+  EXPECT_GE(table->things.size() + table->walls.size() + table->flats.size(), 30U);
+}
+
+}  // namespace
+
+}  // namespace hearth::doom

@@ -1,0 +1,133 @@
+#include "hearth/import/lights.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "map_builder.h"
+
+namespace hearth::doom {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A centimetre or so, by which lights are off the places of the map.
+constexpr double kBeside = 0.02;
+
+class LightsOfAMap : public testing::Test, protected MapBuilder {
+ protected:
+  Json lights() {
+    Findings findings;
+    return lightsJson(GroundPlan(map, Doors::Open, findings), table_)["lights"];
+  }
+
+  LightTable table_;
+};
+
+TEST_F(LightsOfAMap, standWhereThingsShine) {
+  walls(sector(32), square(0, 0, 256));
+  table_.things[2028] = {.color = "#102030", .height = 1.5};
+  map.things.push_back({64, 96, 0, 2028, 7});
+  map.things.push_back({64, 96, 0, 2029, 7});
+  const Json made = lights();
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_NEAR(made[0]["x"], 2, kBeside);
+  EXPECT_NEAR(made[0]["y"], -3, kBeside);
+  EXPECT_EQ(made[0]["z"], 2.5);
+  EXPECT_EQ(made[0]["sector"], "0");
+  EXPECT_EQ(made[0]["color"], "#102030");
+}
+
+TEST_F(LightsOfAMap, stayBelowTheCeiling) {
+  walls(sector(0, 32), square(0, 0, 256));
+  table_.things[2028] = {.height = 1.5};
+  map.things.push_back({64, 96, 0, 2028, 7});
+  EXPECT_EQ(lights().at(0)["z"], 0.75);
+}
+
+TEST_F(LightsOfAMap, areNoneOfThingsThatComeOnlyWithOthersOrLieOutside) {
+  walls(sector(), square(0, 0, 256));
+  table_.things[2028] = {};
+  map.things.push_back({64, 96, 0, 2028, 7 | 16});
+  map.things.push_back({640, 96, 0, 2028, 7});
+  EXPECT_TRUE(lights().empty());
+}
+
+TEST_F(LightsOfAMap, growWeakerUntilTheirReach) {
+  walls(sector(), square(0, 0, 256));
+  table_.things[2028] = {.intensity = 200, .falloff = 1, .reach = 9};
+  map.things.push_back({64, 96, 0, 2028, 7});
+  const Json curve = lights().at(0)["curve"];
+  EXPECT_EQ(curve.front(), (Json{0, 200}));
+  EXPECT_EQ(curve.back(), (Json{9, 0}));
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    EXPECT_LT(curve[i][1].get<double>(), curve[i - 1][1].get<double>());
+}
+
+TEST_F(LightsOfAMap, areEvenlyBeforeWallsThatShine) {
+  walls(sector(0, 64), {{0, 0}, {0, 256}, {128, 256}, {128, 0}});
+  map.sides[0].middle = "LITE";  // on the left, 8 m
+  table_.walls["LITE"] = {.every = 4};
+  const Json made = lights();
+  ASSERT_EQ(made.size(), 2U);
+  for (const Json& light : made) {
+    EXPECT_NEAR(light["x"], 0.25, kBeside);
+    EXPECT_EQ(light["z"], 1);
+  }
+  EXPECT_NEAR(made[0]["y"], -2, kBeside);
+  EXPECT_NEAR(made[1]["y"], -6, kBeside);
+}
+
+TEST_F(LightsOfAMap, areBeforeWallsInNarrowPlaces) {
+  walls(sector(0, 64), {{0, 0}, {0, 64}, {4, 64}, {4, 0}});
+  map.sides[0].middle = "LITE";
+  table_.walls["LITE"] = {};
+  const Json made = lights();
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_LT(made[0]["x"], 0.125);
+}
+
+TEST_F(LightsOfAMap, stayInSectorsThatAreHardlyWiderThanTheirDistance) {
+  walls(sector(), {{0, 0}, {256, 250}, {258, 250}, {2, 0}});  // 44 mm
+  map.sides[0].middle = "LITE";
+  table_.walls["LITE"] = {};
+  Findings findings;
+  const GroundPlan plan(map, Doors::Open, findings);
+  const Json made = lights();
+  EXPECT_FALSE(made.empty());
+  for (const Json& light : made) EXPECT_TRUE(plan.contains(0, {light["x"], light["y"]})) << light;
+}
+
+TEST_F(LightsOfAMap, areBelowCeilingsAndAboveFloorsThatShine) {
+  walls(sector(0, 128), square(0, 0, 128));
+  map.sectors[0].ceilingFlat = "TLITE";
+  map.sectors[0].floorFlat = "LAVA";
+  table_.flats["TLITE"] = {};
+  table_.flats["LAVA"] = {.every = 4};
+  const Json made = lights();
+  ASSERT_EQ(made.size(), 5U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(made[i]["z"], 3.75);
+  EXPECT_EQ(made[4]["z"], 0.25);
+  EXPECT_NEAR(made[4]["x"], 2, kBeside) << "in the middle";
+}
+
+TEST_F(LightsOfAMap, areInTheMiddleOfASmallPanelWhereverItLies) {
+  walls(sector(0, 128), square(50, 50, 64));
+  map.sectors[0].ceilingFlat = "TLITE";
+  table_.flats["TLITE"] = {};
+  const Json made = lights();
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_NEAR(made[0]["x"], 82 / 32.0, kBeside);
+}
+
+TEST_F(LightsOfAMap, areNoneInClosedSectors) {
+  walls(sector(0, 0), square(0, 0, 128));
+  map.sectors[0].ceilingFlat = "TLITE";
+  table_.flats["TLITE"] = {};
+  EXPECT_TRUE(lights().empty());
+}
+
+}  // namespace
+
+}  // namespace hearth::doom

@@ -1,0 +1,192 @@
+#include "hearth/import/convert.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+namespace hearth::doom {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint16_t kPlayerOne = 1;
+
+// The player of Doom: 56 units high, 32 wide, eyes at 41, climbs 24.
+constexpr double kEye = 41 * kUnit;
+constexpr double kBodyHeight = 56 * kUnit;
+constexpr double kRadius = 16 * kUnit;
+constexpr double kStep = 24 * kUnit;
+
+/// Where nothing says what is seen.
+constexpr const char* kBare = "#606060";
+
+/// Doom's angles turn left from east, Hearth's right.
+int angleOf(int degrees) { return ((-degrees % 360) + 360) % 360; }
+
+class Converter {
+ public:
+  Converter(const GroundPlan& plan, double ambient, Materials& materials, Findings& findings)
+      : plan_(plan),
+        map_(plan.map()),
+        ambient_(ambient),
+        materials_(materials),
+        findings_(findings) {}
+
+  Json level() {
+    Json level{{"version", 1}, {"name", map_.name}, {"textures", "textures"}};
+    if (auto player = playerJson()) level["player"] = std::move(*player);
+    Json& sectors = level["sectors"] = Json::object();
+    for (std::uint32_t i = 0; i < plan_.regions().size(); ++i)
+      sectors[plan_.nameOf(i)] = sectorJson(i);
+    level["$things"] = thingsJson();
+    tellOfMiddles();
+    return level;
+  }
+
+ private:
+  // --- Sectors -----------------------------------------------------------------------------------
+
+  Json sectorJson(std::uint32_t region) {
+    const Sector& sector = plan_.sectorOf(region);
+    const Space space = plan_.spaceOf(region);
+    Json loops = Json::object();
+    for (const auto& loop : plan_.regions()[region].loops)
+      loops[loops.empty() ? "border" : fmt::format("inner {}", loops.size())] = loopJson(loop);
+    return {{"light", std::round(1000 * ambient_ * sector.light / 255) / 1000},
+            {"floor", flatJson(space.floor, sector.floorFlat)},
+            {"ceiling", flatJson(space.ceiling, sector.ceilingFlat)},
+            {"loops", std::move(loops)}};
+  }
+
+  Json flatJson(double z, const std::string& flat) {
+    if (flat != kSkyFlat) return {{"z", z}, {"texture", materials_.flat(flat)}};
+    return {{"z", z}, {"texture", materials_.sky()}, {"parallax", true}};
+  }
+
+  Json loopJson(const std::vector<std::uint32_t>& loop) {
+    Json v = Json::array();
+    Json walls = Json::array();
+    for (const std::uint32_t h : loop) {
+      v.push_back(plan_.halfEdge(h).from.x);
+      v.push_back(plan_.halfEdge(h).from.y);
+      walls.push_back(wallJson(h));
+    }
+    return {{"v", std::move(v)}, {"walls", std::move(walls)}};
+  }
+
+  // --- Walls -------------------------------------------------------------------------------------
+
+  Json wallJson(std::uint32_t h) {
+    Json wall = Json::object();
+    if (plan_.isPortal(h)) wall["next"] = plan_.nameOf(*plan_.behind(h).region);
+    for (const ShownPart& part : plan_.shownParts(h)) wall[keyOf(part.part)] = textureJson(h, part);
+    return wall;
+  }
+
+  static const char* keyOf(WallPart part) {
+    if (part == WallPart::Solid) return "texture";
+    return part == WallPart::Upper ? "upper" : "lower";
+  }
+
+  Json textureJson(std::uint32_t h, const ShownPart& part) {
+    if (part.texture == kNoTexture) return bareJson(h, part);
+    const Side& side = map_.sides[part.face->side];
+    return materials_.wall(part.texture,
+                           {side.xOffset, side.yOffset, part.face->along, topOfImage(h, part)});
+  }
+
+  /// Where Doom hangs an image otherwise than Hearth does by itself
+  /// (https://doomwiki.org/wiki/Texture_alignment).
+  std::optional<double> topOfImage(std::uint32_t h, const ShownPart& part) const {
+    const Line& line = map_.lines[part.face->line];
+    const Space own = plan_.spaceOf(*plan_.halfEdge(h).region);
+    if (part.part == WallPart::Upper)
+      return line.isUpperUnpegged() ? std::optional(own.ceiling) : std::nullopt;
+    if (!line.isLowerUnpegged()) return std::nullopt;
+    if (part.part == WallPart::Solid) return own.floor + materials_.heightOf(part.texture);
+    // Between two skies Doom takes the ceiling behind for that before.
+    const Space next = plan_.spaceOf(*plan_.behind(h).region);
+    return own.isUnderSky && next.isUnderSky ? next.ceiling : own.ceiling;
+  }
+
+  /// What Doom shows where it has no texture is what was drawn before; most often that is the floor
+  /// or ceiling behind.
+  Json bareJson(std::uint32_t h, const ShownPart& part) {
+    if (part.bottom == part.top) return kBare;
+    if (toldOf_.emplace(part.face->line, part.part).second)
+      findings_.push_back(
+          {Outcome::Repaired, Part::Line, part.face->line,
+           fmt::format("its {} shows and has no texture",
+                       part.part == WallPart::Solid ? "middle" : keyOf(part.part))});
+    if (part.part == WallPart::Solid) return kBare;
+    const Sector& next = plan_.sectorOf(*plan_.behind(h).region);
+    const std::string& flat = part.part == WallPart::Upper ? next.ceilingFlat : next.floorFlat;
+    return flat == kSkyFlat ? Json(kBare) : materials_.flat(flat);
+  }
+
+  void tellOfMiddles() {
+    for (std::size_t i = 0; i < map_.lines.size(); ++i) {
+      const auto& [right, left] = map_.lines[i].sides;
+      if (!right || !left) continue;
+      const std::string& middle = map_.sides[*right].middle;
+      const std::string& name = middle == kNoTexture ? map_.sides[*left].middle : middle;
+      if (name != kNoTexture)
+        findings_.push_back({Outcome::Dropped, Part::Line, i,
+                             fmt::format("its middle texture {}, through which one sees", name)});
+    }
+  }
+
+  // --- Things ------------------------------------------------------------------------------------
+
+  std::optional<Json> playerJson() {
+    for (const Thing& thing : map_.things) {
+      const Vec2 place = placeOf(thing.x, thing.y);
+      const auto region = plan_.regionAt(place);
+      if (thing.type != kPlayerOne || !region) continue;
+      return Json{{"sector", plan_.nameOf(*region)},
+                  {"x", place.x},
+                  {"y", place.y},
+                  {"z", plan_.spaceOf(*region).floor + kEye},
+                  {"angle", angleOf(thing.angle)},
+                  {"height", kBodyHeight},
+                  {"eye", kEye},
+                  {"radius", kRadius},
+                  {"step", kStep}};
+    }
+    findings_.push_back({Outcome::Dropped, Part::Thing, 0, "no player starts inside of the map"});
+    return std::nullopt;
+  }
+
+  /// What levels cannot show yet, for those who can.
+  Json thingsJson() const {
+    Json things = Json::array();
+    for (const Thing& thing : map_.things) {
+      const Vec2 place = placeOf(thing.x, thing.y);
+      things.push_back({{"type", thing.type},
+                        {"x", place.x},
+                        {"y", place.y},
+                        {"angle", angleOf(thing.angle)},
+                        {"flags", thing.flags}});
+    }
+    return things;
+  }
+
+  const GroundPlan& plan_;
+  const Map& map_;
+  double ambient_;
+  Materials& materials_;
+  Findings& findings_;
+  std::set<std::pair<std::uint32_t, WallPart>> toldOf_;  ///< lines
+};
+
+}  // namespace
+
+Json levelJson(const GroundPlan& plan, double ambient, Materials& materials, Findings& findings) {
+  return Converter(plan, ambient, materials, findings).level();
+}
+
+}  // namespace hearth::doom

@@ -1,0 +1,125 @@
+#include "hearth/import/materials.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "hearth/import/pieces.h"
+#include "image/image_file.h"
+
+namespace hearth::doom {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// In the place of images that are missing.
+constexpr const char* kPlain = "#606060";
+
+constexpr double kFlatSide = 64 * kUnit;
+
+// The sky of Doom hangs so that 1024 columns go round and 160 rows up to 45 degrees, and has its
+// hundredth row at eye level.
+constexpr double kSkyColumns = 1024;
+constexpr double kSkyRows = 160;
+constexpr double kSkyHorizon = 100;
+
+/// As the name of a file anywhere: what is neither a letter nor a digit as its number.
+std::string fileName(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z')
+      result += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= '0' && c <= '9') || c == '_' || c == '-')
+      result += c;
+    else
+      result += fmt::format("+{:02x}", static_cast<unsigned char>(c));
+  }
+  return result;
+}
+
+/// https://doomwiki.org/wiki/Sky: one for each episode, or for each third of Doom II.
+std::string skyOf(const std::string& map) {
+  if (map.size() == 4 && map[0] == 'E' && map[2] == 'M') return fmt::format("SKY{}", map[1]);
+  if (map.size() != 5 || !map.starts_with("MAP")) return "SKY1";
+  const int number = (map[3] - '0') * 10 + (map[4] - '0');
+  return number < 12 ? "SKY1" : number < 21 ? "SKY2" : "SKY3";
+}
+
+Image mirrored(const Image& image) {
+  Image result(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) result.at(x, y) = image.at(image.width() - 1 - x, y);
+  return result;
+}
+
+}  // namespace
+
+Materials::Materials(const Pictures& pictures, const std::string& map, Findings& findings)
+    : pictures_(pictures), skyName_(skyOf(map)), findings_(findings) {}
+
+Json Materials::wall(const std::string& name, const Hanging& hanging) {
+  const std::string file = "wall-" + fileName(name);
+  if (!draw(file, &Pictures::wall, name)) return kPlain;
+  const Image& image = images_.at(file);
+  Json texture{{"name", file}, {"scale", {image.width() * kUnit, image.height() * kUnit}}};
+  if (hanging.xOffset != 0 || hanging.yOffset != 0)
+    texture["offset"] = {-hanging.xOffset, -hanging.yOffset};
+  if (hanging.along != 0) texture["along"] = hanging.along;
+  if (hanging.top) texture["zref"] = *hanging.top;
+  return texture;
+}
+
+Json Materials::flat(const std::string& name) {
+  const std::string file = "flat-" + fileName(name);
+  if (!draw(file, &Pictures::flat, name)) return kPlain;
+  return fmt::format("{} {:g},{:g}", file, kFlatSide, kFlatSide);
+}
+
+Json Materials::sky() {
+  const std::string file = "sky-" + fileName(skyName_);
+  const bool isFirst = !images_.contains(file);
+  if (!draw(file, &Pictures::wall, skyName_)) return kPlain;
+  Image& image = images_.at(file);
+  if (isFirst) image = mirrored(image);  // Doom's columns of the sky go round to the left
+  return Json{{"name", file},
+              {"scale", {image.width() / kSkyColumns, image.height() / kSkyRows}},
+              {"offset", {0, image.height() - kSkyHorizon}}};
+}
+
+double Materials::heightOf(const std::string& name) const {
+  const auto size = pictures_.sizeOfWall(name);
+  return size ? size->height * kUnit : 0;
+}
+
+tl::expected<void, std::string> Materials::write(const std::filesystem::path& folder) const {
+  std::error_code error;  // is told by the writing
+  std::filesystem::create_directories(folder, error);
+  for (const auto& [file, image] : images_)
+    if (auto written = writePng(folder / (file + ".png"), image); !written) return written;
+  return {};
+}
+
+/// Whether there is an image for a file; what it misses is told once.
+bool Materials::draw(const std::string& file,
+                     PictureOrMistake (Pictures::*drawn)(const std::string&) const,
+                     const std::string& name) {
+  if (images_.contains(file)) return true;
+  if (undrawn_.contains(file)) return false;
+  const auto tell = [&](const std::string& what) {
+    findings_.push_back({Outcome::Repaired, Part::Texture, 0, what});
+  };
+  PictureOrMistake picture = (pictures_.*drawn)(name);
+  if (!picture) {
+    undrawn_.insert(file);
+    tell(picture.error() + ": it is grey");
+    return false;
+  }
+  for (const std::string& mistake : picture->mistakes) tell(mistake);
+  images_.emplace(file, std::move(picture->image));
+  return true;
+}
+
+}  // namespace hearth::doom

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "hearth/import/findings.h"
+#include "hearth/import/pictures.h"
+#include "image/image.h"
+
+namespace hearth::doom {
+
+/// How an image lies on a wall.
+struct Hanging {
+  int xOffset = 0;   ///< texels by which it is shifted to the left, ...
+  int yOffset = 0;   ///< ... and up
+  double along = 0;  ///< metres of the wall to the left of its first point
+  std::optional<double>
+      top;  ///< metres, where the image's first row begins; none: as Hearth has it
+};
+
+/// The textures of a level, made of the pictures that its map asks for.
+class Materials {
+ public:
+  /// `map` decides which sky it is.
+  Materials(const Pictures& pictures, const std::string& map, Findings& findings);
+
+  /// As levels write them. Walls and flats that cannot be drawn are grey.
+  nlohmann::ordered_json wall(const std::string& name, const Hanging& hanging);
+  nlohmann::ordered_json flat(const std::string& name);
+  nlohmann::ordered_json sky();
+  /// Metres from the first row of a wall's image to the end of its last.
+  double heightOf(const std::string& name) const;
+
+  /// Writes what has been asked for as PNG files. The error is one sentence.
+  tl::expected<void, std::string> write(const std::filesystem::path& folder) const;
+  std::size_t count() const { return images_.size(); }
+
+ private:
+  using PictureOrMistake = tl::expected<Picture, std::string>;
+  bool draw(const std::string& file, PictureOrMistake (Pictures::*drawn)(const std::string&) const,
+            const std::string& name);
+
+  const Pictures& pictures_;
+  std::string skyName_;
+  Findings& findings_;
+  std::map<std::string, Image> images_;  ///< by file, without its extension
+  std::set<std::string> undrawn_;        ///< files
+};
+
+}  // namespace hearth::doom
