@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "math/check.h"
 #include "math/predicates.h"
@@ -72,11 +73,60 @@ Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
   return p;
 }
 
+/// The walls on which a point lies.
+class WallsAt {
+ public:
+  explicit WallsAt(Vec2 p) : p_(p) {}
+
+  void add(const Segment& segment) {
+    if (segment.p1 != p_) addWay(segment.p1, 1);
+    if (segment.p0 != p_) addWay(segment.p0, -1);
+  }
+
+  /// Whether air comes to the point. Air lies on one side of each way from the point along a wall:
+  /// clockwise of one that leads along the wall, counter-clockwise of one against it. Where a wall
+  /// lies in another that faces the other way, as where a pillar stands in the border, both are
+  /// buried: no air is between them.
+  bool haveAir() const {
+    return std::ranges::any_of(ways_, [](const Way& way) { return way.walls != 0; });
+  }
+
+ private:
+  struct Way {
+    Vec2 to;
+    int walls;  ///< that it leads along, less those against
+  };
+
+  void addWay(Vec2 to, int walls) {
+    for (Way& way : ways_)
+      if (orientation(p_, way.to, to) == 0 && dot(way.to - p_, to - p_) > 0) {
+        way.walls += walls;
+        return;
+      }
+    ways_.push_back({to, walls});
+  }
+
+  Vec2 p_;
+  std::vector<Way> ways_;
+};
+
+/// Whether a point is no farther than `slack` from a wall that has air before it there.
+bool isBesideWall(const Level& level, const Sector& sector, Vec2 p, double slack) {
+  return std::ranges::any_of(level.segmentsOf(sector), [&](const Segment& segment) {
+    const Vec2 wall = nearestOnSegment(segment.p0, segment.p1, p);
+    if (length(wall - p) > slack) return false;
+    const Vec2 along = segment.p1 - segment.p0;
+    const Vec2 before = wall + (slack / length(along)) * turned90(along);
+    return contains(level, sector, wall) || contains(level, sector, before);
+  });
+}
+
 }  // namespace
 
 bool contains(const Level& level, const Sector& sector, Vec2 p) {
   if (!inBox(sector, p, 0)) return false;
   bool inside = false;
+  WallsAt walls(p);
   for (const Segment& segment : level.segmentsOf(sector)) {
     const Vec2 a = segment.p0;
     const Vec2 b = segment.p1;
@@ -85,16 +135,18 @@ bool contains(const Level& level, const Sector& sector, Vec2 p) {
     const bool nearY = std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
     if (!nearY) continue;
     const int side = orientation(a, b, p);
-    if (side == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x)) return true;
-    if (aBelow != bBelow && (side > 0) == bBelow) inside = !inside;
+    if (side == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x))
+      walls.add(segment);
+    else if (aBelow != bBelow && (side > 0) == bBelow)
+      inside = !inside;
   }
-  return inside;
+  return inside || walls.haveAir();
 }
 
 bool contains(const Level& level, const Sector& sector, Vec3 p, double slack) {
   if (!inBox(sector, p.xy(), slack)) return false;
   if (p.z < sector.airBottom(p.xy()) - slack || p.z > sector.airTop(p.xy()) + slack) return false;
-  return contains(level, sector, p.xy()) || nearestWall(level, sector, p.xy()).distance <= slack;
+  return contains(level, sector, p.xy()) || isBesideWall(level, sector, p.xy(), slack);
 }
 
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {

@@ -5,7 +5,7 @@
 namespace hearth {
 
 /// True when `p` lies in the outline of the sector, its border and the borders of its holes
-/// included. Exact.
+/// included where there is air beside them. Exact.
 bool contains(const Level& level, const Sector& sector, Vec2 p);
 
 /// True when `p` lies in the air of the sector, walls, flats and slopes included, within

@@ -7,6 +7,7 @@
 #include "light/bakery.h"
 #include "light/texel_limits.h"
 #include "math/check.h"
+#include "math/tolerance.h"
 #include "render/renderer.h"
 
 namespace hearth::fuzz {
@@ -31,7 +32,8 @@ std::vector<Camera> placesOf(const Level& level) {
     const Vec2 p = lerp(segment.p0, segment.p1, 0.5);
     const Sector& sector = level[segment.sector];
     const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
-    cameras.push_back({segment.sector, {p.x, p.y, z}, compassDegrees(segment.p1 - segment.p0)});
+    if (contains(level, sector, Vec3{p.x, p.y, z}, kPositionSlack))  // else the wall is buried
+      cameras.push_back({segment.sector, {p.x, p.y, z}, compassDegrees(segment.p1 - segment.p0)});
   }
   if (cameras.size() > kPlaces) cameras.resize(kPlaces);
   for (Camera& camera : cameras) camera.width = kWidth, camera.height = kHeight;

@@ -7,6 +7,16 @@
 namespace hearth {
 namespace {
 
+/// A square room with two pillars: one has its lower side in the room's own wall, and the right one
+/// in line with a side of the other.
+LoadedLevel roomWithBuriedWalls() {
+  return test::levelFrom(
+      "{'light':1,'sectors':{'room':{'floor':{'texture':'#808080'},'ceiling':{'z':3,'texture':"
+      "'#808080'},'loops':{'border':{'v':[0,0, 8,0, 8,8, 0,8],'walls':{'texture':'#808080'}},"
+      "'a':{'v':[2,8, 4,8, 4,4, 2,4],'walls':{'texture':'#808080'}},"
+      "'b':{'v':[4,7, 6,7, 6,5, 4,5],'walls':{'texture':'#808080'}}}}}}");
+}
+
 /// An L with a square pillar, and a sliver whose corner has about one degree.
 LoadedLevel rooms() {
   return test::levelFrom(
@@ -38,6 +48,24 @@ TEST_F(LocateTest, countsEveryBorderAsInside) {
     for (const double share : {0.0, 0.25, 0.5})
       EXPECT_TRUE(contains(level(), level()[segment.sector], lerp(segment.p0, segment.p1, share)))
           << segment.p0.x << ' ' << segment.p0.y;
+}
+
+TEST(BuriedWalls, areNoPartOfTheRoom) {
+  const LoadedLevel loaded = roomWithBuriedWalls();
+  const Level& level = loaded.level;
+  const Sector& room = level.sectors[0];
+  for (const Vec2 buried : {Vec2{3, 8}, {3.5, 8}, {4, 6}, {4, 5.5}}) {
+    EXPECT_FALSE(contains(level, room, buried)) << buried.x << ' ' << buried.y;
+    EXPECT_FALSE(contains(level, room, {buried.x, buried.y, 1}, 1e-6));
+  }
+  for (const Vec2 seen : {Vec2{1, 8}, {7, 8}, {2, 6}, {4, 4.5}, {4, 7.5}, {6, 6}, {5, 7}}) {
+    EXPECT_TRUE(contains(level, room, seen)) << seen.x << ' ' << seen.y;
+    EXPECT_TRUE(contains(level, room, {seen.x, seen.y, 1}, 1e-6));
+  }
+  for (const Vec2 corner : {Vec2{2, 8}, {4, 8}, {4, 7}, {4, 5}, {4, 4}})
+    EXPECT_TRUE(contains(level, room, corner)) << corner.x << ' ' << corner.y;
+  EXPECT_TRUE(contains(level, room, {1, 8 + 9e-7, 1}, 1e-6));
+  EXPECT_FALSE(contains(level, room, {3, 8 + 9e-7, 1}, 1e-6));
 }
 
 TEST_F(LocateTest, allowsASlackAndNoMore) {
