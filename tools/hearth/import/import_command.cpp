@@ -3,60 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "hearth/command.h"
-#include "hearth/import/convert.h"
-#include "hearth/import/ground_plan.h"
-#include "hearth/import/light_table.h"
-#include "hearth/import/lights.h"
+#include "hearth/import/import_map.h"
 #include "hearth/import/map.h"
-#include "hearth/import/materials.h"
-#include "hearth/import/pictures.h"
-#include "hearth/import/wad.h"
-#include "hearth/layout.h"
 #include "hearth/session.h"
-#include "hearth/shell_text.h"
 #include "image/read_file.h"
-#include "image/replace_file.h"
 
 namespace hearth {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 using Json = nlohmann::ordered_json;
 using doom::Finding;
-
-/// Of the light that a map gives its sectors: as much as lets that of lamps show.
-constexpr double kAmbient = 0.75;
-
-/// What became of one map.
-struct Imported {
-  std::string map;
-  fs::path level;
-  /// Of the map, and of the level.
-  std::size_t mapSectors = 0;
-  std::size_t sectors = 0;
-  std::size_t lines = 0;
-  std::size_t walls = 0;
-  std::size_t lights = 0;
-  std::size_t textures = 0;
-  doom::Findings findings;
-};
-
-/// All that an import takes, but the map.
-struct Source {
-  const doom::Wad& wad;
-  const doom::Pictures& pictures;
-  const doom::LightTable& lights;
-};
+using doom::Imported;
 
 tl::expected<doom::LightTable, std::string> lightTableFrom(const OptionValues& values) {
   const auto file = values.text(Option::LightTable);
@@ -66,63 +29,6 @@ tl::expected<doom::LightTable, std::string> lightTableFrom(const OptionValues& v
   auto table = doom::parseLightTable(*text);
   if (!table) return tl::unexpected(fmt::format("{}: {}", *file, table.error()));
   return table;
-}
-
-/// The level's file without its `.json`.
-fs::path stemFor(const fs::path& folder, std::string map) {
-  std::ranges::transform(map, map.begin(), [](unsigned char c) { return std::tolower(c); });
-  return folder / map;
-}
-
-tl::expected<void, std::string> writeNew(const fs::path& file, const Json& json) {
-  const auto text = layOut(json.dump(), std::numeric_limits<std::uint64_t>::max());
-  const auto written = createFile(file, [&](std::ostream& stream) {
-    stream << *text;
-    return stream.good();
-  });
-  if (!written) return tl::unexpected(written.error());
-  if (!*written)
-    return tl::unexpected(fmt::format(
-        "{} is there already: remove it, or give another folder with -o", file.string()));
-  return {};
-}
-
-/// The level comes last, so that it is there only where all is that it needs.
-tl::expected<void, std::string> write(const fs::path& stem, const doom::Materials& materials,
-                                      const Json& lights, const Json& level) {
-  return materials.write(stem.parent_path() / "textures")
-      .and_then([&] { return writeNew(fs::path(stem) += ".lights.json", lights); })
-      .and_then([&] { return writeNew(fs::path(stem) += ".json", level); });
-}
-
-tl::expected<Imported, std::string> importMap(const Source& source, const std::string& name,
-                                              const OptionValues& values) {
-  const auto map = doom::readMap(source.wad, name);
-  if (!map) return tl::unexpected(map.error());
-  const fs::path stem = stemFor(*values.text(Option::Output), name);
-  Imported imported;
-  imported.map = name;
-  imported.level = fs::path(stem) += ".json";
-  const auto doors =
-      values.text(Option::Doors) == "closed" ? doom::Doors::Closed : doom::Doors::Open;
-  const doom::GroundPlan plan(*map, doors, imported.findings);
-  if (plan.regions().empty())
-    return tl::unexpected(name + ": its lines enclose nothing: there is no level in it");
-  doom::Materials materials(source.pictures, name, imported.findings);
-  const Json level = doom::levelJson(plan, values.number(Option::Ambient).value_or(kAmbient),
-                                     materials, imported.findings);
-  const Json lights = doom::lightsJson(plan, source.lights);
-  if (auto written = write(stem, materials, lights, level); !written)
-    return tl::unexpected(written.error());
-
-  imported.mapSectors = map->sectors.size();
-  imported.sectors = plan.regions().size();
-  imported.lines = map->lines.size();
-  for (const auto& region : plan.regions())
-    for (const auto& loop : region.loops) imported.walls += loop.size();
-  imported.lights = lights["lights"].size();
-  imported.textures = materials.count();
-  return imported;
 }
 
 std::size_t countOf(const doom::Findings& findings, doom::Outcome outcome) {
@@ -170,6 +76,14 @@ Json jsonOf(const Imported& imported) {
           {"findings", std::move(findings)}};
 }
 
+doom::ImportSettings settingsFrom(const OptionValues& values) {
+  doom::ImportSettings settings;
+  settings.folder = *values.text(Option::Output);
+  if (values.text(Option::Doors) == "closed") settings.doors = doom::Doors::Closed;
+  settings.ambient = values.number(Option::Ambient).value_or(settings.ambient);
+  return settings;
+}
+
 ExitStatus run(const OptionValues& values) {
   const std::string& file = values.levels.front();
   const auto wad = doom::Wad::open(file, limitsFrom(values).fileBytes);
@@ -182,9 +96,10 @@ ExitStatus run(const OptionValues& values) {
   if (!pictures) return fail(fmt::format("{}: {}", file, pictures.error()));
   const auto lights = lightTableFrom(values);
   if (!lights) return fail(lights.error());
+  const doom::ImportSettings settings = settingsFrom(values);
   Json all = Json::array();
   for (const std::string& name : maps) {
-    const auto imported = importMap({*wad, *pictures, *lights}, name, values);
+    const auto imported = doom::importMap({*wad, *pictures, *lights}, name, settings);
     if (!imported) return fail(fmt::format("{}: {}", file, imported.error()));
     if (values.has(Option::Json))
       all.push_back(jsonOf(*imported));

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "hearth/import/findings.h"
+#include "hearth/import/heights.h"
+#include "hearth/import/light_table.h"
+#include "hearth/import/pictures.h"
+#include "hearth/import/wad.h"
+
+namespace hearth::doom {
+
+/// All that an import takes, but the map.
+struct Source {
+  const Wad& wad;
+  const Pictures& pictures;
+  const LightTable& lights;
+};
+
+struct ImportSettings {
+  std::filesystem::path folder;  ///< where the level goes; it need not be there
+  Doors doors = Doors::Open;
+  /// Of the light that a map gives its sectors: as much as lets that of lamps show.
+  double ambient = 0.75;
+};
+
+/// What became of one map.
+struct Imported {
+  std::string map;
+  std::filesystem::path level;
+  /// Of the map, and of the level.
+  std::size_t mapSectors = 0;
+  std::size_t sectors = 0;
+  std::size_t lines = 0;
+  std::size_t walls = 0;
+  std::size_t lights = 0;
+  std::size_t textures = 0;
+  Findings findings;
+};
+
+/// Writes the level of a map with its lights and textures; never over a level that is there. The
+/// error is one sentence.
+tl::expected<Imported, std::string> importMap(const Source& source, const std::string& name,
+                                              const ImportSettings& settings);
+
+}  // namespace hearth::doom
