@@ -13,12 +13,15 @@ Count& Count::operator+=(const Count& other) {
   return *this;
 }
 
+KindTally& KindTally::operator+=(const KindTally& other) {
+  texture += other.texture;
+  gridLight += other.gridLight;
+  exactLight += other.exactLight;
+  return *this;
+}
+
 Tally& Tally::operator+=(const Tally& other) {
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    kinds[i].texture += other.kinds[i].texture;
-    kinds[i].gridLight += other.kinds[i].gridLight;
-    kinds[i].exactLight += other.kinds[i].exactLight;
-  }
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] += other.kinds[i];
   for (std::size_t i = 0; i < kLeftOut; ++i) leftOut[i] += other.leftOut[i];
   levels += other.levels;
   views += other.views;
@@ -28,11 +31,15 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
-std::int64_t Tally::missed() const {
-  std::int64_t sum = 0;
-  for (const KindTally& kind : kinds)
-    sum += kind.texture.missed + kind.gridLight.missed + kind.exactLight.missed;
+KindTally Tally::sum() const {
+  KindTally sum;
+  for (const KindTally& kind : kinds) sum += kind;
   return sum;
+}
+
+std::int64_t Tally::missed() const {
+  const KindTally all = sum();
+  return all.texture.missed + all.gridLight.missed + all.exactLight.missed;
 }
 
 std::int64_t Tally::leastTested() const {
@@ -60,15 +67,9 @@ std::string table(const Tally& tally) {
   for (int i = 0; i < 3; ++i)
     text += fmt::format(" | {:>11} {:>8} {:>8}", "tested", "at edge", "missed");
   text += '\n';
-  KindTally all;
-  for (std::size_t i = 0; i < tally.kinds.size(); ++i) {
-    const KindTally& kind = tally.kinds[i];
-    text += row(name(static_cast<SurfaceKind>(i)), kind);
-    all.texture += kind.texture;
-    all.gridLight += kind.gridLight;
-    all.exactLight += kind.exactLight;
-  }
-  text += row("all", all);
+  for (std::size_t i = 0; i < tally.kinds.size(); ++i)
+    text += row(name(static_cast<SurfaceKind>(i)), tally.kinds[i]);
+  text += row("all", tally.sum());
   text += fmt::format(
       "left out of exact light: {} texel over 1/8 m, {} light nearer than 0.3 m (0.7 m with "
       "lambert), "

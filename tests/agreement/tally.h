@@ -21,6 +21,8 @@ struct KindTally {
   Count texture;     ///< `--light none`, every pixel, exact
   Count gridLight;   ///< `--light only` against truth at texel centres, within 1 level
   Count exactLight;  ///< `--light only` against truth at the pixel, within 3 levels
+
+  KindTally& operator+=(const KindTally& other);
 };
 
 /// Why exact light is not compared at a pixel: the first that holds. The last three can hold for
@@ -38,6 +40,8 @@ struct Tally {
   std::string firstMiss;                         ///< how to see it
 
   Tally& operator+=(const Tally& other);
+  /// Of all kinds together.
+  KindTally sum() const;
   std::int64_t missed() const;
   /// The least number of pixels tested of any kind.
   std::int64_t leastTested() const;
