@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <random>
 #include <tuple>
 
@@ -12,7 +11,8 @@ namespace hearth::test {
 
 namespace {
 
-constexpr int kMostTries = 60000;  // for each new sector
+constexpr int kMostTries = 60000;         // for each new sector
+constexpr int kMostTriesOfOne = 1000000;  // for a way to one place
 
 /// A walker in one of the places that the search tells apart, and how he came there.
 struct Visit {
@@ -37,15 +37,15 @@ class Search {
     add({start, 0, {}});
   }
 
-  /// The way to a sector that is not among those visited, through none of those forbidden; nothing
-  /// where none is found.
-  std::optional<std::vector<WalkInput>> wayToNew(const std::vector<bool>& isVisited,
-                                                 const std::vector<SectorId>& forbidden) {
-    for (int i = 0; i < kMostTries; ++i) {
+  /// The way to where `isThere` holds, through none of the sectors forbidden; nothing where none is
+  /// found.
+  std::optional<std::vector<WalkInput>> wayTo(const std::function<bool(const Walker&)>& isThere,
+                                              const std::vector<SectorId>& forbidden,
+                                              int mostTries) {
+    for (int i = 0; i < mostTries; ++i) {
       Visit visit = stretchFrom(seldomTried());
-      const SectorId sector = visit.walker.sector;
-      if (std::ranges::find(forbidden, sector) != forbidden.end()) continue;
-      if (!isVisited[sector.index()]) return wayTo(visit);
+      if (std::ranges::find(forbidden, visit.walker.sector) != forbidden.end()) continue;
+      if (isThere(visit.walker)) return wayTo(visit);
       add(std::move(visit));
     }
     return std::nullopt;
@@ -120,7 +120,8 @@ std::vector<WalkInput> exploration(const Level& level, const Walker& start, Gait
   std::vector<SectorId> forbidden = noReturn;
   for (;;) {
     const std::vector<bool> isVisited = visitedSectors(level, start, inputs);
-    const auto way = Search(level, walker, gait, random).wayToNew(isVisited, forbidden);
+    const auto isNew = [&](const Walker& there) { return !isVisited[there.sector.index()]; };
+    const auto way = Search(level, walker, gait, random).wayTo(isNew, forbidden, kMostTries);
     if (!way && forbidden.empty()) return inputs;
     if (!way) {
       forbidden.clear();
@@ -129,6 +130,12 @@ std::vector<WalkInput> exploration(const Level& level, const Walker& start, Gait
     inputs.insert(inputs.end(), way->begin(), way->end());
     walker = walkedBy(level, walker, *way);
   }
+}
+
+std::optional<std::vector<WalkInput>> wayTo(const Level& level, const Walker& start, Gait gait,
+                                            const std::function<bool(const Walker&)>& isThere) {
+  std::mt19937 random(1);
+  return Search(level, start, gait, random).wayTo(isThere, {}, kMostTriesOfOne);
 }
 
 std::vector<bool> visitedSectors(const Level& level, Walker walker,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "level/level.h"
@@ -16,6 +18,11 @@ enum class Gait { OnFoot, Flying };
 /// when no other is left. The same for the same level and walker.
 std::vector<WalkInput> exploration(const Level& level, const Walker& start, Gait gait,
                                    const std::vector<SectorId>& noReturn);
+
+/// Inputs with which a walker who starts there comes to where `isThere` holds, found by such a
+/// search; nothing where it finds no way.
+std::optional<std::vector<WalkInput>> wayTo(const Level& level, const Walker& start, Gait gait,
+                                            const std::function<bool(const Walker&)>& isThere);
 
 /// By sector: whether the walker's feet have been in it.
 std::vector<bool> visitedSectors(const Level& level, Walker walker,
