@@ -218,6 +218,19 @@ TEST_F(RegionsOfAMap, linesAreCutWhereTheyCross) {
   expectSoundLoops();
 }
 
+TEST_F(RegionsOfAMap, aGridOfManyLinesIsNotCutWithoutEnd) {
+  const auto room = sector();
+  for (int i = 0; i < 300; ++i) {
+    line({i, -1}, {i, 301}, room);
+    line({-1, i}, {301, i}, room);
+  }
+  find();
+  EXPECT_LT(findings_.size(), 52'000U) << "two cuts for each";
+  EXPECT_TRUE(std::ranges::any_of(findings_, [](const Finding& finding) {
+    return finding.what.find("where these meet is not looked for") != std::string::npos;
+  }));
+}
+
 TEST_F(RegionsOfAMap, aPieceOfALineKnowsHowFarItsLeftEndIs) {
   const auto a = sector();
   const auto b = sector();

@@ -17,6 +17,10 @@ namespace {
 /// areas are computed exactly from them, too. An eighth of a millimetre.
 constexpr double kGrid = 1.0 / 8192;
 
+/// Places at which lines are cut, at most: without a bound a small hostile map would fill the
+/// memory. All maps of Freedoom together have eight.
+constexpr std::size_t kMostCuts = 100'000;
+
 Vec2 onGrid(Vec2 p) { return {std::round(p.x / kGrid) * kGrid, std::round(p.y / kGrid) * kGrid}; }
 
 /// A line with the places at which it is to be cut.
@@ -65,8 +69,15 @@ class Cutter {
   void meetAll() {
     std::ranges::sort(lines_, {}, [](const Cuttable& c) { return std::pair(c.minX(), c.line); });
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      for (std::size_t j = i + 1; j < lines_.size() && lines_[j].minX() <= lines_[i].maxX(); ++j)
+      for (std::size_t j = i + 1; j < lines_.size() && lines_[j].minX() <= lines_[i].maxX(); ++j) {
         if (lines_[i].overlapsInY(lines_[j])) meet(lines_[i], lines_[j]);
+        if (cuts_ < kMostCuts) continue;
+        findings_.push_back({Outcome::Dropped, Part::Line, lines_[i].line,
+                             fmt::format("lines have met in {} places before it and the next ones: "
+                                         "where these meet is not looked for",
+                                         cuts_)});
+        return;
+      }
   }
 
   void meet(Cuttable& a, Cuttable& b) {
@@ -74,19 +85,24 @@ class Cutter {
     const int to = orientation(a.from, a.to, b.to);
     const int aFrom = orientation(b.from, b.to, a.from);
     const int aTo = orientation(b.from, b.to, a.to);
-    if (from == 0 && a.hasWithin(b.from)) a.cuts.push_back(b.from);
-    if (to == 0 && a.hasWithin(b.to)) a.cuts.push_back(b.to);
-    if (aFrom == 0 && b.hasWithin(a.from)) b.cuts.push_back(a.from);
-    if (aTo == 0 && b.hasWithin(a.to)) b.cuts.push_back(a.to);
+    if (from == 0 && a.hasWithin(b.from)) cutAt(a, b.from);
+    if (to == 0 && a.hasWithin(b.to)) cutAt(a, b.to);
+    if (aFrom == 0 && b.hasWithin(a.from)) cutAt(b, a.from);
+    if (aTo == 0 && b.hasWithin(a.to)) cutAt(b, a.to);
     if (from * to >= 0 || aFrom * aTo >= 0) return;
     const double c = cross(b.to - b.from, a.from - b.from);
     const double d = cross(b.to - b.from, a.to - b.from);
     const Vec2 p = onGrid(lerp(a.from, a.to, c / (c - d)));
-    a.cuts.push_back(p);
-    b.cuts.push_back(p);
+    cutAt(a, p);
+    cutAt(b, p);
     findings_.push_back({Outcome::Repaired, Part::Line, std::max(a.line, b.line),
                          fmt::format("it crosses line {} at ({:g}, {:g}): both are cut there",
                                      std::min(a.line, b.line), p.x / kUnit, -p.y / kUnit)});
+  }
+
+  void cutAt(Cuttable& line, Vec2 p) {
+    line.cuts.push_back(p);
+    ++cuts_;
   }
 
   void addPieces(Cuttable& line) {
@@ -132,6 +148,7 @@ class Cutter {
   const Map& map_;
   Findings& findings_;
   std::vector<Cuttable> lines_;
+  std::size_t cuts_ = 0;
   std::map<std::pair<double, double>, std::uint32_t> pointsAt_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known_;
   Pieces result_;
