@@ -696,14 +696,15 @@ class Import(InFolder):
             self.assertIn(f"{finding['outcome']}: {finding['what']}\n", text)
 
     def test_never_touches_a_level_that_is_there(self):
-        self.run_import("MAP01")
+        (self.folder / "maps").mkdir()
         for name in ("map01.json", "map01.lights.json"):
             with self.subTest(name=name):
                 file = self.folder / "maps" / name
                 file.write_text("mine")
                 self.refuse(self.run_import("MAP01"), " is there already: remove it, or give ano")
+                self.assertEqual([f.name for f in file.parent.glob("*.json")], [name])
                 self.assertEqual(file.read_text(), "mine")
-                (self.folder / "maps/map01.lights.json").unlink()
+                file.unlink()
 
     def test_doors_can_stay_closed(self):
         for way in ("open", "closed"):

@@ -186,6 +186,12 @@ TEST_F(LevelOfAMap, hasThePlayerOfDoomWhereTheFirstOneStarts) {
   EXPECT_EQ(player["radius"], 0.5);
 }
 
+TEST(FileNames, areOfOneFolder) {
+  EXPECT_EQ(fileName("FLOOR5_2"), "floor5_2");
+  EXPECT_EQ(fileName("../A.B"), "+2e+2e+2fa+2eb");
+  EXPECT_NE(fileName("VILE[1"), fileName("VILE\\1"));
+}
+
 TEST_F(LevelOfAMap, keepsAllThings) {
   walls(sector(), square(0, 0, 128));
   map.things.push_back({32, 64, 180, 3004, 7});

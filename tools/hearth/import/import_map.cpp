@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "hearth/import/convert.h"
 #include "hearth/import/ground_plan.h"
@@ -24,10 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// The level's file without its `.json`.
-fs::path stemFor(const fs::path& folder, std::string map) {
-  std::ranges::transform(map, map.begin(), [](unsigned char c) { return std::tolower(c); });
-  return folder / map;
-}
+fs::path stemFor(const fs::path& folder, const std::string& map) { return folder / fileName(map); }
 
 tl::expected<void, std::string> writeNew(const fs::path& file, const Json& json) {
   const auto text = layOut(json.dump(), std::numeric_limits<std::uint64_t>::max());
@@ -42,12 +38,17 @@ tl::expected<void, std::string> writeNew(const fs::path& file, const Json& json)
   return {};
 }
 
-/// The level comes last, so that it is there only where all is that it needs.
+/// The level comes last, so that it is there only where all is that it needs. Where there is one
+/// already, no lights are left beside it.
 tl::expected<void, std::string> write(const fs::path& stem, const Materials& materials,
                                       const Json& lights, const Json& level) {
-  return materials.write(stem.parent_path() / "textures")
-      .and_then([&] { return writeNew(fs::path(stem) += ".lights.json", lights); })
-      .and_then([&] { return writeNew(fs::path(stem) += ".json", level); });
+  if (auto written = materials.write(stem.parent_path() / "textures"); !written) return written;
+  const fs::path lightsFile = fs::path(stem) += ".lights.json";
+  if (auto written = writeNew(lightsFile, lights); !written) return written;
+  auto written = writeNew(fs::path(stem) += ".json", level);
+  std::error_code ignored;
+  if (!written) fs::remove(lightsFile, ignored);
+  return written;
 }
 
 }  // namespace

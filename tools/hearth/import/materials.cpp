@@ -26,20 +26,6 @@ constexpr double kSkyColumns = 1024;
 constexpr double kSkyRows = 160;
 constexpr double kSkyHorizon = 100;
 
-/// As the name of a file anywhere: what is neither a letter nor a digit as its number.
-std::string fileName(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    if (c >= 'A' && c <= 'Z')
-      result += static_cast<char>(c - 'A' + 'a');
-    else if ((c >= '0' && c <= '9') || c == '_' || c == '-')
-      result += c;
-    else
-      result += fmt::format("+{:02x}", static_cast<unsigned char>(c));
-  }
-  return result;
-}
-
 /// https://doomwiki.org/wiki/Sky: one for each episode, or for each third of Doom II.
 std::string skyOf(const std::string& map) {
   if (map.size() == 4 && map[0] == 'E' && map[2] == 'M') return fmt::format("SKY{}", map[1]);
@@ -56,6 +42,19 @@ Image mirrored(const Image& image) {
 }
 
 }  // namespace
+
+std::string fileName(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z')
+      result += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= '0' && c <= '9') || c == '_' || c == '-')
+      result += c;
+    else
+      result += fmt::format("+{:02x}", static_cast<unsigned char>(c));
+  }
+  return result;
+}
 
 Materials::Materials(const Pictures& pictures, const std::string& map, Findings& findings)
     : pictures_(pictures), skyName_(skyOf(map)), findings_(findings) {}

@@ -14,6 +14,10 @@
 
 namespace hearth::doom {
 
+/// A name of a WAD as that of a file, in lower case: what is neither a letter nor a digit as its
+/// number, so that it leads to no other folder.
+std::string fileName(const std::string& name);
+
 /// How an image lies on a wall.
 struct Hanging {
   int xOffset = 0;   ///< texels by which it is shifted to the left, ...
