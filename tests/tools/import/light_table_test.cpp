@@ -40,6 +40,7 @@ TEST(LightTable, saysWhereItsMistakesAre) {
   EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"color": "red"}}})").starts_with("/walls/A/color: "));
   EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"falloff": -1}}})").starts_with("/walls/A/falloff: "));
   EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"every": 0.2}}})").starts_with("/walls/A/every: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"reach": 1e300}}})").starts_with("/walls/A/reach: "));
   EXPECT_TRUE(mistakeIn(R"({"flats": {"A": {"reach": "1"}}})").starts_with("/flats/A/reach: "));
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "map_builder.h"
@@ -18,11 +19,12 @@ constexpr double kBeside = 0.02;
 class LightsOfAMap : public testing::Test, protected MapBuilder {
  protected:
   Json lights() {
-    Findings findings;
-    return lightsJson(GroundPlan(map, Doors::Open, findings), table_)["lights"];
+    findings_.clear();
+    return lightsJson(GroundPlan(map, Doors::Open, findings_), table_, findings_)["lights"];
   }
 
   LightTable table_;
+  Findings findings_;
 };
 
 TEST_F(LightsOfAMap, standWhereThingsShine) {
@@ -63,6 +65,24 @@ TEST_F(LightsOfAMap, growWeakerUntilTheirReach) {
   EXPECT_EQ(curve.back(), (Json{9, 0}));
   for (std::size_t i = 1; i < curve.size(); ++i)
     EXPECT_LT(curve[i][1].get<double>(), curve[i - 1][1].get<double>());
+}
+
+TEST_F(LightsOfAMap, mayBeDarkOrFallOffByHardlyAnything) {
+  walls(sector(), square(0, 0, 256));
+  map.things.push_back({64, 96, 0, 2028, 7});
+  for (const Glow& glow : {Glow{.intensity = 0, .falloff = 1}, Glow{.falloff = 1e-300}}) {
+    table_.things[2028] = glow;
+    const Json curve = lights().at(0)["curve"];
+    for (const Json& point : curve) EXPECT_TRUE(point[1].is_number() && point[1] >= 0) << curve;
+  }
+}
+
+TEST_F(LightsOfAMap, areNoMoreThanALevelMayHave) {
+  walls(sector(-32768, 32767), square(-16000, -16000, 32000));
+  for (Side& side : map.sides) side.middle = "LITE";
+  table_.walls["LITE"] = {};
+  EXPECT_EQ(lights().size(), 100'000U);
+  EXPECT_EQ(std::ranges::count(findings_, Outcome::Dropped, &Finding::outcome), 1);
 }
 
 TEST_F(LightsOfAMap, areEvenlyBeforeWallsThatShine) {

@@ -66,7 +66,7 @@ tl::expected<Imported, std::string> importMap(const Source& source, const std::s
     return tl::unexpected(name + ": its lines enclose nothing: there is no level in it");
   Materials materials(source.pictures, name, imported.findings);
   const Json level = levelJson(plan, settings.ambient, materials, imported.findings);
-  const Json lights = lightsJson(plan, source.lights);
+  const Json lights = lightsJson(plan, source.lights, imported.findings);
   if (auto written = write(stem, materials, lights, level); !written)
     return tl::unexpected(written.error());
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -23,6 +22,8 @@ constexpr std::array kNumbers{
     NumberKey{"intensity", &Glow::intensity, 0}, NumberKey{"falloff", &Glow::falloff, 0},
     NumberKey{"reach", &Glow::reach, 0.1}, NumberKey{"height", &Glow::height, 0},
     NumberKey{"every", &Glow::every, 0.25}};
+
+constexpr double kMost = 1e6;
 
 bool isComment(const std::string& key) { return key.starts_with("//") || key.starts_with("$"); }
 
@@ -43,8 +44,8 @@ std::optional<std::string> take(const std::string& key, const Json& value, Glow&
   for (const NumberKey& number : kNumbers) {
     if (key != number.key) continue;
     const double n = value.is_number() ? value.get<double>() : -1;
-    if (!std::isfinite(n) || n < number.least)
-      return fmt::format("write a number, {:g} or more", number.least);
+    if (!(n >= number.least && n <= kMost))
+      return fmt::format("write a number of {:g} to {:g}", number.least, kMost);
     glow.*number.member = n;
     return std::nullopt;
   }

@@ -1,10 +1,15 @@
 #include "hearth/import/lights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "load/limits.h"
 
 namespace hearth::doom {
 
@@ -20,23 +25,22 @@ constexpr double kBefore = 0.25;
 constexpr std::array<Vec2, 4> kBeside{
     {{0.011, 0.007}, {-0.011, -0.007}, {0.011, -0.007}, {-0.011, 0.007}}};
 
+/// More are refused where levels are loaded.
+constexpr std::size_t kMostLights = LoadLimits{}.lights;
+
 /// A thing that is there only where several play.
 constexpr std::uint16_t kNotAlone = 0x10;
 
 double rounded(double metres) { return std::round(metres * 1000) / 1000; }
 
-/// intensity / (falloff * d + 1), brought down so that it ends where its reach does; straight in
-/// between.
+/// intensity / (falloff * d + 1), less what that is at the reach and made as bright as before at
+/// the beginning: intensity * (1 - d / reach) / (falloff * d + 1). Straight in between.
 Json curveOf(const Glow& glow) {
-  const auto level = [&](double d) { return glow.intensity / (glow.falloff * d + 1); };
-  const double end = level(glow.reach);
   Json curve = Json::array();
   for (const double share : {0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
     const double d = share * glow.reach;
-    const double lowered = glow.falloff == 0
-                               ? glow.intensity * (1 - share)
-                               : glow.intensity * (level(d) - end) / (glow.intensity - end);
-    curve.push_back({rounded(d), std::round(lowered * 10) / 10});
+    const double level = glow.intensity * (1 - share) / (glow.falloff * d + 1);
+    curve.push_back({rounded(d), std::round(level * 10) / 10});
   }
   return curve;
 }
@@ -53,7 +57,8 @@ struct Box {
 
 class Illuminator {
  public:
-  Illuminator(const GroundPlan& plan, const LightTable& table) : plan_(plan), table_(table) {}
+  Illuminator(const GroundPlan& plan, const LightTable& table, Findings& findings)
+      : plan_(plan), table_(table), findings_(findings) {}
 
   Json lights() {
     for (const Thing& thing : plan_.map().things) lightThing(thing);
@@ -154,6 +159,7 @@ class Illuminator {
   }
 
   void add(const Glow& glow, std::uint32_t region, Vec2 place, double z) {
+    if (lights_.size() == kMostLights) return tellOfTooMany(region);
     for (const Vec2 beside : kBeside) {
       const Vec2 p{rounded(place.x + beside.x), rounded(place.y + beside.y)};
       if (!plan_.contains(region, p)) continue;
@@ -167,15 +173,24 @@ class Illuminator {
     }
   }
 
+  void tellOfTooMany(std::uint32_t region) {
+    if (!std::exchange(hasTooMany_, true))
+      findings_.push_back(
+          {Outcome::Dropped, Part::Sector, plan_.regions()[region].sector,
+           fmt::format("its lights and those of what follows, after {} others", kMostLights)});
+  }
+
   const GroundPlan& plan_;
   const LightTable& table_;
+  Findings& findings_;
+  bool hasTooMany_ = false;
   Json lights_ = Json::array();
 };
 
 }  // namespace
 
-Json lightsJson(const GroundPlan& plan, const LightTable& table) {
-  return {{"version", 1}, {"lights", Illuminator(plan, table).lights()}};
+Json lightsJson(const GroundPlan& plan, const LightTable& table, Findings& findings) {
+  return {{"version", 1}, {"lights", Illuminator(plan, table, findings).lights()}};
 }
 
 }  // namespace hearth::doom
