@@ -14,7 +14,8 @@ struct Rgb {
   friend constexpr bool operator==(Rgb, Rgb) = default;
 };
 
-/// A picture of 8-bit RGB pixels, row by row, row 0 on top.
+/// A picture of 8-bit RGB pixels, row by row, row 0 on top. Pixels can be holes, which only those
+/// heed who hang it where something lies behind; they have a colour all the same.
 class Image {
  public:
   Image() = default;
@@ -29,6 +30,13 @@ class Image {
   Rgb& at(int x, int y) { return pixels_[index(x, y)]; }
   const std::vector<Rgb>& pixels() const { return pixels_; }
 
+  bool hasHoles() const { return !holes_.empty(); }
+  bool isHole(int x, int y) const { return hasHoles() && holes_[index(x, y)]; }
+  void makeHole(int x, int y) {
+    holes_.resize(pixels_.size());
+    holes_[index(x, y)] = true;
+  }
+
   friend bool operator==(const Image&, const Image&) = default;
 
  private:
@@ -40,6 +48,7 @@ class Image {
   int width_ = 0;
   int height_ = 0;
   std::vector<Rgb> pixels_;
+  std::vector<bool> holes_;  ///< empty where there are none
 };
 
 }  // namespace hearth

@@ -33,11 +33,14 @@ void* boundedRealloc(void* old, std::size_t bytes) {
   return bytes <= kMaxDecoderBytes ? std::realloc(old, bytes) : nullptr;
 }
 
+/// Of its PNG: RGB, and alpha where there are holes.
+int channelsOf(const Image& image) { return image.hasHoles() ? 4 : 3; }
+
 /// What keeps a picture from being written as a PNG.
 std::optional<std::string> mistakeInSize(const std::filesystem::path& path, const Image& image) {
   CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
   // The encoder counts bytes in `int`, and packs into a buffer up to twice as large.
-  const std::int64_t bytes = (std::int64_t{3} * image.width() + 1) * image.height();
+  const std::int64_t bytes = (std::int64_t{channelsOf(image)} * image.width() + 1) * image.height();
   if (bytes <= std::numeric_limits<int>::max() / 4) return std::nullopt;
   return fmt::format("{}: {} x {} pixels are too many for one PNG; write a smaller picture",
                      path.string(), image.width(), image.height());
@@ -172,19 +175,29 @@ tl::expected<void, std::string> checkSize(ImageSize size, std::int64_t maxPixels
   return {};
 }
 
-/// `rgb` holds three bytes a pixel, row by row from the top.
-Image fromBytes(ImageSize size, const stbi_uc* rgb) {
+/// `rgba` holds four bytes a pixel, row by row from the top.
+Image fromBytes(ImageSize size, const stbi_uc* rgba) {
+  constexpr stbi_uc kHalf = 128;
   Image image(size.width, size.height);
   for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x, rgb += 3) image.at(x, y) = {rgb[0], rgb[1], rgb[2]};
+    for (int x = 0; x < size.width; ++x, rgba += 4) {
+      image.at(x, y) = {rgba[0], rgba[1], rgba[2]};
+      if (rgba[3] < kHalf) image.makeHole(x, y);
+    }
   }
   return image;
 }
 
 std::vector<std::uint8_t> toBytes(const Image& image) {
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels().size() * 3);
-  for (const Rgb pixel : image.pixels()) bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
+  bytes.reserve(image.pixels().size() * static_cast<std::size_t>(channelsOf(image)));
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const Rgb pixel = image.at(x, y);
+      bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
+      if (image.hasHoles()) bytes.push_back(image.isHole(x, y) ? 0 : 255);
+    }
+  }
   return bytes;
 }
 
@@ -194,8 +207,9 @@ void writeToStream(void* stream, void* data, int size) {
 
 bool encodePng(std::ostream& stream, const Image& image) {
   const std::vector<std::uint8_t> bytes = toBytes(image);
-  return stbi_write_png_to_func(writeToStream, &stream, image.width(), image.height(), 3,
-                                bytes.data(), 3 * image.width()) != 0;
+  const int channels = channelsOf(image);
+  return stbi_write_png_to_func(writeToStream, &stream, image.width(), image.height(), channels,
+                                bytes.data(), channels * image.width()) != 0;
 }
 
 }  // namespace
@@ -220,12 +234,12 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
   const stbi_io_callbacks callbacks = fileCallbacks();
   ImageSize decoded;
   int channels = 0;
-  const std::unique_ptr<stbi_uc, PixelsFree> rgb(stbi_load_from_callbacks(
-      &callbacks, file->get(), &decoded.width, &decoded.height, &channels, 3));
-  if (!rgb || decoded != *size) {
+  const std::unique_ptr<stbi_uc, PixelsFree> rgba(stbi_load_from_callbacks(
+      &callbacks, file->get(), &decoded.width, &decoded.height, &channels, 4));
+  if (!rgba || decoded != *size) {
     return failure(path, kDamaged);
   }
-  return fromBytes(decoded, rgb.get());
+  return fromBytes(decoded, rgba.get());
 }
 
 tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image) {

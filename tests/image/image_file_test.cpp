@@ -166,11 +166,45 @@ TEST_F(ImageFile, ReadsTheSizeWithoutDecoding) {
   EXPECT_EQ(*size, (ImageSize{5, 3}));
 }
 
-TEST_F(ImageFile, IgnoresAlpha) {
+TEST_F(ImageFile, KeepsTheColoursOfTransparentPixels) {
   const auto image =
       readImage(fileOf("a.png", png(2, 1, 8, 6, {0, 10, 20, 30, 0, 40, 50, 60, 128})), kMaxPixels);
   ASSERT_TRUE(image) << image.error();
   EXPECT_EQ(image->pixels(), (std::vector<Rgb>{{10, 20, 30}, {40, 50, 60}}));
+}
+
+TEST_F(ImageFile, HasHolesWhereAlphaIsLessThanHalf) {
+  const Bytes rgba{0, 1, 1, 1, 127, 2, 2, 2, 128, 3, 3, 3, 255};
+  const auto image = readImage(fileOf("rgba.png", png(3, 1, 8, 6, rgba)), kMaxPixels);
+  ASSERT_TRUE(image) << image.error();
+  EXPECT_TRUE(image->hasHoles());
+  EXPECT_TRUE(image->isHole(0, 0));
+  EXPECT_FALSE(image->isHole(1, 0));
+  EXPECT_FALSE(image->isHole(2, 0));
+  const auto grey = readImage(fileOf("grey.png", png(2, 1, 8, 4, {0, 50, 0, 50, 255})), kMaxPixels);
+  ASSERT_TRUE(grey) << grey.error();
+  EXPECT_TRUE(grey->isHole(0, 0));
+  EXPECT_FALSE(grey->isHole(1, 0));
+}
+
+TEST_F(ImageFile, HasNoHolesWithoutAlpha) {
+  const auto image = readImage(fileOf("a.png", png(2, 1, 8, 2, {0, 9, 9, 9, 8, 8, 8})), kMaxPixels);
+  ASSERT_TRUE(image) << image.error();
+  EXPECT_FALSE(image->hasHoles());
+  const auto opaque =
+      readImage(fileOf("b.png", png(2, 1, 8, 6, {0, 9, 9, 9, 255, 8, 8, 8, 255})), kMaxPixels);
+  ASSERT_TRUE(opaque) << opaque.error();
+  EXPECT_EQ(*opaque, *image);
+}
+
+TEST_F(ImageFile, ReadsBackTheHolesThatItWrote) {
+  Image image = ramp(5, 4);
+  image.makeHole(3, 0);
+  image.makeHole(0, 2);
+  ASSERT_TRUE(writePng(path("a.png"), image));
+  const auto read = readImage(path("a.png"), kMaxPixels);
+  ASSERT_TRUE(read) << read.error();
+  EXPECT_EQ(*read, image);
 }
 
 TEST_F(ImageFile, CutsSixteenBitsToTheHighByte) {
