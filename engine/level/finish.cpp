@@ -112,8 +112,12 @@ class PieceBuilder {
       faults_.push_back(MissingTwin{id_, range.subWall});
       return;
     }
-    addOpening(portal.next, *twin, heights.zLowerTop, heights.zUpperBottom, range);
-    addLightOpening(portal.next, *twin, range, bothSkyFloors, bothSkyCeilings);
+    const std::optional<SurfaceId> middle =
+        portal.middle ? addMiddle(*portal.middle, heights.zLowerTop, heights.zUpperBottom)
+                      : std::nullopt;
+    addOpening({portal.next, *twin, {}, {}, middle}, heights.zLowerTop, heights.zUpperBottom,
+               range);
+    addLightOpening(portal.next, *twin, range, bothSkyFloors, bothSkyCeilings, middle);
 
     if (bothSkyCeilings)
       addSurface(SurfaceKind::SkyUpperStep, sector_.ceiling.texture, heights.zUpperBottom,
@@ -161,13 +165,22 @@ class PieceBuilder {
     return SurfaceId(level_.surfaces.size() - 1);
   }
 
-  void addOpening(SectorId nextId, SegmentId twin, double zBottom, double zTop,
-                  const Range& range) {
+  /// What of an image shows that hangs in an opening of these heights, from its zref on down.
+  std::optional<SurfaceId> addMiddle(const TextureMapping& mapping, double zBottom, double zTop) {
+    const double zRef = mapping.zRef.value_or(zTop);
+    zTop = std::min(zTop, zRef);
+    zBottom = std::max(zBottom, zRef - mapping.repeat.y);
+    if (!isInAir(zBottom, zTop)) return std::nullopt;
+    const SurfaceId id = newSurface(SurfaceKind::Middle, mapping, zBottom, zTop);
+    level_.surfaces.back().mapping.zRef = zRef;
+    return id;
+  }
+
+  /// `opening` without its sidewalls.
+  void addOpening(Opening opening, double zBottom, double zTop, const Range& range) {
     if (zBottom >= zTop) return;
-    WallPiece piece{zBottom, zTop, Opening{nextId, twin, {}, {}}};
-    Opening& opening = std::get<Opening>(piece.content);
-    const Sector& next = level_[nextId];
-    const Segment& far = level_[twin];
+    const Sector& next = level_[opening.next];
+    const Segment& far = level_[opening.twin];
     const Line farBottom{far.air1.zBottom, far.air0.zBottom};
     const Line farTop{far.air1.zTop, far.air0.zTop};
     const Line low = flat(zBottom);
@@ -179,7 +192,7 @@ class PieceBuilder {
     if (next.ceilingSlope && tallest({high, nearTop()}, {low, nearBottom(), farTop}) > kHeightNoise)
       opening.ceilingSidewall = addSidewall(SurfaceKind::CeilingSidewall, *next.ceilingSlope,
                                             next.ceiling.z, zBottom, zTop, range);
-    segment_.pieces.push_back(piece);
+    segment_.pieces.push_back({zBottom, zTop, opening});
   }
 
   std::optional<SurfaceId> addSidewall(SurfaceKind kind, const Slope& slope, double zFlat,
@@ -197,11 +210,13 @@ class PieceBuilder {
 
   /// Light passes from the higher floor to the lower ceiling, and between skies without end.
   void addLightOpening(SectorId nextId, SegmentId twin, const Range& range, bool bothSkyFloors,
-                       bool bothSkyCeilings) {
+                       bool bothSkyCeilings, std::optional<SurfaceId> middle) {
     const Sector& next = level_[nextId];
     const double zTop = bothSkyCeilings ? kEndless : std::min(range.zTop, next.ceiling.z);
     const double zBottom = bothSkyFloors ? -kEndless : std::max(range.zBottom, next.floor.z);
-    if (zBottom < zTop) segment_.lightOpenings.push_back({zBottom, zTop, nextId, twin});
+    if (zBottom >= zTop) return;
+    segment_.lightOpenings.push_back({zBottom, zTop, nextId, twin, {}});
+    if (middle) segment_.lightOpenings.back().middles.push_back(*middle);
   }
 
   Level& level_;
@@ -240,6 +255,17 @@ void measureBox(Level& level, Sector& sector) {
   }
 }
 
+/// Light through an opening meets what hangs in it on the other side, too.
+void addMiddlesOfTwins(Level& level) {
+  for (std::size_t i = 0; i < level.segments.size(); ++i)
+    for (LightOpening& light : level.segments[i].lightOpenings)
+      for (const WallPiece& piece : level[light.twin].pieces) {
+        const Opening* back = std::get_if<Opening>(&piece.content);
+        if (back && back->middle && back->twin == SegmentId(i))
+          light.middles.push_back(*back->middle);
+      }
+}
+
 std::optional<SurfaceId> addFlat(Level& level, SectorId sector, const Flat& flat, bool isFloor,
                                  bool hasSlope) {
   if (flat.interface) return std::nullopt;
@@ -267,6 +293,7 @@ std::vector<LevelFault> finishLevel(Level& level) {
   const TwinIndex twins(level);
   for (std::size_t i = 0; i < level.segments.size(); ++i)
     PieceBuilder(level, twins, SegmentId(i), faults).build();
+  addMiddlesOfTwins(level);
   return faults;
 }
 

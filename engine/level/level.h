@@ -10,6 +10,7 @@
 #include "level/sector.h"
 #include "level/segment.h"
 #include "level/surface.h"
+#include "level/texel_holes.h"
 
 namespace hearth {
 
@@ -40,6 +41,7 @@ struct Shot {
 struct Level {
   std::string name;
   std::vector<std::string> textures;  ///< names, by TextureId
+  std::vector<TexelHoles> holes;      ///< of middle textures; by TextureId, as far as there are any
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
   std::vector<Interface> interfaces;

@@ -51,6 +51,8 @@ struct BakeSettings {
   int bits = 8;          ///< of a texel and channel, or 16
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
+  /// No light passes through the holes of middle textures, and no texel is asked for one.
+  bool solidMiddles = false;
 
   friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
 };

@@ -20,6 +20,7 @@ enum class SurfaceKind : std::uint8_t {
   StackUpperStep,
   FloorSidewall,
   CeilingSidewall,
+  Middle,
   Floor,
   Ceiling,
   SlopeFloor,
@@ -29,7 +30,7 @@ enum class SurfaceKind : std::uint8_t {
   SkyUpperStep,
   SkyLowerStep,
 };
-inline constexpr std::size_t kSurfaceKinds = 16;
+inline constexpr std::size_t kSurfaceKinds = 17;
 
 std::string_view name(SurfaceKind kind);
 
@@ -44,7 +45,7 @@ constexpr bool isSlope(SurfaceKind kind) {
   return kind == SurfaceKind::SlopeFloor || kind == SurfaceKind::SlopeCeiling;
 }
 /// Stands upright on a segment (and is not sky).
-constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::CeilingSidewall; }
+constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::Middle; }
 /// Faces downwards.
 constexpr bool isOverhead(SurfaceKind kind) {
   return kind == SurfaceKind::Ceiling || kind == SurfaceKind::SlopeCeiling ||
@@ -60,6 +61,7 @@ struct Surface {
                                      ///< that follow their slope's edge
   /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
   /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.
+  /// Middle textures: those of the image in its opening.
   double zBottom = 0;
   double zTop = 0;
 };

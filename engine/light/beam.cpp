@@ -82,6 +82,14 @@ void addSlopes(const Level& level, const Sector& sector, const Segment& wall,
   }
 }
 
+/// Some of what comes to a middle texture may meet a hole and some not.
+void addMiddles(const Level& level, const LightOpening& opening, Passage& passage) {
+  if (planted(PlantedBug::BeamThroughMiddles)) return;
+  for (const SurfaceId id : opening.middles)
+    passage.isOpen &= passage.hull.isAbove(flatLine(level[id].zTop)) ||
+                      passage.hull.isBelow(flatLine(level[id].zBottom));
+}
+
 }  // namespace
 
 Beam::Outcome Beam::follow(const BeamLight& light, const BeamTargets& targets, const Beam* within) {
@@ -195,6 +203,7 @@ void Beam::meetOpenings(const Sector& sector, const BeamHull::Slice& slice, Met&
     Passage passage{slice};
     addHeights(sector, *met.wall, opening, passage);
     addSlopes(level_, sector, *met.wall, opening, passage);
+    addMiddles(level_, opening, passage);
     if (!passage.isShut) exits_.push_back(&opening);
     if (passage.isOpen) met.stops = false;
   }

@@ -46,13 +46,23 @@ class Joiner {
     join(b.id, a.id, onGrid(a, edge.first), onGrid(a, edge.second));
   }
 
+  /// What hangs in an opening continues only its like, not the wall round it.
+  bool areAlike(const UprightSurface& a, const UprightSurface& b) const {
+    return (level_[a.id].kind == SurfaceKind::Middle) == (level_[b.id].kind == SurfaceKind::Middle);
+  }
+
+  /// Of surfaces of one segment, or of two with the same ends.
+  std::optional<std::pair<Vec2, Vec2>> edgeBetween(const UprightSurface& a,
+                                                   const UprightSurface& b) const {
+    return areAlike(a, b) ? commonEdge(a.air, b.air, wallOf(a).length) : std::nullopt;
+  }
+
   /// Joins the surfaces of one segment that stand on one another.
   void joinAbove(SegmentId id) {
     const std::vector<UprightSurface>& walls = upright_[id.index()];
     for (std::size_t i = 0; i < walls.size(); ++i)
       for (std::size_t k = i + 1; k < walls.size(); ++k)
-        if (const auto edge = commonEdge(walls[i].air, walls[k].air, level_[id].length))
-          joinBoth(walls[i], walls[k], *edge);
+        if (const auto edge = edgeBetween(walls[i], walls[k])) joinBoth(walls[i], walls[k], *edge);
   }
 
   /// Joins the surfaces of this segment to those of the walls that go on below a flat portal.
@@ -64,7 +74,7 @@ class Joiner {
       if (other.ceiling.interface != sector.floor.interface) continue;
       for (const UprightSurface& a : upright_[id.index()])
         for (const UprightSurface& b : upright_[below.index()])
-          if (const auto edge = commonEdge(a.air, b.air, level_[id].length)) joinBoth(a, b, *edge);
+          if (const auto edge = edgeBetween(a, b)) joinBoth(a, b, *edge);
     }
   }
 
@@ -80,7 +90,7 @@ class Joiner {
       if (!spoke.startsHere || spoke.segment == id) continue;
       for (const UprightSurface& a : upright_[id.index()])
         for (const UprightSurface& b : upright_[spoke.segment.index()])
-          if (onOneGrid(a.id, b.id)) joinAtVertex(a, b, level_[id].p1);
+          if (areAlike(a, b) && onOneGrid(a.id, b.id)) joinAtVertex(a, b, level_[id].p1);
     }
   }
 

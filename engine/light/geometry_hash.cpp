@@ -24,7 +24,7 @@ class GeometryHasher {
 
  private:
   enum FlatKind : std::uint64_t { Plain, Sky, FlatPortal, Sloped };
-  enum WallKind : std::uint64_t { SolidWall, PortalWall, StackOfWalls };
+  enum WallKind : std::uint64_t { SolidWall, PortalWall, StackOfWalls, PortalWithMiddle };
 
   void addFlat(const Flat& flat, const std::optional<Slope>& slope) {
     hash_.addReal(flat.z);
@@ -50,8 +50,16 @@ class GeometryHasher {
   void addWall(const Solid&) { hash_.addWhole(SolidWall); }
 
   void addWall(const Portal& portal) {
-    hash_.addWhole(PortalWall);
+    hash_.addWhole(portal.middle ? PortalWithMiddle : PortalWall);
     hash_.addWhole(numbers_.ofSector(portal.next));
+    if (!portal.middle) return;
+    const auto& [texture, repeat, offsetTexels, along, zRef] = *portal.middle;
+    hash_.addWhole(numbers_.ofHoles(texture));
+    hash_.addPoint(repeat);
+    hash_.addPoint(offsetTexels);
+    hash_.addReal(along);
+    hash_.addWhole(zRef ? 1 : 0);
+    hash_.addReal(zRef.value_or(0));
   }
 
   void addWall(const Stack& stack) {
@@ -71,9 +79,11 @@ class GeometryHasher {
 
 std::uint64_t geometryHash(const Level& level, double texel) {
   const PartNumbers ids{[](SectorId id) { return id.value; },
-                        [](InterfaceId id) { return id.value; }};
+                        [](InterfaceId id) { return id.value; },
+                        [](TextureId id) { return id.value; }};
   Hash hash;
   hash.addReal(texel);
+  for (const TexelHoles& holes : level.holes) addHoles(hash, holes);
   hash.addWhole(level.sectors.size());
   for (const Sector& sector : level.sectors) addGeometry(hash, level, sector, ids);
   return hash.value();
@@ -81,6 +91,19 @@ std::uint64_t geometryHash(const Level& level, double texel) {
 
 void addGeometry(Hash& hash, const Level& level, const Sector& sector, const PartNumbers& numbers) {
   GeometryHasher(hash, numbers).add(level, sector);
+}
+
+void addHoles(Hash& hash, const TexelHoles& holes) {
+  if (holes.all().empty()) return;
+  hash.addWhole(static_cast<std::uint64_t>(holes.width()));
+  std::uint64_t word = 1;
+  for (const bool isHole : holes.all()) {
+    word = word << 1 | (isHole ? 1 : 0);
+    if (word >> 63 == 0) continue;
+    hash.addWhole(word);
+    word = 1;
+  }
+  hash.addWhole(word);
 }
 
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) {

@@ -15,6 +15,7 @@ class Printer {
  public:
   Printer(const Level& level, const LitSurfaces& surfaces) : level_(level), surfaces_(surfaces) {
     for (const Sector& sector : level.sectors) names_.push_back(hashOf(sector.name));
+    for (const TexelHoles& texture : level.holes) holes_.push_back(hashOf(texture));
     for (const Sector& sector : level.sectors) outlines_.push_back(outlineOf(sector));
     for (std::size_t i = 0; i < surfaces.size(); ++i) faces_.push_back(faceOf(SurfaceId(i)));
   }
@@ -36,11 +37,18 @@ class Printer {
     return hash.value();
   }
 
+  static std::uint64_t hashOf(const TexelHoles& holes) {
+    Hash hash;
+    addHoles(hash, holes);
+    return hash.value();
+  }
+
   /// A sector without what it leads to, but for the names.
   std::uint64_t outlineOf(const Sector& sector) const {
     const PartNumbers numbers{
         [this](SectorId id) { return names_[id.index()]; },
         [this](InterfaceId id) { return hashOf(level_[id].name); },
+        [this](TextureId id) { return holes_[id.index()]; },
     };
     Hash hash;
     hash.addText(sector.name);
@@ -129,6 +137,7 @@ class Printer {
   const Level& level_;
   const LitSurfaces& surfaces_;
   std::vector<std::uint64_t> names_;     ///< by SectorId
+  std::vector<std::uint64_t> holes_;     ///< by TextureId
   std::vector<std::uint64_t> outlines_;  ///< by SectorId
   std::vector<std::uint64_t> faces_;     ///< by SurfaceId
 };

@@ -171,8 +171,9 @@ DiscCells::Distances DiscCells::distancesOf(const std::vector<Vec2>& points) {
   return distances;
 }
 
-LightSight::LightSight(const Level& level, const LightSource& light, int softSamples)
-    : raytracer_(level),
+LightSight::LightSight(const Level& level, const LightSource& light, int softSamples,
+                       bool solidMiddles)
+    : raytracer_(level, solidMiddles),
       middle_(Raytracer::sourceOf(level, light)),
       radius_(softSamples == 0 || planted(PlantedBug::RadiusIgnored) ? 0 : light.radius),
       cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
@@ -287,8 +288,8 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
 
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
   for (const LightSource& light : level.lights) {
-    fine.emplace_back(level, light, settings.softSamples);
-    rough.emplace_back(level, light, (settings.softSamples + 3) / 4);
+    fine.emplace_back(level, light, settings.softSamples, settings.solidMiddles);
+    rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMiddles);
     reach.push_back(light.reach(settings.cutOff));
   }
 }

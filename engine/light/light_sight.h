@@ -56,8 +56,9 @@ class LightSight {
   /// `softSamples` to a ball, a square number: its disc, as it is seen, is divided into so many
   /// cells, and shadows' edges cut these exactly where they run straight. Where a ball is cut by
   /// more than planes, or seen from too near, 32 times as many points are spread over it instead.
-  /// With 0 it is a point.
-  LightSight(const Level& level, const LightSource& light, int softSamples);
+  /// With 0 it is a point. `solidMiddles`: see BakeSettings.
+  LightSight(const Level& level, const LightSource& light, int softSamples,
+             bool solidMiddles = false);
 
   /// 0..1. Adds the rays that it took to `rays`, and tells `met`, if any, where they came.
   double seenShare(const LightTarget& target, std::int64_t& rays, SectorSet* met = nullptr) const;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "level/locate.h"
+#include "level/middles.h"
 #include "level/openings.h"
 #include "math/planted_bug.h"
 #include "math/predicates.h"
@@ -45,9 +46,10 @@ template <typename Walls>
 class Walk {
  public:
   Walk(const Level& level, Walls walls, const Raytracer::Source& source, Vec3 target,
-       SectorSet* met)
+       bool solidMiddles, SectorSet* met)
       : level_(level),
         walls_(walls),
+        solidMiddles_(solidMiddles),
         met_(met),
         origin_(source.position),
         delta_(target - source.position),
@@ -229,6 +231,7 @@ class Walk {
     const double slack = isAtEnd(exit.t) ? kArrival : 0;
     for (const LightOpening& opening : exit.segment->lightOpenings) {
       if (!isOpenAt(opening, exit.t, slack)) continue;
+      if (slack == 0 && isStoppedByMiddle(opening, exit.t)) return false;
       sector_ = opening.next;
       t_ = exit.t;
       entry_ = &level_[opening.twin];
@@ -252,8 +255,20 @@ class Walk {
            (!next.ceilingSlope || z <= air.zTop + slack);
   }
 
+  /// Whether the ray meets what hangs in an opening, on either side, and is no hole.
+  bool isStoppedByMiddle(const LightOpening& opening, double t) const {
+    return std::ranges::any_of(opening.middles, [&](SurfaceId id) {
+      const Surface& middle = level_[id];
+      const Vec2 p = planAt(t);
+      const double z = zAt(t);
+      return middle.zBottom <= z && z <= middle.zTop &&
+             (solidMiddles_ || isSolidAt(level_, middle, {p.x, p.y, z}));
+    });
+  }
+
   const Level& level_;
   Walls walls_;
+  bool solidMiddles_;
   SectorSet* met_;
   Vec3 origin_;
   Vec3 delta_;
@@ -276,18 +291,18 @@ Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& lig
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
-  return Walk(level_, AllWalls{level_}, source, target, met).arrivesAt(sector);
+  return Walk(level_, AllWalls{level_}, source, target, solidMiddles_, met).arrivesAt(sector);
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Beam& beam) const {
-  Walk walk(level_, BeamWalls{beam}, source, target, nullptr);
+  Walk walk(level_, BeamWalls{beam}, source, target, solidMiddles_, nullptr);
   if (beam.gate()) walk.passGate(*beam.gate());
   return walk.arrivesAt(sector);
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
                                             SectorSet& met) const {
-  return Walk(level_, AllWalls{level_}, source, point, &met).sectorAtEnd();
+  return Walk(level_, AllWalls{level_}, source, point, solidMiddles_, &met).sectorAtEnd();
 }
 
 }  // namespace hearth

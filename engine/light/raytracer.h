@@ -13,7 +13,9 @@ namespace hearth {
 /// through a joint of walls, and what merely overlaps in space is never met.
 class Raytracer {
  public:
-  explicit Raytracer(const Level& level) : level_(level) {}
+  /// `solidMiddles`: see BakeSettings.
+  explicit Raytracer(const Level& level, bool solidMiddles = false)
+      : level_(level), solidMiddles_(solidMiddles) {}
 
   /// Where the line from a light to a point starts.
   struct Source {
@@ -35,6 +37,7 @@ class Raytracer {
 
  private:
   const Level& level_;
+  bool solidMiddles_;
 };
 
 }  // namespace hearth

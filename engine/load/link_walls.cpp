@@ -36,6 +36,7 @@ class WallLinker {
     Portal portal{*next, {}, {}};
     if (described.upper) portal.upper = linking_.textures.link(*described.upper);
     if (described.lower) portal.lower = linking_.textures.link(*described.lower);
+    if (described.middle) portal.middle = linking_.textures.link(*described.middle);
     return portal;
   }
 

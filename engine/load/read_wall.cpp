@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "load/fields.h"
@@ -9,9 +10,12 @@ namespace hearth {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kWallKeys{"texture", "next", "upper", "lower", "walls"};
-constexpr std::array<std::string_view, 6> kSubWallKeys{"texture", "next",  "upper",
-                                                       "lower",   "walls", "z"};
+constexpr std::array<std::string_view, 6> kWallKeys{"texture", "next",   "upper",
+                                                    "lower",   "middle", "walls"};
+constexpr std::array<std::string_view, 7> kSubWallKeys{"texture", "next",  "upper", "lower",
+                                                       "middle",  "walls", "z"};
+/// Those that only a wall that leads somewhere has.
+constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "middle"};
 
 /// Reads the texture under `key` into `target`; false after a mistake.
 bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,
@@ -28,13 +32,15 @@ std::optional<PortalDescription> readPortal(Report& report, const Fields& fields
   bool isGood = readOptionalTexture(report, fields, "texture", both);
   isGood &= readOptionalTexture(report, fields, "upper", portal.upper);
   isGood &= readOptionalTexture(report, fields, "lower", portal.lower);
+  isGood &= readOptionalTexture(report, fields, "middle", portal.middle);
   if (fields.find("texture") && (fields.find("upper") || fields.find("lower"))) {
     report.error(fields.find("texture")->place(), "\"texture\" beside \"upper\" or \"lower\"",
                  "give either one texture for both steps or one for each");
     isGood = false;
   }
-  isGood &= !fields.isMisspelled("texture") && !fields.isMisspelled("upper") &&
-            !fields.isMisspelled("lower");
+  isGood &= !fields.isMisspelled("texture") &&
+            std::ranges::none_of(kPortalTextures,
+                                 [&](std::string_view key) { return fields.isMisspelled(key); });
   const std::optional<NameReference> reference = readReference(report, next);
   if (!isGood || !reference) return std::nullopt;
   portal.next = *reference;
@@ -42,11 +48,16 @@ std::optional<PortalDescription> readPortal(Report& report, const Fields& fields
   return portal;
 }
 
-void refuseSteps(Report& report, const Fields& fields) {
-  for (const std::string_view key : {"upper", "lower"})
-    if (const std::optional<JsonValue> value = fields.find(key))
+/// Whether there are any.
+bool refusePortalTextures(Report& report, const Fields& fields) {
+  bool areThere = false;
+  for (const std::string_view key : kPortalTextures)
+    if (const std::optional<JsonValue> value = fields.find(key)) {
+      areThere = true;
       report.error(value->place(), fmt::format("\"{}\" on a wall that leads nowhere", key),
                    "give \"next\" for a portal, or \"texture\" for a solid wall");
+    }
+  return areThere;
 }
 
 /// The solid or portal that `fields` describe, as one of the alternatives of `Kind`.
@@ -57,8 +68,7 @@ Kind readSolidOrPortal(Report& report, const Fields& fields) {
     if (auto portal = readPortal(report, fields, *next)) return *std::move(portal);
     return Unreadable{};
   }
-  refuseSteps(report, fields);
-  if (fields.find("upper") || fields.find("lower")) return Unreadable{};
+  if (refusePortalTextures(report, fields)) return Unreadable{};
   const auto value = fields.require("texture", "give a wall \"texture\", \"next\" or \"walls\"");
   const auto texture = value ? readTexture(report, *value, TextureUse::OnWall) : std::nullopt;
   if (!texture) return Unreadable{};
@@ -83,7 +93,7 @@ SubWallDescription readSubWall(Report& report, JsonValue value) {
 }
 
 std::optional<StackDescription> readStack(Report& report, const Fields& fields, JsonValue walls) {
-  for (const std::string_view key : {"texture", "next", "upper", "lower"})
+  for (const std::string_view key : {"texture", "next", "upper", "lower", "middle"})
     if (const std::optional<JsonValue> value = fields.find(key))
       report.error(value->place(), fmt::format("\"{}\" beside \"walls\"", key),
                    "give it to the walls of the stack");

@@ -107,6 +107,15 @@ std::vector<bool> wornBy(std::span<const Surface> surfaces, std::size_t textures
   return worn;
 }
 
+TexelHoles holesOf(const Image& image) {
+  if (!image.hasHoles()) return {};
+  TexelHoles holes(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (image.isHole(x, y)) holes.make(x, y);
+  return holes;
+}
+
 }  // namespace
 
 TextureMapping TextureTable::link(const TextureDescription& texture) {
@@ -164,6 +173,17 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
     if (auto read = decode(report, name, *path, limits)) image = *std::move(read);
   }
   return textures;
+}
+
+std::vector<TexelHoles> holesOfMiddles(std::span<const Surface> surfaces,
+                                       const std::vector<Image>& images) {
+  std::vector<TexelHoles> holes(images.size());
+  for (const Surface& surface : surfaces) {
+    if (surface.kind != SurfaceKind::Middle) continue;
+    TexelHoles& found = holes[surface.mapping.texture.index()];
+    if (found.all().empty()) found = holesOf(images[surface.mapping.texture.index()]);
+  }
+  return holes;
 }
 
 }  // namespace hearth

@@ -9,6 +9,7 @@
 
 #include "image/image.h"
 #include "level/surface.h"
+#include "level/texel_holes.h"
 #include "level/texture_mapping.h"
 #include "load/description.h"
 #include "load/limits.h"
@@ -44,5 +45,9 @@ struct TextureFiles {
 TextureFiles readTextures(Report& report, const TextureTable& table,
                           std::span<const Surface> surfaces, const std::filesystem::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits);
+
+/// By TextureId, of images that a middle texture shows; none of the others.
+std::vector<TexelHoles> holesOfMiddles(std::span<const Surface> surfaces,
+                                       const std::vector<Image>& images);
 
 }  // namespace hearth

@@ -51,9 +51,10 @@ enum class PlantedBug {
   BeamThroughWedges,
   BeamThroughHangingWedges,
   BeamPastFlatPortals,
+  BeamThroughMiddles,
 };
 
-inline constexpr std::array<std::string_view, 41> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 42> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -95,6 +96,7 @@ inline constexpr std::array<std::string_view, 41> kPlantedBugNames = {
     "beam-through-wedges",
     "beam-through-hanging-wedges",
     "beam-past-flat-portals",
+    "beam-through-middles",
 };
 
 #ifdef HEARTH_PLANTED_BUGS

@@ -48,14 +48,27 @@ Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double meas
   return {level(0), level(1), level(2)};
 }
 
+bool isHole(const SpanMapping& mapping, double measure, const Texture& image) {
+  const auto repeated = [](double x, int size) {
+    const double whole = std::floor(x);
+    return static_cast<int>(whole - size * std::floor(whole / size));
+  };
+  const int x = repeated(mapping.u.at(measure), image.width());
+  const int y = repeated(mapping.v.at(measure), image.height());
+  return (image.texels()[x * image.height() + y] & kHoleBit) != 0;
+}
+
 }  // namespace
 
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
                   std::span<const double> climbs, Strip& strip) {
   const Material material = painter.materialOf(span.surface);
   const SpanMapping mapping = painter.mappingOf(material, span);
+  const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
+  if (hasHoles && channel == Channel::Overdraw) return;
   for (int row = span.rowBegin; row < span.rowEnd; ++row) {
     const double measure = mapping.measureAt(climbs[static_cast<std::size_t>(row)]);
+    if (hasHoles && isHole(mapping, measure, material.image())) continue;
     Rgb pixel = colorOf(*strip.at(span.column, row));
     switch (channel) {
       case Channel::Sector:

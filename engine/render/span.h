@@ -31,6 +31,7 @@ struct FrameStats {
   std::size_t stackColumns = 0;  ///< of those, of walls that are stacks
   std::size_t slopeColumns = 0;  ///< of those, of walls along which floor or ceiling rises
   std::size_t spans = 0;
+  std::size_t middleSpans = 0;  ///< of those, of middle textures
 
   friend bool operator==(const FrameStats&, const FrameStats&) = default;
 };
@@ -56,7 +57,8 @@ struct PaintStats {
   friend bool operator==(const PaintStats&, const PaintStats&) = default;
 };
 
-/// What shows where: every pixel of the frame lies in exactly one span.
+/// What shows where: every pixel of the frame lies in exactly one span of what has no holes. Those
+/// of middle textures come behind all of these, from far to near in each pixel.
 struct VisibleSpans {
   std::vector<Span> spans;
   FrameStats stats;

@@ -85,8 +85,11 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
   if (!material.hasUnevenLight()) material.lit = nullptr;
   count(span, material, stats);
   const SpanMapping mapping = mappingOf(material, span);
+  // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
+  const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
+  const TextureFilter filter = hasHoles ? TextureFilter::Nearest : settings_.textureFilter;
   std::optional<Footprint> footprint;
-  if (settings_.textureFilter == TextureFilter::Mipmapped && mode != LightMode::Only)
+  if (filter == TextureFilter::Mipmapped && mode != LightMode::Only)
     footprint.emplace(level_, projection_, span, material.image(), mapping);
   if (!material.hasUnevenLight())
     kernels_.showEvenly(batch, material.lightmap, material.sectorLight);
@@ -95,9 +98,14 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
     findMeasures(row, mapping, batch);
     const Texture& image =
         footprint ? fitting(material.texture, *footprint, batch) : material.image();
-    if (mode != LightMode::Only) findTexels(material.image(), image, mapping, batch);
+    if (mode != LightMode::Only || hasHoles)
+      findTexels(filter, material.image(), image, mapping, batch);
     if (material.hasUnevenLight()) stats.lightLookups += findShown(material, mapping, batch);
-    shade(image, mode, batch, strip.at(span.column, row));
+    Pixel* const pixels = strip.at(span.column, row);
+    if (hasHoles)
+      shadeAroundHoles(image, mode, batch, pixels);
+    else
+      shade(filter, image, mode, batch, pixels);
   }
 }
 
@@ -108,9 +116,9 @@ void SpanPainter::findMeasures(int firstRow, const SpanMapping& mapping, RowBatc
   findDepthsEvery(settings_.depthEvery, batch, mapping, batch.measures);
 }
 
-void SpanPainter::findTexels(const Texture& full, const Texture& image, const SpanMapping& mapping,
-                             RowBatch& batch) const {
-  switch (settings_.textureFilter) {
+void SpanPainter::findTexels(TextureFilter filter, const Texture& full, const Texture& image,
+                             const SpanMapping& mapping, RowBatch& batch) const {
+  switch (filter) {
     case TextureFilter::Nearest:
       return places_.findTexels(batch, mapping, image);
     case TextureFilter::Bilinear:
@@ -149,14 +157,22 @@ std::size_t SpanPainter::findShownEvery(const Material& material, const SpanMapp
   return lookups;
 }
 
-void SpanPainter::shade(const Texture& image, LightMode mode, const RowBatch& batch,
-                        Pixel* pixels) const {
+void SpanPainter::shade(TextureFilter filter, const Texture& image, LightMode mode,
+                        const RowBatch& batch, Pixel* pixels) const {
   if (mode == LightMode::Only)
     kernels_.shadeColor(pixels, batch, kWhite);
-  else if (settings_.textureFilter == TextureFilter::Bilinear)
+  else if (filter == TextureFilter::Bilinear)
     kernels_.shadeMixtures(pixels, batch, image);
   else
     kernels_.shadeTexels(pixels, batch, image);
+}
+
+void SpanPainter::shadeAroundHoles(const Texture& image, LightMode mode, const RowBatch& batch,
+                                   Pixel* pixels) const {
+  RowBatch::Rows<Pixel> shaded;
+  shade(TextureFilter::Nearest, image, mode, batch, shaded.data());
+  for (std::size_t k = 0; k < batch.count; ++k)
+    if ((image.texels()[batch.texels.upperLeft[k]] & kHoleBit) == 0) pixels[k] = shaded[k];
 }
 
 Material SpanPainter::materialOf(SurfaceId id) const {

@@ -33,7 +33,7 @@ struct Material {
 void findDepthsEvery(int every, RowBatch& batch, const SpanMapping& mapping, const double* climbs);
 
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint
-/// with one painter, as no two spans share a pixel.
+/// with one painter, each its own columns.
 class SpanPainter {
  public:
   /// All must outlive the painter. `climbs` are Projection::climbOf the centres of all rows, and of
@@ -61,8 +61,8 @@ class SpanPainter {
   double sectorLightOn(const Surface& surface) const;
   void findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
   /// Of the image, which is the full texture or a size of it, on which `mapping` is.
-  void findTexels(const Texture& full, const Texture& image, const SpanMapping& mapping,
-                  RowBatch& batch) const;
+  void findTexels(TextureFilter filter, const Texture& full, const Texture& image,
+                  const SpanMapping& mapping, RowBatch& batch) const;
   /// How often these read the lightmap.
   std::size_t findShown(const Material& material, const SpanMapping& mapping,
                         RowBatch& batch) const;
@@ -70,7 +70,11 @@ class SpanPainter {
                              RowBatch& batch) const;
   void findShownInEachRow(const Material& material, const SpanMapping& mapping,
                           RowBatch& batch) const;
-  void shade(const Texture& image, LightMode mode, const RowBatch& batch, Pixel* pixels) const;
+  void shade(TextureFilter filter, const Texture& image, LightMode mode, const RowBatch& batch,
+             Pixel* pixels) const;
+  /// All but the pixels of holes.
+  void shadeAroundHoles(const Texture& image, LightMode mode, const RowBatch& batch,
+                        Pixel* pixels) const;
 
   const Level& level_;
   const std::vector<MipMap>& textures_;

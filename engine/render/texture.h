@@ -10,8 +10,11 @@
 
 namespace hearth {
 
-/// A colour in 32 bits: red in the lowest, then green and blue. The highest mean nothing.
+/// A colour in 32 bits: red in the lowest, then green and blue. The highest mean nothing, but for
+/// texels that are holes.
 using Pixel = std::uint32_t;
+
+inline constexpr Pixel kHoleBit = Pixel{1} << 31;
 
 inline Pixel pixelOf(Rgb color) {
   return color.r | std::uint32_t{color.g} << 8 | std::uint32_t{color.b} << 16;
@@ -29,7 +32,8 @@ class Texture {
   explicit Texture(const Image& image) : width_(image.width()), height_(image.height()) {
     texels_.reserve(image.pixels().size());
     for (int x = 0; x < width_; ++x)
-      for (int y = 0; y < height_; ++y) texels_.push_back(pixelOf(image.at(x, y)));
+      for (int y = 0; y < height_; ++y)
+        texels_.push_back(pixelOf(image.at(x, y)) | (image.isHole(x, y) ? kHoleBit : 0));
   }
 
   int width() const { return width_; }

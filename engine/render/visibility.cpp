@@ -39,6 +39,7 @@ class Visibility {
       else
         lookAtLast(flatPortals_);
     }
+    addMiddles();
     found_.stats.spans = found_.spans.size();
   }
 
@@ -46,10 +47,17 @@ class Visibility {
   void start() {
     found_.spans.clear();
     found_.stats = {};
+    scratch_.middles.clear();
     Viewport first{camera_.sector, std::nullopt, noWindows()};
     for (int column = 0; column < camera_.width; ++column)
       first.windows.push_back({column, 0, camera_.height, 0});
     viewports_.push_back(std::move(first));
+  }
+
+  /// What lies behind an opening is looked at after it, so that nearer ones were found before.
+  void addMiddles() {
+    found_.spans.insert(found_.spans.end(), scratch_.middles.rbegin(), scratch_.middles.rend());
+    found_.stats.middleSpans = scratch_.middles.size();
   }
 
   /// Takes the last off a stack; looking may put more there.
@@ -173,15 +181,28 @@ class Visibility {
         [&](SurfaceId surface, double zBottom, double zTop) {
           const int top = rowIn(window, zTop, hit.depth);
           const int bottom = rowIn(window, zBottom, hit.depth);
-          if (top < bottom) addUpright(surface, {window.column, top, bottom, hit.depth}, hit);
+          if (top < bottom)
+            found_.spans.push_back(
+                uprightSpan(surface, {window.column, top, bottom, hit.depth}, hit));
         },
         [&](const Opening& opening, double zBottom, double zTop) {
           const int top = rowIn(window, zTop, hit.depth);
           const int bottom = rowIn(window, zBottom, hit.depth);
           if (top < bottom)
-            viewportBehind(opening, firstNew)
-                .windows.push_back({window.column, top, bottom, hit.depth});
+            showOpening(opening, {window.column, top, bottom, hit.depth}, hit, firstNew);
         });
+  }
+
+  void showOpening(const Opening& opening, const Window& window, const ColumnHit& hit,
+                   std::size_t firstNew) {
+    viewportBehind(opening, firstNew).windows.push_back(window);
+    if (!opening.middle) return;
+    const Surface& middle = level_[*opening.middle];
+    const int top = rowIn(window, middle.zTop, hit.depth);
+    const int bottom = rowIn(window, middle.zBottom, hit.depth);
+    if (top < bottom)
+      scratch_.middles.push_back(
+          uprightSpan(*opening.middle, {window.column, top, bottom, hit.depth}, hit));
   }
 
   void countColumn(const Segment& segment) {
@@ -190,7 +211,7 @@ class Visibility {
     if (segment.airRises) ++found_.stats.slopeColumns;
   }
 
-  void addUpright(SurfaceId id, const Window& window, const ColumnHit& hit) {
+  Span uprightSpan(SurfaceId id, const Window& window, const ColumnHit& hit) const {
     const Surface& surface = level_[id];
     const Segment& segment = level_[hit.segment];
     Span span{window.column, window.top, window.bottom, id, hit.depth};
@@ -205,7 +226,7 @@ class Visibility {
       span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
     }
     if (surface.mapping.zRef) span.zRef = *surface.mapping.zRef;
-    found_.spans.push_back(span);
+    return span;
   }
 
   static SegmentId twinOf(const Segment& segment, SurfaceId sidewall) {

@@ -184,6 +184,15 @@ std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, 
   return std::nullopt;
 }
 
+std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
+                                   const SurfacePoint& to) {
+  Ray ray = makeRay(origin, to.point - origin, RayKind::Light);
+  if (to.kind == SurfaceKind::Middle) ray.litMiddle = to.segment;
+  const auto end = follow(level, sector, ray, kNever);
+  const TruthHit* hit = std::get_if<TruthHit>(&end);
+  return hit ? std::optional(*hit) : std::nullopt;
+}
+
 std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end) {
   const Ray ray = makeRay(origin, end - origin, RayKind::Light);
   const auto arrived = follow(level, sector, ray, 1);

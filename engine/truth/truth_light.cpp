@@ -83,8 +83,7 @@ double TruthLight::unshaded(std::size_t index, const SurfacePoint& place) const 
 bool TruthLight::sees(const Origin& origin, const SurfacePoint& place) const {
   if (dot(place.normal, origin.point - place.point) <= kInPlane) return false;
   // A straight line meets a plane once: where it meets this surface, it meets it at this point.
-  const std::optional<TruthHit> met =
-      trace(level_, origin.sector, origin.point, place.point - origin.point, RayKind::Light);
+  const std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
   return met && isSameSurface(*met, place);
 }
 

@@ -1,6 +1,7 @@
 #include "truth/wall_hit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/check.h"
 #include "math/tolerance.h"
@@ -60,7 +61,10 @@ class Meeting {
   }
 
   std::variant<TruthHit, Passage> result() const {
-    if (const Portal* portal = std::get_if<Portal>(&part_.kind)) return throughPortal(*portal);
+    if (const Portal* portal = std::get_if<Portal>(&part_.kind)) {
+      if (ray_.litMiddle == id_ && portal->middle) return middleAt(id_, part_, *portal->middle, 0);
+      return throughPortal(*portal);
+    }
     return hit(part_.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid,
                std::get<Solid>(part_.kind).texture, part_.zTop);
   }
@@ -84,6 +88,8 @@ class Meeting {
     }
     const SegmentId twin = findTwin(level_, portal.next, segment_);
     if (const auto wedge = sidewall(next, level_[twin])) return *wedge;
+    if (!isBelow && !isAbove)
+      if (const auto hanging = hangingIn(twin, next)) return *hanging;
     return Passage{portal.next, twin};
   }
 
@@ -133,19 +139,66 @@ class Meeting {
     return found;
   }
 
+  /// What hangs in the opening. That on the other side stops light, too, and is not lit by it.
+  std::optional<TruthHit> hangingIn(SegmentId twin, const Sector& next) const {
+    if (const auto seen = middle(id_, part_, next.ceiling.z)) return seen;
+    if (!isLight()) return std::nullopt;
+    const Segment& far = level_[twin];
+    const WallPart part = partAt(far, level_[far.sector], point_.z);
+    const Portal* back = std::get_if<Portal>(&part.kind);
+    if (!back || back->next != segment_.sector) return std::nullopt;
+    return middle(twin, part, sector_.ceiling.z);
+  }
+
+  /// What hangs in the opening of a part of `side`, behind which is a ceiling: but for its holes.
+  std::optional<TruthHit> middle(SegmentId side, const WallPart& part, double zBehind) const {
+    const auto& texture = std::get<Portal>(part.kind).middle;
+    if (!texture) return std::nullopt;
+    const TruthHit found = middleAt(side, part, *texture, zBehind);
+    const double down = found.imageMetres.y;
+    if (down < 0 || down > texture->repeat.y || isHole(found)) return std::nullopt;
+    return found;
+  }
+
+  TruthHit middleAt(SegmentId side, const WallPart& part, const TextureMapping& texture,
+                    double zBehind) const {
+    return hitOn(side, SurfaceKind::Middle, part.index, texture, std::min(part.zTop, zBehind));
+  }
+
+  bool isHole(const TruthHit& found) const {
+    const TextureMapping& mapping = *found.texture;
+    if (mapping.texture.index() >= level_.holes.size()) return false;
+    const TexelHoles& holes = level_.holes[mapping.texture.index()];
+    const auto texel = [](double metres, double repeat, int size, double offset) {
+      const double at = size * metres / repeat - offset;
+      return static_cast<int>(std::floor(at - size * std::floor(at / size)));
+    };
+    if (holes.all().empty()) return false;
+    const int x =
+        texel(found.imageMetres.x, mapping.repeat.x, holes.width(), mapping.offsetTexels.x);
+    const int y =
+        texel(found.imageMetres.y, mapping.repeat.y, holes.height(), mapping.offsetTexels.y);
+    return holes.at(std::min(x, holes.width() - 1), std::min(y, holes.height() - 1));
+  }
+
   TruthHit hit(SurfaceKind kind, const std::optional<TextureMapping>& texture, double zRef) const {
-    const Vec2 along = segment_.p1 - segment_.p0;
+    return hitOn(id_, kind, part_.index, texture, zRef);
+  }
+
+  TruthHit hitOn(SegmentId id, SurfaceKind kind, std::uint32_t subWall,
+                 const std::optional<TextureMapping>& texture, double zRef) const {
+    const Segment& segment = level_[id];
+    const Vec2 along = segment.p1 - segment.p0;
     const double wallLength = length(along);
     const Vec2 normal = (1 / wallLength) * turned90(along);
     TruthHit found;
-    static_cast<SurfacePoint&>(found) = {
-        kind, segment_.sector, id_, point_, {normal.x, normal.y, 0}};
+    static_cast<SurfacePoint&>(found) = {kind, segment.sector, id, point_, {normal.x, normal.y, 0}};
     found.t = t_;
-    found.subWall = part_.index;
+    found.subWall = subWall;
     found.texture = texture;
     if (texture) {
-      const double s = dot(point_.xy() - segment_.p0, along) / wallLength;
-      found.imageMetres = {texture->along + segment_.sBefore + s,
+      const double s = dot(point_.xy() - segment.p0, along) / wallLength;
+      found.imageMetres = {texture->along + segment.sBefore + s,
                            texture->zRef.value_or(zRef) - point_.z};
     }
     return found;

@@ -127,6 +127,10 @@ const std::vector<CommonEdge>& PlainTexels::continuationsOf(std::size_t surface)
     continuations_[surface].emplace();
     for (std::size_t to = 0; to < panels_.size(); ++to) {
       if (to == surface || !panels_[to] || !areInOnePlane(surface, to)) continue;
+      // What hangs in an opening is no part of the wall round it.
+      if ((level_.surfaces[to].kind == SurfaceKind::Middle) !=
+          (level_.surfaces[surface].kind == SurfaceKind::Middle))
+        continue;
       for (const Edge& edge : commonEdges(level_, corners_, *panels_[surface], *panels_[to]))
         continuations_[surface]->push_back({to, edge});
     }

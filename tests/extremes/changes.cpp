@@ -63,7 +63,7 @@ void forEachWall(Json& loop, Visit&& visit) {
 template <typename Visit>
 void forEachTextureOf(Json& loop, Visit&& visit) {
   forEachWall(loop, [&](Json& wall) {
-    for (const char* key : {"texture", "upper", "lower"})
+    for (const char* key : {"texture", "upper", "lower", "middle"})
       if (wall.contains(key)) visit(wall[key]);
   });
 }

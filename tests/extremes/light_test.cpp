@@ -52,13 +52,14 @@ TEST(LightPlace, onATexelsCentreLightsAllButItsOwnPlane) {
 std::string roomOfAllKinds() {
   const std::string stack =
       "{'walls': [{'texture': '#808080', 'z': 1}, {'next': 'annex', 'texture': '#808080'}]}";
+  const std::string curtain = "{'next': 'main', 'texture': '#808080', 'middle': '#808080'}";
   return levelOf(
       sectorText("main", "0,0, 4,0, 8,0, 8,4, 8,8, 0,8", 0, 3,
                  fmt::format("[{1}, {0}, {2}, {3}, {0}, {0}]", kSolid, stack, portalTo("steps"),
                              portalTo("ramp"))) +
           "," +
           sectorText("annex", "0,-4, 4,-4, 4,0, 0,0", 1.3, 2.5,
-                     fmt::format("[{0}, {0}, {1}, {0}]", kSolid, portalTo("main"))) +
+                     fmt::format("[{0}, {0}, {1}, {0}]", kSolid, curtain)) +
           "," +
           sectorText("steps", "8,0, 12,0, 12,4, 8,4", 0.5, 2.5,
                      fmt::format("[{0}, {0}, {0}, {1}]", kSolid, portalTo("main"))) +

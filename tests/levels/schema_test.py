@@ -110,7 +110,8 @@ class Schemas(unittest.TestCase):
 
 # Definitions of objects and lists, which have descriptions and examples of their own.
 PARTS = {f"#/$defs/{name}" for name in
-         ("version", "player", "shot", "flat", "slope", "texture", "flatTexture", "lights", "bake")}
+         ("version", "player", "shot", "flat", "slope", "texture", "flatTexture", "middle",
+          "lights", "bake")}
 
 
 def keys_of(value):

@@ -30,6 +30,31 @@ TEST(Beams, giveTheBytesOfRaysInTheLevelsOfTheTree) {
   }
 }
 
+TEST(Beams, giveTheBytesOfRaysBehindAGrille) {
+  const std::string solid = "{'texture':'#808080'}";
+  const auto wallsWith = [&](const std::string& west, const std::string& east) {
+    return "[" + solid + "," + east + "," + solid + "," + west + "]";
+  };
+  LoadedLevel loaded = test::levelFrom(
+      "{'light':0,'sectors':{" +
+          test::sectorText("cell", "0,0, 4,0, 4,4, 0,4", 0, 3,
+                           wallsWith(solid, "{'next':'hall','middle':'#808080 0.5,2'}")) +
+          "," +
+          test::sectorText("hall", "4,0, 8,0, 8,4, 4,4", 0, 3,
+                           wallsWith("{'next':'cell','middle':'#808080 0.7,1'}", solid)) +
+          "}}",
+      "[{'x':6,'y':2,'z':1.5,'falloff':0.1},{'x':7,'y':1,'z':2,'radius':0.2}]");
+  TexelHoles holes(2, 2);
+  for (const int i : {0, 1}) holes.make(i, 1 - i);
+  loaded.level.holes.assign(loaded.level.textures.size(), holes);
+  BakeSettings settings = loaded.level.bake;
+  for (const bool areSolid : {false, true}) {
+    settings.solidMiddles = areSolid;
+    BothCosts costs;
+    test::expectSameBakes(loaded.level, settings, "grille", costs);
+  }
+}
+
 /// A square on the floor of a room, seen from a light at `from`.
 Beam::Outcome outcomeOf(const Level& level, Vec3 from, double radius, Vec2 least, Vec2 most) {
   BeamTargets targets;

@@ -50,6 +50,25 @@ TEST(Texture, ofAPortalIsThatOfBothItsSteps) {
   EXPECT_EQ(level.textures[portal.lower.value().texture.index()], "#123456");
 }
 
+TEST(Texture, ofAnOpeningIsNoneOfItsSteps) {
+  const Level level =
+      loadSectors(sectorText("a", kRoom,
+                             "[{'texture': '#808080'}, {'next': 'b', 'middle': '#123456 2,2'}, "
+                             "{'texture': '#808080'}, {'texture': '#808080'}]") +
+                  "," +
+                  sectorText("b", "4,0, 8,0, 8,4, 4,4",
+                             "[{'texture': '#808080'}, {'texture': '#808080'}, {'texture': "
+                             "'#808080'}, {'walls': [{'z': 1, 'texture': '#808080'}, {'next': 'a', "
+                             "'middle': '#654321'}]}]"))
+          .level;
+  const Portal& portal = std::get<Portal>(level.segments[1].kind);
+  EXPECT_EQ(level.textures[portal.middle.value().texture.index()], "#123456");
+  EXPECT_FALSE(portal.upper);
+  const Stack& stack = std::get<Stack>(level.segments[7].kind);
+  const Portal& inStack = std::get<Portal>(stack.subWalls[1].kind);
+  EXPECT_EQ(level.textures[inStack.middle.value().texture.index()], "#654321");
+}
+
 TEST(Texture, ofAPlainColourIsOnePixel) {
   const LoadedLevel loaded = loadSectors(sectorText("a", kRoom, "{'texture': '#0a0B0c'}"));
   ASSERT_EQ(loaded.textures.size(), loaded.level.textures.size());
@@ -91,7 +110,7 @@ class TextureSearch : public testing::Test {
 /// Two rooms whose portal has a texture for a step up.
 class TextureOfAStep : public testing::Test {
  protected:
-  LoadResult load(double nextFloor) {
+  LoadResult load(double nextFloor, const std::string& more = "") {
     const auto sector = [](const std::string& name, const std::string& v, double floor,
                            const std::string& walls) {
       return fmt::format(
@@ -103,8 +122,9 @@ class TextureOfAStep : public testing::Test {
     return loadLevel(folder_.write(
         "levels/level.json",
         R"({"light": 1, "sectors": {)" +
-            sector("a", "0,0, 4,0, 4,4, 0,4", 0,
-                   fmt::format(R"({0}, {{"next": "b", "lower": "step"}}, {0}, {0})", solid)) +
+            sector(
+                "a", "0,0, 4,0, 4,4, 0,4", 0,
+                fmt::format(R"({0}, {{"next": "b", "lower": "step"{1}}}, {0}, {0})", solid, more)) +
             ", " +
             sector("b", "4,0, 8,0, 8,4, 4,4", nextFloor,
                    fmt::format(R"({0}, {0}, {0}, {{"next": "a"}})", solid)) +
@@ -119,6 +139,21 @@ class TextureOfAStep : public testing::Test {
 
   TemporaryFolder folder_;
 };
+
+TEST_F(TextureOfAStep, hasItsHolesWhereItHangsInTheOpening) {
+  Image grille(3, 2);
+  grille.makeHole(2, 1);
+  addImage("wall.png", grille);
+  addImage("step.png", grille);
+  const LoadResult level = load(1, R"(, "middle": "step")");
+  ASSERT_TRUE(level.loaded) << listed(level);
+  const Level& found = level.loaded->level;
+  ASSERT_EQ(found.holes.size(), found.textures.size());
+  for (std::size_t i = 0; i < found.textures.size(); ++i) {
+    EXPECT_EQ(found.holes[i].at(2, 1), found.textures[i] == "step") << "walls have none";
+    EXPECT_FALSE(found.holes[i].at(1, 1));
+  }
+}
 
 TEST_F(TextureOfAStep, isDecodedOnlyWhereTheStepIs) {
   addImage("wall.png", Image(3, 2));

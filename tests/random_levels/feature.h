@@ -59,6 +59,9 @@ enum class Feature {
   PlainColour,
   UpperAndLower,
   PortalWithoutTexture,
+  MiddleTexture,
+  MiddleInStack,
+  MiddlesBackToBack,
   WrongWinding,
   HyphenatedName,
   Arrays,
@@ -89,7 +92,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 78> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 81> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -141,6 +144,9 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 78> kFeatures{
     {Feature::PlainColour, "plain colour"},
     {Feature::UpperAndLower, "portal with upper and lower"},
     {Feature::PortalWithoutTexture, "portal without a texture"},
+    {Feature::MiddleTexture, "middle texture"},
+    {Feature::MiddleInStack, "middle texture in a stack"},
+    {Feature::MiddlesBackToBack, "middle textures back to back"},
     {Feature::WrongWinding, "loop wound the wrong way"},
     {Feature::HyphenatedName, "sector name with a hyphen"},
     {Feature::Arrays, "sectors or loops as arrays"},

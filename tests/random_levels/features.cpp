@@ -141,7 +141,9 @@ class FeatureFinder {
              piece.bottom < piece.top);
     note(Feature::UpperAndLower, portal->upper && portal->lower);
     note(Feature::PortalWithoutTexture, !portal->texture && !portal->upper && !portal->lower);
-    for (const auto& texture : {portal->texture, portal->upper, portal->lower}) {
+    note(Feature::MiddleTexture, portal->middle.has_value());
+    note(Feature::MiddleInStack, portal->middle && at.wall->pieces.size() > 1);
+    for (const auto& texture : {portal->texture, portal->upper, portal->lower, portal->middle}) {
       if (texture) findTexture(*texture);
     }
     const Sector& here = model_.sectors[at.sector];
@@ -163,7 +165,10 @@ class FeatureFinder {
     for (const WallAt& other : walls_) {
       if (other.sector != portal.next || !liesOpposite(at, other)) continue;
       hasSameEnds |= other.a == at.b && other.b == at.a;
-      for (const PortalPiece* back : portalsOf(*other.wall)) hasWayBack |= back->next == at.sector;
+      for (const PortalPiece* back : portalsOf(*other.wall)) {
+        hasWayBack |= back->next == at.sector;
+        note(Feature::MiddlesBackToBack, portal.middle && back->middle && back->next == at.sector);
+      }
     }
     note(Feature::OneWayPortal, !hasWayBack);
     note(Feature::WallsSplitDifferently, !hasSameEnds);

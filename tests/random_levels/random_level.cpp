@@ -10,6 +10,7 @@
 #include "random_levels/level_json.h"
 #include "random_levels/light_colors.h"
 #include "random_levels/mesh.h"
+#include "random_levels/middles.h"
 #include "random_levels/places.h"
 #include "random_levels/slopes.h"
 #include "random_levels/storeys.h"
@@ -124,6 +125,12 @@ bool hasRoomForCameras(const Model& model) {
                      [](const Sector& sector) { return sector.height() >= kMetre; });
 }
 
+/// By numbers of their own, so that levels without them are what they would be anyway.
+void chooseMiddles(std::uint64_t seed, Model& model) {
+  Random random(~seed);
+  if (random.chance(0.3)) hangMiddles(random, model, random.pick({0.1, 0.3, 0.6}));
+}
+
 Model makeModel(Random& random) {
   while (true) {
     const LevelStyle style = chooseStyle(random);
@@ -176,7 +183,8 @@ Rgb colourOf(std::uint32_t number) {
 RandomLevel makeRandomLevel(std::uint64_t seed) {
   using namespace random_levels;
   Random random(seed);
-  const Model model = makeModel(random);
+  Model model = makeModel(random);
+  chooseMiddles(seed, model);
   RandomLevel level;
   level.name = fmt::format("level_{}", seed);
   level.features = featuresOf(model);
@@ -199,14 +207,20 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
 tl::expected<void, std::string> writeRandomLevelTextures(const std::filesystem::path& folder) {
   if (auto made = makeFolder(folder); !made) return made;
   std::uint32_t number = 0;
-  for (const RandomTexture& texture : kRandomLevelTextures) {
+  const auto write = [&](const RandomTexture& texture, double holes) {
     Image image(texture.width, texture.height);
     for (int y = 0; y < texture.height; ++y) {
-      for (int x = 0; x < texture.width; ++x) image.at(x, y) = colourOf(++number);
+      for (int x = 0; x < texture.width; ++x) {
+        image.at(x, y) = colourOf(++number);
+        if (random_levels::Random(number).chance(holes)) image.makeHole(x, y);
+      }
     }
-    const auto written = writePng(folder / fmt::format("{}.png", texture.name), image);
-    if (!written) return written;
-  }
+    return writePng(folder / fmt::format("{}.png", texture.name), image);
+  };
+  for (const RandomTexture& texture : kRandomLevelTextures)
+    if (auto written = write(texture, 0); !written) return written;
+  for (const RandomTexture& texture : kRandomLevelMiddles)
+    if (auto written = write(texture, 0.5); !written) return written;
   return {};
 }
 

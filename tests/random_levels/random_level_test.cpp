@@ -119,7 +119,9 @@ TEST(RandomLevelTextures, AreWrittenWithNoTwoTexelsAlike) {
   const auto written = writeRandomLevelTextures(folder);
   ASSERT_TRUE(written) << written.error();
   std::set<std::uint32_t> colours;
-  for (const RandomTexture& texture : kRandomLevelTextures) {
+  std::vector<RandomTexture> textures(kRandomLevelTextures.begin(), kRandomLevelTextures.end());
+  textures.insert(textures.end(), kRandomLevelMiddles.begin(), kRandomLevelMiddles.end());
+  for (const RandomTexture& texture : textures) {
     const auto image = readImage(folder / (std::string(texture.name) + ".png"), 1 << 20);
     ASSERT_TRUE(image) << image.error();
     EXPECT_EQ(image->width(), texture.width);

@@ -168,7 +168,7 @@ class WallBuilder {
   PortalPiece portalTo(SectorIndex s, SectorIndex t, bool isInStack) {
     const Sector& from = sector(s);
     const Sector& to = sector(t);
-    PortalPiece portal{.next = t, .texture = {}, .upper = {}, .lower = {}};
+    PortalPiece portal{.next = t, .texture = {}, .upper = {}, .lower = {}, .middle = {}};
     // Between two skies the step shows the sky, but only where there is an opening beside it.
     const bool showsSky = !isInStack && to.ceiling.z > from.floor.z && to.floor.z < from.ceiling.z;
     const bool areSkies = showsSky && from.ceiling.isSky && to.ceiling.isSky;

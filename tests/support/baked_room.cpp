@@ -10,8 +10,10 @@
 namespace hearth::test {
 
 BakedRoom::BakedRoom(std::string_view levelText, std::string_view lightsText, int threads)
-    : loaded_(levelFrom(levelText, lightsText)),
-      light_(bake(loaded_.level, loaded_.level.bake, threads)) {}
+    : BakedRoom(levelFrom(levelText, lightsText), threads) {}
+
+BakedRoom::BakedRoom(LoadedLevel loaded, int threads)
+    : loaded_(std::move(loaded)), light_(bake(loaded_.level, loaded_.level.bake, threads)) {}
 
 double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector, int channel) const {
   const std::optional<SurfaceId> id = surfaceAt(kind, p, sector);

@@ -12,6 +12,7 @@ namespace hearth::test {
 class BakedRoom {
  public:
   BakedRoom(std::string_view levelText, std::string_view lightsText, int threads = 2);
+  explicit BakedRoom(LoadedLevel loaded, int threads = 2);
 
   const Level& level() const { return loaded_.level; }
   const BakedLight& light() const { return light_; }

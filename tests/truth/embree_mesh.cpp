@@ -87,7 +87,19 @@ class Mesher {
       if (opening.ceilingSidewall)
         addPolygon(segment, *opening.ceilingSidewall,
                    clipped(polygon, twin.air1.zTop, twin.air0.zTop, 1));
+      if (opening.middle) addMiddle(segment, opening, polygon);
     }
+  }
+
+  /// As if it had no holes, before which the next sector's wedges stand.
+  void addMiddle(const Segment& segment, const Opening& opening, WallPolygon polygon) {
+    const Surface& middle = level_[*opening.middle];
+    const Segment& twin = level_[opening.twin];
+    polygon = clipped(polygon, middle.zBottom, middle.zBottom, 1);
+    polygon = clipped(polygon, middle.zTop, middle.zTop, -1);
+    if (opening.floorSidewall) polygon = clipped(polygon, twin.air1.zBottom, twin.air0.zBottom, 1);
+    if (opening.ceilingSidewall) polygon = clipped(polygon, twin.air1.zTop, twin.air0.zTop, -1);
+    addPolygon(segment, *opening.middle, polygon);
   }
 
   void addPolygon(const Segment& segment, SurfaceId surface, const WallPolygon& polygon) {

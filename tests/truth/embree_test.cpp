@@ -165,7 +165,8 @@ TEST(TruthAgainstEmbree, RaysInRandomLevelsEndAtTheSamePlaces) {
     ASSERT_TRUE(writeRandomLevel(folder, random).has_value());
     const LoadResult result = loadLevel(folder / (random.name + ".json"));
     ASSERT_TRUE(result.loaded.has_value()) << random.name;
-    const Level& level = result.loaded->level;
+    Level level = result.loaded->level;
+    level.holes.clear();  // Embree's triangles have none
     const Comparison comparison(random.name, sizeOf(level), level);
     RaySource source(level, seed);
     for (int i = 0; i < 1000; ++i) {

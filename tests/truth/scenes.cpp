@@ -106,6 +106,10 @@ Scene yardScene() {
   level.sector(ramp).floorSlope = slopeOver({{0, 12}, {10, 12}}, 0, {0.1, 0.2}, 0, 1, level);
   level.sector(ramp).ceilingSlope =
       slopeOver({{0, 12}, {10, 12}, {10, 16}, {0, 16}}, 4, {0, 0.1}, 0.2, -1, level);
+  TextureMapping fence = level.texture();
+  fence.repeat = {3, 1.5};
+  fence.zRef = 2;
+  std::get<Portal>(level.wall(yard, 1).kind).middle = fence;
   Segment& wall = level.wall(yard, 2);
   const Portal portal = std::get<Portal>(wall.kind);
   Stack stack;

@@ -18,6 +18,15 @@ TextureMapping TestLevel::texture(int width, int height) {
   return mapping;
 }
 
+void TestLevel::makeHole(TextureId texture, int x, int y) {
+  Image& image = textures_[texture.index()];
+  image.makeHole(x, y);
+  level_.holes.resize(textures_.size());
+  TexelHoles& holes = level_.holes[texture.index()];
+  if (holes.all().empty()) holes = TexelHoles(image.width(), image.height());
+  holes.make(x, y);
+}
+
 SectorId TestLevel::addSector(std::string name, Heights heights) {
   Sector sector;
   sector.name = std::move(name);

@@ -21,6 +21,9 @@ class TestLevel {
   /// each of a colour of its own.
   TextureMapping texture(int width = 16, int height = 16);
 
+  /// Of what hangs in an opening.
+  void makeHole(TextureId texture, int x, int y);
+
   /// A sector without walls. Its flats and walls wear textures of their own.
   SectorId addSector(std::string name, Heights heights);
 

@@ -90,6 +90,58 @@ TEST(Trace, MeetsFlatsStraightAboveAndBelow) {
   expectNear(ceiling.normal, {0, 0, -1});
 }
 
+/// Rooms of one height, and between them a middle texture of 2 x 2 texels, 2 m wide and 1 m high,
+/// seen from the west, whose upper left texel is a hole.
+struct GrilledRooms : TwoRooms {
+  GrilledRooms() : TwoRooms({0, 4}) {
+    TextureMapping mapping = level.texture(2, 2);
+    mapping.repeat = {2, 1};
+    std::get<Portal>(level.wall(west, kBetween).kind).middle = mapping;
+    level.makeHole(mapping.texture, 0, 0);
+  }
+};
+
+TEST(Trace, MeetsAMiddleTextureFromItsFrontButInItsHolesAndBelowIt) {
+  GrilledRooms rooms;
+  const Level& level = rooms.level.finished();
+  const TruthHit solid = look(level, rooms.west, {1, 1.5, 3.75}, {1, 0, 0});
+  EXPECT_EQ(solid.kind, SurfaceKind::Middle);
+  EXPECT_EQ(solid.sector, rooms.west);
+  expectNear(solid.imageMetres, {1.5, 0.25});
+  EXPECT_EQ(look(level, rooms.west, {1, 0.5, 3.75}, {1, 0, 0}).sector, rooms.east) << "the hole";
+  EXPECT_EQ(look(level, rooms.west, {1, 2.5, 3.75}, {1, 0, 0}).sector, rooms.east) << "repeated";
+  EXPECT_EQ(look(level, rooms.west, {1, 0.5, 3.25}, {1, 0, 0}).kind, SurfaceKind::Middle);
+  EXPECT_EQ(look(level, rooms.west, {1, 1.5, 2.9}, {1, 0, 0}).sector, rooms.east) << "below it";
+  EXPECT_EQ(look(level, rooms.east, {5, 1.5, 3.75}, {-1, 0, 0}).sector, rooms.west);
+}
+
+TEST(Trace, StopsLightAtAMiddleTextureFromBothSides) {
+  GrilledRooms rooms;
+  const Level& level = rooms.level.finished();
+  const auto arrival = [&](SectorId sector, Vec3 origin, Vec3 direction) {
+    return trace(level, sector, origin, direction, RayKind::Light).value();
+  };
+  const TruthHit front = arrival(rooms.west, {1, 1.5, 3.75}, {1, 0, 0});
+  EXPECT_EQ(front.kind, SurfaceKind::Middle);
+  const TruthHit behind = arrival(rooms.east, {5, 1.5, 3.75}, {-1, 0, 0});
+  EXPECT_EQ(behind.kind, SurfaceKind::Middle);
+  EXPECT_EQ(behind.sector, rooms.west) << "the front that it has";
+  EXPECT_EQ(arrival(rooms.east, {5, 0.5, 3.75}, {-1, 0, 0}).kind, SurfaceKind::Solid);
+}
+
+TEST(Trace, LightsAMiddleTextureInItsHolesToo) {
+  GrilledRooms rooms;
+  const Level& level = rooms.level.finished();
+  SurfacePoint place{SurfaceKind::Middle,
+                     rooms.west,
+                     rooms.level.wallId(rooms.west, TwoRooms::kBetween),
+                     {4, 0.5, 3.75},
+                     {-1, 0, 0}};
+  const auto met = traceLight(level, rooms.west, {1, 0.5, 3}, place);
+  ASSERT_TRUE(met);
+  EXPECT_TRUE(isSameSurface(*met, place));
+}
+
 TEST(Trace, ShowsStepsUpAndDownAndTheOpeningBetween) {
   TwoRooms rooms({1, 3});
   const Level& level = rooms.level.finished();

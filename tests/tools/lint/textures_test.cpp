@@ -127,6 +127,17 @@ TEST(UnseenTextures, AreNoneOnceTheStepIsThere) {
   EXPECT_EQ(placesOf(findUnseenTextures, lower), Places{});
 }
 
+TEST(UnseenTextures, AreThoseThatHangBesideTheirOpening) {
+  const auto hung = [](const std::string& zref) {
+    return with(kDais, "'upper': '#707070'", "'middle': {'name': '#707070', 'zref': " + zref + "}");
+  };
+  EXPECT_EQ(placesOf(findUnseenTextures, hung("0.3")),
+            (Places{"5:63 /sectors/room/loops/border/walls/1/middle/name [unseen-texture]"}));
+  EXPECT_EQ(firstMessage(findUnseenTextures, hung("9")),
+            "this \"middle\" never shows: there is none of it in an opening to sector \"dais\"");
+  EXPECT_EQ(placesOf(findUnseenTextures, hung("0.4")), Places{});
+}
+
 TEST(UnseenTextures, MayBeGivenToBothStepsForTheSakeOfOne) {
   const std::string both =
       with(kDais, "'lower': '#606060', 'upper': '#707070'", "'texture': '#606060'");

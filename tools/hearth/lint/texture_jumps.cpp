@@ -88,7 +88,8 @@ class JumpFinder {
 
  private:
   static bool isOfWall(const Surface& surface) {
-    return isUpright(surface.kind) && !isSidewall(surface.kind);
+    return isUpright(surface.kind) && !isSidewall(surface.kind) &&
+           surface.kind != SurfaceKind::Middle;
   }
 
   const Segment& segmentOf(const Surface& surface) const { return level_[*surface.segment]; }

@@ -19,7 +19,7 @@ bool isUpperStep(SurfaceKind kind) {
   return kind == SurfaceKind::UpperStep || kind == SurfaceKind::StackUpperStep;
 }
 
-/// Asks for each texture of a step whether some surface wears it. One may be given to
+/// Asks for each texture of a step or opening whether some surface wears it. One may be given to
 /// many walls, as the `upper` of a wall that stands for all of a loop, or to both steps of a wall.
 class UnseenFinder {
  public:
@@ -41,10 +41,13 @@ class UnseenFinder {
 
  private:
   void wear(const Surface& surface) {
-    if (!isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
+    const bool isMiddle = surface.kind == SurfaceKind::Middle;
+    if (!isMiddle && !isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
     const PortalDescription& portal =
         *describedPart(linted_, *surface.segment, surface.zBottom).portal;
-    worn_.insert((isLowerStep(surface.kind) ? portal.lower : portal.upper)->name.place);
+    const auto& worn =
+        isMiddle ? portal.middle : (isLowerStep(surface.kind) ? portal.lower : portal.upper);
+    worn_.insert(worn->name.place);
   }
 
   /// A door, which may be meant to open.
@@ -54,18 +57,20 @@ class UnseenFinder {
 
   /// A wedge of the sector hides steps that are there.
   void lookAtPortal(const Sector& sector, const PortalDescription& portal) {
+    if (portal.middle && !sector.ceilingSlope && !sector.floorSlope)
+      lookAtPart(*portal.middle, "middle", "none of it in an opening", portal);
     const bool isOne =
         portal.upper && portal.lower && portal.upper->name.place == portal.lower->name.place;
     if (isOne && !sector.floorSlope && !sector.ceilingSlope)
-      return lookAtStep(*portal.upper, "texture", "no step", portal);
+      return lookAtPart(*portal.upper, "texture", "no step", portal);
     if (isOne) return;
     if (portal.upper && !sector.ceilingSlope)
-      lookAtStep(*portal.upper, "upper", "no step down", portal);
+      lookAtPart(*portal.upper, "upper", "no step down", portal);
     if (portal.lower && !sector.floorSlope)
-      lookAtStep(*portal.lower, "lower", "no step up", portal);
+      lookAtPart(*portal.lower, "lower", "no step up", portal);
   }
 
-  void lookAtStep(const TextureDescription& texture, std::string_view key, std::string_view what,
+  void lookAtPart(const TextureDescription& texture, std::string_view key, std::string_view what,
                   const PortalDescription& portal) {
     if (worn_.contains(texture.name.place)) return;
     findings_.add(FindingKind::UnseenTexture, texture.name.place,

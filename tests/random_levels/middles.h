@@ -1,0 +1,10 @@
+#pragma once
+
+#include "random_levels/model.h"
+
+namespace hearth::random_levels {
+
+/// Hangs middle textures in so many of the portals.
+void hangMiddles(Random& random, Model& model, double share);
+
+}  // namespace hearth::random_levels
