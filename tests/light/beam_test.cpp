@@ -19,7 +19,8 @@ TEST(Beams, giveTheBytesOfRaysInRandomLevels) { test::expectSameRandomBakes(1, 1
 
 TEST(Beams, giveTheBytesOfRaysInTheLevelsOfTheTree) {
   for (const auto& [name, texel] :
-       {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/keep.json", 1.0}}) {
+       {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/gaol.json", 0.25},
+        std::pair{"levels/keep.json", 1.0}}) {
     const LoadResult result = loadLevel(std::filesystem::path(HEARTH_SOURCE_DIR) / name);
     ASSERT_TRUE(result.loaded);
     BakeSettings settings = result.loaded->level.bake;

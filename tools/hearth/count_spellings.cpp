@@ -96,7 +96,7 @@ class SpellingCounter {
   }
 
   void countWall(const json& wall) {
-    for (const char* role : {"texture", "upper", "lower"})
+    for (const char* role : {"texture", "upper", "lower", "middle"})
       if (wall.contains(role)) countTexture(wall[role]);
     if (wall.contains("walls"))
       countStack(wall["walls"]);
@@ -107,6 +107,7 @@ class SpellingCounter {
   }
 
   void countPortal(const json& wall) {
+    addIf(wall.contains("middle"), FormatFeature::MiddleTexture);
     if (wall.contains("texture"))
       counts_.add(FormatFeature::PortalWithTexture);
     else if (wall.contains("upper") || wall.contains("lower"))

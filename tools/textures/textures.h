@@ -23,6 +23,7 @@ Image makeDressed();   ///< Smooth stones in four courses without upright joints
 Image makeEmber();     ///< Glowing coals.
 Image makeGlass();     ///< Leaded panes in lozenges of pale colours.
 Image makeGrass();     ///< Short turf.
+Image makeGrille();    ///< Iron bars, four by two, with holes between them.
 Image makeHay();       ///< Stalks of straw that lie as they fell.
 Image makeIron();      ///< Riveted plates, two by two.
 Image makeMarble();    ///< A chessboard of light and dark slabs, two by two.
