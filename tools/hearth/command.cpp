@@ -22,8 +22,9 @@ std::vector<Option> limitOptions() {
 }
 
 std::vector<Option> settingOptions() {
-  return {Option::Texel,   Option::Samples, Option::SoftSamples, Option::CutOff, Option::LightBits,
-          Option::Bounces, Option::Lambert, Option::NoLambert,   Option::Threads};
+  return {Option::Texel,         Option::Samples,   Option::SoftSamples, Option::CutOff,
+          Option::MiddleShadows, Option::LightBits, Option::Bounces,     Option::Lambert,
+          Option::NoLambert,     Option::Threads};
 }
 
 std::vector<Option> drawOptions() {

@@ -105,6 +105,8 @@ constexpr std::array kTable = {
               "is a point"},
     OptionRow{Option::CutOff, "--cut-off", ValueKind::Number, "LEVELS", 0, 255, "0: nothing",
               "leave a light out from where on it has no more than so many levels"},
+    OptionRow{Option::MiddleShadows, "--middle-shadows", ValueKind::Choice, "holes|solid", 0, 0,
+              "holes", "of what hangs in openings: with its holes, or as if it had none"},
     OptionRow{Option::LightBits, "--light-bits", ValueKind::Choice, "8|16", 0, 0, "8",
               "bits of a lightmap's texel and channel"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 0, "0",

@@ -54,6 +54,7 @@ enum class Option {
   Samples,
   SoftSamples,
   CutOff,
+  MiddleShadows,
   LightBits,
   Bounces,
   Lambert,

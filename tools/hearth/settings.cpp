@@ -29,6 +29,12 @@ constexpr std::array kTextureFilters = {NamedFilter{TextureFilter::Nearest, "nea
                                         NamedFilter{TextureFilter::Bilinear, "bilinear"},
                                         NamedFilter{TextureFilter::Mipmapped, "mipmapped"}};
 
+/// Without any, they are no setting.
+bool hasMiddles(const Level& level) {
+  return std::ranges::any_of(
+      level.surfaces, [](const Surface& surface) { return surface.kind == SurfaceKind::Middle; });
+}
+
 }  // namespace
 
 tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
@@ -43,6 +49,8 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
     settings.softSamples = static_cast<int>(*softSamples);
   if (const auto bits = values.text(Option::LightBits)) settings.bits = *bits == "16" ? 16 : 8;
   settings.cutOff = values.number(Option::CutOff).value_or(settings.cutOff);
+  if (const auto shadows = values.text(Option::MiddleShadows))
+    settings.solidMiddles = *shadows == "solid" && hasMiddles(level);
   if (const auto bounces = values.number(Option::Bounces))
     settings.bounces = static_cast<int>(*bounces);
   if (values.has(Option::Lambert) && values.has(Option::NoLambert))
@@ -57,10 +65,11 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
 
 std::string optionsOf(const BakeSettings& settings) {
   return fmt::format(
-      "--texel {} --samples {} --soft-samples {} --cut-off {} --light-bits {} --bounces {} {}",
+      "--texel {} --samples {} --soft-samples {} --cut-off {} --light-bits {} --bounces {} {}{}",
       settings.texel, settings.samples ? fmt::to_string(*settings.samples) : "auto",
       settings.softSamples, settings.cutOff, settings.bits, settings.bounces,
-      settings.lambert ? "--lambert" : "--no-lambert");
+      settings.lambert ? "--lambert" : "--no-lambert",
+      settings.solidMiddles ? " --middle-shadows solid" : "");
 }
 
 std::string samplesInWords(const BakeSettings& settings) {
