@@ -25,6 +25,7 @@ WadBuilder picturesWad() {
     textures.push_back(definition(name, 64, 128, {{0, 0, 0}}));
   textures.push_back(definition("TALL", 64, 256, {{0, 0, 0}}));
   textures.push_back(definition("SKY1", 256, 128, {{0, 0, 0}}));
+  textures.push_back(definition("GRATE", 64, 128, {{0, 0, 0}}));
   wad.add("TEXTURE1", texturesOf(textures)).add("PATCH", plainPatch(64, 128, 9));
   return wad.add("F_START").add("FLOOR", flatOf(1)).add("CEIL", flatOf(2)).add("F_END");
 }
@@ -152,9 +153,38 @@ TEST_F(LevelOfAMap, tellsOfStepsThatHaveNoTextureAndShowsTheFlatBehind) {
   EXPECT_EQ(told->number, 6U);
 }
 
-TEST_F(LevelOfAMap, tellsOfMiddleTexturesThatAreLeftOut) {
+TEST_F(LevelOfAMap, hangsMiddleTexturesFromTheLowerCeiling) {
   Line& line = openRooms();
   sideOf(line, 1).middle = "GRATE";
+  sideOf(line, 1).xOffset = 3;
+  sideOf(line, 1).yOffset = -8;
+  EXPECT_EQ(
+      portal(level(), "1")["middle"],
+      (Json{{"name", "wall-grate"}, {"scale", {2, 4}}, {"offset", {-3, 0}}, {"zref", 3 - 0.25}}));
+  EXPECT_FALSE(portal(level(), "0").contains("middle")) << "that side has none";
+}
+
+TEST_F(LevelOfAMap, standsMiddleTexturesOnTheHigherFloorWhereTheyAreUnpeggedBelow) {
+  Line& line = openRooms();
+  line.flags = 0x10;
+  sideOf(line, 0).middle = "GRATE";
+  sideOf(line, 0).yOffset = 16;
+  EXPECT_EQ(portal(level(), "0")["middle"]["zref"], 1 + 4 + 0.5);
+}
+
+TEST_F(LevelOfAMap, leavesOutMiddleTexturesThatCannotBeDrawn) {
+  Line& line = openRooms();
+  sideOf(line, 1).middle = "GONE";
+  EXPECT_FALSE(portal(level(), "1").contains("middle"));
+  const auto told = std::ranges::find(findings_, Part::Texture, &Finding::part);
+  ASSERT_NE(told, findings_.end());
+  EXPECT_NE(told->what.find("left out"), std::string::npos) << told->what;
+}
+
+TEST_F(LevelOfAMap, tellsOfMiddleTexturesThatHangInNoOpening) {
+  Line& line = openRooms();
+  sideOf(line, 1).middle = "GRATE";
+  map.sectors[1].ceiling = map.sectors[1].floor;
   level();
   const auto told = std::ranges::find(findings_, Part::Line, &Finding::part);
   ASSERT_NE(told, findings_.end());

@@ -131,6 +131,19 @@ TEST_F(Passage, showsNoStepBetweenSkies) {
   EXPECT_TRUE(partsBetween(0, 1).empty());
 }
 
+TEST_F(Passage, hasWhatHangsInItBetweenTheHigherFloorAndTheLowerCeiling) {
+  map.sectors[1].floor = 32;
+  map.sectors[1].ceiling = 96;
+  map.sides[*map.lines[8].sides[0]].middle = "GRATE";
+  const auto parts = partsBetween(0, 1);
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[1].part, WallPart::Middle);
+  EXPECT_EQ(parts[1].bottom, 1);
+  EXPECT_EQ(parts[1].top, 3);
+  EXPECT_EQ(parts[1].texture, "GRATE");
+  for (const ShownPart& part : partsBetween(1, 0)) EXPECT_NE(part.part, WallPart::Middle);
+}
+
 TEST_F(Passage, wearsWhatTheSideBehindWearsWhereThereIsNone) {
   map.lines[8].sides[0].reset();
   map.sides[*map.lines[8].sides[1]].middle = "BACK";

@@ -102,6 +102,16 @@ TEST_F(RegionsOfAMap, partsOfASectorThatLieApartAreTwo) {
   EXPECT_EQ(sectorsAndAreas(), (std::multiset<std::pair<std::uint32_t, double>>{{0, 4}, {0, 1}}));
 }
 
+TEST_F(RegionsOfAMap, partsOfASectorAreTwoOnlyWhereSomethingHangsBetweenThem) {
+  const auto both = sector();
+  walls(both, {{0, 0}, {0, 64}, {64, 64}, {128, 64}, {128, 0}, {64, 0}});
+  const Line& fence = line({64, 64}, {64, 0}, both, both);
+  EXPECT_EQ(find().size(), 1U);
+  sideOf(fence).middle = "FENCE";
+  EXPECT_EQ(find().size(), 2U);
+  expectSoundLoops();
+}
+
 TEST_F(RegionsOfAMap, partsOfASectorThatTouchInAPointAreTwo) {
   const auto both = sector();
   walls(both, square(0, 0, 64));

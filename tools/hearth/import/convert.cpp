@@ -83,7 +83,12 @@ class Converter {
   Json wallJson(std::uint32_t h) {
     Json wall = Json::object();
     if (plan_.isPortal(h)) wall["next"] = plan_.nameOf(*plan_.behind(h).region);
-    for (const ShownPart& part : plan_.shownParts(h)) wall[keyOf(part.part)] = textureJson(h, part);
+    for (const ShownPart& part : plan_.shownParts(h)) {
+      if (part.part != WallPart::Middle)
+        wall[keyOf(part.part)] = textureJson(h, part);
+      else if (auto middle = middleJson(part))
+        wall["middle"] = *std::move(middle);
+    }
     return wall;
   }
 
@@ -97,6 +102,16 @@ class Converter {
     const Side& side = map_.sides[part.face->side];
     return materials_.wall(part.texture,
                            {side.xOffset, side.yOffset, part.face->along, topOfImage(h, part)});
+  }
+
+  /// Once from its top to its bottom: so offsets move all of it.
+  std::optional<Json> middleJson(const ShownPart& part) {
+    shownMiddles_.insert(part.face->side);
+    const Side& side = map_.sides[part.face->side];
+    const bool stands = map_.lines[part.face->line].isLowerUnpegged();
+    const double top = stands ? part.bottom + materials_.heightOf(part.texture) : part.top;
+    return materials_.middle(part.texture,
+                             {side.xOffset, 0, part.face->along, top + side.yOffset * kUnit});
   }
 
   /// Where Doom hangs an image otherwise than Hearth does by itself
@@ -132,11 +147,14 @@ class Converter {
     for (std::size_t i = 0; i < map_.lines.size(); ++i) {
       const auto& [right, left] = map_.lines[i].sides;
       if (!right || !left) continue;
-      const std::string& middle = map_.sides[*right].middle;
-      const std::string& name = middle == kNoTexture ? map_.sides[*left].middle : middle;
-      if (name != kNoTexture)
-        findings_.push_back({Outcome::Dropped, Part::Line, i,
-                             fmt::format("its middle texture {}, through which one sees", name)});
+      for (const std::uint32_t side : {*right, *left}) {
+        const std::string& name = map_.sides[side].middle;
+        if (name == kNoTexture || shownMiddles_.contains(side)) continue;
+        findings_.push_back(
+            {Outcome::Dropped, Part::Line, i,
+             fmt::format("its middle texture {}, which hangs in no opening", name)});
+        break;
+      }
     }
   }
 
@@ -181,6 +199,7 @@ class Converter {
   Materials& materials_;
   Findings& findings_;
   std::set<std::pair<std::uint32_t, WallPart>> toldOf_;  ///< lines
+  std::set<std::uint32_t> shownMiddles_;                 ///< sides
 };
 
 }  // namespace

@@ -53,10 +53,20 @@ std::vector<ShownPart> GroundPlan::shownParts(std::uint32_t h) const {
   if (next.floor > own.floor && !(own.isOverSky && next.isOverSky))
     parts.push_back(
         {WallPart::Lower, own.floor, std::min(next.floor, own.ceiling), &face, side.lower});
+  const double bottom = std::max(own.floor, next.floor);
+  const double top = std::min(own.ceiling, next.ceiling);
+  if (hasMiddle(h) && bottom < top)
+    parts.push_back({WallPart::Middle, bottom, top, &face, side.middle});
   if (std::max(next.ceiling, next.floor) < own.ceiling && !(own.isUnderSky && next.isUnderSky))
     parts.push_back(
         {WallPart::Upper, std::max(next.ceiling, own.floor), own.ceiling, &face, side.upper});
   return parts;
+}
+
+/// What a side has that is not there is seen from nowhere.
+bool GroundPlan::hasMiddle(std::uint32_t h) const {
+  const auto& face = halfEdge(h).face;
+  return face && face->isTwoSided && map_->sides[face->side].middle != kNoTexture;
 }
 
 ShownPart GroundPlan::solidPart(std::uint32_t h, const Face& face) const {

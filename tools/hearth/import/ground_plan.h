@@ -12,8 +12,6 @@ namespace hearth::doom {
 
 /// The flat that stands for the sky.
 inline constexpr const char* kSkyFlat = "F_SKY1";
-/// In the place of a texture's name where there is none.
-inline constexpr const char* kNoTexture = "-";
 
 /// The air of a region.
 struct Space {
@@ -23,8 +21,9 @@ struct Space {
   bool isOverSky;
 };
 
-/// What of a half-edge shows a texture: all of it, or what a portal leaves closed above and below.
-enum class WallPart : std::uint8_t { Solid, Upper, Lower };
+/// What of a half-edge shows a texture: all of it, what a portal leaves closed above and below, or
+/// what hangs in its opening.
+enum class WallPart : std::uint8_t { Solid, Upper, Lower, Middle };
 
 struct ShownPart {
   WallPart part;
@@ -61,6 +60,7 @@ class GroundPlan {
  private:
   void mendHeights(Findings& findings);
   void nameRegions();
+  bool hasMiddle(std::uint32_t h) const;
   ShownPart solidPart(std::uint32_t h, const Face& face) const;
 
   const Map* map_;

@@ -20,7 +20,10 @@ struct Vertex {
   int y;
 };
 
-/// One side of a line: what it wears. "-" is no texture.
+/// In the place of a texture's name where there is none.
+inline constexpr const char* kNoTexture = "-";
+
+/// One side of a line: what it wears.
 struct Side {
   int xOffset;
   int yOffset;

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// In the place of images that are missing.
 constexpr const char* kPlain = "#606060";
+constexpr std::string_view kGrey = "it is grey";
 
 constexpr double kFlatSide = 64 * kUnit;
 
@@ -38,7 +39,16 @@ Image mirrored(const Image& image) {
   Image result(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) result.at(x, y) = image.at(image.width() - 1 - x, y);
-  return result;
+  return result;  // a sky has no holes
+}
+
+Image withHoles(Picture picture) {
+  if (!picture.hasHoles()) return std::move(picture.image);
+  std::size_t i = 0;
+  for (int y = 0; y < picture.image.height(); ++y)
+    for (int x = 0; x < picture.image.width(); ++x)
+      if (!picture.isOpaque[i++]) picture.image.makeHole(x, y);
+  return std::move(picture.image);
 }
 
 }  // namespace
@@ -61,7 +71,16 @@ Materials::Materials(const Pictures& pictures, const std::string& map, Findings&
 
 Json Materials::wall(const std::string& name, const Hanging& hanging) {
   const std::string file = "wall-" + fileName(name);
-  if (!draw(file, &Pictures::wall, name)) return kPlain;
+  return draw(file, &Pictures::wall, name, kGrey) ? hung(file, hanging) : Json(kPlain);
+}
+
+std::optional<Json> Materials::middle(const std::string& name, const Hanging& hanging) {
+  const std::string file = "wall-" + fileName(name);
+  if (!draw(file, &Pictures::wall, name, "it is left out")) return std::nullopt;
+  return hung(file, hanging);
+}
+
+Json Materials::hung(const std::string& file, const Hanging& hanging) const {
   const Image& image = images_.at(file);
   Json texture{{"name", file}, {"scale", {image.width() * kUnit, image.height() * kUnit}}};
   if (hanging.xOffset != 0 || hanging.yOffset != 0)
@@ -73,14 +92,14 @@ Json Materials::wall(const std::string& name, const Hanging& hanging) {
 
 Json Materials::flat(const std::string& name) {
   const std::string file = "flat-" + fileName(name);
-  if (!draw(file, &Pictures::flat, name)) return kPlain;
+  if (!draw(file, &Pictures::flat, name, kGrey)) return kPlain;
   return fmt::format("{} {:g},{:g}", file, kFlatSide, kFlatSide);
 }
 
 Json Materials::sky() {
   const std::string file = "sky-" + fileName(skyName_);
   const bool isFirst = !images_.contains(file);
-  if (!draw(file, &Pictures::wall, skyName_)) return kPlain;
+  if (!draw(file, &Pictures::wall, skyName_, kGrey)) return kPlain;
   Image& image = images_.at(file);
   if (isFirst) image = mirrored(image);  // Doom's columns of the sky go round to the left
   return Json{{"name", file},
@@ -101,10 +120,10 @@ tl::expected<void, std::string> Materials::write(const std::filesystem::path& fo
   return {};
 }
 
-/// Whether there is an image for a file; what it misses is told once.
+/// Whether there is an image for a file; what it misses is told once, with what is there instead.
 bool Materials::draw(const std::string& file,
                      PictureOrMistake (Pictures::*drawn)(const std::string&) const,
-                     const std::string& name) {
+                     const std::string& name, std::string_view otherwise) {
   if (images_.contains(file)) return true;
   if (undrawn_.contains(file)) return false;
   const auto tell = [&](const std::string& what) {
@@ -113,11 +132,11 @@ bool Materials::draw(const std::string& file,
   PictureOrMistake picture = (pictures_.*drawn)(name);
   if (!picture) {
     undrawn_.insert(file);
-    tell(picture.error() + ": it is grey");
+    tell(fmt::format("{}: {}", picture.error(), otherwise));
     return false;
   }
   for (const std::string& mistake : picture->mistakes) tell(mistake);
-  images_.emplace(file, std::move(picture->image));
+  images_.emplace(file, withHoles(std::move(*picture)));
   return true;
 }
 

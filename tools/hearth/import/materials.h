@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
 #include "hearth/import/findings.h"
@@ -36,6 +37,8 @@ class Materials {
   /// As levels write them. Walls and flats that cannot be drawn are grey.
   nlohmann::ordered_json wall(const std::string& name, const Hanging& hanging);
   nlohmann::ordered_json flat(const std::string& name);
+  /// One sees through its holes. None where it cannot be drawn.
+  std::optional<nlohmann::ordered_json> middle(const std::string& name, const Hanging& hanging);
   nlohmann::ordered_json sky();
   /// Metres from the first row of a wall's image to the end of its last.
   double heightOf(const std::string& name) const;
@@ -47,7 +50,8 @@ class Materials {
  private:
   using PictureOrMistake = tl::expected<Picture, std::string>;
   bool draw(const std::string& file, PictureOrMistake (Pictures::*drawn)(const std::string&) const,
-            const std::string& name);
+            const std::string& name, std::string_view otherwise);
+  nlohmann::ordered_json hung(const std::string& file, const Hanging& hanging) const;
 
   const Pictures& pictures_;
   std::string skyName_;

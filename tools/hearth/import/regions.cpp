@@ -212,8 +212,15 @@ class RegionFinder {
     }
     const auto sector = sectorBefore(h);
     if (sector != sectorBefore(twin(h))) return false;
-    // Both are rock; or parts of one sector, cut by a line of which both sides say so.
-    return !sector || (namedSector(h) == sector && namedSector(twin(h)) == sector);
+    if (!sector) return true;  // both are rock
+    // Parts of one sector, cut by a line of which both sides say so and on which nothing hangs.
+    return namedSector(h) == sector && namedSector(twin(h)) == sector && !hasMiddle(h) &&
+           !hasMiddle(twin(h));
+  }
+
+  bool hasMiddle(HalfEdgeId h) const {
+    const auto& face = plane_.face(h);
+    return face && map_.sides[face->side].middle != kNoTexture;
   }
 
   void tellOfBridge(HalfEdgeId h) {
