@@ -35,17 +35,21 @@ std::vector<std::string> rowsOf(const Picture& picture) {
 
 using Rows = std::vector<std::string>;
 
+/// Of pictures with up to four columns: patches begin at their top.
+const std::vector<int> kTops(4, 0);
+
 /// What shows of a patch without mistakes.
 Rows drawn(const std::string& patch, int width, int height, int left = 0, int top = 0) {
   Picture picture = emptyPicture(width, height);
-  EXPECT_EQ(drawPatch(bytesOf(patch), left, top, testPalette(), picture), std::nullopt);
+  const std::vector<int> tops(static_cast<std::size_t>(width), top);
+  EXPECT_EQ(drawPatch(bytesOf(patch), left, tops, testPalette(), picture), std::nullopt);
   return rowsOf(picture);
 }
 
 /// What is told of a patch that is drawn over a picture of 4 x 4 pixels.
 std::string mistakeOf(const std::string& patch) {
   Picture picture = emptyPicture(4, 4);
-  return drawPatch(bytesOf(patch), 0, 0, testPalette(), picture).value_or("");
+  return drawPatch(bytesOf(patch), 0, kTops, testPalette(), picture).value_or("");
 }
 
 /// a c
@@ -69,8 +73,8 @@ TEST(Patch, mayHavePostsWithoutPixels) {
 TEST(Patch, isDrawnOverWhatIsThere) {
   Picture picture = emptyPicture(2, 3);
   const std::string below = plainPatch(2, 3, 26);
-  ASSERT_FALSE(drawPatch(bytesOf(below), 0, 0, testPalette(), picture));
-  ASSERT_FALSE(drawPatch(bytesOf(kLetters), 0, 0, testPalette(), picture));
+  ASSERT_FALSE(drawPatch(bytesOf(below), 0, kTops, testPalette(), picture));
+  ASSERT_FALSE(drawPatch(bytesOf(kLetters), 0, kTops, testPalette(), picture));
   EXPECT_EQ(rowsOf(picture), (Rows{"ac", "bd", "ze"}));
 }
 
@@ -78,9 +82,19 @@ TEST(Patch, isCutOffAtEachBorder) {
   EXPECT_EQ(drawn(kLetters, 3, 3, 1, 1), (Rows{"...", ".ac", ".bd"}));
   EXPECT_EQ(drawn(kLetters, 2, 2, -1, 0), (Rows{"c.", "d."}));
   EXPECT_EQ(drawn(kLetters, 2, 2, 1, 0), (Rows{".a", ".b"}));
-  EXPECT_EQ(drawn(kLetters, 2, 2, 0, -1), (Rows{"bd", ".e"}));
-  EXPECT_EQ(drawn(kLetters, 2, 2, 0, -2), (Rows{".e", ".."}));
   EXPECT_EQ(drawn(kLetters, 2, 1, 0, 0), (Rows{"ac"}));
+}
+
+TEST(Patch, losesItsLowerRowsAtTheUpperBorderAsInDoom) {
+  EXPECT_EQ(drawn(kLetters, 2, 3, 0, -1), (Rows{"ac", ".d", ".."}));
+  EXPECT_EQ(drawn(kLetters, 2, 3, 0, -2), (Rows{".c", "..", ".."}));
+  EXPECT_EQ(drawn(patchOf(4, {{{0, {1, 2}}, {3, {3, 4}}}}), 1, 3, 0, -1), (Rows{"a", ".", "c"}));
+}
+
+TEST(Patch, mayBeginInAnotherRowInEachColumn) {
+  Picture picture = emptyPicture(2, 3);
+  ASSERT_FALSE(drawPatch(bytesOf(kLetters), 0, std::vector<int>{1, 0}, testPalette(), picture));
+  EXPECT_EQ(rowsOf(picture), (Rows{".c", "ad", "be"}));
 }
 
 TEST(Patch, mayLieOutsideOnAnySide) {
@@ -142,7 +156,7 @@ TEST(Patch, tellsTheFirstColumnThatLiesOutsideAndDrawsTheOthers) {
     patch.append(columnOf({{0, {1, 2, 3}}})).repeat(0, 2);
     ASSERT_EQ(patch.size(), 30U);
     Picture picture = emptyPicture(3, 2);
-    EXPECT_EQ(drawPatch(bytesOf(patch.content()), 0, 0, testPalette(), picture),
+    EXPECT_EQ(drawPatch(bytesOf(patch.content()), 0, kTops, testPalette(), picture),
               fmt::format("has column 0 at byte {} of 30", begin));
     EXPECT_EQ(rowsOf(picture), (Rows{"..a", "..b"}));
   }
@@ -155,7 +169,7 @@ TEST(Patch, tellsAColumnThatBreaksOffAndDrawsWhatIsWhole) {
     const std::string expected =
         cut == 12 ? "has column 0 at byte 12 of 12" : "breaks off in column 0";
     Picture picture = emptyPicture(1, 4);
-    EXPECT_EQ(drawPatch(bytesOf(patch), 0, 0, testPalette(), picture), expected) << cut;
+    EXPECT_EQ(drawPatch(bytesOf(patch), 0, kTops, testPalette(), picture), expected) << cut;
     const Rows rows = cut == 1  ? Rows{"a", ".", "b", "c"}
                       : cut < 8 ? Rows{"a", ".", ".", "."}
                                 : Rows{".", ".", ".", "."};

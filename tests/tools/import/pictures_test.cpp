@@ -101,6 +101,38 @@ TEST(WallTexture, hasNoHolesWherePatchesCoverIt) {
   EXPECT_FALSE(wall->hasHoles());
 }
 
+/// With the patch LETTERS, 1 x 3 of the colours 3, 4, 5.
+Image imageOf(int width, const std::vector<Placed>& patches) {
+  const Wad wad = opened(WadBuilder()
+                             .add("PLAYPAL", palette())
+                             .add("PNAMES", patchNames({"LETTERS", "BLUE"}))
+                             .add("LETTERS", patchOf(3, {{{0, {3, 4, 5}}}}))
+                             .add("BLUE", plainPatch(2, 1, 2))
+                             .add("TEXTURE1", texturesOf({definition("T", width, 4, patches)})));
+  auto wall = read(wad).wall("T");
+  if (!wall) ADD_FAILURE() << wall.error();
+  return wall->image;
+}
+
+/// The numbers of its colours, from top to bottom.
+std::vector<int> columnOf(const Image& image, int x) {
+  std::vector<int> colors;
+  for (int y = 0; y < image.height(); ++y) colors.push_back(image.at(x, y).r);
+  return colors;
+}
+
+TEST(WallTexture, hasAPatchAtTheTopWhereItIsAloneInAColumnAsInDoom) {
+  for (const int top : {-2, 0, 1})
+    EXPECT_EQ(columnOf(imageOf(1, {{0, top, 0}}), 0), (std::vector<int>{3, 4, 5, 0})) << top;
+}
+
+TEST(WallTexture, hasPatchesInTheirPlacesWhereTheyShareAColumn) {
+  const Image image = imageOf(3, {{0, 1, 0}, {2, 1, 0}, {0, 0, 1}});
+  EXPECT_EQ(columnOf(image, 0), (std::vector<int>{2, 3, 4, 5}));
+  EXPECT_EQ(columnOf(image, 1), (std::vector<int>{2, 0, 0, 0}));
+  EXPECT_EQ(columnOf(image, 2), (std::vector<int>{3, 4, 5, 0}));
+}
+
 TEST(WallTexture, isAllHolesWithoutPatches) {
   const Wad wad = opened(withTextures({definition("T", 2, 2, {})}));
   const auto wall = read(wad).wall("T");

@@ -30,11 +30,14 @@ std::optional<std::string> mistakeInHeader(Bytes patch) {
   return std::nullopt;
 }
 
+/// Rows above the picture are taken from the end of a post, and its first ones shown in their
+/// place: walls were drawn for this.
 void drawPost(Bytes pixels, int x, int top, const Palette& palette, Picture& picture) {
-  const int length = static_cast<int>(pixels.size());
-  const int end = std::min(length, picture.image.height() - top);
-  for (int i = std::max(0, -top); i < end; ++i)
-    picture.draw(x, top + i, palette[pixels[static_cast<std::size_t>(i)]]);
+  const int count = static_cast<int>(pixels.size()) + std::min(top, 0);
+  const int first = std::max(top, 0);
+  const int end = std::min(count, picture.image.height() - first);
+  for (int i = 0; i < end; ++i)
+    picture.draw(x, first + i, palette[pixels[static_cast<std::size_t>(i)]]);
 }
 
 /// False where the column breaks off.
@@ -53,8 +56,10 @@ bool drawColumn(Bytes column, int x, int top, const Palette& palette, Picture& p
 
 }  // namespace
 
-std::optional<std::string> drawPatch(Bytes patch, int left, int top, const Palette& palette,
-                                     Picture& picture) {
+int widthOfPatch(Bytes patch) { return patch.size() < kHeader ? 0 : int16At(patch, 0); }
+
+std::optional<std::string> drawPatch(Bytes patch, int left, std::span<const int> tops,
+                                     const Palette& palette, Picture& picture) {
   if (auto mistake = mistakeInHeader(patch)) return mistake;
   std::optional<std::string> first;
   const int end = std::min<int>(int16At(patch, 0), picture.image.width() - left);
@@ -65,7 +70,9 @@ std::optional<std::string> drawPatch(Bytes patch, int left, int top, const Palet
     const bool isInside = begin >= 0 && begin < size;
     const Bytes rest = isInside ? patch.subspan(static_cast<std::size_t>(begin)) : Bytes{};
     const Bytes column = rest.first(std::min(rest.size(), kMaxColumn));
-    if (!drawColumn(column, left + i, top, palette, picture) && !first)
+    const int x = left + i;
+    const int top = tops[static_cast<std::size_t>(x)];
+    if (!drawColumn(column, x, top, palette, picture) && !first)
       first = isInside ? fmt::format("breaks off in column {}", i)
                        : fmt::format("has column {} at byte {} of {}", i, begin, size);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "hearth/import/palette.h"
@@ -9,8 +10,12 @@
 
 namespace hearth::doom {
 
-/// Draws a patch over a picture, its left top corner at (left, top). What lies outside the picture
-/// is cut off.
+/// The width that a patch says it has; 0 of one that has no header.
+int widthOfPatch(Bytes patch);
+
+/// Draws a patch over a picture, from column `left` on; where it begins in each of the picture's
+/// columns, `tops` says. What lies outside the picture is cut off; above it, as in Doom, each post
+/// loses as many rows as are outside, but at its lower end.
 ///
 /// A patch (https://doomwiki.org/wiki/Picture_format) is a picture with holes, by columns:
 ///
@@ -27,7 +32,7 @@ namespace hearth::doom {
 ///
 /// Returns the first mistake, as what there is to say of the patch ("has 3 bytes ..."): of columns
 /// with one, all posts above it are drawn.
-std::optional<std::string> drawPatch(Bytes patch, int left, int top, const Palette& palette,
-                                     Picture& picture);
+std::optional<std::string> drawPatch(Bytes patch, int left, std::span<const int> tops,
+                                     const Palette& palette, Picture& picture);
 
 }  // namespace hearth::doom

@@ -71,24 +71,49 @@ tl::expected<Picture, std::string> Pictures::wall(const std::string& name) const
     return tl::unexpected(fmt::format("there is no wall texture {}", name));
   if (!found->second) return tl::unexpected(found->second.error());
   const WallTexture& texture = *found->second;
+  const std::vector<int> patches = patchesByColumn(texture);
   Picture picture(texture.size(), palette_[0]);
   for (std::size_t i = 0; i < texture.countPlacements(); ++i)
-    if (auto mistake = drawPlaced(texture.placement(i), picture))
+    if (auto mistake = drawPlaced(texture.placement(i), patches, picture))
       picture.mistakes.push_back(fmt::format("wall texture {}: its patch {}{}", name, i, *mistake));
   return picture;
 }
 
-std::optional<std::string> Pictures::drawPlaced(const WallTexture::Placement& placed,
-                                                Picture& picture) const {
+std::vector<int> Pictures::patchesByColumn(const WallTexture& texture) const {
+  std::vector<int> counts(static_cast<std::size_t>(texture.size().width), 0);
+  for (std::size_t i = 0; i < texture.countPlacements(); ++i) {
+    const WallTexture::Placement placed = texture.placement(i);
+    const auto patch = patchOf(placed);
+    const int end =
+        patch ? std::min(placed.left + widthOfPatch(patch->bytes), texture.size().width) : 0;
+    for (int x = std::max(placed.left, 0); x < end; ++x) ++counts[static_cast<std::size_t>(x)];
+  }
+  return counts;
+}
+
+/// The mistake says what is wrong with the patch, to follow its number.
+tl::expected<Pictures::Patch, std::string> Pictures::patchOf(
+    const WallTexture::Placement& placed) const {
   const std::size_t count = patchNames_.size() / kName;
   if (placed.patch < 0 || static_cast<std::size_t>(placed.patch) >= count)
-    return fmt::format(" has number {}: PNAMES has {} names", placed.patch, count);
+    return tl::unexpected(fmt::format(" has number {}: PNAMES has {} names", placed.patch, count));
   const std::string name = nameAt(patchNames_, static_cast<std::size_t>(placed.patch) * kName);
   const auto found = patches_.find(name);
-  if (found == patches_.end()) return fmt::format(", {}, is missing", name);
-  const auto mistake = drawPatch(found->second, placed.left, placed.top, palette_, picture);
+  if (found == patches_.end()) return tl::unexpected(fmt::format(", {}, is missing", name));
+  return Patch{name, found->second};
+}
+
+/// As in Doom, a patch that is alone in a column is at the top there, wherever it is placed.
+std::optional<std::string> Pictures::drawPlaced(const WallTexture::Placement& placed,
+                                                const std::vector<int>& patches,
+                                                Picture& picture) const {
+  const auto patch = patchOf(placed);
+  if (!patch) return patch.error();
+  std::vector<int> tops;
+  for (const int count : patches) tops.push_back(count > 1 ? placed.top : 0);
+  const auto mistake = drawPatch(patch->bytes, placed.left, tops, palette_, picture);
   if (!mistake) return std::nullopt;
-  return fmt::format(", {}, {}", name, *mistake);
+  return fmt::format(", {}, {}", patch->name, *mistake);
 }
 
 tl::expected<Picture, std::string> Pictures::flat(const std::string& name) const {

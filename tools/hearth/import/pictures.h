@@ -4,6 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 #include <unordered_map>
+#include <vector>
 
 #include "hearth/import/palette.h"
 #include "hearth/import/picture.h"
@@ -40,8 +41,15 @@ class Pictures {
 
  private:
   Pictures(const Wad& wad, const Palette& palette, WallTextures walls, Bytes patchNames);
+  struct Patch {
+    std::string name;
+    Bytes bytes;
+  };
+  tl::expected<Patch, std::string> patchOf(const WallTexture::Placement& placed) const;
+  /// How many patches of a texture each of its columns has.
+  std::vector<int> patchesByColumn(const WallTexture& texture) const;
   std::optional<std::string> drawPlaced(const WallTexture::Placement& placed,
-                                        Picture& picture) const;
+                                        const std::vector<int>& patches, Picture& picture) const;
 
   Palette palette_;
   WallTextures walls_;

@@ -10,14 +10,12 @@
 
 namespace hearth::doom {
 
-/// What a wall wears: patches, drawn one over the other. (Doom itself draws a patch that has a
-/// column for itself alone at the top, whatever its placement says. Its ports do not, nor is it
-/// done here.)
+/// What a wall wears: patches, drawn one over the other.
 class WallTexture {
  public:
   struct Placement {
-    int left;   ///< pixels from the left border of the texture to that of the patch
-    int top;    ///< the same of their upper borders
+    int left;  ///< pixels from the left border of the texture to that of the patch
+    int top;   ///< the same of their upper borders; Doom has a patch that is alone in a column at 0
     int patch;  ///< its number in PNAMES
   };
 
