@@ -706,6 +706,31 @@ class Import(InFolder):
                 self.assertEqual(file.read_text(), "mine")
                 file.unlink()
 
+    def test_takes_what_a_wad_of_maps_lacks_from_that_of_the_game(self):
+        game = self.WAD.read_bytes()
+        count, at = struct.unpack("<ii", game[4:12])
+        entries = [struct.unpack("<ii8s", game[at + 16 * i:at + 16 * i + 16]) for i in range(count)]
+        first = [name.rstrip(b"\0") for _, _, name in entries].index(b"MAP01")
+        lumps = [(name, game[begin:begin + size]) for begin, size, name in entries[first:first + 11]]
+        body, directory = b"", b""
+        for name, data in lumps:
+            directory += struct.pack("<ii8s", 12 + len(body), len(data), name)
+            body += data
+        maps = self.folder / "mine.wad"
+        maps.write_bytes(b"PWAD" + struct.pack("<ii", len(lumps), 12 + len(body)) + body + directory)
+        result = run("import", maps, "MAP01", "-o", self.folder / "maps")
+        self.refuse(result, "PLAYPAL.*--iwad")
+        result = run("import", maps, "MAP01", "--iwad", self.WAD, "-o", self.folder / "maps")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.run_import_into("theirs")
+        for file in ("map01.json", "map01.lights.json"):
+            self.assertEqual((self.folder / "maps" / file).read_text(),
+                             (self.folder / "theirs" / file).read_text())
+
+    def run_import_into(self, folder):
+        result = run("import", self.WAD, "MAP01", "-o", self.folder / folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_doors_can_stay_closed(self):
         for way in ("open", "closed"):
             run("import", self.WAD, "MAP01", "--doors", way, "-o", self.folder / way)

@@ -94,6 +94,8 @@ constexpr std::array kTable = {
               "of the light that the map gives its sectors, so much is everywhere in them"},
     OptionRow{Option::LightTable, "--light-table", ValueKind::Text, "FILE", 0, 0, "its own",
               "JSON that says which things, textures and flats of a map shine, and how"},
+    OptionRow{Option::Iwad, "--iwad", ValueKind::Text, "FILE.wad", 0, 0, "",
+              "the WAD of the game, for what a WAD of maps alone does not have"},
     OptionRow{Option::TimeBudget, "--time-budget", ValueKind::Number, "SECONDS", 0.01, 1e6, "",
               "pick the most accurate settings with which the bake takes no longer"},
     OptionRow{Option::Texel, "--texel", ValueKind::Number, "METRES", 1e-6, 1e6, "0.125",

@@ -49,6 +49,7 @@ enum class Option {
   Doors,
   Ambient,
   LightTable,
+  Iwad,
   TimeBudget,
   Texel,
   Samples,

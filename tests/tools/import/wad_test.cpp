@@ -48,6 +48,18 @@ TEST(WadNames, canBePrinted) {
   EXPECT_EQ(nameAt(bytesOf(content), 0), "A?[1M?~ ");
 }
 
+TEST(Wad, takesThePlaceOfWhatItIsLaidOver) {
+  auto wad = openBytes(WadBuilder().add("MAP01", "mine").content("PWAD"));
+  auto base = openBytes(WadBuilder().add("PLAYPAL", "colours").add("MAP01", "theirs").content());
+  ASSERT_TRUE(wad && base);
+  wad->layOver(*std::move(base));
+  const Wad moved = *std::move(wad);
+  ASSERT_EQ(moved.lumps().size(), 3U);
+  EXPECT_EQ(textOf(moved.bytesOf("PLAYPAL")), "colours");
+  EXPECT_EQ(textOf(moved.bytesOf("MAP01")), "mine");
+  EXPECT_EQ(textOf(moved.lumps()[1].bytes), "theirs");
+}
+
 TEST(Wad, hasItsLumpsInOrder) {
   for (const char* kind : {"IWAD", "PWAD"}) {
     const auto wad =

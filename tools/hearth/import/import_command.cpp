@@ -21,6 +21,9 @@ using Json = nlohmann::ordered_json;
 using doom::Finding;
 using doom::Imported;
 
+constexpr std::string_view kAdviceOnMapsAlone =
+    "; where it has maps alone, give the game's WAD with --iwad";
+
 tl::expected<doom::LightTable, std::string> lightTableFrom(const OptionValues& values) {
   const auto file = values.text(Option::LightTable);
   if (!file) return doom::parseLightTable(doom::ownLightTable());
@@ -84,16 +87,30 @@ doom::ImportSettings settingsFrom(const OptionValues& values) {
   return settings;
 }
 
+/// The WAD with the maps, over that of the game if one is given.
+tl::expected<doom::Wad, std::string> openWads(const OptionValues& values) {
+  const std::uint64_t maxBytes = limitsFrom(values).fileBytes;
+  auto wad = doom::Wad::open(values.levels.front(), maxBytes);
+  const auto iwad = values.text(Option::Iwad);
+  if (!wad || !iwad) return wad;
+  auto base = doom::Wad::open(*iwad, maxBytes);
+  if (!base) return base;
+  wad->layOver(*std::move(base));
+  return wad;
+}
+
 ExitStatus run(const OptionValues& values) {
   const std::string& file = values.levels.front();
-  const auto wad = doom::Wad::open(file, limitsFrom(values).fileBytes);
+  const auto wad = openWads(values);
   if (!wad) return fail(wad.error());
   const std::vector<std::string> maps(values.levels.begin() + 1, values.levels.end());
   if (maps.empty())
     return fail(
         fmt::format("{}: name a map of it: {}", file, fmt::join(doom::mapNames(*wad), ", ")));
   const auto pictures = doom::Pictures::read(*wad);
-  if (!pictures) return fail(fmt::format("{}: {}", file, pictures.error()));
+  if (!pictures)
+    return fail(fmt::format("{}: {}{}", file, pictures.error(),
+                            values.has(Option::Iwad) ? "" : kAdviceOnMapsAlone));
   const auto lights = lightTableFrom(values);
   if (!lights) return fail(lights.error());
   const doom::ImportSettings settings = settingsFrom(values);
@@ -115,8 +132,8 @@ ExitStatus run(const OptionValues& values) {
 Command importCommand() {
   return {"import",
           "turns maps of a WAD of Doom into levels with their textures",
-          {Option::Output, Option::Doors, Option::Ambient, Option::LightTable, Option::Json,
-           Option::MaxFileBytes},
+          {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::LightTable,
+           Option::Json, Option::MaxFileBytes},
           {Option::Output},
           run,
           LevelFiles::Several,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <utility>
 
 #include "image/read_file.h"
@@ -50,8 +51,9 @@ tl::expected<Wad, std::string> Wad::open(const std::filesystem::path& path,
 }
 
 std::optional<std::string> Wad::readDirectory() {
-  const Bytes all = bytesIn(content_);
-  if (!content_.starts_with("IWAD") && !content_.starts_with("PWAD"))
+  const std::string& content = contents_.front();
+  const Bytes all = bytesIn(content);
+  if (!content.starts_with("IWAD") && !content.starts_with("PWAD"))
     return "not a WAD: it begins with neither IWAD nor PWAD";
   if (all.size() < kHeader) return "cut short: its header has 12 bytes";
   const std::int64_t count = int32At(all, 4);
@@ -67,13 +69,24 @@ std::optional<std::string> Wad::readDirectory() {
     std::string name = nameAt(all, entry + 8);
     if (length < 0 || (length > 0 && (begin < 0 || begin + length > size)))
       return fmt::format("lump {} ({}) lies outside of the file's {} bytes", i, name, size);
-    last_[name] = lumps_.size();
     lumps_.push_back({std::move(name), length == 0
                                            ? Bytes{}
                                            : all.subspan(static_cast<std::size_t>(begin),
                                                          static_cast<std::size_t>(length))});
   }
+  indexNames();
   return std::nullopt;
+}
+
+void Wad::indexNames() {
+  for (std::size_t i = 0; i < lumps_.size(); ++i) last_[lumps_[i].name] = i;
+}
+
+void Wad::layOver(Wad base) {
+  contents_.splice(contents_.begin(), base.contents_);
+  lumps_.insert(lumps_.begin(), std::make_move_iterator(base.lumps_.begin()),
+                std::make_move_iterator(base.lumps_.end()));
+  indexNames();
 }
 
 std::optional<std::size_t> Wad::find(std::string_view name) const {

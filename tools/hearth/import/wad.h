@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <list>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,6 +40,9 @@ class Wad {
   Wad(const Wad&) = delete;  // lumps lie in the content
   Wad& operator=(const Wad&) = delete;
 
+  /// Puts another one's lumps before these, which take their places.
+  void layOver(Wad base);
+
   const std::vector<Lump>& lumps() const { return lumps_; }
   /// The last lump of that name (in upper case), as later ones take the place of earlier ones.
   std::optional<std::size_t> find(std::string_view name) const;
@@ -46,10 +50,11 @@ class Wad {
   Bytes bytesOf(std::string_view name) const;
 
  private:
-  explicit Wad(std::string content) : content_(std::move(content)) {}
+  explicit Wad(std::string content) { contents_.push_back(std::move(content)); }
   std::optional<std::string> readDirectory();
+  void indexNames();
 
-  std::string content_;
+  std::list<std::string> contents_;  ///< of the files; they stay where they are in memory
   std::vector<Lump> lumps_;
   std::unordered_map<std::string, std::size_t> last_;
 };
