@@ -10,22 +10,18 @@ namespace hearth {
 
 namespace {
 
+/// Which flat of the next sector lets a step show, and where the step is.
 struct StepWords {
-  std::string_view what;
+  std::string_view flat;
+  std::string_view lies;
+  std::string_view where;
   std::string_view key;
 };
 
-StepWords wordsOf(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::LowerStep:
-    case SurfaceKind::StackLowerStep:
-      return {"step up", "lower"};
-    case SurfaceKind::UpperStep:
-    case SurfaceKind::StackUpperStep:
-      return {"step down", "upper"};
-    default:
-      return {"wall", "texture"};
-  }
+StepWords wordsOf(SurfaceKind step) {
+  if (step == SurfaceKind::LowerStep || step == SurfaceKind::StackLowerStep)
+    return {"floor", "higher", "below", "lower"};
+  return {"ceiling", "lower", "above", "upper"};
 }
 
 class FaultReporter {
@@ -69,11 +65,13 @@ class FaultReporter {
     if (!steps_.insert({edge, fault.subWall, fault.kind}).second) return;
     const WallDescription& wall = linking_.describedWall(fault.segment);
     const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
-    const auto [what, key] = wordsOf(fault.kind);
-    linking_.report.error(stack ? stack->subWalls[fault.subWall].place : wall.place,
-                          fmt::format("the {} to sector \"{}\" shows and has no texture", what,
-                                      next ? linking_.level[*next].name : ""),
-                          fmt::format("give the wall \"{}\" or \"texture\"", key));
+    const StepWords words = wordsOf(fault.kind);
+    linking_.report.error(
+        stack ? stack->subWalls[fault.subWall].place : wall.place,
+        fmt::format("the {} of sector \"{}\" is {}: the wall {} the opening "
+                    "shows and has no texture",
+                    words.flat, next ? linking_.level[*next].name : "", words.lies, words.where),
+        fmt::format("give the wall \"{}\" or \"texture\"", words.key));
   }
 
   Linking& linking_;

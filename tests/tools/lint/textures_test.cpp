@@ -117,7 +117,7 @@ TEST(UnseenTextures, AreThoseOfStepsThatAreNotThere) {
   EXPECT_EQ(placesOf(findUnseenTextures, kDais),
             (Places{"5:53 /sectors/room/loops/border/walls/1/upper [unseen-texture]"}));
   EXPECT_EQ(firstMessage(findUnseenTextures, kDais),
-            "this \"upper\" never shows: there is no step down to sector \"dais\"");
+            "this \"upper\" never shows: the ceiling of sector \"dais\" is not lower");
 }
 
 TEST(UnseenTextures, AreNoneOnceTheStepIsThere) {
@@ -134,7 +134,7 @@ TEST(UnseenTextures, AreThoseThatHangBesideTheirOpening) {
   EXPECT_EQ(placesOf(findUnseenTextures, hung("0.3")),
             (Places{"5:63 /sectors/room/loops/border/walls/1/middle/name [unseen-texture]"}));
   EXPECT_EQ(firstMessage(findUnseenTextures, hung("9")),
-            "this \"middle\" never shows: there is none of it in an opening to sector \"dais\"");
+            "this \"middle\" never shows: none of it hangs in an opening to sector \"dais\"");
   EXPECT_EQ(placesOf(findUnseenTextures, hung("0.4")), Places{});
 }
 

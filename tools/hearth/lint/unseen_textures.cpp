@@ -58,25 +58,27 @@ class UnseenFinder {
   /// A wedge of the sector hides steps that are there.
   void lookAtPortal(const Sector& sector, const PortalDescription& portal) {
     if (portal.middle && !sector.ceilingSlope && !sector.floorSlope)
-      lookAtPart(*portal.middle, "middle", "none of it in an opening", portal);
+      lookAtPart(*portal.middle, "middle",
+                 fmt::format("none of it hangs in an opening to sector \"{}\"", portal.next.name));
     const bool isOne =
         portal.upper && portal.lower && portal.upper->name.place == portal.lower->name.place;
     if (isOne && !sector.floorSlope && !sector.ceilingSlope)
-      return lookAtPart(*portal.upper, "texture", "no step", portal);
+      return lookAtPart(*portal.upper, "texture",
+                        fmt::format("there is no step to sector \"{}\"", portal.next.name));
     if (isOne) return;
     if (portal.upper && !sector.ceilingSlope)
-      lookAtPart(*portal.upper, "upper", "no step down", portal);
+      lookAtPart(*portal.upper, "upper",
+                 fmt::format("the ceiling of sector \"{}\" is not lower", portal.next.name));
     if (portal.lower && !sector.floorSlope)
-      lookAtPart(*portal.lower, "lower", "no step up", portal);
+      lookAtPart(*portal.lower, "lower",
+                 fmt::format("the floor of sector \"{}\" is not higher", portal.next.name));
   }
 
-  void lookAtPart(const TextureDescription& texture, std::string_view key, std::string_view what,
-                  const PortalDescription& portal) {
+  void lookAtPart(const TextureDescription& texture, std::string_view key,
+                  const std::string& reason) {
     if (worn_.contains(texture.name.place)) return;
     findings_.add(FindingKind::UnseenTexture, texture.name.place,
-                  fmt::format("this \"{}\" never shows: there is {} to sector \"{}\"", key, what,
-                              portal.next.name),
-                  kAdvice);
+                  fmt::format("this \"{}\" never shows: {}", key, reason), kAdvice);
   }
 
   const LintedLevel& linted_;
