@@ -18,6 +18,10 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".bmp", ".tga"};
 
+bool hasKnownExtension(const fs::path& path) {
+  return std::ranges::find(kExtensions, path.extension().string()) != kExtensions.end();
+}
+
 class ImageFinder {
  public:
   ImageFinder(const fs::path& levelFile, const std::optional<NameReference>& folder) {
@@ -46,9 +50,7 @@ class ImageFinder {
       for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
            entry.increment(ignored)) {
         const fs::path& path = entry->path();
-        if (std::find(kExtensions.begin(), kExtensions.end(), path.extension().string()) !=
-            kExtensions.end())
-          names.push_back(path.stem().string());
+        if (hasKnownExtension(path)) names.push_back(path.stem().string());
       }
     }
     std::sort(names.begin(), names.end());
@@ -59,20 +61,43 @@ class ImageFinder {
   std::string searched() const {
     std::vector<std::string> names;
     for (const fs::path& folder : folders_)
-      names.push_back(folder.empty() ? "." : folder.lexically_normal().string());
+      names.push_back((folder.empty() ? "." : folder.lexically_normal().string()) +
+                      (exists(folder) ? "" : " (which does not exist)"));
     return fmt::format("{}", fmt::join(names, " or "));
   }
 
+  bool hasFolder() const { return std::ranges::any_of(folders_, exists); }
+
  private:
+  static bool exists(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::is_directory(folder.empty() ? "." : folder, ignored);
+  }
+
   std::vector<fs::path> folders_;
 };
 
-void reportMissing(Report& report, const NameReference& name, const ImageFinder& finder) {
-  if (report.isFull()) return report.error(name.place, "", "");
+std::string adviceOn(const std::string& name, const ImageFinder& finder) {
+  const bool isFileName = hasKnownExtension(name);
+  const std::string stem = isFileName ? fs::path(name).stem().string() : name;
+  if (finder.find(stem)) return fmt::format("leave out the extension: \"{}\"", stem);
   const std::vector<std::string> known = finder.known();
   const std::vector<std::string_view> views(known.begin(), known.end());
+  return suggest(stem, views,
+                 fmt::format("{}put it into {}", isFileName ? "leave out the extension, and " : "",
+                             finder.searched()));
+}
+
+void reportMissing(Report& report, const NameReference& name, const ImageFinder& finder) {
+  if (report.isFull()) return report.error(name.place, "", "");
   report.error(name.place, fmt::format("there is no image \"{}\"", name.name),
-               suggest(name.name, views, "put it into " + finder.searched()));
+               adviceOn(name.name, finder));
+}
+
+/// Reports a folder that is named and does not exist, which explains all images that are missing.
+void reportMissingFolder(Report& report, const NameReference& folder) {
+  report.error(folder.place, fmt::format("there is no folder \"{}\"", folder.name),
+               "give the folder of the images, seen from the folder of this file");
 }
 
 /// Whether the file is an image that may be decoded, by its header.
@@ -137,6 +162,8 @@ TextureMapping TextureTable::standIn() {
 TextureId TextureTable::idOf(const NameReference& name) {
   const auto [found, isNew] = ids_.emplace(name.name, TextureId(names_.size()));
   if (isNew) names_.push_back(name);
+  Place& firstUse = names_[found->second.index()].place;
+  firstUse = std::min(firstUse, name.place);
   return found->second;
 }
 
@@ -145,6 +172,7 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
                           const std::optional<NameReference>& folder, const LoadLimits& limits) {
   const ImageFinder finder(levelFile, folder);
   const std::vector<bool> worn = wornBy(surfaces, table.names().size());
+  bool hasFolder = true;
   TextureFiles textures;
   for (const NameReference& name : table.names()) {
     const bool isWorn = worn[textures.images.size()];
@@ -163,10 +191,14 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
       continue;
     }
     const std::optional<fs::path> path = finder.find(name.name);
-    if (!path) {
-      reportMissing(report, name, finder);
-      continue;
+    if (!path && hasFolder) {
+      hasFolder = !folder || finder.hasFolder();
+      if (hasFolder)
+        reportMissing(report, name, finder);
+      else
+        reportMissingFolder(report, *folder);
     }
+    if (!path) continue;
     textures.files.push_back(*path);
     if (!checkHeader(report, name, *path, limits) || !isWorn) continue;
     ++textures.decoded;

@@ -17,14 +17,15 @@
 
 namespace hearth {
 
-/// Gives every distinct texture name an id, in the order of first use.
+/// Gives every distinct texture name an id, in the order of linking.
 class TextureTable {
  public:
   TextureMapping link(const TextureDescription& texture);
   /// For what could not be read: the level it goes into is not to be used.
   TextureMapping standIn();
 
-  const std::vector<NameReference>& names() const { return names_; }  ///< at their first use
+  /// By id, each at the place of its first use in the file.
+  const std::vector<NameReference>& names() const { return names_; }
 
  private:
   TextureId idOf(const NameReference& name);

@@ -38,8 +38,10 @@ BEYOND_SCHEMAS = frozenset("""
     slope_null_below_the_floor slope_of_three_heights slope_passes_the_ceiling slopes_pass_each_other
     stack_z_above_the_ceiling stack_z_does_not_rise stack_z_missing stack_z_on_the_last
     step_down_without_texture step_in_a_stack_without_texture step_up_without_texture
-    texture_broken_image texture_missing_far texture_missing_near texture_of_2_to_the_31_pixels
-    texture_scale_zero texture_too_large
+    texture_broken_image texture_missing_far texture_missing_near texture_missing_twice
+    texture_of_2_to_the_31_pixels
+    texture_scale_zero texture_too_large texture_with_extension texture_with_extension_misspelled
+    textures_folder_missing
 """.split())
 
 
