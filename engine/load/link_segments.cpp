@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "level/twins.h"
-#include "load/link.h"
+#include "load/walls_behind.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -142,7 +143,8 @@ class SegmentBuilder {
 /// and makes them solid.
 class TwinChecker {
  public:
-  explicit TwinChecker(Linking& linking) : linking_(linking), twins_(linking.level) {}
+  explicit TwinChecker(Linking& linking)
+      : linking_(linking), twins_(linking.level), behind_(linking) {}
 
   void check() {
     for (std::size_t i = 0; i < linking_.level.segments.size(); ++i)
@@ -167,11 +169,26 @@ class TwinChecker {
                     "opposite way, from ({}, {}) to ({}, {})",
                     linking_.level[target].name, segment.p0.x, segment.p0.y, segment.p1.x,
                     segment.p1.y),
-        "give both sectors the same points there, to within 1 mm");
+        adviceOn(segment, target));
+  }
+
+  std::string adviceOn(const Segment& segment, SectorId target) {
+    if (linking_.report.isFull()) return "";
+    const std::vector<SectorId> behind = behind_.sectors(segment.sector, segment.p0, segment.p1);
+    if (!behind.empty() && std::ranges::find(behind, target) == behind.end())
+      return fmt::format("a wall of sector \"{}\" lies there, did you mean that?",
+                         linking_.level[behind.front()].name);
+    if (const auto missed = missedPoint(linking_.outlines, target, segment.p0, segment.p1))
+      return fmt::format(
+          "give both sectors the same points there: the vertex ({}, {}) misses "
+          "({}, {}) by {:.2g} m",
+          missed->vertex.x, missed->vertex.y, missed->point.x, missed->point.y, missed->distance);
+    return "give both sectors the same points there, to within 1 mm";
   }
 
   Linking& linking_;
   TwinIndex twins_;
+  WallsBehind behind_;
   std::set<std::pair<const WallDescription*, SectorId>> reported_;
 };
 

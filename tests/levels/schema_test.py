@@ -31,7 +31,8 @@ BEYOND_SCHEMAS = frozenset("""
     loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_touches_itself loop_without_area
     loops_are_equal loops_cross loops_leave_no_area loops_nest loops_nest_where_they_touch
     loops_of_one_name next_unknown_far next_unknown_near player_eye_above_the_body player_in_a_slope
-    player_in_another_sector player_of_an_unknown_sector player_outside portal_off_the_wall
+    player_in_another_sector player_of_an_unknown_sector player_outside portal_misses_a_vertex
+    portal_off_the_wall portal_to_the_wrong_sector
     portal_to_the_wrong_side portal_two_millimetres_off sectors_of_one_name
     sectors_of_one_name_referred_to shot_above_the_ceiling shot_in_two_sectors shots_of_one_name
     sidewall_without_texture sky_without_texture slope_in_line slope_in_line_of_three slope_is_no_plane
