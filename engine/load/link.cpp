@@ -26,6 +26,17 @@ std::optional<SectorId> SectorNames::link(Report& report, const NameReference& n
   return std::nullopt;
 }
 
+void SectorNames::reportUnknown(Report& report, const NameReference& name, std::string_view own,
+                                std::span<const std::string_view> behind) const {
+  std::vector<std::string_view> others = names_;
+  std::erase(others, own);
+  report.error(name.place, fmt::format("there is no sector \"{}\"", name.name),
+               behind.empty()
+                   ? suggest(name.name, others, "name a sector of this level")
+                   : fmt::format("did you mean \"{}\", which lies there?",
+                                 nearestName(name.name, behind).value_or(behind.front())));
+}
+
 std::vector<SectorId> targetsOf(const Wall& wall) {
   std::vector<SectorId> targets;
   if (const Portal* portal = std::get_if<Portal>(&wall)) targets.push_back(portal->next);

@@ -21,8 +21,13 @@ class SectorNames {
  public:
   explicit SectorNames(const LevelDescription& description);
 
+  bool has(const std::string& name) const { return ids_.contains(name); }
   /// Reports a name that no sector has. Nothing for one that several have: that has been reported.
   std::optional<SectorId> link(Report& report, const NameReference& name) const;
+  /// Reports it for a wall of the sector named `own`, which it does not mean; rather one of those
+  /// `behind` the wall.
+  void reportUnknown(Report& report, const NameReference& name, std::string_view own,
+                     std::span<const std::string_view> behind) const;
 
  private:
   std::unordered_map<std::string, std::optional<SectorId>> ids_;  ///< none: several sectors

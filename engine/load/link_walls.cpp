@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "load/link.h"
+#include "load/walls_behind.h"
 
 namespace hearth {
 
@@ -8,10 +9,12 @@ namespace {
 
 class WallLinker {
  public:
-  WallLinker(Linking& linking, std::uint32_t sector)
+  WallLinker(Linking& linking, const Edge& edge, WallsBehind& behind)
       : linking_(linking),
-        sector_(linking.level.sectors[sector]),
-        areHeightsKnown_(!linking.isDoubtful[sector]) {}
+        edge_(edge),
+        behind_(behind),
+        sector_(linking.level.sectors[edge.sector]),
+        areHeightsKnown_(!linking.isDoubtful[edge.sector]) {}
 
   std::optional<Wall> link(const WallDescription& described) {
     if (const auto* solid = std::get_if<SolidDescription>(&described.kind))
@@ -30,7 +33,20 @@ class WallLinker {
     return {linking_.textures.link(described.texture)};
   }
 
+  void reportUnknown(const NameReference& next) {
+    if (linking_.report.isFull()) return linking_.report.error(next.place, "", "");
+    std::vector<std::string_view> behind;
+    for (const SectorId sector : behind_.sectors(
+             SectorId(edge_.sector), linking_.outlines.from(edge_), linking_.outlines.to(edge_)))
+      behind.push_back(linking_.level[sector].name);
+    linking_.names.reportUnknown(linking_.report, next, sector_.name, behind);
+  }
+
   std::optional<Portal> linkPortal(const PortalDescription& described) {
+    if (!linking_.names.has(described.next.name)) {
+      reportUnknown(described.next);
+      return std::nullopt;
+    }
     const std::optional<SectorId> next = linking_.names.link(linking_.report, described.next);
     if (!next) return std::nullopt;
     Portal portal{*next, {}, {}};
@@ -91,6 +107,8 @@ class WallLinker {
   }
 
   Linking& linking_;
+  const Edge& edge_;
+  WallsBehind& behind_;
   const Sector& sector_;
   bool areHeightsKnown_;
 };
@@ -98,13 +116,14 @@ class WallLinker {
 }  // namespace
 
 void linkWalls(Linking& linking) {
+  WallsBehind behind(linking);
   for (std::size_t i = 0; i < linking.outlines.edges.size(); ++i) {
     const Edge& edge = linking.outlines.edges[i];
     const OutlineLoop& loop = linking.outlines.sectors[edge.sector].loops[edge.loop];
     const bool isSameAsLast = linking.describedLoop(edge).walls.size() == 1 && i > loop.firstEdge;
     linking.walls.push_back(
         isSameAsLast ? linking.walls.back()
-                     : WallLinker(linking, edge.sector).link(linking.describedWall(edge)));
+                     : WallLinker(linking, edge, behind).link(linking.describedWall(edge)));
   }
 }
 

@@ -30,7 +30,9 @@ BEYOND_SCHEMAS = frozenset("""
     loop_leaves_the_border_where_it_touches loop_odd_coordinates loop_repeats_a_vertex
     loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_touches_itself loop_without_area
     loops_are_equal loops_cross loops_leave_no_area loops_nest loops_nest_where_they_touch
-    loops_of_one_name next_unknown_far next_unknown_near player_eye_above_the_body player_in_a_slope
+    loops_of_one_name next_unknown_but_there next_unknown_far next_unknown_near next_unknown_near_its_own
+    player_eye_above_the_body
+    player_in_a_slope
     player_in_another_sector player_of_an_unknown_sector player_outside portal_misses_a_vertex
     portal_off_the_wall portal_to_the_wrong_sector
     portal_to_the_wrong_side portal_two_millimetres_off sectors_of_one_name
