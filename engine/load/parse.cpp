@@ -89,6 +89,7 @@ class TreeBuilder {
   std::uint32_t addNode(JsonKind kind, std::uint32_t content);
   std::uint32_t addText(const std::string& value);
   void reportDuplicates(const Open& object);
+  std::string adviceAt(std::size_t start, std::string_view message) const;
   void finishValue() {
     skipNext_ = false;
     cursor_ = consumed_;
@@ -216,6 +217,36 @@ std::string grammarMessage(std::string_view text) {
   return "not valid JSON: " + message;
 }
 
+/// Counted from 1.
+std::ptrdiff_t lineOf(const std::string& text, std::size_t offset) {
+  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+}
+
+bool isOneOf(char c, std::string_view chars) { return chars.find(c) != std::string_view::npos; }
+
+/// The slip that most likely left something unexpected at `start`, by what stands before it.
+std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) const {
+  const std::string& text = document_.text;
+  const std::string_view rest = std::string_view(text).substr(start);
+  const std::size_t last =
+      start == 0 ? std::string::npos : text.find_last_not_of(" \t\r\n", start - 1);
+  if (rest.starts_with("//") || rest.starts_with("/*"))
+    return "write comments as keys that begin with \"//\", JSON has no others";
+  if (message.ends_with("expected end of input"))
+    return fmt::format(
+        "what begins in line {} is closed in line {}: remove this, or a bracket before",
+        lineOf(text, document_.nodes.front().offset), lineOf(text, last));
+  if (!rest.empty() && last != std::string::npos && depth_ > 0) {
+    const char end = message.ends_with("expected string literal") ? '}' : ']';
+    if (text[last] == ',' && (rest[0] == ',' || rest[0] == end))
+      return "remove the comma before it";
+    if (message.ends_with("expected ':'")) return "put a colon after the key";
+    if (!isOneOf(text[last], ",:[{") && !isOneOf(rest[0], "]},:"))
+      return "put a comma before it if one is missing";
+  }
+  return "correct the JSON here or just before";
+}
+
 bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json::exception& error) {
   // An unexpected comma or colon may itself be what startOfToken() steps over.
   const std::size_t lastRead = consumed_ == 0 ? 0 : consumed_ - 1;
@@ -223,10 +254,12 @@ bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json:
   const std::size_t start = atEnd ? document_.text.size() : std::min(startOfToken(), lastRead);
   const Place place{documentIndex_, static_cast<std::uint32_t>(start)};
   constexpr int kOutOfRange = 406;
-  if (error.id == kOutOfRange)
+  if (error.id == kOutOfRange) {
     report_.error(place, fmt::format("the number {} is too large", token), "give a smaller one");
-  else
-    report_.error(place, grammarMessage(error.what()), "correct the JSON here or just before");
+    return false;
+  }
+  const std::string message = grammarMessage(error.what());
+  report_.error(place, message, adviceAt(start, message));
   return false;
 }
 
