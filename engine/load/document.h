@@ -71,9 +71,10 @@ class JsonValue {
   std::string_view text() const { return document_->textOf(node()); }  ///< of a string or key
   Place place() const { return {documentIndex_, node().offset}; }
 
-  std::vector<JsonValue> elements() const;  ///< of an array
-  std::vector<Member> members() const;      ///< of an object
-  std::size_t size() const;                 ///< how many elements; O(size)
+  std::vector<JsonValue> elements() const;           ///< of an array
+  JsonValue front() const { return at(node_ + 1); }  ///< of an array that is not empty
+  std::vector<Member> members() const;               ///< of an object
+  std::size_t size() const;                          ///< how many elements; O(size)
 
  private:
   const JsonNode& node() const { return document_->nodes[node_]; }

@@ -136,7 +136,18 @@ bool take(Report& report, JsonValue value, std::size_t vertices, VertexBudget& b
 void readVertices(Report& report, JsonValue value, LoopDescription& loop, VertexBudget& budget) {
   if (!value.isArray()) return reportWrongType(report, value, "an array x0,y0, x1,y1, ...");
   const std::size_t count = value.size();
-  if (count % 2 != 0 || count < 6) {
+  if (count > 0 && value.front().isArray()) {
+    report.error(value.front().place(), "an array for each vertex instead of one flat list",
+                 "leave out the inner brackets: x0,y0, x1,y1, ...");
+    return;
+  }
+  if (count % 2 != 0) {
+    report.error(value.place(),
+                 fmt::format("{} coordinates, an odd number: one is missing, or too many", count),
+                 "give x and y of each vertex");
+    return;
+  }
+  if (count < 6) {
     report.error(value.place(), fmt::format("{} coordinates are no loop", count),
                  "give x and y of at least three vertices");
     return;
@@ -155,6 +166,15 @@ void readVertices(Report& report, JsonValue value, LoopDescription& loop, Vertex
   loop.vertexPlaces.resize(count / 2);
 }
 
+/// Which walls or vertices are left over, of a loop that has more of the one or the other.
+std::string unpaired(const LoopDescription& loop) {
+  const std::size_t walls = loop.walls.size();
+  if (walls > loop.vertices.size())
+    return fmt::format("no vertex is left for wall {}", loop.vertices.size());
+  const Vec2 vertex = loop.vertices[walls];
+  return fmt::format("none is left for the one that begins at ({}, {})", vertex.x, vertex.y);
+}
+
 void readWalls(Report& report, JsonValue value, LoopDescription& loop) {
   if (value.isObject()) {
     loop.walls.push_back(readWall(report, value));
@@ -165,7 +185,8 @@ void readWalls(Report& report, JsonValue value, LoopDescription& loop) {
   for (const JsonValue wall : value.elements()) loop.walls.push_back(readWall(report, wall));
   if (loop.vertices.empty() || loop.walls.size() == loop.vertices.size()) return;
   report.error(value.place(),
-               fmt::format("{} walls for {} vertices", loop.walls.size(), loop.vertices.size()),
+               fmt::format("{} walls for {} vertices: {}", loop.walls.size(), loop.vertices.size(),
+                           unpaired(loop)),
                "give exactly one wall for each vertex, or a single object for all");
 }
 

@@ -66,6 +66,13 @@ class SectorChecker {
   std::string wallName(const Edge& edge) const {
     return fmt::format("wall {} of loop \"{}\"", edge.wall, described(loopOf(edge)).name);
   }
+  /// From end to end, as the file lists them.
+  std::string ends(const Edge& edge) const {
+    const std::vector<Vec2>& vertices = described(loopOf(edge)).vertices;
+    const Vec2 from = vertices[edge.wall];
+    const Vec2 to = vertices[(edge.wall + 1) % vertices.size()];
+    return fmt::format("from ({}, {}) to ({}, {})", from.x, from.y, to.x, to.y);
+  }
   std::string vertexName(const OutlineLoop& loop, std::uint32_t vertex) const {
     return fmt::format("vertex {} of loop \"{}\"", vertex - loop.firstVertex, described(loop).name);
   }
@@ -91,6 +98,7 @@ class SectorChecker {
   void reportSelfTouch(const OutlineLoop& loop, std::uint32_t vertex, const Edge& other,
                        std::uint32_t nearEnd);
   void findCrossings();
+  void failForCrossing(const Edge& a, const Edge& b);
   bool doCross(const Edge& a, const Edge& b) const;
   void checkPlace(std::size_t hole);
   std::vector<Probe> probesOf(std::size_t loop) const;
@@ -235,10 +243,19 @@ void SectorChecker::findCrossings() {
     });
     std::sort(crossed.begin(), crossed.end());
     for (const std::uint32_t j : crossed)
-      if (reported.insert({edge(j).loop, edge(i).loop}).second)
-        fail(wallPlace(edge(i)), fmt::format("{} crosses {}", wallName(edge(i)), wallName(edge(j))),
-             "move their vertices");
+      if (reported.insert({edge(j).loop, edge(i).loop}).second) failForCrossing(edge(i), edge(j));
   }
+}
+
+void SectorChecker::failForCrossing(const Edge& a, const Edge& b) {
+  const Vec2 along = outlines_.to(a) - outlines_.from(a);
+  const Vec2 other = outlines_.to(b) - outlines_.from(b);
+  const double share = cross(outlines_.from(b) - outlines_.from(a), other) / cross(along, other);
+  const Vec2 p = outlines_.from(a) + share * along;
+  fail(wallPlace(a),
+       fmt::format("{}, {}, crosses {}, {}, in ({:.7g}, {:.7g})", wallName(a), ends(a), wallName(b),
+                   ends(b), p.x, p.y),
+       "move their vertices");
 }
 
 /// Whether `p` lies within each loop that a ray from it towards +x meets.

@@ -28,7 +28,8 @@ BEYOND_SCHEMAS = frozenset("""
     light_curve_falls light_in_another_sector light_in_two_sectors light_outside lights_file_missing
     loop_crosses_itself loop_is_a_bow_tie loop_is_hardly_wider_than_noise loop_leaves_the_border
     loop_leaves_the_border_where_it_touches loop_odd_coordinates loop_repeats_a_vertex
-    loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_touches_itself loop_without_area
+    loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_too_many_walls loop_touches_itself
+    loop_without_area
     loops_are_equal loops_cross loops_leave_no_area loops_nest loops_nest_where_they_touch
     loops_of_one_name next_unknown_but_there next_unknown_far next_unknown_near next_unknown_near_its_own
     player_eye_above_the_body
