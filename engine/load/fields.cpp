@@ -137,7 +137,8 @@ std::vector<JsonValue::Member> namedChildren(Report& report, JsonValue value,
   return children;
 }
 
-Fields::Fields(Report& report, JsonValue value, std::span<const std::string_view> known)
+Fields::Fields(Report& report, JsonValue value, std::span<const std::string_view> known,
+               const MisplacedKeys& misplaced)
     : report_(report), value_(value) {
   if (!value.isObject()) {
     reportWrongType(report, value, "an object");
@@ -147,8 +148,10 @@ Fields::Fields(Report& report, JsonValue value, std::span<const std::string_view
   for (const JsonValue::Member& member : members_) {
     const std::string_view key = member.key.text();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const bool isMisplaced = std::ranges::find(misplaced.keys, key) != misplaced.keys.end();
     report.error(member.key.place(), fmt::format("unknown key \"{}\"", key),
-                 suggest(key, known, "remove it"));
+                 isMisplaced ? std::string(misplaced.advice) : suggest(key, known, "remove it"));
+    if (isMisplaced) continue;
     if (const auto slip = nearestName(key, known)) slips_.push_back(*slip);
   }
 }

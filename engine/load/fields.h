@@ -39,11 +39,18 @@ std::vector<JsonValue::Member> namedChildren(Report& report, JsonValue value,
                                              std::string_view what);
 void reportWrongType(Report& report, JsonValue value, std::string_view wanted);
 
+/// Unknown keys of an object that belong elsewhere.
+struct MisplacedKeys {
+  std::span<const std::string_view> keys;
+  std::string_view advice;
+};
+
 /// The members of an object, by key.
 class Fields {
  public:
   /// Reports keys that are not in `known`, and a value that is no object (then it has no members).
-  Fields(Report& report, JsonValue value, std::span<const std::string_view> known);
+  Fields(Report& report, JsonValue value, std::span<const std::string_view> known,
+         const MisplacedKeys& misplaced = {});
 
   bool isObject() const { return value_.isObject(); }
   JsonValue value() const { return value_; }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "load/description.h"
 #include "load/document.h"
 #include "load/limits.h"
@@ -14,6 +17,8 @@ LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& l
 
 /// Parts of the above, a file each.
 enum class TextureUse { OnWall, OnFlat };
+inline constexpr std::array<std::string_view, 5> kTextureKeys{"name", "scale", "offset", "along",
+                                                              "zref"};  ///< of an object
 std::optional<TextureDescription> readTexture(Report& report, JsonValue value, TextureUse use);
 WallDescription readWall(Report& report, JsonValue value);
 /// What the limit of vertices still allows.

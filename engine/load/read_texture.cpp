@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -86,8 +85,7 @@ std::optional<TextureDescription> readTexture(Report& report, JsonValue value, T
     reportWrongType(report, value, "a texture (a string or an object)");
     return std::nullopt;
   }
-  constexpr std::array<std::string_view, 5> kKeys{"name", "scale", "offset", "along", "zref"};
-  const Fields fields(report, value, kKeys);
+  const Fields fields(report, value, kTextureKeys);
   TextureDescription texture;
   bool isGood = readPair(report, fields, "scale", kScale, texture.scale);
   isGood &= readPair(report, fields, "offset", kOffset, texture.offset);

@@ -17,6 +17,9 @@ constexpr std::array<std::string_view, 7> kSubWallKeys{"texture", "next",  "uppe
 /// Those that only a wall that leads somewhere has.
 constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "middle"};
 
+constexpr MisplacedKeys kOfTextures{
+    kTextureKeys, "give it to a texture: { \"texture\": { \"name\": .., \"along\": .. } }"};
+
 /// Reads the texture under `key` into `target`; false after a mistake.
 bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,
                          std::optional<TextureDescription>& target) {
@@ -76,7 +79,7 @@ Kind readSolidOrPortal(Report& report, const Fields& fields) {
 }
 
 SubWallDescription readSubWall(Report& report, JsonValue value) {
-  const Fields fields(report, value, kSubWallKeys);
+  const Fields fields(report, value, kSubWallKeys, kOfTextures);
   SubWallDescription subWall{value.place(), std::nullopt, value.place(), {}};
   bool isGood = true;
   if (const std::optional<JsonValue> z = fields.find("z")) {
@@ -117,7 +120,7 @@ std::optional<NameReference> readReference(Report& report, JsonValue value) {
 }
 
 WallDescription readWall(Report& report, JsonValue value) {
-  const Fields fields(report, value, kWallKeys);
+  const Fields fields(report, value, kWallKeys, kOfTextures);
   WallDescription wall{value.place(), {}};
   if (const std::optional<JsonValue> walls = fields.find("walls")) {
     if (auto stack = readStack(report, fields, *walls)) wall.kind = *std::move(stack);
