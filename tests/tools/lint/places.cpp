@@ -46,6 +46,12 @@ std::string firstMessage(GeometryLint lint, std::string_view levelText) {
   return findings.empty() ? "" : findings.front().message;
 }
 
+std::vector<std::string> advicesOf(GeometryLint lint, std::string_view levelText) {
+  std::vector<std::string> advices;
+  for (const Diagnostic& finding : findingsOf(lint, levelText)) advices.push_back(finding.advice);
+  return advices;
+}
+
 std::string with(std::string_view text, std::string_view part, std::string_view replacement) {
   std::string result(text);
   const std::size_t at = result.find(part);

@@ -23,6 +23,9 @@ Places placesInLight(std::string_view levelText, std::string_view lightsText);
 /// The message that belongs to the first of them.
 std::string firstMessage(GeometryLint lint, std::string_view levelText);
 
+/// The advice of each of them.
+std::vector<std::string> advicesOf(GeometryLint lint, std::string_view levelText);
+
 /// A text with one part of it, which must be there just once, replaced.
 std::string with(std::string_view text, std::string_view part, std::string_view replacement);
 

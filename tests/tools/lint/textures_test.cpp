@@ -97,6 +97,59 @@ TEST(TextureJumps, AreNoneBetweenHeightsThatBothWereWrittenDown) {
   EXPECT_EQ(placesOf(findTextureJumps, withImages(both)), Places{});
 }
 
+/// The `"texture": { .. }` of each piece of advice.
+std::vector<std::string> advisedTextures(std::string_view level) {
+  std::vector<std::string> textures;
+  for (const std::string& advice : advicesOf(findTextureJumps, level)) {
+    const std::size_t begin = advice.find('"');
+    textures.push_back(advice.substr(begin, advice.rfind('}') + 1 - begin));
+  }
+  return textures;
+}
+
+TEST(TextureJumps, EndWithTheHeightThatIsAdvised) {
+  const std::string window = withImages(kWindow);
+  const std::vector<std::string> advised = advisedTextures(window);
+  ASSERT_EQ(advised, std::vector<std::string>{
+                         R"("texture": { "name": "brick", "scale": [1.6, 1.6], "zref": 3.2 })"});
+  const std::string mended =
+      with(window, "'z': 0.9, 'texture': 'brick 1.6,1.6'", "'z': 0.9, " + advised.front());
+  EXPECT_EQ(placesOf(findTextureJumps, mended), Places{});
+}
+
+/// A room whose north wall has three parts, 1, 0.9 and 2.1 m long; what the last two wear.
+std::string rowOfWalls(const std::string& second, const std::string& third) {
+  return withImages(R"({ 'light': 0.5, 'textures': 'FOLDER', 'sectors': {
+  'room': { 'floor': {'texture': '#808080'}, 'ceiling': {'z': 3.2, 'texture': '#808080'},
+    'loops': {'border': {'v': [0,0, 1,0, 1.9,0, 4,0, 4,4, 0,4], 'walls': [
+      {'texture': {'name': 'brick', 'scale': [1.6, 1.6], 'along': 0.3}},
+      {)" + second + R"(},
+      {)" + third + R"(},
+      {'texture': '#808080'},
+      {'texture': '#808080'},
+      {'texture': '#808080'}]}}}
+}})");
+}
+
+TEST(TextureJumps, OfARowOfWallsEndTogetherWithTheTexturesThatAreAdvised) {
+  const std::vector<std::string> advised = advisedTextures(rowOfWalls(
+      "'texture': 'brick 1.6,1.6 8,0'", "'texture': {'name': 'brick', 'scale': [1.6, 1.6]}"));
+  ASSERT_EQ(advised.size(), 2U);
+  EXPECT_EQ(advised[1], R"("texture": { "name": "brick", "scale": [1.6, 1.6], "along": 0.6 })");
+  EXPECT_EQ(placesOf(findTextureJumps, rowOfWalls(advised[0], advised[1])), Places{});
+}
+
+TEST(TextureJumps, AreAdvisedAWallOfTheirOwnWhereOneStandsForAll) {
+  const std::string level = withImages(R"({ 'light': 0.5, 'textures': 'FOLDER', 'sectors': {
+  'room': { 'floor': {'texture': '#808080'}, 'ceiling': {'z': 3.2, 'texture': '#808080'},
+    'loops': {'border': {'v': [0,0, 1,0, 4,0, 4,4, 0,4], 'walls': {'texture': 'brick 1.6,1.6'}}}}
+}})");
+  EXPECT_EQ(advicesOf(findTextureJumps, level),
+            std::vector<std::string>{
+                "give each wall its own, and this one \"texture\": { \"name\": \"brick\", "
+                "\"scale\": [1.6, 1.6], \"along\": 1 } [texture-jump]"});
+}
+
 /// A step up to the dais, and no other.
 constexpr std::string_view kDais = R"({ 'light': 0.5, 'sectors': {
   'room': { 'floor': {'texture': '#808080'}, 'ceiling': {'texture': '#808080'},

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "hearth/lint/described.h"
+#include "hearth/lint/hanging.h"
 #include "hearth/lint/links.h"
 #include "math/tolerance.h"
 
@@ -27,18 +28,10 @@ struct ImageEnd {
   double v;  ///< where z is 0, likewise
 };
 
-/// Whether the file gives the height at which the image begins.
-bool hasZRef(const LintedLevel& linted, const Surface& surface) {
-  const DescribedPart part = describedPart(linted, *surface.segment, surface.zBottom);
-  if (part.solid) return part.solid->texture.zRef.has_value();
-  const bool isUpper =
-      surface.kind == SurfaceKind::UpperStep || surface.kind == SurfaceKind::StackUpperStep;
-  return (isUpper ? part.portal->upper : part.portal->lower)->zRef.has_value();
-}
-
-ImageEnd imageAt(const TextureMapping& mapping, double s, const Image& image) {
-  return {(s + mapping.along) / mapping.repeat.x - mapping.offsetTexels.x / image.width(),
-          *mapping.zRef / mapping.repeat.y - mapping.offsetTexels.y / image.height()};
+ImageEnd imageAt(const TextureMapping& mapping, const Hanging& hanging, double s,
+                 const Image& image) {
+  return {(s + hanging.along) / mapping.repeat.x - mapping.offsetTexels.x / image.width(),
+          hanging.z / mapping.repeat.y - mapping.offsetTexels.y / image.height()};
 }
 
 /// Pixels from a whole number of repeats.
@@ -100,17 +93,45 @@ class JumpFinder {
   void lookAtJoint(const Surface& left, const Surface& right) {
     if (!areAlike(left.mapping, right.mapping) || !areInOnePlane(left, right)) return;
     if (!touch(left, right) || !areSeenTogether(left.sector, right.sector)) return;
+    const ImageEnd jump = jumpAt(left, hangingOf(linted_, left), right, hangingOf(linted_, right));
+    if (!isSeen(jump, imageOf(left))) return;
+    // What was told before mends walls together: a row of them, or all pieces of one.
+    const ImageEnd rest = jumpAt(left, mendedHangingOf(left), right, mendedHangingOf(right));
+    if (isSeen(rest, imageOf(left))) report(left, right, jump, rest);
+  }
+
+  /// From where the image of the left surface ends to where that of the right one begins.
+  ImageEnd jumpAt(const Surface& left, const Hanging& hangingLeft, const Surface& right,
+                  const Hanging& hangingRight) const {
     const Image& image = imageOf(left);
     const Segment& before = segmentOf(left);
-    const Segment& after = segmentOf(right);
-    const ImageEnd end = imageAt(left.mapping, before.sBefore + before.length, image);
-    ImageEnd start = imageAt(right.mapping, after.sBefore, image);
+    const ImageEnd end = imageAt(left.mapping, hangingLeft, before.sBefore + before.length, image);
+    const ImageEnd start = imageAt(right.mapping, hangingRight, segmentOf(right).sBefore, image);
     // Two heights that were both written down are meant: beams and ribs have stones of their own.
-    if (hasZRef(linted_, left) && hasZRef(linted_, right)) start.v = end.v;
-    const double u = start.u - end.u;
-    const double v = start.v - end.v;
-    if (differenceMoved(image, partOf(u), partOf(v)) > kSeen)
-      report(left, right, pixelsOff(u, image.width()), pixelsOff(v, image.height()));
+    const bool areMeant = hangingLeft.hasZRef && hangingRight.hasZRef;
+    return {start.u - end.u, areMeant ? 0 : start.v - end.v};
+  }
+
+  static bool isSeen(const ImageEnd& jump, const Image& image) {
+    return differenceMoved(image, partOf(jump.u), partOf(jump.v)) > kSeen;
+  }
+
+  /// One for all pieces of a wall, even where one wall of the file stands for all of a loop.
+  using TextureOnWall = std::pair<std::uint32_t, Place>;
+  TextureOnWall onWall(const Surface& surface) const {
+    return {linted_.source.edgeOf[surface.segment->index()],
+            textureOf(linted_, surface).described->name.place};
+  }
+
+  /// As it would be with what has been told.
+  Hanging mendedHangingOf(const Surface& surface) const {
+    Hanging hanging = hangingOf(linted_, surface);
+    const auto mended = mended_.find(onWall(surface));
+    if (mended == mended_.end()) return hanging;
+    hanging.along = mended->second.along;
+    if (mended->second.hasZRef) hanging.z = mended->second.z;
+    hanging.hasZRef |= mended->second.hasZRef;
+    return hanging;
   }
 
   static bool areAlike(const TextureMapping& a, const TextureMapping& b) {
@@ -133,15 +154,29 @@ class JumpFinder {
     return a == b || std::ranges::binary_search(linked_[a.index()], b);
   }
 
-  void report(const Surface& left, const Surface& right, double u, double v) {
+  void report(const Surface& left, const Surface& right, const ImageEnd& jump,
+              const ImageEnd& rest) {
+    const Image& image = imageOf(right);
     const Vec2 joint = segmentOf(right).p0;
+    const bool isLevel = pixelsOff(rest.v, image.height()) < 0.5;
+    const Hanging mended =
+        movedBack(mendedHangingOf(right), right.mapping.repeat, rest.u, isLevel ? 0 : rest.v);
+    mended_.insert_or_assign(onWall(right), mended);
     findings_.add(
         FindingKind::TextureJump, placeOf(linted_, right),
         fmt::format("\"{}\" jumps by {:.0f} pixels along and {:.0f} up at ({}, {}), where it meets "
                     "the {} of sector \"{}\"",
-                    level_.textures[right.mapping.texture.index()], u, v, joint.x, joint.y,
-                    name(left.kind), level_[left.sector].name),
-        "give it \"along\" and \"zref\" that let the image run on");
+                    level_.textures[right.mapping.texture.index()],
+                    pixelsOff(jump.u, image.width()), pixelsOff(jump.v, image.height()), joint.x,
+                    joint.y, name(left.kind), level_[left.sector].name),
+        fmt::format("{} {}", standsForAll(right) ? "give each wall its own, and this one" : "write",
+                    written(textureOf(linted_, right), mended)));
+  }
+
+  /// Whether the file has one wall for all of the loop.
+  bool standsForAll(const Surface& surface) const {
+    const Edge& edge = linted_.source.edge(*surface.segment);
+    return describedLoop(linted_.source.level, linted_.source.outlines, edge).walls.size() == 1;
   }
 
   const LintedLevel& linted_;
@@ -149,6 +184,7 @@ class JumpFinder {
   Findings& findings_;
   std::vector<std::vector<SectorId>> linked_;
   std::multimap<Vec2, const Surface*, decltype(&lessXY)> starting_{&lessXY};  ///< by p0
+  std::map<TextureOnWall, Hanging> mended_;                                   ///< as told
 };
 
 }  // namespace
