@@ -27,6 +27,7 @@ std::string format(const Diagnostic& diagnostic) {
                   diagnostic.isError ? "error" : "warning", diagnostic.message);
   if (!diagnostic.pointer.empty()) text += ", at " + diagnostic.pointer;
   if (!diagnostic.advice.empty()) text += ", " + diagnostic.advice;
+  if (!diagnostic.kind.empty()) text += " [" + diagnostic.kind + "]";
   return printable(text);
 }
 

@@ -13,11 +13,13 @@ struct Diagnostic {
   std::string pointer;  ///< JSON pointer (RFC 6901) of the value; empty for the file as a whole
   std::string message;  ///< what is wrong
   std::string advice;   ///< what to do
+  std::string kind{};   ///< of a warning: a name that stays, for programs
 
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
-/// `FILE:LINE:COLUMN: error: what is wrong, at /json/pointer, what to do`, one line.
+/// `FILE:LINE:COLUMN: error: what is wrong, at /json/pointer, what to do`, one line. One of a kind
+/// ends with ` [kind]`.
 std::string format(const Diagnostic& diagnostic);
 
 }  // namespace hearth

@@ -76,9 +76,9 @@ LightsDescription Loader::readLightsOf(const LevelDescription& description) {
 /// A level that says nothing about light shows everything.
 void Loader::lightFully(Linking& linking) const {
   for (Sector& sector : linking.level.sectors) sector.light = 1;
-  linking.report.warning(linking.description.place,
-                         "no lights and no \"light\": all is fully bright",
-                         "write a lights file, or give the level or its sectors a \"light\"");
+  linking.report.warning(
+      linking.description.place, "no lights and no \"light\": all is fully bright",
+      "write a lights file, or give the level or its sectors a \"light\"", "no-light");
 }
 
 std::optional<LoadedLevel> Loader::link(const LevelDescription& description,

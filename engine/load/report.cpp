@@ -34,12 +34,12 @@ class LineCounter {
 
 void Report::error(Place place, std::string message, std::string advice) {
   if (errors_++ < kMaxMessages)
-    entries_.push_back({place, true, std::move(message), std::move(advice)});
+    entries_.push_back({place, true, std::move(message), std::move(advice), {}});
 }
 
-void Report::warning(Place place, std::string message, std::string advice) {
+void Report::warning(Place place, std::string message, std::string advice, std::string_view kind) {
   if (warnings_++ < kMaxMessages)
-    entries_.push_back({place, false, std::move(message), std::move(advice)});
+    entries_.push_back({place, false, std::move(message), std::move(advice), std::string(kind)});
 }
 
 std::vector<Diagnostic> Report::resolve(std::span<const Document> documents) const {
@@ -56,8 +56,8 @@ std::vector<Diagnostic> Report::resolve(std::span<const Document> documents) con
     LineCounter& counter = lines[entry->place.document];
     counter.moveTo(entry->place.offset);
     diagnostics.push_back({document.file, counter.line(), counter.column(), entry->isError,
-                           pointerAt(document, entry->place.offset), entry->message,
-                           entry->advice});
+                           pointerAt(document, entry->place.offset), entry->message, entry->advice,
+                           entry->kind});
   }
   const std::string& first = documents.front().file;
   if (errors_ > kMaxMessages)

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "load/diagnostic.h"
@@ -16,7 +17,7 @@ class Report {
   static constexpr std::size_t kMaxMessages = 500;
 
   void error(Place place, std::string message, std::string advice);
-  void warning(Place place, std::string message, std::string advice);
+  void warning(Place place, std::string message, std::string advice, std::string_view kind);
   bool hasErrors() const { return errors_ > 0; }
   /// Once full, the text of an error is not worth working out.
   bool isFull() const { return errors_ >= kMaxMessages; }
@@ -30,6 +31,7 @@ class Report {
     bool isError;
     std::string message;
     std::string advice;
+    std::string kind;
   };
 
   std::vector<Entry> entries_;

@@ -56,7 +56,7 @@ void validateLight(Report& report, const Level& level, Place place, const LightS
   report.warning(place,
                  fmt::format("the light lies in {} of sector \"{}\", and does not light it",
                              fmt::join(planes, " and in "), sector.name),
-                 "move it off that plane");
+                 "move it off that plane", "light-in-plane");
 }
 
 }  // namespace hearth

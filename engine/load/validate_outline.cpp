@@ -354,7 +354,8 @@ void SectorChecker::warnOfDirection(const OutlineLoop& loop) const {
   report_.warning(turned.place,
                   fmt::format("loop \"{}\" runs the wrong way and is turned round", turned.name),
                   fmt::format("list the vertices of a {} on a map with y down",
-                              isBorder ? "border clockwise" : "hole counter-clockwise"));
+                              isBorder ? "border clockwise" : "hole counter-clockwise"),
+                  "turned-loop");
 }
 
 }  // namespace

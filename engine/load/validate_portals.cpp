@@ -63,6 +63,20 @@ void examine(const Linking& linking, const TwinIndex& twins, SegmentId id, Secto
                  noiseOf(segment.length));
 }
 
+void warnOfOneWay(Linking& linking, const TwinIndex& twins, SegmentId id, SectorId target) {
+  const Segment& segment = linking.level[id];
+  const SegmentId twin = twins.find(segment, target).value();  // linking has made sure
+  const Edge& behind = linking.outlines.edges[linking.edgeOf[twin.index()]];
+  linking.report.warning(
+      linking.describedWall(id).place,
+      fmt::format(
+          "a one-way portal to sector \"{}\": wall {} of its loop \"{}\" does not lead back",
+          linking.level[target].name, behind.wall, linking.describedLoop(behind).name),
+      fmt::format("give that wall \"next\": \"{}\" if it is to lead back",
+                  linking.level[segment.sector].name),
+      "one-way-portal");
+}
+
 }  // namespace
 
 void validatePortals(Linking& linking) {
@@ -79,14 +93,14 @@ void validatePortals(Linking& linking) {
     const std::string& target = linking.level[key.second].name;
     const Place place = linking.describedWall(passage.segment).place;
     if (!passage.leadsBack)
-      linking.report.warning(place, fmt::format("a one-way portal to sector \"{}\"", target),
-                             "lead a portal back if that is not what you want");
+      warnOfOneWay(linking, twins, passage.segment, key.second);
     else if (!passage.opensAlike)
       linking.report.warning(
           place,
           fmt::format("this wall and the one of sector \"{}\" behind it open different heights",
                       target),
-          "each side draws its own wall; make them alike if that is not what you want");
+          "each side draws its own wall; make them alike if that is not what you want",
+          "uneven-portal");
   }
 }
 

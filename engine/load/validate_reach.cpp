@@ -36,7 +36,7 @@ void validateReach(Linking& linking) {
           far->place,
           fmt::format("{} is so far from the origin that light may miss its surfaces",
                       far->coordinate),
-          fmt::format("move the level to within {:.0f} m of it", kPreciseReach));
+          fmt::format("move the level to within {:.0f} m of it", kPreciseReach), "far-away");
 }
 
 }  // namespace hearth

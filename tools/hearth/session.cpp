@@ -56,13 +56,18 @@ std::optional<std::string> warningIfDark(const BakedLight& light, const OptionVa
       values.level);
 }
 
+SourcedResult loadLevelOf(const OptionValues& values) {
+  const ProgressDisplay display(progressStyle(values), Stage::Loading);
+  return loadLevelWithSource(values.level, limitsFrom(values));
+}
+
+void tell(std::span<const Diagnostic> diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) fmt::print(stderr, "{}\n", format(diagnostic));
+}
+
 SourcedResult openLevelWithSource(const OptionValues& values) {
-  SourcedResult opened = [&] {
-    const ProgressDisplay display(progressStyle(values), Stage::Loading);
-    return loadLevelWithSource(values.level, limitsFrom(values));
-  }();
-  for (const Diagnostic& diagnostic : opened.result.diagnostics)
-    fmt::print(stderr, "{}\n", format(diagnostic));
+  SourcedResult opened = loadLevelOf(values);
+  tell(opened.result.diagnostics);
   return opened;
 }
 

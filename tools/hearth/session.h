@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -22,6 +23,12 @@ std::optional<LoadedLevel> openLevel(const OptionValues& values);
 
 /// The same, with the way back to the level's files.
 SourcedResult openLevelWithSource(const OptionValues& values);
+
+/// The same, its diagnostics still to be told.
+SourcedResult loadLevelOf(const OptionValues& values);
+
+/// To stderr, a line each.
+void tell(std::span<const Diagnostic> diagnostics);
 
 /// What the command line says of how much input is taken.
 LoadLimits limitsFrom(const OptionValues& values);

@@ -15,8 +15,8 @@ std::vector<std::string> placesOf(const std::vector<Diagnostic>& findings) {
   std::vector<std::string> places;
   for (const Diagnostic& finding : findings) {
     EXPECT_FALSE(finding.isError);
-    places.push_back(fmt::format("{}:{} {} {}", finding.line, finding.column, finding.pointer,
-                                 finding.advice.substr(finding.advice.rfind('['))));
+    places.push_back(
+        fmt::format("{}:{} {} [{}]", finding.line, finding.column, finding.pointer, finding.kind));
   }
   return places;
 }

@@ -147,7 +147,7 @@ TEST(TextureJumps, AreAdvisedAWallOfTheirOwnWhereOneStandsForAll) {
   EXPECT_EQ(advicesOf(findTextureJumps, level),
             std::vector<std::string>{
                 "give each wall its own, and this one \"texture\": { \"name\": \"brick\", "
-                "\"scale\": [1.6, 1.6], \"along\": 1 } [texture-jump]"});
+                "\"scale\": [1.6, 1.6], \"along\": 1 }"});
 }
 
 /// A step up to the dais, and no other.

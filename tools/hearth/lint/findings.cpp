@@ -1,7 +1,5 @@
 #include "hearth/lint/findings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace hearth {
@@ -19,8 +17,8 @@ static_assert(areInOrder(), "the table has the order of the enumeration");
 
 void Findings::add(FindingKind kind, Place place, std::string message, std::string_view advice) {
   if (!said_.insert({place, message}).second) return;
-  const std::string_view name = kFindingKinds[static_cast<std::size_t>(kind)].name;
-  report_.warning(place, std::move(message), fmt::format("{} [{}]", advice, name));
+  report_.warning(place, std::move(message), std::string(advice),
+                  kFindingKinds[static_cast<std::size_t>(kind)].name);
 }
 
 }  // namespace hearth

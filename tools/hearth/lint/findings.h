@@ -33,9 +33,23 @@ struct FindingKindRow {
   std::string_view help;
 };
 
+/// What the loader itself warns of, by the names that it gives. It tells of one-way portals, too.
+struct LoaderKindRow {
+  std::string_view name;
+  std::string_view help;
+};
+
+inline constexpr std::array kLoaderKinds{
+    LoaderKindRow{"turned-loop", "a loop runs the wrong way"},
+    LoaderKindRow{"uneven-portal", "the two sides of a portal open different heights"},
+    LoaderKindRow{"far-away", "a coordinate is too far from the origin for exact light"},
+    LoaderKindRow{"light-in-plane", "a light lies on a surface, which it does not light"},
+    LoaderKindRow{"no-light", "nothing is said of light, and all is fully bright"},
+};
+
 inline constexpr std::array kFindingKinds{
     FindingKindRow{FindingKind::OneWayPortal, "one-way-portal",
-                   "a part of a portal does not lead back"},
+                   "a portal, or a part of it, does not lead back"},
     FindingKindRow{FindingKind::Unreachable, "unreachable",
                    "no links lead from the player to a sector"},
     FindingKindRow{FindingKind::NearMiss, "near-miss",
@@ -60,7 +74,7 @@ class Findings {
  public:
   void add(FindingKind kind, Place place, std::string message, std::string_view advice);
 
-  /// As the loader's warnings, with the kind's name at the end.
+  /// As the loader's warnings.
   std::vector<Diagnostic> resolve(std::span<const Document> documents) const {
     return report_.resolve(documents);
   }

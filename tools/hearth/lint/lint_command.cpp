@@ -14,25 +14,33 @@ void print(std::span<const Diagnostic> findings) {
 
 std::string kindsInWords() {
   std::string text = "Each line ends with the kind of what was found:\n";
+  for (const LoaderKindRow& row : kLoaderKinds)
+    text += fmt::format("  {:<15} {}\n", row.name, row.help);
   for (const FindingKindRow& row : kFindingKinds)
     text += fmt::format("  {:<15} {}\n", row.name, row.help);
   return text;
 }
 
 ExitStatus run(const OptionValues& values) {
-  const SourcedResult opened = openLevelWithSource(values);
-  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const SourcedResult opened = loadLevelOf(values);
+  const std::vector<Diagnostic>& ofLoader = opened.result.diagnostics;
+  if (!opened.result.loaded) {
+    tell(ofLoader);
+    return ExitStatus::BadInput;
+  }
   const LintedLevel linted{*opened.result.loaded, opened.source};
   const auto settings = bakeSettingsFor(linted.level(), values);
   if (!settings) return fail(settings.error());
 
+  print(ofLoader);
   const std::vector<Diagnostic> ofGeometry = lintGeometry(linted);
   print(ofGeometry);
   const auto light = lightFor(dimmed(linted.level()), values);
   if (!light) return fail(light.error());
   const std::vector<Diagnostic> ofLight = lintLight(linted, *light, *settings, threadsFrom(values));
   print(ofLight);
-  return ofGeometry.empty() && ofLight.empty() ? ExitStatus::Done : ExitStatus::Differs;
+  const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
+  return isClean ? ExitStatus::Done : ExitStatus::Differs;
 }
 
 }  // namespace
