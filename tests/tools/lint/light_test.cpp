@@ -64,10 +64,17 @@ TEST(UselessLights, MayShineLessFarThanToASurface) {
 
 TEST(Overexposure, IsFoundWhereMostLightIsLost) {
   const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
-  EXPECT_EQ(
-      placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 800 }]"),
-      (Places{"2:21 /sectors/lit/floor [overexposed]", "2:56 /sectors/lit/ceiling [overexposed]",
-              "3:62 /sectors/lit/loops/border/walls [overexposed]"}));
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 800 }]"),
+            (Places{"1:2 /0 [overexposed]"}));
+}
+
+/// The lamp in the dark room would bring more to the wall between, if it were not behind it.
+TEST(Overexposure, IsToldOnceOfEachLightThatBringsMost) {
+  EXPECT_EQ(placesInLight(with(kRooms, "'light': 0,", "'light': 0.1,"),
+                          "[{ 'x': 1, 'y': 2, 'z': 2, 'intensity': 50 },\n"
+                          " { 'x': 2, 'y': 2, 'z': 2, 'intensity': 900 },\n"
+                          " { 'x': 4.5, 'y': 2, 'z': 2, 'intensity': 910 }]"),
+            (Places{"2:2 /1 [overexposed]", "3:2 /2 [overexposed]"}));
 }
 
 TEST(Overexposure, IsNoneWhereLightIsSomewhatMoreThanFull) {

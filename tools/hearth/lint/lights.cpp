@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <utility>
 
 #include "hearth/lint/described.h"
+#include "light/raytracer.h"
 
 namespace hearth {
 
@@ -72,6 +75,37 @@ double lostShare(const LitSurface& surface, const Lightmap& map, double sectorLe
   return lost == 0 ? 0 : static_cast<double>(lost) / static_cast<double>(countTexels(surface));
 }
 
+/// The point of the surface that has the most light of any channel.
+Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
+  double most = -1;
+  Vec2 brightest;
+  countTexels(surface, [&](int i, int j) {
+    for (int channel = 0; channel < map.channels; ++channel)
+      if (map.levelAt(i, j, channel) > most) {
+        most = map.levelAt(i, j, channel);
+        brightest = {i + 0.5, j + 0.5};
+      }
+    return true;
+  });
+  return surface.toWorld(brightest);
+}
+
+/// The light that brings most to a point of a surface, of those that it sees. Balls of light are
+/// taken for points.
+std::size_t mostAt(const Level& level, Vec3 p, SectorId sector) {
+  const Raytracer raytracer(level);
+  std::size_t best = 0;
+  std::pair most(false, 0.0);
+  for (std::size_t i = 0; i < level.lights.size(); ++i) {
+    const LightSource& light = level.lights[i];
+    const double brought = light.levelAt(length(p - light.position));
+    if (most.first && brought <= most.second) continue;
+    const std::pair here(raytracer.sees(Raytracer::sourceOf(level, light), p, sector), brought);
+    if (here > most) best = i, most = here;
+  }
+  return best;
+}
+
 bool isDark(const BakedLight& light, std::size_t surface) {
   const std::optional<Lightmap>& map = light.lightmaps[surface];
   const auto isZero = [](std::uint8_t level) { return level == 0; };
@@ -97,6 +131,7 @@ class BadLightFinder {
       // Who gives a sector all light there is wants its textures as they are.
       if (light_.lightmaps[i] && level_[sector].light < 1) lookAtExposure(i);
     }
+    for (const auto& [light, glare] : glaring_) reportGlare(light, glare);
   }
 
  private:
@@ -140,21 +175,42 @@ class BadLightFinder {
                   "give the sector a \"light\", or move a lamp");
   }
 
+  /// What one light overexposes, or most of it.
+  struct Glare {
+    int surfaces = 0;
+    std::size_t worst = 0;  ///< surface
+    double share = 0;       ///< of that
+  };
+
   void lookAtExposure(std::size_t surface) {
-    const double sectorLevel = 255 * level_[level_.surfaces[surface].sector].light;
-    const double share =
-        lostShare(*light_.surfaces[surface], *light_.lightmaps[surface], sectorLevel);
+    const SectorId sector = level_.surfaces[surface].sector;
+    const LitSurface& lit = *light_.surfaces[surface];
+    const Lightmap& map = *light_.lightmaps[surface];
+    const double share = lostShare(lit, map, 255 * level_[sector].light);
     if (share <= kMostLost) return;
-    findings_.add(FindingKind::Overexposed, placeOf(linted_, level_.surfaces[surface]),
-                  fmt::format("{:.0f} % of {} has more than twice the light that can be shown",
-                              100 * share, nameOf(level_.surfaces[surface])),
-                  "dim its lights, or the sector's \"light\"");
+    Glare& glare = glaring_[mostAt(level_, brightestOf(lit, map), sector)];
+    ++glare.surfaces;
+    if (share <= glare.share) return;
+    glare.worst = surface;
+    glare.share = share;
+  }
+
+  void reportGlare(std::size_t light, const Glare& glare) {
+    const int others = glare.surfaces - 1;
+    findings_.add(
+        FindingKind::Overexposed, linted_.source.lights.lights[light].place,
+        fmt::format("with this light {:.0f} % of {}{} has more than twice the light that can be "
+                    "shown",
+                    100 * glare.share, nameOf(level_.surfaces[glare.worst]),
+                    others == 0 ? "" : fmt::format(", and much of {} more,", others)),
+        "lower its \"intensity\", or raise its \"falloff\"");
   }
 
   const LintedLevel& linted_;
   const Level& level_;
   const BakedLight& light_;
   Findings& findings_;
+  std::map<std::size_t, Glare> glaring_;  ///< by light
 };
 
 }  // namespace
