@@ -62,6 +62,16 @@ TEST(UselessLights, MayShineLessFarThanToASurface) {
             Places{});
 }
 
+/// Full light is 255, and who writes 1 for it does not see the lamp.
+TEST(WeakLights, AreThoseThatBringNoSurfaceMoreThanAFewLevels) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(lit,
+                          "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 1 },\n"
+                          " { 'x': 2, 'y': 2, 'z': 3, 'intensity': 200, 'falloff': 60 },\n"
+                          " { 'x': 2, 'y': 2, 'z': 1, 'intensity': 5 }]"),
+            (Places{"1:2 /0 [weak-light]", "2:2 /1 [weak-light]"}));
+}
+
 TEST(Overexposure, IsFoundWhereMostLightIsLost) {
   const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
   EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 800 }]"),

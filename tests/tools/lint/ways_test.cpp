@@ -166,6 +166,65 @@ TEST(LowPassages, AreNoneIntoWhatIsNoRoom) {
   EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, 1.7, 0.9)), Places{});
 }
 
+/// The hall and a room of 4 x 4 m, with a wall 0.2 m thick and a doorway between.
+std::string hallAndDoorway(double width) {
+  const std::string solid = "{'texture': '#808080'}";
+  const std::string hall =
+      sectorText("hall", fmt::format("0,0, 4,0, 4,1, 4,{}, 4,4, 0,4", 1 + width), 0, 4,
+                 fmt::format("[{0}, {0},\n{{'next': 'doorway'}}, {0}, {0}, {0}]", solid));
+  const std::string doorway =
+      sectorText("doorway", fmt::format("4,1, 4.2,1, 4.2,{0}, 4,{0}", 1 + width), 0, 4,
+                 fmt::format("[{0}, {{'next': 'room'}}, {0}, {{'next': 'hall'}}]", solid));
+  const std::string room =
+      sectorText("room", fmt::format("4.2,0, 8,0, 8,4, 4.2,4, 4.2,{}, 4.2,1", 1 + width), 0, 4,
+                 fmt::format("[{0}, {0}, {0}, {0}, {{'next': 'doorway'}}, {0}]", solid));
+  return withPlayer({hall, doorway, room});
+}
+
+TEST(NarrowPassages, AreThoseThatThePlayerJustCannotPass) {
+  for (const double width : {0.3, 0.5, 0.59})
+    EXPECT_EQ(placesOf(findImpassable, hallAndDoorway(width)),
+              (Places{"3:1 /sectors/hall/loops/border/walls/2 [narrow-passage]"}))
+        << width;
+  EXPECT_EQ(firstMessage(findImpassable, hallAndDoorway(0.5)),
+            "the way to sector \"doorway\" is 0.5 m wide, the player 0.6 m, and nothing else leads "
+            "there");
+}
+
+TEST(NarrowPassages, AreNoneThatHePassesOrThatNobodyWould) {
+  for (const double width : {0.1, 0.29, 0.6, 1.0})
+    EXPECT_EQ(placesOf(findImpassable, hallAndDoorway(width)), Places{}) << width;
+}
+
+/// A sector that is cut in parts, each of which is narrow: floors have such patterns.
+TEST(NarrowPassages, AreNoneBesideOthersThatAreOpen) {
+  std::vector<std::string> sectors{sectorText(
+      "hall", "0,0, 4,0, 4,1, 4,1.4, 4,1.8, 4,4, 0,4", 0, 4,
+      "[{'texture': '#808080'}, {'texture': '#808080'}, {'next': 'one'}, {'next': 'other'},"
+      "{'texture': '#808080'}, {'texture': '#808080'}, {'texture': '#808080'}]")};
+  sectors.push_back(
+      sectorText("one", "4,1, 8,1, 8,1.4, 4,1.4", 0, 4,
+                 "[{'texture': '#808080'}, {'texture': '#808080'}, {'next': 'other'}, "
+                 "{'next': 'hall'}]"));
+  sectors.push_back(sectorText("other", "4,1.4, 8,1.4, 8,1.8, 4,1.8", 0, 4,
+                               "[{'next': 'one'}, {'texture': '#808080'}, {'texture': '#808080'}, "
+                               "{'next': 'hall'}]"));
+  EXPECT_EQ(placesOf(findImpassable, withPlayer(sectors)), Places{});
+}
+
+/// His eye is 1.6 m above his feet, and he climbs 0.4 m.
+TEST(SunkenPlayers, AreThoseWhoseFeetAreFarBelowTheFloor) {
+  const auto eyeAt = [](double z) {
+    return with(hallAndRoom(0, 4), "'z': 1.6}", fmt::format("'z': {}}}", z));
+  };
+  for (const double z : {0.0, 0.5, 1.19})
+    EXPECT_EQ(placesOf(findSunkenPlayer, eyeAt(z)), (Places{"1:27 /player [sunken-player]"})) << z;
+  for (const double z : {1.2, 1.5, 1.6, 3.0})
+    EXPECT_EQ(placesOf(findSunkenPlayer, eyeAt(z)), Places{}) << z;
+  EXPECT_EQ(advicesOf(findSunkenPlayer, eyeAt(0)),
+            std::vector<std::string>{"write \"z\": 1.6, which is 1.6 m above the floor"});
+}
+
 }  // namespace
 
 }  // namespace hearth::test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory_resource>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "hearth/lint/described.h"
 #include "hearth/lint/links.h"
 #include "level/locate.h"
+#include "math/tolerance.h"
 #include "walk/passage.h"
 
 namespace hearth {
@@ -24,6 +26,9 @@ constexpr double kHighestMeant = 1.5;
 
 /// Of the player's height: no lower ones are taken for a way. Niches, fireplaces and shafts are.
 constexpr double kLowestMeant = 0.85;
+
+/// Of the player's width, likewise: slits are not.
+constexpr double kNarrowestMeant = 0.5;
 
 /// Square metres that must be gained, or nobody meant to go there: benches, plinths and beds have
 /// less.
@@ -61,16 +66,25 @@ struct Hindrance {
   SectorId next;
   double zBottom;  ///< of the opening
   Demand demand;
+  double width = kNowhere;  ///< metres of the gap that the opening is a part of
 };
 
 /// Where a body can go on foot. It counts too much rather than too little: slopes are taken for
-/// walkable and gaps for wide enough, so that what it cannot reach nobody can.
+/// walkable, and gaps for wide enough unless walls end them on both sides, so that what it cannot
+/// reach nobody can.
 class Walks {
  public:
   Walks(const Level& level, const Body& body) : level_(level), body_(body) {
     links_.resize(level.sectors.size());
+    linksIfWide_.resize(level.sectors.size());
+    open_.resize(level.segments.size());
     for (std::size_t i = 0; i < level.segments.size(); ++i) lookAtWall(SegmentId(i));
+    for (const Sector& sector : level.sectors)
+      for (const Loop& loop : sector.loops)
+        for (std::uint32_t i = 0; i < loop.count; ++i) lookAtGap(loop, i);
     for (const Interface& interface : level.interfaces) lookAtFlat(interface);
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      linksIfWide_[i].insert(linksIfWide_[i].end(), links_[i].begin(), links_[i].end());
   }
 
   const std::vector<Hindrance>& hindrances() const { return hindrances_; }
@@ -79,6 +93,14 @@ class Walks {
     const auto [found, isNew] = reached_.try_emplace(sector);
     if (isNew) found->second = hearth::reachedFrom(links_, sector);
     return found->second;
+  }
+
+  /// What would be gained behind a hindrance. Behind a gap likewise if all that are meant to be
+  /// passed were wide enough: a doorway has two sides.
+  std::vector<bool> reachedBehind(const Hindrance& hindrance) {
+    if (hindrance.kind == FindingKind::NarrowPassage)
+      return hearth::reachedFrom(linksIfWide_, hindrance.next);
+    return reachedFrom(hindrance.next);
   }
 
  private:
@@ -99,7 +121,7 @@ class Walks {
     for (const double share : kShares) {
       way.demand = demandAt(level_, level_[way.segment], passage, way.next, share);
       if (!isHigh(way.demand) && !isLow(way.demand))
-        return links_[level_[way.segment].sector.index()].push_back(way.next);
+        return open_[way.segment.index()].push_back(way);
       const std::optional<FindingKind> kind = kindOf(way.demand);
       if (!kind) continue;
       way.kind = *kind;
@@ -109,6 +131,43 @@ class Walks {
     const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
     const bool isWide = level_[way.segment].length >= 2 * body_.radius;
     if (easiest && hasBottom && isWide) hindrances_.push_back(*easiest);
+  }
+
+  /// What is neither too high nor too low is a way unless the gap is too narrow.
+  void lookAtGap(const Loop& loop, std::uint32_t i) {
+    const std::size_t segment = loop.first.index() + i;
+    if (open_[segment].empty()) return;
+    const double width = widthOfGap(loop, i);
+    const bool isNarrow = width < 2 * body_.radius - kSkin;
+    for (Hindrance way : open_[segment]) {
+      if (!isNarrow) links_[level_.segments[segment].sector.index()].push_back(way.next);
+      if (!isNarrow || width < kNarrowestMeant * 2 * body_.radius) continue;
+      way.kind = FindingKind::NarrowPassage;
+      way.width = width;
+      linksIfWide_[level_.segments[segment].sector.index()].push_back(way.next);
+      hindrances_.push_back(way);
+    }
+  }
+
+  /// Metres from wall to wall along the line of a segment that is open; endless where it is open
+  /// round a corner, too.
+  double widthOfGap(const Loop& loop, std::uint32_t i) const {
+    const Segment& segment = level_.segments[loop.first.index() + i];
+    double width = segment.length;
+    for (const std::uint32_t step : {1U, loop.count - 1})
+      for (std::uint32_t j = (i + step) % loop.count; j != i; j = (j + step) % loop.count) {
+        if (open_[loop.first.index() + j].empty()) break;
+        const Segment& next = level_.segments[loop.first.index() + j];
+        if (!areInLine(segment, next)) return kNowhere;
+        width += next.length;
+      }
+    return width;
+  }
+
+  static bool areInLine(const Segment& a, const Segment& b) {
+    const Vec2 along = a.p1 - a.p0;
+    return dot(along, b.p1 - b.p0) > 0 &&
+           std::abs(cross(along, b.p1 - b.p0)) / a.length <= noiseOf(std::min(a.length, b.length));
   }
 
   bool isHigh(const Demand& demand) const { return demand.rise > body_.step + kSkin; }
@@ -147,7 +206,9 @@ class Walks {
 
   const Level& level_;
   const Body& body_;
+  std::vector<std::vector<Hindrance>> open_;  ///< by segment: what is high enough to walk through
   std::vector<std::vector<SectorId>> links_;
+  std::vector<std::vector<SectorId>> linksIfWide_;  ///< these, and those through narrow gaps
   std::vector<Hindrance> hindrances_;
   std::map<SectorId, std::vector<bool>> reached_;
 };
@@ -170,12 +231,12 @@ class HindranceFinder {
     const std::vector<bool> isVisited = walks.reachedFrom(level_.player->sector);
     for (const Hindrance& hindrance : walks.hindrances()) {
       const SectorId from = level_[hindrance.segment].sector;
-      // Who crouches climbs no more than who stands.
-      if (isCrouching && hindrance.kind == FindingKind::HighStep) continue;
+      // Who crouches climbs no more than who stands, and is as wide.
+      if (isCrouching && hindrance.kind != FindingKind::LowPassage) continue;
       if (!isVisited[from.index()]) continue;
       const std::vector<bool>& before = walks.reachedFrom(from);
       if (before[hindrance.next.index()] || told_.contains(hindrance.next)) continue;
-      const std::vector<SectorId> gained = missingIn(before, walks.reachedFrom(hindrance.next));
+      const std::vector<SectorId> gained = missingIn(before, walks.reachedBehind(hindrance));
       if (areaOf(gained) < kRoom) continue;
       told_.insert(gained.begin(), gained.end());
       report(hindrance, body, isCrouching);
@@ -206,6 +267,13 @@ class HindranceFinder {
                                 "{:.3g} m, and nothing else leads there",
                                 name, hindrance.demand.rise, body.step),
                     "make it lower, or make two of it");
+    else if (hindrance.kind == FindingKind::NarrowPassage)
+      findings_.add(
+          hindrance.kind, place,
+          fmt::format("the way to sector \"{}\" is {:.3g} m wide, the player {:.3g} m, and "
+                      "nothing else leads there",
+                      name, hindrance.width, 2 * body.radius),
+          "make it wider");
     else
       findings_.add(hindrance.kind, place,
                     fmt::format("the way to sector \"{}\" is {:.3g} m high, the player {:.3g} m{}, "
@@ -221,6 +289,21 @@ class HindranceFinder {
   std::set<SectorId> told_;  ///< sectors that a finding has spoken of
 };
 
+/// Less is mended by the step with which a walk begins.
+void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings) {
+  const Player& player = *linted.level().player;
+  const double floor = feetAt(linted.level(), player.sector, player.eye.xy());
+  const double depth = floor - (player.eye.z - body.eyeHeight);
+  if (depth <= body.step + kSkin) return;
+  findings.add(
+      FindingKind::SunkenPlayer, linted.source.level.player->place,
+      fmt::format("the player's feet are {:.3g} m below the floor: \"z\" is his eye's, not "
+                  "theirs",
+                  depth),
+      fmt::format("write \"z\": {:.6g}, which is {:.3g} m above the floor", floor + body.eyeHeight,
+                  body.eyeHeight));
+}
+
 }  // namespace
 
 void findImpassable(const LintedLevel& linted, Findings& findings) {
@@ -228,6 +311,10 @@ void findImpassable(const LintedLevel& linted, Findings& findings) {
   HindranceFinder finder(linted, findings);
   for (const bool isCrouching : {false, true})
     finder.look(bodyOf(linted.level(), isCrouching ? 1 : 0), isCrouching);
+}
+
+void findSunkenPlayer(const LintedLevel& linted, Findings& findings) {
+  if (linted.level().player) lookAtFeet(linted, bodyOf(linted.level(), 0), findings);
 }
 
 }  // namespace hearth

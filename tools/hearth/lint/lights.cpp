@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "hearth/lint/described.h"
@@ -19,6 +20,10 @@ constexpr double kCoarser = 8;
 /// By which lights are multiplied for the bake that is looked at, so that lightmaps, which end at
 /// full brightness, have up to four times as much.
 constexpr double kDimmed = 0.25;
+
+/// Levels. What brings no surface more than that is hardly seen, and was meant to be: its author
+/// took an intensity of 1 for full light, which is 255.
+constexpr double kWeak = 4;
 
 /// Levels. Up to 255 all light shows, and somewhat more does no harm: full brightness is a texture
 /// as it is. From twice as much on nothing is left of what light was to model.
@@ -43,6 +48,14 @@ std::vector<std::size_t> unseenOf(const Level& level, const std::vector<std::siz
   for (std::size_t i = 0; i < lights.size(); ++i)
     if (baked.lightCosts[i].seenSamples == 0) unseen.push_back(lights[i]);
   return unseen;
+}
+
+/// Likewise, with a coarse bake first, in which most of them are seen.
+std::vector<std::size_t> dimOf(const Level& level, const std::vector<std::size_t>& lights,
+                               const BakeSettings& settings, int threads) {
+  BakeSettings coarse = settings;
+  coarse.texel *= kCoarser;
+  return unseenOf(level, unseenOf(level, lights, coarse, threads), settings, threads);
 }
 
 /// Of the texels of a surface that lie on it, those that `isSuch(i, j)`.
@@ -228,20 +241,25 @@ Level dimmed(Level level) {
 void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
                        Findings& findings) {
   const Level& level = linted.level();
-  std::vector<std::size_t> shining;
-  std::vector<std::size_t> useless;
-  for (std::size_t i = 0; i < level.lights.size(); ++i)
-    (level.lights[i].reach(0) > 0 ? shining : useless).push_back(i);
-  BakeSettings coarse = settings;
-  coarse.texel *= kCoarser;
-  const std::vector<std::size_t> doubtful = unseenOf(level, shining, coarse, threads);
-  const std::vector<std::size_t> unseen = unseenOf(level, doubtful, settings, threads);
-  useless.insert(useless.end(), unseen.begin(), unseen.end());
-  for (const std::size_t light : useless)
-    findings.add(FindingKind::UselessLight, linted.source.lights.lights[light].place,
-                 fmt::format("the light in sector \"{}\" reaches no surface",
-                             level[level.lights[light].sector].name),
-                 "raise its intensity, move it or remove it");
+  std::vector<std::size_t> all(level.lights.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  BakeSettings strong = settings;
+  strong.cutOff = std::max(settings.cutOff, kWeak);
+  const std::vector<std::size_t> dim = dimOf(level, all, strong, threads);
+  const std::vector<std::size_t> useless = dimOf(level, dim, settings, threads);
+  for (const std::size_t light : dim) {
+    const bool isUseless = std::ranges::binary_search(useless, light);
+    const std::string& sector = level[level.lights[light].sector].name;
+    findings.add(
+        isUseless ? FindingKind::UselessLight : FindingKind::WeakLight,
+        linted.source.lights.lights[light].place,
+        isUseless ? fmt::format("the light in sector \"{}\" reaches no surface", sector)
+                  : fmt::format("the light in sector \"{}\" brings no surface more than {} of 255 "
+                                "levels",
+                                sector, kWeak),
+        isUseless ? "raise its intensity, move it or remove it"
+                  : "raise its \"intensity\", of which 255 is full light");
+  }
 }
 
 void findBadlyLit(const LintedLevel& linted, const BakedLight& light, Findings& findings) {

@@ -26,15 +26,18 @@ void findNearMisses(const LintedLevel& linted, Findings& findings);
 void findTextureJumps(const LintedLevel& linted, Findings& findings);
 /// Textures of steps that show nowhere.
 void findUnseenTextures(const LintedLevel& linted, Findings& findings);
-/// Steps that the player just cannot climb, and ways that are just too low for him.
+/// Steps that the player just cannot climb, and ways that are just too low or narrow for him.
 void findImpassable(const LintedLevel& linted, Findings& findings);
+/// A player who begins with his feet below the floor.
+void findSunkenPlayer(const LintedLevel& linted, Findings& findings);
 
 // What needs one.
 
 /// The level with a part of its light, so that lightmaps do not end where more cannot be shown.
 Level dimmed(Level level);
 
-/// Lights that no surface sees. `settings` are those of the bake.
+/// Lights that no surface sees, and those that bring next to nothing. `settings` are those of the
+/// bake.
 void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
                        Findings& findings);
 /// Surfaces that are black, and those that are far brighter than can be shown. `light` is that of
