@@ -111,9 +111,26 @@ void readSectors(Report& report, JsonValue value, const LoadLimits& limits,
                                        child.value, budget));
 }
 
+/// A level names its lights, if it does, and has sectors.
+bool isLightsFile(JsonValue root) {
+  bool hasLights = false;
+  bool hasSectors = false;
+  if (root.isObject())
+    for (const JsonValue::Member& member : root.members()) {
+      hasLights |= member.key.text() == "lights" && member.value.isArray();
+      hasSectors |= member.key.text() == "sectors";
+    }
+  return hasLights && !hasSectors;
+}
+
 }  // namespace
 
 LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& limits) {
+  if (isLightsFile(root)) {
+    report.error(root.place(), "a lights file instead of a level",
+                 "name the level that it belongs to");
+    return {};
+  }
   const Fields fields(report, root, kLevelKeys);
   LevelDescription level;
   level.place = root.place();

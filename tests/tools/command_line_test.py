@@ -179,6 +179,13 @@ class Mistakes(InFolder):
         self.refuse(run("bake", self.level, "-o", self.folder / "out.jpg"), r"-o: .*\.bake.*\.png")
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_a_lights_file_for_the_level(self):
+        lights = SOURCE / "levels/tutorial.lights.json"
+        result = run("lint", lights)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(result.stderr, f"{lights}:1:1: error: a lights file instead of a level, "
+                                        "name the level that it belongs to\n")
+
     def test_a_mistyped_command(self):
         self.refuse(run("shoot", self.level), 'no command "shoot".*walk, shot, bake, check, lint, info')
         self.refuse(run(), "name a command")
@@ -855,8 +862,8 @@ class Map(InFolder):
 
     def plan(self, level):
         out = self.folder / "plan.svg"
-        result = run("map", level, "-o", out)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        result = run("map", level, "-o", out, "--quiet")
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
         return xml.etree.ElementTree.parse(out).getroot()
 
     def titles(self, plan):
@@ -898,6 +905,12 @@ class Map(InFolder):
         names = [text.text for text in plan.iter(self.SVG + "text")]
         self.assertTrue({"courtyard", "lake"} <= set(names))
         self.assertNotIn("end-1", names)  # of the far shore
+
+    def test_says_what_it_wrote(self):
+        out = self.folder / "plan.svg"
+        for options, said in ([], f"{out} written\n"), (["--quiet"], ""):
+            result = run("map", self.level, "-o", out, *options)
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", said))
 
     def test_is_written_as_svg_or_not_at_all(self):
         result = run("map", self.level, "-o", self.folder / "plan.png")
@@ -991,6 +1004,8 @@ class Lint(InFolder):
     def test_finds_nothing_in_a_new_level(self):
         run("new", self.folder / "castle")
         result = self.lint(self.folder / "castle.json")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", "no findings\n"))
+        result = run("lint", self.folder / "castle.json", "--no-cache", "--quiet")
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
 
     def test_prints_a_line_for_each_mistake_as_the_loader_does(self):
@@ -1056,6 +1071,15 @@ class Lint(InFolder):
 
 
 class Help(unittest.TestCase):
+    def test_of_the_script_that_builds_and_walks_is_its_own(self):
+        script = SOURCE / "tools/run"
+        result = subprocess.run([script, "--help"], capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(result.stdout.startswith("usage: tools/run [LEVEL]\n"), result.stdout)
+        result = subprocess.run([script, "--frobnicate"], capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertTrue(result.stderr.startswith("tools/run: takes one level; "), result.stderr)
+
     def test_is_no_mistake_and_lists_the_commands(self):
         result = run("--help")
         self.assertEqual(result.returncode, 0)

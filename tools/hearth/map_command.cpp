@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <filesystem>
 
 #include "hearth/command.h"
@@ -20,7 +23,9 @@ ExitStatus run(const OptionValues& values) {
     stream << plan;
     return stream.good();
   });
-  return written ? ExitStatus::Done : fail(written.error());
+  if (!written) return fail(written.error());
+  if (!values.has(Option::Quiet)) fmt::print(stderr, "{} written\n", output);
+  return ExitStatus::Done;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "hearth/command.h"
 #include "hearth/lint/lint.h"
 #include "hearth/session.h"
@@ -40,6 +42,7 @@ ExitStatus run(const OptionValues& values) {
   const std::vector<Diagnostic> ofLight = lintLight(linted, *light, *settings, threadsFrom(values));
   print(ofLight);
   const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
+  if (isClean && !values.has(Option::Quiet)) fmt::print(stderr, "no findings\n");
   return isClean ? ExitStatus::Done : ExitStatus::Differs;
 }
 
