@@ -169,11 +169,15 @@ class TwinChecker {
                     "opposite way, from ({}, {}) to ({}, {})",
                     linking_.level[target].name, segment.p0.x, segment.p0.y, segment.p1.x,
                     segment.p1.y),
-        adviceOn(segment, target));
+        adviceOn(id, target));
   }
 
-  std::string adviceOn(const Segment& segment, SectorId target) {
+  std::string adviceOn(SegmentId id, SectorId target) {
     if (linking_.report.isFull()) return "";
+    const Segment& segment = linking_.level[id];
+    const Edge& edge = linking_.outlines.edges[linking_.edgeOf[id.index()]];
+    if (linking_.outlines.sectors[edge.sector].loops[edge.loop].isTurned)
+      return "list the vertices of this loop the other way round first, it runs the wrong way";
     const std::vector<SectorId> behind = behind_.sectors(segment.sector, segment.p0, segment.p1);
     if (!behind.empty() && std::ranges::find(behind, target) == behind.end())
       return fmt::format("a wall of sector \"{}\" lies there, did you mean that?",

@@ -35,6 +35,7 @@ BEYOND_SCHEMAS = frozenset("""
     player_eye_above_the_body
     player_in_a_slope
     player_in_another_sector player_of_an_unknown_sector player_outside portal_misses_a_vertex
+    portal_of_a_turned_loop
     portal_off_the_wall portal_to_the_wrong_sector
     portal_to_the_wrong_side portal_two_millimetres_off sectors_of_one_name
     sectors_of_one_name_referred_to shot_above_the_ceiling shot_in_two_sectors shots_of_one_name
