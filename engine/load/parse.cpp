@@ -226,6 +226,7 @@ bool isOneOf(char c, std::string_view chars) { return chars.find(c) != std::stri
 
 /// The slip that most likely left something unexpected at `start`, by what stands before it.
 std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) const {
+  constexpr const char* kUnclear = "correct the JSON here or just before";
   const std::string& text = document_.text;
   const std::string_view rest = std::string_view(text).substr(start);
   const std::size_t last =
@@ -236,15 +237,17 @@ std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) c
     return fmt::format(
         "what begins in line {} is closed in line {}: remove this, or a bracket before",
         lineOf(text, document_.nodes.front().offset), lineOf(text, last));
-  if (!rest.empty() && last != std::string::npos && depth_ > 0) {
-    const char end = message.ends_with("expected string literal") ? '}' : ']';
-    if (text[last] == ',' && (rest[0] == ',' || rest[0] == end))
-      return "remove the comma before it";
-    if (message.ends_with("expected ':'")) return "put a colon after the key";
-    if (!isOneOf(text[last], ",:[{") && !isOneOf(rest[0], "]},:"))
-      return "put a comma before it if one is missing";
-  }
-  return "correct the JSON here or just before";
+  if (last == std::string::npos || stack_.empty() || isSkipping()) return kUnclear;
+  const char next = rest.empty() ? '\0' : rest[0];
+  const char end = message.ends_with("expected string literal") ? '}' : ']';
+  if (text[last] == ',' && (next == ',' || next == end))
+    return "remove the comma before it, or this";
+  if (message.ends_with("expected ':'")) return "end the key with a quote and a colon";
+  if (isOneOf(text[last], ",:[{")) return kUnclear;
+  if (rest.empty() || isOneOf(next, "]}"))
+    return fmt::format("close what begins in line {} first",
+                       lineOf(text, document_.nodes[stack_.back().node].offset));
+  return isOneOf(next, ",:") ? kUnclear : "put a comma before it if one is missing";
 }
 
 bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json::exception& error) {

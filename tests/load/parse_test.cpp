@@ -106,8 +106,8 @@ TEST(Parse, placesAnUnexpectedCommaOrColonAtItself) {
 TEST(Parse, placesAnUnexpectedEndAtTheEnd) {
   EXPECT_EQ(
       onlyMessage(parsed("{\"a\": [1, 2\n")),
-      "f:2:1: error: not valid JSON: unexpected end of input; expected ']', at /a, correct the "
-      "JSON here or just before");
+      "f:2:1: error: not valid JSON: unexpected end of input; expected ']', at /a, close what "
+      "begins in line 1 first");
 }
 
 TEST(Parse, refusesAZeroByteWhereverItStands) {
