@@ -1,18 +1,8 @@
 #include "level/middles.h"
 
-#include <cmath>
+#include "math/wrapped.h"
 
 namespace hearth {
-
-namespace {
-
-/// The texel of an image that repeats, `size` texels long.
-int repeated(double texel, int size) {
-  const double rest = std::fmod(std::floor(texel), size);
-  return static_cast<int>(rest < 0 ? rest + size : rest);
-}
-
-}  // namespace
 
 bool isSolidAt(const Level& level, const Surface& middle, Vec3 point) {
   const TextureMapping& mapping = middle.mapping;
@@ -24,7 +14,7 @@ bool isSolidAt(const Level& level, const Surface& middle, Vec3 point) {
   const double u = holes.width() * s / mapping.repeat.x - mapping.offsetTexels.x;
   const double v =
       holes.height() * (*mapping.zRef - point.z) / mapping.repeat.y - mapping.offsetTexels.y;
-  return !holes.at(repeated(u, holes.width()), repeated(v, holes.height()));
+  return !holes.at(wrapped(u, holes.width()), wrapped(v, holes.height()));
 }
 
 }  // namespace hearth

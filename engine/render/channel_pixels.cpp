@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "math/wrapped.h"
 #include "render/renderer.h"
 
 namespace hearth {
@@ -49,12 +50,8 @@ Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double meas
 }
 
 bool isHole(const SpanMapping& mapping, double measure, const Texture& image) {
-  const auto repeated = [](double x, int size) {
-    const double whole = std::floor(x);
-    return static_cast<int>(whole - size * std::floor(whole / size));
-  };
-  const int x = repeated(mapping.u.at(measure), image.width());
-  const int y = repeated(mapping.v.at(measure), image.height());
+  const int x = wrapped(mapping.u.at(measure), image.width());
+  const int y = wrapped(mapping.v.at(measure), image.height());
   return (image.texels()[x * image.height() + y] & kHoleBit) != 0;
 }
 

@@ -6,16 +6,11 @@
 #include "level/locate.h"
 #include "math/check.h"
 #include "math/trig.h"
+#include "math/wrapped.h"
 
 namespace hearth {
 
 namespace {
-
-/// floor(x) mod size, in 0 .. size - 1.
-int wrapped(double x, int size) {
-  const double rest = std::fmod(std::floor(x), size);  // exact, and of the sign of x
-  return static_cast<int>(rest < 0 ? rest + size : rest);
-}
 
 std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::floor(value + 0.5)); }
 

@@ -1,11 +1,11 @@
 #include "truth/wall_hit.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "math/check.h"
 #include "math/tolerance.h"
 #include "math/trig.h"
+#include "math/wrapped.h"
 
 namespace hearth {
 
@@ -170,15 +170,14 @@ class Meeting {
     if (mapping.texture.index() >= level_.holes.size()) return false;
     const TexelHoles& holes = level_.holes[mapping.texture.index()];
     const auto texel = [](double metres, double repeat, int size, double offset) {
-      const double at = size * metres / repeat - offset;
-      return static_cast<int>(std::floor(at - size * std::floor(at / size)));
+      return wrapped(size * metres / repeat - offset, size);
     };
     if (holes.all().empty()) return false;
     const int x =
         texel(found.imageMetres.x, mapping.repeat.x, holes.width(), mapping.offsetTexels.x);
     const int y =
         texel(found.imageMetres.y, mapping.repeat.y, holes.height(), mapping.offsetTexels.y);
-    return holes.at(std::min(x, holes.width() - 1), std::min(y, holes.height() - 1));
+    return holes.at(x, y);
   }
 
   TruthHit hit(SurfaceKind kind, const std::optional<TextureMapping>& texture, double zRef) const {
