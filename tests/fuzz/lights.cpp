@@ -1,24 +1,13 @@
 // Bytes of a fuzzer as a lights file of one level: each is refused with a message at its place, or
 // is light that can be baked.
 
-#include <iterator>
-
 #include "fuzzed_level.h"
 #include "scratch_folder.h"
 
-namespace {
-
-std::string textOf(const char* file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const hearth::fuzz::ScratchFolder folder;
-  static const auto level =
-      folder.write("level.json", textOf(HEARTH_SOURCE_DIR "/tests/levels/rooms.json"));
+  static const auto level = folder.write(
+      "level.json", hearth::fuzz::bytesOf(HEARTH_SOURCE_DIR "/tests/levels/rooms.json"));
   (void)folder.write("level.lights.json", hearth::fuzz::asText(data, size));
   const hearth::LoadResult result = hearth::loadLevel(level);
   hearth::fuzz::expectSaid(result);

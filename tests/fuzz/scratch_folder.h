@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
 #include <string_view>
 
 namespace hearth::fuzz {
@@ -30,6 +32,11 @@ class ScratchFolder {
   std::filesystem::path path_ =
       std::filesystem::temp_directory_path() / fmt::format("hearth-fuzz-{}", ::getpid());
 };
+
+inline std::string bytesOf(const char* file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 inline std::string_view asText(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
