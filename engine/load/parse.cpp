@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "load/indentation.h"
+
 namespace hearth {
 
 namespace {
@@ -90,6 +92,7 @@ class TreeBuilder {
   std::uint32_t addText(const std::string& value);
   void reportDuplicates(const Open& object);
   std::string adviceAt(std::size_t start, std::string_view message) const;
+  bool reportSlip(std::size_t start, std::string_view message);
   void finishValue() {
     skipNext_ = false;
     cursor_ = consumed_;
@@ -243,11 +246,39 @@ std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) c
   if (text[last] == ',' && (next == ',' || next == end))
     return "remove the comma before it, or this";
   if (message.ends_with("expected ':'")) return "end the key with a quote and a colon";
+  if (next == '{' && end == '}') return "write a key before it, or '[' where a list begins";
   if (isOneOf(text[last], ",:[{")) return kUnclear;
-  if (rest.empty() || isOneOf(next, "]}"))
+  const bool isKey = next == ':' && document_.nodes[stack_.back().node].kind == JsonKind::Array;
+  if (rest.empty() || isKey || isOneOf(next, "]}"))
     return fmt::format("close what begins in line {} first",
                        lineOf(text, document_.nodes[stack_.back().node].offset));
   return isOneOf(next, ",:") ? kUnclear : "put a comma before it if one is missing";
+}
+
+/// Brackets that do not match are often noticed far behind the slip, but authors indent.
+bool TreeBuilder::reportSlip(std::size_t start, std::string_view message) {
+  const std::string_view text = document_.text;
+  const bool isOfBrackets = start == text.size() || isOneOf(text[start], "]}") ||
+                            message.ends_with("expected end of input");
+  if (!isOfBrackets) return false;
+  const auto slip = findIndentationSlip(text.substr(0, start + 1));
+  if (!slip) return false;
+  const std::ptrdiff_t line = lineOf(document_.text, slip->bracket);
+  const char bracket = text[slip->bracket];
+  const Place place{documentIndex_, static_cast<std::uint32_t>(slip->line)};
+  if (slip->isOpen)
+    report_.error(place,
+                  fmt::format("not valid JSON: by its indentation this line is outside of what "
+                              "begins with '{}' in line {}, and that is still open",
+                              bracket, line),
+                  "close that before this line");
+  else
+    report_.error(place,
+                  fmt::format("not valid JSON: by its indentation this line is inside of what the "
+                              "'{}' of line {} has closed",
+                              bracket, line),
+                  fmt::format("remove that '{}'", bracket));
+  return true;
 }
 
 bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json::exception& error) {
@@ -262,7 +293,7 @@ bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json:
     return false;
   }
   const std::string message = grammarMessage(error.what());
-  report_.error(place, message, adviceAt(start, message));
+  if (!reportSlip(start, message)) report_.error(place, message, adviceAt(start, message));
   return false;
 }
 
