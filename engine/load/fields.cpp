@@ -150,7 +150,8 @@ Fields::Fields(Report& report, JsonValue value, std::span<const std::string_view
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const bool isMisplaced = std::ranges::find(misplaced.keys, key) != misplaced.keys.end();
     report.error(member.key.place(), fmt::format("unknown key \"{}\"", key),
-                 isMisplaced ? std::string(misplaced.advice) : suggest(key, known, "remove it"));
+                 isMisplaced ? fmt::format(fmt::runtime(misplaced.advice), key)
+                             : suggest(key, known, "remove it"));
     if (isMisplaced) continue;
     if (const auto slip = nearestName(key, known)) slips_.push_back(*slip);
   }

@@ -42,7 +42,7 @@ void reportWrongType(Report& report, JsonValue value, std::string_view wanted);
 /// Unknown keys of an object that belong elsewhere.
 struct MisplacedKeys {
   std::span<const std::string_view> keys;
-  std::string_view advice;
+  std::string_view advice;  ///< as a format, of the key
 };
 
 /// The members of an object, by key.

@@ -179,15 +179,33 @@ class TwinChecker {
     if (linking_.outlines.sectors[edge.sector].loops[edge.loop].isTurned)
       return "list the vertices of this loop the other way round first, it runs the wrong way";
     const std::vector<SectorId> behind = behind_.sectors(segment.sector, segment.p0, segment.p1);
+    if (const auto meant = ledBackTo(segment.sector, target)) {
+      const Edge& led = linking_.outlines.edges[linking_.edgeOf[meant->index()]];
+      return fmt::format(
+          "that sector leads back to wall {} of loop \"{}\": give that one the \"next\"", led.wall,
+          linking_.describedLoop(led).name);
+    }
     if (!behind.empty() && std::ranges::find(behind, target) == behind.end())
       return fmt::format("a wall of sector \"{}\" lies there, did you mean that?",
                          linking_.level[behind.front()].name);
-    if (const auto missed = missedPoint(linking_.outlines, target, segment.p0, segment.p1))
+    const Vec2 from = linking_.outlines.from(edge);
+    const Vec2 to = linking_.outlines.to(edge);
+    if (const auto missed = missedPoint(linking_.outlines, target, from, to))
       return fmt::format(
           "give both sectors the same points there: the vertex ({}, {}) misses "
           "({}, {}) by {:.2g} m",
           missed->vertex.x, missed->vertex.y, missed->point.x, missed->point.y, missed->distance);
     return "give both sectors the same points there, to within 1 mm";
+  }
+
+  /// A segment of `sector` that `target` leads back to, and that leads nowhere itself.
+  std::optional<SegmentId> ledBackTo(SectorId sector, SectorId target) const {
+    for (const Segment& leading : linking_.level.segmentsOf(linking_.level[target])) {
+      if (!std::ranges::binary_search(targetsOf(leading.kind), sector)) continue;
+      const std::optional<SegmentId> led = twins_.find(leading, sector);
+      if (led && targetsOf(linking_.level[*led].kind).empty()) return led;
+    }
+    return std::nullopt;
   }
 
   Linking& linking_;

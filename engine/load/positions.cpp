@@ -152,6 +152,12 @@ Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const 
     if (distance < best) nearest = &candidate, best = distance;
   }
   if (!nearest) return {fmt::format("{} lies {}", text(p), where), "move it"};
+  if (contains(level_, *nearest, p.xy()))
+    return {
+        fmt::format("{} lies {}; it is {:.6g} m {} sector \"{}\"", text(p), where, best,
+                    p.z > nearest->airTop(p.xy()) ? "above the ceiling of" : "below the floor of",
+                    nearest->name),
+        "correct its z"};
   return {fmt::format("{} lies {}; the nearest is \"{}\", {:.6g} m away", text(p), where,
                       nearest->name, best),
           "move it inside a sector"};

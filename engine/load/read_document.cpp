@@ -1,5 +1,7 @@
 #include "load/read_document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -11,9 +13,15 @@ namespace hearth {
 
 namespace {
 
-std::string_view adviceOn(ReadFault fault) {
+std::string adviceOn(ReadFault fault, std::filesystem::path path) {
   switch (fault) {
-    case ReadFault::Missing:
+    case ReadFault::Missing: {
+      path += ".json";
+      std::error_code ignored;
+      if (std::filesystem::exists(path, ignored))
+        return fmt::format("did you mean {}?", path.string());
+      return "name a JSON file";
+    }
     case ReadFault::NotRegular:
       return "name a JSON file";
     case ReadFault::TooLong:
@@ -34,7 +42,7 @@ bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, D
   constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // places are offsets of 32 bits
   auto text = readFile(path, std::min(limits.fileBytes, kMostPlaces));
   if (!text) {
-    report.error({documentIndex, 0}, text.error().what, std::string(adviceOn(text.error().fault)));
+    report.error({documentIndex, 0}, text.error().what, adviceOn(text.error().fault, path));
     return false;
   }
   document.text = std::move(*text);

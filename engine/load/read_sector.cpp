@@ -136,9 +136,11 @@ bool take(Report& report, JsonValue value, std::size_t vertices, VertexBudget& b
 void readVertices(Report& report, JsonValue value, LoopDescription& loop, VertexBudget& budget) {
   if (!value.isArray()) return reportWrongType(report, value, "an array x0,y0, x1,y1, ...");
   const std::size_t count = value.size();
-  if (count > 0 && value.front().isArray()) {
-    report.error(value.front().place(), "an array for each vertex instead of one flat list",
-                 "leave out the inner brackets: x0,y0, x1,y1, ...");
+  if (count > 0 && (value.front().isArray() || value.front().isObject())) {
+    report.error(value.front().place(),
+                 fmt::format("an {} for each vertex instead of one flat list",
+                             value.front().isArray() ? "array" : "object"),
+                 "write the numbers alone: x0,y0, x1,y1, ...");
     return;
   }
   if (count % 2 != 0) {

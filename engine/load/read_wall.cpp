@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 7> kSubWallKeys{"texture", "next",  "uppe
 constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "middle"};
 
 constexpr MisplacedKeys kOfTextures{
-    kTextureKeys, "give it to a texture: { \"texture\": { \"name\": .., \"along\": .. } }"};
+    kTextureKeys, "give it to a texture: {{ \"texture\": {{ .., \"{}\": .. }} }}"};
 
 /// Reads the texture under `key` into `target`; false after a mistake.
 bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,

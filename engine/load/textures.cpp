@@ -77,15 +77,27 @@ class ImageFinder {
   std::vector<fs::path> folders_;
 };
 
+/// What is no image, and was meant for a colour.
+std::optional<std::string> adviceOnColor(const std::string& name) {
+  constexpr std::array<std::string_view, 14> kNames{"black",  "blue", "brown",   "cyan",   "gray",
+                                                    "green",  "grey", "magenta", "orange", "pink",
+                                                    "purple", "red",  "white",   "yellow"};
+  if (parseColor("#" + name)) return fmt::format("did you mean \"#{}\"?", name);
+  if (std::ranges::find(kNames, name) == kNames.end()) return std::nullopt;
+  return "write a colour as \"#rrggbb\"";
+}
+
 std::string adviceOn(const std::string& name, const ImageFinder& finder) {
   const bool isFileName = hasKnownExtension(name);
   const std::string stem = isFileName ? fs::path(name).stem().string() : name;
   if (finder.find(stem)) return fmt::format("leave out the extension: \"{}\"", stem);
   const std::vector<std::string> known = finder.known();
   const std::vector<std::string_view> views(known.begin(), known.end());
+  if (!nearestName(stem, views))
+    if (const auto color = adviceOnColor(name)) return *color;
   return suggest(stem, views,
-                 fmt::format("{}put it into {}", isFileName ? "leave out the extension, and " : "",
-                             finder.searched()));
+                 fmt::format("{}give the folder of the images as \"textures\", or put it into {}",
+                             isFileName ? "leave out the extension, and " : "", finder.searched()));
 }
 
 void reportMissing(Report& report, const NameReference& name, const ImageFinder& finder) {

@@ -95,6 +95,7 @@ class SectorChecker {
   void failForArea(const OutlineLoop& loop);
   void findTouches();
   void findTouchesOf(const Edge& incoming, std::uint32_t vertex, double noise);
+  std::string adviceOnTouch(const OutlineLoop& loop, std::uint32_t vertex, const Edge& other) const;
   void reportSelfTouch(const OutlineLoop& loop, std::uint32_t vertex, const Edge& other,
                        std::uint32_t nearEnd);
   void findCrossings();
@@ -124,7 +125,12 @@ void SectorChecker::checkShape(const OutlineLoop& loop) {
   for (std::uint32_t i = 0; i < loop.edgeCount; ++i) {
     const Edge& wall = outlines_.edges[loop.firstEdge + i];
     if (outlines_.length(wall) < kShortestWall) {
-      const std::uint32_t second = loop.firstVertex + (wall.wall + 1) % loop.edgeCount;
+      if (wall.wall + 1 == loop.edgeCount)
+        return fail(
+            placeOf(loop, loop.firstVertex + wall.wall),
+            fmt::format("{} repeats the first", vertexName(loop, loop.firstVertex + wall.wall)),
+            "remove it: the last wall of a loop leads back to its first vertex");
+      const std::uint32_t second = loop.firstVertex + wall.wall + 1;
       return fail(placeOf(loop, second),
                   fmt::format("{} repeats the one before it", vertexName(loop, second)),
                   fmt::format("remove it, or move it at least {} m away", kShortestWall));
@@ -205,6 +211,17 @@ void SectorChecker::findTouchesOf(const Edge& incoming, std::uint32_t vertex, do
   }
 }
 
+/// Of a vertex on the wall before the one that leads to it.
+std::string SectorChecker::adviceOnTouch(const OutlineLoop& loop, std::uint32_t vertex,
+                                         const Edge& other) const {
+  const std::uint32_t here = vertex - loop.firstVertex;
+  const std::uint32_t before = (here + loop.edgeCount - 1) % loop.edgeCount;
+  const bool turnsBack = (other.wall + 1) % loop.edgeCount == before;
+  if (!turnsBack) return "move it off that wall, or cut the loop in two";
+  return fmt::format("move it off that wall, or swap it with vertex {}: the loop turns back there",
+                     before);
+}
+
 void SectorChecker::reportSelfTouch(const OutlineLoop& loop, std::uint32_t vertex,
                                     const Edge& other, std::uint32_t nearEnd) {
   const Vec2 p = outlines_.points[vertex];
@@ -212,7 +229,7 @@ void SectorChecker::reportSelfTouch(const OutlineLoop& loop, std::uint32_t verte
     return fail(
         placeOf(loop, vertex),
         fmt::format("{} lies on wall {} of its own loop", vertexName(loop, vertex), other.wall),
-        "move it off that wall, or cut the loop in two");
+        adviceOnTouch(loop, vertex, other));
   const auto [first, second] = std::minmax(vertex, nearEnd);
   if (repeats_.insert({first, second}).second)
     fail(placeOf(loop, second),
@@ -351,11 +368,13 @@ void SectorChecker::checkArea() {
 void SectorChecker::warnOfDirection(const OutlineLoop& loop) const {
   const LoopDescription& turned = described(loop);
   const bool isBorder = &loop == &sector_.loops[0];
-  report_.warning(turned.place,
-                  fmt::format("loop \"{}\" runs the wrong way and is turned round", turned.name),
-                  fmt::format("list the vertices of a {} on a map with y down",
-                              isBorder ? "border clockwise" : "hole counter-clockwise"),
-                  "turned-loop");
+  const bool hasWalls = turned.walls.size() > 1;
+  report_.warning(
+      turned.place, fmt::format("loop \"{}\" runs the wrong way and is turned round", turned.name),
+      fmt::format("list the vertices of a {} on a map with y down{}",
+                  isBorder ? "border clockwise" : "hole counter-clockwise",
+                  hasWalls ? ", and all walls but the last the other way round, too" : ""),
+      "turned-loop");
 }
 
 }  // namespace

@@ -21,32 +21,29 @@ SOURCE = Path()
 # Files of tests/load/bad with a mistake that no schema can tell, as it lies in how parts fit
 # together, in geometry, in other files or in what a JSON parser makes of the text.
 BEYOND_SCHEMAS = frozenset("""
-    bake_samples ceiling_below_floor closed_door_without_texture flat_missing
-    flat_portal_ring flat_without_texture interface_areas_differ interface_heights_differ
-    interface_members_overlap interface_members_overlap_by_a_corner interface_unknown_sector
-    interface_without_lower_side json_duplicate_key json_duplicate_sector light_above_a_ceiling
-    light_curve_falls light_in_another_sector light_in_two_sectors light_outside lights_file_missing
+    bake_samples ceiling_below_floor closed_door_without_texture flat_missing flat_portal_ring
+    flat_without_texture interface_areas_differ interface_heights_differ interface_members_overlap
+    interface_members_overlap_by_a_corner interface_unknown_sector interface_without_lower_side
+    json_duplicate_key json_duplicate_sector light_above_a_ceiling light_curve_falls
+    light_in_another_sector light_in_two_sectors light_outside lights_file_missing loop_closed_twice
     loop_crosses_itself loop_is_a_bow_tie loop_is_hardly_wider_than_noise loop_leaves_the_border
     loop_leaves_the_border_where_it_touches loop_odd_coordinates loop_repeats_a_vertex
     loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_too_many_walls loop_touches_itself
-    loop_without_area
-    loops_are_equal loops_cross loops_leave_no_area loops_nest loops_nest_where_they_touch
-    loops_of_one_name next_unknown_but_there next_unknown_far next_unknown_near next_unknown_near_its_own
-    player_eye_above_the_body
-    player_in_a_slope
-    player_in_another_sector player_of_an_unknown_sector player_outside portal_misses_a_vertex
-    portal_of_a_turned_loop
-    portal_off_the_wall portal_to_the_wrong_sector
-    portal_to_the_wrong_side portal_two_millimetres_off sectors_of_one_name
-    sectors_of_one_name_referred_to shot_above_the_ceiling shot_in_two_sectors shots_of_one_name
-    sidewall_without_texture sky_without_texture slope_in_line slope_in_line_of_three slope_is_no_plane
+    loop_without_area loops_are_equal loops_cross loops_leave_no_area loops_nest
+    loops_nest_where_they_touch loops_of_one_name next_unknown_but_there next_unknown_far
+    next_unknown_near next_unknown_near_its_own player_eye_above_the_body player_in_a_slope
+    player_in_another_sector player_of_an_unknown_sector player_outside
+    portal_five_centimetres_off_along_the_wall portal_misses_a_vertex portal_of_a_turned_loop
+    portal_off_the_wall portal_on_the_wrong_wall portal_to_the_wrong_sector portal_to_the_wrong_side
+    portal_two_millimetres_off sectors_of_one_name sectors_of_one_name_referred_to
+    shot_above_the_ceiling shot_in_two_sectors shots_of_one_name sidewall_without_texture
+    sky_without_texture slope_in_line slope_in_line_of_three slope_is_no_plane
     slope_null_below_the_floor slope_of_three_heights slope_passes_the_ceiling slopes_pass_each_other
     stack_z_above_the_ceiling stack_z_does_not_rise stack_z_missing stack_z_on_the_last
     step_down_without_texture step_in_a_stack_without_texture step_up_without_texture
-    texture_broken_image texture_missing_far texture_missing_near texture_missing_twice
-    texture_of_2_to_the_31_pixels
-    texture_scale_zero texture_too_large texture_with_extension texture_with_extension_misspelled
-    textures_folder_missing
+    texture_broken_image texture_meant_for_a_colour texture_missing_far texture_missing_near
+    texture_missing_twice texture_of_2_to_the_31_pixels texture_scale_zero texture_too_large
+    texture_with_extension texture_with_extension_misspelled textures_folder_missing
 """.split())
 
 

@@ -338,12 +338,14 @@ class Bake(InFolder):
     def test_of_no_light_is_done_and_warned_of(self):
         dark = self.folder / "dark.json"
         dark.write_text((SOURCE / "tests/levels/rooms.json").read_text())
-        for light in ["", '{"x": 2, "y": 3, "z": 2, "intensity": 0}',
-                      '{"x": 2, "y": 3, "z": 2, "curve": [[0, 255], [0.001, 0]]}']:
+        reaches = "warning: no light reaches any surface"
+        for light, warning in [("", "warning: no lights are given"),
+                               ('{"x": 2, "y": 3, "z": 2, "intensity": 0}', reaches),
+                               ('{"x": 2, "y": 3, "z": 2, "curve": [[0, 255], [0.001, 0]]}', reaches)]:
             (self.folder / "dark.lights.json").write_text(f"[{light}]")
             result = run("bake", dark)
             self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn("warning: no light reaches any surface", result.stderr)
+            self.assertIn(warning, result.stderr)
 
     def test_takes_samples_as_needed(self):
         result = run("bake", self.level, "--samples", "auto")

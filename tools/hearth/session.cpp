@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include "hearth/bake_cache.h"
 #include "hearth/bake_file.h"
@@ -15,8 +16,11 @@ namespace hearth {
 
 namespace {
 
-void warnIfDark(const BakedLight& light, const OptionValues& values) {
-  if (const auto warning = warningIfDark(light, values)) fmt::print(stderr, "{}\n", *warning);
+namespace fs = std::filesystem;
+
+void warnIfDark(const Level& level, const BakedLight& light, const OptionValues& values) {
+  if (const auto warning = warningIfDark(level, light, values))
+    fmt::print(stderr, "{}\n", *warning);
 }
 
 BakedLight cachedLight(const Level& level, const BakeSettings& settings,
@@ -24,7 +28,7 @@ BakedLight cachedLight(const Level& level, const BakeSettings& settings,
   const auto cache = values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
   if (cache) {
     if (auto light = cache->find(level, settings)) {
-      warnIfDark(*light, values);
+      warnIfDark(level, *light, values);
       return std::move(*light);
     }
   }
@@ -48,8 +52,15 @@ LoadLimits limitsFrom(const OptionValues& values) {
   return limits;
 }
 
-std::optional<std::string> warningIfDark(const BakedLight& light, const OptionValues& values) {
+std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
+                                         const OptionValues& values) {
   if (light.stats.litSurfaces > 0) return std::nullopt;
+  if (level.lights.empty())
+    return fmt::format(
+        "{}:1:1: warning: no lights are given, so only sector light shows, at /lights, give some "
+        "in "
+        "{}, or name another file of lights: \"lights\": ..",
+        values.level, fs::path(values.level).replace_extension(".lights.json").filename().string());
   return fmt::format(
       "{}:1:1: warning: no light reaches any surface, so only sector light shows, at /lights, add "
       "lights or raise their intensity",
@@ -95,7 +106,7 @@ Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValu
     return bake(level, settings, threads, &progress);
   }();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  warnIfDark(light, values);
+  warnIfDark(level, light, values);
   return Bake{std::move(light), settings, threads, seconds.count()};
 }
 

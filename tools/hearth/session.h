@@ -34,7 +34,8 @@ void tell(std::span<const Diagnostic> diagnostics);
 LoadLimits limitsFrom(const OptionValues& values);
 
 /// Of a level in which nothing is lit.
-std::optional<std::string> warningIfDark(const BakedLight& light, const OptionValues& values);
+std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
+                                         const OptionValues& values);
 
 /// What `--light` asks for.
 LightMode lightModeFrom(const OptionValues& values);

@@ -163,7 +163,7 @@ bool Workshop::showKept(const BakeCache& cache, const BakeSettings& settings) {
 std::shared_ptr<const LitLevel> Workshop::show(BakedLight light, bool isDraft) {
   LevelNews news;
   news.isDraft = isDraft;
-  if (const auto warning = warningIfDark(light, values_); warning && !isDraft)
+  if (const auto warning = warningIfDark(current_->level, light, values_); warning && !isDraft)
     news.warnings.push_back(*warning);
   const DrawSettings draw = [this] {
     const std::scoped_lock lock(mutex_);
