@@ -30,6 +30,13 @@ TEST(OneWayPortals, AreFoundOverThePartThatDoesNotLeadBack) {
             "the portal to sector \"room\" does not lead back from (6, 0) to (6, 2)");
 }
 
+TEST(OneWayPortals, ThatEndFiveCentimetresApartAreToldToEndInOnePoint) {
+  const std::string nearly = with(kHalfWayBack, "6,4, 6,2]", "6,4, 6,0.05]");
+  EXPECT_EQ(advicesOf(findOneWayPortals, nearly),
+            std::vector<std::string>{"let the portals of both sectors end in one point: (6, 0) "
+                                     "misses (6, 0.05) by 0.05 m"});
+}
+
 TEST(OneWayPortals, AreNoneWhereAllOfThemLeadBack) {
   const std::string mended = with(kHalfWayBack, "{'texture': '#707070'}", "{'next': 'hall'}");
   EXPECT_EQ(placesOf(findOneWayPortals, mended), Places{});

@@ -139,6 +139,30 @@ TEST(TextureJumps, OfARowOfWallsEndTogetherWithTheTexturesThatAreAdvised) {
   EXPECT_EQ(placesOf(findTextureJumps, rowOfWalls(advised[0], advised[1])), Places{});
 }
 
+/// A flight of three steps; on its south side the walls run from the last sector to the first.
+std::string flightOfSteps(const std::vector<std::string>& textures) {
+  const auto step = [&](int i, const std::string& east, const std::string& west) {
+    return fmt::format(
+        "'step-{0}': {{ 'floor': {{'z': {1:.1f}, 'texture': '#808080'}}, 'ceiling': {{'z': 3.2, "
+        "'texture': '#808080'}}, 'loops': {{'border': {{'v': [{0},0, {2},0, {2},4, {0},4], "
+        "'walls': [\n{{'texture': '#808080'}},\n{{{3}}},\n{{{4}}},\n{{{5}}}]}}}}}}",
+        i, 0.2 * i, i + 1, east, textures[static_cast<std::size_t>(i)], west);
+  };
+  const std::string wall = "'texture': '#707070'";
+  const std::string up = ", 'lower': '#606060'";
+  return withImages(fmt::format(
+      "{{ 'light': 0.5, 'textures': 'FOLDER', 'sectors': {{\n{},\n{},\n{}}}}}",
+      step(0, "'next': 'step-1'" + up, wall), step(1, "'next': 'step-2'" + up, "'next': 'step-0'"),
+      step(2, wall, "'next': 'step-1'")));
+}
+
+TEST(TextureJumps, OfAFlightOfStepsEndTogetherWhateverTheOrderOfItsSectors) {
+  const std::string brick = "'texture': 'brick 1.6,1.6'";
+  const std::vector<std::string> advised = advisedTextures(flightOfSteps({brick, brick, brick}));
+  ASSERT_EQ(advised.size(), 2U);
+  EXPECT_EQ(placesOf(findTextureJumps, flightOfSteps({advised[0], advised[1], brick})), Places{});
+}
+
 TEST(TextureJumps, AreAdvisedAWallOfTheirOwnWhereOneStandsForAll) {
   const std::string level = withImages(R"({ 'light': 0.5, 'textures': 'FOLDER', 'sectors': {
   'room': { 'floor': {'texture': '#808080'}, 'ceiling': {'z': 3.2, 'texture': '#808080'},

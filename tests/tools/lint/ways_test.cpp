@@ -166,6 +166,39 @@ TEST(LowPassages, AreNoneIntoWhatIsNoRoom) {
   EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, 1.7, 0.9)), Places{});
 }
 
+/// The hall, four steps of 0.3 m, 0.3 m deep, and a room of 4 x 4 m; what is between `heights`
+/// high.
+std::string hallAndStair(double rise, double headroom) {
+  const std::string solid = "{'texture': '#808080'}";
+  const std::string steps = "'upper': '#606060', 'lower': '#606060'";
+  std::vector<std::string> sectors{
+      sectorText("hall", "0,0, 4,0, 4,4, 0,4", 0, 4,
+                 fmt::format("[{0},\n{{'next': 'step-1', {1}}}, {0}, {0}]", solid, steps))};
+  for (int i = 1; i <= 4; ++i) {
+    const double x = 4 + 0.3 * (i - 1);
+    const std::string next = i == 4 ? "room" : fmt::format("step-{}", i + 1);
+    const std::string back = i == 1 ? "hall" : fmt::format("step-{}", i - 1);
+    sectors.push_back(
+        sectorText(fmt::format("step-{}", i), fmt::format("{0},0, {1},0, {1},4, {0},4", x, x + 0.3),
+                   rise * i, rise * i + headroom,
+                   fmt::format("[{0}, {{'next': '{2}', {1}}}, {0}, {{'next': '{3}', {1}}}]", solid,
+                               steps, next, back)));
+  }
+  sectors.push_back(
+      sectorText("room", "5.2,0, 9,0, 9,4, 5.2,4", rise * 5, rise * 5 + 4,
+                 fmt::format("[{0}, {0}, {0}, {{'next': 'step-4', {1}}}]", solid, steps)));
+  return withPlayer(sectors);
+}
+
+TEST(LowPassages, AreThoseOverAStair) {
+  EXPECT_EQ(placesOf(findImpassable, hallAndStair(0.2, 1.7)), (Places{kWay}));
+  EXPECT_EQ(placesOf(findImpassable, hallAndStair(0.2, 2.1)), Places{});
+}
+
+TEST(HighSteps, AreThoseOfAStairToldOnce) {
+  EXPECT_EQ(placesOf(findImpassable, hallAndStair(0.5, 4)), (Places{kStep}));
+}
+
 /// The hall and a room of 4 x 4 m, with a wall 0.2 m thick and a doorway between.
 std::string hallAndDoorway(double width) {
   const std::string solid = "{'texture': '#808080'}";

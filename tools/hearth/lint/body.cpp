@@ -24,7 +24,8 @@ namespace {
 /// tables are, and need not be climbed.
 constexpr double kHighestMeant = 1.5;
 
-/// Of the player's height: no lower ones are taken for a way. Niches, fireplaces and shafts are.
+/// Of the player's height, from where he stands: no lower ones are taken for a way. Niches,
+/// fireplaces and shafts are.
 constexpr double kLowestMeant = 0.85;
 
 /// Of the player's width, likewise: slits are not.
@@ -76,15 +77,16 @@ class Walks {
  public:
   Walks(const Level& level, const Body& body) : level_(level), body_(body) {
     links_.resize(level.sectors.size());
-    linksIfWide_.resize(level.sectors.size());
+    for (Links& links : linksIfMended_) links.resize(level.sectors.size());
     open_.resize(level.segments.size());
     for (std::size_t i = 0; i < level.segments.size(); ++i) lookAtWall(SegmentId(i));
     for (const Sector& sector : level.sectors)
       for (const Loop& loop : sector.loops)
         for (std::uint32_t i = 0; i < loop.count; ++i) lookAtGap(loop, i);
     for (const Interface& interface : level.interfaces) lookAtFlat(interface);
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      linksIfWide_[i].insert(linksIfWide_[i].end(), links_[i].begin(), links_[i].end());
+    for (Links& links : linksIfMended_)
+      for (std::size_t i = 0; i < links.size(); ++i)
+        links[i].insert(links[i].end(), links_[i].begin(), links_[i].end());
   }
 
   const std::vector<Hindrance>& hindrances() const { return hindrances_; }
@@ -95,15 +97,23 @@ class Walks {
     return found->second;
   }
 
-  /// What would be gained behind a hindrance. Behind a gap likewise if all that are meant to be
-  /// passed were wide enough: a doorway has two sides.
-  std::vector<bool> reachedBehind(const Hindrance& hindrance) {
-    if (hindrance.kind == FindingKind::NarrowPassage)
-      return hearth::reachedFrom(linksIfWide_, hindrance.next);
-    return reachedFrom(hindrance.next);
+  /// What would be gained behind a hindrance if all of its kind were mended: a doorway has two
+  /// sides that are too narrow, and a stair many steps that are too high, or too low to walk.
+  std::vector<SectorId> gainedBehind(const Hindrance& hindrance) {
+    const SectorId from = level_[hindrance.segment].sector;
+    return gainedFrom(linksIfMended_[indexOf(hindrance.kind)], hindrance.next, reachedFrom(from));
   }
 
  private:
+  using Links = std::vector<std::vector<SectorId>>;
+
+  static constexpr std::array kHindranceKinds{FindingKind::HighStep, FindingKind::LowPassage,
+                                              FindingKind::NarrowPassage};
+  static std::size_t indexOf(FindingKind kind) {
+    return static_cast<std::size_t>(std::ranges::find(kHindranceKinds, kind) -
+                                    kHindranceKinds.begin());
+  }
+
   void lookAtWall(SegmentId id) {
     const Segment& segment = level_[id];
     std::pmr::vector<Passage> passages;
@@ -130,7 +140,7 @@ class Walks {
     // Of what goes on below the wall, the walls down there tell.
     const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
     const bool isWide = level_[way.segment].length >= 2 * body_.radius;
-    if (easiest && hasBottom && isWide) hindrances_.push_back(*easiest);
+    if (easiest && hasBottom && isWide) add(*easiest);
   }
 
   /// What is neither too high nor too low is a way unless the gap is too narrow.
@@ -144,9 +154,14 @@ class Walks {
       if (!isNarrow || width < kNarrowestMeant * 2 * body_.radius) continue;
       way.kind = FindingKind::NarrowPassage;
       way.width = width;
-      linksIfWide_[level_.segments[segment].sector.index()].push_back(way.next);
-      hindrances_.push_back(way);
+      add(way);
     }
+  }
+
+  void add(const Hindrance& hindrance) {
+    const SectorId from = level_[hindrance.segment].sector;
+    linksIfMended_[indexOf(hindrance.kind)][from.index()].push_back(hindrance.next);
+    hindrances_.push_back(hindrance);
   }
 
   /// Metres from wall to wall along the line of a segment that is open; endless where it is open
@@ -177,7 +192,8 @@ class Walks {
   std::optional<FindingKind> kindOf(const Demand& demand) const {
     if (!isLow(demand) && demand.rise <= kHighestMeant * body_.step + kSkin)
       return FindingKind::HighStep;
-    if (!isHigh(demand) && demand.clear >= kLowestMeant * body_.height - kSkin)
+    const double aboveFeet = demand.clear + std::max(0.0, demand.rise);
+    if (!isHigh(demand) && aboveFeet >= kLowestMeant * body_.height - kSkin)
       return FindingKind::LowPassage;
     return std::nullopt;
   }
@@ -207,8 +223,8 @@ class Walks {
   const Level& level_;
   const Body& body_;
   std::vector<std::vector<Hindrance>> open_;  ///< by segment: what is high enough to walk through
-  std::vector<std::vector<SectorId>> links_;
-  std::vector<std::vector<SectorId>> linksIfWide_;  ///< these, and those through narrow gaps
+  Links links_;
+  std::array<Links, kHindranceKinds.size()> linksIfMended_;  ///< these, and those of hindrances
   std::vector<Hindrance> hindrances_;
   std::map<SectorId, std::vector<bool>> reached_;
 };
@@ -234,9 +250,8 @@ class HindranceFinder {
       // Who crouches climbs no more than who stands, and is as wide.
       if (isCrouching && hindrance.kind != FindingKind::LowPassage) continue;
       if (!isVisited[from.index()]) continue;
-      const std::vector<bool>& before = walks.reachedFrom(from);
-      if (before[hindrance.next.index()] || told_.contains(hindrance.next)) continue;
-      const std::vector<SectorId> gained = missingIn(before, walks.reachedBehind(hindrance));
+      if (told_.contains(hindrance.next)) continue;
+      const std::vector<SectorId> gained = walks.gainedBehind(hindrance);
       if (areaOf(gained) < kRoom) continue;
       told_.insert(gained.begin(), gained.end());
       report(hindrance, body, isCrouching);
@@ -244,14 +259,6 @@ class HindranceFinder {
   }
 
  private:
-  static std::vector<SectorId> missingIn(const std::vector<bool>& before,
-                                         const std::vector<bool>& after) {
-    std::vector<SectorId> missing;
-    for (std::size_t i = 0; i < after.size(); ++i)
-      if (after[i] && !before[i]) missing.emplace_back(i);
-    return missing;
-  }
-
   double areaOf(const std::vector<SectorId>& sectors) const {
     double area = 0;
     for (const SectorId sector : sectors) area += hearth::areaOf(level_, level_[sector]);

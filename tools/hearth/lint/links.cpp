@@ -61,6 +61,12 @@ std::vector<bool> reachedFrom(const std::vector<std::vector<SectorId>>& links, S
   return isReached;
 }
 
+std::vector<SectorId> gainedFrom(const std::vector<std::vector<SectorId>>& links, SectorId start,
+                                 std::vector<bool> known) {
+  if (known[start.index()]) return {};
+  return follow(links, start, known);
+}
+
 std::vector<std::vector<SectorId>> partsOf(const std::vector<std::vector<SectorId>>& links) {
   std::vector<std::vector<SectorId>> parts;
   std::vector<bool> isReached(links.size(), false);

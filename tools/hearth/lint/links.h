@@ -15,6 +15,11 @@ std::vector<std::vector<SectorId>> bothWays(const std::vector<std::vector<Sector
 /// By sector, whether links lead to it from `start`, which counts.
 std::vector<bool> reachedFrom(const std::vector<std::vector<SectorId>>& links, SectorId start);
 
+/// The sectors that links lead to from `start`, which counts, without a way through `known` ones;
+/// nothing from one of these.
+std::vector<SectorId> gainedFrom(const std::vector<std::vector<SectorId>>& links, SectorId start,
+                                 std::vector<bool> known);
+
 /// The sectors of each part that hangs together by links that lead both ways, in order.
 std::vector<std::vector<SectorId>> partsOf(const std::vector<std::vector<SectorId>>& links);
 

@@ -11,6 +11,9 @@ namespace hearth {
 
 namespace {
 
+/// Metres. What is nearer was meant for one point.
+constexpr double kOneEnd = 0.25;
+
 /// Finds where portals do not lead back, authored wall by authored wall.
 class OneWayFinder {
  public:
@@ -47,7 +50,15 @@ class OneWayFinder {
         FindingKind::OneWayPortal, source_.wall(SegmentId(first)).place,
         fmt::format("the portal to sector \"{}\" does not lead back from ({}, {}) to ({}, {})",
                     name, from.x, from.y, to.x, to.y),
-        fmt::format("let sector \"{}\" lead back there, too", name));
+        adviceOn(from, to, name));
+  }
+
+  static std::string adviceOn(Vec2 from, Vec2 to, const std::string& name) {
+    const double missing = length(to - from);
+    if (missing > kOneEnd) return fmt::format("let sector \"{}\" lead back there, too", name);
+    return fmt::format(
+        "let the portals of both sectors end in one point: ({}, {}) misses ({}, {}) by {:.2g} m",
+        from.x, from.y, to.x, to.y, missing);
   }
 
   const Level& level_;

@@ -72,10 +72,9 @@ class JumpFinder {
   }
 
   void look() {
-    for (const Surface& surface : level_.surfaces) {
-      if (!isOfWall(surface)) continue;
-      const auto [first, last] = starting_.equal_range(segmentOf(surface).p1);
-      for (auto next = first; next != last; ++next) lookAtJoint(surface, *next->second);
+    for (const Surface* surface : fromLeftToRight()) {
+      const auto [first, last] = starting_.equal_range(segmentOf(*surface).p1);
+      for (auto next = first; next != last; ++next) lookAtJoint(*surface, *next->second);
     }
   }
 
@@ -83,6 +82,21 @@ class JumpFinder {
   static bool isOfWall(const Surface& surface) {
     return isUpright(surface.kind) && !isSidewall(surface.kind) &&
            surface.kind != SurfaceKind::Middle;
+  }
+
+  /// So that along a row of walls, whatever the order of their sectors, each is mended before the
+  /// next one is held against it.
+  std::vector<const Surface*> fromLeftToRight() const {
+    std::vector<std::pair<double, const Surface*>> ordered;  // by metres along the own line
+    for (const Surface& surface : level_.surfaces) {
+      if (!isOfWall(surface)) continue;
+      const Segment& segment = segmentOf(surface);
+      ordered.emplace_back(dot(segment.p0, segment.p1 - segment.p0) / segment.length, &surface);
+    }
+    std::ranges::stable_sort(ordered, {}, &std::pair<double, const Surface*>::first);
+    std::vector<const Surface*> surfaces;
+    for (const auto& [along, surface] : ordered) surfaces.push_back(surface);
+    return surfaces;
   }
 
   const Segment& segmentOf(const Surface& surface) const { return level_[*surface.segment]; }
