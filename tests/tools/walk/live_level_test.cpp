@@ -51,11 +51,11 @@ class LiveWalk : public testing::Test {
   fs::path levelFile() const { return folder_ / "rooms.json"; }
   fs::path lightsFile() const { return folder_ / "rooms.lights.json"; }
 
-  void begin() {
+  void begin(std::chrono::milliseconds nextFile = Workshop::kNextFile) {
     SourcedResult opened = loadLevelWithSource(levelFile());
     ASSERT_TRUE(opened.result.loaded);
     auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
-    live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source));
+    live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source), nextFile);
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
     live_->redraw(*lit);
@@ -236,7 +236,8 @@ TEST_F(LiveWalk, LeavesTheMistakesWhereAGoodSaveWasFollowedByABadOne) {
     round();
     std::this_thread::sleep_for(std::chrono::milliseconds(intensity / 20));
     write(levelFile(), "{");
-    for (int i = 0; i < 50; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(2))) round();
+    for (int i = 0; i < 100; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(2)))
+      round();
     const Image broken = stage_.shown;
     stage_.printed.clear();
     write(levelFile(), good);
@@ -262,6 +263,21 @@ TEST_F(LiveWalk, ShowsLightsThatWereSavedWithTheLevel) {
   ASSERT_TRUE(comesToShowFresh());
   write(lightsFile(), R"([{"x": 1, "y": 1, "z": 2.5, "falloff": 0.4}])");
   ASSERT_TRUE(comesToShowFresh());
+}
+
+TEST_F(LiveWalk, SaysNothingOfALevelWhoseLightsFollow) {
+  begin(kPatience);
+  testing::internal::CaptureStderr();
+  writeRoom("room", 0.5);
+  const std::string lights = R"([{"x": 2, "y": 2, "z": 2.5, "falloff": 0.4}])";
+  for (const char* bad : {"{", R"([{"x": 90, "y": 2, "z": 2.5}])"}) {
+    write(lightsFile(), bad);
+    for (int i = 0; i < 5; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(2))) round();
+    write(lightsFile(), lights);
+    EXPECT_TRUE(isTold("shown"));
+    EXPECT_EQ(stage_.shown, fresh());
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(LiveWalk, ShowsTheMistakesOfLightsUntilTheyAreMended) {

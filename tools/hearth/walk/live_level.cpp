@@ -59,8 +59,8 @@ std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const
 }
 
 LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
-                     LevelSource source)
-    : workshop_(values, loaded, std::move(source)) {
+                     LevelSource source, std::chrono::milliseconds nextFile)
+    : workshop_(values, loaded, std::move(source), nextFile) {
   watch_.watch(loaded->files);
 }
 

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <new>
 #include <system_error>
@@ -30,8 +31,9 @@ void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
 }  // namespace
 
 Workshop::Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
-                   LevelSource source)
+                   LevelSource source, std::chrono::milliseconds nextFile)
     : values_(values),
+      nextFile_(nextFile),
       draw_(drawSettingsFrom(values)),
       current_(std::move(loaded)),
       source_(std::move(source)),
@@ -105,6 +107,7 @@ std::optional<Workshop::Job> Workshop::nextJob() {
 /// The file's level takes the place of the one at hand, if it is one.
 void Workshop::load(Changed changed) {
   LoadResult result = loaded(changed);
+  if (!result.loaded && isAskedWithin(nextFile_)) return;
   LevelNews news;
   mistakes_.clear();
   for (const Diagnostic& diagnostic : result.diagnostics)
@@ -114,6 +117,11 @@ void Workshop::load(Changed changed) {
     isLit_ = false;
   }
   if (!result.loaded || !news.warnings.empty()) tell(std::move(news));
+}
+
+bool Workshop::isAskedWithin(std::chrono::milliseconds time) {
+  std::unique_lock lock(mutex_);
+  return wakeUp_.wait_for(lock, time, [this] { return asked_ || isOver_; });
 }
 
 void Workshop::refuse(std::string mistake) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -50,9 +51,14 @@ struct LevelNews {
 /// others. What was asked for before is given up then.
 class Workshop {
  public:
-  /// Bakes `loaded` first, with the settings of the command line above those of the file.
+  /// In which the next file of one save follows: until its lights have come, too, a level that was
+  /// copied over another may be wrong.
+  static constexpr std::chrono::milliseconds kNextFile{50};
+
+  /// Bakes `loaded` first, with the settings of the command line above those of the file. Mistakes
+  /// are told unless another file comes within `nextFile`.
   Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
-           LevelSource source);
+           LevelSource source, std::chrono::milliseconds nextFile);
   ~Workshop();
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
@@ -78,6 +84,8 @@ class Workshop {
   std::optional<Job> nextJob();
   void load(Changed changed);
   LoadResult loaded(Changed changed);
+  /// Whether there is another job, or the end, before the time is over.
+  bool isAskedWithin(std::chrono::milliseconds time);
   void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
   bool showKept(const BakeCache& cache, const BakeSettings& settings);
@@ -86,6 +94,7 @@ class Workshop {
   void tell(LevelNews news);
 
   const OptionValues values_;
+  const std::chrono::milliseconds nextFile_;
 
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable wakeUp_;
