@@ -170,17 +170,6 @@ class SameTexel {
   Reals texel_;
 };
 
-template <typename Reals>
-class SamePlace {
- public:
-  explicit SamePlace(const LightAxis& axis) : between_(axis.between(all<Reals>(0))) {}
-
-  HWY_INLINE Between<Reals> between(Reals) const { return between_; }
-
- private:
-  Between<Reals> between_;
-};
-
 }  // namespace hearth::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -36,8 +36,13 @@ struct RowBatch {
   Rows<double> depths;     ///< of planes: what `measures` points at
   Around texels;           ///< the upper left ones are all where nothing is mixed
   Between betweenTexels;
-  Rows<std::uint64_t> lightTexels;  ///< the first byte of the upper left one of four
-  Between betweenLightTexels;
+  Rows<std::uint64_t> lightTexels;  ///< of planes: the first byte of the upper left one of four
+  /// Of what is upright: between which two columns of its lightmap all rows lie, and each of them
+  /// between which two of its rows.
+  std::size_t lightColumn;       ///< the first byte of the left one's first texel
+  float acrossLightColumns;      ///< how far from its middle to that of the right one
+  Rows<std::int32_t> lightRows;  ///< the upper ones
+  Between betweenLightTexels;    ///< of what is upright only those down
   /// The shares of a texture's red, green and blue that show, 0..1.
   std::array<Rows<float>, 3> shown;
   bool isEvenlyLit;  ///< what is shown in the first kMostLanes rows is shown in all

@@ -4,9 +4,6 @@
 
 #include "render/row_kernels.h"
 
-#include <cstring>
-#include <type_traits>
-
 #include "math/planted_bug.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -15,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "render/row_axes-inl.h"
+#include "render/row_light-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
@@ -70,11 +68,6 @@ constexpr std::size_t lanes() {
   return hn::Lanes(hn::DFromV<Reals>());
 }
 
-constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
-using Integers = hn::Vec<decltype(kSigned)>;
-constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
-using Words = hn::Vec<decltype(kWord)>;
-
 /// The number of a texel of which `size` lie one behind the other.
 HWY_INLINE Doubles numberOf(Doubles line, Doubles place, int size) {
   return hn::Add(hn::Mul(line, all<Doubles>(size)), place);
@@ -89,6 +82,11 @@ HWY_INLINE Integers numberOf(Floats line, Floats place, int size) {
 HWY_INLINE void store(Doubles number, std::int32_t* to) {
   const hn::Rebind<std::int32_t, decltype(kDouble)> tag;
   hn::Store(hn::DemoteTo(tag, number), tag, to);
+}
+
+HWY_INLINE void storeWhole(Doubles number, std::int32_t* to) { store(number, to); }
+HWY_INLINE void storeWhole(Floats number, std::int32_t* to) {
+  hn::Store(hn::ConvertTo(kSigned, number), kSigned, to);
 }
 
 HWY_INLINE void store(Integers number, std::int32_t* to) { hn::Store(number, kSigned, to); }
@@ -181,9 +179,11 @@ HWY_INLINE Reals filtered(Reals share, LightFilter filter) {
   return filter == LightFilter::Nearest ? hn::Floor(hn::Add(share, all<Reals>(0.5))) : share;
 }
 
-template <typename Reals, typename Columns>
-void findLightTexelsAlong(RowBatch& batch, const Lightmap& lightmap, LightFilter filter,
-                          const Columns& columns, const LightAxis& rows) {
+template <typename Reals>
+void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
+                     LightFilter filter) {
+  const LightAxis columns(mapping.s, lightmap.rect.i0, lightmap.rect.width);
+  const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
   for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
     const Reals measure = loaded<Reals>(batch.measures + k);
     const Between<Reals> across = columns.between(measure);
@@ -193,20 +193,25 @@ void findLightTexelsAlong(RowBatch& batch, const Lightmap& lightmap, LightFilter
     store(filtered(across.share, filter), &batch.betweenLightTexels.across[k]);
     store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
   }
-}
-
-template <typename Reals>
-void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
-                     LightFilter filter) {
-  const TexelRect& rect = lightmap.rect;
-  const LightAxis columns(mapping.s, rect.i0, rect.width);
-  const LightAxis rows(mapping.t, rect.j0, rect.height);
-  if (!mapping.isPlane)
-    return findLightTexelsAlong<Reals>(batch, lightmap, filter, SamePlace<Reals>(columns), rows);
-  findLightTexelsAlong<Reals>(batch, lightmap, filter, columns, rows);
   if (planted(PlantedBug::FlatsUnfiltered)) {
     batch.betweenLightTexels.across.fill(0);
     batch.betweenLightTexels.down.fill(0);
+  }
+}
+
+template <typename Reals>
+void findLightRows(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
+                   LightFilter filter) {
+  const LightAxis columns(mapping.s, lightmap.rect.i0, lightmap.rect.width);
+  const Between<Reals> across = columns.between(all<Reals>(0));
+  batch.lightColumn = static_cast<std::size_t>(hn::GetLane(across.first)) *
+                      static_cast<std::size_t>(lightmap.channels);
+  batch.acrossLightColumns = static_cast<float>(hn::GetLane(filtered(across.share, filter)));
+  const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
+  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+    const Between<Reals> down = rows.between(loaded<Reals>(batch.measures + k));
+    storeWhole(down.first, &batch.lightRows[k]);
+    store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
   }
 }
 
@@ -215,169 +220,8 @@ constexpr PlaceKernels placeKernels() {
   return {.findDepths = findDepths<Reals>,
           .findTexels = findTexels<Reals>,
           .findTexelsAround = findTexelsAround<Reals>,
-          .findLightTexels = findLightTexels<Reals>};
-}
-
-// Colours are made in single precision.
-
-struct Channels {
-  Floats red;
-  Floats green;
-  Floats blue;
-};
-
-/// The channel whose bits begin at kShift.
-template <int kShift>
-HWY_INLINE Floats channelOf(Words texels) {
-  const Words channel = hn::And(hn::ShiftRight<kShift>(texels), hn::Set(kWord, 255));
-  return hn::ConvertTo(kFloat, hn::BitCast(kSigned, channel));
-}
-
-HWY_INLINE Channels channelsOf(Words texels) {
-  return {channelOf<0>(texels), channelOf<8>(texels), channelOf<16>(texels)};
-}
-
-/// `share` of the way from `a` to `b`.
-HWY_INLINE Floats mixed(Floats a, Floats b, Floats share) {
-  if (planted(PlantedBug::MultiplyAddFused)) return hn::MulAdd(share, hn::Sub(b, a), a);
-  return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
-}
-
-HWY_INLINE Channels mixed(const Channels& a, const Channels& b, Floats share) {
-  return {mixed(a.red, b.red, share), mixed(a.green, b.green, share), mixed(a.blue, b.blue, share)};
-}
-
-/// What is shown of a texture: min(1, lightmap/255 + sector light).
-HWY_INLINE Floats shownIn(Floats levels, double sectorLight) {
-  const Floats lightmap = hn::Mul(levels, all<Floats>(1 / 255.0F));
-  return hn::Min(all<Floats>(1.0F), hn::Add(lightmap, all<Floats>(sectorLight)));
-}
-
-HWY_INLINE void storeShown(const Channels& levels, double sectorLight, RowBatch& batch,
-                           std::size_t k) {
-  hn::Store(shownIn(levels.red, sectorLight), kFloat, &batch.shown[0][k]);
-  hn::Store(shownIn(levels.green, sectorLight), kFloat, &batch.shown[1][k]);
-  hn::Store(shownIn(levels.blue, sectorLight), kFloat, &batch.shown[2][k]);
-}
-
-/// Texels of a lightmap with so many channels.
-template <int kChannels>
-HWY_INLINE Channels lightOf(Words texels);
-
-/// Of white light, whose level is that of all channels.
-template <>
-HWY_INLINE Channels lightOf<1>(Words texels) {
-  const Floats level = channelOf<0>(texels);
-  return {level, level, level};
-}
-
-template <>
-HWY_INLINE Channels lightOf<3>(Words texels) {
-  const Channels levels = channelsOf(texels);
-  if (planted(PlantedBug::ChannelLost)) return {levels.red, levels.green, levels.green};
-  return levels;
-}
-
-/// Two texels of a lightmap that lie side by side, for each row: the left one in the lowest bytes.
-template <int kChannels>
-class LightPairs {
- public:
-  /// At these bytes. The six of a coloured pair are read as eight: `kBefore` of them lie before it.
-  template <int kBefore>
-  static LightPairs at(const RowBatch& batch, const std::uint8_t* levels) {
-    LightPairs pairs;
-    for (std::size_t k = 0; k < batch.count; ++k) {
-      Read read;
-      std::memcpy(&read, levels + batch.lightTexels[k] - kBefore, sizeof read);
-      pairs.texels_[k] = read >> 8 * kBefore;
-    }
-    return pairs;
-  }
-
-  /// Mixed `across` of the way from the left one to the right one.
-  HWY_INLINE Channels mixedAcross(std::size_t k, Floats across) const {
-    Words low;
-    Words high;
-    hn::LoadInterleaved2(kWord, reinterpret_cast<const std::uint32_t*>(&texels_[k]), low, high);
-    const Words right =
-        hn::Or(hn::ShiftRight<8 * kChannels>(low), hn::ShiftLeft<32 - 8 * kChannels>(high));
-    return mixed(lightOf<kChannels>(low), lightOf<kChannels>(right), across);
-  }
-
- private:
-  using Read = std::conditional_t<kChannels == 1, std::uint16_t, std::uint64_t>;
-
-  RowBatch::Rows<std::uint64_t> texels_;
-};
-
-/// The four texels of a lightmap around rows.
-template <int kChannels>
-class LightAround {
- public:
-  LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
-      : batch_(batch),
-        upper_(LightPairs<kChannels>::template at<0>(batch, texels)),
-        lower_(LightPairs<kChannels>::template at<kBeforeLower>(batch, texels + bytesPerRow)) {}
-
-  HWY_INLINE Channels mixture(std::size_t k) const {
-    const Floats across = hn::Load(kFloat, &batch_.betweenLightTexels.across[k]);
-    const Floats down = hn::Load(kFloat, &batch_.betweenLightTexels.down[k]);
-    return mixed(upper_.mixedAcross(k, across), lower_.mixedAcross(k, across), down);
-  }
-
- private:
-  // Two bytes behind the upper pair are those of the lower row, and those before the lower of the
-  // upper.
-  static constexpr int kBeforeLower = kChannels == 1 ? 0 : 2;
-
-  const RowBatch& batch_;
-  LightPairs<kChannels> upper_;
-  LightPairs<kChannels> lower_;
-};
-
-/// `share` of b added to a.
-HWY_INLINE Channels added(const Channels& a, const Channels& b, float share) {
-  const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all<Floats>(share))); };
-  return {sum(a.red, b.red), sum(a.green, b.green), sum(a.blue, b.blue)};
-}
-
-template <int kChannels>
-void findShownIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
-  const auto bytesPerRow = static_cast<std::size_t>(lightmap.rect.width) * kChannels;
-  const LightAround<kChannels> levels(batch, lightmap.levels.data(), bytesPerRow);
-  if (lightmap.fractions.empty()) {
-    for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
-      storeShown(levels.mixture(k), sectorLight, batch, k);
-    return;
-  }
-  const LightAround<kChannels> fractions(batch, lightmap.fractions.data(), bytesPerRow);
-  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
-    storeShown(added(levels.mixture(k), fractions.mixture(k), 1 / 256.0F), sectorLight, batch, k);
-}
-
-void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
-  batch.isEvenlyLit = false;
-  if (lightmap.channels == 1) return findShownIn<1>(batch, lightmap, sectorLight);
-  findShownIn<3>(batch, lightmap, sectorLight);
-}
-
-HWY_INLINE Channels allOf(Rgb color) {
-  return {all<Floats>(static_cast<float>(color.r)), all<Floats>(static_cast<float>(color.g)),
-          all<Floats>(static_cast<float>(color.b))};
-}
-
-/// The one texel of a lightmap.
-HWY_INLINE Channels evenLight(const Lightmap& lightmap) {
-  const auto channel = [&](int number) {
-    return all<Floats>(
-        static_cast<float>(lightmap.levelAt(lightmap.rect.i0, lightmap.rect.j0, number)));
-  };
-  return {channel(0), channel(1), channel(2)};
-}
-
-void showEvenly(RowBatch& batch, const Lightmap* lightmap, double sectorLight) {
-  batch.isEvenlyLit = true;
-  storeShown(lightmap ? evenLight(*lightmap) : allOf(Rgb{}), sectorLight, batch, 0);
+          .findLightTexels = findLightTexels<Reals>,
+          .findLightRows = findLightRows<Reals>};
 }
 
 /// More than single precision can lose of a level where light is a number that an author wrote.
@@ -471,6 +315,7 @@ const RowKernels& kernels() {
       .inDoubles = placeKernels<Doubles>(),
       .inSingles = placeKernels<Floats>(),
       .findShown = findShown,
+      .findShownUpright = findShownUpright,
       .showEvenly = showEvenly,
       .shadeColor = shadeColor,
       .shadeTexels = shadeTexels,

@@ -16,9 +16,12 @@ struct PlaceKernels {
   void (*findTexels)(RowBatch& batch, const SpanMapping& mapping, const Texture& image);
   /// The four texels of the image around the rows.
   void (*findTexelsAround)(RowBatch& batch, const SpanMapping& mapping, const Texture& image);
-  /// Those of the lightmap, which is not even.
+  /// Those of the lightmap, which is not even, of a plane.
   void (*findLightTexels)(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
                           LightFilter filter);
+  /// The same of what is upright, where they lie in two columns of the lightmap.
+  void (*findLightRows)(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
+                        LightFilter filter);
 };
 
 /// What is done with batches of rows, as many rows at once as the registers of a processor hold.
@@ -27,8 +30,9 @@ struct RowKernels {
   PlaceKernels inDoubles;  ///< in double precision
   PlaceKernels inSingles;
 
-  /// What is shown in the light of these.
+  /// What is shown in the light of these, on planes and on what is upright.
   void (*findShown)(RowBatch& batch, const Lightmap& lightmap, double sectorLight);
+  void (*findShownUpright)(RowBatch& batch, const Lightmap& lightmap, double sectorLight);
   /// What is shown in the same light in all rows; of a lightmap that is even, or null.
   void (*showEvenly)(RowBatch& batch, const Lightmap* lightmap, double sectorLight);
 

@@ -137,8 +137,14 @@ std::size_t SpanPainter::findShown(const Material& material, const SpanMapping& 
 
 void SpanPainter::findShownInEachRow(const Material& material, const SpanMapping& mapping,
                                      RowBatch& batch) const {
-  places_.findLightTexels(batch, mapping, *material.lightmap, settings_.lightFilter);
-  kernels_.findShown(batch, *material.lightmap, material.sectorLight);
+  const Lightmap& lightmap = *material.lightmap;
+  if (mapping.isPlane) {
+    places_.findLightTexels(batch, mapping, lightmap, settings_.lightFilter);
+    kernels_.findShown(batch, lightmap, material.sectorLight);
+  } else {
+    places_.findLightRows(batch, mapping, lightmap, settings_.lightFilter);
+    kernels_.findShownUpright(batch, lightmap, material.sectorLight);
+  }
 }
 
 std::size_t SpanPainter::findShownEvery(const Material& material, const SpanMapping& mapping,

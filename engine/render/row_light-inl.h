@@ -1,0 +1,292 @@
+// The light of rows: what shows of a texture's channels in that of a lightmap. Included once for
+// each instruction set: see row_kernels.cpp, and Highway's guide on the guard.
+
+#if defined(HEARTH_RENDER_ROW_LIGHT) == defined(HWY_TARGET_TOGGLE)
+#ifdef HEARTH_RENDER_ROW_LIGHT
+#undef HEARTH_RENDER_ROW_LIGHT
+#else
+#define HEARTH_RENDER_ROW_LIGHT
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "light/lightmap.h"
+#include "math/planted_bug.h"
+#include "render/row_axes-inl.h"
+#include "render/row_batch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+
+constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
+using Integers = hn::Vec<decltype(kSigned)>;
+constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
+using Words = hn::Vec<decltype(kWord)>;
+
+// Colours are made in single precision.
+
+struct Channels {
+  Floats red;
+  Floats green;
+  Floats blue;
+};
+
+/// The channel whose bits begin at kShift.
+template <int kShift>
+HWY_INLINE Floats channelOf(Words texels) {
+  const Words channel = hn::And(hn::ShiftRight<kShift>(texels), hn::Set(kWord, 255));
+  return hn::ConvertTo(kFloat, hn::BitCast(kSigned, channel));
+}
+
+HWY_INLINE Channels channelsOf(Words texels) {
+  return {channelOf<0>(texels), channelOf<8>(texels), channelOf<16>(texels)};
+}
+
+/// `share` of the way from `a` to `b`.
+HWY_INLINE Floats mixed(Floats a, Floats b, Floats share) {
+  if (planted(PlantedBug::MultiplyAddFused)) return hn::MulAdd(share, hn::Sub(b, a), a);
+  return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
+}
+
+HWY_INLINE Channels mixed(const Channels& a, const Channels& b, Floats share) {
+  return {mixed(a.red, b.red, share), mixed(a.green, b.green, share), mixed(a.blue, b.blue, share)};
+}
+
+/// What is shown of a texture: min(1, lightmap/255 + sector light).
+HWY_INLINE Floats shownIn(Floats levels, double sectorLight) {
+  const Floats lightmap = hn::Mul(levels, all<Floats>(1 / 255.0F));
+  return hn::Min(all<Floats>(1.0F), hn::Add(lightmap, all<Floats>(sectorLight)));
+}
+
+HWY_INLINE void storeShown(const Channels& levels, double sectorLight, RowBatch& batch,
+                           std::size_t k) {
+  hn::Store(shownIn(levels.red, sectorLight), kFloat, &batch.shown[0][k]);
+  hn::Store(shownIn(levels.green, sectorLight), kFloat, &batch.shown[1][k]);
+  hn::Store(shownIn(levels.blue, sectorLight), kFloat, &batch.shown[2][k]);
+}
+
+/// Texels of a lightmap with so many channels.
+template <int kChannels>
+HWY_INLINE Channels lightOf(Words texels);
+
+/// Of white light, whose level is that of all channels.
+template <>
+HWY_INLINE Channels lightOf<1>(Words texels) {
+  const Floats level = channelOf<0>(texels);
+  return {level, level, level};
+}
+
+template <>
+HWY_INLINE Channels lightOf<3>(Words texels) {
+  const Channels levels = channelsOf(texels);
+  if (planted(PlantedBug::ChannelLost)) return {levels.red, levels.green, levels.green};
+  return levels;
+}
+
+/// Two texels of a lightmap that lie side by side, for each row: the left one in the lowest bytes.
+template <int kChannels>
+class LightPairs {
+ public:
+  // The six bytes of a coloured pair are read as eight. Where there is a row of the lightmap below
+  // the two more are behind the pair, and else before it, as there is one above.
+
+  HWY_INLINE void readAboveOther(std::size_t k, const std::uint8_t* pair) { read<0>(k, pair); }
+  HWY_INLINE void readBelowOther(std::size_t k, const std::uint8_t* pair) {
+    read<kChannels == 1 ? 0 : 2>(k, pair);
+  }
+
+  /// Mixed `across` of the way from the left one to the right one.
+  HWY_INLINE Channels mixedAcross(std::size_t k, Floats across) const {
+    Words low;
+    Words high;
+    hn::LoadInterleaved2(kWord, reinterpret_cast<const std::uint32_t*>(&texels_[k]), low, high);
+    const Words right =
+        hn::Or(hn::ShiftRight<8 * kChannels>(low), hn::ShiftLeft<32 - 8 * kChannels>(high));
+    return mixed(lightOf<kChannels>(low), lightOf<kChannels>(right), across);
+  }
+
+ private:
+  using Read = std::conditional_t<kChannels == 1, std::uint16_t, std::uint64_t>;
+
+  template <int kBefore>
+  HWY_INLINE void read(std::size_t k, const std::uint8_t* pair) {
+    Read bytes;
+    std::memcpy(&bytes, pair - kBefore, sizeof bytes);
+    texels_[k] = bytes >> 8 * kBefore;
+  }
+
+  RowBatch::Rows<std::uint64_t> texels_;
+};
+
+/// The four texels of a lightmap around rows.
+template <int kChannels>
+class LightAround {
+ public:
+  LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
+      : batch_(batch) {
+    for (std::size_t k = 0; k < batch.count; ++k) {
+      const std::uint8_t* const upper = texels + batch.lightTexels[k];
+      upper_.readAboveOther(k, upper);
+      lower_.readBelowOther(k, upper + bytesPerRow);
+    }
+  }
+
+  HWY_INLINE Channels mixture(std::size_t k) const {
+    const Floats across = hn::Load(kFloat, &batch_.betweenLightTexels.across[k]);
+    const Floats down = hn::Load(kFloat, &batch_.betweenLightTexels.down[k]);
+    return mixed(upper_.mixedAcross(k, across), lower_.mixedAcross(k, across), down);
+  }
+
+ private:
+  const RowBatch& batch_;
+  LightPairs<kChannels> upper_;
+  LightPairs<kChannels> lower_;
+};
+
+/// `share` of b added to a.
+HWY_INLINE Channels added(const Channels& a, const Channels& b, float share) {
+  const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all<Floats>(share))); };
+  return {sum(a.red, b.red), sum(a.green, b.green), sum(a.blue, b.blue)};
+}
+
+/// `around(texels)` are the mixtures of a lightmap's levels or fractions around each row.
+template <typename Around>
+void findShownOf(RowBatch& batch, const Lightmap& lightmap, double sectorLight,
+                 const Around& around) {
+  const auto levels = around(lightmap.levels.data());
+  if (lightmap.fractions.empty()) {
+    for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
+      storeShown(levels.mixture(k), sectorLight, batch, k);
+    return;
+  }
+  const auto fractions = around(lightmap.fractions.data());
+  for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
+    storeShown(added(levels.mixture(k), fractions.mixture(k), 1 / 256.0F), sectorLight, batch, k);
+}
+
+template <int kChannels>
+std::size_t bytesPerRow(const Lightmap& lightmap) {
+  return static_cast<std::size_t>(lightmap.rect.width) * kChannels;
+}
+
+template <int kChannels>
+void findShownIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
+  findShownOf(batch, lightmap, sectorLight, [&](const std::uint8_t* texels) {
+    return LightAround<kChannels>(batch, texels, bytesPerRow<kChannels>(lightmap));
+  });
+}
+
+inline void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
+  batch.isEvenlyLit = false;
+  if (lightmap.channels == 1) return findShownIn<1>(batch, lightmap, sectorLight);
+  findShownIn<3>(batch, lightmap, sectorLight);
+}
+
+#if HWY_TARGET != HWY_SCALAR
+
+/// What lies between two columns of a lightmap, row by row: in as many rows as registers hold, from
+/// the first one that a batch needs.
+template <int kChannels, int kRegisters>
+class LightColumn {
+ public:
+  LightColumn(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow, int first,
+              std::size_t rows)
+      : batch_(batch), first_(hn::Set(kSigned, first)) {
+    const std::uint8_t* const upper =
+        texels + batch.lightColumn + static_cast<std::size_t>(first) * bytesPerRow;
+    LightPairs<kChannels> pairs;
+    pairs.readAboveOther(0, upper);
+    for (std::size_t k = 1; k < rows; ++k) pairs.readBelowOther(k, upper + k * bytesPerRow);
+    const Floats across = hn::Set(kFloat, batch.acrossLightColumns);
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      rows_[i] = pairs.mixedAcross(i * hn::Lanes(kFloat), across);
+  }
+
+  HWY_INLINE Channels mixture(std::size_t k) const {
+    const Integers upper = hn::Sub(hn::Load(kSigned, &batch_.lightRows[k]), first_);
+    const Integers lower = hn::Add(upper, hn::Set(kSigned, 1));
+    return mixed(at(upper), at(lower), hn::Load(kFloat, &batch_.betweenLightTexels.down[k]));
+  }
+
+ private:
+  HWY_INLINE Channels at(Integers rows) const {
+    const Integers last = hn::Set(kSigned, static_cast<int>(hn::Lanes(kFloat)) - 1);
+    const auto lane = hn::IndicesFromVec(kFloat, hn::And(rows, last));
+    const auto isSecond = hn::RebindMask(kFloat, hn::Gt(rows, last));
+    const auto picked = [&](auto channel) {
+      const Floats first = hn::TableLookupLanes(rows_[0].*channel, lane);
+      if constexpr (kRegisters == 1) return first;
+      return hn::IfThenElse(isSecond, hn::TableLookupLanes(rows_[kRegisters - 1].*channel, lane),
+                            first);
+    };
+    return {picked(&Channels::red), picked(&Channels::green), picked(&Channels::blue)};
+  }
+
+  const RowBatch& batch_;
+  Integers first_;
+  Channels rows_[kRegisters];
+};
+
+#endif
+
+/// Gives each row the texels around it, as if they lay on a plane.
+template <int kChannels>
+void spreadLightColumn(RowBatch& batch, const Lightmap& lightmap) {
+  for (std::size_t k = 0; k < batch.count; ++k)
+    batch.lightTexels[k] = batch.lightColumn + static_cast<std::size_t>(batch.lightRows[k]) *
+                                                   bytesPerRow<kChannels>(lightmap);
+  batch.betweenLightTexels.across.fill(batch.acrossLightColumns);
+}
+
+template <int kChannels>
+void findShownUprightIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
+#if HWY_TARGET != HWY_SCALAR
+  const auto ends = std::minmax(batch.lightRows[0], batch.lightRows[batch.count - 1]);
+  const int first = ends.first;
+  const auto rows = static_cast<std::size_t>(ends.second - first) + 2;
+  const auto showColumn = [&]<int kRegisters>(std::integral_constant<int, kRegisters>) {
+    findShownOf(batch, lightmap, sectorLight, [&](const std::uint8_t* texels) {
+      return LightColumn<kChannels, kRegisters>(batch, texels, bytesPerRow<kChannels>(lightmap),
+                                                first, rows);
+    });
+  };
+  if (rows <= hn::Lanes(kFloat)) return showColumn(std::integral_constant<int, 1>());
+  if (rows <= 2 * hn::Lanes(kFloat)) return showColumn(std::integral_constant<int, 2>());
+#endif
+  spreadLightColumn<kChannels>(batch, lightmap);
+  findShownIn<kChannels>(batch, lightmap, sectorLight);
+}
+
+inline void findShownUpright(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
+  batch.isEvenlyLit = false;
+  if (lightmap.channels == 1) return findShownUprightIn<1>(batch, lightmap, sectorLight);
+  findShownUprightIn<3>(batch, lightmap, sectorLight);
+}
+
+HWY_INLINE Channels allOf(Rgb color) {
+  return {all<Floats>(static_cast<float>(color.r)), all<Floats>(static_cast<float>(color.g)),
+          all<Floats>(static_cast<float>(color.b))};
+}
+
+/// The one texel of a lightmap.
+HWY_INLINE Channels evenLight(const Lightmap& lightmap) {
+  const auto channel = [&](int number) {
+    return all<Floats>(
+        static_cast<float>(lightmap.levelAt(lightmap.rect.i0, lightmap.rect.j0, number)));
+  };
+  return {channel(0), channel(1), channel(2)};
+}
+
+inline void showEvenly(RowBatch& batch, const Lightmap* lightmap, double sectorLight) {
+  batch.isEvenlyLit = true;
+  storeShown(lightmap ? evenLight(*lightmap) : allOf(Rgb{}), sectorLight, batch, 0);
+}
+
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
