@@ -67,6 +67,8 @@ struct LoopDescription {
   const WallDescription& wall(std::size_t i) const {
     return walls.size() == 1 ? walls[0] : walls[i];
   }
+  /// Of a wall, in words, as the file lists them.
+  std::string ends(std::size_t wall) const;
 };
 
 /// Names the two sides of a flat portal.

@@ -182,20 +182,30 @@ class TwinChecker {
     if (const auto meant = ledBackTo(segment.sector, target)) {
       const Edge& led = linking_.outlines.edges[linking_.edgeOf[meant->index()]];
       return fmt::format(
-          "that sector leads back to wall {} of loop \"{}\": give that one the \"next\"", led.wall,
-          linking_.describedLoop(led).name);
+          "that sector leads back to wall {} of loop \"{}\", {}: give that one the \"next\"",
+          led.wall, linking_.describedLoop(led).name, linking_.describedLoop(led).ends(led.wall));
     }
     if (!behind.empty() && std::ranges::find(behind, target) == behind.end())
       return fmt::format("a wall of sector \"{}\" lies there, did you mean that?",
                          linking_.level[behind.front()].name);
     const Vec2 from = linking_.outlines.from(edge);
     const Vec2 to = linking_.outlines.to(edge);
+    if (isSliver(segment, length(to - from)))
+      return fmt::format(
+          "give both sectors the same point there: ({}, {}) misses ({}, {}) by {:.2g} m",
+          segment.p0.x, segment.p0.y, segment.p1.x, segment.p1.y, length(segment.p1 - segment.p0));
     if (const auto missed = missedPoint(linking_.outlines, target, from, to))
       return fmt::format(
           "give both sectors the same points there: the vertex ({}, {}) misses "
           "({}, {}) by {:.2g} m",
           missed->vertex.x, missed->vertex.y, missed->point.x, missed->point.y, missed->distance);
     return "give both sectors the same points there, to within 1 mm";
+  }
+
+  /// Whether the two ends of what is left of a wall were hardly meant to be two.
+  static bool isSliver(const Segment& segment, double wall) {
+    constexpr double kLongest = 0.25;  // metres
+    return length(segment.p1 - segment.p0) < std::min(kLongest, wall / 2);
   }
 
   /// A segment of `sector` that `target` leads back to, and that leads nowhere itself.

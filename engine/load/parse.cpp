@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -220,6 +221,23 @@ std::string grammarMessage(std::string_view text) {
   return "not valid JSON: " + message;
 }
 
+bool isComment(std::string_view text) { return text.starts_with("//") || text.starts_with("/*"); }
+
+struct WordSlip {
+  const char* what;
+  const char* advice;
+};
+
+/// What the library tells of words and strings in words of its own.
+std::optional<WordSlip> slipInWord(std::string_view text) {
+  if (text.find("control character U+000A") != std::string_view::npos)
+    return WordSlip{"a string without an end in its line", "end it with a quote"};
+  if (text.find("invalid literal") != std::string_view::npos)
+    return WordSlip{"a word or a number that is none of JSON",
+                    "put words between double quotes, begin numbers with a digit or -"};
+  return std::nullopt;
+}
+
 /// Counted from 1.
 std::ptrdiff_t lineOf(const std::string& text, std::size_t offset) {
   return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
@@ -234,8 +252,7 @@ std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) c
   const std::string_view rest = std::string_view(text).substr(start);
   const std::size_t last =
       start == 0 ? std::string::npos : text.find_last_not_of(" \t\r\n", start - 1);
-  if (rest.starts_with("//") || rest.starts_with("/*"))
-    return "write comments as keys that begin with \"//\", JSON has no others";
+  if (isComment(rest)) return "write comments as keys that begin with \"//\", JSON has no others";
   if (message.ends_with("expected end of input"))
     return fmt::format(
         "what begins in line {} is closed in line {}: remove this, or a bracket before",
@@ -246,12 +263,18 @@ std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) c
   if (text[last] == ',' && (next == ',' || next == end))
     return "remove the comma before it, or this";
   if (message.ends_with("expected ':'")) return "end the key with a quote and a colon";
-  if (next == '{' && end == '}') return "write a key before it, or '[' where a list begins";
+  const auto closeFirst = [&](std::string_view otherwise) {
+    return fmt::format("close what begins in line {} first{}",
+                       lineOf(text, document_.nodes[stack_.back().node].offset), otherwise);
+  };
+  if (next == '{' && end == '}')
+    return closeFirst(", write a key before this, or '[' where a list begins");
+  if (std::isdigit(static_cast<unsigned char>(next)) && end == '}')
+    return "write a key before it, or a point if this is a decimal";
   if (isOneOf(text[last], ",:[{")) return kUnclear;
   const bool isKey = next == ':' && document_.nodes[stack_.back().node].kind == JsonKind::Array;
-  if (rest.empty() || isKey || isOneOf(next, "]}"))
-    return fmt::format("close what begins in line {} first",
-                       lineOf(text, document_.nodes[stack_.back().node].offset));
+  if (rest.empty() || isKey) return closeFirst("");
+  if (isOneOf(next, "]}")) return closeFirst(", or remove this");
   return isOneOf(next, ",:") ? kUnclear : "put a comma before it if one is missing";
 }
 
@@ -259,7 +282,8 @@ std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) c
 bool TreeBuilder::reportSlip(std::size_t start, std::string_view message) {
   const std::string_view text = document_.text;
   const bool isOfBrackets = start == text.size() || isOneOf(text[start], "]}") ||
-                            message.ends_with("expected end of input");
+                            message.ends_with("expected end of input") ||
+                            message.ends_with("expected '}'") || message.ends_with("expected ']'");
   if (!isOfBrackets) return false;
   const auto slip = findIndentationSlip(text.substr(0, start + 1));
   if (!slip) return false;
@@ -290,6 +314,11 @@ bool TreeBuilder::parse_error(std::size_t, const std::string& token, const json:
   constexpr int kOutOfRange = 406;
   if (error.id == kOutOfRange) {
     report_.error(place, fmt::format("the number {} is too large", token), "give a smaller one");
+    return false;
+  }
+  const std::string_view rest = std::string_view(document_.text).substr(start);
+  if (const auto slip = slipInWord(error.what()); slip && !isComment(rest)) {
+    report_.error(place, std::string("not valid JSON: ") + slip->what, slip->advice);
     return false;
   }
   const std::string message = grammarMessage(error.what());

@@ -123,6 +123,13 @@ bool isLightsFile(JsonValue root) {
   return hasLights && !hasSectors;
 }
 
+std::optional<NameReference> readLightsFile(Report& report, JsonValue value) {
+  if (!value.isArray()) return readReference(report, value);
+  report.error(value.place(), "lights in the level instead of the name of their file",
+               "write them into a file of their own, LEVEL.lights.json, and remove this");
+  return std::nullopt;
+}
+
 }  // namespace
 
 LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& limits) {
@@ -138,7 +145,7 @@ LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& lim
   if (const auto name = fields.find("name")) level.name = readName(report, *name).value_or("");
   if (const auto textures = fields.find("textures"))
     level.textures = readReference(report, *textures);
-  if (const auto lights = fields.find("lights")) level.lights = readReference(report, *lights);
+  if (const auto lights = fields.find("lights")) level.lights = readLightsFile(report, *lights);
   fields.read("light", {0, 1}, level.light);
   if (const auto player = fields.find("player")) level.player = readPlayer(report, *player);
   if (const auto shots = fields.find("shots")) readShots(report, *shots, level);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -129,12 +130,24 @@ void readLightList(Report& report, JsonValue value, const LoadLimits& limits,
     if (auto light = readLight(report, element)) lights.lights.push_back(*std::move(light));
 }
 
+bool isLevel(JsonValue root) {
+  if (!root.isObject()) return false;
+  const std::vector<JsonValue::Member> members = root.members();
+  return std::ranges::any_of(
+      members, [](const JsonValue::Member& member) { return member.key.text() == "sectors"; });
+}
+
 }  // namespace
 
 LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& limits) {
   LightsDescription lights;
   if (root.isArray()) {
     readLightList(report, root, limits, lights);
+    return lights;
+  }
+  if (isLevel(root)) {
+    report.error(root.place(), "a level instead of a lights file",
+                 "write { \"lights\": [ .. ] } here, and the level into another file");
     return lights;
   }
   const Fields fields(report, root, kFileKeys);

@@ -17,6 +17,12 @@ constexpr std::array<std::string_view, 5> kFlatKeys{"z", "texture", "isRelative"
                                                     "next"};
 constexpr std::array<std::string_view, 3> kSlopeKeys{"z", "sidewall", "isRelative"};
 
+/// Found in a sector, and of its loops.
+constexpr MisplacedKeys kOfLoops{
+    kLoopKeys, "give it to a loop: \"loops\": {{ \"border\": {{ .., \"{}\": .. }} }}"};
+/// Found in a loop, and of its sector.
+constexpr MisplacedKeys kOfSectors{kSectorKeys, "give it to the sector, beside \"loops\""};
+
 /// `keys` and "name", which array elements have and object members do not.
 template <std::size_t count>
 std::vector<std::string_view> knownKeys(const std::array<std::string_view, count>& keys,
@@ -136,11 +142,15 @@ bool take(Report& report, JsonValue value, std::size_t vertices, VertexBudget& b
 void readVertices(Report& report, JsonValue value, LoopDescription& loop, VertexBudget& budget) {
   if (!value.isArray()) return reportWrongType(report, value, "an array x0,y0, x1,y1, ...");
   const std::size_t count = value.size();
-  if (count > 0 && (value.front().isArray() || value.front().isObject())) {
-    report.error(value.front().place(),
-                 fmt::format("an {} for each vertex instead of one flat list",
-                             value.front().isArray() ? "array" : "object"),
-                 "write the numbers alone: x0,y0, x1,y1, ...");
+  if (count > 0 &&
+      (value.front().isArray() || value.front().isObject() || value.front().isString())) {
+    const JsonValue first = value.front();
+    report.error(
+        first.place(),
+        fmt::format("{} for each vertex instead of one flat list", first.isArray()    ? "an array"
+                                                                   : first.isObject() ? "an object"
+                                                                                      : "a text"),
+        "write the numbers alone: x0,y0, x1,y1, ...");
     return;
   }
   if (count % 2 != 0) {
@@ -194,7 +204,7 @@ void readWalls(Report& report, JsonValue value, LoopDescription& loop) {
 
 LoopDescription readLoop(Report& report, NameReference name, JsonValue value, bool isNamedByKey,
                          VertexBudget& budget) {
-  const Fields fields(report, value, knownKeys(kLoopKeys, isNamedByKey));
+  const Fields fields(report, value, knownKeys(kLoopKeys, isNamedByKey), kOfSectors);
   LoopDescription loop{std::move(name.name), name.place, {}, {}, {}};
   if (const auto vertices = fields.require("v", "give the vertices: x0,y0, x1,y1, ..."))
     readVertices(report, *vertices, loop, budget);
@@ -228,7 +238,7 @@ void readLoops(Report& report, JsonValue value, SectorDescription& sector, Verte
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
                              VertexBudget& budget) {
   const bool isNamedByKey = name.place < value.place();
-  const Fields fields(report, value, knownKeys(kSectorKeys, isNamedByKey));
+  const Fields fields(report, value, knownKeys(kSectorKeys, isNamedByKey), kOfLoops);
   SectorDescription sector;
   sector.name = std::move(name.name);
   sector.place = name.place;

@@ -66,12 +66,26 @@ class FaultReporter {
     const WallDescription& wall = linking_.describedWall(fault.segment);
     const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
     const StepWords words = wordsOf(fault.kind);
-    linking_.report.error(
-        stack ? stack->subWalls[fault.subWall].place : wall.place,
-        fmt::format("the {} of sector \"{}\" is {}: the wall {} the opening "
-                    "shows and has no texture",
-                    words.flat, next ? linking_.level[*next].name : "", words.lies, words.where),
-        fmt::format("give the wall \"{}\" or \"texture\"", words.key));
+    linking_.report.error(stack ? stack->subWalls[fault.subWall].place : wall.place,
+                          fmt::format("the {} of sector \"{}\" is {}{}: the wall {} the opening "
+                                      "shows and has no texture",
+                                      words.flat, next ? linking_.level[*next].name : "",
+                                      words.lies, heightsOf(fault, next), words.where),
+                          fmt::format("give the wall \"{}\" or \"texture\"", words.key));
+  }
+
+  /// Of the two flats, where these are all that makes the step: one of them may be the mistake.
+  std::string heightsOf(const MissingTexture& fault, std::optional<SectorId> next) const {
+    const bool isStep =
+        fault.kind == SurfaceKind::LowerStep || fault.kind == SurfaceKind::UpperStep;
+    if (!next || !isStep) return "";
+    const Sector& here = linking_.level[linking_.level[fault.segment].sector];
+    const Sector& there = linking_.level[*next];
+    const bool isFloor = fault.kind == SurfaceKind::LowerStep;
+    if (isFloor ? here.floorSlope || there.floorSlope : here.ceilingSlope || there.ceilingSlope)
+      return "";
+    return fmt::format(" ({} m, here {} m)", isFloor ? there.floor.z : there.ceiling.z,
+                       isFloor ? here.floor.z : here.ceiling.z);
   }
 
   Linking& linking_;

@@ -20,11 +20,23 @@ bool isSlip(std::size_t edits, std::string_view name) {
   return edits <= kMaxEdits && edits < std::max<std::size_t>(name.size(), 1);
 }
 
+/// What was cut short: the name that begins so, if there is but one.
+std::optional<std::string_view> onlyOneBeginningWith(std::string_view name,
+                                                     std::span<const std::string_view> known) {
+  constexpr std::size_t kFewestLetters = 3;
+  if (name.size() < kFewestLetters) return std::nullopt;
+  const auto begins = [name](std::string_view candidate) { return candidate.starts_with(name); };
+  const auto first = std::ranges::find_if(known, begins);
+  if (first == known.end() || std::any_of(first + 1, known.end(), begins)) return std::nullopt;
+  return *first;
+}
+
 }  // namespace
 
 std::optional<std::string_view> nearestName(std::string_view name,
                                             std::span<const std::string_view> known) {
   if (name.size() > kMaxNameBytes || known.size() > kMaxCompared) return std::nullopt;
+  if (const auto whole = onlyOneBeginningWith(name, known)) return whole;
   std::optional<std::string_view> best;
   std::size_t bestEdits = kMaxEdits + 1;
   for (const std::string_view candidate : known) {

@@ -66,6 +66,9 @@ class ImageFinder {
     return fmt::format("{}", fmt::join(names, " or "));
   }
 
+  /// The one that the level names.
+  std::string named() const { return folders_.front().lexically_normal().string(); }
+
   bool hasFolder() const { return std::ranges::any_of(folders_, exists); }
 
  private:
@@ -107,8 +110,8 @@ void reportMissing(Report& report, const NameReference& name, const ImageFinder&
 }
 
 /// Reports a folder that is named and does not exist, which explains all images that are missing.
-void reportMissingFolder(Report& report, const NameReference& folder) {
-  report.error(folder.place, fmt::format("there is no folder \"{}\"", folder.name),
+void reportMissingFolder(Report& report, const NameReference& folder, const ImageFinder& finder) {
+  report.error(folder.place, fmt::format("there is no folder {}", finder.named()),
                "give the folder of the images, seen from the folder of this file");
 }
 
@@ -208,7 +211,7 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
       if (hasFolder)
         reportMissing(report, name, finder);
       else
-        reportMissingFolder(report, *folder);
+        reportMissingFolder(report, *folder, finder);
     }
     if (!path) continue;
     textures.files.push_back(*path);

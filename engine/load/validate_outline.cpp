@@ -66,13 +66,7 @@ class SectorChecker {
   std::string wallName(const Edge& edge) const {
     return fmt::format("wall {} of loop \"{}\"", edge.wall, described(loopOf(edge)).name);
   }
-  /// From end to end, as the file lists them.
-  std::string ends(const Edge& edge) const {
-    const std::vector<Vec2>& vertices = described(loopOf(edge)).vertices;
-    const Vec2 from = vertices[edge.wall];
-    const Vec2 to = vertices[(edge.wall + 1) % vertices.size()];
-    return fmt::format("from ({}, {}) to ({}, {})", from.x, from.y, to.x, to.y);
-  }
+  std::string ends(const Edge& edge) const { return described(loopOf(edge)).ends(edge.wall); }
   std::string vertexName(const OutlineLoop& loop, std::uint32_t vertex) const {
     return fmt::format("vertex {} of loop \"{}\"", vertex - loop.firstVertex, described(loop).name);
   }

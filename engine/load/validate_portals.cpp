@@ -70,8 +70,9 @@ void warnOfOneWay(Linking& linking, const TwinIndex& twins, SegmentId id, Sector
   linking.report.warning(
       linking.describedWall(id).place,
       fmt::format(
-          "a one-way portal to sector \"{}\": wall {} of its loop \"{}\" does not lead back",
-          linking.level[target].name, behind.wall, linking.describedLoop(behind).name),
+          "a one-way portal to sector \"{}\": wall {} of its loop \"{}\", {}, does not lead back",
+          linking.level[target].name, behind.wall, linking.describedLoop(behind).name,
+          linking.describedLoop(behind).ends(behind.wall)),
       fmt::format("give that wall \"next\": \"{}\" if it is to lead back",
                   linking.level[segment.sector].name),
       "one-way-portal");

@@ -24,6 +24,13 @@ TEST(Suggest, namesTheNearestUpToTwoEditsAway) {
   EXPECT_EQ(suggest("lihgt", kKnown, "x"), "did you mean \"light\"?");
 }
 
+TEST(Suggest, namesTheOneThatWasCutShort) {
+  constexpr std::array<std::string_view, 4> kKeys{"texture", "next", "walls", "wall-light"};
+  EXPECT_EQ(nearestName("tex", kKeys), "texture");
+  EXPECT_EQ(nearestName("te", kKeys), std::nullopt);
+  EXPECT_EQ(nearestName("wall", kKeys), "walls");
+}
+
 TEST(Suggest, listsFewNamesWhenNoneIsNear) {
   EXPECT_EQ(suggest("walls", kKnown, "x"), "use one of: floor, ceiling, light");
   EXPECT_EQ(suggest("walls", {}, "remove it"), "remove it");
