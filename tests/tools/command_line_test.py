@@ -1019,7 +1019,8 @@ class Lint(InFolder):
         lights = self.folder / "castle.lights.json"
         lights.write_text(lights.read_text().replace('"intensity": 210', '"intensity": 0'))
         result = self.lint(level)
-        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        self.assertEqual((result.returncode, result.stderr),
+                         (1, 'on foot the player comes to 1 of 2 sectors, not to "study"\n'))
         lines = result.stdout.splitlines()
         for line in lines:
             self.assertRegex(line, r"^\S+\.json:\d+:\d+: warning: .+, at /\S+, .+ \[[a-z-]+\]$")

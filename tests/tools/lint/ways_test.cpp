@@ -251,10 +251,43 @@ TEST(SunkenPlayers, AreThoseWhoseFeetAreFarBelowTheFloor) {
     return with(hallAndRoom(0, 4), "'z': 1.6}", fmt::format("'z': {}}}", z));
   };
   for (const double z : {0.0, 0.5, 1.19})
-    EXPECT_EQ(placesOf(findSunkenPlayer, eyeAt(z)), (Places{"1:27 /player [sunken-player]"})) << z;
+    EXPECT_EQ(placesOf(findMisplacedPlayer, eyeAt(z)), (Places{"1:27 /player [sunken-player]"}))
+        << z;
   for (const double z : {1.2, 1.5, 1.6, 3.0})
-    EXPECT_EQ(placesOf(findSunkenPlayer, eyeAt(z)), Places{}) << z;
-  EXPECT_EQ(advicesOf(findSunkenPlayer, eyeAt(0)),
+    EXPECT_EQ(placesOf(findMisplacedPlayer, eyeAt(z)), Places{}) << z;
+  EXPECT_EQ(advicesOf(findMisplacedPlayer, eyeAt(0)),
+            std::vector<std::string>{"write \"z\": 1.6, which is 1.6 m above the floor"});
+}
+
+/// What the findings above leave out as nobody would have meant it.
+TEST(SectorsOutOfReach, AreThoseThatNoFeetComeTo) {
+  const auto unreached = [](const std::string& text) {
+    const LoadedLevel loaded = levelFrom(text);
+    std::vector<std::string> names;
+    for (const SectorId sector : outOfReach(loaded.level))
+      names.push_back(loaded.level[sector].name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(unreached(hallAndRoom(0.3, 4)), Names{});
+  EXPECT_EQ(unreached(hallAndRoom(0, 1)), Names{});  // crouching
+  EXPECT_EQ(unreached(hallAndRoom(0.9, 4)), Names{"room"});
+  EXPECT_EQ(unreached(hallAndRoom(0, 0.4)), Names{"room"});
+  EXPECT_EQ(unreached(hallAndDoorway(0.2)), (Names{"doorway", "room"}));
+  EXPECT_EQ(unreached(hallAndStair(0.9, 4)),
+            (Names{"step-1", "step-2", "step-3", "step-4", "room"}));
+}
+
+/// He crouches where he has no room to stand: then he is 0.9 m high, and his eye 0.8 m.
+TEST(StuckPlayers, AreThoseWhoseHeadIsInTheCeiling) {
+  const auto eyeAt = [](double z) {
+    return with(hallAndRoom(0, 4), "'z': 1.6}", fmt::format("'z': {}}}", z));
+  };
+  for (const double z : {3.91, 3.99})
+    EXPECT_EQ(placesOf(findMisplacedPlayer, eyeAt(z)), (Places{"1:27 /player [stuck-player]"}))
+        << z;
+  EXPECT_EQ(placesOf(findMisplacedPlayer, eyeAt(3.9)), Places{});
+  EXPECT_EQ(advicesOf(findMisplacedPlayer, eyeAt(3.95)),
             std::vector<std::string>{"write \"z\": 1.6, which is 1.6 m above the floor"});
 }
 

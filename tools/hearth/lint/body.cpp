@@ -51,6 +51,13 @@ double feetAt(const Level& level, SectorId id, Vec2 p) {
   return level[id].airBottom(p);
 }
 
+/// Likewise where a head comes to: above flat portals, too.
+double ceilingAt(const Level& level, SectorId id, Vec2 p) {
+  while (level[id].ceiling.interface)
+    id = across(level, level[*level[id].ceiling.interface], Side::Upper, p);
+  return level[id].airTop(p);
+}
+
 Demand demandAt(const Level& level, const Segment& segment, const Passage& passage, SectorId next,
                 double share) {
   const Vec2 p = lerp(segment.p0, segment.p1, share);
@@ -311,6 +318,20 @@ void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings)
                   body.eyeHeight));
 }
 
+/// Where there is not room enough he begins crouching; where not even for that, he is stuck.
+void lookAtHead(const LintedLevel& linted, const Body& crouching, double eyeHeight,
+                Findings& findings) {
+  const Player& player = *linted.level().player;
+  const double ceiling = ceilingAt(linted.level(), player.sector, player.eye.xy());
+  const double above = player.eye.z - crouching.eyeHeight + crouching.height - ceiling;
+  if (above <= kSkin) return;
+  const double floor = feetAt(linted.level(), player.sector, player.eye.xy());
+  findings.add(FindingKind::StuckPlayer, linted.source.level.player->place,
+               fmt::format("the player's head is {:.3g} m inside the ceiling, crouching", above),
+               fmt::format("write \"z\": {:.6g}, which is {:.3g} m above the floor",
+                           floor + eyeHeight, eyeHeight));
+}
+
 }  // namespace
 
 void findImpassable(const LintedLevel& linted, Findings& findings) {
@@ -320,8 +341,21 @@ void findImpassable(const LintedLevel& linted, Findings& findings) {
     finder.look(bodyOf(linted.level(), isCrouching ? 1 : 0), isCrouching);
 }
 
-void findSunkenPlayer(const LintedLevel& linted, Findings& findings) {
-  if (linted.level().player) lookAtFeet(linted, bodyOf(linted.level(), 0), findings);
+std::vector<SectorId> outOfReach(const Level& level) {
+  if (!level.player) return {};
+  const std::vector<bool> isReached =
+      Walks(level, bodyOf(level, 1)).reachedFrom(level.player->sector);
+  std::vector<SectorId> unreached;
+  for (std::size_t i = 0; i < isReached.size(); ++i)
+    if (!isReached[i]) unreached.emplace_back(i);
+  return unreached;
+}
+
+void findMisplacedPlayer(const LintedLevel& linted, Findings& findings) {
+  if (!linted.level().player) return;
+  const Body standing = bodyOf(linted.level(), 0);
+  lookAtFeet(linted, standing, findings);
+  lookAtHead(linted, bodyOf(linted.level(), 1), standing.eyeHeight, findings);
 }
 
 }  // namespace hearth

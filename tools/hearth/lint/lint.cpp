@@ -10,7 +10,7 @@ std::vector<Diagnostic> lintGeometry(const LintedLevel& linted) {
   findTextureJumps(linted, findings);
   findUnseenTextures(linted, findings);
   findImpassable(linted, findings);
-  findSunkenPlayer(linted, findings);
+  findMisplacedPlayer(linted, findings);
   return findings.resolve(linted.source.documents);
 }
 

@@ -28,8 +28,11 @@ void findTextureJumps(const LintedLevel& linted, Findings& findings);
 void findUnseenTextures(const LintedLevel& linted, Findings& findings);
 /// Steps that the player just cannot climb, and ways that are just too low or narrow for him.
 void findImpassable(const LintedLevel& linted, Findings& findings);
-/// A player who begins with his feet below the floor.
-void findSunkenPlayer(const LintedLevel& linted, Findings& findings);
+/// The sectors that the player cannot come to on foot, in order: fewer than there are rather than
+/// more. None without a player.
+std::vector<SectorId> outOfReach(const Level& level);
+/// A player who begins with his feet below the floor, or his head above the ceiling.
+void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
 
 // What needs one.
 

@@ -1,6 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "hearth/command.h"
 #include "hearth/lint/lint.h"
@@ -23,6 +28,20 @@ std::string kindsInWords() {
   return text;
 }
 
+/// No finding, as windows and roofs are seen and not entered; but who has built a stair shall see
+/// that nobody can go up.
+void tellWhereNobodyComes(const Level& level) {
+  constexpr std::size_t kNamed = 3;
+  const std::vector<SectorId> sectors = outOfReach(level);
+  if (sectors.empty()) return;
+  std::vector<std::string> names;
+  for (const SectorId sector : std::span(sectors).first(std::min(kNamed, sectors.size())))
+    names.push_back(fmt::format("\"{}\"", level[sector].name));
+  if (sectors.size() > kNamed) names.push_back(fmt::format("{} others", sectors.size() - kNamed));
+  fmt::print(stderr, "on foot the player comes to {} of {} sectors, not to {}\n",
+             level.sectors.size() - sectors.size(), level.sectors.size(), fmt::join(names, ", "));
+}
+
 ExitStatus run(const OptionValues& values) {
   const SourcedResult opened = loadLevelOf(values);
   const std::vector<Diagnostic>& ofLoader = opened.result.diagnostics;
@@ -42,7 +61,10 @@ ExitStatus run(const OptionValues& values) {
   const std::vector<Diagnostic> ofLight = lintLight(linted, *light, *settings, threadsFrom(values));
   print(ofLight);
   const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
-  if (isClean && !values.has(Option::Quiet)) fmt::print(stderr, "no findings\n");
+  if (!values.has(Option::Quiet)) {
+    if (isClean) fmt::print(stderr, "no findings\n");
+    tellWhereNobodyComes(linted.level());
+  }
   return isClean ? ExitStatus::Done : ExitStatus::Differs;
 }
 
