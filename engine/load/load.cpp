@@ -65,7 +65,7 @@ LightsDescription Loader::readLightsOf(const LevelDescription& description) {
       return {};
     }
   } else {
-    path /= file_.stem().string() + ".lights.json";
+    path = lightsBeside(file_);
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return {};
   }
@@ -117,6 +117,10 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
 }
 
 }  // namespace
+
+fs::path lightsBeside(const fs::path& level) {
+  return level.parent_path() / (level.stem().string() + ".lights.json");
+}
 
 LoadResult loadLevel(const fs::path& file, const LoadLimits& limits) {
   return Loader(file, limits).load().result;

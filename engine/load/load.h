@@ -29,6 +29,9 @@ struct LoadResult {
   std::vector<Diagnostic> diagnostics;  ///< errors and warnings, in the order of the files
 };
 
+/// Where the lights of a level lie that does not name their file.
+std::filesystem::path lightsBeside(const std::filesystem::path& level);
+
 /// Reads a level with its lights and textures. All mistakes are reported together, each at its
 /// place; there is no level unless there is none. levels/README.md says what the files hold.
 LoadResult loadLevel(const std::filesystem::path& file, const LoadLimits& limits = {});

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 
 #include "hearth/bake_cache.h"
 #include "hearth/bake_file.h"
@@ -15,8 +14,6 @@
 namespace hearth {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 void warnIfDark(const Level& level, const BakedLight& light, const OptionValues& values) {
   if (const auto warning = warningIfDark(level, light, values))
@@ -60,7 +57,7 @@ std::optional<std::string> warningIfDark(const Level& level, const BakedLight& l
         "{}:1:1: warning: no lights are given, so only sector light shows, at /lights, give some "
         "in "
         "{}, or name another file of lights: \"lights\": ..",
-        values.level, fs::path(values.level).replace_extension(".lights.json").filename().string());
+        values.level, lightsBeside(values.level).filename().string());
   return fmt::format(
       "{}:1:1: warning: no light reaches any surface, so only sector light shows, at /lights, add "
       "lights or raise their intensity",

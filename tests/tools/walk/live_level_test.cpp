@@ -265,6 +265,24 @@ TEST_F(LiveWalk, ShowsLightsThatWereSavedWithTheLevel) {
   ASSERT_TRUE(comesToShowFresh());
 }
 
+TEST_F(LiveWalk, ShowsLightsThatComeAfterTheLevel) {
+  const Json lights = read(lightsFile());
+  fs::remove(lightsFile());
+  begin();
+  const Image dark = stage_.shown;
+  write(lightsFile(), lights.dump());
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_NE(stage_.shown, dark);
+  EXPECT_EQ(stage_.shown, fresh());
+  fs::remove(lightsFile());
+  write(levelFile(), read(levelFile()).dump());
+  ASSERT_TRUE(isTold("rooms.json: shown"));
+  EXPECT_EQ(stage_.shown, dark);
+  write(lightsFile(), lights.dump());
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_EQ(stage_.shown, fresh());
+}
+
 TEST_F(LiveWalk, SaysNothingOfALevelWhoseLightsFollow) {
   begin(kPatience);
   testing::internal::CaptureStderr();

@@ -61,7 +61,14 @@ std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const
 LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
                      LevelSource source, std::chrono::milliseconds nextFile)
     : workshop_(values, loaded, std::move(source), nextFile) {
-  watch_.watch(loaded->files);
+  watch(*loaded);
+}
+
+/// Also the lights that are not there yet.
+void LiveLevel::watch(const LoadedLevel& loaded) {
+  watched_ = loaded.files;
+  watched_.push_back(lightsBeside(loaded.files.front()));
+  watch_.watch(watched_);
 }
 
 tl::expected<std::shared_ptr<const LitLevel>, std::string> LiveLevel::awaitFirst(
@@ -89,7 +96,7 @@ void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
     // The second file is that of the lights; a level that has none is loaded as a whole.
     const bool areLights = changes.watched == std::set<std::size_t>{1};
     workshop_.reload(areLights ? Workshop::Changed::Lights : Workshop::Changed::Anything);
-    if (!changes.watched.empty()) saved_ = shown_->loaded->files[*changes.watched.begin()];
+    if (!changes.watched.empty()) saved_ = watched_[*changes.watched.begin()];
   }
   while (const auto news = workshop_.news()) take(*news, loop, journey);
   loop.setNotes(notes());
@@ -105,7 +112,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
       mistakes_ = {"there is no room where you stand, and the level has no player to start with"};
       return printToStderr(mistakes_);
     }
-    watch_.watch(news.level->loaded->files);
+    watch(*news.level->loaded);
   }
   loop.goOnIn(news.level->loaded->level, news.level->renderer);
   shown_ = news.level;

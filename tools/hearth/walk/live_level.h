@@ -41,7 +41,10 @@ class LiveLevel {
   bool goOnIn(const LitLevel& next, Journey& journey) const;
   std::vector<std::string> notes() const;
 
+  void watch(const LoadedLevel& loaded);
+
   FileWatch watch_;
+  std::vector<std::filesystem::path> watched_;  ///< files
   Workshop workshop_;
   std::shared_ptr<const LitLevel> shown_;
   std::vector<std::string> mistakes_;           ///< of the version that was saved last
