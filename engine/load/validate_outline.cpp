@@ -363,12 +363,12 @@ void SectorChecker::warnOfDirection(const OutlineLoop& loop) const {
   const LoopDescription& turned = described(loop);
   const bool isBorder = &loop == &sector_.loops[0];
   const bool hasWalls = turned.walls.size() > 1;
-  report_.warning(
-      turned.place, fmt::format("loop \"{}\" runs the wrong way and is turned round", turned.name),
-      fmt::format("list the vertices of a {} on a map with y down{}",
-                  isBorder ? "border clockwise" : "hole counter-clockwise",
-                  hasWalls ? ", and all walls but the last the other way round, too" : ""),
-      "turned-loop");
+  report_.warning(turned.place,
+                  fmt::format("loop \"{}\" runs the wrong way and is turned round", turned.name),
+                  fmt::format("list the vertices of a {} on a map with y down{}",
+                              isBorder ? "border clockwise" : "hole counter-clockwise",
+                              hasWalls ? ", and the walls as they follow then" : ""),
+                  "turned-loop");
 }
 
 }  // namespace
