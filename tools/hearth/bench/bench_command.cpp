@@ -22,11 +22,18 @@ double perSecond(double count, const BakeBench& bake) { return count / bake.seco
 
 Json toJson(const Spread& spread) { return {{"median", spread.median}, {"p95", spread.p95}}; }
 
+/// How many times its memory could be written in the time of a frame.
+double writesOf(const FrameBench& frame) {
+  return frame.milliseconds.median / frame.writeMilliseconds.median;
+}
+
 Json toJson(const FrameBench& frame) {
   Json json{{"width", frame.size.width},
             {"height", frame.size.height},
             {"threads", frame.threads},
-            {"milliseconds", toJson(frame.milliseconds)}};
+            {"milliseconds", toJson(frame.milliseconds)},
+            {"writeMilliseconds", toJson(frame.writeMilliseconds)},
+            {"writes", writesOf(frame)}};
   for (const FrameCounter& counter : frame.counters) json[std::string(counter.name)] = counter.mean;
   return json;
 }
@@ -79,10 +86,10 @@ void print(const BenchReport& report, const Machine& machine) {
   const std::string drawnWith = optionsOf(report.drawSettings);
   fmt::print("{}, {} thread(s), {}; {} repeats{}\n\n", machine.processor, machine.threads,
              machine.compiler, report.repeats, drawnWith.empty() ? "" : "; " + drawnWith);
-  fmt::print("{:>16} {:>8} {:>10} {:>10}\n", "frame", "threads", "ms", "ms, p95");
+  fmt::print("{:>16} {:>8} {:>10} {:>10} {:>10}\n", "frame", "threads", "ms", "ms, p95", "writes");
   for (const FrameBench& frame : report.frames)
-    fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f}\n", inWords(frame.size), frame.threads,
-               frame.milliseconds.median, frame.milliseconds.p95);
+    fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f} {:>10.1f}\n", inWords(frame.size), frame.threads,
+               frame.milliseconds.median, frame.milliseconds.p95, writesOf(frame));
   printCounters(report.frames);
   fmt::print("\nbake: {} texels of {} m, {}; {} texel-light tests, {} rays, {} bytes\n",
              report.bake.texels, report.settings.texel, samplesInWords(report.settings),

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 
 #include "render/renderer.h"
 
@@ -47,7 +48,9 @@ FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
 /// Frames of one size on so many threads, with all times that were taken.
 class FrameTimes {
  public:
-  FrameTimes(PictureSize size, int threads) : bench_{size, threads, {}, countersOf({}, {})} {}
+  FrameTimes(PictureSize size, int threads)
+      : bench_{size, threads, {}, {}, countersOf({}, {})},
+        memory_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
 
   void draw(const Renderer& renderer, Camera camera, const Clock& clock) {
     camera.width = bench_.size.width;
@@ -57,12 +60,14 @@ class FrameTimes {
     milliseconds_.push_back(1e3 * (clock() - begin));
     const FrameCounters ofFrame = countersOf(scratch_.visibility.found.stats, scratch_.painted);
     for (std::size_t i = 0; i < ofFrame.size(); ++i) bench_.counters[i].mean += ofFrame[i].mean;
+    write(clock);
   }
 
   /// Forgets the times and the work so far, but not the memory.
   void begin() {
     bench_.counters = countersOf({}, {});
     milliseconds_.clear();
+    writeMilliseconds_.clear();
   }
 
   FrameBench result() const {
@@ -70,12 +75,21 @@ class FrameTimes {
     for (FrameCounter& counter : bench.counters)
       counter.mean /= static_cast<double>(milliseconds_.size());
     bench.milliseconds = spreadOf(milliseconds_);
+    bench.writeMilliseconds = spreadOf(writeMilliseconds_);
     return bench;
   }
 
  private:
+  void write(const Clock& clock) {
+    const double begin = clock();
+    std::ranges::fill(memory_, memory_.front() + 1);
+    writeMilliseconds_.push_back(1e3 * (clock() - begin));
+  }
+
   FrameBench bench_;
   std::vector<double> milliseconds_;
+  std::vector<double> writeMilliseconds_;
+  std::vector<std::uint32_t> memory_;
   FrameScratch scratch_;
   Image picture_;
 };

@@ -33,6 +33,9 @@ struct FrameBench {
   PictureSize size;
   int threads = 1;
   Spread milliseconds;  ///< a frame
+  /// One plain write of four bytes for each of its pixels, after each frame: what memory asks of
+  /// whoever draws.
+  Spread writeMilliseconds;
   FrameCounters counters;
 };
 
@@ -59,8 +62,9 @@ double steadySeconds();
 
 /// Draws every shot of the level in three sizes, and bakes, each `repeats` times on one thread and
 /// on `threads`: everything once, then everything again, so that what else the machine does
-/// strikes all alike. A level without shots is drawn as its player sees it. Memory that frames are
-/// drawn in has grown before the first is counted.
+/// strikes all alike; after each frame memory of its size is written. A level without shots is
+/// drawn as its player sees it. Memory that frames are drawn in has grown before the first is
+/// counted.
 BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
                     const DrawSettings& drawSettings, int threads, int repeats, const Clock& clock);
 
