@@ -11,6 +11,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "math/planted_bug.h"
 #include "render/span_mapping.h"
@@ -24,6 +26,8 @@ constexpr hn::ScalableTag<double> kDouble;
 constexpr hn::ScalableTag<float> kFloat;
 using Doubles = hn::Vec<decltype(kDouble)>;
 using Floats = hn::Vec<decltype(kFloat)>;
+constexpr hn::RebindToUnsigned<decltype(kDouble)> kBits;
+using Bits = hn::Vec<decltype(kBits)>;
 
 /// In all lanes of Reals, which are Doubles or Floats: places are found in one or the other.
 template <typename Reals>
@@ -117,6 +121,24 @@ HWY_INLINE Between<Reals> betweenKept(Reals x, double size) {
   return {first, hn::Min(hn::Add(first, all<Reals>(1)), last), hn::Sub(kept, first)};
 }
 
+/// An axis of an image that repeats, whose size is a power of two: then the lowest bits of a whole
+/// number are its remainder.
+class RepeatingByBits {
+ public:
+  RepeatingByBits(const ImageAxis& along, int size)
+      : along_(along), mask_(static_cast<std::uint64_t>(size - 1)) {}
+
+  HWY_INLINE Bits texel(Doubles measure) const {
+    // Of less than 2^51: added to it, they are the lowest bits of the sum, also those below zero.
+    const Doubles sum = hn::Add(wholeTexels(at(along_, measure)), all<Doubles>(0x1.8p52));
+    return hn::And(hn::BitCast(kBits, sum), hn::Set(kBits, mask_));
+  }
+
+ private:
+  ImageAxis along_;
+  std::uint64_t mask_;
+};
+
 /// The rows of a sky, which do not repeat: beyond the image its edge goes on.
 class SkyRows {
  public:
@@ -159,15 +181,15 @@ class LightAxis {
 };
 
 /// An axis along which nothing changes from row to row.
-template <typename Reals>
+template <typename Reals, typename Axis>
 class SameTexel {
  public:
-  explicit SameTexel(const Repeating& axis) : texel_(axis.texel(all<Reals>(0))) {}
+  explicit SameTexel(const Axis& axis) : texel_(axis.texel(all<Reals>(0))) {}
 
-  HWY_INLINE Reals texel(Reals) const { return texel_; }
+  HWY_INLINE auto texel(Reals) const { return texel_; }
 
  private:
-  Reals texel_;
+  decltype(std::declval<Axis>().texel(std::declval<Reals>())) texel_;
 };
 
 }  // namespace hearth::HWY_NAMESPACE

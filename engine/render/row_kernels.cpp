@@ -4,6 +4,10 @@
 
 #include "render/row_kernels.h"
 
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
 #include "math/planted_bug.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -79,6 +83,15 @@ HWY_INLINE Integers numberOf(Floats line, Floats place, int size) {
                  hn::ConvertTo(kSigned, place));
 }
 
+HWY_INLINE Bits numberOf(Bits line, Bits place, int size) {
+  return hn::Or(hn::ShiftLeftSame(line, std::countr_zero(static_cast<unsigned>(size))), place);
+}
+
+HWY_INLINE void store(Bits number, std::int32_t* to) {
+  const hn::Rebind<std::uint32_t, decltype(kBits)> tag;
+  hn::Store(hn::TruncateTo(tag, number), tag, reinterpret_cast<std::uint32_t*>(to));
+}
+
 HWY_INLINE void store(Doubles number, std::int32_t* to) {
   const hn::Rebind<std::int32_t, decltype(kDouble)> tag;
   hn::Store(hn::DemoteTo(tag, number), tag, to);
@@ -137,15 +150,24 @@ void findTexelsAlong(RowBatch& batch, int height, const Columns& columns, const 
   }
 }
 
+template <typename Reals, typename Axis>
+void findRepeatingTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
+  const Axis columns(mapping.u, image.width());
+  const Axis rows(mapping.v, image.height());
+  if (mapping.isPlane) return findTexelsAlong<Reals>(batch, image.height(), columns, rows);
+  findTexelsAlong<Reals>(batch, image.height(), SameTexel<Reals, Axis>(columns), rows);
+}
+
+bool isPowerOfTwo(int size) { return std::has_single_bit(static_cast<unsigned>(size)); }
+
 template <typename Reals>
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
-  const int height = image.height();
-  const Repeating columns(mapping.u, image.width());
-  const Repeating rows(mapping.v, height);
-  if (mapping.isPlane) return findTexelsAlong<Reals>(batch, height, columns, rows);
-  const SameTexel<Reals> column(columns);
-  if (!mapping.isSky) return findTexelsAlong<Reals>(batch, height, column, rows);
-  findTexelsAlong<Reals>(batch, height, column, SkyRows(mapping.v, height));
+  if constexpr (std::is_same_v<Reals, Doubles>)
+    if (!mapping.isSky && isPowerOfTwo(image.width()) && isPowerOfTwo(image.height()))
+      return findRepeatingTexels<Reals, RepeatingByBits>(batch, mapping, image);
+  if (!mapping.isSky) return findRepeatingTexels<Reals, Repeating>(batch, mapping, image);
+  const SameTexel<Reals, Repeating> column(Repeating(mapping.u, image.width()));
+  findTexelsAlong<Reals>(batch, image.height(), column, SkyRows(mapping.v, image.height()));
 }
 
 template <typename Reals, typename Rows>
