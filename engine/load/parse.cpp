@@ -253,7 +253,7 @@ std::string TreeBuilder::adviceAt(std::size_t start, std::string_view message) c
   const std::size_t last =
       start == 0 ? std::string::npos : text.find_last_not_of(" \t\r\n", start - 1);
   if (isComment(rest)) return "write comments as keys that begin with \"//\", JSON has no others";
-  if (message.ends_with("expected end of input"))
+  if (last != std::string::npos && message.ends_with("expected end of input"))
     return fmt::format(
         "what begins in line {} is closed in line {}: remove this, or a bracket before",
         lineOf(text, document_.nodes.front().offset), lineOf(text, last));

@@ -48,6 +48,10 @@ bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, D
   document.text = std::move(*text);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (document.text.starts_with(kByteOrderMark)) document.text.erase(0, kByteOrderMark.size());
+  if (document.text.starts_with(kByteOrderMark)) {  // which the JSON library would pass over
+    report.error({documentIndex, 0}, "not valid JSON: a second byte order mark", "remove it");
+    return false;
+  }
   return parse(document, documentIndex, report);
 }
 
