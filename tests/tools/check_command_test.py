@@ -189,16 +189,15 @@ class Differences(InFolder):
         name = "it's -o \"<b>&\" $HOME é"
         self.write_level(shots=[name])
         output = self.expect_failure("no ", "--texel", "0.3", "--lambert")
-        command = shlex.split(next(line for line in output.splitlines() if "hearth shot" in line))
-        self.assertEqual(command[0], "hearth")
-        subprocess.run([HEARTH, *command[1:]], cwd=self.folder, check=True)
+        command = shlex.split(next(line for line in output.splitlines() if " shot " in line))
+        subprocess.run(command, cwd=self.folder, check=True)
         self.assertEqual((self.folder / f"{name}.png").read_bytes(),
                          (self.failed / f"{name}.actual.png").read_bytes())
 
     def test_the_printed_command_accepts(self):
         output = self.expect_failure("differ", "--lambert", "--texel", "0.3")
         command = shlex.split(next(line for line in output.splitlines() if "--update" in line))
-        subprocess.run([HEARTH, *command[1:]], cwd=self.folder, check=True, capture_output=True)
+        subprocess.run(command, cwd=self.folder, check=True, capture_output=True)
         self.assertEqual(self.check("--lambert", "--texel", "0.3").returncode, 0)
 
     def test_a_later_check_takes_away_its_own_files_only(self):

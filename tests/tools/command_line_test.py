@@ -406,7 +406,7 @@ class SavedBake(InFolder):
         self.refuse_bake(r"rooms\.bake was baked for other geometry than the level has now, with the "
                          r'settings "--texel 0\.5 --samples 1 --soft-samples 36 --cut-off 0 --light-bits 8 '
                          r'--bounces 0 --no-lambert": '
-                         r"bake again with `hearth bake \S*copy\.json -o \S*rooms\.bake`")
+                         r"bake again with `\S*hearth bake \S*copy\.json -o \S*rooms\.bake`")
         self.bake_again()
         self.draw("--light-from", self.bake)
 
@@ -423,7 +423,7 @@ class SavedBake(InFolder):
                                (data[:99] + b"x" + data[100:], "was altered: "),
                                (b"", "is cut short: "), (b"{}", "is no saved bake")]:
             self.bake.write_bytes(wrong)
-            self.refuse_bake(message + ".*: bake again with `hearth bake ")
+            self.refuse_bake(message + ".*: bake again with `\\S*hearth bake ")
 
     def test_is_refused_unread_when_it_is_no_file_or_too_long(self):
         self.bake_again("--texel", "0.125")
@@ -650,7 +650,7 @@ class New(InFolder):
     def test_says_how_to_walk_it(self):
         result = run("new", self.folder / "two words")
         command = result.stdout.splitlines()[-1]
-        self.assertEqual(shlex.split(command), ["hearth", "walk", f"{self.folder}/two words.json"])
+        self.assertEqual(shlex.split(command), [HEARTH, "walk", f"{self.folder}/two words.json"])
 
     def test_never_touches_a_file_that_is_there(self):
         for there in ("castle.json", "castle.lights.json"):
@@ -1099,6 +1099,43 @@ class Help(unittest.TestCase):
                               if command in commands.split() or
                               (commands.strip() == "all" and command != "new")}
                 self.assertEqual(helped - {"--help"}, documented)
+
+
+class Called(InFolder):
+    """What the program prints to be typed can be typed, by whatever name it was called."""
+
+    def setUp(self):
+        super().setUp()
+        self.program = self.folder / "my build" / "hearth"
+        self.program.parent.mkdir()
+        self.program.symlink_to(Path(HEARTH).resolve())
+
+    def call(self, *arguments):
+        return subprocess.run(["my build/hearth", *map(str, arguments)], executable=self.program,
+                              cwd=self.folder, capture_output=True, text=True)
+
+    def typed(self, result, pattern="^    (.*)$"):
+        text = re.search(pattern, result.stdout + result.stderr, re.MULTILINE)[1]
+        self.assertTrue(text.startswith("'my build/hearth' "), text)
+        return text
+
+    def test_commands_are_printed_with_its_name(self):
+        made = self.call("new", "castle")
+        self.assertRegex(self.typed(made), " walk castle.json$")
+        accept = self.typed(self.call("check", "castle.json"), r"^    (.* --update)$")
+        subprocess.run(["sh", "-c", accept], cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(self.call("check", "castle.json").returncode, 0)
+
+    def test_so_are_those_of_mistakes(self):
+        for arguments in [], ["shot"], ["tradeoff"]:
+            with self.subTest(arguments=arguments):
+                helped = self.typed(self.call(*arguments), "see `(.*)`$")
+                subprocess.run(["sh", "-c", helped], cwd=self.folder, check=True, capture_output=True)
+        saved = self.folder / "light.bake"
+        saved.write_text("{}")
+        again = self.typed(self.call("shot", self.level, "-o", "x.png", "--light-from", saved),
+                           "bake again with `(.*)`$")
+        subprocess.run(["sh", "-c", again], cwd=self.folder, check=True, capture_output=True)
 
 
 class Threads(InFolder):

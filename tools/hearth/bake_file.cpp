@@ -24,7 +24,7 @@ tl::expected<BakedLight, std::string> readBake(const Level& level, const OptionV
   const auto bytes = readBytes(path, values);
   if (!bytes) return tl::unexpected(bytes.error());
   return decodeBake(level, *bytes).map_error([&](const std::string& mistake) {
-    return fmt::format("{} {}: bake again with `hearth bake {} -o {}`", path, mistake,
+    return fmt::format("{} {}: bake again with `{} bake {} -o {}`", path, mistake, values.program,
                        shellWord(values.level), shellWord(path));
   });
 }

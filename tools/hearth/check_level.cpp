@@ -82,7 +82,7 @@ class LevelCheck {
         folders_(goldenFolders(values.level, values.text(Option::Golden))) {
     findings_.level = values.level;
     findings_.acceptCommand =
-        fmt::format("hearth check {}{} --update", shellWord(values.level),
+        fmt::format("{} check {}{} --update", values.program, shellWord(values.level),
                     typedOptions(values, std::vector{Option::Golden} + lightOptions()));
     findings_.page = folders_.failed / kPage;
   }
@@ -186,7 +186,7 @@ class LevelCheck {
   }
 
   std::string reproduction(const std::string& name) const {
-    return fmt::format("hearth shot {} --shot {}{} -o {}", shellWord(values_.level),
+    return fmt::format("{} shot {} --shot {}{} -o {}", values_.program, shellWord(values_.level),
                        shellWord(name), typedOptions(values_, lightOptions()),
                        shellWord(name + ".png"));
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hearth/command.h"
+#include "hearth/shell_text.h"
 #include "math/check.h"
 
 namespace hearth {
@@ -58,9 +59,9 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
     std::vector<std::string_view> names;
     for (const Command& known : commands) names.push_back(known.name);
     return fail(fmt::format(
-        "{}; there are: {}; see `hearth --help`",
+        "{}; there are: {}; see `{} --help`",
         first.empty() ? "name a command" : fmt::format("there is no command \"{}\"", first),
-        fmt::join(names, ", ")));
+        fmt::join(names, ", "), values.program));
   }
   const std::string_view name = command == commands.end() ? "" : command->name;
   try {
@@ -69,8 +70,8 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
     program.exit(help);
     return ExitStatus::Done;
   } catch (const CLI::ParseError& mistake) {
-    return fail(
-        fmt::format("{}; see `hearth {}{}--help`", mistake.what(), name, name.empty() ? "" : " "));
+    return fail(fmt::format("{}; see `{} {}{}--help`", mistake.what(), values.program, name,
+                            name.empty() ? "" : " "));
   }
   CHECK(command != commands.end(), first);  // asked for help, and gave none
   return command->run(values);
@@ -87,6 +88,7 @@ ExitStatus runProgram(int argc, char** argv) {
   program.require_subcommand(1);
   const std::vector<Command> commands = allCommands();
   OptionValues values;
+  if (argc > 0) values.program = shellWord(argv[0]);
   for (const Command& command : commands) addCommand(program, command, values);
   return parseAndRun(program, commands, values, argc, argv);
 }

@@ -107,8 +107,8 @@ ExitStatus run(const OptionValues& values) {
   std::filesystem::path lights = level;
   lights.replace_extension(".lights.json");
   if (const auto written = writeLevel(level, lights); !written) return fail(written.error());
-  fmt::print("{} and {}: edit them, and walk with\n    hearth walk {}\n", level.string(),
-             lights.string(), shellWord(level.string()));
+  fmt::print("{} and {}: edit them, and walk with\n    {} walk {}\n", level.string(),
+             lights.string(), values.program, shellWord(level.string()));
   return ExitStatus::Done;
 }
 

@@ -93,6 +93,7 @@ std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& va
 /// The options that were given, their values checked against the table.
 class OptionValues {
  public:
+  std::string program = "hearth";   ///< as it was called: a word for the shell
   std::string level;                ///< the level file
   std::vector<std::string> levels;  ///< in its place, of a command that takes several
 

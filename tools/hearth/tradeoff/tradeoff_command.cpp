@@ -70,7 +70,8 @@ ExitStatus run(const OptionValues& values) {
     return ExitStatus::Done;
   }
   if (values.level.empty())
-    return fail("LEVEL is required, or --list; see `hearth tradeoff --help`");
+    return fail(
+        fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto report = measured(*loaded, values);

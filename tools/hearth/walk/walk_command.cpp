@@ -150,8 +150,8 @@ ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Pla
   const Level& level = loaded->level;
   auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
   if (!window)
-    return fail(
-        fmt::format("no window can be opened: {}; `hearth shot` needs no display", window.error()));
+    return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
+                            window.error(), values.program));
   std::optional<LiveLevel> live;
   if (isLive(values)) live.emplace(values, loaded, std::move(source));
   auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, values);
