@@ -163,7 +163,10 @@ class Differences(InFolder):
         for path in self.golden.iterdir():
             path.unlink()
         self.golden.rmdir()
-        self.assertIn("0 as kept, 2 not", self.expect_failure("north: there is no "))
+        output = self.expect_failure("north: there is no .*north.png, --update makes it\n")
+        self.assertIn("0 as kept, 2 not", output)
+        [command] = re.findall("^    (.*)$", output, re.MULTILINE)  # which makes both
+        self.assertEqual(shlex.split(command), [HEARTH, "check", str(self.level), "--update"])
         self.assertFalse(self.golden.exists())
 
     def test_a_golden_without_a_shot(self):
@@ -188,7 +191,8 @@ class Differences(InFolder):
     def test_the_printed_command_draws_the_actual_picture(self):
         name = "it's -o \"<b>&\" $HOME é"
         self.write_level(shots=[name])
-        output = self.expect_failure("no ", "--texel", "0.3", "--lambert")
+        self.check("--update")
+        output = self.expect_failure("differ", "--texel", "0.3", "--lambert")
         command = shlex.split(next(line for line in output.splitlines() if " shot " in line))
         subprocess.run(command, cwd=self.folder, check=True)
         self.assertEqual((self.folder / f"{name}.png").read_bytes(),

@@ -117,10 +117,10 @@ class LevelCheck {
   void judge(const std::string& name, const Image& drawn) {
     const std::filesystem::path golden = pictureFile(folders_.golden, name);
     const Comparison comparison = compareWithGolden(golden, drawn);
+    const bool isKept = comparison.verdict != Verdict::Missing;
     ShotFinding finding{name, comparison.verdict == Verdict::Same, comparison.words,
-                        reproduction(name)};
-    if (comparison.verdict != Verdict::Missing && comparison.verdict != Verdict::Unreadable)
-      finding.expected = golden;
+                        isKept ? reproduction(name) : ""};
+    if (isKept && comparison.verdict != Verdict::Unreadable) finding.expected = golden;
     if (isUpdate_)
       note(accept(finding, comparison.verdict, drawn));
     else if (!finding.isAsKept)

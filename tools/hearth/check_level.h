@@ -14,7 +14,7 @@ struct ShotFinding {
   std::string shot;
   bool isAsKept;        ///< from now on: so is what was accepted
   std::string words;    ///< a sentence without its full stop
-  std::string command;  ///< draws the shot; empty where none does
+  std::string command;  ///< draws the shot; empty where none does, or no picture is kept
   // What there is to look at.
   std::optional<std::filesystem::path> expected = {};
   std::optional<std::filesystem::path> actual = {};

@@ -42,7 +42,8 @@ std::filesystem::path pictureFile(const std::filesystem::path& folder, std::stri
 Comparison compareWithGolden(const std::filesystem::path& golden, const Image& drawn) {
   std::error_code error;
   if (!std::filesystem::exists(golden, error))
-    return {Verdict::Missing, fmt::format("there is no {}", golden.string()), {}};
+    return {
+        Verdict::Missing, fmt::format("there is no {}, --update makes it", golden.string()), {}};
   const auto size = readImageSize(golden);
   if (!size) return {Verdict::Unreadable, size.error(), {}};
   if (*size != ImageSize{drawn.width(), drawn.height()})
