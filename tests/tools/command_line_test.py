@@ -647,6 +647,28 @@ class New(InFolder):
                 self.assertEqual((info["sectors"], info["lights"]), (2, 2))
                 self.assertGreater(level.read_text().count('"//"'), 4)
 
+    def test_takes_images_from_where_its_comment_says(self):
+        run("new", self.folder / "castle")
+        level = self.folder / "castle.json"
+        text = level.read_text().replace('"texture": "#6e5a46"', '"texture": "planks"')
+        self.assertIn(r'write \"textures\": \"FOLDER\", below \"name\" at the top', text)
+        level.write_text(text.replace('  "name": "castle",\n',
+                                      '  "name": "castle",\n  "textures": "images",\n'))
+        images = self.folder / "images"
+        images.mkdir()
+        drawn = run("shot", level, "-o", self.out)
+        self.refuse(drawn, r'castle\.json:18:\d+: error: there is no image "planks"')
+        (images / "planks.png").write_bytes((SOURCE / "levels/keep.golden/arrival.png").read_bytes())
+        drawn = run("shot", level, "-o", self.out)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+
+    def test_tells_the_sizes_of_the_player(self):
+        run("new", self.folder / "castle")
+        level = json.loads((self.folder / "castle.json").read_text())
+        sizes = "0.6 m wide and 1.8 m high, 0.9 m when crouching, and climbs steps of 0.4 m"
+        self.assertIn(sizes, level["player"]["//"])
+        self.assertIn(sizes, " ".join((SOURCE / "README.md").read_text().split()))
+
     def test_says_how_to_walk_it(self):
         result = run("new", self.folder / "two words")
         command = result.stdout.splitlines()[-1]

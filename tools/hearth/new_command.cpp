@@ -9,25 +9,30 @@
 #include "hearth/command.h"
 #include "hearth/shell_text.h"
 #include "image/replace_file.h"
+#include "level/level.h"
+#include "walk/body.h"
 
 namespace hearth {
 
 namespace {
 
-/// As `hearth fmt` lays it out; {} is the level's name as JSON.
+/// As `hearth fmt` lays it out; in braces are the level's name as JSON and the player's sizes.
 constexpr std::string_view kLevel = R"({{
   "version": 1,
-  "name": {},
+  "name": {name},
   "//": "Two rooms, and a doorway with a step between them. Lengths are in metres, angles in degrees; x runs to the right and y down the plan, z upwards. A key \"//\" is a comment.",
   "light": 0.1,
-  "player": {{ "sector": "hall", "x": 1.5, "y": 2, "z": 1.6, "angle": 0 }},
+  "player": {{
+    "//": "z is that of the eye. The player is {width:g} m wide and {height:g} m high, {crouched:g} m when crouching, and climbs steps of {step:g} m.",
+    "sector": "hall", "x": 1.5, "y": 2, "z": 1.6, "angle": 0
+  }},
   "shots": [
     {{ "//": "a picture that `hearth check` keeps: x, y, z, angle, pitch",
       "name": "hall", "camera": [0.5, 3.5, 1.6, -25, 0] }}
   ],
   "sectors": {{
     "hall": {{
-      "//": "A texture is a colour, or the name of an image: \"textures\": \"FOLDER\" above says where those lie.",
+      "//": "A texture is a colour, or the name of an image without its extension. Images are looked for in ../textures and beside this file; to have them elsewhere, write \"textures\": \"FOLDER\", below \"name\" at the top: a folder as seen from this file.",
       "floor":   {{ "z": 0, "texture": "#6e5a46" }},
       "ceiling": {{ "z": 2.8, "texture": "#b4aa96" }},
       "loops": {{
@@ -95,7 +100,12 @@ Written writeLevel(const std::filesystem::path& level, const std::filesystem::pa
   const std::string name = nlohmann::json(level.stem().string())
                                .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (auto written = writeNew(lights, kLights); !written) return written;
-  auto written = writeNew(level, fmt::format(kLevel, name));
+  const Player player;
+  const std::string text =
+      fmt::format(kLevel, fmt::arg("name", name), fmt::arg("width", 2 * player.radius),
+                  fmt::arg("height", player.height), fmt::arg("crouched", bodyOf({}, 1).height),
+                  fmt::arg("step", player.step));
+  auto written = writeNew(level, text);
   std::error_code ignored;
   if (!written) std::filesystem::remove(lights, ignored);
   return written;
