@@ -175,6 +175,17 @@ class Mistakes(InFolder):
                 self.assertEqual(result.returncode, 2, result.stderr)
                 self.assertRegex(result.stderr, f"tutorial.*error: .*{option}")
 
+    def test_a_picture_is_not_called_what_it_is_not(self):
+        for ending in ["jpg", "jpeg", "bmp", "tga", "gif", "webp", "JPG"]:
+            with self.subTest(ending=ending):
+                self.refuse(self.shot(out=self.folder / f"a.b.{ending}"),
+                            rf"-o: \S*a\.b\.{ending}: pictures are written as PNG: name it \S*/a\.b\.png$")
+        self.assertEqual(list(self.folder.iterdir()), [])
+        for name in ["jpg", ".jpg", "out", "out.tmp", "out.PNG", "out.jpg.part"]:
+            with self.subTest(name=name):
+                self.assertEqual(self.shot(out=self.folder / name).returncode, 0)
+                self.assertEqual(png_size(self.folder / name), (320, 200))
+
     def test_a_bake_is_written_as_a_picture_or_to_be_used_again(self):
         self.refuse(run("bake", self.level, "-o", self.folder / "out.jpg"), r"-o: .*\.bake.*\.png")
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "hearth/command.h"
@@ -49,9 +53,26 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
   return renderer.draw(camera, lightModeFrom(values));
 }
 
-ExitStatus run(const OptionValues& values) {
+/// A name that promises a picture of another kind. Any other name is the user's business.
+std::optional<std::string> mistakeInName(const std::filesystem::path& output) {
+  constexpr std::array<std::string_view, 6> kOthers{".jpg", ".jpeg", ".bmp",
+                                                    ".tga", ".gif",  ".webp"};
+  std::string ending = output.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (std::ranges::find(kOthers, ending) == kOthers.end()) return std::nullopt;
+  return fmt::format("-o: {}: pictures are written as PNG: name it {}", output.string(),
+                     std::filesystem::path(output).replace_extension(".png").string());
+}
+
+std::optional<std::string> mistakeInOptions(const OptionValues& values) {
   if (values.has(Option::Channel) && values.has(Option::Light))
-    return fail("give --light or --channel, not both");
+    return "give --light or --channel, not both";
+  return mistakeInName(*values.text(Option::Output));
+}
+
+ExitStatus run(const OptionValues& values) {
+  if (const auto mistake = mistakeInOptions(values)) return fail(*mistake);
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto camera = cameraFor(loaded->level, values, {320, 200});
