@@ -24,11 +24,11 @@ SCREEN = (1024, 768)  # pixels
 class Display:
     """An X server without a screen, whose pixels lie in a file."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, screen=SCREEN):
         self.pixels_file = Path(folder) / "Xvfb_screen0"
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "{}x{}x24".format(*SCREEN),
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "{}x{}x24".format(*screen),
              "-fbdir", folder, "-nocursor", "-nolisten", "tcp"],
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
@@ -269,6 +269,26 @@ def keeps_to_a_time(display, hearth, level, folder):
         walk.process.wait()
 
 
+def fits_small_screens(hearth, level, folder):
+    """The first window keeps its shape, or is a whole number of times as large as its picture."""
+    place = folder / "small"
+    place.mkdir()
+    display = Display(place, (800, 480))
+    try:
+        for options, size in [([], [768, 480]), (["--size", "320x200"], [640, 400]),
+                              (["--size", "1000x400"], [800, 320])]:
+            walk = Walk(display, hearth, level, folder, *options)
+            try:
+                if walk.geometry() != [(800 - size[0]) // 2, (480 - size[1]) // 2, *size]:
+                    sys.exit(f"FAILED: with {options} the window is {walk.geometry()}")
+                walk.leave()
+            finally:
+                walk.process.kill()
+                walk.process.wait()
+    finally:
+        display.close()
+
+
 def replays(hearth, level, folder):
     result = subprocess.run([hearth, "walk", level, "--replay", folder / "walk.txt", "--headless"],
                             capture_output=True, text=True)
@@ -297,6 +317,7 @@ def main():
                 walk.process.wait()
             replays(hearth, level, folder)
             keeps_to_a_time(display, hearth, level, folder)
+            fits_small_screens(hearth, level, folder)
         finally:
             display.close()
     print("walked in a window")

@@ -67,5 +67,13 @@ TEST_F(HiddenWindow, IsAWholeNumberOfTimesAsLargeAsItsPicture) {
   EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{400, 600}));
 }
 
+TEST_F(HiddenWindow, IsNoLargerThanTheScreenAndKeepsThePicturesShape) {
+  WindowSettings settings;  // the screen of this driver has 1024x768 pixels
+  settings.pictureSize = PictureSize{1600, 800};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{1024, 512}));
+  settings.pictureSize = PictureSize{100, 4096};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{19, 768}));
+}
+
 }  // namespace
 }  // namespace hearth

@@ -24,12 +24,37 @@ std::string displayDrivers() {
   return hasX11 ? "x11" : "";
 }
 
-/// A picture of a size of its own gets a window of a whole number of times that size.
+/// The screen without what the desktop keeps for itself. Where it is not told, there is no limit.
+PictureSize roomOnScreen() {
+  SDL_Rect usable{};
+  if (SDL_GetDisplayUsableBounds(0, &usable) != 0) return {kMaxPictureSide, kMaxPictureSide};
+  return {std::max(1, usable.w), std::max(1, usable.h)};
+}
+
+/// How often a size goes into another, whole, both ways.
+int timesIn(PictureSize room, PictureSize size) {
+  return std::min(room.width / size.width, room.height / size.height);
+}
+
+/// In its shape, as large as there is room for it.
+PictureSize shrunk(PictureSize size, PictureSize room) {
+  if (timesIn(room, size) > 0) return size;
+  const double share = std::min(static_cast<double>(room.width) / size.width,
+                                static_cast<double>(room.height) / size.height);
+  const auto side = [share](int whole) {
+    return std::max(1, static_cast<int>(std::lround(share * whole)));
+  };
+  return {side(size.width), side(size.height)};
+}
+
+/// A picture of a size of its own gets a window of a whole number of times that size. No window is
+/// larger than the screen.
 PictureSize firstSize(const std::optional<PictureSize>& picture) {
-  if (!picture) return kFirstWindowSize;
-  const int times =
-      std::min(kFirstWindowSize.width / picture->width, kFirstWindowSize.height / picture->height);
-  return {std::max(1, times) * picture->width, std::max(1, times) * picture->height};
+  const PictureSize room = roomOnScreen();
+  const PictureSize usual = shrunk(kFirstWindowSize, room);
+  if (!picture) return usual;
+  const int times = std::max(1, timesIn(usual, *picture));
+  return shrunk({times * picture->width, times * picture->height}, room);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ struct SDL_Window;
 
 namespace hearth {
 
-/// Pixels of a window at first, unless the picture needs more; the user may drag it to any size.
+/// Of a window at first, unless the picture needs more or the screen has less room; the user may
+/// drag it to any size.
 inline constexpr PictureSize kFirstWindowSize = {960, 600};
 
 struct WindowSettings {
