@@ -917,6 +917,43 @@ class Map(InFolder):
                 self.assertEqual(sum(t.startswith("light at z ") for t in titles), len(lights))
                 self.assertTrue(any(t.startswith("player at z ") for t in titles))
 
+    def test_writes_the_names_of_shots_beside_them(self):
+        for name in ("tutorial", "keep"):
+            with self.subTest(level=name):
+                plan = self.plan(SOURCE / f"levels/{name}.json")
+                shots = json.loads((SOURCE / f"levels/{name}.json").read_text())["shots"]
+                names = [text for text in plan.iter(self.SVG + "text") if text.get("class") == "shotname"]
+                self.assertEqual([text.text for text in names], [shot["name"] for shot in shots])
+                for text, eye in zip(names, self.eyes(plan, "shot")):
+                    away = math.dist(eye, (float(text.get("x")), float(text.get("y"))))
+                    self.assertLess(away, 60 + 4 * len(text.text))
+
+    def eyes(self, plan, style):
+        """Where the dots of signs are; the last is that of the key."""
+        return [(float(dot.get("cx")), float(dot.get("cy"))) for sign in plan.iter(self.SVG + "g")
+                if sign.get("class") == style for dot in sign.iter(self.SVG + "circle")]
+
+    def test_a_view_opens_from_the_eye_into_its_direction(self):
+        run("new", self.folder / "castle")  # of 9 m width; its shot looks from (0.5, 3.5) by -25 degrees
+        plan = self.plan(self.folder / "castle.json")
+        sign = next(sign for sign in plan.iter(self.SVG + "g") if sign.get("class") == "shot")
+        x, y = self.eyes(plan, "shot")[0]
+        self.assertAlmostEqual(x, 40 + 0.5 * 1600 / 9, delta=0.01)
+        self.assertAlmostEqual(y, 40 + 3.5 * 1600 / 9, delta=0.01)
+        path = sign.find(self.SVG + "path").get("d")
+        left, eye, right = [tuple(map(float, corner.split(","))) for corner in re.split("[ML]", path)[1:]]
+        self.assertEqual(eye, (x, y))
+        ahead = math.atan2(left[1] + right[1] - 2 * y, left[0] + right[0] - 2 * x)
+        self.assertAlmostEqual(math.degrees(ahead), -25, delta=0.1)
+
+    def test_has_a_key_of_its_signs(self):
+        plan = self.plan(self.level)
+        words = [text.text for text in plan.iter(self.SVG + "text") if text.get("class") == "key"]
+        self.assertTrue({"light", "player", "shot: from the dot, into the angle"} <= set(words), words)
+        shots = json.loads(self.level.read_text())["shots"]
+        self.assertEqual(len(self.eyes(plan, "shot")), len(shots) + 1)
+        self.assertEqual(len(self.eyes(plan, "player")), 2)
+
     def test_tells_walls_steps_openings_and_one_way_portals_apart(self):
         drawn = {path.get("class"): path.get("d", "").count("M")
                  for path in self.plan(SOURCE / "levels/tutorial.json").iter(self.SVG + "path")

@@ -24,9 +24,13 @@ namespace {
 // In units of the SVG; browsers fit it to the page.
 constexpr double kLongerSide = 1600;
 constexpr double kMargin = 40;
-constexpr double kLegend = 60;
+constexpr double kLegendRow = 28;
+constexpr double kLegend = 3 * kLegendRow + 4;
 constexpr double kLargestText = 20;
 constexpr double kSmallestText = 4;  ///< smaller names are only told when pointed at
+constexpr double kShotText = 12;
+constexpr double kEyeRadius = 3;
+constexpr double kPlayersFov = 60;  ///< of the sign; degrees
 /// Of a letter, by its height: a rough mean of sans-serif type.
 constexpr double kLetterWidth = 0.56;
 
@@ -40,8 +44,11 @@ constexpr std::string_view kStyle =
     ".solid{stroke:#141414;stroke-width:2.5}.step{stroke:#b4541e;stroke-width:1.5}"
     ".opening{stroke:#141414;stroke-width:.7;stroke-dasharray:3 4}"
     ".oneway{stroke:#c4006e;stroke-width:2.5;stroke-dasharray:7 4}"
-    ".light{stroke:#141414;stroke-width:.7}.shot{stroke:#0a5a2c;stroke-width:1.5}"
-    ".player{stroke:#0a5a2c;stroke-width:3}.key{text-anchor:start;font-size:14px}";
+    ".light{stroke:#141414;stroke-width:.7}.key{text-anchor:start;font-size:14px}"
+    ".shot,.player{stroke:#0a5a2c;stroke-width:1.5}.player{stroke-width:3}"
+    ".shot circle,.player circle{fill:#0a5a2c;stroke:none}"
+    ".shotname{fill:#0a5a2c;stroke:#fff;stroke-opacity:.85;stroke-width:3;"
+    "paint-order:stroke}";
 
 enum class Line { Opening, Step, OneWay, Solid };
 
@@ -156,6 +163,7 @@ class Plan {
     drawLights();
     drawCameras();
     drawNames();
+    drawShotNames();
     drawLegend();
     out_ += "</svg>\n";
     return std::move(out_);
@@ -167,6 +175,7 @@ class Plan {
     fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
   }
 
+  double width() const { return scale_ * size_.x + 2 * kMargin; }
   double height() const { return scale_ * size_.y + 2 * kMargin + kLegend; }
   Vec2 toPaper(Vec2 p) const { return scale_ * (p - frame_.low) + Vec2{kMargin, kMargin}; }
   std::string point(Vec2 p) const {
@@ -181,7 +190,7 @@ class Plan {
         "patternTransform=\"rotate(45)\"><rect width=\"2\" height=\"9\" fill=\"#1e6ec8\" "
         "fill-opacity=\".55\"/></pattern></defs>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        scale_ * size_.x + 2 * kMargin, height(), escaped(level_.name), kStyle);
+        width(), height(), escaped(level_.name), kStyle);
   }
 
   std::string outline(const Sector& sector) const {
@@ -285,52 +294,104 @@ class Plan {
     }
   }
 
-  /// A place from which one looks: an angle of sight.
-  void drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
-                  double fov) {
+  /// Where one looks from, a dot, and the two sides of what is in view; the box around these.
+  Box drawEye(std::string_view style, Vec2 eye, double angle, double fov, std::string_view title) {
     constexpr double kLength = 18;
-    const Vec2 at = toPaper(eye.xy());
     const auto end = [&](double turned) {
       const auto [sin, cos] = sinCosDegrees(angle + turned);
-      return at + kLength * Vec2{cos, sin};
+      return eye + kLength * Vec2{cos, sin};
     };
     const double half = std::min(fov / 2, 80.0);
+    const Vec2 left = end(-half);
+    const Vec2 right = end(half);
+    add("<g class=\"{}\">{}<path d=\"M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}\"/>"
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/></g>\n",
+        style, title, left.x, left.y, eye.x, eye.y, right.x, right.y, eye.x, eye.y, kEyeRadius);
     Box box;
-    for (const Vec2 corner : {at, end(-half), end(half)}) box.add(corner);
-    taken_.push_back(box);
-    add("<path class=\"{}\" d=\"M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}Z\">"
-        "<title>{} at z {:g}</title></path>\n",
-        style, end(-half).x, end(-half).y, at.x, at.y, end(half).x, end(half).y, escaped(name),
-        eye.z);
+    for (const Vec2 corner : {left, eye, right}) box.add(corner);
+    return box;
+  }
+
+  Box drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
+                 double fov) {
+    const std::string title = fmt::format("<title>{} at z {:g}</title>", escaped(name), eye.z);
+    return taken_.emplace_back(drawEye(style, toPaper(eye.xy()), angle, fov, title));
   }
 
   void drawCameras() {
     for (const Shot& shot : level_.shots)
-      drawCamera("shot", "shot " + shot.name, shot.eye, shot.angle, shot.fov);
-    if (level_.player) drawCamera("player", "player", level_.player->eye, level_.player->angle, 60);
+      shots_.push_back(drawCamera("shot", "shot " + shot.name, shot.eye, shot.angle, shot.fov));
+    if (level_.player)
+      drawCamera("player", "player", level_.player->eye, level_.player->angle, kPlayersFov);
+  }
+
+  /// Beside its sign, where nothing is in the way; else further off, and at last not at all.
+  void drawShotName(std::string_view name, const Box& sign) {
+    constexpr std::array kSides = {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1},  Vec2{0, -1},
+                                   Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}};
+    const Vec2 half{kLetterWidth * static_cast<double>(name.size()) * kShotText / 2, kShotText / 2};
+    const Vec2 middle = 0.5 * (sign.low + sign.high);
+    for (const double gap : {kEyeRadius + 1, kShotText, 2 * kShotText})
+      for (const Vec2 side : kSides) {
+        const Vec2 away = 0.5 * (sign.high - sign.low) + half + Vec2{gap, gap};
+        const Vec2 at = middle + Vec2{side.x * away.x, side.y * away.y};
+        if (!isOnPaper(at, half) || !takes(at, half)) continue;
+        // Letters without descenders reach up to 0.7 of the size from the line they stand on.
+        add("<text class=\"shotname\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\">{}</text>\n", at.x,
+            at.y + 0.35 * kShotText, kShotText, escaped(name));
+        return;
+      }
+  }
+
+  bool isOnPaper(Vec2 middle, Vec2 half) const {
+    return middle.x > half.x && middle.x + half.x < width() && middle.y > half.y &&
+           middle.y + half.y < height() - kLegend - 10;
+  }
+
+  void drawShotNames() {
+    for (std::size_t i = 0; i < shots_.size(); ++i) drawShotName(level_.shots[i].name, shots_[i]);
+  }
+
+  /// The words of an entry of the key; the column of the next one.
+  double explain(std::string_view words, double column, double row) {
+    add("<text class=\"key\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", column, row + 5, words);
+    return column + 20 + 8 * static_cast<double>(words.size());
+  }
+
+  void drawKeyOfLines(double row) {
+    double column = kMargin;
+    for (const LineStyle& style : kLines) {
+      add("<path class=\"{}\" d=\"M{:.2f},{:.2f}h36\"/>\n", style.style, column, row);
+      column = explain(style.words, column + 44, row);
+    }
+    add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"36\" height=\"16\" fill=\"url(#flat)\"/>\n",
+        column, row - 8);
+    explain("flat portal", column + 44, row);
+  }
+
+  void drawKeyOfSigns(double row) {
+    add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"#ffe8c8\"/>\n",
+        kMargin + 18, row);
+    double column = explain("light", kMargin + 44, row);
+    drawEye("player", {column + 10, row}, 0, kPlayersFov, "");
+    column = explain("player", column + 44, row);
+    drawEye("shot", {column + 10, row}, 0, kPlayersFov, "");
+    explain("shot: from the dot, into the angle", column + 44, row);
+  }
+
+  void drawScale(double row) {
+    const double metres = std::pow(10, std::floor(std::log10(kLongerSide / 4 / scale_)));
+    add("<path class=\"solid\" d=\"M{:.2f},{:.2f}h{:.2f}\"/>\n", kMargin, row, scale_ * metres);
+    explain(fmt::format("{:g} m", metres), kMargin + scale_ * metres + 8, row);
   }
 
   void drawLegend() {
     const double row = height() - kLegend + 10;
     add("<rect y=\"{:.2f}\" width=\"100%\" height=\"{}\" fill=\"#fff\"/>\n",
         height() - kLegend - 10, kLegend + 10);
-    double column = kMargin;
-    const auto entry = [&](std::string_view words) {
-      add("<text class=\"key\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", column + 44, row + 5, words);
-      column += 64 + 8 * static_cast<double>(words.size());
-    };
-    for (const LineStyle& style : kLines) {
-      add("<path class=\"{}\" d=\"M{:.2f},{:.2f}h36\"/>\n", style.style, column, row);
-      entry(style.words);
-    }
-    add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"36\" height=\"16\" fill=\"url(#flat)\"/>\n",
-        column, row - 8);
-    entry("flat portal");
-    const double metres = std::pow(10, std::floor(std::log10(kLongerSide / 4 / scale_)));
-    add("<path class=\"solid\" d=\"M{:.2f},{:.2f}h{:.2f}\"/>\n", kMargin, row + 28,
-        scale_ * metres);
-    add("<text class=\"key\" x=\"{:.2f}\" y=\"{:.2f}\">{:g} m</text>\n",
-        kMargin + scale_ * metres + 8, row + 33, metres);
+    drawKeyOfLines(row);
+    drawKeyOfSigns(row + kLegendRow);
+    drawScale(row + 2 * kLegendRow);
   }
 
   const Level& level_;
@@ -338,6 +399,7 @@ class Plan {
   Vec2 size_;
   double scale_;            ///< units per metre
   std::vector<Box> taken_;  ///< on the paper, by what names must not cover
+  std::vector<Box> shots_;  ///< on the paper: the signs of the level's shots
   std::string out_;
 };
 
