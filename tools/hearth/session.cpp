@@ -55,8 +55,7 @@ std::optional<std::string> warningIfDark(const Level& level, const BakedLight& l
   if (level.lights.empty())
     return fmt::format(
         "{}:1:1: warning: no lights are given, so only sector light shows, at /lights, give some "
-        "in "
-        "{}, or name another file of lights: \"lights\": ..",
+        "in {}, or name another file of lights: \"lights\": ..",
         values.level, lightsBeside(values.level).filename().string());
   return fmt::format(
       "{}:1:1: warning: no light reaches any surface, so only sector light shows, at /lights, add "
