@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "level/openings.h"
+#include "light/slope_reach.h"
 #include "math/check.h"
 #include "math/planted_bug.h"
 #include "math/predicates.h"
@@ -319,13 +320,17 @@ std::optional<Beam::Gate> Beam::gateOf(const Visit& way) {
 
 void Beam::goThroughFlats(const Sector& sector) {
   if (planted(PlantedBug::BeamPastFlatPortals)) return;
-  const auto goTo = [&](const std::vector<SectorId>& members) {
-    for (const SectorId member : members) go({member, Way::ThroughFlat, nullptr, {}, {}});
+  const auto goTo = [&](const std::vector<SectorId>& members, double z) {
+    isStopped_ |= hasSlopeAt(level_, sector, z);
+    for (const SectorId member : members) {
+      isStopped_ |= hasSlopeAt(level_, level_[member], z);
+      go({member, Way::ThroughFlat, nullptr, {}, {}});
+    }
   };
   if (sector.floor.interface && hull_->zMin() < sector.floor.z)
-    goTo(level_[*sector.floor.interface].lower);
+    goTo(level_[*sector.floor.interface].lower, sector.floor.z);
   if (sector.ceiling.interface && hull_->zMax() > sector.ceiling.z)
-    goTo(level_[*sector.ceiling.interface].upper);
+    goTo(level_[*sector.ceiling.interface].upper, sector.ceiling.z);
 }
 
 /// Whether no target can be in the sector: all are beside it, or beyond a flat portal of it.

@@ -151,8 +151,8 @@ class Walk {
     bool isFloor;
   };
 
-  /// Where, up to tEnd, the ray meets the sector's floor or ceiling (slopes included; skies are
-  /// none to light).
+  /// Where, up to tEnd, the ray first meets the sector's floor or ceiling (slopes included, which
+  /// may come through one another; skies are none to light).
   std::optional<FlatHit> meetsFlat(double tEnd) const {
     const Sector& sector = level_[sector_];
     if (planted(PlantedBug::LightThroughSlopes) && (sector.floorSlope || sector.ceilingSlope))
@@ -160,13 +160,14 @@ class Walk {
     if (planted(PlantedBug::LightStoppedBySky) && sector.ceiling.parallax &&
         zAt(t_) > sector.ceiling.z)
       return FlatHit{t_, false};
+    std::optional<FlatHit> first;
     if (!sector.floor.parallax && (delta_.z < 0 || sector.floorSlope))
       if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return sector.airBottom(p); }))
-        return FlatHit{*t, true};
+        first = FlatHit{*t, true};
     if (!sector.ceiling.parallax && (delta_.z > 0 || sector.ceilingSlope))
       if (const auto t = meetsPlane(tEnd, -1, [&](Vec2 p) { return sector.airTop(p); }))
-        return FlatHit{*t, false};
-    return std::nullopt;
+        if (!first || *t < first->t) first = FlatHit{*t, false};
+    return first;
   }
 
   template <typename HeightAt>

@@ -1,5 +1,6 @@
 // Whether bakes with beams are those of rays, in hundreds of random levels.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "both_bakes.h"
@@ -8,6 +9,20 @@ namespace hearth {
 namespace {
 
 TEST(Beams, giveTheBytesOfRaysInManyRandomLevels) { test::expectSameRandomBakes(1000, 1400); }
+
+/// A slope there comes through a flat portal by micrometres, or a surface ends in a vertex.
+TEST(Beams, giveTheBytesOfRaysWhereLittleIsLeftOfAPortalOrASurface) {
+  const test::RandomLevels levels;
+  for (const std::uint64_t seed : {6012, 6866, 13760, 17918}) {
+    const Level level = levels.level(seed);
+    BakeSettings settings = level.bake;
+    settings.texel = 0.5;
+    settings.samples = 1;
+    settings.softSamples = 0;
+    test::BothCosts costs;
+    test::expectSameBakes(level, settings, fmt::format("seed {}", seed), costs);
+  }
+}
 
 }  // namespace
 }  // namespace hearth
