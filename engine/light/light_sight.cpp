@@ -286,11 +286,16 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
   return seen / whole;
 }
 
+void LightSight::findCones(const Level& level, double reach) {
+  if (radius_ == 0) cones_.emplace(level, middle_, reach);
+}
+
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
   for (const LightSource& light : level.lights) {
     fine.emplace_back(level, light, settings.softSamples, settings.solidMiddles);
     rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMiddles);
     reach.push_back(light.reach(settings.cutOff));
+    fine.back().findCones(level, reach.back() + kAuthorNoise);
   }
 }
 

@@ -1,20 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "level/level.h"
+#include "light/light_cones.h"
+#include "light/plane.h"
 #include "light/raytracer.h"
 
 namespace hearth {
-
-struct Plane {
-  Vec3 point;
-  Vec3 normal;  ///< unit
-  /// Metres in front of the plane.
-  double inFront(Vec3 p) const { return dot(p - point, normal); }
-};
 
 /// A point of a surface that is to be lit.
 struct LightTarget {
@@ -67,6 +63,10 @@ class LightSight {
                    std::int64_t& rays) const;
 
   const BeamLight& beamLight() const { return beamLight_; }
+  /// What a point of light sees. None of a ball.
+  const LightCones* cones() const { return cones_ ? &*cones_ : nullptr; }
+  /// Finds it, as far as `reach` metres.
+  void findCones(const Level& level, double reach);
   /// On which it depends what of the light shines: that of its middle, and all that lines from
   /// there to other points of it come into.
   std::span<const SectorId> sectors() const { return sectors_; }
@@ -93,6 +93,7 @@ class LightSight {
   /// Whether what shines is what lies in front of all planes, if there are any.
   bool isCutByPlanes_ = false;
   BeamLight beamLight_;
+  std::optional<LightCones> cones_;
   std::vector<SectorId> sectors_;
 };
 

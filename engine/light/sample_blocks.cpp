@@ -14,14 +14,21 @@ SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
   const Vec3 inPlane = surface.grid.axisS - dot(surface.grid.axisS, normal_) * normal_;
   axisS_ = (1 / length(inPlane)) * inPlane;
   axisT_ = cross(normal_, axisS_);
+  const auto addOnce = [](auto& ids, auto id) {
+    if (ids.empty() || (ids.back() != id && std::ranges::find(ids, id) == ids.end()))
+      ids.push_back(id);
+  };
   for (const SamplePoint& sample : samples_) {
-    const SectorId sector = level_[sample.surface].sector;
-    if (sectors_.empty() ||
-        (sectors_.back() != sector && std::ranges::find(sectors_, sector) == sectors_.end()))
-      sectors_.push_back(sector);
+    addOnce(surfaces_, sample.surface);
+    addOnce(sectors_, level_[sample.surface].sector);
   }
-  blocks_.push_back(
-      {.column = 0, .row = 0, .columns = columns, .rows = rows, .box = {}, .sector = {}});
+  blocks_.push_back({.column = 0,
+                     .row = 0,
+                     .columns = columns,
+                     .rows = rows,
+                     .box = {},
+                     .sector = {},
+                     .surface = {}});
   for (std::size_t i = 0; i < blocks_.size(); ++i) divide(i);
   for (std::size_t i = blocks_.size(); i-- > 0;) measure(blocks_[i]);
 }
@@ -43,7 +50,8 @@ void SampleBlocks::divide(std::size_t index) {
                        .columns = columns,
                        .rows = rows,
                        .box = {},
-                       .sector = {}});
+                       .sector = {},
+                       .surface = {}});
     ++blocks_[index].parts;
   };
   add(0, 0, left, upper);
@@ -57,8 +65,10 @@ void SampleBlocks::measure(Block& block) const {
   const Vec3 origin = samples_[index(block.column, block.row)].target;
   Vec3 least{kFar, kFar, kFar};
   Vec3 most{-kFar, -kFar, -kFar};
-  bool isOne = true;
-  const SectorId sector = level_[samples_[index(block.column, block.row)].surface].sector;
+  bool isOneSector = true;
+  bool isOneSurface = true;
+  const SurfaceId surface = samples_[index(block.column, block.row)].surface;
+  const SectorId sector = level_[surface].sector;
   for (int j = block.row; j < block.row + block.rows; ++j)
     for (int i = block.column; i < block.column + block.columns; ++i) {
       const SamplePoint& sample = samples_[index(i, j)];
@@ -66,9 +76,11 @@ void SampleBlocks::measure(Block& block) const {
       const Vec3 p{dot(way, axisS_), dot(way, axisT_), dot(way, normal_)};
       least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
       most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-      isOne &= level_[sample.surface].sector == sector;
+      isOneSurface &= sample.surface == surface;
+      isOneSector &= level_[sample.surface].sector == sector;
     }
-  if (isOne) block.sector = sector;
+  if (isOneSector) block.sector = sector;
+  if (isOneSurface) block.surface = surface;
   block.box.normal = normal_;
   const double kThin = kHeightNoise;
   const bool isFlat = most.z - least.z < kThin;

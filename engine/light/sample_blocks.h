@@ -26,8 +26,9 @@ class SampleBlocks {
     int columns;
     int rows;
     TargetBox box;  ///< holds where the samples' rays arrive
-    /// In which all samples lie, if it is one.
+    /// In which all samples lie, if it is one; and on which surface.
     std::optional<SectorId> sector;
+    std::optional<SurfaceId> surface;
     std::uint32_t firstPart = 0;  ///< the parts of a block follow one another
     std::uint32_t parts = 0;
   };
@@ -37,6 +38,8 @@ class SampleBlocks {
     return std::span(blocks_).subspan(block.firstPart, block.parts);
   }
   const std::vector<SamplePoint>& samples() const { return samples_; }
+  /// On which they lie, each once.
+  const std::vector<SurfaceId>& surfaces() const { return surfaces_; }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
@@ -56,6 +59,7 @@ class SampleBlocks {
   Vec3 normal_;
   std::vector<SamplePoint> samples_;
   int columns_;
+  std::vector<SurfaceId> surfaces_;
   std::vector<SectorId> sectors_;  ///< of all samples, each once
   std::vector<Block> blocks_;
 };

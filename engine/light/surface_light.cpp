@@ -101,18 +101,21 @@ double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const
   const LitSurface& there = *surfaces_[at.surface.index()];
   // What continues a surface may lie a tolerance off its plane.
   if (at.surface != id_ && !isInFront(light(index), radiusOf(index), there)) return 0;
-  const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
   LightCost& cost = costs_[index];
+  ++cost.samples;
+  if (!isInReach(index, at)) return 0;
+  const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
   const double seen = known ? sight.seenShare(target, known->beam, known->outcome, cost.rays)
                             : sight.seenShare(target, cost.rays, metBy(index));
-  ++cost.samples;
   if (seen > 0) ++cost.seenSamples;
   return seen;
 }
 
 const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const SampleBlocks& blocks) {
   seen_.assign(blocks.samples().size(), 0);
-  if (seeing_ == Seeing::ByBeams)
+  if (seeing_ == Seeing::ByBeams && radiusOf(light) == 0)
+    addPointLight(light, blocks);
+  else if (seeing_ == Seeing::ByBeams)
     addBlock(light, blocks, blocks.whole(), 0);
   else
     for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i] = seenShare(light, blocks.samples()[i]);
@@ -121,6 +124,87 @@ const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const Sam
 
 double SurfaceLight::seenShare(std::size_t light, const SamplePoint& at) {
   return seenShare(sights_.fine[light], light, at, nullptr);
+}
+
+const Segment* SurfaceLight::wallOf(SurfaceId surface) const {
+  const Surface& there = level_.surfaces[surface.index()];
+  return there.segment ? &level_[*there.segment] : nullptr;
+}
+
+SurfaceLight::ByCones SurfaceLight::findCones(std::size_t light, SurfaceId surface,
+                                              std::span<const Vec3> corners) {
+  const LightCones& cones = *sights_.fine[light].cones();
+  const SectorId sector = level_[surface].sector;
+  const LitSurface& there = *surfaces_[surface.index()];
+  const LightCones::Points points = cones.seen(corners);
+  ByCones found{surface, Beam::Outcome::Unknown, false, cones_.size(), cones_.size()};
+  if (!cones.knows(sector, {there.anchor, there.normal}, points)) return found;
+  found.isKnown = true;
+  const bool isLit = cones.find(sector, wallOf(surface), points, cones_);
+  found.last = cones_.size();
+  if (isLit) found.outcome = Beam::Outcome::Lit;
+  if (!isLit && found.first == found.last) found.outcome = Beam::Outcome::Dark;
+  return found;
+}
+
+/// Of points among those that `before` is about.
+SurfaceLight::ByCones SurfaceLight::narrowed(std::size_t light, const ByCones& before,
+                                             std::span<const Vec3> corners) {
+  if (!before.isKnown || before.outcome != Beam::Outcome::Unknown) return before;
+  const LightCones& cones = *sights_.fine[light].cones();
+  ByCones found = before;
+  found.first = cones_.size();
+  const bool isLit =
+      cones.narrow(cones.seen(corners), wallOf(before.surface), cones_, before.first, before.last);
+  found.last = cones_.size();
+  if (isLit) found.outcome = Beam::Outcome::Lit;
+  if (!isLit && found.first == found.last) found.outcome = Beam::Outcome::Dark;
+  return found;
+}
+
+void SurfaceLight::addPointLight(std::size_t light, const SampleBlocks& blocks) {
+  const SampleBlocks::Block& whole = blocks.whole();
+  if (trail_) followBeam(0, light, sights_.fine[light].beamLight(), blocks.targetsOf(whole));
+  cones_.clear();
+  surfacesByCones_.clear();
+  for (const SurfaceId surface : blocks.surfaces())
+    surfacesByCones_.push_back(findCones(light, surface, whole.box.corners()));
+  addByCones(light, blocks, whole, nullptr);
+}
+
+/// `around`, if any, is of samples that these are among, all on one surface.
+void SurfaceLight::addByCones(std::size_t light, const SampleBlocks& blocks,
+                              const SampleBlocks::Block& block, const ByCones* around) {
+  const auto wholeOf = [&](SurfaceId surface) -> const ByCones& {
+    return *std::ranges::find(surfacesByCones_, surface, &ByCones::surface);
+  };
+  const std::size_t before = cones_.size();
+  std::optional<ByCones> here;
+  if (block.surface) {
+    here = narrowed(light, around ? *around : wholeOf(*block.surface), block.box.corners());
+    if (!here->isKnown) return addBlock(light, blocks, block, 0);
+    if (here->outcome != Beam::Outcome::Unknown) {
+      cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
+      return addSamples(light, blocks, block, {beamAt(0), here->outcome});
+    }
+  }
+  for (const SampleBlocks::Block& part : blocks.partsOf(block))
+    addByCones(light, blocks, part, here ? &*here : nullptr);
+  if (block.parts == 0)
+    forEachSample(blocks, block, [&](std::size_t index) {
+      const SamplePoint& at = blocks.samples()[index];
+      seen_[index] = seenShareByCones(light, at, here ? *here : wholeOf(at.surface));
+    });
+  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
+}
+
+double SurfaceLight::seenShareByCones(std::size_t light, const SamplePoint& at,
+                                      const ByCones& around) {
+  const std::size_t before = cones_.size();
+  const Known known{beamAt(0), narrowed(light, around, {&at.target, 1}).outcome};
+  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
+  return seenShare(sights_.fine[light], light, at,
+                   known.outcome == Beam::Outcome::Unknown ? nullptr : &known);
 }
 
 Beam& SurfaceLight::beamAt(std::size_t depth) {
@@ -172,6 +256,11 @@ double SurfaceLight::seenShareByBeam(const LightSight& sight, std::size_t light,
                            {&level_[at.surface].sector, 1}};
   const Known known{beamAt(depth), followBeam(depth, light, sight.beamLight(), target)};
   return seenShare(sight, light, at, &known);
+}
+
+bool SurfaceLight::isInReach(std::size_t light, const SamplePoint& at) const {
+  const Vec3 way = level_.lights[light].position - at.point;
+  return dot(way, way) < sights_.reach[light] * sights_.reach[light];
 }
 
 double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {

@@ -65,9 +65,26 @@ class SurfaceLight {
   };
   /// Told of sectors that rays of the light come into; if any.
   SectorSet* metBy(std::size_t light) { return trail_ ? &trail_->sectorsOf(light) : nullptr; }
+  bool isInReach(std::size_t light, const SamplePoint& at) const;
   bool reachesBox(std::size_t light, std::span<const Vec3> corners) const;
   double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at,
                    const Known* known);
+  /// What cones say of points on a surface.
+  struct ByCones {
+    SurfaceId surface;
+    Beam::Outcome outcome;
+    bool isKnown;  ///< whether they say anything
+    /// Where the outcome is unknown: those of `cones_` that some of the points can lie in.
+    std::size_t first;
+    std::size_t last;
+  };
+  const Segment* wallOf(SurfaceId surface) const;
+  ByCones findCones(std::size_t light, SurfaceId surface, std::span<const Vec3> corners);
+  ByCones narrowed(std::size_t light, const ByCones& before, std::span<const Vec3> corners);
+  void addPointLight(std::size_t light, const SampleBlocks& blocks);
+  void addByCones(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+                  const ByCones* around);
+  double seenShareByCones(std::size_t light, const SamplePoint& at, const ByCones& around);
   Beam& beamAt(std::size_t depth);
   Beam::Outcome followBeam(std::size_t depth, std::size_t light, const BeamLight& from,
                            const BeamTargets& targets);
@@ -90,6 +107,8 @@ class SurfaceLight {
   std::vector<std::size_t> facing_;
   std::vector<LightCost> costs_;
   std::deque<Beam> beams_;  ///< to a block, to its part, to a part of this and so on
+  LightCones::Found cones_;
+  std::vector<ByCones> surfacesByCones_;  ///< of all samples at hand
   std::vector<double> seen_;
 };
 

@@ -52,9 +52,14 @@ enum class PlantedBug {
   BeamThroughHangingWedges,
   BeamPastFlatPortals,
   BeamThroughMiddles,
+  ConeThroughPillars,
+  ConeThroughSteps,
+  ConeThroughWedges,
+  ConePastFlatPortals,
+  ConeThroughMiddles,
 };
 
-inline constexpr std::array<std::string_view, 42> kPlantedBugNames = {
+inline constexpr std::array<std::string_view, 47> kPlantedBugNames = {
     "sidewalls-unlit",
     "lower-steps-unlit",
     "border-texels-black",
@@ -97,6 +102,11 @@ inline constexpr std::array<std::string_view, 42> kPlantedBugNames = {
     "beam-through-hanging-wedges",
     "beam-past-flat-portals",
     "beam-through-middles",
+    "cone-through-pillars",
+    "cone-through-steps",
+    "cone-through-wedges",
+    "cone-past-flat-portals",
+    "cone-through-middles",
 };
 
 #ifdef HEARTH_PLANTED_BUGS
