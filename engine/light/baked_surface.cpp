@@ -25,11 +25,11 @@ SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int s
   };
   const int columns = tile.width * side;
   const int rows = tile.height * side;
+  std::vector<double> inRow;
+  for (int i = 0; i < columns; ++i) inRow.push_back(along(tile.i0, i));
   std::vector<SamplePoint> samples;
   samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i)
-      samples.push_back(surface.place({along(tile.i0, i), along(tile.j0, j)}));
+  for (int j = 0; j < rows; ++j) surface.placeRow(inRow, along(tile.j0, j), samples);
   return surface.inBlocks(std::move(samples), columns, rows);
 }
 

@@ -158,6 +158,33 @@ bool LitSurface::contains(Vec2 p) const {
   return inside;
 }
 
+std::vector<LitSurface::Stretch> LitSurface::insideAlong(double row, double margin) const {
+  // Between what lies beside edges, all is inside or all is outside.
+  std::vector<Stretch> beside;
+  for (const Polygon& outline : outlines)
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 a = outline[i];
+      const Vec2 b = outline[(i + 1) % outline.size()];
+      const double low = std::max(std::min(a.y, b.y), row - margin);
+      const double high = std::min(std::max(a.y, b.y), row + margin);
+      if (low > high) continue;
+      const auto xAt = [&](double y) {
+        return a.y == b.y ? a.x : std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y));
+      };
+      const double ends[] = {xAt(low), a.y == b.y ? b.x : xAt(high)};
+      beside.push_back({std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin});
+    }
+  std::ranges::sort(beside, {}, &Stretch::from);
+  std::vector<Stretch> inside;
+  for (std::size_t i = 0; i + 1 < beside.size(); ++i) {
+    beside[i + 1].to = std::max(beside[i + 1].to, beside[i].to);
+    const Stretch between{beside[i].to, beside[i + 1].from};
+    if (between.from < between.to && contains({(between.from + between.to) / 2, row}))
+      inside.push_back(between);
+  }
+  return inside;
+}
+
 Vec2 LitSurface::nearest(Vec2 p) const {
   Vec2 best = outlines.front().front();
   double distance = std::numeric_limits<double>::infinity();

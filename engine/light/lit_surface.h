@@ -49,6 +49,15 @@ struct LitSurface {
   /// The point of the outlines that is nearest.
   Vec2 nearest(Vec2 texelPoint) const;
 
+  /// Texels.
+  struct Stretch {
+    double from;
+    double to;
+  };
+  /// What of the row of points at a height lies inside, farther than `margin` texels from all
+  /// edges: in rising order.
+  std::vector<Stretch> insideAlong(double row, double margin) const;
+
   struct Edge {
     Vec2 a;
     Vec2 b;

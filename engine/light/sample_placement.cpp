@@ -56,7 +56,25 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, Surf
     : surfaces_(surfaces),
       id_(id),
       hair_(kHair / surfaces[id.index()]->grid.texel),
+      besideEdge_(2.5 * hair_),
       sought_(sought) {}
+
+void SamplePlacement::placeRow(std::span<const double> columns, double row,
+                               std::vector<SamplePoint>& places) const {
+  const LitSurface& own = *surfaces_[id_.index()];
+  const std::vector<LitSurface::Stretch> inside = own.insideAlong(row, besideEdge_);
+  auto stretch = inside.begin();
+  for (const double column : columns) {
+    while (stretch != inside.end() && stretch->to < column) ++stretch;
+    const Vec2 p{column, row};
+    if (stretch != inside.end() && stretch->from <= column) {
+      const Vec3 point = own.toWorld(p);
+      places.push_back({point, id_, point, false});
+    } else {
+      places.push_back(place(p));
+    }
+  }
+}
 
 SamplePoint SamplePlacement::place(Vec2 p) const {
   const LitSurface& own = *surfaces_[id_.index()];
@@ -88,8 +106,7 @@ Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
 
 SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
   const LitSurface& surface = *surfaces_[id.index()];
-  // Edges farther away than these are more than a hair from wherever it is moved.
-  const std::vector<LitSurface::Edge> edges = surface.edgesWithin(p, 2.5 * hair_);
+  const std::vector<LitSurface::Edge> edges = surface.edgesWithin(p, besideEdge_);
   const bool isOnEdge = distanceTo(edges, p) < hair_;
   return {surface.toWorld(p), id,
           surface.toWorld(isOnEdge ? movedInside(surface, edges, p, from) : p), p != from};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "level/level.h"
@@ -33,6 +34,9 @@ class SamplePlacement {
   SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought = nullptr);
 
   SamplePoint place(Vec2 texelPoint) const;
+  /// Adds those of a row of points, at rising `columns` on the height `row`.
+  void placeRow(std::span<const double> columns, double row,
+                std::vector<SamplePoint>& places) const;
 
  private:
   /// The other surfaces of the plane that are joined to this one near a sample.
@@ -46,6 +50,8 @@ class SamplePlacement {
   const LitSurfaces& surfaces_;
   SurfaceId id_;
   double hair_;  ///< kHair in texels
+  /// Texels: edges farther away than this are more than a hair from wherever a sample is moved.
+  double besideEdge_;
   SurfaceSet* sought_;
 };
 

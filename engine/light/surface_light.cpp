@@ -92,6 +92,11 @@ bool SurfaceLight::reaches(std::size_t light, const SampleBlocks& blocks) const 
 
 SamplePoint SurfaceLight::place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
 
+void SurfaceLight::placeRow(std::span<const double> columns, double row,
+                            std::vector<SamplePoint>& places) const {
+  placement_.placeRow(columns, row, places);
+}
+
 SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {
   return {level_, surface_, std::move(samples), columns, rows};
 }
@@ -238,6 +243,10 @@ void SurfaceLight::addBlock(std::size_t light, const SampleBlocks& blocks,
 
 void SurfaceLight::addSamples(std::size_t light, const SampleBlocks& blocks,
                               const SampleBlocks::Block& block, const Known& known) {
+  if (known.outcome == Beam::Outcome::Dark && block.surface == id_) {
+    costs_[light].samples += std::int64_t{block.columns} * block.rows;
+    return;
+  }
   forEachSample(blocks, block, [&](std::size_t index) {
     seen_[index] = seenShare(sights_.fine[light], light, blocks.samples()[index], &known);
   });

@@ -41,6 +41,9 @@ class SurfaceLight {
   bool reaches(std::size_t light, const SampleBlocks& blocks) const;
 
   SamplePoint place(Vec2 texelPoint) const;
+  /// Adds those of a row of points, at rising `columns` on the height `row`.
+  void placeRow(std::span<const double> columns, double row,
+                std::vector<SamplePoint>& places) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
 
   /// Which share of a light each of the samples sees, in their order. Good until the next call.

@@ -95,11 +95,4 @@ bool meetsFirst(Vec2 eye, Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   return a0OfB >= 0 && a1OfB >= 0 && a0OfB + a1OfB > 0;
 }
 
-Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p) {
-  const Vec2 ab = b - a;
-  const double share = dot(p - a, ab) / dot(ab, ab);
-  if (!(share > 0)) return a;
-  return share < 1 ? a + share * ab : b;
-}
-
 }  // namespace hearth

@@ -15,6 +15,11 @@ int orientation(Vec2 a, Vec2 b, Vec2 c);
 bool meetsFirst(Vec2 eye, Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1);
 
 /// The point of the segment a -> b that is nearest to p.
-Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p);
+inline Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p) {
+  const Vec2 ab = b - a;
+  const double share = dot(p - a, ab) / dot(ab, ab);
+  if (!(share > 0)) return a;
+  return share < 1 ? a + share * ab : b;
+}
 
 }  // namespace hearth
