@@ -75,9 +75,18 @@ Renderer::Renderer(const Level& level, const std::vector<Image>& textures, const
 
 void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
                     int threads) const {
+  findSpans(camera, scratch, picture);
+  paintSpans(camera, mode, scratch, picture, threads);
+}
+
+void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, Image& picture) const {
+  findSpans(camera, settings_.pixelSize, scratch, picture);
+}
+
+void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
+                          Image& picture, int threads) const {
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(level_, camera, pixelSize);
-  findSpans(camera, projection, pixelSize, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
   paintStrips(scratch, pixelSize, picture, threads,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
@@ -95,8 +104,8 @@ Image Renderer::draw(const Camera& camera, LightMode mode) const {
 Image Renderer::draw(const Camera& camera, Channel channel) const {
   FrameScratch scratch;
   Image picture;
+  findSpans(camera, 1, scratch, picture);
   const Projection projection = projectionFor(level_, camera);
-  findSpans(camera, projection, 1, scratch, picture);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
   paintStrips(scratch, 1, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
     paintChannel(painter, span, channel, scratch.climbs, strip);
@@ -104,8 +113,9 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   return picture;
 }
 
-void Renderer::findSpans(const Camera& camera, const Projection& projection, int pixelSize,
-                         FrameScratch& scratch, Image& picture) const {
+void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,
+                         Image& picture) const {
+  const Projection projection = projectionFor(level_, camera, pixelSize);
   if (picture.width() != camera.width || picture.height() != camera.height)
     picture = Image(camera.width, camera.height);
   Camera squares = camera;

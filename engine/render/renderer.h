@@ -43,14 +43,18 @@ class Renderer {
   /// all pixels, whatever the settings.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
             int threads = 1) const;
+  /// The two phases of `draw`, for who times them: what shows where, into the scratch and a picture
+  /// of the camera's size; and, once that is found for the same camera, the pixels.
+  void findSpans(const Camera& camera, FrameScratch& scratch, Image& picture) const;
+  void paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
+                  int threads = 1) const;
   /// Single pictures.
   Image draw(const Camera& camera, LightMode mode) const;
   Image draw(const Camera& camera, Channel channel) const;
 
  private:
-  /// The first phase of a frame, into the scratch, of squares of pixels; and the picture's size.
-  void findSpans(const Camera& camera, const Projection& projection, int pixelSize,
-                 FrameScratch& scratch, Image& picture) const;
+  /// The first phase of a frame of squares of pixels.
+  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch, Image& picture) const;
 
   const Level& level_;
   std::vector<MipMap> textures_;
