@@ -37,6 +37,8 @@ enum class Option {
   Replay,
   Headless,
   Repeats,
+  Peers,
+  Only,
   Json,
   Surfaces,
   Quiet,

@@ -7,6 +7,7 @@
 
 #include "hearth/bench/machine.h"
 #include "hearth/bench/measure.h"
+#include "hearth/bench/peers_command.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
 
@@ -22,18 +23,13 @@ double perSecond(double count, const BakeBench& bake) { return count / bake.seco
 
 Json toJson(const Spread& spread) { return {{"median", spread.median}, {"p95", spread.p95}}; }
 
-/// How many times its memory could be written in the time of a frame.
-double writesOf(const FrameBench& frame) {
-  return frame.milliseconds.median / frame.writeMilliseconds.median;
-}
-
 Json toJson(const FrameBench& frame) {
   Json json{{"width", frame.size.width},
             {"height", frame.size.height},
             {"threads", frame.threads},
             {"milliseconds", toJson(frame.milliseconds)},
             {"writeMilliseconds", toJson(frame.writeMilliseconds)},
-            {"writes", writesOf(frame)}};
+            {"writes", frame.writes()}};
   for (const FrameCounter& counter : frame.counters) json[std::string(counter.name)] = counter.mean;
   return json;
 }
@@ -89,7 +85,7 @@ void print(const BenchReport& report, const Machine& machine) {
   fmt::print("{:>16} {:>8} {:>10} {:>10} {:>10}\n", "frame", "threads", "ms", "ms, p95", "writes");
   for (const FrameBench& frame : report.frames)
     fmt::print("{:>16} {:>8} {:>10.3f} {:>10.3f} {:>10.1f}\n", inWords(frame.size), frame.threads,
-               frame.milliseconds.median, frame.milliseconds.p95, writesOf(frame));
+               frame.milliseconds.median, frame.milliseconds.p95, frame.writes());
   printCounters(report.frames);
   fmt::print("\nbake: {} texels of {} m, {}; {} texel-light tests, {} rays, {} bytes\n",
              report.bake.texels, report.settings.texel, samplesInWords(report.settings),
@@ -104,6 +100,9 @@ void print(const BenchReport& report, const Machine& machine) {
 }
 
 ExitStatus run(const OptionValues& values) {
+  if (values.has(Option::Peers)) return benchPeers(values);
+  if (values.level.empty()) return fail("name a level, or give --peers");
+  if (values.has(Option::Only)) return fail("--only: it chooses rows of --peers");
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto settings = bakeSettingsFor(loaded->level, values);
@@ -124,9 +123,11 @@ ExitStatus run(const OptionValues& values) {
 Command benchCommand() {
   return {"bench",
           "measures frames of the level's shots and its bake, on one thread and on all",
-          std::vector<Option>{Option::Repeats, Option::Json} + drawOptions() + bakeOptions(),
+          std::vector<Option>{Option::Repeats, Option::Json, Option::Peers, Option::Only} +
+              drawOptions() + bakeOptions(),
           {},
-          run};
+          run,
+          LevelFiles::OneOrNone};
 }
 
 }  // namespace hearth

@@ -1,43 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <string_view>
 #include <vector>
 
-#include "hearth/options.h"
+#include "hearth/bench/frame_times.h"
 #include "light/bakery.h"
 #include "load/load.h"
 #include "render/draw_settings.h"
 
 namespace hearth {
-
-struct Spread {
-  double median = 0;
-  double p95 = 0;  ///< which 95 of 100 do not exceed
-};
-
-/// Of at least one value.
-Spread spreadOf(std::vector<double> values);
-
-/// Of the work of a frame, mean over the shots, which neither size of machine nor chance changes.
-struct FrameCounter {
-  std::string_view name;  ///< stable: scripts read it
-  double mean = 0;
-};
-using FrameCounters = std::array<FrameCounter, 14>;
-
-/// Frames of one size, of all shots of a level.
-struct FrameBench {
-  PictureSize size;
-  int threads = 1;
-  Spread milliseconds;  ///< a frame
-  /// One plain write of four bytes for each of its pixels, after each frame: what memory asks of
-  /// whoever draws.
-  Spread writeMilliseconds;
-  FrameCounters counters;
-};
 
 struct BakeBench {
   int threads = 1;
@@ -54,11 +25,6 @@ struct BenchReport {
   BakeStats bake;
   std::int64_t texelLightTests = 0;  ///< samples, each with every light that its surface faces
 };
-
-/// In seconds, from any beginning.
-using Clock = std::function<double()>;
-/// One that nobody sets.
-double steadySeconds();
 
 /// Draws every shot of the level in three sizes, and bakes, each `repeats` times on one thread and
 /// on `threads`: everything once, then everything again, so that what else the machine does

@@ -1,0 +1,106 @@
+// How figures are held against targets; how long things take is nobody's business here.
+
+#include "hearth/bench/peers.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "hearth/bench/peer_inputs.h"
+#include "hearth/bench/peer_rows.h"
+
+namespace hearth {
+namespace {
+
+constexpr Target kAtMostFour{Wanted::AtMost, 4};
+constexpr Target kAtLeastFour{Wanted::AtLeast, 4};
+
+TEST(Shortfall, isTheShareOfTheTargetThatIsTooMuchOrMissing) {
+  EXPECT_DOUBLE_EQ(shortfall(kAtMostFour, 6), 0.5);
+  EXPECT_DOUBLE_EQ(shortfall(kAtLeastFour, 3), 0.25);
+}
+
+TEST(Shortfall, isNoneWhereTheTargetIsMet) {
+  EXPECT_EQ(shortfall(kAtMostFour, 4), 0);
+  EXPECT_EQ(shortfall(kAtMostFour, 1), 0);
+  EXPECT_EQ(shortfall(kAtLeastFour, 4), 0);
+  EXPECT_EQ(shortfall(kAtLeastFour, 9), 0);
+}
+
+TEST(RangeOf, isTheMedianWithTheLeastAndTheMost) {
+  const Range range = rangeOf({5, 1, 4, 2, 9});
+  EXPECT_EQ(range.median, 4);
+  EXPECT_EQ(range.min, 1);
+  EXPECT_EQ(range.max, 9);
+}
+
+/// A row that tells which of all measurements it is, and tens of that as its part.
+tl::expected<Measure, std::string> prepareCount(PeerInputs& inputs) {
+  return [&inputs]() -> tl::expected<Figures, std::string> {
+    const double now = inputs.clock()();
+    return Figures{now, 10 * now};
+  };
+}
+
+tl::expected<Measure, std::string> prepareNothing(PeerInputs&) {
+  return tl::unexpected<std::string>("there is no peer");
+}
+
+/// One that fails when it is measured for the second time.
+tl::expected<Measure, std::string> prepareFailure(PeerInputs& inputs) {
+  return [&inputs]() -> tl::expected<Figures, std::string> {
+    if (inputs.clock()() > 3) return tl::unexpected<std::string>("the peer has crashed");
+    return Figures{0, 0};
+  };
+}
+
+PeerRow rowOf(std::string_view name, decltype(PeerRow::prepare) prepare) {
+  return {name, "", "", kAtMostFour, {"tens"}, prepare};
+}
+
+std::vector<PeerResult> measured(const std::vector<PeerRow>& rows, int repeats) {
+  PeerInputs inputs("levels", [now = 0.0]() mutable { return ++now; });
+  return measurePeers(rows, inputs, repeats, [](std::string_view) {});
+}
+
+TEST(MeasurePeers, measuresEverythingOnceAndThenEverythingAgain) {
+  const std::vector<PeerRow> rows{rowOf("a", prepareCount), rowOf("b", prepareCount)};
+  const std::vector<PeerResult> results = measured(rows, 3);
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].figure.min, 1);
+  EXPECT_EQ(results[0].figure.median, 3);
+  EXPECT_EQ(results[0].figure.max, 5);
+  EXPECT_EQ(results[1].figure.min, 2);
+  EXPECT_EQ(results[1].figure.max, 6);
+  ASSERT_EQ(results[1].parts.size(), 1U);
+  EXPECT_EQ(results[1].parts[0].median, 40);
+}
+
+TEST(MeasurePeers, saysWhatIsMissingAndMeasuresTheRest) {
+  const std::vector<PeerRow> rows{rowOf("a", prepareNothing), rowOf("b", prepareCount),
+                                  rowOf("c", prepareFailure)};
+  const std::vector<PeerResult> results = measured(rows, 2);
+  ASSERT_EQ(results.size(), 3U);
+  EXPECT_EQ(results[0].missing, "there is no peer");
+  EXPECT_EQ(results[1].missing, "");
+  EXPECT_EQ(results[1].figure.max, 3);
+  EXPECT_EQ(results[2].missing, "the peer has crashed");
+}
+
+TEST(PeerInputs, areGoneAfterwards) {
+  std::filesystem::path folder;
+  {
+    const PeerInputs inputs("levels", steadySeconds);
+    folder = inputs.folder();
+    EXPECT_TRUE(exists(folder));
+  }
+  EXPECT_FALSE(exists(folder));
+}
+
+TEST(PeerRows, haveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const PeerRow& row : peerRows()) EXPECT_TRUE(names.insert(row.name).second) << row.name;
+}
+
+}  // namespace
+}  // namespace hearth

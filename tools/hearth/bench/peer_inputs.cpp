@@ -1,0 +1,60 @@
+#include "hearth/bench/peer_inputs.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "hearth/import/import_map.h"
+#include "light/parallel.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr LoadLimits kLimits;
+
+tl::expected<std::filesystem::path, std::string> imported(const std::string& map,
+                                                          const std::filesystem::path& folder) {
+  const auto wad = doom::Wad::open(freedoomWad(map), kLimits.fileBytes);
+  if (!wad) return tl::unexpected(wad.error() + ": apt-get install freedoom");
+  const auto pictures = doom::Pictures::read(*wad);
+  if (!pictures) return tl::unexpected(pictures.error());
+  const auto lights = doom::parseLightTable(doom::ownLightTable());
+  if (!lights) return tl::unexpected(lights.error());
+  return doom::importMap({*wad, *pictures, *lights}, map,
+                         {.folder = folder, .doors = doom::Doors::Closed})
+      .map([](const doom::Imported& made) { return made.level; });
+}
+
+}  // namespace
+
+Scene::Scene(LoadedLevel level)
+    : loaded(std::move(level)),
+      light(bake(loaded.level, loaded.level.bake, availableThreads())),
+      renderer(loaded.level, loaded.textures, light) {}
+
+PeerInputs::PeerInputs(std::filesystem::path levels, Clock clock)
+    : levels_(std::move(levels)), clock_(std::move(clock)) {}
+
+tl::expected<std::filesystem::path, std::string> PeerInputs::freedoomFile(const std::string& map) {
+  std::filesystem::path& file = freedoomFiles_[map];
+  if (!file.empty()) return file;
+  auto level = imported(map, folder() / map);
+  if (level) file = *level;
+  return level;
+}
+
+tl::expected<const Scene*, std::string> PeerInputs::scene(const std::filesystem::path& file) {
+  std::unique_ptr<Scene>& scene = scenes_[file];
+  if (scene) return scene.get();
+  LoadResult result = loadLevel(file, kLimits);
+  if (!result.loaded) return tl::unexpected(format(result.diagnostics.front()));
+  scene = std::make_unique<Scene>(*std::move(result.loaded));
+  return scene.get();
+}
+
+std::filesystem::path freedoomWad(std::string_view map) {
+  return fmt::format("/usr/share/games/doom/freedoom{}.wad", map.starts_with("MAP") ? 2 : 1);
+}
+
+}  // namespace hearth

@@ -1,0 +1,53 @@
+#include "hearth/bench/peer_rows.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr Target atMost(double value) { return {Wanted::AtMost, value}; }
+constexpr Target atLeast(double value) { return {Wanted::AtLeast, value}; }
+
+}  // namespace
+
+std::vector<PeerRow> peerRows() {
+  return {
+      {"frame-tutorial",
+       "frame of the tutorial, 320x200, one thread",
+       "ms",
+       atMost(0.15),
+       {},
+       prepareTutorialFrame},
+      {"frame-writes",
+       "frame of the castle, 1920x1080, one thread / a plain write of its memory",
+       "",
+       atMost(14),
+       {"frame, ms", "write, ms"},
+       prepareKeepWrites},
+      {"threads-spans",
+       "colouring of found spans of the castle, 1920x1080: one thread / two",
+       "",
+       atLeast(1.85),
+       {"one thread, ms", "two threads, ms"},
+       preparePaintThreads},
+      {"threads-frame",
+       "frame of the castle, 1920x1080: one thread / two",
+       "",
+       atLeast(1.6),
+       {"one thread, ms", "two threads, ms"},
+       prepareFrameThreads},
+      {"start",
+       "start of the program to a picture of the castle, light not kept",
+       "ms",
+       atMost(150),
+       {},
+       prepareStart},
+      {"peak-castle",
+       "memory of a bake of the castle / (2 x its result + 64 MB)",
+       "",
+       atMost(1),
+       {"bake, MB", "allowed, MB"},
+       prepareKeepPeak},
+  };
+}
+
+}  // namespace hearth

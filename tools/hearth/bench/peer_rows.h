@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "hearth/bench/peers.h"
+
+namespace hearth {
+
+/// All rows of the table, with their targets.
+std::vector<PeerRow> peerRows();
+
+// How each is measured. tools/README.md says what is compared, and what is subtracted.
+
+using Prepared = tl::expected<Measure, std::string>;
+
+/// Milliseconds of a frame of the tutorial in 320x200.
+Prepared prepareTutorialFrame(PeerInputs& inputs);
+/// A frame of the castle in 1920x1080 over a plain write of its memory; ms of both.
+Prepared prepareKeepWrites(PeerInputs& inputs);
+/// The same frame on one thread over two; ms of both.
+Prepared prepareFrameThreads(PeerInputs& inputs);
+/// Of it, the second phase alone.
+Prepared preparePaintThreads(PeerInputs& inputs);
+/// Milliseconds from the start of the program to a picture of the castle.
+Prepared prepareStart(PeerInputs& inputs);
+/// Memory of a bake over what it may take; MB of both.
+Prepared prepareKeepPeak(PeerInputs& inputs);
+
+}  // namespace hearth

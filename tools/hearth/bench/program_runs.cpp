@@ -1,0 +1,56 @@
+// What the program takes from its start to its end: time and memory.
+
+#include "hearth/bench/child.h"
+#include "hearth/bench/peer_inputs.h"
+#include "hearth/bench/peer_rows.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr double kMega = 1e6;
+constexpr double kSpareMegabytes = 64;  ///< of a bake, beside twice its result
+
+/// This program with a command, in the folder of temporary files.
+Child ofProgram(const PeerInputs& inputs, std::vector<std::string> words) {
+  words.insert(words.begin(), ownProgram().string());
+  return {std::move(words), inputs.folder()};
+}
+
+double allowedMegabytes(const BakedLight& light) {
+  return 2 * static_cast<double>(light.stats.bytes) / kMega + kSpareMegabytes;
+}
+
+/// A bake's peak without that of a program that only loads the level.
+Measure peakOfBake(const PeerInputs& inputs, const std::filesystem::path& file,
+                   const BakedLight& light) {
+  const Child bakes = ofProgram(inputs, {"bake", file.string(), "--quiet"});
+  const Child loads = ofProgram(
+      inputs, {"shot", file.string(), "--channel", "world", "--size", "8x8", "-o", "loaded.png"});
+  return [bakes, loads, allowed = allowedMegabytes(light)]() -> tl::expected<Figures, std::string> {
+    const auto baking = peakOf(bakes);
+    if (!baking) return tl::unexpected(baking.error());
+    const auto loading = peakOf(loads);
+    if (!loading) return tl::unexpected(loading.error());
+    const double taken = static_cast<double>(*baking - *loading) / kMega;
+    return Figures{taken / allowed, taken, allowed};
+  };
+}
+
+}  // namespace
+
+Prepared prepareStart(PeerInputs& inputs) {
+  const Child shot = ofProgram(inputs, {"shot", absolute(inputs.keepFile()).string(), "--no-cache",
+                                        "--quality", "normal", "-o", "first.png", "--quiet"});
+  return [shot] {
+    return timesOf(shot).map([](const ChildTimes& times) { return Figures{1e3 * times.seconds}; });
+  };
+}
+
+Prepared prepareKeepPeak(PeerInputs& inputs) {
+  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) {
+    return peakOfBake(inputs, absolute(inputs.keepFile()), scene->light);
+  });
+}
+
+}  // namespace hearth
