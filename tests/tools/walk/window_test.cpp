@@ -75,5 +75,11 @@ TEST_F(HiddenWindow, IsNoLargerThanTheScreenAndKeepsThePicturesShape) {
   EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{19, 768}));
 }
 
+TEST_F(HiddenWindow, IsAsLargeAsIsAskedForWhateverTheScreen) {
+  WindowSettings settings;
+  settings.windowSize = PictureSize{1920, 1080};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{1920, 1080}));
+}
+
 }  // namespace
 }  // namespace hearth

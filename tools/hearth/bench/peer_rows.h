@@ -23,6 +23,10 @@ Prepared prepareKeepWrites(PeerInputs& inputs);
 Prepared prepareFrameThreads(PeerInputs& inputs);
 /// Of it, the second phase alone.
 Prepared preparePaintThreads(PeerInputs& inputs);
+/// Processor time of a frame of a map of Freedoom in 1920x1080, shown in a window, over that of
+/// dsda-doom; ms of both.
+Prepared prepareMap01Frame(PeerInputs& inputs);
+Prepared prepareMap15Frame(PeerInputs& inputs);
 /// Milliseconds from the start of the program to a picture of the castle.
 Prepared prepareStart(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.

@@ -76,7 +76,8 @@ tl::expected<void, std::string> WalkWindow::create(const std::string& title) {
   sdl_ = std::shared_ptr<void>(nullptr, [](void*) { SDL_Quit(); });
   SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // one walks without gamepads, too
 
-  const auto [width, height] = firstSize(settings_.pictureSize);
+  const auto [width, height] =
+      settings_.windowSize ? *settings_.windowSize : firstSize(settings_.pictureSize);
   window_ = std::shared_ptr<SDL_Window>(
       SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),

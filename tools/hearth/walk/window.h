@@ -21,6 +21,7 @@ inline constexpr PictureSize kFirstWindowSize = {960, 600};
 
 struct WindowSettings {
   std::optional<PictureSize> pictureSize;  ///< without it, pictures come in the window's size
+  std::optional<PictureSize> windowSize;   ///< without it, one that fits picture and screen
   Scaling scaling = Scaling::Smooth;
   bool waitsForDisplay = true;  ///< vertical sync
 };
