@@ -31,7 +31,7 @@ OUTSIDERS = {
     r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/light/*.cpp", "tests/*/*.cpp"],
     r"hwy/.*": ["engine/render/*.cpp", "engine/render/*-inl.h", "tests/*/*.cpp"],
-    r"embree.*": ["tests/*/*"],
+    r"embree.*": ["tools/hearth/bench/embree.*", "tests/*/*"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "embree_mesh.h"
+#include "hearth/bench/level_mesh.h"
 
 namespace hearth {
 

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "embree_mesh.h"
+#include "edge_distance.h"
 #include "embree_scene.h"
+#include "hearth/bench/level_mesh.h"
 #include "load/load.h"
 #include "random_levels/random_level.h"
 #include "ray_source.h"

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "embree_mesh.h"
 #include "embree_scene.h"
+#include "hearth/bench/level_mesh.h"
 #include "level/locate.h"
 #include "math/predicates.h"
 

@@ -27,6 +27,14 @@ Prepared preparePaintThreads(PeerInputs& inputs);
 /// dsda-doom; ms of both.
 Prepared prepareMap01Frame(PeerInputs& inputs);
 Prepared prepareMap15Frame(PeerInputs& inputs);
+/// Pairs of a sample and a light that a bake answers in a second, on one thread with lamps as
+/// points, over the rays that Embree traces; millions of both, and of pairs.
+Prepared prepareKeepPairs(PeerInputs& inputs);
+Prepared prepareTutorialPairs(PeerInputs& inputs);
+/// Seconds of a bake of Freedoom's largest map on two threads.
+Prepared prepareLargestBake(PeerInputs& inputs);
+/// The same over those of Embree; seconds of both, and millions of rays.
+Prepared prepareLargestRays(PeerInputs& inputs);
 /// Milliseconds from the start of the program to a picture of the castle.
 Prepared prepareStart(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.

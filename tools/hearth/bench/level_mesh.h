@@ -17,10 +17,10 @@ struct MeshTriangle {
 /// truth does not use), and flats cut into trapezoids.
 std::vector<MeshTriangle> meshOf(const Level& level);
 
+/// Of these, what stops light: no skies, nor what hangs in openings and has holes.
+std::vector<MeshTriangle> meshInLight(const Level& level);
+
 /// The outline of a sector as triangles on the map.
 std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& sector);
-
-/// Metres from the straight line between two points to the nearest edge of the triangle.
-double distanceToEdge(const MeshTriangle& triangle, Vec3 from, Vec3 to);
 
 }  // namespace hearth
