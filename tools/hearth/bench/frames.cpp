@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "hearth/bench/kernel_frames.h"
 #include "hearth/bench/peer_inputs.h"
 #include "hearth/bench/peer_rows.h"
 #include "light/parallel.h"
@@ -84,6 +85,46 @@ class PaintTimes {
   Image picture_;
 };
 
+/// Large frames, and what the kernel takes for their spans.
+class KernelTimes {
+ public:
+  explicit KernelTimes(const Scene& scene) : scene_(scene), kernel_(scene, kLarge) {}
+
+  /// A frame's milliseconds, and the kernel's.
+  std::pair<double, double> measure(const Clock& clock) {
+    std::vector<double> ofFrames;
+    std::vector<double> ofKernel;
+    const std::vector<Camera> cameras = camerasOf(scene_.loaded.level);
+    for (int round = 0; round <= kLargeRounds; ++round)
+      for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const double frame = drawFrame(cameras[i], clock);
+        const double begin = clock();
+        drawKernelFrame(kernel_.frames()[i], strip_, pixels_);
+        const double kernel = 1e3 * (clock() - begin);
+        if (round == 0) continue;  // warms the caches
+        ofFrames.push_back(frame);
+        ofKernel.push_back(kernel);
+      }
+    return {spreadOf(ofFrames).median, spreadOf(ofKernel).median};
+  }
+
+ private:
+  double drawFrame(Camera camera, const Clock& clock) {
+    camera.width = kLarge.width;
+    camera.height = kLarge.height;
+    const double begin = clock();
+    scene_.renderer.draw(camera, LightMode::Both, scratch_, picture_);
+    return 1e3 * (clock() - begin);
+  }
+
+  const Scene& scene_;
+  KernelFrames kernel_;
+  FrameScratch scratch_;
+  Image picture_;
+  std::vector<Pixel> strip_;
+  std::vector<Pixel> pixels_;
+};
+
 std::optional<std::string> missingThreads() {
   if (availableThreads() >= 2) return std::nullopt;
   return "this machine runs one thread at once";
@@ -106,6 +147,16 @@ Prepared prepareKeepWrites(PeerInputs& inputs) {
     return [frames, &inputs] {
       const FrameBench frame = frames->measure(inputs.clock()).front();
       return Figures{frame.writes(), frame.milliseconds.median, frame.writeMilliseconds.median};
+    };
+  });
+}
+
+Prepared prepareKernel(PeerInputs& inputs) {
+  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
+    const auto times = std::make_shared<KernelTimes>(*scene);
+    return [times, &inputs] {
+      const auto [frame, kernel] = times->measure(inputs.clock());
+      return Figures{frame / kernel, frame, kernel};
     };
   });
 }

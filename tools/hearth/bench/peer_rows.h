@@ -19,6 +19,8 @@ using Prepared = tl::expected<Measure, std::string>;
 Prepared prepareTutorialFrame(PeerInputs& inputs);
 /// A frame of the castle in 1920x1080 over a plain write of its memory; ms of both.
 Prepared prepareKeepWrites(PeerInputs& inputs);
+/// The same frame over the kernel that is given its geometry; ms of both.
+Prepared prepareKernel(PeerInputs& inputs);
 /// The same frame on one thread over two; ms of both.
 Prepared prepareFrameThreads(PeerInputs& inputs);
 /// Of it, the second phase alone.
