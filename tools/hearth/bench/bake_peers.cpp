@@ -65,15 +65,7 @@ Prepared preparePairs(PeerInputs& inputs, const std::filesystem::path& file) {
   });
 }
 
-/// The map of Freedoom's 68 with the most texels of 1/8 m (8.9 million): `hearth bake` prints them.
-constexpr const char* kLargestMap = "MAP29";
 constexpr int kThreads = 2;
-
-tl::expected<const Scene*, std::string> largestScene(PeerInputs& inputs) {
-  return inputs.freedoomFile(kLargestMap).and_then([&](const std::filesystem::path& file) {
-    return inputs.scene(file);
-  });
-}
 
 }  // namespace
 
@@ -83,7 +75,7 @@ Prepared prepareTutorialPairs(PeerInputs& inputs) {
 }
 
 Prepared prepareLargestBake(PeerInputs& inputs) {
-  return largestScene(inputs).map([&](const Scene* scene) -> Measure {
+  return inputs.freedoomScene(kLargestMap).map([&](const Scene* scene) -> Measure {
     return [scene, &inputs] {
       return Figures{secondsOfBake(scene->loaded.level, kThreads, inputs.clock())};
     };
@@ -91,7 +83,7 @@ Prepared prepareLargestBake(PeerInputs& inputs) {
 }
 
 Prepared prepareLargestRays(PeerInputs& inputs) {
-  const auto scene = largestScene(inputs);
+  const auto scene = inputs.freedoomScene(kLargestMap);
   if (!scene) return tl::unexpected(scene.error());
   return EmbreePeer::of((*scene)->loaded.level).map([&](const auto& peer) -> Measure {
     return [peer, &inputs] {

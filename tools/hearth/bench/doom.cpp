@@ -137,9 +137,7 @@ class TurningWalk {
 Prepared prepareDoomFrame(PeerInputs& inputs, const std::string& map) {
   if (!std::filesystem::exists(kDoom))
     return tl::unexpected<std::string>("dsda-doom is not here: apt-get install dsda-doom");
-  const auto file = inputs.freedoomFile(map);
-  if (!file) return tl::unexpected(file.error());
-  const auto scene = inputs.scene(*file);
+  const auto scene = inputs.freedoomScene(map);
   if (!scene) return tl::unexpected(scene.error());
   auto window = openUnseenWindow();
   if (!window) return tl::unexpected(window.error());

@@ -28,6 +28,8 @@ Spread spreadOf(std::vector<double> values);
 struct FrameCounter {
   std::string_view name;  ///< stable: scripts read it
   double mean = 0;
+
+  friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
 };
 using FrameCounters = std::array<FrameCounter, 14>;
 

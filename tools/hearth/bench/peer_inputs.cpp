@@ -33,6 +33,12 @@ Scene::Scene(LoadedLevel level)
       light(bake(loaded.level, loaded.level.bake, availableThreads())),
       renderer(loaded.level, loaded.textures, light) {}
 
+Scene::Scene(LoadedLevel level, Unlit)
+    : loaded(std::move(level)), renderer(loaded.level, loaded.textures, light) {
+  light.surfaces.resize(loaded.level.surfaces.size());
+  light.lightmaps.resize(loaded.level.surfaces.size());
+}
+
 PeerInputs::PeerInputs(std::filesystem::path levels, Clock clock)
     : levels_(std::move(levels)), clock_(std::move(clock)) {}
 
@@ -51,6 +57,10 @@ tl::expected<const Scene*, std::string> PeerInputs::scene(const std::filesystem:
   if (!result.loaded) return tl::unexpected(format(result.diagnostics.front()));
   scene = std::make_unique<Scene>(*std::move(result.loaded));
   return scene.get();
+}
+
+tl::expected<const Scene*, std::string> PeerInputs::freedoomScene(const std::string& map) {
+  return freedoomFile(map).and_then([&](const std::filesystem::path& file) { return scene(file); });
 }
 
 std::filesystem::path freedoomWad(std::string_view map) {

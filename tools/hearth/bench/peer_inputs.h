@@ -22,6 +22,14 @@ struct Scene {
   Renderer renderer;
 
   explicit Scene(LoadedLevel level);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  /// Not lit by anything but its sectors' own light.
+  static Scene unlit(LoadedLevel level) { return {std::move(level), Unlit{}}; }
+
+ private:
+  struct Unlit {};
+  Scene(LoadedLevel level, Unlit);
 };
 
 /// What the rows of the table measure, each made when it is first asked for.
@@ -41,6 +49,7 @@ class PeerInputs {
 
   /// The error is what is wrong with the file.
   tl::expected<const Scene*, std::string> scene(const std::filesystem::path& file);
+  tl::expected<const Scene*, std::string> freedoomScene(const std::string& map);
 
  private:
   std::filesystem::path levels_;
@@ -49,6 +58,9 @@ class PeerInputs {
   std::map<std::string, std::filesystem::path> freedoomFiles_;  ///< by the name of the map
   std::map<std::filesystem::path, std::unique_ptr<Scene>> scenes_;
 };
+
+/// The map of Freedoom's 68 with the most texels of 1/8 m, 8.9 million: `hearth bake` prints them.
+inline constexpr const char* kLargestMap = "MAP29";
 
 /// The WAD of Freedoom that has a map.
 std::filesystem::path freedoomWad(std::string_view map);

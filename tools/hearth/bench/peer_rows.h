@@ -1,15 +1,15 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
-#include <vector>
 
 #include "hearth/bench/peers.h"
 
 namespace hearth {
 
 /// All rows of the table, with their targets.
-std::vector<PeerRow> peerRows();
+std::span<const PeerRow> peerRows();
 
 // How each is measured. tools/README.md says what is compared, and what is subtracted.
 
@@ -39,7 +39,21 @@ Prepared prepareLargestBake(PeerInputs& inputs);
 Prepared prepareLargestRays(PeerInputs& inputs);
 /// Milliseconds from the start of the program to a picture of the castle.
 Prepared prepareStart(PeerInputs& inputs);
+/// Bytes of saved light over texels that light reaches and channels, of maps of Freedoom; millions
+/// of both.
+Prepared prepareMap01Saved(PeerInputs& inputs);
+Prepared prepareMap15Saved(PeerInputs& inputs);
+Prepared prepareLargestSaved(PeerInputs& inputs);
+/// The same of lightmaps in memory.
+Prepared prepareMap01Kept(PeerInputs& inputs);
+Prepared prepareMap15Kept(PeerInputs& inputs);
+Prepared prepareLargestKept(PeerInputs& inputs);
+/// A frame of a level of 100,000 rooms, in a row or on a grid, over one of 100, of which the same
+/// is seen; ms of both.
+Prepared prepareStripGrowth(PeerInputs& inputs);
+Prepared prepareGridGrowth(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.
 Prepared prepareKeepPeak(PeerInputs& inputs);
+Prepared prepareLargestPeak(PeerInputs& inputs);
 
 }  // namespace hearth

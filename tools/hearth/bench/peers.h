@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -43,7 +44,7 @@ struct PeerRow {
   std::string_view what;
   std::string_view unit;  ///< empty of ratios
   Target target;
-  std::vector<std::string_view> parts;  ///< that the figure is made of, with their units
+  std::array<std::string_view, 3> parts;  ///< that the figure is made of, with their units
   /// Does once what is not measured. The error says what is missing, and what brings it.
   tl::expected<Measure, std::string> (*prepare)(PeerInputs& inputs);
 };

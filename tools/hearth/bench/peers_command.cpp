@@ -107,7 +107,7 @@ std::optional<std::string> mistakeInOptions(const OptionValues& values) {
 
 /// The rows whose names begin with what is asked for.
 std::vector<PeerRow> rowsFrom(const OptionValues& values) {
-  std::vector<PeerRow> rows = peerRows();
+  std::vector<PeerRow> rows(peerRows().begin(), peerRows().end());
   const std::string only = values.text(Option::Only).value_or("");
   std::erase_if(rows, [&](const PeerRow& row) { return !row.name.starts_with(only); });
   return rows;

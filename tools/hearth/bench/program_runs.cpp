@@ -37,6 +37,11 @@ Measure peakOfBake(const PeerInputs& inputs, const std::filesystem::path& file,
   };
 }
 
+Prepared preparePeak(PeerInputs& inputs, const std::filesystem::path& file) {
+  return inputs.scene(file).map(
+      [&](const Scene* scene) { return peakOfBake(inputs, absolute(file), scene->light); });
+}
+
 }  // namespace
 
 Prepared prepareStart(PeerInputs& inputs) {
@@ -47,9 +52,11 @@ Prepared prepareStart(PeerInputs& inputs) {
   };
 }
 
-Prepared prepareKeepPeak(PeerInputs& inputs) {
-  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) {
-    return peakOfBake(inputs, absolute(inputs.keepFile()), scene->light);
+Prepared prepareKeepPeak(PeerInputs& inputs) { return preparePeak(inputs, inputs.keepFile()); }
+
+Prepared prepareLargestPeak(PeerInputs& inputs) {
+  return inputs.freedoomFile(kLargestMap).and_then([&](const std::filesystem::path& file) {
+    return preparePeak(inputs, file);
   });
 }
 
