@@ -105,7 +105,7 @@ std::vector<KernelSpan> partsOfUpright(const KernelSpan& whole) {
     parts.push_back(part);
     begin = end;
   }
-  if (parts.size() == 1 || parts.size() * lanes < count) return parts;
+  if (lanes > 1 && (parts.size() == 1 || parts.size() * lanes < count)) return parts;
   KernelSpan plane = whole;
   plane.kind = KernelLight::Plane;
   return {plane};
