@@ -26,8 +26,9 @@ constexpr hn::ScalableTag<double> kDouble;
 constexpr hn::ScalableTag<float> kFloat;
 using Doubles = hn::Vec<decltype(kDouble)>;
 using Floats = hn::Vec<decltype(kFloat)>;
-constexpr hn::RebindToUnsigned<decltype(kDouble)> kBits;
-using Bits = hn::Vec<decltype(kBits)>;
+/// Whole numbers, as many and as large as Reals.
+template <typename Reals>
+using BitsOf = hn::Vec<hn::RebindToUnsigned<hn::DFromV<Reals>>>;
 
 /// In all lanes of Reals, which are Doubles or Floats: places are found in one or the other.
 template <typename Reals>
@@ -126,17 +127,21 @@ HWY_INLINE Between<Reals> betweenKept(Reals x, double size) {
 class RepeatingByBits {
  public:
   RepeatingByBits(const ImageAxis& along, int size)
-      : along_(along), mask_(static_cast<std::uint64_t>(size - 1)) {}
+      : along_(along), last_(static_cast<std::uint32_t>(size - 1)) {}
 
-  HWY_INLINE Bits texel(Doubles measure) const {
-    // Of less than 2^51: added to it, they are the lowest bits of the sum, also those below zero.
-    const Doubles sum = hn::Add(wholeTexels(at(along_, measure)), all<Doubles>(0x1.8p52));
-    return hn::And(hn::BitCast(kBits, sum), hn::Set(kBits, mask_));
+  template <typename Reals>
+  HWY_INLINE BitsOf<Reals> texel(Reals measure) const {
+    // Of less than 2^51 (of floats 2^22): added to it, they are the lowest bits of the sum, also
+    // those below zero.
+    constexpr double kMiddle = sizeof(hn::TFromV<Reals>) == sizeof(double) ? 0x1.8p52 : 0x1.8p23;
+    constexpr hn::DFromV<BitsOf<Reals>> kTag;
+    const Reals sum = hn::Add(wholeTexels(at(along_, measure)), all<Reals>(kMiddle));
+    return hn::And(hn::BitCast(kTag, sum), hn::Set(kTag, last_));
   }
 
  private:
   ImageAxis along_;
-  std::uint64_t mask_;
+  std::uint32_t last_;
 };
 
 /// The rows of a sky, which do not repeat: beyond the image its edge goes on.

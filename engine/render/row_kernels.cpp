@@ -49,7 +49,7 @@ HWY_INLINE Floats singlesFrom(const double* from) {
 /// Stores as lanes of twice the size.
 template <typename Wide, typename Narrow, typename T>
 HWY_INLINE void widen(Wide wide, Narrow narrow, T* to) {
-  const hn::Half<hn::DFromV<Narrow> > half;
+  const hn::Half<hn::DFromV<Narrow>> half;
   hn::Store(hn::PromoteTo(wide, hn::LowerHalf(half, narrow)), wide, to);
   hn::Store(hn::PromoteTo(wide, hn::UpperHalf(half, narrow)), wide, to + hn::Lanes(wide));
 }
@@ -83,12 +83,24 @@ HWY_INLINE Integers numberOf(Floats line, Floats place, int size) {
                  hn::ConvertTo(kSigned, place));
 }
 
-HWY_INLINE Bits numberOf(Bits line, Bits place, int size) {
+template <typename Bits>
+HWY_INLINE Bits numberOfBits(Bits line, Bits place, int size) {
   return hn::Or(hn::ShiftLeftSame(line, std::countr_zero(static_cast<unsigned>(size))), place);
 }
 
-HWY_INLINE void store(Bits number, std::int32_t* to) {
-  const hn::Rebind<std::uint32_t, decltype(kBits)> tag;
+HWY_INLINE BitsOf<Doubles> numberOf(BitsOf<Doubles> line, BitsOf<Doubles> place, int size) {
+  return numberOfBits(line, place, size);
+}
+HWY_INLINE BitsOf<Floats> numberOf(BitsOf<Floats> line, BitsOf<Floats> place, int size) {
+  return numberOfBits(line, place, size);
+}
+
+HWY_INLINE void store(BitsOf<Floats> number, std::int32_t* to) {
+  hn::Store(number, kWord, reinterpret_cast<std::uint32_t*>(to));
+}
+
+HWY_INLINE void store(BitsOf<Doubles> number, std::int32_t* to) {
+  const hn::Rebind<std::uint32_t, hn::DFromV<BitsOf<Doubles>>> tag;
   hn::Store(hn::TruncateTo(tag, number), tag, reinterpret_cast<std::uint32_t*>(to));
 }
 
@@ -162,9 +174,8 @@ bool isPowerOfTwo(int size) { return std::has_single_bit(static_cast<unsigned>(s
 
 template <typename Reals>
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
-  if constexpr (std::is_same_v<Reals, Doubles>)
-    if (!mapping.isSky && isPowerOfTwo(image.width()) && isPowerOfTwo(image.height()))
-      return findRepeatingTexels<Reals, RepeatingByBits>(batch, mapping, image);
+  if (!mapping.isSky && isPowerOfTwo(image.width()) && isPowerOfTwo(image.height()))
+    return findRepeatingTexels<Reals, RepeatingByBits>(batch, mapping, image);
   if (!mapping.isSky) return findRepeatingTexels<Reals, Repeating>(batch, mapping, image);
   const SameTexel<Reals, Repeating> column(Repeating(mapping.u, image.width()));
   findTexelsAlong<Reals>(batch, image.height(), column, SkyRows(mapping.v, image.height()));
