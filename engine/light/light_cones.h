@@ -5,40 +5,14 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "level/level.h"
+#include "light/light_cone.h"
 #include "light/plane.h"
 #include "light/raytracer.h"
 
 namespace hearth {
-
-/// What a cone is bounded by above or below: the plane through the light and a straight edge of an
-/// opening.
-struct HeightPlane {
-  Vec2 gradient;         ///< metres of height for each metre from the light, along x and y
-  bool isBelow;          ///< whether the cone lies above it
-  double slackPerMetre;  ///< by which rounding may move it, metres for each metre from the light
-};
-
-/// What a light sees of a sector through a row of openings, up to one wall of it. All of its bounds
-/// are planes, most of them through the light; lines on the map are given as directions of length 1
-/// from there.
-struct LightCone {
-  SectorId sector;
-  const Segment* from;  ///< beyond this wall; null where none is before it
-  const Segment* to;    ///< up to this one
-  Vec2 begin;           ///< it lies clockwise of this, as seen on the map,
-  Vec2 end;             ///< and not of this; less than 180 degrees
-  Vec2 beginsAt;        ///< from the light to the vertices that say so
-  Vec2 endsAt;
-  std::uint32_t firstPlane;
-  std::uint32_t lastPlane;
-  /// Whether it may be dark in there: behind textures with holes, and where a cone is so narrow
-  /// that rounding decides what it meets (`begin` is `end` then).
-  bool isDoubtful;
-};
 
 /// What a point of light sees: one cone for each wall and each row of openings through which it
 /// sees some of that. Whether a point is lit, then, takes a few products, and no ray: a level is
@@ -65,6 +39,8 @@ class LightCones {
   /// One to eight corners.
   Points seen(std::span<const Vec3> corners) const;
 
+  std::size_t bytes() const { return found_.bytes(); }
+
   /// Whether it says anything of points on a plane that bounds the air of a sector. It does not
   /// where they, or the light, are so near to a plane of its that rounding could stop rays there.
   bool knows(SectorId sector, const Plane& plane, const Points& points) const;
@@ -78,19 +54,15 @@ class LightCones {
     bool elsewhere = false;
   };
   using Found = std::vector<Doubt>;
-  /// Whether one cone holds all the points, or such as begin where another ends, which lie in the
-  /// air of `sector`, and `on` a wall of it, if that is given. If not, all that hold some of them,
-  /// perhaps, are added to `found`: if there are none, the points are dark.
+  /// Whether the points, which lie in the air of `sector`, and `on` a wall of it if that is given,
+  /// are lit: one cone holds all of them, or a row of cones does. If not, all cones that hold some
+  /// of them, perhaps, are added to `found`: if there are none, the points are dark.
   bool find(SectorId sector, const Segment* on, const Points& points, Found& found) const;
   /// The same of points among those before; `found` has the cones for these from `first` to `last`.
   bool narrow(const Points& points, const Segment* on, Found& found, std::size_t first,
               std::size_t last) const;
 
  private:
-  class Finder;
-  std::span<const HeightPlane> planesOf(const LightCone& cone) const {
-    return std::span(planes_).subspan(cone.firstPlane, cone.lastPlane - cone.firstPlane);
-  }
   double leastInFront(const Points& points) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   bool areClear(const Sector& sector, const Points& points) const;
@@ -101,15 +73,12 @@ class LightCones {
 
   const Level& level_;
   Raytracer::Source light_;
-  std::vector<LightCone> cones_;  ///< by sectors
+  LightConeSet found_;
   struct Range {
     std::size_t first;
     std::size_t count;
   };
-  std::unordered_map<std::uint32_t, Range> rangeOf_;  ///< in `cones_`, of a sector
-  std::vector<HeightPlane> planes_;
-  std::unordered_set<std::uint32_t> unknown_;  ///< sectors
-  bool isComplete_ = false;
+  std::unordered_map<std::uint32_t, Range> rangeOf_;  ///< in the cones, of a sector
 };
 
 }  // namespace hearth

@@ -290,12 +290,22 @@ void LightSight::findCones(const Level& level, double reach) {
   if (radius_ == 0) cones_.emplace(level, middle_, reach);
 }
 
+namespace {
+
+/// Lights after those whose cones take so much do without.
+constexpr std::size_t kMostBytesOfCones = std::size_t{256} << 20;
+
+}  // namespace
+
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
+  std::size_t bytesOfCones = 0;
   for (const LightSource& light : level.lights) {
     fine.emplace_back(level, light, settings.softSamples, settings.solidMiddles);
     rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMiddles);
     reach.push_back(light.reach(settings.cutOff));
+    if (bytesOfCones > kMostBytesOfCones) continue;
     fine.back().findCones(level, reach.back() + kAuthorNoise);
+    if (const LightCones* cones = fine.back().cones()) bytesOfCones += cones->bytes();
   }
 }
 

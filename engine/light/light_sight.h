@@ -63,7 +63,7 @@ class LightSight {
                    std::int64_t& rays) const;
 
   const BeamLight& beamLight() const { return beamLight_; }
-  /// What a point of light sees. None of a ball.
+  /// What a point of light sees, if that was found. None of a ball.
   const LightCones* cones() const { return cones_ ? &*cones_ : nullptr; }
   /// Finds it, as far as `reach` metres.
   void findCones(const Level& level, double reach);

@@ -118,7 +118,7 @@ double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const
 
 const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const SampleBlocks& blocks) {
   seen_.assign(blocks.samples().size(), 0);
-  if (seeing_ == Seeing::ByBeams && radiusOf(light) == 0)
+  if (seeing_ == Seeing::ByBeams && sights_.fine[light].cones())
     addPointLight(light, blocks);
   else if (seeing_ == Seeing::ByBeams)
     addBlock(light, blocks, blocks.whole(), 0);

@@ -44,6 +44,14 @@ inline constexpr double kArrival = 1e-7;
 /// positions have. A shadow moves by no more.
 inline constexpr double kHair = 1e-6;
 
+/// Of an angle at a light, as its sine: directions closer than this are one. Rounding turns none by
+/// as much, and at 1 km it is less than kArrival.
+inline constexpr double kNarrow = 1e-11;
+
+/// Share of a distance from a light: walls of which one is this much nearer are equally far. More
+/// than rounding, and less than two walls that meet are apart where kNarrow begins.
+inline constexpr double kSameDistance = 1e-14;
+
 /// Metres from the origin up to which all of these are more than rounding: doubles are 2 * 10^-9
 /// apart there, a fiftieth of kArrival, of which following a ray to its end takes a part.
 inline constexpr double kPreciseReach = 1e7;
