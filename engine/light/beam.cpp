@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "level/openings.h"
+#include "light/ray_rounding.h"
 #include "light/slope_reach.h"
 #include "math/check.h"
 #include "math/planted_bug.h"
@@ -98,7 +99,7 @@ Beam::Outcome Beam::follow(const BeamLight& light, const BeamTargets& targets, c
   targets_ = &targets;
   within_ = within;
   hull_.emplace(light.middle, light.radius, targets.box);
-  leastInFront_ = 4 * hull_->noise() * hull_->reach() / kArrival;
+  leastInFront_ = leastInFront(hull_->noise(), hull_->reach());
   mets_.clear();
   walls_.clear();
   exits_.clear();
@@ -320,6 +321,7 @@ std::optional<Beam::Gate> Beam::gateOf(const Visit& way) {
 
 void Beam::goThroughFlats(const Sector& sector) {
   if (planted(PlantedBug::BeamPastFlatPortals)) return;
+  // A slope may come through the plane of the portal, and stop rays there.
   const auto goTo = [&](const std::vector<SectorId>& members, double z) {
     isStopped_ |= hasSlopeAt(level_, sector, z);
     for (const SectorId member : members) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "math/tolerance.h"
+#include "light/ray_rounding.h"
 
 namespace hearth {
 
@@ -39,7 +39,7 @@ struct Tangents {
 
 BeamHull::BeamHull(Vec3 middle, double radius, const TargetBox& targets)
     : middle_(middle), radius_(radius), count_(targets.count) {
-  double size = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
+  double size = largestCoordinate(middle);
   Vec2 axis;
   double low = -radius;
   double high = radius;
@@ -53,8 +53,8 @@ BeamHull::BeamHull(Vec3 middle, double radius, const TargetBox& targets)
   }
   reach_ = std::sqrt(reach_) + radius;
   size += reach_;
-  noise_ = 64 * std::numeric_limits<double>::epsilon() * size;
-  margin_ = 2 * kArrival + noise_;
+  noise_ = roundingOf(size);
+  margin_ = rayMargin(noise_);
   lows_.add({{}, low - margin_});
   highs_.add({{}, high + margin_});
 

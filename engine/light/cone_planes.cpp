@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "light/ray_rounding.h"
 #include "math/predicates.h"
-#include "math/tolerance.h"
 
 namespace hearth {
 
@@ -21,10 +20,6 @@ bool isHidden(const HeightPlane& plane, const HeightPlane& by, const LightCone& 
 }
 
 }  // namespace
-
-double roundingOf(double size) { return 64 * std::numeric_limits<double>::epsilon() * size; }
-
-double largestCoordinate(Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 double distanceToLine(Vec3 light, const Segment& wall, Vec2 way) {
   const Vec2 along = wall.p1 - wall.p0;
@@ -44,7 +39,7 @@ void ConePlanes::add(const LightCone& cone, const Segment& wall, const Edge& edg
   const Vec2 gradient = (1 / cross(a, b)) * Vec2{h0 * b.y - h1 * a.y, h1 * a.x - h0 * b.x};
   const double size = std::max(
       {largestCoordinate(light_), std::abs(edge.z0), std::abs(edge.z1), length(a), length(b)});
-  const double slack = (2 * kArrival + roundingOf(size)) / distanceToWall(light_, cone, wall);
+  const double slack = rayMargin(roundingOf(size)) / distanceToWall(light_, cone, wall);
   const HeightPlane plane{gradient, edge.isBelow, slack + roundingOf(length(gradient))};
   for (const HeightPlane& other : planes_)
     if (isHidden(plane, other, cone)) return;

@@ -7,11 +7,6 @@
 
 namespace hearth {
 
-/// Metres by which rounding moves what is made of coordinates up to `size` metres, at the most.
-double roundingOf(double size);
-/// Of a place, by amount.
-double largestCoordinate(Vec3 p);
-
 /// Metres, in lengths of a way on the map from the light, to the line of a wall.
 double distanceToLine(Vec3 light, const Segment& wall, Vec2 way);
 /// Metres on the map from the light to what a cone sees of a wall, or of its line.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "light/cone_planes.h"
 #include "light/light_cone_finder.h"
+#include "light/ray_rounding.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -23,13 +23,14 @@ LightCones::Points LightCones::seen(std::span<const Vec3> corners) const {
     points.reach = std::max(points.reach, std::abs(way.x) + std::abs(way.y) + std::abs(way.z));
   }
   points.noise = roundingOf(largestCoordinate(light_.position) + points.reach);
-  points.margin = 2 * kArrival + kNarrow * points.reach + points.noise;
+  points.margin = rayMargin(points.noise) + kNarrow * points.reach;
   return points;
 }
 
 bool LightCones::knows(SectorId sector, const Plane& plane, const Points& points) const {
   return found_.isComplete && !found_.unknown.contains(sector.value) &&
-         plane.inFront(light_.position) >= leastInFront(points) && areClear(level_[sector], points);
+         plane.inFront(light_.position) >= points.leastInFront() &&
+         areClear(level_[sector], points);
 }
 
 /// Whether no slope of the sector, nor what is opposite it, stops a ray before its target.
@@ -37,7 +38,7 @@ bool LightCones::areClear(const Sector& sector, const Points& points) const {
   if (!sector.floorSlope && !sector.ceilingSlope) return true;
   const auto isClear = [&](double ofLight, double ofTarget) {
     return ofTarget > points.margin ||
-           (ofTarget >= -points.noise && ofLight >= leastInFront(points));
+           (ofTarget >= -points.noise && ofLight >= points.leastInFront());
   };
   const auto areClearOf = [&](auto&& inFront) {
     const double ofLight = inFront(light_.position);
@@ -49,12 +50,6 @@ bool LightCones::areClear(const Sector& sector, const Points& points) const {
   const auto belowCeiling = [&](Vec3 p) { return sector.airTop(p.xy()) - p.z; };
   return (sector.floor.parallax || areClearOf(aboveFloor)) &&
          (sector.ceiling.parallax || areClearOf(belowCeiling));
-}
-
-/// Metres that the light must be in front of a plane, to be sure that rounding stops no ray before
-/// it gets to points there.
-double LightCones::leastInFront(const Points& points) const {
-  return 4 * points.noise * points.reach / kArrival;
 }
 
 /// None where the cone holds none of the points.

@@ -10,6 +10,7 @@
 #include "level/level.h"
 #include "light/light_cone.h"
 #include "light/plane.h"
+#include "light/ray_rounding.h"
 #include "light/raytracer.h"
 
 namespace hearth {
@@ -35,6 +36,8 @@ class LightCones {
     double reach = 0;   ///< metres, at least those to the farthest
     double noise = 0;   ///< metres by which rounding moves a crossing at the most
     double margin = 0;  ///< metres from the bounds of a cone within which nothing is said
+
+    double leastInFront() const { return hearth::leastInFront(noise, reach); }
   };
   /// One to eight corners.
   Points seen(std::span<const Vec3> corners) const;
@@ -63,7 +66,6 @@ class LightCones {
               std::size_t last) const;
 
  private:
-  double leastInFront(const Points& points) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   bool areClear(const Sector& sector, const Points& points) const;
   std::optional<Doubt> doubtOf(const LightCone& cone, const Points& points,

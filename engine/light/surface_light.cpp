@@ -136,20 +136,26 @@ const Segment* SurfaceLight::wallOf(SurfaceId surface) const {
   return there.segment ? &level_[*there.segment] : nullptr;
 }
 
+/// Of points that are lit, or may lie in those of `cones_` from `first` on.
+SurfaceLight::ByCones SurfaceLight::byCones(SurfaceId surface, bool areLit,
+                                            std::size_t first) const {
+  const bool areDark = !areLit && first == cones_.size();
+  const Beam::Outcome outcome = areLit    ? Beam::Outcome::Lit
+                                : areDark ? Beam::Outcome::Dark
+                                          : Beam::Outcome::Unknown;
+  return {surface, outcome, true, first, cones_.size()};
+}
+
 SurfaceLight::ByCones SurfaceLight::findCones(std::size_t light, SurfaceId surface,
                                               std::span<const Vec3> corners) {
   const LightCones& cones = *sights_.fine[light].cones();
   const SectorId sector = level_[surface].sector;
   const LitSurface& there = *surfaces_[surface.index()];
   const LightCones::Points points = cones.seen(corners);
-  ByCones found{surface, Beam::Outcome::Unknown, false, cones_.size(), cones_.size()};
-  if (!cones.knows(sector, {there.anchor, there.normal}, points)) return found;
-  found.isKnown = true;
-  const bool isLit = cones.find(sector, wallOf(surface), points, cones_);
-  found.last = cones_.size();
-  if (isLit) found.outcome = Beam::Outcome::Lit;
-  if (!isLit && found.first == found.last) found.outcome = Beam::Outcome::Dark;
-  return found;
+  const std::size_t first = cones_.size();
+  if (!cones.knows(sector, {there.anchor, there.normal}, points))
+    return {surface, Beam::Outcome::Unknown, false, first, first};
+  return byCones(surface, cones.find(sector, wallOf(surface), points, cones_), first);
 }
 
 /// Of points among those that `before` is about.
@@ -157,14 +163,14 @@ SurfaceLight::ByCones SurfaceLight::narrowed(std::size_t light, const ByCones& b
                                              std::span<const Vec3> corners) {
   if (!before.isKnown || before.outcome != Beam::Outcome::Unknown) return before;
   const LightCones& cones = *sights_.fine[light].cones();
-  ByCones found = before;
-  found.first = cones_.size();
+  const std::size_t first = cones_.size();
   const bool isLit =
       cones.narrow(cones.seen(corners), wallOf(before.surface), cones_, before.first, before.last);
-  found.last = cones_.size();
-  if (isLit) found.outcome = Beam::Outcome::Lit;
-  if (!isLit && found.first == found.last) found.outcome = Beam::Outcome::Dark;
-  return found;
+  return byCones(before.surface, isLit, first);
+}
+
+void SurfaceLight::dropConesFrom(std::size_t first) {
+  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(first), cones_.end());
 }
 
 void SurfaceLight::addPointLight(std::size_t light, const SampleBlocks& blocks) {
@@ -189,7 +195,7 @@ void SurfaceLight::addByCones(std::size_t light, const SampleBlocks& blocks,
     here = narrowed(light, around ? *around : wholeOf(*block.surface), block.box.corners());
     if (!here->isKnown) return addBlock(light, blocks, block, 0);
     if (here->outcome != Beam::Outcome::Unknown) {
-      cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
+      dropConesFrom(before);
       return addSamples(light, blocks, block, {beamAt(0), here->outcome});
     }
   }
@@ -200,14 +206,14 @@ void SurfaceLight::addByCones(std::size_t light, const SampleBlocks& blocks,
       const SamplePoint& at = blocks.samples()[index];
       seen_[index] = seenShareByCones(light, at, here ? *here : wholeOf(at.surface));
     });
-  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
+  dropConesFrom(before);
 }
 
 double SurfaceLight::seenShareByCones(std::size_t light, const SamplePoint& at,
                                       const ByCones& around) {
   const std::size_t before = cones_.size();
   const Known known{beamAt(0), narrowed(light, around, {&at.target, 1}).outcome};
-  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
+  dropConesFrom(before);
   return seenShare(sights_.fine[light], light, at,
                    known.outcome == Beam::Outcome::Unknown ? nullptr : &known);
 }

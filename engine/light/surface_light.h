@@ -82,8 +82,10 @@ class SurfaceLight {
     std::size_t last;
   };
   const Segment* wallOf(SurfaceId surface) const;
+  ByCones byCones(SurfaceId surface, bool areLit, std::size_t first) const;
   ByCones findCones(std::size_t light, SurfaceId surface, std::span<const Vec3> corners);
   ByCones narrowed(std::size_t light, const ByCones& before, std::span<const Vec3> corners);
+  void dropConesFrom(std::size_t first);
   void addPointLight(std::size_t light, const SampleBlocks& blocks);
   void addByCones(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
                   const ByCones* around);
