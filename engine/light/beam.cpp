@@ -7,6 +7,7 @@
 #include "level/openings.h"
 #include "light/ray_rounding.h"
 #include "light/slope_reach.h"
+#include "light/target_air.h"
 #include "math/check.h"
 #include "math/planted_bug.h"
 #include "math/predicates.h"
@@ -351,26 +352,9 @@ bool Beam::endsOutside(const Sector& sector) const {
 
 /// Whether no flat or slope of the targets' sector stops a ray before its target.
 bool Beam::areTargetsClear() const {
-  const Sector& sector = level_[targets_->sectors.front()];
-  const auto isClear = [&](double ofLight, double ofTarget) {
-    return ofTarget > hull_->margin() ||
-           (ofTarget >= -hull_->noise() && ofLight - light_->radius >= leastInFront_);
-  };
-  for (const Vec3& p : targets_->box.corners()) {
-    const auto slack = [&](const std::optional<Slope>& slope) {
-      return slope ? length(slope->gradient) : 0;
-    };
-    const Vec2 middle = light_->middle.xy();
-    if (!sector.floor.parallax && !isClear(light_->middle.z - sector.airBottom(middle) -
-                                               slack(sector.floorSlope) * light_->radius,
-                                           p.z - sector.airBottom(p.xy())))
-      return false;
-    if (!sector.ceiling.parallax && !isClear(sector.airTop(middle) - light_->middle.z -
-                                                 slack(sector.ceilingSlope) * light_->radius,
-                                             sector.airTop(p.xy()) - p.z))
-      return false;
-  }
-  return true;
+  const TargetRays rays{light_->middle, light_->radius, hull_->reach(), hull_->noise(),
+                        hull_->margin()};
+  return isAirClear(level_[targets_->sectors.front()], rays, targets_->box.corners());
 }
 
 }  // namespace hearth

@@ -17,10 +17,8 @@ namespace hearth {
 
 namespace {
 
-/// A light that sees more is not worth its memory.
-std::size_t mostCones(const Level& level) {
-  return std::min<std::size_t>(1 << 16, 1024 + 8 * level.segments.size());
-}
+/// Cones that a light is worth: more than any light of a level that means something sees.
+std::size_t mostCones(const Level& level) { return 1024 + 8 * level.segments.size(); }
 
 /// Whether two directions are one, or lie the other way round.
 bool isNarrow(Vec2 begin, Vec2 end) {
@@ -52,14 +50,14 @@ class Finder {
         sector_(light.sector),
         planes_(light.position) {}
 
-  LightConeSet find() {
+  LightConeSet find(std::size_t mostBytes) {
     // Turned a little, so that nothing that is built square lies along their borders.
     constexpr Vec2 kAhead{0.9921875, 0.124755859375};
     Vec2 way = kAhead;
     for (int quarter = 0; quarter < 4; ++quarter, way = turned90(way))
       windows_.push_back({sector_, nullptr, way, turned90(way), {}, false, {}});
     const std::size_t most = mostCones(level_);
-    while (!windows_.empty() && found_.cones.size() < most && found_.planes.size() < 8 * most) {
+    while (!windows_.empty() && found_.cones.size() < most && found_.bytes() < mostBytes) {
       const Window window = windows_.back();
       windows_.pop_back();
       visit(window);
@@ -441,8 +439,9 @@ class Finder {
 
 }  // namespace
 
-LightConeSet findLightCones(const Level& level, const Raytracer::Source& light, double reach) {
-  return Finder(level, light, reach).find();
+LightConeSet findLightCones(const Level& level, const Raytracer::Source& light, double reach,
+                            std::size_t mostBytes) {
+  return Finder(level, light, reach).find(mostBytes);
 }
 
 }  // namespace hearth

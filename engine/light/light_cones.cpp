@@ -5,18 +5,21 @@
 
 #include "light/light_cone_finder.h"
 #include "light/ray_rounding.h"
+#include "light/target_air.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
-LightCones::LightCones(const Level& level, const Raytracer::Source& light, double reach)
-    : level_(level), light_(light), found_(findLightCones(level, light, reach)) {
+LightCones::LightCones(const Level& level, const Raytracer::Source& light, double reach,
+                       std::size_t mostBytes)
+    : level_(level), light_(light), found_(findLightCones(level, light, reach, mostBytes)) {
   for (std::size_t i = 0; i < found_.cones.size(); ++i)
     ++rangeOf_.try_emplace(found_.cones[i].sector.value, Range{i, 0}).first->second.count;
 }
 
 LightCones::Points LightCones::seen(std::span<const Vec3> corners) const {
   Points points;
+  points.corners = corners;
   for (const Vec3 p : corners) {
     const Vec3 way = p - light_.position;
     points.ways[points.count++] = way;
@@ -29,27 +32,9 @@ LightCones::Points LightCones::seen(std::span<const Vec3> corners) const {
 
 bool LightCones::knows(SectorId sector, const Plane& plane, const Points& points) const {
   return found_.isComplete && !found_.unknown.contains(sector.value) &&
-         plane.inFront(light_.position) >= points.leastInFront() &&
-         areClear(level_[sector], points);
-}
-
-/// Whether no slope of the sector, nor what is opposite it, stops a ray before its target.
-bool LightCones::areClear(const Sector& sector, const Points& points) const {
-  if (!sector.floorSlope && !sector.ceilingSlope) return true;
-  const auto isClear = [&](double ofLight, double ofTarget) {
-    return ofTarget > points.margin ||
-           (ofTarget >= -points.noise && ofLight >= points.leastInFront());
-  };
-  const auto areClearOf = [&](auto&& inFront) {
-    const double ofLight = inFront(light_.position);
-    return std::ranges::all_of(std::span(points.ways).first(points.count), [&](Vec3 way) {
-      return isClear(ofLight, inFront(light_.position + way));
-    });
-  };
-  const auto aboveFloor = [&](Vec3 p) { return p.z - sector.airBottom(p.xy()); };
-  const auto belowCeiling = [&](Vec3 p) { return sector.airTop(p.xy()) - p.z; };
-  return (sector.floor.parallax || areClearOf(aboveFloor)) &&
-         (sector.ceiling.parallax || areClearOf(belowCeiling));
+         plane.inFront(light_.position) >= leastInFront(points.noise, points.reach) &&
+         isAirClear(level_[sector], {light_.position, 0, points.reach, points.noise, points.margin},
+                    points.corners);
 }
 
 /// None where the cone holds none of the points.

@@ -10,7 +10,6 @@
 #include "level/level.h"
 #include "light/light_cone.h"
 #include "light/plane.h"
-#include "light/ray_rounding.h"
 #include "light/raytracer.h"
 
 namespace hearth {
@@ -25,24 +24,22 @@ namespace hearth {
 /// too.
 class LightCones {
  public:
-  /// Of what is no farther than `reach` metres; farther away it may find less.
-  /// Keeps a reference to the level.
-  LightCones(const Level& level, const Raytracer::Source& light, double reach);
+  /// Of what is no farther than `reach` metres; farther away it may find less. Where all cones take
+  /// about `mostBytes` or more it says nothing. Keeps a reference to the level.
+  LightCones(const Level& level, const Raytracer::Source& light, double reach,
+             std::size_t mostBytes);
 
   /// Points, as they are seen from the light: all that lie between some corners.
   struct Points {
-    std::array<Vec3, 8> ways;  ///< to the corners
+    std::span<const Vec3> corners;
+    std::array<Vec3, 8> ways;  ///< to them
     std::size_t count = 0;
     double reach = 0;   ///< metres, at least those to the farthest
     double noise = 0;   ///< metres by which rounding moves a crossing at the most
     double margin = 0;  ///< metres from the bounds of a cone within which nothing is said
-
-    double leastInFront() const { return hearth::leastInFront(noise, reach); }
   };
-  /// One to eight corners.
+  /// One to eight corners, which must outlive what they are made into.
   Points seen(std::span<const Vec3> corners) const;
-
-  std::size_t bytes() const { return found_.bytes(); }
 
   /// Whether it says anything of points on a plane that bounds the air of a sector. It does not
   /// where they, or the light, are so near to a plane of its that rounding could stop rays there.
@@ -67,7 +64,6 @@ class LightCones {
 
  private:
   bool comesToEndOf(const Segment& wall, const Points& points) const;
-  bool areClear(const Sector& sector, const Points& points) const;
   std::optional<Doubt> doubtOf(const LightCone& cone, const Points& points,
                                const Segment* on) const;
   static bool isRow(std::span<const Doubt> doubts);

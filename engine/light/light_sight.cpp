@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 #include "light/lit_lattice.h"
@@ -286,26 +287,42 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
   return seen / whole;
 }
 
-void LightSight::findCones(const Level& level, double reach) {
-  if (radius_ == 0) cones_.emplace(level, middle_, reach);
+struct LightSight::Cones {
+  Cones(const Level& in, double asFarAs, std::size_t bytes)
+      : level(in), reach(asFarAs), mostBytes(bytes) {}
+
+  const Level& level;
+  double reach;
+  std::size_t mostBytes;
+  std::once_flag isFound;
+  std::optional<LightCones> found;
+};
+
+LightSight::~LightSight() = default;
+LightSight::LightSight(LightSight&&) noexcept = default;
+
+void LightSight::useCones(const Level& level, double reach, std::size_t mostBytes) {
+  if (radius_ == 0) cones_ = std::make_unique<Cones>(level, reach, mostBytes);
 }
 
-namespace {
-
-/// Lights after those whose cones take so much do without.
-constexpr std::size_t kMostBytesOfCones = std::size_t{256} << 20;
-
-}  // namespace
+const LightCones* LightSight::cones() const {
+  if (!cones_) return nullptr;
+  std::call_once(cones_->isFound, [this] {
+    cones_->found.emplace(cones_->level, middle_, cones_->reach, cones_->mostBytes);
+  });
+  return &*cones_->found;
+}
 
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
-  std::size_t bytesOfCones = 0;
+  // Of all lights together; a fair share for each, so that the order in which they are found does
+  // not matter.
+  constexpr std::size_t kMostBytesOfCones = std::size_t{256} << 20;
   for (const LightSource& light : level.lights) {
     fine.emplace_back(level, light, settings.softSamples, settings.solidMiddles);
     rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMiddles);
     reach.push_back(light.reach(settings.cutOff));
-    if (bytesOfCones > kMostBytesOfCones) continue;
-    fine.back().findCones(level, reach.back() + kAuthorNoise);
-    if (const LightCones* cones = fine.back().cones()) bytesOfCones += cones->bytes();
+    fine.back().useCones(level, reach.back() + kAuthorNoise,
+                         kMostBytesOfCones / level.lights.size());
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -55,6 +55,8 @@ class LightSight {
   /// With 0 it is a point. `solidMiddles`: see BakeSettings.
   LightSight(const Level& level, const LightSource& light, int softSamples,
              bool solidMiddles = false);
+  ~LightSight();
+  LightSight(LightSight&&) noexcept;
 
   /// 0..1. Adds the rays that it took to `rays`, and tells `met`, if any, where they came.
   double seenShare(const LightTarget& target, std::int64_t& rays, SectorSet* met = nullptr) const;
@@ -63,10 +65,11 @@ class LightSight {
                    std::int64_t& rays) const;
 
   const BeamLight& beamLight() const { return beamLight_; }
-  /// What a point of light sees, if that was found. None of a ball.
-  const LightCones* cones() const { return cones_ ? &*cones_ : nullptr; }
-  /// Finds it, as far as `reach` metres.
-  void findCones(const Level& level, double reach);
+  /// Has what a point of light sees found as cones, when it is first asked for. Of a ball nothing
+  /// is found.
+  void useCones(const Level& level, double reach, std::size_t mostBytes);
+  /// None where they are not used. Any thread may ask.
+  const LightCones* cones() const;
   /// On which it depends what of the light shines: that of its middle, and all that lines from
   /// there to other points of it come into.
   std::span<const SectorId> sectors() const { return sectors_; }
@@ -93,7 +96,8 @@ class LightSight {
   /// Whether what shines is what lies in front of all planes, if there are any.
   bool isCutByPlanes_ = false;
   BeamLight beamLight_;
-  std::optional<LightCones> cones_;
+  struct Cones;
+  std::unique_ptr<Cones> cones_;
   std::vector<SectorId> sectors_;
 };
 

@@ -33,10 +33,10 @@ std::optional<bool> areLit(const LightCones& cones, const Level& level, const st
 }
 
 LightCones conesFrom(const Level& level, Vec3 position, const std::string& name,
-                     double reach = kEndless) {
+                     double reach = kEndless, std::size_t mostBytes = 1 << 20) {
   const auto sector = std::ranges::find(level.sectors, name, &Sector::name);
   const SectorId id(static_cast<std::size_t>(sector - level.sectors.begin()));
-  return {level, {position, id}, reach};
+  return {level, {position, id}, reach, mostBytes};
 }
 
 /// Two rooms side by side, the second with its floor at `z`.
@@ -91,6 +91,16 @@ TEST(LightCones, seeNothingBeyondTheirReach) {
   EXPECT_EQ(
       areLit(conesFrom(loaded.level, {1, 2, 1}, "west", 4), loaded.level, "east", {5, 1.5}, {6, 2}),
       true);
+}
+
+TEST(LightCones, sayNothingWhereTheyWouldTakeTooMuchMemory) {
+  const LoadedLevel loaded = twoRooms(0);
+  const auto near = [&](std::size_t mostBytes) {
+    return areLit(conesFrom(loaded.level, {1, 2, 1}, "west", kEndless, mostBytes), loaded.level,
+                  "west", {2.5, 1.5}, {2.6, 1.6});
+  };
+  EXPECT_EQ(near(1 << 20), true);
+  EXPECT_EQ(near(100), std::nullopt);
 }
 
 TEST(LightCones, sayNothingOfALightAlongTheFloor) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// Rays from a ball, or point, of light to points of one surface.
+struct TargetRays {
+  Vec3 light;
+  double radius;  ///< metres
+  double reach;   ///< of the longest, metres
+  double noise;   ///< metres by which rounding moves their ends
+  double margin;  ///< metres, see rayMargin
+};
+
+/// Whether neither floor nor ceiling of the points' sector, slopes included, stops a ray before its
+/// end: they are off all points, or the light is so far before them that rounding does not matter.
+bool isAirClear(const Sector& sector, const TargetRays& rays, std::span<const Vec3> points);
+
+}  // namespace hearth
