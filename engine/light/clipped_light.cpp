@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -136,10 +137,17 @@ class ClippedLight {
   template <typename LevelOf>
   void addTexels(std::size_t light, TexelSums& sums, LevelOf&& levelOf) {
     between_.clear();
-    for (int j = 0; j < rect_.height; ++j)
-      for (int i = 0; i < rect_.width; ++i)
-        if (const double level = levelOf(i, j); level > 0)
-          sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
+    for (int j = 0; j < rect_.height; ++j) {
+      AskedRow row = surface_.askedIn(rect_.j0 + j);
+      std::optional<int> last;
+      double level = 0;
+      for (int i = 0; i < rect_.width; ++i) {
+        const int asked = row.nearest(rect_.i0 + i);
+        if (asked != last) level = levelOf(asked - rect_.i0, j);
+        last = asked;
+        if (level > 0) sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
+      }
+    }
   }
 
   void addHard(std::size_t light, TexelSums& sums) {

@@ -107,10 +107,11 @@ class Printer {
     for (const Vec3 v : {grid.origin, grid.axisS, grid.axisT, surface->anchor, surface->normal})
       hash.addPoint(v);
     hash.addReal(grid.texel);
-    hash.addWhole(surface->outlines.size());
-    for (const auto& outline : surface->outlines) {
-      hash.addWhole(outline.size());
-      for (const Vec2 p : outline) hash.addPoint(p);
+    const std::vector<std::vector<Vec2>> polygons = surface->outline.polygons();
+    hash.addWhole(polygons.size());
+    for (const std::vector<Vec2>& polygon : polygons) {
+      hash.addWhole(polygon.size());
+      for (const Vec2 p : polygon) hash.addPoint(p);
     }
     return hash.value();
   }

@@ -9,7 +9,7 @@
 #include "light/grids.h"
 #include "light/upright_air.h"
 #include "light/vertex_fan.h"
-#include "math/predicates.h"
+#include "math/check.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -63,13 +63,13 @@ class LitSurfaceBuilder {
 
  private:
   void add(SurfaceId id, const TexelGrid& grid, Vec3 anchor, Vec3 normal,
-           std::vector<Polygon> outlines) {
+           const std::vector<Polygon>& outlines) {
     LitSurface& lit = lit_[id.index()].emplace();
     lit.grid = grid;
     lit.anchor = anchor;
     lit.normal = normal;
     lit.texels = texelsOf(outlines);
-    lit.outlines = std::move(outlines);
+    lit.outline = Outline(outlines);
   }
 
   void addUpright(SurfaceId id, const Surface& surface) {
@@ -129,13 +129,6 @@ class LitSurfaceBuilder {
   std::vector<std::vector<UprightSurface>> upright_;
 };
 
-/// A cheap bound: to the upright box round a segment, by the longer of its two coordinates.
-double distanceToBox(Vec2 a, Vec2 b, Vec2 p) {
-  const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
-  const double y = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
-  return std::max(x, y);
-}
-
 }  // namespace
 
 Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
@@ -143,73 +136,21 @@ Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
   return p - distanceInFront(p) * normal;
 }
 
-bool LitSurface::contains(Vec2 p) const {
-  bool inside = false;
-  for (const Polygon& outline : outlines)
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 a = outline[i];
-      const Vec2 b = outline[(i + 1) % outline.size()];
-      if (a == p) return true;
-      if ((a.y <= p.y) == (b.y <= p.y)) continue;
-      const int side = orientation(a, b, p);
-      if (side == 0) return true;
-      if ((side > 0) == (b.y <= p.y)) inside = !inside;
-    }
-  return inside;
-}
-
-std::vector<LitSurface::Stretch> LitSurface::insideAlong(double row, double margin) const {
-  // Between what lies beside edges, all is inside or all is outside.
-  std::vector<Stretch> beside;
-  for (const Polygon& outline : outlines)
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 a = outline[i];
-      const Vec2 b = outline[(i + 1) % outline.size()];
-      const double low = std::max(std::min(a.y, b.y), row - margin);
-      const double high = std::min(std::max(a.y, b.y), row + margin);
-      if (low > high) continue;
-      const auto xAt = [&](double y) {
-        return a.y == b.y ? a.x : std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y));
-      };
-      const double ends[] = {xAt(low), a.y == b.y ? b.x : xAt(high)};
-      beside.push_back({std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin});
-    }
-  std::ranges::sort(beside, {}, &Stretch::from);
-  std::vector<Stretch> inside;
-  for (std::size_t i = 0; i + 1 < beside.size(); ++i) {
-    beside[i + 1].to = std::max(beside[i + 1].to, beside[i].to);
-    const Stretch between{beside[i].to, beside[i + 1].from};
-    if (between.from < between.to && contains({(between.from + between.to) / 2, row}))
-      inside.push_back(between);
+std::vector<LitSurface::Texels> LitSurface::askedIn(int j) const {
+  std::vector<Texels> asked;
+  // See texelsOf: the middles of texels that are asked for are less than one texel off.
+  for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + kWhisker)) {
+    const Texels next{
+        std::max(texels.i0, static_cast<int>(std::ceil(from - 0.5))),
+        std::min(texels.i0 + texels.width - 1, static_cast<int>(std::floor(to - 0.5)))};
+    if (next.first > next.last) continue;
+    if (!asked.empty() && next.first <= asked.back().last + 1)
+      asked.back().last = next.last;
+    else
+      asked.push_back(next);
   }
-  return inside;
-}
-
-Vec2 LitSurface::nearest(Vec2 p) const {
-  Vec2 best = outlines.front().front();
-  double distance = std::numeric_limits<double>::infinity();
-  for (const Polygon& outline : outlines)
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 a = outline[i];
-      const Vec2 b = outline[(i + 1) % outline.size()];
-      if (distanceToBox(a, b, p) > distance) continue;
-      const Vec2 q = nearestOnSegment(a, b, p);
-      const double found = length(q - p);
-      if (found < distance) best = q, distance = found;
-    }
-  return best;
-}
-
-std::vector<LitSurface::Edge> LitSurface::edgesWithin(Vec2 p, double reach) const {
-  std::vector<Edge> edges;
-  for (const Polygon& outline : outlines)
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Edge edge{outline[i], outline[(i + 1) % outline.size()]};
-      if (distanceToBox(edge.a, edge.b, p) <= reach &&
-          length(nearestOnSegment(edge.a, edge.b, p) - p) <= reach)
-        edges.push_back(edge);
-    }
-  return edges;
+  CHECK(!asked.empty(), j, texels.j0, texels.height);
+  return asked;
 }
 
 LitSurfaces makeLitSurfaces(const Level& level, double texel) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "level/level.h"
+#include "light/outline.h"
 #include "light/texel_grid.h"
 
 namespace hearth {
@@ -35,8 +38,7 @@ struct LitSurface {
   TexelGrid grid;
   Vec3 anchor;  ///< a point of the surface's own plane, which may miss the grid's by a tolerance
   Vec3 normal;  ///< unit, into the air
-  /// Outlines of the part that bounds air, in texel coordinates; holes are outlines too.
-  std::vector<std::vector<Vec2>> outlines;
+  Outline outline;  ///< of the part that bounds air, in texel coordinates
   /// All texels that bilinear filtering can ask for.
   TexelRect texels;
   std::vector<Continuation> continuations;
@@ -45,25 +47,32 @@ struct LitSurface {
   double distanceInFront(Vec3 p) const { return dot(p - anchor, normal); }
   /// The point of the surface's own plane at texel coordinates.
   Vec3 toWorld(Vec2 texelPoint) const;
-  bool contains(Vec2 texelPoint) const;
-  /// The point of the outlines that is nearest.
-  Vec2 nearest(Vec2 texelPoint) const;
 
-  /// Texels.
-  struct Stretch {
-    double from;
-    double to;
+  /// Texels of a row.
+  struct Texels {
+    int first;
+    int last;
   };
-  /// What of the row of points at a height lies inside, farther than `margin` texels from all
-  /// edges: in rising order.
-  std::vector<Stretch> insideAlong(double row, double margin) const;
+  /// What bilinear filtering can ask for of row `j` of `texels`, at least one: in rising order, and
+  /// apart. The others are there since lightmaps are rectangles.
+  std::vector<Texels> askedIn(int j) const;
+};
 
-  struct Edge {
-    Vec2 a;
-    Vec2 b;
-  };
-  /// Of the outlines, no farther than `reach` texels.
-  std::vector<Edge> edgesWithin(Vec2 texelPoint, double reach) const;
+/// The texels of a row that can be asked for, and for each other one the nearest of them.
+class AskedRow {
+ public:
+  AskedRow(const LitSurface& surface, int j) : asked_(surface.askedIn(j)) {}
+
+  /// Of texels in rising order.
+  int nearest(int i) {
+    while (asked_.size() - next_ > 1 && asked_[next_ + 1].first - i <= i - asked_[next_].last)
+      ++next_;
+    return std::clamp(i, asked_[next_].first, asked_[next_].last);
+  }
+
+ private:
+  std::vector<LitSurface::Texels> asked_;
+  std::size_t next_ = 0;
 };
 
 /// By SurfaceId; none for sky and for surfaces of which nothing can show.

@@ -29,7 +29,7 @@ constexpr std::array<Vec2, 16> kWays = {{{1, 0},
                                          {0.4, -0.9},
                                          {0.9, -0.4}}};
 
-double distanceTo(const std::vector<LitSurface::Edge>& edges, Vec2 p) {
+double distanceTo(const std::vector<Outline::Edge>& edges, Vec2 p) {
   double distance = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : edges)
     distance = std::min(distance, length(nearestOnSegment(a, b, p) - p));
@@ -38,7 +38,7 @@ double distanceTo(const std::vector<LitSurface::Edge>& edges, Vec2 p) {
 
 /// Between two edges that meet, the point that is `margin` from both. Clipping can leave an edge
 /// between them that is all rounding.
-std::optional<Vec2> insideCorner(const LitSurface::Edge& before, const LitSurface::Edge& after,
+std::optional<Vec2> insideCorner(const Outline::Edge& before, const Outline::Edge& after,
                                  double margin) {
   if (length(before.b - after.a) > margin) return std::nullopt;
   if (length(before.b - before.a) <= margin || length(after.b - after.a) <= margin)
@@ -59,42 +59,78 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, Surf
       besideEdge_(2.5 * hair_),
       sought_(sought) {}
 
+/// Texels. Samples of texels that are asked for are no farther from their surface.
+constexpr double kRowReach = 3;
+
+class SamplePlacement::Row {
+ public:
+  Row(const SamplePlacement& placement, double row)
+      : placement_(placement),
+        surface_(*placement.surfaces_[placement.id_.index()]),
+        row_(row),
+        outline_(surface_.outline.aroundRow(row, kRowReach)),
+        inside_(outline_.insideAlong(row, placement.besideEdge_)) {}
+
+  /// At columns in rising order.
+  SamplePoint place(double column) {
+    const Vec2 p{column, row_};
+    while (nextInside_ < inside_.size() && inside_[nextInside_].to < column) ++nextInside_;
+    if (nextInside_ == inside_.size() || inside_[nextInside_].from > column)
+      return placement_.place(p, outline_);
+    const Vec3 point = surface_.toWorld(p);
+    return {point, placement_.id_, point, false};
+  }
+
+ private:
+  const SamplePlacement& placement_;
+  const LitSurface& surface_;
+  double row_;
+  Outline outline_;
+  std::vector<Outline::Stretch> inside_;
+  std::size_t nextInside_ = 0;
+};
+
 void SamplePlacement::placeRow(std::span<const double> columns, double row,
                                std::vector<SamplePoint>& places) const {
-  const LitSurface& own = *surfaces_[id_.index()];
-  const std::vector<LitSurface::Stretch> inside = own.insideAlong(row, besideEdge_);
-  auto stretch = inside.begin();
-  for (const double column : columns) {
-    while (stretch != inside.end() && stretch->to < column) ++stretch;
-    const Vec2 p{column, row};
-    if (stretch != inside.end() && stretch->from <= column) {
-      const Vec3 point = own.toWorld(p);
-      places.push_back({point, id_, point, false});
-    } else {
-      places.push_back(place(p));
-    }
+  Row inRow(*this, row);
+  AskedRow askedRow(*surfaces_[id_.index()], static_cast<int>(std::floor(row)));
+  const auto texelOf = [&](std::size_t i) { return static_cast<int>(std::floor(columns[i])); };
+  std::optional<int> placed;  // the texel whose places are the last ones
+  for (std::size_t i = 0, next = 0; i < columns.size(); i = next) {
+    while (next < columns.size() && texelOf(next) == texelOf(i)) ++next;
+    const int asked = askedRow.nearest(texelOf(i));
+    for (std::size_t k = i; k < next; ++k)
+      places.push_back(asked == placed ? places[places.size() - (next - i)]
+                                       : inRow.place(columns[k] + (asked - texelOf(i))));
+    placed = asked;
   }
 }
 
 SamplePoint SamplePlacement::place(Vec2 p) const {
-  const LitSurface& own = *surfaces_[id_.index()];
-  if (own.contains(p)) return at(id_, p, p);
+  return place(p, surfaces_[id_.index()]->outline);
+}
+
+SamplePoint SamplePlacement::place(Vec2 p, const Outline& own) const {
+  if (own.contains(p)) return at(id_, own, p, p);
   const Vec2 nearest = own.nearest(p);
   const double distance = length(nearest - p);
-  if (distance < hair_) return at(id_, p, p);
+  if (distance < hair_) return at(id_, own, p, p);
   const std::vector<SurfaceId> others = joinedWithin(distance + hair_, p);
+  const auto outlineOf = [this](SurfaceId id) -> const Outline& {
+    return surfaces_[id.index()]->outline;
+  };
   for (const SurfaceId id : others)
-    if (const Vec2 there = onGridOf(id, p); holds(*surfaces_[id.index()], there))
-      return at(id, there, there);
+    if (const Vec2 there = onGridOf(id, p); holds(outlineOf(id), there))
+      return at(id, outlineOf(id), there, there);
   SurfaceId surface = id_;
   Vec2 from = p;
   Vec2 best = nearest;
   for (const SurfaceId id : others) {
     const Vec2 there = onGridOf(id, p);
-    const Vec2 q = surfaces_[id.index()]->nearest(there);
+    const Vec2 q = outlineOf(id).nearest(there);
     if (length(q - there) < length(best - from) - hair_) surface = id, from = there, best = q;
   }
-  return at(surface, best, from);
+  return at(surface, surface == id_ ? own : outlineOf(surface), best, from);
 }
 
 /// A flat and a level wedge that continue one another have texels of their own each.
@@ -104,12 +140,12 @@ Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
   return other == own ? p : other.toTexels(own.toWorld(p));
 }
 
-SamplePoint SamplePlacement::at(SurfaceId id, Vec2 p, Vec2 from) const {
+SamplePoint SamplePlacement::at(SurfaceId id, const Outline& outline, Vec2 p, Vec2 from) const {
   const LitSurface& surface = *surfaces_[id.index()];
-  const std::vector<LitSurface::Edge> edges = surface.edgesWithin(p, besideEdge_);
+  const std::vector<Outline::Edge> edges = outline.edgesWithin(p, besideEdge_);
   const bool isOnEdge = distanceTo(edges, p) < hair_;
   return {surface.toWorld(p), id,
-          surface.toWorld(isOnEdge ? movedInside(surface, edges, p, from) : p), p != from};
+          surface.toWorld(isOnEdge ? movedInside(outline, edges, p, from) : p), p != from};
 }
 
 std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const {
@@ -128,22 +164,21 @@ std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const
 }
 
 /// On the very edge it is not left to rounding.
-bool SamplePlacement::holds(const LitSurface& surface, Vec2 p) const {
-  return surface.contains(p) || length(surface.nearest(p) - p) < hair_;
+bool SamplePlacement::holds(const Outline& outline, Vec2 p) const {
+  return outline.contains(p) || length(outline.nearest(p) - p) < hair_;
 }
 
 /// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
 /// a corner, where that may run along the other edge, the way that leads farthest inside; in a
 /// sharp one to where its edges are a hair away.
-Vec2 SamplePlacement::movedInside(const LitSurface& surface,
-                                  const std::vector<LitSurface::Edge>& edges, Vec2 edgePoint,
-                                  Vec2 from) const {
+Vec2 SamplePlacement::movedInside(const Outline& outline, const std::vector<Outline::Edge>& edges,
+                                  Vec2 edgePoint, Vec2 from) const {
   Vec2 best = edgePoint;
   double clearance = 0;
   const auto isGood = [&](Vec2 way) {
     const Vec2 candidate = edgePoint + hair_ * way;
     const double found = distanceTo(edges, candidate);
-    if (found <= clearance || !surface.contains(candidate)) return false;
+    if (found <= clearance || !outline.contains(candidate)) return false;
     best = candidate;
     clearance = found;
     return clearance > 0.9 * hair_;
@@ -151,10 +186,10 @@ Vec2 SamplePlacement::movedInside(const LitSurface& surface,
   if (edgePoint != from && isGood((1 / length(edgePoint - from)) * (edgePoint - from))) return best;
   if (std::ranges::any_of(kWays, isGood) || clearance > 0.5 * hair_) return best;
   // A sharp corner, into which none of the ways leads, or not far from its edges.
-  for (const LitSurface::Edge& before : edges)
-    for (const LitSurface::Edge& after : edges) {
+  for (const Outline::Edge& before : edges)
+    for (const Outline::Edge& after : edges) {
       const std::optional<Vec2> inside = insideCorner(before, after, hair_);
-      if (inside && surface.contains(*inside)) return *inside;
+      if (inside && outline.contains(*inside)) return *inside;
     }
   return best;
 }

@@ -34,18 +34,26 @@ class SamplePlacement {
   SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought = nullptr);
 
   SamplePoint place(Vec2 texelPoint) const;
-  /// Adds those of a row of points, at rising `columns` on the height `row`.
+  /// Adds those of a row of points inside texels, at rising `columns` on the height `row`. For
+  /// texels that no pixel can ask for those of the nearest in the row that one can: no time goes to
+  /// find places that do not matter, and the lightmap goes on evenly there.
   void placeRow(std::span<const double> columns, double row,
                 std::vector<SamplePoint>& places) const;
 
  private:
+  /// Places points of one row, with no more of the outline than is near it.
+  class Row;
+
+  /// `own` is the outline of the surface, or what of it is near.
+  SamplePoint place(Vec2 texelPoint, const Outline& own) const;
   /// The other surfaces of the plane that are joined to this one near a sample.
   std::vector<SurfaceId> joinedWithin(double reach, Vec2 texelPoint) const;
   Vec2 onGridOf(SurfaceId surface, Vec2 texelPoint) const;
-  bool holds(const LitSurface& surface, Vec2 texelPoint) const;
-  SamplePoint at(SurfaceId surface, Vec2 texelPoint, Vec2 from) const;
-  Vec2 movedInside(const LitSurface& surface, const std::vector<LitSurface::Edge>& edges,
-                   Vec2 edgePoint, Vec2 from) const;
+  bool holds(const Outline& outline, Vec2 texelPoint) const;
+  /// `outline` is that of the surface, or what of it is near.
+  SamplePoint at(SurfaceId surface, const Outline& outline, Vec2 texelPoint, Vec2 from) const;
+  Vec2 movedInside(const Outline& outline, const std::vector<Outline::Edge>& edges, Vec2 edgePoint,
+                   Vec2 from) const;
 
   const LitSurfaces& surfaces_;
   SurfaceId id_;

@@ -29,6 +29,7 @@ class SurfaceLight {
                bool lambert, SurfaceId id, Seeing seeing = Seeing::ByBeams, Trail* trail = nullptr);
 
   const TexelRect& texels() const { return surface_.texels; }
+  AskedRow askedIn(int j) const { return {surface_, j}; }
   /// Indices of the lights that can shine on the surface's plane, and reach as far.
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return level_.lights[index]; }

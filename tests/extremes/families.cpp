@@ -77,9 +77,9 @@ void expectAgreement(const LitLevel& lit) {
 /// The lit surface that a piece of it was cut from; sectors are the same in both levels.
 std::optional<SurfaceId> wholeOf(const LitLevel& whole, const Surface& piece,
                                  const LitSurface& lit) {
+  const std::vector<Vec2> border = lit.outline.polygons().front();
   Vec2 middle;
-  for (const Vec2 p : lit.outlines[0])
-    middle = middle + (1.0 / static_cast<double>(lit.outlines[0].size())) * p;
+  for (const Vec2 p : border) middle = middle + (1.0 / static_cast<double>(border.size())) * p;
   const Vec3 p = lit.toWorld(middle);
   for (std::size_t i = 0; i < whole.level().surfaces.size(); ++i) {
     const Surface& surface = whole.level().surfaces[i];
@@ -87,7 +87,7 @@ std::optional<SurfaceId> wholeOf(const LitLevel& whole, const Surface& piece,
     if (!other || surface.kind != piece.kind || surface.sector != piece.sector) continue;
     if (std::abs(other->distanceInFront(p)) > 1e-6 || dot(other->normal, lit.normal) < 0.5)
       continue;
-    if (other->contains(other->grid.toTexels(p))) return SurfaceId(i);
+    if (other->outline.contains(other->grid.toTexels(p))) return SurfaceId(i);
   }
   return std::nullopt;
 }
@@ -106,7 +106,7 @@ bool expectSameTexels(const LitLevel& before, const LitLevel& after, SurfaceId i
   for (int j = map.rect.j0; j < map.rect.j0 + map.rect.height; ++j)
     for (int i = map.rect.i0; i < map.rect.i0 + map.rect.width; ++i)
       for (int channel = 0; channel < map.channels; ++channel)
-        EXPECT_TRUE(!piece.contains({i + 0.5, j + 0.5}) ||
+        EXPECT_TRUE(!piece.outline.contains({i + 0.5, j + 0.5}) ||
                     map.at(i, j, channel) == wholeMap->at(i, j, channel))
             << before.level().name << ": " << name(after.level()[id].kind) << ", texel " << i << ','
             << j;

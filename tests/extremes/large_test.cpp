@@ -153,7 +153,7 @@ void addErrors(const LoadedLevel& loaded, double texel, LightError& error) {
               surface.segment != hit.segment || !light.surfaces[id])
             continue;
           const Vec2 st = light.surfaces[id]->grid.toTexels(hit.point);
-          if (!light.surfaces[id]->contains(st)) continue;
+          if (!light.surfaces[id]->outline.contains(st)) continue;
           const auto& map = light.lightmaps[id];
           const double miss =
               (map ? map->sample(st.x, st.y) : 0) - std::min(255.0, truth.at(hit).x);

@@ -73,9 +73,10 @@ std::string roomOfAllKinds() {
 
 /// A point of a surface's middle.
 Vec3 middleOf(const LitSurface& surface) {
+  const std::vector<Vec2> border = surface.outline.polygons().front();
   Vec2 sum;
-  for (const Vec2 p : surface.outlines[0]) sum = sum + p;
-  return surface.toWorld((1.0 / static_cast<double>(surface.outlines[0].size())) * sum);
+  for (const Vec2 p : border) sum = sum + p;
+  return surface.toWorld((1.0 / static_cast<double>(border.size())) * sum);
 }
 
 TEST(LightPlace, inAPlaneOrAMicrometreBehindItDoesNotLightItWhateverItIs) {

@@ -93,7 +93,7 @@ double brightestAround(const TruthLight& truth, const Level& level, const LitSur
   for (double s = -1; s <= 1; s += 0.25)
     for (double t = -1; t <= 1; t += 0.25) {
       const Vec2 p = texel + Vec2{s, t};
-      if (!lit.contains(p)) continue;
+      if (!lit.outline.contains(p)) continue;
       brightest = std::max(
           brightest,
           truth.at({surface.kind, surface.sector, surface.segment, lit.toWorld(p), lit.normal}).x);
@@ -118,7 +118,7 @@ TEST(Leak, noneIntoAcuteCorners) {
         for (int t = map->rect.j0; t < map->rect.j0 + map->rect.height; ++t)
           for (int s = map->rect.i0; s < map->rect.i0 + map->rect.width; ++s) {
             const Vec2 middle{s + 0.5, t + 0.5};
-            if (!lit.contains(middle)) continue;
+            if (!lit.outline.contains(middle)) continue;
             ASSERT_LE(map->at(s, t),
                       brightestAround(truth, room.level(), lit, SurfaceId(i), middle) + 0.5)
                 << name(room.level().surfaces[i].kind) << ' ' << s << ' ' << t;

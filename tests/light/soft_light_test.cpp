@@ -107,7 +107,7 @@ std::vector<SamplePoint> placesOn(const Level& level, const LitSurfaces& surface
     if (!surfaces[i]) continue;
     const TexelRect rect = surfaces[i]->texels;
     const Vec2 p{rect.i0 + rect.width / 2 + 0.5, rect.j0 + rect.height / 3 + 0.5};
-    if (surfaces[i]->contains(p) && length(surfaces[i]->nearest(p) - p) > 0.1)
+    if (surfaces[i]->outline.contains(p) && length(surfaces[i]->outline.nearest(p) - p) > 0.1)
       places.push_back(SamplePlacement(surfaces, SurfaceId(i)).place(p));
   }
   return places;

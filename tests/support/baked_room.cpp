@@ -32,7 +32,8 @@ std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
     if (surface.kind != kind || !lit || std::abs(lit->distanceInFront(p)) > kNear) continue;
     if (!sector.empty() && level()[surface.sector].name != sector) continue;
     const Vec2 texels = lit->grid.toTexels(p);
-    if (lit->contains(texels) || length(lit->nearest(texels) - texels) < kNear) return SurfaceId(i);
+    if (lit->outline.contains(texels) || length(lit->outline.nearest(texels) - texels) < kNear)
+      return SurfaceId(i);
   }
   return std::nullopt;
 }

@@ -49,9 +49,9 @@ nlohmann::ordered_json toJson(const Level& level, const LitSurfaces& surfaces) {
     const LitSurface& lit = *surfaces[i];
     const TexelRect& rect = lit.texels;
     auto outlines = nlohmann::ordered_json::array();
-    for (const std::vector<Vec2>& outline : lit.outlines) {
+    for (const std::vector<Vec2>& polygon : lit.outline.polygons()) {
       auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
-      for (const Vec2 p : outline) points.push_back({p.x, p.y});
+      for (const Vec2 p : polygon) points.push_back({p.x, p.y});
     }
     list.push_back({{"surface", i},
                     {"kind", name(level.surfaces[i].kind)},

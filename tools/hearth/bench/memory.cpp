@@ -18,7 +18,7 @@ std::int64_t channelsOfTexels(const BakedLight& light) {
     std::int64_t texels = 0;
     for (int t = rect.j0; t < rect.j0 + rect.height; ++t)
       for (int s = rect.i0; s < rect.i0 + rect.width; ++s)
-        if (surface.contains({s + 0.5, t + 0.5})) ++texels;
+        if (surface.outline.contains({s + 0.5, t + 0.5})) ++texels;
     count += light.lightmaps[i]->channels * texels;
   }
   return count;

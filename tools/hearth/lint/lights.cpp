@@ -65,7 +65,7 @@ std::int64_t countTexels(const LitSurface& surface, IsSuch&& isSuch) {
   const TexelRect& rect = surface.texels;
   for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
     for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
-      count += surface.contains({i + 0.5, j + 0.5}) && isSuch(i, j) ? 1 : 0;
+      count += surface.outline.contains({i + 0.5, j + 0.5}) && isSuch(i, j) ? 1 : 0;
   return count;
 }
 
