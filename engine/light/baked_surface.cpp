@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -40,22 +41,30 @@ struct Tile {
   std::span<const std::size_t> lights;
 };
 
-void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
+/// The levels of samples to their texels.
+void addLevels(const Tile& tile, const LightSource& light, const std::vector<double>& levels,
+               TexelSums& sums) {
   const auto& [rect, side, lights] = tile;
-  const SampleBlocks blocks = samplesOf(surface, rect, side);
-  for (const std::size_t light : lights) {
+  const auto columns = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(side);
+  for (int j = 0; j < rect.height * side; ++j) {
+    const auto row = std::span(levels).subspan(static_cast<std::size_t>(j) * columns, columns);
+    const int texelRow = rect.j0 + j / side;
+    if (side == 1)
+      sums.addRow(rect.i0, texelRow, light, row);
+    else
+      for (int i = 0; i < rect.width * side; ++i)
+        sums.add(rect.i0 + i / side, texelRow, light, row[static_cast<std::size_t>(i)]);
+  }
+}
+
+void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
+  const SampleBlocks blocks = samplesOf(surface, tile.rect, tile.side);
+  for (const std::size_t light : tile.lights) {
     if (!surface.reaches(light, blocks)) continue;
     TexelSums& sums = sumsOf(light);
-    const std::vector<double>& seen = surface.seenShares(light, blocks);
-    for (int j = 0; j < rect.height * side; ++j)
-      for (int i = 0; i < rect.width * side; ++i) {
-        const std::size_t index = blocks.index(i, j);
-        const SamplePoint& at = blocks.samples()[index];
-        if (seen[index] == 0) continue;
-        if (planted(PlantedBug::BorderTexelsBlack) && at.point != at.target) continue;
-        sums.add(rect.i0 + i / side, rect.j0 + j / side, surface.light(light),
-                 seen[index] * surface.fullLevel(light, at));
-      }
+    if (std::ranges::any_of(surface.seenShares(light, blocks),
+                            [](double seen) { return seen > 0; }))
+      addLevels(tile, surface.light(light), surface.levels(light, blocks), sums);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "light/light_cone_finder.h"
 #include "light/ray_rounding.h"
@@ -37,42 +39,82 @@ bool LightCones::knows(SectorId sector, const Plane& plane, const Points& points
                     points.corners);
 }
 
+/// Calls visit(bound, side) for each bound of a cone until that says no: whether it never does.
+template <typename Visit>
+bool LightCones::visitBounds(const LightCone& cone, const Points& points, const Segment* on,
+                             Visit&& visit) const {
+  const auto [begin, end] = std::pair(cone.begin, cone.end);
+  if (!visit(WayBound{{-begin.y, begin.x, 0}, 0, points.margin}, Side::Begin)) return false;
+  if (!visit(WayBound{{end.y, -end.x, 0}, 0, points.margin}, Side::End)) return false;
+  const auto isWithin = [&](const Segment* wall) {
+    const Vec2 along = wall->p1 - wall->p0;
+    const Vec2 start = wall->p0 - light_.position.xy();
+    return visit(
+        WayBound{{-along.y, along.x, 0}, cross(along, start), points.margin * wall->length},
+        Side::Elsewhere);
+  };
+  if (!on || cone.to != on) {
+    if (cone.from && !isWithin(cone.from)) return false;
+    if (cone.to && !isWithin(cone.to)) return false;
+  }
+  return std::ranges::all_of(found_.planesOf(cone), [&](const HeightPlane& plane) {
+    const double sign = plane.isBelow ? 1 : -1;
+    const Vec3 normal{-sign * plane.gradient.x, -sign * plane.gradient.y, sign};
+    return visit(WayBound{normal, 0, points.margin + plane.slackPerMetre * points.reach},
+                 Side::Elsewhere);
+  });
+}
+
+namespace {
+
+struct Distances {
+  double least;
+  double most;
+};
+
+Distances inFrontOf(const WayBound& bound, const LightCones::Points& points) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double distance = dot(bound.normal, points.ways[i]) - bound.offset;
+    least = std::min(least, distance);
+    most = std::max(most, distance);
+  }
+  return {least, most};
+}
+
+}  // namespace
+
 /// None where the cone holds none of the points.
 std::optional<LightCones::Doubt> LightCones::doubtOf(const LightCone& cone, const Points& points,
                                                      const Segment* on) const {
-  const auto isBounded = [&](double slack, bool& isDoubtful, auto&& inFront) {
-    double least = inFront(points.ways[0]);
-    double most = least;
-    for (std::size_t i = 1; i < points.count; ++i) {
-      const double distance = inFront(points.ways[i]);
-      least = std::min(least, distance);
-      most = std::max(most, distance);
-    }
-    isDoubtful |= least <= slack;
-    return most >= -slack;
-  };
   Doubt doubt{&cone, false, false, cone.isDoubtful};
-  if (!isBounded(points.margin, doubt.atBegin,
-                 [&](Vec3 way) { return cross(cone.begin, way.xy()); }) ||
-      !isBounded(points.margin, doubt.atEnd, [&](Vec3 way) { return cross(way.xy(), cone.end); }))
-    return std::nullopt;
-  const auto isBoundedBy = [&](const Segment* wall) {
-    const Vec2 along = wall->p1 - wall->p0;
-    const Vec2 start = wall->p0 - light_.position.xy();
-    return isBounded(points.margin * wall->length, doubt.elsewhere,
-                     [&](Vec3 way) { return cross(along, way.xy() - start); });
-  };
-  if (!on || cone.to != on) {
-    if (cone.from && !isBoundedBy(cone.from)) return std::nullopt;
-    if (cone.to && !isBoundedBy(cone.to)) return std::nullopt;
+  const bool isNear = visitBounds(cone, points, on, [&](const WayBound& bound, Side side) {
+    const Distances distances = inFrontOf(bound, points);
+    if (distances.least <= bound.slack)
+      (side == Side::Begin ? doubt.atBegin
+       : side == Side::End ? doubt.atEnd
+                           : doubt.elsewhere) = true;
+    return distances.most >= -bound.slack;
+  });
+  return isNear ? std::optional(doubt) : std::nullopt;
+}
+
+void LightCones::findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
+                          const Samples& samples, double* seen) const {
+  std::vector<WayBound> parting;
+  std::vector<PartingBounds> cones;
+  for (const Doubt& doubt : doubts) {
+    const std::size_t before = parting.size();
+    visitBounds(*doubt.cone, points, on, [&](const WayBound& bound, Side) {
+      if (inFrontOf(bound, points).least <= bound.slack) parting.push_back(bound);
+      return true;
+    });
+    cones.push_back({parting.size() - before, doubt.cone->isDoubtful});
   }
-  for (const HeightPlane& plane : found_.planesOf(cone)) {
-    const double sign = plane.isBelow ? 1 : -1;
-    if (!isBounded(points.margin + plane.slackPerMetre * points.reach, doubt.elsewhere,
-                   [&](Vec3 way) { return sign * (way.z - dot(plane.gradient, way.xy())); }))
-      return std::nullopt;
-  }
-  return doubt;
+  for (std::size_t row = 0; row < samples.rows; ++row)
+    lightKernels().findSeen(samples.arrays.from(row * samples.stride), samples.columns,
+                            light_.position, cones, parting.data(), seen + row * samples.stride);
 }
 
 /// Whether points lie in a cone for sure; if they may, adds it.

@@ -9,6 +9,7 @@
 
 #include "level/level.h"
 #include "light/light_cone.h"
+#include "light/light_kernels.h"
 #include "light/plane.h"
 #include "light/raytracer.h"
 
@@ -62,7 +63,23 @@ class LightCones {
   bool narrow(const Points& points, const Segment* on, Found& found, std::size_t first,
               std::size_t last) const;
 
+  /// Rows of samples.
+  struct Samples {
+    SampleArrays arrays;
+    std::size_t columns;
+    std::size_t rows;
+    std::size_t stride;  ///< from a row to the next
+  };
+  /// What is seen by each of some samples among `points`, by the same cones: kUnknownShare where
+  /// only narrow() can tell.
+  void findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
+                const Samples& samples, double* seen) const;
+
  private:
+  enum class Side { Begin, End, Elsewhere };
+  template <typename Visit>
+  bool visitBounds(const LightCone& cone, const Points& points, const Segment* on,
+                   Visit&& visit) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   std::optional<Doubt> doubtOf(const LightCone& cone, const Points& points,
                                const Segment* on) const;

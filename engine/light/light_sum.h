@@ -8,40 +8,42 @@
 
 namespace hearth {
 
-/// Adds up light without regard to order: every contribution is rounded once to 2^-20 of a level
-/// and added as an integer. So threads cannot change a byte, and a light can be taken away again.
-/// Sums past 2^41 levels, which no scene has, stay there rather than overflow.
+/// Adds up light without regard to order: every contribution is rounded once to 2^-20 of a level,
+/// and sums of such units are exact. So threads cannot change a byte. Sums past 2^33 levels, which
+/// no scene has, stay there: below, doubles have all whole numbers of units.
 class LightSum {
  public:
+  static constexpr double kUnit = 1 << 20;  ///< so many to a level
+  static constexpr double kFull = 0x1p53;   ///< units
+  static constexpr double kMost = kFull / kUnit;
+
+  explicit LightSum(double units = 0) : units_(units) {}
+
   /// `level` >= 0.
   void add(double level) {
     if (planted(PlantedBug::EightBitSums)) level = std::floor(level);
-    constexpr double kMost = static_cast<double>(kFull / kUnit);
-    const double units = std::floor(std::min(level, kMost) * static_cast<double>(kUnit) + 0.5);
-    sum_ = std::min(sum_ + static_cast<std::int64_t>(units), kFull);
+    add(LightSum(std::floor(std::min(level, kMost) * kUnit + 0.5)));
   }
 
-  void add(LightSum other) { sum_ = std::min(sum_ + other.sum_, kFull); }
-  bool isDark() const { return sum_ == 0; }
+  void add(LightSum other) { units_ = std::min(units_ + other.units_, kFull); }
+  double units() const { return units_; }
 
   /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
   std::uint8_t mean(int samples) const {
-    return static_cast<std::uint8_t>(rounded(std::int64_t{samples} * kUnit, 255));
+    return static_cast<std::uint8_t>(rounded(samples * kUnit, 255));
   }
   /// The same in 256ths of a level.
   std::uint16_t fineMean(int samples) const {
-    return static_cast<std::uint16_t>(rounded(std::int64_t{samples} * (kUnit / 256), 255 * 256));
+    return static_cast<std::uint16_t>(rounded(samples * (kUnit / 256), 255 * 256));
   }
 
  private:
-  std::int64_t rounded(std::int64_t one, std::int64_t most) const {
-    return std::clamp((sum_ + one / 2) / one, std::int64_t{0}, most);
+  /// The quotient of whole numbers is nowhere so near below another that it is rounded to that.
+  double rounded(double one, double most) const {
+    return std::min(std::floor((units_ + one / 2) / one), most);
   }
 
-  static constexpr std::int64_t kUnit = 1 << 20;
-  static constexpr std::int64_t kFull = std::int64_t{1} << 61;
-
-  std::int64_t sum_ = 0;
+  double units_;
 };
 
 }  // namespace hearth

@@ -251,7 +251,7 @@ std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
 /// So that the sums of the lights take no more than 32 MB.
 std::size_t Rebake::Baker::lightsAtOnce(SurfaceId id) const {
   const auto texels = static_cast<std::size_t>(surfaces_[id.index()]->texels.count());
-  return std::max(std::size_t{1}, (std::size_t{32} << 20) / (texels * 3 * sizeof(LightSum)));
+  return std::max(std::size_t{1}, (std::size_t{32} << 20) / (texels * 3 * sizeof(double)));
 }
 
 /// Texels, as often as samples are placed on them.

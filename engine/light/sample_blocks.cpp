@@ -15,12 +15,12 @@ SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
   axisS_ = (1 / length(inPlane)) * inPlane;
   axisT_ = cross(normal_, axisS_);
   const auto addOnce = [](auto& ids, auto id) {
-    if (ids.empty() || (ids.back() != id && std::ranges::find(ids, id) == ids.end()))
-      ids.push_back(id);
+    if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
   };
-  for (const SamplePoint& sample : samples_) {
-    addOnce(surfaces_, sample.surface);
-    addOnce(sectors_, level_[sample.surface].sector);
+  for (const SamplePoint& sample : samples_) addToArrays(sample);
+  for (const Run& run : runs_) {
+    addOnce(surfaces_, run.surface);
+    addOnce(sectors_, level_[run.surface].sector);
   }
   blocks_.push_back({.column = 0,
                      .row = 0,
@@ -31,6 +31,14 @@ SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
                      .surface = {}});
   for (std::size_t i = 0; i < blocks_.size(); ++i) divide(i);
   for (std::size_t i = blocks_.size(); i-- > 0;) measure(blocks_[i]);
+}
+
+void SampleBlocks::addToArrays(const SamplePoint& sample) {
+  if (runs_.empty() || runs_.back().surface != sample.surface)
+    runs_.push_back({sample.surface, points_.x.size(), 0});
+  ++runs_.back().count;
+  points_.add(sample.point);
+  targets_.add(sample.target);
 }
 
 void SampleBlocks::divide(std::size_t index) {

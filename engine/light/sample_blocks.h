@@ -7,6 +7,7 @@
 
 #include "level/level.h"
 #include "light/beam.h"
+#include "light/light_kernels.h"
 #include "light/lit_surface.h"
 #include "light/sample_placement.h"
 
@@ -38,6 +39,17 @@ class SampleBlocks {
     return std::span(blocks_).subspan(block.firstPart, block.parts);
   }
   const std::vector<SamplePoint>& samples() const { return samples_; }
+  /// The same order: where samples lie, and where their rays arrive.
+  SampleArrays points() const { return points_.arrays(); }
+  SampleArrays targets() const { return targets_.arrays(); }
+
+  /// Samples that follow one another on one surface.
+  struct Run {
+    SurfaceId surface;
+    std::size_t first;
+    std::size_t count;
+  };
+  const std::vector<Run>& runs() const { return runs_; }
   /// On which they lie, each once.
   const std::vector<SurfaceId>& surfaces() const { return surfaces_; }
   std::size_t index(int column, int row) const {
@@ -50,6 +62,16 @@ class SampleBlocks {
  private:
   static constexpr int kLeast = 4;
 
+  struct Coordinates {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+
+    void add(Vec3 p) { x.push_back(p.x), y.push_back(p.y), z.push_back(p.z); }
+    SampleArrays arrays() const { return {x.data(), y.data(), z.data()}; }
+  };
+
+  void addToArrays(const SamplePoint& sample);
   void divide(std::size_t index);
   void measure(Block& block) const;
 
@@ -59,6 +81,9 @@ class SampleBlocks {
   Vec3 normal_;
   std::vector<SamplePoint> samples_;
   int columns_;
+  Coordinates points_;
+  Coordinates targets_;
+  std::vector<Run> runs_;
   std::vector<SurfaceId> surfaces_;
   std::vector<SectorId> sectors_;  ///< of all samples, each once
   std::vector<Block> blocks_;

@@ -103,9 +103,8 @@ SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int column
 
 double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const SamplePoint& at,
                                const Known* known) {
+  if (!canShineOn(index, at.surface)) return 0;
   const LitSurface& there = *surfaces_[at.surface.index()];
-  // What continues a surface may lie a tolerance off its plane.
-  if (at.surface != id_ && !isInFront(light(index), radiusOf(index), there)) return 0;
   LightCost& cost = costs_[index];
   ++cost.samples;
   if (!isInReach(index, at)) return 0;
@@ -114,6 +113,11 @@ double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const
                             : sight.seenShare(target, cost.rays, metBy(index));
   if (seen > 0) ++cost.seenSamples;
   return seen;
+}
+
+/// What continues a surface may lie a tolerance off its plane.
+bool SurfaceLight::canShineOn(std::size_t index, SurfaceId surface) const {
+  return surface == id_ || isInFront(light(index), radiusOf(index), *surfaces_[surface.index()]);
 }
 
 const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const SampleBlocks& blocks) {
@@ -143,18 +147,19 @@ SurfaceLight::ByCones SurfaceLight::byCones(SurfaceId surface, bool areLit,
   const Beam::Outcome outcome = areLit    ? Beam::Outcome::Lit
                                 : areDark ? Beam::Outcome::Dark
                                           : Beam::Outcome::Unknown;
-  return {surface, outcome, true, first, cones_.size()};
+  return {surface, true, outcome, true, first, cones_.size()};
 }
 
 SurfaceLight::ByCones SurfaceLight::findCones(std::size_t light, SurfaceId surface,
                                               std::span<const Vec3> corners) {
+  const std::size_t first = cones_.size();
+  if (!canShineOn(light, surface)) return {surface, false, Beam::Outcome::Dark, true, first, first};
   const LightCones& cones = *sights_.fine[light].cones();
   const SectorId sector = level_[surface].sector;
   const LitSurface& there = *surfaces_[surface.index()];
   const LightCones::Points points = cones.seen(corners);
-  const std::size_t first = cones_.size();
   if (!cones.knows(sector, {there.anchor, there.normal}, points))
-    return {surface, Beam::Outcome::Unknown, false, first, first};
+    return {surface, true, Beam::Outcome::Unknown, false, first, first};
   return byCones(surface, cones.find(sector, wallOf(surface), points, cones_), first);
 }
 
@@ -169,53 +174,115 @@ SurfaceLight::ByCones SurfaceLight::narrowed(std::size_t light, const ByCones& b
   return byCones(before.surface, isLit, first);
 }
 
-void SurfaceLight::dropConesFrom(std::size_t first) {
-  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(first), cones_.end());
-}
-
 void SurfaceLight::addPointLight(std::size_t light, const SampleBlocks& blocks) {
   const SampleBlocks::Block& whole = blocks.whole();
   if (trail_) followBeam(0, light, sights_.fine[light].beamLight(), blocks.targetsOf(whole));
   cones_.clear();
-  surfacesByCones_.clear();
+  byCones_.clear();
   for (const SurfaceId surface : blocks.surfaces())
-    surfacesByCones_.push_back(findCones(light, surface, whole.box.corners()));
-  addByCones(light, blocks, whole, nullptr);
+    byCones_.push_back(findCones(light, surface, whole.box.corners()));
+  addAllByCones(light, blocks, whole, {0, byCones_.size()});
 }
 
-/// `around`, if any, is of samples that these are among, all on one surface.
+/// Of a block among the samples that `around` is about.
 void SurfaceLight::addByCones(std::size_t light, const SampleBlocks& blocks,
-                              const SampleBlocks::Block& block, const ByCones* around) {
-  const auto wholeOf = [&](SurfaceId surface) -> const ByCones& {
-    return *std::ranges::find(surfacesByCones_, surface, &ByCones::surface);
-  };
-  const std::size_t before = cones_.size();
-  std::optional<ByCones> here;
-  if (block.surface) {
-    here = narrowed(light, around ? *around : wholeOf(*block.surface), block.box.corners());
-    if (!here->isKnown) return addBlock(light, blocks, block, 0);
-    if (here->outcome != Beam::Outcome::Unknown) {
-      dropConesFrom(before);
-      return addSamples(light, blocks, block, {beamAt(0), here->outcome});
-    }
-  }
-  for (const SampleBlocks::Block& part : blocks.partsOf(block))
-    addByCones(light, blocks, part, here ? &*here : nullptr);
-  if (block.parts == 0)
-    forEachSample(blocks, block, [&](std::size_t index) {
-      const SamplePoint& at = blocks.samples()[index];
-      seen_[index] = seenShareByCones(light, at, here ? *here : wholeOf(at.surface));
-    });
-  dropConesFrom(before);
+                              const SampleBlocks::Block& block, Range around) {
+  const std::size_t conesBefore = cones_.size();
+  const Range here{byCones_.size(), byCones_.size() + (around.last - around.first)};
+  for (std::size_t i = around.first; i < around.last; ++i)
+    if (!block.surface || byCones_[i].surface == *block.surface)
+      byCones_.push_back(narrowed(light, byCones_[i], block.box.corners()));
+  addAllByCones(light, blocks, block, {here.first, byCones_.size()});
+  byCones_.erase(byCones_.begin() + static_cast<std::ptrdiff_t>(here.first), byCones_.end());
+  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(conesBefore), cones_.end());
 }
 
+/// Of a block that `here` is about.
+void SurfaceLight::addAllByCones(std::size_t light, const SampleBlocks& blocks,
+                                 const SampleBlocks::Block& block, Range here) {
+  constexpr int kMostAtOnce = 8;  // a side
+  const bool isSmall = block.columns <= kMostAtOnce && block.rows <= kMostAtOnce;
+  const ByCones& first = byCones_[here.first];
+  const auto isAsFirst = [&](const ByCones& other) {
+    return other.isInFront == first.isInFront && other.isKnown && other.outcome == first.outcome;
+  };
+  if (block.surface && !first.isKnown) return addBlock(light, blocks, block, 0);
+  if (first.outcome != Beam::Outcome::Unknown && std::ranges::all_of(in(here), isAsFirst)) {
+    if (first.isInFront) addAlike(light, blocks, block, first.outcome == Beam::Outcome::Lit);
+  } else if (isSmall && (block.parts == 0 || std::ranges::all_of(in(here), &ByCones::isKnown))) {
+    addOneByOne(light, blocks, block, in(here));
+  } else {
+    for (const SampleBlocks::Block& part : blocks.partsOf(block))
+      addByCones(light, blocks, part, here);
+  }
+}
+
+/// The light can shine on all surfaces of the block.
+void SurfaceLight::addAlike(std::size_t light, const SampleBlocks& blocks,
+                            const SampleBlocks::Block& block, bool areLit) {
+  costs_[light].samples += std::int64_t{block.columns} * block.rows;
+  if (!areLit) return;
+  forEachSample(blocks, block,
+                [&](std::size_t index) { see(light, blocks.samples()[index], seen_[index]); });
+}
+
+/// Whatever cones can tell of each sample, and what is left by rays.
+void SurfaceLight::addOneByOne(std::size_t light, const SampleBlocks& blocks,
+                               const SampleBlocks::Block& block, std::span<const ByCones> here) {
+  for (const ByCones& onSurface : here) findSeenOf(onSurface, light, blocks, block);
+  forEachSample(blocks, block, [&](std::size_t index) {
+    const SamplePoint& at = blocks.samples()[index];
+    const ByCones& there = *std::ranges::find(here, at.surface, &ByCones::surface);
+    if (!there.isInFront) return;
+    if (seen_[index] == kUnknownShare) {
+      seen_[index] = seenShareByCones(light, at, there);
+      return;
+    }
+    ++costs_[light].samples;
+    if (seen_[index] > 0) see(light, at, seen_[index]);
+  });
+}
+
+/// Of the samples of a block that lie on one of its surfaces.
+void SurfaceLight::findSeenOf(const ByCones& here, std::size_t light, const SampleBlocks& blocks,
+                              const SampleBlocks::Block& block) {
+  const LightCones& cones = *sights_.fine[light].cones();
+  const auto seenIfOn = [&](double share) {
+    forEachSample(blocks, block, [&](std::size_t index) {
+      if (blocks.samples()[index].surface == here.surface) seen_[index] = share;
+    });
+  };
+  if (!here.isKnown) return seenIfOn(kUnknownShare);
+  if (here.outcome != Beam::Outcome::Unknown)
+    return seenIfOn(here.outcome == Beam::Outcome::Lit ? 1 : 0);
+  const std::size_t first = blocks.index(block.column, block.row);
+  std::vector<double>& seen = block.surface ? seen_ : seenIfOn_;
+  seen.resize(seen_.size());
+  cones.findSeen(cones.seen(block.box.corners()), wallOf(here.surface),
+                 std::span(cones_).subspan(here.first, here.last - here.first),
+                 {blocks.targets().from(first), static_cast<std::size_t>(block.columns),
+                  static_cast<std::size_t>(block.rows), blocks.index(0, 1)},
+                 &seen[first]);
+  if (block.surface) return;
+  forEachSample(blocks, block, [&](std::size_t index) {
+    if (blocks.samples()[index].surface == here.surface) seen_[index] = seenIfOn_[index];
+  });
+}
+
+/// Of one of the samples that `around` is about.
 double SurfaceLight::seenShareByCones(std::size_t light, const SamplePoint& at,
                                       const ByCones& around) {
   const std::size_t before = cones_.size();
   const Known known{beamAt(0), narrowed(light, around, {&at.target, 1}).outcome};
-  dropConesFrom(before);
+  cones_.erase(cones_.begin() + static_cast<std::ptrdiff_t>(before), cones_.end());
   return seenShare(sights_.fine[light], light, at,
                    known.outcome == Beam::Outcome::Unknown ? nullptr : &known);
+}
+
+/// All of a light that nothing is before, unless it is too far away.
+void SurfaceLight::see(std::size_t light, const SamplePoint& at, double& seen) {
+  seen = isInReach(light, at) ? 1 : 0;
+  if (seen > 0) ++costs_[light].seenSamples;
 }
 
 Beam& SurfaceLight::beamAt(std::size_t depth) {
@@ -278,18 +345,43 @@ bool SurfaceLight::isInReach(std::size_t light, const SamplePoint& at) const {
   return dot(way, way) < sights_.reach[light] * sights_.reach[light];
 }
 
+Vec3 SurfaceLight::normalOf(SurfaceId surface) const {
+  if (planted(PlantedBug::CosineOfWrongNormal)) return {0, 0, 1};
+  return surfaces_[surface.index()]->normal;
+}
+
 double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {
   const Vec3 toLight = light(index).position - at.point;
   const double distance = length(toLight);
   if (distance >= sights_.reach[index]) return 0;
   const double level = light(index).levelAt(distance);
   if (!lambert_) return level;
-  const Vec3 normal = planted(PlantedBug::CosineOfWrongNormal)
-                          ? Vec3{0, 0, 1}
-                          : surfaces_[at.surface.index()]->normal;
-  const double inFront = dot(toLight, normal);
   // The middle of a ball can lie behind a plane that a part of it lights.
-  return level * std::max(0.0, inFront / distance);
+  return level * std::max(0.0, dot(toLight, normalOf(at.surface)) / distance);
+}
+
+const std::vector<double>& SurfaceLight::levels(std::size_t index, const SampleBlocks& blocks) {
+  const LightKernels& kernels = lightKernels();
+  const LightSource& source = light(index);
+  const SampleArrays points = blocks.points();
+  const std::size_t count = seen_.size();
+  distances_.resize(count);
+  levels_.resize(count);
+  kernels.findDistances(points, count, source.position, distances_.data());
+  if (source.curve.empty())
+    kernels.findLevels(distances_.data(), count, source.intensity, source.falloff, levels_.data());
+  else
+    for (std::size_t i = 0; i < count; ++i)
+      levels_[i] = seen_[i] > 0 ? source.levelAt(distances_[i]) : 0;
+  if (lambert_)
+    for (const auto& [surface, first, ofRun] : blocks.runs())
+      kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,
+                          normalOf(surface), &levels_[first]);
+  kernels.applySeen(seen_.data(), distances_.data(), count, sights_.reach[index], levels_.data());
+  if (planted(PlantedBug::BorderTexelsBlack))
+    for (std::size_t i = 0; i < count; ++i)
+      if (blocks.samples()[i].point != blocks.samples()[i].target) levels_[i] = 0;
+  return levels_;
 }
 
 }  // namespace hearth

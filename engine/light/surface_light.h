@@ -57,6 +57,9 @@ class SurfaceLight {
 
   /// What all of the light would bring to the point, in levels, before colour.
   double fullLevel(std::size_t light, const SamplePoint& at) const;
+  /// What it brings to each of the samples of which seenShares() was asked last. Good until the
+  /// next call.
+  const std::vector<double>& levels(std::size_t light, const SampleBlocks& blocks);
 
   /// In the order of the level's lights.
   const std::vector<LightCost>& costs() const { return costs_; }
@@ -69,16 +72,24 @@ class SurfaceLight {
   };
   /// Told of sectors that rays of the light come into; if any.
   SectorSet* metBy(std::size_t light) { return trail_ ? &trail_->sectorsOf(light) : nullptr; }
+  bool canShineOn(std::size_t light, SurfaceId surface) const;
   bool isInReach(std::size_t light, const SamplePoint& at) const;
+  Vec3 normalOf(SurfaceId surface) const;
   bool reachesBox(std::size_t light, std::span<const Vec3> corners) const;
   double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at,
                    const Known* known);
   /// What cones say of points on a surface.
   struct ByCones {
     SurfaceId surface;
+    bool isInFront;  ///< whether the light can shine on it: what continues a surface may be turned
     Beam::Outcome outcome;
     bool isKnown;  ///< whether they say anything
     /// Where the outcome is unknown: those of `cones_` that some of the points can lie in.
+    std::size_t first;
+    std::size_t last;
+  };
+  /// Some of `byCones_`: of a block, for each of the surfaces that it can have samples on.
+  struct Range {
     std::size_t first;
     std::size_t last;
   };
@@ -86,11 +97,22 @@ class SurfaceLight {
   ByCones byCones(SurfaceId surface, bool areLit, std::size_t first) const;
   ByCones findCones(std::size_t light, SurfaceId surface, std::span<const Vec3> corners);
   ByCones narrowed(std::size_t light, const ByCones& before, std::span<const Vec3> corners);
-  void dropConesFrom(std::size_t first);
+  std::span<const ByCones> in(Range range) const {
+    return std::span(byCones_).subspan(range.first, range.last - range.first);
+  }
   void addPointLight(std::size_t light, const SampleBlocks& blocks);
   void addByCones(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
-                  const ByCones* around);
+                  Range around);
+  void addAllByCones(std::size_t light, const SampleBlocks& blocks,
+                     const SampleBlocks::Block& block, Range here);
+  void addAlike(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+                bool areLit);
+  void addOneByOne(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+                   std::span<const ByCones> here);
+  void findSeenOf(const ByCones& here, std::size_t light, const SampleBlocks& blocks,
+                  const SampleBlocks::Block& block);
   double seenShareByCones(std::size_t light, const SamplePoint& at, const ByCones& around);
+  void see(std::size_t light, const SamplePoint& at, double& seen);
   Beam& beamAt(std::size_t depth);
   Beam::Outcome followBeam(std::size_t depth, std::size_t light, const BeamLight& from,
                            const BeamTargets& targets);
@@ -114,8 +136,11 @@ class SurfaceLight {
   std::vector<LightCost> costs_;
   std::deque<Beam> beams_;  ///< to a block, to its part, to a part of this and so on
   LightCones::Found cones_;
-  std::vector<ByCones> surfacesByCones_;  ///< of all samples at hand
+  std::vector<ByCones> byCones_;
   std::vector<double> seen_;
+  std::vector<double> seenIfOn_;   ///< the same if all samples lay on one surface
+  std::vector<double> distances_;  ///< from a light to samples, metres
+  std::vector<double> levels_;
 };
 
 }  // namespace hearth

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "light/light_kernels.h"
+#include "light/light_sum.h"
+
 namespace hearth {
 
 namespace {
@@ -34,19 +37,36 @@ TexelSums::TexelSums(TexelRect rect, int channels)
       sums_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height) *
             static_cast<std::size_t>(channels)) {}
 
+void TexelSums::add(int i, int j, const LightSource& light, double level) {
+  for (int channel = 0; channel < channels_; ++channel) {
+    double& units = sums_[index(i, j, channel)];
+    LightSum sum(units);
+    sum.add(level * light.share(channel));
+    units = sum.units();
+  }
+}
+
+void TexelSums::addRow(int i, int j, const LightSource& light, std::span<const double> levels) {
+  for (int channel = 0; channel < channels_; ++channel)
+    lightKernels().addToSums(levels.data(), levels.size(), light.share(channel),
+                             &sums_[index(i, j, channel)]);
+}
+
 void TexelSums::add(const TexelSums& other) {
-  for (int j = other.rect_.j0; j < other.rect_.j0 + other.rect_.height; ++j)
-    for (int i = other.rect_.i0; i < other.rect_.i0 + other.rect_.width; ++i) {
-      LightSum* sum = &sums_[index(i, j)];
-      const LightSum* more = &other.sums_[other.index(i, j)];
-      for (int channel = 0; channel < channels_; ++channel)
-        sum[channel].add(more[other.channels_ == 1 ? 0 : channel]);
-    }
+  for (int channel = 0; channel < channels_; ++channel)
+    for (int j = other.rect_.j0; j < other.rect_.j0 + other.rect_.height; ++j)
+      for (int i = other.rect_.i0; i < other.rect_.i0 + other.rect_.width; ++i) {
+        double& units = sums_[index(i, j, channel)];
+        LightSum sum(units);
+        sum.add(LightSum(other.sums_[other.index(i, j, other.channels_ == 1 ? 0 : channel)]));
+        units = sum.units();
+      }
 }
 
 bool TexelSums::isTexelDark(int i, int j) const {
-  const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(index(i, j));
-  return std::all_of(first, first + channels_, [](LightSum sum) { return sum.isDark(); });
+  for (int channel = 0; channel < channels_; ++channel)
+    if (sums_[index(i, j, channel)] > 0) return false;
+  return true;
 }
 
 TexelSums TexelSums::cropped() const {
@@ -64,25 +84,30 @@ TexelSums TexelSums::cropped() const {
     }
   if (right <= left) return {{rect_.i0, rect_.j0, 0, 0}, channels_};
   TexelSums part({left, top, right - left, bottom - top}, channels_);
-  for (int j = top; j < bottom; ++j)
-    std::copy_n(&sums_[index(left, j)], part.rect_.width * channels_,
-                &part.sums_[part.index(left, j)]);
+  for (int channel = 0; channel < channels_; ++channel)
+    for (int j = top; j < bottom; ++j)
+      std::copy_n(&sums_[index(left, j, channel)], part.rect_.width,
+                  &part.sums_[part.index(left, j, channel)]);
   return part;
 }
 
 std::optional<Lightmap> TexelSums::toLightmap(int samples, int bits) const {
-  Lightmap map{rect_, {}, channels_};
-  map.levels.reserve(sums_.size());
-  if (bits == 8) {
-    for (const LightSum& sum : sums_) map.levels.push_back(sum.mean(samples));
-  } else {
-    map.fractions.reserve(sums_.size());
-    for (const LightSum& sum : sums_) {
-      const std::uint16_t level = sum.fineMean(samples);
-      map.levels.push_back(static_cast<std::uint8_t>(level >> 8));
-      map.fractions.push_back(static_cast<std::uint8_t>(level));
+  Lightmap map{rect_, Texels(sums_.size()), channels_};
+  if (bits != 8) map.fractions.resize(sums_.size());
+  const auto channels = static_cast<std::size_t>(channels_);
+  const std::size_t texels = sums_.size() / channels;
+  for (std::size_t channel = 0; channel < channels; ++channel)
+    for (std::size_t i = 0; i < texels; ++i) {
+      const LightSum sum(sums_[channel * texels + i]);
+      const std::size_t to = i * channels + channel;
+      if (bits == 8) {
+        map.levels[to] = sum.mean(samples);
+      } else {
+        const std::uint16_t level = sum.fineMean(samples);
+        map.levels[to] = static_cast<std::uint8_t>(level >> 8);
+        map.fractions[to] = static_cast<std::uint8_t>(level);
+      }
     }
-  }
   if (isDark(map.levels) && isDark(map.fractions)) return std::nullopt;
   if (channels_ == 3 && isGrey(map.levels) && isGrey(map.fractions))
     map = {rect_, everyThird(map.levels), 1, everyThird(map.fractions)};

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "level/level.h"
-#include "light/light_sum.h"
 #include "light/lightmap.h"
 
 namespace hearth {
@@ -16,17 +17,15 @@ class TexelSums {
   TexelSums(TexelRect rect, int channels);
 
   /// Of a light in all its channels, to the texel (i, j); `level` >= 0, before colour.
-  void add(int i, int j, const LightSource& light, double level) {
-    LightSum* sum = &sums_[index(i, j)];
-    for (int channel = 0; channel < channels_; ++channel)
-      sum[channel].add(level * light.share(channel));
-  }
+  void add(int i, int j, const LightSource& light, double level);
+  /// The same to texels from (i, j) on, in a row.
+  void addRow(int i, int j, const LightSource& light, std::span<const double> levels);
 
   /// Of texels that lie among these; one channel goes to all.
   void add(const TexelSums& other);
   /// The same without rows and columns at the borders that are dark.
   TexelSums cropped() const;
-  std::size_t bytes() const { return sums_.size() * sizeof(LightSum); }
+  std::size_t bytes() const { return sums_.size() * sizeof(double); }
 
   /// The means of so many samples a texel, in 8 or 16 bits. None where all is dark; one channel
   /// where no coloured light has arrived.
@@ -34,15 +33,15 @@ class TexelSums {
 
  private:
   bool isTexelDark(int i, int j) const;
-  std::size_t index(int i, int j) const {
-    return (static_cast<std::size_t>(j - rect_.j0) * static_cast<std::size_t>(rect_.width) +
-            static_cast<std::size_t>(i - rect_.i0)) *
-           static_cast<std::size_t>(channels_);
+  std::size_t index(int i, int j, int channel) const {
+    const auto row = static_cast<std::size_t>(channel) * static_cast<std::size_t>(rect_.height) +
+                     static_cast<std::size_t>(j - rect_.j0);
+    return row * static_cast<std::size_t>(rect_.width) + static_cast<std::size_t>(i - rect_.i0);
   }
 
   TexelRect rect_;
   int channels_;
-  std::vector<LightSum> sums_;  ///< row by row, the channels of a texel side by side
+  std::vector<double> sums_;  ///< units of LightSum, channel by channel, row by row
 };
 
 }  // namespace hearth

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "math/vec.h"
+
+/// What is done with many samples, as many at once as the registers of a processor hold. Whatever
+/// the processor, the results are the same to the bit.
+namespace hearth {
+
+/// Coordinates of samples in metres, each in an array of its own.
+struct SampleArrays {
+  const double* x;
+  const double* y;
+  const double* z;
+
+  SampleArrays from(std::size_t first) const { return {x + first, y + first, z + first}; }
+};
+
+/// A plane, by ways from a light: those that it has in front of it have dot(normal, way) > offset.
+/// Within `slack` rounding decides; both are metres times the length of the normal.
+struct WayBound {
+  Vec3 normal;
+  double offset;
+  double slack;
+};
+
+/// How many bounds of a cone of light part some samples, perhaps. Where it `isDoubtful`, nothing in
+/// it is lit for sure.
+struct PartingBounds {
+  std::size_t count;
+  bool isDoubtful;
+};
+
+/// What a sample sees of a light where that is neither all nor nothing: it is not known.
+inline constexpr double kUnknownShare = -1;
+
+struct LightKernels {
+  /// For each of the samples 1 where one of the cones of a point of light holds it for sure, 0
+  /// where none can, and else kUnknownShare. The bounds of the cones follow one another.
+  void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,
+                   std::span<const PartingBounds> cones, const WayBound* bounds, double* seen);
+  /// Metres from a light.
+  void (*findDistances)(const SampleArrays& samples, std::size_t count, Vec3 light,
+                        double* distances);
+  /// intensity / (distance * falloff + 1), see LightSource::levelAt.
+  void (*findLevels)(const double* distances, std::size_t count, double intensity, double falloff,
+                     double* levels);
+  /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.
+  void (*applyCosine)(const SampleArrays& samples, const double* distances, std::size_t count,
+                      Vec3 light, Vec3 normal, double* levels);
+  /// Multiplies levels by the share that is seen of the light: nothing from `reach` metres on.
+  void (*applySeen)(const double* seen, const double* distances, std::size_t count, double reach,
+                    double* levels);
+  /// Adds levels times `share` to sums, each by the rules of LightSum.
+  void (*addToSums)(const double* levels, std::size_t count, double share, double* sums);
+};
+
+/// Those for the widest registers that this processor has.
+const LightKernels& lightKernels();
+
+}  // namespace hearth

@@ -1,0 +1,181 @@
+// That light does not depend on the processor: it is found with each instruction set that this one
+// has, and as the formulas say that these are compiled from.
+
+#include "light/light_kernels.h"
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "level/light_source.h"
+#include "light/bakery.h"
+#include "light/light_sum.h"
+#include "load/load.h"
+
+namespace hearth {
+namespace {
+
+/// More than fill registers of any size, and some that are left.
+constexpr std::size_t kCount = 43;
+
+struct Samples {
+  std::vector<double> x, y, z;
+
+  explicit Samples(std::mt19937& random) {
+    std::uniform_real_distribution<double> metres(-30, 30);
+    for (std::size_t i = 0; i < kCount; ++i)
+      x.push_back(metres(random)), y.push_back(metres(random)), z.push_back(metres(random));
+  }
+
+  SampleArrays arrays() const { return {x.data(), y.data(), z.data()}; }
+  Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+class LightKernelsTest : public testing::Test {
+ protected:
+  ~LightKernelsTest() override { use(0); }
+
+  /// One set alone; with 0, the best one again.
+  static void use(std::int64_t set) {
+    hwy::SetSupportedTargetsForTest(set);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+
+  template <typename Check>
+  static void forEachInstructionSet(Check&& check) {
+    for (const std::int64_t set : hwy::SupportedAndGeneratedTargets()) {
+      SCOPED_TRACE(hwy::TargetName(set));
+      use(set);
+      check(lightKernels());
+    }
+  }
+
+  std::vector<double> between(double low, double high) {
+    std::uniform_real_distribution<double> number(low, high);
+    std::vector<double> numbers(kCount);
+    for (double& each : numbers) each = number(random_);
+    return numbers;
+  }
+
+  std::mt19937 random_{5};
+  Samples samples_{random_};
+  Vec3 light_{1.3, -2.7, 0.4};
+  Vec3 normal_{0.6, 0, 0.8};
+};
+
+TEST_F(LightKernelsTest, bakeTheSameLight) {
+  for (const char* name : {"tutorial", "gaol"}) {
+    const LoadedLevel loaded =
+        loadLevel(HEARTH_SOURCE_DIR "/levels/" + std::string(name) + ".json").loaded.value();
+    BakeSettings coarse = loaded.level.bake;
+    coarse.texel = 0.5;
+    const BakedLight expected = bake(loaded.level, coarse, 2);
+    forEachInstructionSet([&](const LightKernels&) {
+      const BakedLight found = bake(loaded.level, coarse, 2);
+      EXPECT_EQ(found.stats.rays, expected.stats.rays);
+      ASSERT_EQ(found.lightmaps.size(), expected.lightmaps.size());
+      for (std::size_t i = 0; i < found.lightmaps.size(); ++i) {
+        ASSERT_EQ(found.lightmaps[i].has_value(), expected.lightmaps[i].has_value()) << i;
+        if (found.lightmaps[i]) {
+          ASSERT_EQ(found.lightmaps[i]->levels, expected.lightmaps[i]->levels) << i;
+        }
+      }
+    });
+  }
+}
+
+TEST_F(LightKernelsTest, findLevelsAsALightSourceHasThem) {
+  LightSource source;
+  source.intensity = 181.7;
+  source.falloff = 0.37;
+  forEachInstructionSet([&](const LightKernels& kernels) {
+    std::vector<double> distances(kCount);
+    std::vector<double> levels(kCount);
+    kernels.findDistances(samples_.arrays(), kCount, light_, distances.data());
+    kernels.findLevels(distances.data(), kCount, source.intensity, source.falloff, levels.data());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      EXPECT_EQ(distances[i], length(light_ - samples_.at(i)));
+      EXPECT_EQ(levels[i], source.levelAt(distances[i]));
+    }
+  });
+}
+
+TEST_F(LightKernelsTest, multiplyByTheCosineOfWhatFacesTheLight) {
+  const std::vector<double> levels = between(0, 300);
+  forEachInstructionSet([&](const LightKernels& kernels) {
+    std::vector<double> distances(kCount);
+    std::vector<double> found = levels;
+    kernels.findDistances(samples_.arrays(), kCount, light_, distances.data());
+    kernels.applyCosine(samples_.arrays(), distances.data(), kCount, light_, normal_, found.data());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const double inFront = dot(light_ - samples_.at(i), normal_);
+      EXPECT_EQ(found[i], levels[i] * std::max(0.0, inFront / distances[i]));
+    }
+    EXPECT_GT(std::ranges::count(found, 0.0), 5);
+  });
+}
+
+TEST_F(LightKernelsTest, leaveWhatIsSeenWithinReach) {
+  const std::vector<double> distances = between(0, 20);
+  const std::vector<double> levels = between(0, 300);
+  std::vector<double> seen = between(0, 1);
+  for (std::size_t i = 0; i < kCount; i += 3) seen[i] = i % 2 == 0 ? 0 : 1;
+  forEachInstructionSet([&](const LightKernels& kernels) {
+    std::vector<double> found = levels;
+    kernels.applySeen(seen.data(), distances.data(), kCount, 12.5, found.data());
+    for (std::size_t i = 0; i < kCount; ++i)
+      EXPECT_EQ(found[i], distances[i] < 12.5 ? seen[i] * levels[i] : 0);
+  });
+}
+
+TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
+  std::vector<double> levels = between(0, 300);
+  levels[3] = 1e300;
+  levels[4] = 0.5 / LightSum::kUnit;
+  const double share = 77 / 255.0;
+  forEachInstructionSet([&](const LightKernels& kernels) {
+    std::vector<double> sums(kCount, 0.0);
+    std::vector<LightSum> expected(kCount);
+    for (int round = 0; round < 3; ++round) {
+      kernels.addToSums(levels.data(), kCount, share, sums.data());
+      for (std::size_t i = 0; i < kCount; ++i) {
+        expected[i].add(levels[i] * share);
+        EXPECT_EQ(sums[i], expected[i].units());
+      }
+    }
+    EXPECT_EQ(sums[3], LightSum::kFull);
+  });
+}
+
+/// Two cones side by side: whatever is in front of both bounds of one is lit.
+TEST_F(LightKernelsTest, findSeenWhatOneConeHoldsForSure) {
+  const std::vector<WayBound> bounds = {
+      {{1, 0, 0}, 0, 2}, {{0, 1, 0}, -10, 2}, {{-1, 0.2, 0}, 3, 1}};
+  const std::vector<PartingBounds> cones = {{2, false}, {1, false}};
+  const std::vector<PartingBounds> doubtful = {{2, true}, {1, true}};
+  int unknown = 0;
+  forEachInstructionSet([&](const LightKernels& kernels) {
+    std::vector<double> seen(kCount);
+    std::vector<double> inDoubt(kCount);
+    kernels.findSeen(samples_.arrays(), kCount, light_, cones, bounds.data(), seen.data());
+    kernels.findSeen(samples_.arrays(), kCount, light_, doubtful, bounds.data(), inDoubt.data());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto isIn = [&](const WayBound& bound, double slack) {
+        return dot(bound.normal, samples_.at(i) - light_) - bound.offset > slack;
+      };
+      const bool isLit = (isIn(bounds[0], 2) && isIn(bounds[1], 2)) || isIn(bounds[2], 1);
+      const bool isDark = !(isIn(bounds[0], -2) && isIn(bounds[1], -2)) && !isIn(bounds[2], -1);
+      EXPECT_EQ(seen[i], isLit ? 1 : isDark ? 0 : kUnknownShare);
+      EXPECT_EQ(inDoubt[i], isDark ? 0 : kUnknownShare);
+      unknown += seen[i] == kUnknownShare ? 1 : 0;
+    }
+  });
+  EXPECT_GT(unknown, 0);
+}
+
+}  // namespace
+}  // namespace hearth
