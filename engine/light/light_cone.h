@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "level/level.h"
+#include "light/light_kernels.h"
 
 namespace hearth {
 
@@ -47,8 +48,10 @@ struct LightConeSet {
   std::span<const HeightPlane> planesOf(const LightCone& cone) const {
     return std::span(planes).subspan(cone.firstPlane, cone.lastPlane - cone.firstPlane);
   }
+  /// With what LightCones keeps of each: half a dozen bounds.
   std::size_t bytes() const {
-    return cones.size() * sizeof(LightCone) + planes.size() * sizeof(HeightPlane);
+    return cones.size() * (sizeof(LightCone) + 6 * sizeof(ConeBound)) +
+           planes.size() * sizeof(HeightPlane);
   }
 };
 

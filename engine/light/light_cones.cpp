@@ -15,16 +15,49 @@ namespace hearth {
 LightCones::LightCones(const Level& level, const Raytracer::Source& light, double reach,
                        std::size_t mostBytes)
     : level_(level), light_(light), found_(findLightCones(level, light, reach, mostBytes)) {
-  for (std::size_t i = 0; i < found_.cones.size(); ++i)
+  for (std::size_t i = 0; i < found_.cones.size(); ++i) {
     ++rangeOf_.try_emplace(found_.cones[i].sector.value, Range{i, 0}).first->second.count;
+    addBoundsOf(found_.cones[i]);
+  }
+}
+
+void LightCones::addBoundsOf(const LightCone& cone) {
+  const auto count = [this] { return static_cast<std::uint32_t>(bounds_.size()); };
+  BoundsOfCone& bounds = boundsOf_.emplace_back();
+  bounds.first = count();
+  bounds_.push_back({{-cone.begin.y, cone.begin.x, 0}, 0, 1, 0});
+  bounds_.push_back({{cone.end.y, -cone.end.x, 0}, 0, 1, 0});
+  for (const HeightPlane& plane : found_.planesOf(cone)) {
+    const double sign = plane.isBelow ? 1 : -1;
+    const Vec3 normal{-sign * plane.gradient.x, -sign * plane.gradient.y, sign};
+    bounds_.push_back({normal, 0, 1, plane.slackPerMetre});
+  }
+  bounds.walls = count();
+  for (const Segment* wall : {cone.from, cone.to}) {
+    if (!wall) continue;
+    const Vec2 along = wall->p1 - wall->p0;
+    const Vec2 start = wall->p0 - light_.position.xy();
+    bounds_.push_back({{-along.y, along.x, 0}, cross(along, start), wall->length, 0});
+  }
+  bounds.last = count();
+}
+
+/// For ways to points `on` a wall, if that is given.
+std::span<const ConeBound> LightCones::boundsOf(const LightCone& cone, const Segment* on) const {
+  const BoundsOfCone& bounds = boundsOf_[static_cast<std::size_t>(&cone - found_.cones.data())];
+  const bool isOnLast = on && cone.to == on;
+  return std::span(bounds_).subspan(bounds.first,
+                                    (isOnLast ? bounds.walls : bounds.last) - bounds.first);
 }
 
 LightCones::Points LightCones::seen(std::span<const Vec3> corners) const {
   Points points;
   points.corners = corners;
-  for (const Vec3 p : corners) {
-    const Vec3 way = p - light_.position;
-    points.ways[points.count++] = way;
+  for (std::size_t i = 0; i < std::size(points.ways.x); ++i) {
+    const Vec3 way = corners[i < corners.size() ? i : 0] - light_.position;
+    points.ways.x[i] = way.x;
+    points.ways.y[i] = way.y;
+    points.ways.z[i] = way.z;
     points.reach = std::max(points.reach, std::abs(way.x) + std::abs(way.y) + std::abs(way.z));
   }
   points.noise = roundingOf(largestCoordinate(light_.position) + points.reach);
@@ -39,65 +72,15 @@ bool LightCones::knows(SectorId sector, const Plane& plane, const Points& points
                     points.corners);
 }
 
-/// Calls visit(bound, side) for each bound of a cone until that says no: whether it never does.
-template <typename Visit>
-bool LightCones::visitBounds(const LightCone& cone, const Points& points, const Segment* on,
-                             Visit&& visit) const {
-  const auto [begin, end] = std::pair(cone.begin, cone.end);
-  if (!visit(WayBound{{-begin.y, begin.x, 0}, 0, points.margin}, Side::Begin)) return false;
-  if (!visit(WayBound{{end.y, -end.x, 0}, 0, points.margin}, Side::End)) return false;
-  const auto isWithin = [&](const Segment* wall) {
-    const Vec2 along = wall->p1 - wall->p0;
-    const Vec2 start = wall->p0 - light_.position.xy();
-    return visit(
-        WayBound{{-along.y, along.x, 0}, cross(along, start), points.margin * wall->length},
-        Side::Elsewhere);
-  };
-  if (!on || cone.to != on) {
-    if (cone.from && !isWithin(cone.from)) return false;
-    if (cone.to && !isWithin(cone.to)) return false;
-  }
-  return std::ranges::all_of(found_.planesOf(cone), [&](const HeightPlane& plane) {
-    const double sign = plane.isBelow ? 1 : -1;
-    const Vec3 normal{-sign * plane.gradient.x, -sign * plane.gradient.y, sign};
-    return visit(WayBound{normal, 0, points.margin + plane.slackPerMetre * points.reach},
-                 Side::Elsewhere);
-  });
-}
-
-namespace {
-
-struct Distances {
-  double least;
-  double most;
-};
-
-Distances inFrontOf(const WayBound& bound, const LightCones::Points& points) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const double distance = dot(bound.normal, points.ways[i]) - bound.offset;
-    least = std::min(least, distance);
-    most = std::max(most, distance);
-  }
-  return {least, most};
-}
-
-}  // namespace
-
-/// None where the cone holds none of the points.
-std::optional<LightCones::Doubt> LightCones::doubtOf(const LightCone& cone, const Points& points,
-                                                     const Segment* on) const {
-  Doubt doubt{&cone, false, false, cone.isDoubtful};
-  const bool isNear = visitBounds(cone, points, on, [&](const WayBound& bound, Side side) {
-    const Distances distances = inFrontOf(bound, points);
-    if (distances.least <= bound.slack)
-      (side == Side::Begin ? doubt.atBegin
-       : side == Side::End ? doubt.atEnd
-                           : doubt.elsewhere) = true;
-    return distances.most >= -bound.slack;
-  });
-  return isNear ? std::optional(doubt) : std::nullopt;
+/// Whether points lie in a cone for sure; if they may, adds it.
+bool LightCones::add(const LightCone& cone, const Points& points, const Segment* on,
+                     Found& found) const {
+  const std::uint32_t parting =
+      lightKernels().findParting(points.ways, boundsOf(cone, on), points.margin, points.reach);
+  if (parting == kBehindBound) return false;
+  if (parting == 0 && !cone.isDoubtful) return true;
+  found.push_back({&cone, parting});
+  return false;
 }
 
 void LightCones::findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
@@ -106,25 +89,16 @@ void LightCones::findSeen(const Points& points, const Segment* on, std::span<con
   std::vector<PartingBounds> cones;
   for (const Doubt& doubt : doubts) {
     const std::size_t before = parting.size();
-    visitBounds(*doubt.cone, points, on, [&](const WayBound& bound, Side) {
-      if (inFrontOf(bound, points).least <= bound.slack) parting.push_back(bound);
-      return true;
-    });
+    const std::span<const ConeBound> bounds = boundsOf(*doubt.cone, on);
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+      if ((doubt.parting >> std::min(i, kBoundBits - 1) & 1) != 0)
+        parting.push_back(
+            {bounds[i].normal, bounds[i].offset, bounds[i].slack(points.margin, points.reach)});
     cones.push_back({parting.size() - before, doubt.cone->isDoubtful});
   }
   for (std::size_t row = 0; row < samples.rows; ++row)
     lightKernels().findSeen(samples.arrays.from(row * samples.stride), samples.columns,
                             light_.position, cones, parting.data(), seen + row * samples.stride);
-}
-
-/// Whether points lie in a cone for sure; if they may, adds it.
-bool LightCones::add(const LightCone& cone, const Points& points, const Segment* on,
-                     Found& found) const {
-  const std::optional<Doubt> doubt = doubtOf(cone, points, on);
-  if (!doubt) return false;
-  if (!doubt->atBegin && !doubt->atEnd && !doubt->elsewhere) return true;
-  found.push_back(*doubt);
-  return false;
 }
 
 /// Whether cones, each of which begins at the very vertex where another ends, hold all that lies
@@ -135,7 +109,7 @@ bool LightCones::isRow(std::span<const Doubt> doubts) {
   const auto first = std::ranges::find(doubts, false, &Doubt::atBegin);
   if (first == doubts.end()) return false;
   const Doubt* last = &*first;
-  for (std::size_t steps = 0; last->atEnd; ++steps) {
+  for (std::size_t steps = 0; last->atEnd(); ++steps) {
     const auto next = std::ranges::find(doubts, last->cone->endsAt,
                                         [](const Doubt& doubt) { return doubt.cone->beginsAt; });
     if (next == doubts.end() || steps == doubts.size()) return false;
@@ -149,8 +123,8 @@ bool LightCones::comesToEndOf(const Segment& wall, const Points& points) const {
   const Vec2 along = wall.p1 - wall.p0;
   const Vec2 start = wall.p0 - light_.position.xy();
   const double margin = points.margin * wall.length;
-  return std::ranges::any_of(std::span(points.ways).first(points.count), [&](Vec3 way) {
-    const double share = dot(along, way.xy() - start);
+  return std::ranges::any_of(points.corners, [&](Vec3 p) {
+    const double share = dot(along, p.xy() - light_.position.xy() - start);
     return share < margin || share > wall.length * wall.length - margin;
   });
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,8 +32,7 @@ class LightCones {
   /// Points, as they are seen from the light: all that lie between some corners.
   struct Points {
     std::span<const Vec3> corners;
-    std::array<Vec3, 8> ways;  ///< to them
-    std::size_t count = 0;
+    CornerWays ways;
     double reach = 0;   ///< metres, at least those to the farthest
     double noise = 0;   ///< metres by which rounding moves a crossing at the most
     double margin = 0;  ///< metres from the bounds of a cone within which nothing is said
@@ -46,13 +44,14 @@ class LightCones {
   /// where they, or the light, are so near to a plane of its that rounding could stop rays there.
   bool knows(SectorId sector, const Plane& plane, const Points& points) const;
 
-  /// A cone that may hold points, and which of its bounds may part them: its begin, its end,
-  /// others.
+  /// A cone that may hold points, and which of its bounds may part them: see findParting().
   struct Doubt {
     const LightCone* cone;
-    bool atBegin = false;
-    bool atEnd = false;
-    bool elsewhere = false;
+    std::uint32_t parting;
+
+    bool atBegin() const { return (parting & kAtBegin) != 0; }
+    bool atEnd() const { return (parting & kAtEnd) != 0; }
+    bool elsewhere() const { return cone->isDoubtful || (parting & ~(kAtBegin | kAtEnd)) != 0; }
   };
   using Found = std::vector<Doubt>;
   /// Whether the points, which lie in the air of `sector`, and `on` a wall of it if that is given,
@@ -76,19 +75,28 @@ class LightCones {
                 const Samples& samples, double* seen) const;
 
  private:
-  enum class Side { Begin, End, Elsewhere };
-  template <typename Visit>
-  bool visitBounds(const LightCone& cone, const Points& points, const Segment* on,
-                   Visit&& visit) const;
+  /// The first two bounds of a cone.
+  static constexpr std::uint32_t kAtBegin = 1;
+  static constexpr std::uint32_t kAtEnd = 2;
+
+  void addBoundsOf(const LightCone& cone);
+  std::span<const ConeBound> boundsOf(const LightCone& cone, const Segment* on) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
-  std::optional<Doubt> doubtOf(const LightCone& cone, const Points& points,
-                               const Segment* on) const;
   static bool isRow(std::span<const Doubt> doubts);
   bool add(const LightCone& cone, const Points& points, const Segment* on, Found& found) const;
 
   const Level& level_;
   Raytracer::Source light_;
   LightConeSet found_;
+  /// Of each cone those of its begin, its end and its planes, then those of the walls that it lies
+  /// between, which ways to a point of the last of these do not come to.
+  std::vector<ConeBound> bounds_;
+  struct BoundsOfCone {
+    std::uint32_t first;
+    std::uint32_t walls;  ///< the first of these
+    std::uint32_t last;
+  };
+  std::vector<BoundsOfCone> boundsOf_;  ///< by cone
   struct Range {
     std::size_t first;
     std::size_t count;

@@ -4,6 +4,8 @@
 
 #include "light/light_kernels.h"
 
+#include <algorithm>
+
 #include "light/light_sum.h"
 #include "math/planted_bug.h"
 
@@ -47,6 +49,29 @@ template <typename D>
 HWY_INLINE hn::Vec<D> dotOf(D d, const Ways<D>& way, Vec3 v) {
   return hn::Add(hn::Add(hn::Mul(way.x, hn::Set(d, v.x)), hn::Mul(way.y, hn::Set(d, v.y))),
                  hn::Mul(way.z, hn::Set(d, v.z)));
+}
+
+std::uint32_t findParting(const CornerWays& corners, std::span<const ConeBound> bounds,
+                          double margin, double reach) {
+  using Tag = hn::CappedTag<double, 8>;
+  const Tag d;
+  std::uint32_t parting = 0;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const ConeBound& bound = bounds[i];
+    const double slack = bound.slack(margin, reach);
+    bool isAnyNear = false;
+    bool areAllInFront = true;
+    for (std::size_t k = 0; k < 8; k += hn::Lanes(d)) {
+      const Ways<Tag> ways = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
+                              hn::LoadU(d, corners.z + k)};
+      const auto inFront = hn::Sub(dotOf(d, ways, bound.normal), hn::Set(d, bound.offset));
+      isAnyNear |= !hn::AllFalse(d, hn::Ge(inFront, hn::Set(d, -slack)));
+      areAllInFront &= hn::AllTrue(d, hn::Gt(inFront, hn::Set(d, slack)));
+    }
+    if (!isAnyNear) return kBehindBound;
+    if (!areAllInFront) parting |= std::uint32_t{1} << std::min(i, kBoundBits - 1);
+  }
+  return parting;
 }
 
 void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
@@ -127,6 +152,7 @@ void addToSums(const double* levels, std::size_t count, double share, double* su
 
 const LightKernels& kernels() {
   static constexpr LightKernels kKernels{
+      .findParting = findParting,
       .findSeen = findSeen,
       .findDistances = findDistances,
       .findLevels = findLevels,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "math/vec.h"
@@ -17,6 +18,31 @@ struct SampleArrays {
 
   SampleArrays from(std::size_t first) const { return {x + first, y + first, z + first}; }
 };
+
+/// Ways from a light to the corners of what holds some points; the first of them again where there
+/// are less than eight.
+struct CornerWays {
+  double x[8];
+  double y[8];
+  double z[8];
+};
+
+/// A plane, by ways from a light: a way is in front of it by dot(normal, way) - offset. Of points
+/// at most `reach` metres away, rounding decides about those within margin * perMargin +
+/// reach * perMetre of it, with the margin of rays to them.
+struct ConeBound {
+  Vec3 normal;
+  double offset;
+  double perMargin;
+  double perMetre;
+
+  double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
+};
+
+/// What findParting() answers where a bound has all corners behind it.
+inline constexpr std::uint32_t kBehindBound = std::uint32_t{1} << 31;
+/// The bits that it has for bounds: the last one stands for all that follow, too.
+inline constexpr std::size_t kBoundBits = 31;
 
 /// A plane, by ways from a light: those that it has in front of it have dot(normal, way) > offset.
 /// Within `slack` rounding decides; both are metres times the length of the normal.
@@ -37,6 +63,10 @@ struct PartingBounds {
 inline constexpr double kUnknownShare = -1;
 
 struct LightKernels {
+  /// A bit for each of the bounds of a cone that has some corners behind it, perhaps; or
+  /// kBehindBound.
+  std::uint32_t (*findParting)(const CornerWays& corners, std::span<const ConeBound> bounds,
+                               double margin, double reach);
   /// For each of the samples 1 where one of the cones of a point of light holds it for sure, 0
   /// where none can, and else kUnknownShare. The bounds of the cones follow one another.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,

@@ -151,6 +151,34 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
   });
 }
 
+/// A bit for each bound that has a corner behind it, or nearer than its slack.
+TEST_F(LightKernelsTest, findBoundsThatPartABox) {
+  CornerWays corners;
+  for (std::size_t i = 0; i < 8; ++i) {
+    corners.x[i] = (i & 1) != 0 ? 3 : 5;
+    corners.y[i] = (i & 2) != 0 ? -1 : 1;
+    corners.z[i] = (i & 4) != 0 ? 0 : 2;
+  }
+  const ConeBound before{{1, 0, 0}, 0, 1, 0};
+  const ConeBound across{{0, 2, 0}, 0, 1, 0};
+  const ConeBound behind{{-1, 0, 0}, 0, 1, 0};
+  const ConeBound close{{1, 0, 0}, 2.5, 1, 0.1};
+  forEachInstructionSet([&](const LightKernels& kernels) {
+    const auto parting = [&](const std::vector<ConeBound>& bounds, double margin, double reach) {
+      return kernels.findParting(corners, bounds, margin, reach);
+    };
+    EXPECT_EQ(parting({}, 0.1, 0), 0U);
+    EXPECT_EQ(parting({before, across, before, across}, 0.1, 0), 0b1010U);
+    EXPECT_EQ(parting({across, behind}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(parting({behind}, 4, 0), 1U) << "by less than its slack";
+    EXPECT_EQ(parting({close}, 0.4, 0.5), 0U);
+    EXPECT_EQ(parting({close}, 0.4, 1.5), 1U);
+    std::vector<ConeBound> many(40, before);
+    many[38] = across;
+    EXPECT_EQ(parting(many, 0.1, 0), std::uint32_t{1} << 30) << "the last bit has room for all";
+  });
+}
+
 /// Two cones side by side: whatever is in front of both bounds of one is lit.
 TEST_F(LightKernelsTest, findSeenWhatOneConeHoldsForSure) {
   const std::vector<WayBound> bounds = {
