@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <new>
 #include <optional>
 
 #include "light/geometry_hash.h"
@@ -21,21 +22,29 @@ namespace {
 // The layout, of which saved_bake.md has the table. Numbers are little-endian.
 constexpr std::string_view kMagic = "\x89HEARTH\n";
 /// To be raised with the layout, and with the rules of surfaces, their order and texel grids.
-constexpr std::uint32_t kVersion = 1;
-/// The same with fractions of levels.
-constexpr std::uint32_t kFineVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kVersionEnd = 12;
-constexpr std::size_t kHeaderBytes = 44;
+constexpr std::size_t kHeaderBytes = 56;
 /// Surface, i0, j0, width, height and channels, before the texels of each lightmap.
 constexpr std::size_t kMapNumbers = 6;
+constexpr std::size_t kShortBytes = 5;  ///< at most
 constexpr std::size_t kChecksumBytes = 4;
+
+/// Of zlib, 1 to 9: the best that takes no more than about twice the time of the quickest, as
+/// engine/README.md tells.
+constexpr int kPackingLevel = 4;
 
 using Mistake = std::optional<std::string>;
 
+const Bytef* zlibBytes(std::string_view bytes) {
+  return reinterpret_cast<const Bytef*>(bytes.data());
+}
+
+Bytef* zlibBytes(std::string& bytes) { return reinterpret_cast<Bytef*>(bytes.data()); }
+
 /// CRC-32 as in zlib, PNG and gzip.
 std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(crc32_z(0, zlibBytes(bytes), bytes.size()));
 }
 
 template <typename Unsigned>
@@ -101,8 +110,60 @@ class Reader {
   std::string_view left_;
 };
 
+std::string packed(std::string_view bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string packed(size, '\0');
+  const int result =
+      compress2(zlibBytes(packed), &size, zlibBytes(bytes), bytes.size(), kPackingLevel);
+  if (result == Z_MEM_ERROR) throw std::bad_alloc();
+  CHECK(result == Z_OK, result);
+  packed.resize(size);
+  return packed;
+}
+
+/// What was packed, if it is `size` bytes, or what is wrong with it.
+tl::expected<std::string, std::string> unpacked(std::string_view packed, std::size_t size) {
+  std::string bytes(size + 1, '\0');  // one more, to see whether there are more
+  uLongf written = bytes.size();
+  uLong taken = packed.size();
+  const int result = uncompress2(zlibBytes(bytes), &written, zlibBytes(packed), &taken);
+  if (result == Z_MEM_ERROR) throw std::bad_alloc();
+  if (result == Z_BUF_ERROR || (result == Z_OK && written > size))
+    return tl::unexpected(
+        fmt::format("has lightmaps of more than the {} bytes that it counts", size));
+  if (result != Z_OK) return tl::unexpected(std::string("has lightmaps that cannot be unpacked"));
+  if (taken < packed.size())
+    return tl::unexpected(fmt::format("has {} bytes after its lightmaps", packed.size() - taken));
+  if (written < size)
+    return tl::unexpected(
+        fmt::format("has lightmaps of {} bytes, and not of the {} that it counts", written, size));
+  bytes.resize(size);
+  return bytes;
+}
+
 std::size_t texelsIn(const TexelRect& rect) {
   return static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+}
+
+/// Visits the bytes of a lightmap from the second texel on, in order, each with that from which its
+/// difference is saved: the same channel of the texel above it or, in the first row, to its left.
+template <typename Visit>
+void visitDifferences(const TexelRect& rect, std::size_t channels, std::size_t bytes, Visit visit) {
+  const std::size_t row = static_cast<std::size_t>(rect.width) * channels;
+  for (std::size_t i = channels; i < std::min(row, bytes); ++i) visit(i, i - channels);
+  for (std::size_t i = row; i < bytes; ++i) visit(i, i - row);
+}
+
+/// As differences, which are small numbers where light is smooth, and pack well.
+void putTexels(std::string& bytes, const Lightmap& map, const std::vector<std::uint8_t>& texels) {
+  const auto channels = static_cast<std::size_t>(map.channels);
+  const std::size_t begin = bytes.size();
+  bytes.append(texels.begin(), texels.end());
+  visitDifferences(map.rect, channels, texels.size(), [&](std::size_t i, std::size_t from) {
+    bytes[begin + i] = static_cast<char>(texels[i] - texels[from]);
+  });
+  // Of even light there is the first texel, from which no other differs.
+  if (map.isEven()) bytes.append(channels * (texelsIn(map.rect) - 1), '\0');
 }
 
 void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
@@ -111,9 +172,8 @@ void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
        {surface, folded(rect.i0), folded(rect.j0), static_cast<std::uint32_t>(rect.width),
         static_cast<std::uint32_t>(rect.height), static_cast<std::uint32_t>(map.channels)})
     putShort(bytes, number);
-  const std::size_t copies = map.isEven() ? texelsIn(rect) : 1;
-  for (const auto* texels : {&map.levels, &map.fractions})
-    for (std::size_t i = 0; i < copies; ++i) bytes.append(texels->begin(), texels->end());
+  putTexels(bytes, map, map.levels);
+  if (!map.fractions.empty()) putTexels(bytes, map, map.fractions);
 }
 
 struct Header {
@@ -122,6 +182,10 @@ struct Header {
   std::uint64_t geometry;
   double texel;
   std::uint32_t lightmaps;
+  std::uint32_t bits;
+  std::uint64_t lightmapBytes;  ///< unpacked
+
+  bool isFine() const { return bits == 16; }
 };
 
 Header takeHeader(Reader& in) {
@@ -131,6 +195,8 @@ Header takeHeader(Reader& in) {
   header.geometry = in.take64();
   header.texel = std::bit_cast<double>(in.take64());
   header.lightmaps = in.take32();
+  header.bits = in.take32();
+  header.lightmapBytes = in.take64();
   return header;
 }
 
@@ -142,9 +208,9 @@ Mistake mistakeInFrame(std::string_view bytes) {
   };
   if (bytes.size() < kVersionEnd) return cutShort(kHeaderBytes + kChecksumBytes);
   Reader in(bytes.substr(kMagic.size()));
-  if (const std::uint32_t version = in.take32(); version != kVersion && version != kFineVersion)
-    return fmt::format("is a saved bake of version {}, and only versions {} and {} can be read",
-                       version, kVersion, kFineVersion);
+  if (const std::uint32_t version = in.take32(); version != kVersion)
+    return fmt::format("is a saved bake of version {}, and only version {} can be read", version,
+                       kVersion);
   if (bytes.size() < kHeaderBytes + kChecksumBytes) return cutShort(kHeaderBytes + kChecksumBytes);
   const Header header = takeHeader(in);
   if (bytes.size() < header.fileBytes) return cutShort(header.fileBytes);
@@ -165,11 +231,36 @@ Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_
                      settings);
 }
 
+/// As many bytes as the lightmaps of all surfaces can have.
+std::uint64_t mostLightmapBytes(const LitSurfaces& surfaces, bool isFine) {
+  const std::uint64_t bytesPerTexel = isFine ? 6 : 3;
+  std::uint64_t bytes = 0;
+  for (const auto& surface : surfaces)
+    if (surface) bytes += kMapNumbers * kShortBytes + bytesPerTexel * texelsIn(surface->texels);
+  return bytes;
+}
+
+/// That no more memory is needed for the lightmaps than there is light in the level, and allowed.
+std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces& surfaces,
+                                         std::uint64_t maxLightBytes) {
+  if (header.bits != 8 && header.bits != 16)
+    return BakeMistake{fmt::format("has light in {} bits instead of 8 or 16", header.bits)};
+  const std::uint64_t most = mostLightmapBytes(surfaces, header.isFine());
+  if (header.lightmapBytes > most)
+    return BakeMistake{fmt::format("has lightmaps of {} bytes, where at most {} can be",
+                                   header.lightmapBytes, most)};
+  if (header.lightmapBytes > maxLightBytes)
+    return BakeMistake{
+        fmt::format("has lightmaps of {} bytes, more than {}", header.lightmapBytes, maxLightBytes),
+        true};
+  return std::nullopt;
+}
+
 /// Takes the lightmaps of a file whose frame and geometry are right.
 class LightmapReader {
  public:
-  LightmapReader(const Level& level, BakedLight& light, Reader& in, bool isFine)
-      : level_(level), light_(light), in_(in), isFine_(isFine) {}
+  LightmapReader(const Level& level, BakedLight& light, std::string_view bytes, bool isFine)
+      : level_(level), light_(light), in_(bytes), isFine_(isFine) {}
 
   Mistake readAll(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -207,13 +298,19 @@ class LightmapReader {
     const std::size_t planes = isFine_ ? 2 : 1;
     if (in_.left() / (planes * channels) < texelsIn(rect))
       return wrong(surface, "that is cut short");
-    const std::string_view levels = in_.take(channels * texelsIn(rect));
-    const std::string_view fractions = isFine_ ? in_.take(levels.size()) : "";
-    map = asKept({rect,
-                  {levels.begin(), levels.end()},
-                  static_cast<int>(channels),
-                  {fractions.begin(), fractions.end()}});
+    Lightmap read{rect, takeTexels(rect, channels), static_cast<int>(channels)};
+    if (isFine_) read.fractions = takeTexels(rect, channels);
+    map = asKept(std::move(read));
     return std::nullopt;
+  }
+
+  std::vector<std::uint8_t> takeTexels(const TexelRect& rect, std::size_t channels) {
+    const std::string_view differences = in_.take(channels * texelsIn(rect));
+    std::vector<std::uint8_t> texels(differences.begin(), differences.end());
+    visitDifferences(rect, channels, texels.size(), [&](std::size_t i, std::size_t from) {
+      texels[i] = static_cast<std::uint8_t>(texels[i] + texels[from]);
+    });
+    return texels;
   }
 
   std::string wrong(std::uint32_t surface, std::string_view what) const {
@@ -227,7 +324,7 @@ class LightmapReader {
 
   const Level& level_;
   BakedLight& light_;
-  Reader& in_;
+  Reader in_;
   bool isFine_;  ///< levels are followed by their fractions
 };
 
@@ -245,36 +342,47 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
     isFine |= !light.lightmaps[i]->fractions.empty();
     ++count;
   }
+  const std::string body = packed(lightmaps);
   std::string bytes(kMagic);
-  put(bytes, isFine ? kFineVersion : kVersion);
+  put(bytes, kVersion);
   put(bytes, static_cast<std::uint32_t>(settings.size()));
-  put(bytes, std::uint64_t{kHeaderBytes + settings.size() + lightmaps.size() + kChecksumBytes});
+  put(bytes, std::uint64_t{kHeaderBytes + settings.size() + body.size() + kChecksumBytes});
   put(bytes, geometryHash(level, texel));
   put(bytes, std::bit_cast<std::uint64_t>(texel));
   put(bytes, count);
+  put(bytes, std::uint32_t{isFine ? 16U : 8U});
+  put(bytes, std::uint64_t{lightmaps.size()});
   bytes += settings;
-  bytes += lightmaps;
+  bytes += body;
   put(bytes, checksum(bytes));
   return bytes;
 }
 
-tl::expected<BakedLight, std::string> decodeBake(const Level& level, std::string_view bytes) {
-  if (auto mistake = mistakeInFrame(bytes)) return tl::unexpected(std::move(*mistake));
-  const bool isFine = Reader(bytes.substr(kMagic.size())).take32() == kFineVersion;
+tl::expected<BakedLight, BakeMistake> decodeBake(const Level& level, std::string_view bytes,
+                                                 std::uint64_t maxLightBytes) {
+  const auto refused = [](std::string what) {
+    return tl::unexpected(BakeMistake{std::move(what)});
+  };
+  if (auto mistake = mistakeInFrame(bytes)) return refused(std::move(*mistake));
   Reader in(bytes.substr(kVersionEnd, bytes.size() - kVersionEnd - kChecksumBytes));
   const Header header = takeHeader(in);
   if (const std::size_t most = std::min(kMostSettingsBytes, in.left()); header.settingsBytes > most)
-    return tl::unexpected(fmt::format("has settings of {} bytes, where at most {} can be",
-                                      header.settingsBytes, most));
+    return refused(fmt::format("has settings of {} bytes, where at most {} can be",
+                               header.settingsBytes, most));
   const std::string_view settings = in.take(header.settingsBytes);
   if (auto mistake = mistakeInGeometry(level, header, settings))
-    return tl::unexpected(std::move(*mistake));
+    return refused(std::move(*mistake));
 
   BakedLight light;
   light.surfaces = makeLitSurfaces(level, header.texel);
   light.lightmaps.resize(light.surfaces.size());
-  if (auto mistake = LightmapReader(level, light, in, isFine).readAll(header.lightmaps))
+  if (auto mistake = mistakeInSize(header, light.surfaces, maxLightBytes))
     return tl::unexpected(std::move(*mistake));
+  const auto lightmaps = unpacked(in.take(in.left()), header.lightmapBytes);
+  if (!lightmaps) return refused(lightmaps.error());
+  if (auto mistake =
+          LightmapReader(level, light, *lightmaps, header.isFine()).readAll(header.lightmaps))
+    return refused(std::move(*mistake));
   light.stats = statsOf(light);
   return light;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -16,9 +17,17 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
 
 inline constexpr std::size_t kMostSettingsBytes = 1000;
 
+/// Why bytes are not taken.
+struct BakeMistake {
+  std::string what;         ///< a predicate, to be put after the name of the file
+  bool isTooLarge = false;  ///< more light than was allowed, and nothing else that is known
+};
+
 /// The light of such bytes, whoever wrote them. They must belong to the level's geometry; its
-/// textures, lights and sector light may be others. Takes no more memory than the bytes and the
-/// level's surfaces do. The error is a predicate, to be put after the name of the file.
-tl::expected<BakedLight, std::string> decodeBake(const Level& level, std::string_view bytes);
+/// textures, lights and sector light may be others. `maxLightBytes`: of all lightmaps, unpacked.
+/// More are refused before memory is taken, and no more is taken than twice that and what the
+/// level's surfaces do.
+tl::expected<BakedLight, BakeMistake> decodeBake(const Level& level, std::string_view bytes,
+                                                 std::uint64_t maxLightBytes);
 
 }  // namespace hearth

@@ -175,8 +175,8 @@ class CannotWrite(InFolder):
         cache = self.folder / "cache"
         self.environment["XDG_CACHE_HOME"] = str(cache)
         fitting = len(self.shot_bytes("--no-cache"))
-        result = self.hearth("shot", "level.json", "-o", "out.png", "--texel", "0.05",
-                             preexec_fn=no_more_than(4 * fitting, signal.SIG_IGN))
+        result = self.hearth("shot", "level.json", "-o", "out.png", "--texel", "0.02",
+                             preexec_fn=no_more_than(2 * fitting, signal.SIG_IGN))
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual([name for name in self.files() if name.startswith("cache/")], [])
 

@@ -437,9 +437,14 @@ class SavedBake(InFolder):
             self.refuse_bake(message + ".*: bake again with `\\S*hearth bake ")
 
     def test_is_refused_unread_when_it_is_no_file_or_too_long(self):
-        self.bake_again("--texel", "0.125")
+        self.bake_again("--texel", "0.03125")
+        self.assertGreater(self.bake.stat().st_size, 3000)
         self.refuse_bake(r"rooms\.bake: \d+ bytes are more than 3000: .*--max-file-bytes",
                          "--max-file-bytes", "3000")
+        self.bake_again("--texel", "0.25")
+        self.assertLess(self.bake.stat().st_size, 3000)
+        self.refuse_bake(r"rooms\.bake has lightmaps of \d+ bytes, more than 3000: raise the limit with "
+                         "--max-file-bytes$", "--max-file-bytes", "3000")
         self.bake.unlink()
         self.refuse_bake(r"rooms\.bake: no such file")
         os.mkfifo(self.bake)
@@ -503,25 +508,61 @@ def folded(number):
     return short(2 * number if number >= 0 else -2 * number - 1)
 
 
-def write_bake(bake, light):
-    """A saved bake by its description alone; `light(point)` gives the channels of a texel."""
+def neighbour(texels, k, width, channels):
+    """Of the byte k of a lightmap: the one above it, in the first row the one to its left."""
+    row = width * channels
+    return texels[k - row] if k >= row else texels[k - channels] if k >= channels else 0
+
+
+def lit(bake, surface, light):
+    """The texels of a surface; `light(point)` gives the channels of one."""
+    i0, j0, width, height = surface["texels"]
+    return b"".join(
+        bytes(light([origin + bake["texelMetres"] * ((i + 0.5) * s + (j + 0.5) * t) for origin, s, t in
+                     zip(surface["origin"], surface["axisS"], surface["axisT"])]))
+        for j in range(j0, j0 + height) for i in range(i0, i0 + width))
+
+
+def write_bake(bake, texels_of):
+    """A saved bake by its description alone, with the texels of each surface."""
     maps = b""
     for surface in bake["surfaces"]:
         i0, j0, width, height = surface["texels"]
-        texels = b""
-        for j in range(j0, j0 + height):
-            for i in range(i0, i0 + width):
-                texels += bytes(light([
-                    origin + bake["texelMetres"] * ((i + 0.5) * s + (j + 0.5) * t) for origin, s, t in
-                    zip(surface["origin"], surface["axisS"], surface["axisT"])]))
+        texels = texels_of(surface)
         channels = len(texels) // (width * height)
         maps += short(surface["surface"]) + folded(i0) + folded(j0)
-        maps += short(width) + short(height) + short(channels) + texels
+        maps += short(width) + short(height) + short(channels)
+        maps += bytes((texel - neighbour(texels, k, width, channels)) % 256
+                      for k, texel in enumerate(texels))
     settings = b"a test"
+    packed = zlib.compress(maps)
     whole = b"\x89HEARTH\n" + struct.pack(
-        "<IIQQdI", 1, len(settings), 44 + len(settings) + len(maps) + 4, int(bake["geometry"], 16),
-        bake["texelMetres"], len(bake["surfaces"])) + settings + maps
+        "<IIQQdIIQ", 3, len(settings), 56 + len(settings) + len(packed) + 4, int(bake["geometry"], 16),
+        bake["texelMetres"], len(bake["surfaces"]), 8, len(maps)) + settings + packed
     return whole + struct.pack("<I", zlib.crc32(whole))
+
+
+def read_bake(data):
+    """The texels of a saved bake by the number of their surface."""
+    settings_bytes, = struct.unpack_from("<I", data, 12)
+    maps = zlib.decompress(data[56 + settings_bytes:-4])
+    at = 0
+
+    def take_short():
+        nonlocal at
+        byte = maps[at]
+        at += 1
+        return byte if byte < 0x80 else byte - 0x80 + 0x80 * take_short()
+
+    texels_of = {}
+    while at < len(maps):
+        surface, _, _, width, height, channels = [take_short() for _ in range(6)]
+        texels = bytearray()
+        for k in range(width * height * channels):
+            texels.append((maps[at + k] + neighbour(texels, k, width, channels)) % 256)
+        texels_of[surface] = bytes(texels)
+        at += len(texels)
+    return texels_of
 
 
 class KeptBakes(InFolder):
@@ -612,8 +653,11 @@ class LightOfAnother(InFolder):
         self.bake = json.loads(info.stdout)["bake"]
 
     def draw(self, light, *options):
+        return self.draw_texels(lambda surface: lit(self.bake, surface, light), *options)
+
+    def draw_texels(self, texels_of, *options):
         file = self.folder / "another.bake"
-        file.write_bytes(write_bake(self.bake, light))
+        file.write_bytes(write_bake(self.bake, texels_of))
         result = self.shot("--light-from", file, *options)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return self.out.read_bytes()
@@ -636,10 +680,23 @@ class LightOfAnother(InFolder):
         self.assertEqual(self.shot("--texel", "0.17", *camera).returncode, 0)
         self.assertEqual(another, self.out.read_bytes())
 
+    def test_that_is_a_copy_of_a_bake_draws_the_same(self):
+        lights = [{"x": 2, "y": 3, "z": 2.5, "color": "#ff8040"}, {"x": 1, "y": 6, "z": 1}]
+        (self.folder / "rooms.lights.json").write_text(json.dumps(lights))
+        saved = self.folder / "hearth.bake"
+        self.assertEqual(run("bake", self.level, "--texel", "0.17", "-o", saved).returncode, 0)
+        texels_of = read_bake(saved.read_bytes())
+        self.bake["surfaces"] = [surface for surface in self.bake["surfaces"] if surface["surface"] in texels_of]
+        self.assertEqual(len(self.bake["surfaces"]), len(texels_of))
+        camera = ["--camera", "2,1,1.5,60,0", "--light", "only"]
+        copied = self.draw_texels(lambda surface: texels_of[surface["surface"]], *camera)
+        self.assertEqual(self.shot("--light-from", saved, *camera).returncode, 0)
+        self.assertEqual(copied, self.out.read_bytes())
+
     def test_of_another_size_of_texels_is_refused(self):
         self.bake["texelMetres"] = 0.16
         file = self.folder / "another.bake"
-        file.write_bytes(write_bake(self.bake, lambda point: [0]))
+        file.write_bytes(write_bake(self.bake, lambda surface: lit(self.bake, surface, lambda point: [0])))
         self.refuse(self.shot("--light-from", file), "other geometry .* settings \"a test\"")
 
 

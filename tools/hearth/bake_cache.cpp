@@ -116,7 +116,8 @@ std::optional<BakedLight> BakeCache::find(const Level& level, const BakeSettings
   const fs::path file = fileOf(level, settings);
   const auto bytes = readFile(file, mostBytes_);
   if (!bytes) return std::nullopt;
-  auto light = decodeBake(level, *bytes);
+  // However much light it is: baking it would take as much memory.
+  auto light = decodeBake(level, *bytes, std::numeric_limits<std::uint64_t>::max());
   if (!light) return std::nullopt;
   std::error_code error;
   fs::last_write_time(file, fs::file_time_type::clock::now(), error);

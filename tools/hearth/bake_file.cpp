@@ -23,9 +23,12 @@ tl::expected<BakedLight, std::string> readBake(const Level& level, const OptionV
   const std::string path = *values.text(Option::LightFrom);
   const auto bytes = readBytes(path, values);
   if (!bytes) return tl::unexpected(bytes.error());
-  return decodeBake(level, *bytes).map_error([&](const std::string& mistake) {
-    return fmt::format("{} {}: bake again with `{} bake {} -o {}`", path, mistake, values.program,
-                       shellWord(values.level), shellWord(path));
+  return decodeBake(level, *bytes, maxFileBytes(values)).map_error([&](const BakeMistake& mistake) {
+    const std::string remedy =
+        mistake.isTooLarge ? fmt::format("raise the limit with {}", row(Option::MaxFileBytes).name)
+                           : fmt::format("bake again with `{} bake {} -o {}`", values.program,
+                                         shellWord(values.level), shellWord(path));
+    return fmt::format("{} {}: {}", path, mistake.what, remedy);
   });
 }
 

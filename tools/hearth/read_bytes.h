@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <tl/expected.hpp>
@@ -7,6 +8,9 @@
 #include "hearth/options.h"
 
 namespace hearth {
+
+/// `--max-file-bytes`, or its default.
+std::uint64_t maxFileBytes(const OptionValues& values);
 
 /// All bytes of a file of no more than `--max-file-bytes`: see readFile. Errors are one sentence
 /// that begins with the path.
