@@ -6,6 +6,7 @@
 
 #include "level/locate.h"
 #include "light/parallel.h"
+#include "math/check.h"
 #include "render/channel_pixels.h"
 #include "render/span_painter.h"
 #include "render/visibility.h"
@@ -26,12 +27,23 @@ void findClimbs(std::vector<double>& climbs, const Projection& projection, int h
 /// How many squares of pixels cover so many pixels.
 int squaresIn(int pixels, int pixelSize) { return (pixels + pixelSize - 1) / pixelSize; }
 
+int widthOf(const Image& picture) { return picture.width(); }
+int widthOf(const PixelRows& picture) { return picture.width; }
+int heightOf(const Image& picture) { return picture.height(); }
+int heightOf(const PixelRows& picture) { return picture.height; }
+
+void fit(Image& picture, const Camera& camera) {
+  if (picture.width() != camera.width || picture.height() != camera.height)
+    picture = Image(camera.width, camera.height);
+}
+
 /// Draws a picture strip by strip, with `paint(span, strip, stats)` for each span. Threads take
 /// parts: neighbouring strips, drawn one after the other in the same memory.
-template <typename Paint>
-void paintStrips(FrameScratch& scratch, int pixelSize, Image& picture, int threads, Paint&& paint) {
-  const int strips = Strip::countIn(squaresIn(picture.width(), pixelSize));
-  const int rows = squaresIn(picture.height(), pixelSize);
+template <typename Picture, typename Paint>
+void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int threads,
+                 Paint&& paint) {
+  const int strips = Strip::countIn(squaresIn(widthOf(picture), pixelSize));
+  const int rows = squaresIn(heightOf(picture), pixelSize);
   const int parts = threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
@@ -79,12 +91,27 @@ void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
   paintSpans(camera, mode, scratch, picture, threads);
 }
 
+void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
+                    const PixelRows& picture, int threads) const {
+  CHECK(picture.width == camera.width && picture.height == camera.height, picture.width,
+        picture.height);
+  findSpans(camera, settings_.pixelSize, scratch);
+  paint(camera, mode, scratch, picture, threads);
+}
+
 void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, Image& picture) const {
-  findSpans(camera, settings_.pixelSize, scratch, picture);
+  fit(picture, camera);
+  findSpans(camera, settings_.pixelSize, scratch);
 }
 
 void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
                           Image& picture, int threads) const {
+  paint(camera, mode, scratch, picture, threads);
+}
+
+template <typename Picture>
+void Renderer::paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
+                     int threads) const {
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(level_, camera, pixelSize);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
@@ -104,7 +131,8 @@ Image Renderer::draw(const Camera& camera, LightMode mode) const {
 Image Renderer::draw(const Camera& camera, Channel channel) const {
   FrameScratch scratch;
   Image picture;
-  findSpans(camera, 1, scratch, picture);
+  fit(picture, camera);
+  findSpans(camera, 1, scratch);
   const Projection projection = projectionFor(level_, camera);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
   paintStrips(scratch, 1, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
@@ -113,11 +141,8 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   return picture;
 }
 
-void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,
-                         Image& picture) const {
+void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch) const {
   const Projection projection = projectionFor(level_, camera, pixelSize);
-  if (picture.width() != camera.width || picture.height() != camera.height)
-    picture = Image(camera.width, camera.height);
   Camera squares = camera;
   squares.width = squaresIn(camera.width, pixelSize);
   squares.height = squaresIn(camera.height, pixelSize);

@@ -8,6 +8,7 @@
 #include "render/camera.h"
 #include "render/channel.h"
 #include "render/draw_settings.h"
+#include "render/pixel_rows.h"
 #include "render/strip.h"
 #include "render/strip_spans.h"
 #include "render/texture.h"
@@ -43,6 +44,9 @@ class Renderer {
   /// all pixels, whatever the settings.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
             int threads = 1) const;
+  /// The same pixels, straight into rows of the camera's size.
+  void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, const PixelRows& picture,
+            int threads = 1) const;
   /// The two phases of `draw`, for who times them: what shows where, into the scratch and a picture
   /// of the camera's size; and, once that is found for the same camera, the pixels.
   void findSpans(const Camera& camera, FrameScratch& scratch, Image& picture) const;
@@ -54,7 +58,10 @@ class Renderer {
 
  private:
   /// The first phase of a frame of squares of pixels.
-  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch, Image& picture) const;
+  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch) const;
+  template <typename Picture>
+  void paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
+             int threads) const;
 
   const Level& level_;
   std::vector<MipMap> textures_;

@@ -16,7 +16,8 @@ namespace {
 
 #if HWY_TARGET == HWY_SCALAR
 
-int copyBlocks(const Pixel*, std::size_t, Image&, int) { return 0; }
+int copyToImage(const Pixel*, std::size_t, Image&, int) { return 0; }
+int copyToRows(const Pixel*, std::size_t, const PixelRows&, int) { return 0; }
 
 #else
 
@@ -66,17 +67,38 @@ HWY_INLINE void writeRow(FourPixels left, FourPixels right, std::uint8_t* to) {
   hn::StoreU(hn::LowerHalf(half, picked(right, hn::Load(kBytes, kRest))), half, to + 16);
 }
 
-/// Copies eight columns to the picture, and says how many rows: multiples of four.
-int copyBlocks(const Pixel* pixels, std::size_t rowsPerColumn, Image& picture, int firstColumn) {
-  const int rows = picture.height() / 4 * 4;
-  const auto bytesPerRow = static_cast<std::size_t>(picture.width()) * sizeof(Rgb);
-  auto* to = reinterpret_cast<std::uint8_t*>(&picture.at(firstColumn, 0));
+/// Writes a row of eight pixels with red and blue changed about.
+HWY_INLINE void writeRow(FourPixels left, FourPixels right, Pixel* to) {
+  alignas(16) constexpr std::uint8_t kTurned[] = {2,  1, 0, 3,  6,  5,  4,  7,
+                                                  10, 9, 8, 11, 14, 13, 12, 15};
+  const Bytes turned = hn::Load(kBytes, kTurned);
+  hn::StoreU(hn::BitCast(kFour, picked(left, turned)), kFour, to);
+  hn::StoreU(hn::BitCast(kFour, picked(right, turned)), kFour, to + 4);
+}
+
+/// Copies eight columns to a picture of this height, and says how many rows: multiples of four.
+template <typename T>
+HWY_INLINE int copyBlocks(const Pixel* pixels, std::size_t rowsPerColumn, int height, T* to,
+                          std::size_t perRow) {
+  const int rows = height / 4 * 4;
   for (int row = 0; row < rows; row += 4) {
     const Block left = transposed(pixels + row, rowsPerColumn);
     const Block right = transposed(pixels + 4 * rowsPerColumn + row, rowsPerColumn);
-    for (int i = 0; i < 4; ++i, to += bytesPerRow) writeRow(left.rows[i], right.rows[i], to);
+    for (int i = 0; i < 4; ++i, to += perRow) writeRow(left.rows[i], right.rows[i], to);
   }
   return rows;
+}
+
+int copyToImage(const Pixel* pixels, std::size_t rowsPerColumn, Image& picture, int firstColumn) {
+  return copyBlocks(pixels, rowsPerColumn, picture.height(),
+                    reinterpret_cast<std::uint8_t*>(&picture.at(firstColumn, 0)),
+                    static_cast<std::size_t>(picture.width()) * sizeof(Rgb));
+}
+
+int copyToRows(const Pixel* pixels, std::size_t rowsPerColumn, const PixelRows& picture,
+               int firstColumn) {
+  return copyBlocks(pixels, rowsPerColumn, picture.height, picture.at(firstColumn, 0),
+                    picture.pixelsPerRow);
 }
 
 #endif
@@ -90,19 +112,36 @@ namespace hearth {
 
 namespace {
 
-HWY_EXPORT(copyBlocks);
+HWY_EXPORT(copyToImage);
+HWY_EXPORT(copyToRows);
+
+std::uint32_t turned(Pixel pixel) {
+  const Rgb color = colorOf(pixel);
+  return pixelOf({color.b, color.g, color.r});
+}
 
 }  // namespace
 
 void Strip::copyTo(Image& picture, int pixelSize) const {
   if (pixelSize > 1) return copySquaresTo(picture, pixelSize);
   const int columns = std::min(kColumns, picture.width() - firstColumn_);
-  const bool isWhole = columns == kColumns;
-  const int copied = isWhole ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_,
-                                                                picture, firstColumn_)
-                             : 0;
+  const int copied =
+      columns == kColumns
+          ? HWY_DYNAMIC_DISPATCH(copyToImage)(pixels_.data(), rowsPerColumn_, picture, firstColumn_)
+          : 0;
   for (int row = copied; row < picture.height(); ++row)
-    for (int i = 0; i < columns; ++i) picture.at(firstColumn_ + i, row) = colorAt(i, row);
+    for (int i = 0; i < columns; ++i) picture.at(firstColumn_ + i, row) = colorOf(pixelAt(i, row));
+}
+
+void Strip::copyTo(const PixelRows& picture, int pixelSize) const {
+  if (pixelSize > 1) return copySquaresTo(picture, pixelSize);
+  const int columns = std::min(kColumns, picture.width - firstColumn_);
+  const int copied =
+      columns == kColumns
+          ? HWY_DYNAMIC_DISPATCH(copyToRows)(pixels_.data(), rowsPerColumn_, picture, firstColumn_)
+          : 0;
+  for (int row = copied; row < picture.height; ++row)
+    for (int i = 0; i < columns; ++i) *picture.at(firstColumn_ + i, row) = turned(pixelAt(i, row));
 }
 
 void Strip::copySquaresTo(Image& picture, int size) const {
@@ -113,6 +152,17 @@ void Strip::copySquaresTo(Image& picture, int size) const {
     writeRow(first, width, size, top / size);
     for (int row = top + 1; row < std::min(top + size, picture.height()); ++row)
       std::copy_n(first, width, &picture.at(left, row));
+  }
+}
+
+void Strip::copySquaresTo(const PixelRows& picture, int size) const {
+  const int left = firstColumn_ * size;
+  const int width = std::min(kColumns * size, picture.width - left);
+  for (int top = 0; top < picture.height; top += size) {
+    std::uint32_t* const first = picture.at(left, top);
+    for (int i = 0; i < width; ++i) first[i] = turned(pixelAt(i / size, top / size));
+    for (int row = top + 1; row < std::min(top + size, picture.height); ++row)
+      std::copy_n(first, width, picture.at(left, row));
   }
 }
 

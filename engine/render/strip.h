@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "render/pixel_rows.h"
 #include "render/texture.h"
 
 namespace hearth {
@@ -33,6 +34,7 @@ class Strip {
 
   /// Each pixel as a square of pixels of the picture, whose edge may cut it.
   void copyTo(Image& picture, int pixelSize) const;
+  void copyTo(const PixelRows& picture, int pixelSize) const;
 
  private:
   /// Behind each column, so that neighbouring columns do not share a set of the cache at heights
@@ -40,10 +42,11 @@ class Strip {
   static constexpr std::size_t kSpareRows = 16;
 
   void copySquaresTo(Image& picture, int size) const;
+  void copySquaresTo(const PixelRows& picture, int size) const;
   void writeRow(Rgb* to, int width, int size, int row) const;
-  Rgb colorAt(int column, int row) const {
-    return colorOf(
-        pixels_[static_cast<std::size_t>(column) * rowsPerColumn_ + static_cast<std::size_t>(row)]);
+  Pixel pixelAt(int column, int row) const {
+    return pixels_[static_cast<std::size_t>(column) * rowsPerColumn_ +
+                   static_cast<std::size_t>(row)];
   }
 
   int firstColumn_ = 0;

@@ -28,6 +28,16 @@ class Stage : public Outside {
     shown = picture;
     ++frames;
   }
+  void show(PictureSize size, const DrawRows& draw) override {
+    const auto width = static_cast<std::size_t>(size.width);
+    rows_.resize(width * static_cast<std::size_t>(size.height));
+    const PixelRows rows{rows_.data(), width, size.width, size.height};
+    draw(rows);
+    shown = Image(size.width, size.height);
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) shown.at(x, y) = colorAt(rows, x, y);
+    ++frames;
+  }
   void setTitle(const std::string& text) override { title = text; }
   void captureMouse(bool isCaptured) override { isMouseCaptured = isCaptured; }
   void toggleFullScreen() override { isFullScreen = !isFullScreen; }
@@ -46,7 +56,14 @@ class Stage : public Outside {
   std::vector<std::string> printed;
 
  private:
+  static Rgb colorAt(const PixelRows& rows, int x, int y) {
+    const std::uint32_t pixel = *rows.at(x, y);
+    return {static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+            static_cast<std::uint8_t>(pixel)};
+  }
+
   std::size_t taken_ = 0;
+  std::vector<std::uint32_t> rows_;
 };
 
 inline SDL_Event keyEvent(SDL_Scancode code, bool isDown, bool isRepeat = false) {

@@ -5,6 +5,7 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "hearth/walk/controls.h"
@@ -57,6 +58,30 @@ TEST_F(HiddenWindow, TakesPicturesOfAnySize) {
   EXPECT_EQ(window->windowSize(), kFirstWindowSize);
   for (const auto& [width, height] : {PictureSize{1, 1}, {4000, 3}, {960, 600}, {7, 2000}})
     window->show(Image(width, height));
+}
+
+/// What lies in the middle of the only window.
+Uint32 middleOfWindow() {
+  SDL_Window* window = nullptr;
+  for (Uint32 id = 0; !window && id < 100; ++id) window = SDL_GetWindowFromID(id);
+  const SDL_Surface* surface = SDL_GetWindowSurface(window);
+  const auto* row = static_cast<const Uint8*>(surface->pixels) + surface->h / 2 * surface->pitch;
+  return reinterpret_cast<const Uint32*>(row)[surface->w / 2] & 0xFFFFFF;
+}
+
+TEST_F(HiddenWindow, ShowsWhatIsDrawnInItsSizeAndInOthers) {
+  auto window = WalkWindow::open("test", {});
+  ASSERT_TRUE(window) << window.error();
+  Uint32 color = 0x123456;
+  for (const PictureSize size : {kFirstWindowSize, PictureSize{64, 40}, {3000, 2000}}) {
+    color += 0x111111;
+    window->show(size, [&](const PixelRows& rows) {
+      for (int y = 0; y < rows.height; ++y) std::fill_n(rows.at(0, y), rows.width, color);
+    });
+    EXPECT_EQ(middleOfWindow(), color) << size.width;
+  }
+  window->show(Image(960, 600, {0x65, 0x43, 0x21}));
+  EXPECT_EQ(middleOfWindow(), 0x654321U);
 }
 
 TEST_F(HiddenWindow, IsAWholeNumberOfTimesAsLargeAsItsPicture) {

@@ -121,17 +121,17 @@ class TurningWalk {
     const Player& player = *scene_.loaded.level.player;
     for (int i = 0; i < frames; ++i) {
       const double turned = i * (kTurnsPerTic * 360.0 / 256);
-      scene_.renderer.draw(
-          {player.sector, player.eye, player.angle - turned, 0, kFov, kSize.width, kSize.height},
-          LightMode::Both, scratch_, picture_);
-      window_.show(picture_);
+      const Camera camera{player.sector, player.eye,  player.angle - turned, 0,
+                          kFov,          kSize.width, kSize.height};
+      window_.show(kSize, [&](const PixelRows& rows) {
+        scene_.renderer.draw(camera, LightMode::Both, scratch_, rows);
+      });
     }
   }
 
   const Scene& scene_;
   WalkWindow window_;
   FrameScratch scratch_;
-  Image picture_;
 };
 
 Prepared prepareDoomFrame(PeerInputs& inputs, const std::string& map) {

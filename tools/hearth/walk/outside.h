@@ -2,13 +2,17 @@
 
 #include <SDL_events.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "hearth/options.h"
 #include "image/image.h"
+#include "render/pixel_rows.h"
 
 namespace hearth {
+
+using DrawRows = std::function<void(const PixelRows&)>;
 
 /// All that a walk has to do with the world outside it. The program gives it a window, a test a
 /// list of events and a clock of its own.
@@ -26,6 +30,8 @@ class Outside {
   /// The window in pixels; nothing while it cannot be seen.
   virtual std::optional<PictureSize> windowSize() = 0;
   virtual void show(const Image& picture) = 0;
+  /// A picture of this size that `draw` writes, all of it, into memory of the window's.
+  virtual void show(PictureSize size, const DrawRows& draw) = 0;
   virtual void setTitle(const std::string& title) = 0;
   /// Hides the pointer and reports the mouse's motion without end.
   virtual void captureMouse(bool isCaptured) = 0;

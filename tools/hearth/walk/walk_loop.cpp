@@ -187,20 +187,42 @@ void WalkLoop::drawOrRest(double now) {
 }
 
 void WalkLoop::draw(double now) {
-  renderer_->draw(scene_.camera, scene_.view.mode, scratch_, picture_);
-  if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
+  if (wantsScreenshot_ || hasOverlays()) {
+    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, picture_);
+    if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
+    seeWhatIsDrawn();
+    drawOverlays();
+    count(now);
+    outside_.show(picture_);
+  } else {
+    const PictureSize size{scene_.camera.width, scene_.camera.height};
+    outside_.show(size, [&](const PixelRows& rows) {
+      renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows);
+      seeWhatIsDrawn();
+      count(now);
+    });
+  }
+  shown_ = scene_;
+}
+
+void WalkLoop::seeWhatIsDrawn() {
   seen_.add(scene_.camera.sector);
   seen_.add(journey_.walker().sector);
   seen_.add(scratch_.visibility.found.spans);
-  drawOverlays();
-  if (const auto mean = rate_.count(now, outside_.seconds())) {
-    title_.clear();
-    fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
-                   1e3 * mean->drawSeconds, mean->framesPerSecond);
-    outside_.setTitle(title_);
-  }
-  outside_.show(picture_);
-  shown_ = scene_;
+}
+
+void WalkLoop::count(double begin) {
+  const auto mean = rate_.count(begin, outside_.seconds());
+  if (!mean) return;
+  title_.clear();
+  fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
+                 1e3 * mean->drawSeconds, mean->framesPerSecond);
+  outside_.setTitle(title_);
+}
+
+bool WalkLoop::hasOverlays() const {
+  const WalkView& view = scene_.view;
+  return view.isMapShown || view.areKeysShown || !scene_.notes.empty() || !scene_.message.empty();
 }
 
 void WalkLoop::drawOverlays() {

@@ -84,6 +84,9 @@ class WalkLoop {
   Camera cameraIn(PictureSize window) const;
   void drawOrRest(double now);
   void draw(double now);
+  void seeWhatIsDrawn();
+  void count(double begin);
+  bool hasOverlays() const;
   void drawOverlays();
   std::string cameraText() const;
 

@@ -57,6 +57,11 @@ PictureSize firstSize(const std::optional<PictureSize>& picture) {
   return shrunk({times * picture->width, times * picture->height}, room);
 }
 
+PixelRows rowsOf(void* pixels, int bytesPerRow, PictureSize size) {
+  return {static_cast<Uint32*>(pixels), static_cast<std::size_t>(bytesPerRow) / sizeof(Uint32),
+          size.width, size.height};
+}
+
 }  // namespace
 
 tl::expected<WalkWindow, std::string> WalkWindow::open(const std::string& title,
@@ -96,6 +101,7 @@ tl::expected<void, std::string> WalkWindow::createRenderer() {
 
   SDL_RendererInfo info{};
   SDL_GetRendererInfo(renderer, &info);
+  drawsOnSurface_ = (info.flags & SDL_RENDERER_SOFTWARE) != 0;
   if (info.max_texture_width > 0) largest_.width = std::min(largest_.width, info.max_texture_width);
   if (info.max_texture_height > 0)
     largest_.height = std::min(largest_.height, info.max_texture_height);
@@ -147,25 +153,56 @@ std::optional<PictureSize> WalkWindow::windowSize() {
 }
 
 void WalkWindow::show(const Image& picture) {
-  static_assert(sizeof(Rgb) == 3, "pixels lie as SDL_PIXELFORMAT_RGB24 has them");
+  show({picture.width(), picture.height()}, [&](const PixelRows& rows) {
+    const Rgb* from = picture.pixels().data();
+    for (int row = 0; row < rows.height; ++row)
+      for (int column = 0; column < rows.width; ++column, ++from)
+        *rows.at(column, row) = Uint32{from->r} << 16 | Uint32{from->g} << 8 | from->b;
+  });
+}
+
+void WalkWindow::show(PictureSize size, const DrawRows& draw) {
   const std::optional<PictureSize> window = windowSize();
-  fitTexture(picture);
-  if (!window || !texture_) return;
-  const Placement place = placed(*textureSize_, *window, settings_.scaling);
+  if (!window) return;
+  if (SDL_Surface* const surface = surfaceOfSize(size)) {
+    draw(rowsOf(surface->pixels, surface->pitch, size));
+    SDL_UpdateWindowSurface(window_.get());
+    return;
+  }
+  fitTexture(size);
+  void* pixels = nullptr;
+  int bytesPerRow = 0;
+  if (!texture_ || SDL_LockTexture(texture_.get(), nullptr, &pixels, &bytesPerRow) != 0) return;
+  draw(rowsOf(pixels, bytesPerRow, size));
+  SDL_UnlockTexture(texture_.get());
+  present(*window);
+}
+
+/// That of the window, if a picture of this size can be drawn on it: it would be copied there.
+SDL_Surface* WalkWindow::surfaceOfSize(PictureSize size) const {
+  SDL_Surface* const surface = drawsOnSurface_ ? SDL_GetWindowSurface(window_.get()) : nullptr;
+  if (!surface || SDL_MUSTLOCK(surface)) return nullptr;
+  const bool fits = surface->format->format == SDL_PIXELFORMAT_RGB888 && surface->w == size.width &&
+                    surface->h == size.height;
+  return fits ? surface : nullptr;
+}
+
+void WalkWindow::present(PictureSize window) {
+  const Placement place = placed(*textureSize_, window, settings_.scaling);
   SDL_SetTextureScaleMode(texture_.get(),
                           place.hasSquarePixels ? SDL_ScaleModeNearest : SDL_ScaleModeLinear);
   const SDL_Rect target{place.x, place.y, place.width, place.height};
-  SDL_UpdateTexture(texture_.get(), nullptr, picture.pixels().data(), 3 * picture.width());
-  SDL_RenderClear(renderer_.get());
+  if (place.width != window.width || place.height != window.height)
+    SDL_RenderClear(renderer_.get());
   SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &target);
   SDL_RenderPresent(renderer_.get());
 }
 
-void WalkWindow::fitTexture(const Image& picture) {
-  const PictureSize size{picture.width(), picture.height()};
+/// Its pixels lie as PixelRows has them, which renderers take as they are.
+void WalkWindow::fitTexture(PictureSize size) {
   if (texture_ && textureSize_ == size) return;
   texture_ = std::shared_ptr<SDL_Texture>(
-      SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING,
+      SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,
                         size.width, size.height),
       [](SDL_Texture* texture) { SDL_DestroyTexture(texture); });
   textureSize_ = size;

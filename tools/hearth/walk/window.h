@@ -10,6 +10,7 @@
 #include "hearth/walk/placement.h"
 
 struct SDL_Renderer;
+struct SDL_Surface;
 struct SDL_Texture;
 struct SDL_Window;
 
@@ -38,6 +39,7 @@ class WalkWindow : public Outside {
   void rest(double seconds) override;
   std::optional<PictureSize> windowSize() override;
   void show(const Image& picture) override;
+  void show(PictureSize size, const DrawRows& draw) override;
   void setTitle(const std::string& title) override;
   void captureMouse(bool isCaptured) override;
   void toggleFullScreen() override;
@@ -48,10 +50,13 @@ class WalkWindow : public Outside {
   tl::expected<void, std::string> create(const std::string& title);
   tl::expected<void, std::string> createRenderer();
   void setGamepad(const SDL_ControllerDeviceEvent& event);
-  void fitTexture(const Image& picture);
+  SDL_Surface* surfaceOfSize(PictureSize size) const;
+  void fitTexture(PictureSize size);
+  void present(PictureSize window);
 
   WindowSettings settings_;
   PictureSize largest_{kMaxPictureSide, kMaxPictureSide};  ///< that the display can show
+  bool drawsOnSurface_ = false;  ///< the renderer, without the help of hardware
   std::optional<PictureSize> textureSize_;
 
   // Destroyed in reverse order: SDL itself last.

@@ -1,0 +1,69 @@
+// Pictures drawn straight into memory of others.
+
+#include "render/pixel_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "load/load.h"
+#include "render/renderer.h"
+
+namespace hearth {
+namespace {
+
+constexpr std::uint32_t kUntouched = 0xAABBCCDD;
+
+/// The rows of a picture, each with some pixels behind it that do not belong to it.
+struct Memory {
+  Memory(int width, int height)
+      : pixels(perRow(width) * static_cast<std::size_t>(height), kUntouched),
+        rows{pixels.data(), perRow(width), width, height} {}
+
+  static std::size_t perRow(int width) { return static_cast<std::size_t>(width) + 5; }
+
+  Rgb colorAt(int x, int y) const {
+    const std::uint32_t pixel = *rows.at(x, y);
+    return {static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+            static_cast<std::uint8_t>(pixel)};
+  }
+
+  std::vector<std::uint32_t> pixels;
+  PixelRows rows;
+};
+
+void expectTheSame(const Image& expected, const Memory& memory) {
+  int different = 0;
+  for (int y = 0; y < expected.height(); ++y) {
+    for (int x = 0; x < expected.width(); ++x)
+      if (memory.colorAt(x, y) != expected.at(x, y)) ++different;
+    for (int x = expected.width(); x < expected.width() + 5; ++x)
+      if (*memory.rows.at(x, y) != kUntouched) ++different;
+  }
+  EXPECT_EQ(different, 0) << expected.width() << 'x' << expected.height();
+}
+
+TEST(PixelRows, HaveThePixelsOfAnImageAndNoOthersAreWritten) {
+  const LoadedLevel loaded = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
+  BakeSettings coarse = loaded.level.bake;
+  coarse.texel = 0.5;
+  const BakedLight light = bake(loaded.level, coarse, 2);
+  Camera camera = cameraOf(loaded.level.shots.front());
+  for (const int pixelSize : {1, 3}) {
+    DrawSettings settings;
+    settings.pixelSize = pixelSize;
+    const Renderer renderer(loaded.level, loaded.textures, light, settings);
+    for (const auto& [width, height] : {std::pair(64, 40), {67, 43}, {5, 3}}) {
+      camera.width = width;
+      camera.height = height;
+      FrameScratch scratch;
+      Memory memory(width, height);
+      renderer.draw(camera, LightMode::Both, scratch, memory.rows, 2);
+      expectTheSame(renderer.draw(camera, LightMode::Both), memory);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hearth
