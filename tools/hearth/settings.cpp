@@ -37,8 +37,7 @@ bool hasMiddles(const Level& level) {
 
 }  // namespace
 
-tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
-                                                        const OptionValues& values) {
+BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values) {
   BakeSettings settings = qualityFrom(values).bake.of(level.bake);
   settings.texel = values.number(Option::Texel).value_or(settings.texel);
   if (const auto samples = values.number(Option::Samples))
@@ -53,23 +52,50 @@ tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
     settings.solidMiddles = *shadows == "solid" && hasMiddles(level);
   if (const auto bounces = values.number(Option::Bounces))
     settings.bounces = static_cast<int>(*bounces);
-  if (values.has(Option::Lambert) && values.has(Option::NoLambert))
-    return tl::unexpected<std::string>("give --lambert or --no-lambert, not both");
   if (values.has(Option::Lambert)) settings.lambert = true;
   if (values.has(Option::NoLambert)) settings.lambert = false;
+  return settings;
+}
 
+tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
+                                                        const OptionValues& values) {
+  if (values.has(Option::Lambert) && values.has(Option::NoLambert))
+    return tl::unexpected<std::string>("give --lambert or --no-lambert, not both");
+  const BakeSettings settings = bakeSettingsFrom(level, values);
   if (const auto mistake = mistakeInSettings(level, settings))
     return tl::unexpected(fmt::format("--{}", *mistake));  // the option of the setting's name
   return settings;
 }
 
+std::string valueOf(const BakeSettings& settings, Option option) {
+  switch (option) {
+    case Option::Texel:
+      return fmt::to_string(settings.texel);
+    case Option::Samples:
+      return settings.samples ? fmt::to_string(*settings.samples) : "auto";
+    case Option::SoftSamples:
+      return fmt::to_string(settings.softSamples);
+    case Option::CutOff:
+      return fmt::to_string(settings.cutOff);
+    case Option::LightBits:
+      return fmt::to_string(settings.bits);
+    case Option::Bounces:
+      return fmt::to_string(settings.bounces);
+    case Option::MiddleShadows:
+      return settings.solidMiddles ? "solid" : "holes";
+    default:
+      CHECK(false, row(option).name);
+      return "";
+  }
+}
+
 std::string optionsOf(const BakeSettings& settings) {
-  return fmt::format(
-      "--texel {} --samples {} --soft-samples {} --cut-off {} --light-bits {} --bounces {} {}{}",
-      settings.texel, settings.samples ? fmt::to_string(*settings.samples) : "auto",
-      settings.softSamples, settings.cutOff, settings.bits, settings.bounces,
-      settings.lambert ? "--lambert" : "--no-lambert",
-      settings.solidMiddles ? " --middle-shadows solid" : "");
+  std::string options;
+  for (const Option option : {Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff,
+                              Option::LightBits, Option::Bounces})
+    options += fmt::format("{} {} ", row(option).name, valueOf(settings, option));
+  options += settings.lambert ? "--lambert" : "--no-lambert";
+  return options + (settings.solidMiddles ? " --middle-shadows solid" : "");
 }
 
 std::string samplesInWords(const BakeSettings& settings) {
@@ -94,19 +120,40 @@ DrawSettings drawSettingsFrom(const OptionValues& values) {
   return settings;
 }
 
+std::string valueOf(const DrawSettings& settings, Option option) {
+  switch (option) {
+    case Option::TextureFilter:
+      return std::string(
+          std::ranges::find(kTextureFilters, settings.textureFilter, &NamedFilter::filter)->name);
+    case Option::LightFilter:
+      return settings.lightFilter == LightFilter::Nearest ? "nearest" : "bilinear";
+    case Option::Precision:
+      return settings.precision == Precision::Single ? "single" : "double";
+    case Option::LightEvery:
+      return fmt::to_string(settings.lightEvery);
+    case Option::DepthEvery:
+      return fmt::to_string(settings.depthEvery);
+    case Option::PixelSize:
+      return fmt::to_string(settings.pixelSize);
+    default:
+      CHECK(false, row(option).name);
+      return "";
+  }
+}
+
+std::vector<Option> notStandard(const DrawSettings& settings) {
+  std::vector<Option> options;
+  for (const Option option : {Option::TextureFilter, Option::LightFilter, Option::Precision,
+                              Option::LightEvery, Option::DepthEvery, Option::PixelSize})
+    if (valueOf(settings, option) != valueOf(DrawSettings{}, option)) options.push_back(option);
+  return options;
+}
+
 std::string optionsOf(const DrawSettings& settings) {
   std::string options;
-  const auto add = [&](Option option, auto value) {
-    options += fmt::format("{}{} {}", options.empty() ? "" : " ", row(option).name, value);
-  };
-  if (settings.textureFilter != TextureFilter::Nearest)
-    add(Option::TextureFilter,
-        std::ranges::find(kTextureFilters, settings.textureFilter, &NamedFilter::filter)->name);
-  if (settings.lightFilter == LightFilter::Nearest) add(Option::LightFilter, "nearest");
-  if (settings.precision == Precision::Single) add(Option::Precision, "single");
-  if (settings.lightEvery != 1) add(Option::LightEvery, settings.lightEvery);
-  if (settings.depthEvery != 1) add(Option::DepthEvery, settings.depthEvery);
-  if (settings.pixelSize != 1) add(Option::PixelSize, settings.pixelSize);
+  for (const Option option : notStandard(settings))
+    options += fmt::format("{}{} {}", options.empty() ? "" : " ", row(option).name,
+                           valueOf(settings, option));
   return options;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "hearth/options.h"
 #include "level/level.h"
@@ -14,8 +15,13 @@ namespace hearth {
 tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
                                                         const OptionValues& values);
 
+/// The same without looking for mistakes.
+BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values);
+
 /// The options that ask for these settings, whatever the file says.
 std::string optionsOf(const BakeSettings& settings);
+/// The value with which an option, one of a bake that has a value, asks for them.
+std::string valueOf(const BakeSettings& settings, Option option);
 
 /// How many samples a texel has.
 std::string samplesInWords(const BakeSettings& settings);
@@ -24,5 +30,9 @@ std::string samplesInWords(const BakeSettings& settings);
 DrawSettings drawSettingsFrom(const OptionValues& values);
 /// The options that ask for these settings; empty for those that hold without any.
 std::string optionsOf(const DrawSettings& settings);
+/// The value with which an option of frames asks for them.
+std::string valueOf(const DrawSettings& settings, Option option);
+/// Those whose values are not what holds without them.
+std::vector<Option> notStandard(const DrawSettings& settings);
 
 }  // namespace hearth
