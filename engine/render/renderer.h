@@ -38,6 +38,7 @@ class Renderer {
            DrawSettings settings = {});
 
   const DrawSettings& settings() const { return settings_; }
+  const BakedLight& light() const { return light_; }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
   /// and the same pixels whatever the number of threads that colour them. Channels are drawn with

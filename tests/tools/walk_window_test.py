@@ -237,6 +237,43 @@ def shows(display, walk):
     expect_toggle(display, "the keys", "h")
 
 
+def panel_rows(display, walk):
+    """Those of the screen in which white letters stand at the right."""
+    left, top, width, height = walk.geometry()
+    rows = display.picture(left + width // 2, top, width // 2, height)
+    return [row for row in rows if b"\xff\xff\xff" * 3 in row]
+
+
+def opens_the_overlay(display, walk):
+    """F1 opens a panel at the right, which has the mouse until it is closed."""
+    plain = settled(display)
+    expect_change(display, "F1 opens the overlay", lambda: display.do("key", "F1"))
+    width = walk.geometry()[2]
+    display.do("mousemove", "--window", walk.window, str(width - 100), "17")
+    settled(display)
+    rows = panel_rows(display, walk)
+    display.do("click", "1")
+    wait_for("a click on its title closes a section",
+             lambda: len(panel_rows(display, walk)) < len(rows) / 2)
+    display.do("key", "F1")
+    wait_for("F1 closes it again", lambda: display.pixels() == plain)
+    display.do("mousemove", "--window", walk.window, "200", "200")
+    display.do("click", "1")
+    expect_change(display, "the walk takes the mouse by a click", lambda: display.do("mousemove_relative", "150", "0"))
+    settled(display)
+    display.do("key", "F1")
+    time.sleep(0.5)
+    display.do("mousemove_relative", "150", "0")
+    time.sleep(0.5)
+    display.do("key", "F1")
+    expect_change(display, "it has it again once the overlay is closed",
+                  lambda: display.do("mousemove_relative", "150", "0"))
+    display.do("key", "Escape")
+    settled(display)
+    if walk.process.poll() is not None:
+        sys.exit("FAILED: Esc must not leave while the mouse is captured, as it is again")
+
+
 def resizes(display, walk):
     for size in [(400, 300), (97, 301), (960, 600)]:
         display.do("windowsize", "--sync", walk.window, *map(str, size))
@@ -310,6 +347,7 @@ def main():
                 moves(display, walk)
                 loses_focus(display, walk)
                 shows(display, walk)
+                opens_the_overlay(display, walk)
                 resizes(display, walk)
                 walk.leave()
             finally:

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hearth/walk/captions.h"
 #include "hearth/walk/frame_rate.h"
-#include "hearth/walk/overlay.h"
 #include "hearth/walk/placement.h"
 #include "hearth/walk/screenshots.h"
 #include "image/image_file.h"
@@ -95,7 +95,7 @@ TEST_F(ScreenshotsTest, SayWhatIsWrong) {
       << news->text;
 }
 
-TEST(Overlay, StaysInsidePicturesOfAnySize) {
+TEST(Captions, StaysInsidePicturesOfAnySize) {
   for (const auto& [width, height] : {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}}) {
     Image picture(width, height, {200, 200, 200});
     drawKeys(picture);
@@ -105,7 +105,7 @@ TEST(Overlay, StaysInsidePicturesOfAnySize) {
   }
 }
 
-TEST(Overlay, HasRoomForAllKeysInASmallPicture) {
+TEST(Captions, HasRoomForAllKeysInASmallPicture) {
   const Image plain(320, 200, {200, 200, 200});
   Image picture = plain;
   drawKeys(picture);
@@ -119,10 +119,10 @@ TEST(Overlay, HasRoomForAllKeysInASmallPicture) {
   }
 }
 
-TEST(Overlay, IsLargerInLargerPictures) {
-  EXPECT_EQ(overlayScale(Image(320, 200)), 1);
-  EXPECT_EQ(overlayScale(Image(1920, 1080)), 3);
-  EXPECT_EQ(overlayScale(Image(600, 4000)), 1);
+TEST(Captions, IsLargerInLargerPictures) {
+  EXPECT_EQ(captionScale(Image(320, 200)), 1);
+  EXPECT_EQ(captionScale(Image(1920, 1080)), 3);
+  EXPECT_EQ(captionScale(Image(600, 4000)), 1);
 }
 
 }  // namespace

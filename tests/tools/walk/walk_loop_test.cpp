@@ -226,6 +226,7 @@ TEST(WalkPictures, AScreenshotHasNothingWrittenOverIt) {
   Walk walk;
   walk.stage.window = PictureSize{320, 200};
   walk.now(down(SDL_SCANCODE_H));
+  walk.now(down(SDL_SCANCODE_F1));
   walk.now(down(SDL_SCANCODE_F12));
   walk.loop().awaitScreenshots();
   ASSERT_EQ(walk.stage.printed.size(), 1);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "hearth/walk/controls.h"
 
@@ -82,6 +83,33 @@ TEST_F(HiddenWindow, ShowsWhatIsDrawnInItsSizeAndInOthers) {
   }
   window->show(Image(960, 600, {0x65, 0x43, 0x21}));
   EXPECT_EQ(middleOfWindow(), 0x654321U);
+}
+
+TEST_F(HiddenWindow, TellsTheMousesPlaceInThePicture) {
+  WindowSettings settings;
+  settings.windowSize = PictureSize{700, 400};  // twice the picture, 30 pixels from its left
+  auto window = WalkWindow::open("test", settings);
+  ASSERT_TRUE(window) << window.error();
+  window->show(Image(320, 200));
+  for (SDL_Event event; window->poll(event);) continue;
+  const auto placeOf = [&window](Uint32 type, int x, int y) {
+    SDL_Event event{};
+    event.type = type;
+    (type == SDL_MOUSEMOTION ? event.motion.x : event.button.x) = x;
+    (type == SDL_MOUSEMOTION ? event.motion.y : event.button.y) = y;
+    SDL_PushEvent(&event);
+    bool isThere = false;  // SDL tells the end of a batch of events by a call that finds none
+    for (int i = 0; i < 3 && !isThere; ++i) isThere = window->poll(event);
+    EXPECT_TRUE(isThere);
+    return type == SDL_MOUSEMOTION ? std::pair{event.motion.x, event.motion.y}
+                                   : std::pair{event.button.x, event.button.y};
+  };
+  for (const Uint32 type : {SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
+    EXPECT_EQ(placeOf(type, 30, 0), (std::pair{0, 0}));
+    EXPECT_EQ(placeOf(type, 31, 1), (std::pair{0, 0}));
+    EXPECT_EQ(placeOf(type, 669, 399), (std::pair{319, 199}));
+    EXPECT_EQ(placeOf(type, 29, 200), (std::pair{-1, 100}));
+  }
 }
 
 TEST_F(HiddenWindow, IsAWholeNumberOfTimesAsLargeAsItsPicture) {

@@ -6,8 +6,6 @@
 
 namespace hearth {
 
-namespace {
-
 FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
   const auto mean = [](auto count) { return static_cast<double>(count); };
   return {{{"viewports", mean(found.viewports)},
@@ -25,8 +23,6 @@ FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
            {"lightLookups", mean(painted.lightLookups)},
            {"pixels", mean(painted.pixels)}}};
 }
-
-}  // namespace
 
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -32,6 +32,8 @@ struct FrameCounter {
   friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
 };
 using FrameCounters = std::array<FrameCounter, 14>;
+/// Those of one frame.
+FrameCounters countersOf(const FrameStats& found, const PaintStats& painted);
 
 /// Frames of one size, of all shots of a level.
 struct FrameBench {

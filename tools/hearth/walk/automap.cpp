@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "hearth/walk/overlay.h"
+#include "hearth/walk/captions.h"
 #include "math/trig.h"
 #include "render/line.h"
 
@@ -28,7 +28,7 @@ class AutomapDrawer {
         level_(level),
         seen_(seen),
         eye_(eye),
-        lineWidth_(overlayScale(picture)),
+        lineWidth_(captionScale(picture)),
         middle_{picture.width() / 2.0, picture.height() / 2.0},
         pixelsPerMetre_(std::min(picture.width(), picture.height()) / metres) {}
 

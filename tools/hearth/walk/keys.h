@@ -35,6 +35,7 @@ enum class Action : std::uint8_t {
   Screenshot,
   FullScreen,
   Keys,
+  Overlay,
   Leave,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::Leave) + 1;

@@ -99,7 +99,7 @@ void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
     if (!changes.watched.empty()) saved_ = watched_[*changes.watched.begin()];
   }
   while (const auto news = workshop_.news()) take(*news, loop, journey);
-  loop.setNotes(notes());
+  loop.setNotes(mistakes_, workshop_.progress());
 }
 
 void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
@@ -126,12 +126,6 @@ bool LiveLevel::goOnIn(const LitLevel& next, Journey& journey) const {
   const auto walker = carriedOver(shown_->loaded->level, journey.walker(), next.loaded->level);
   if (walker) journey.goOnIn(next.loaded->level, *walker);
   return walker.has_value();
-}
-
-std::vector<std::string> LiveLevel::notes() const {
-  std::vector<std::string> notes = mistakes_;
-  if (const auto progress = workshop_.progress()) notes.push_back(progressText(*progress));
-  return notes;
 }
 
 }  // namespace hearth

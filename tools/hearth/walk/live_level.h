@@ -39,8 +39,6 @@ class LiveLevel {
  private:
   void take(const LevelNews& news, WalkLoop& loop, Journey& journey);
   bool goOnIn(const LitLevel& next, Journey& journey) const;
-  std::vector<std::string> notes() const;
-
   void watch(const LoadedLevel& loaded);
 
   FileWatch watch_;

@@ -22,7 +22,7 @@ class Outside {
 
   /// Of any clock.
   virtual double seconds() = 0;
-  /// Takes the next event, if there is one.
+  /// Takes the next event, if there is one. The mouse is at a pixel of the last picture.
   virtual bool poll(SDL_Event& event) = 0;
   /// Sleeps until an event is there, or for so long.
   virtual void rest(double seconds) = 0;

@@ -38,4 +38,11 @@ inline Placement placed(PictureSize picture, PictureSize window, Scaling scaling
   return {(window.width - width) / 2, (window.height - height) / 2, width, height, isWhole};
 }
 
+/// The pixel of a picture that shows at `at` pixels from the window's left or top edge, along one
+/// side of it: `begin` and `length` are the placement's, `pixels` the picture's. Beyond the
+/// picture's edges it goes on.
+inline int pixelAt(double at, int begin, int length, int pixels) {
+  return static_cast<int>(std::floor((at - begin) * pixels / length));
+}
+
 }  // namespace hearth

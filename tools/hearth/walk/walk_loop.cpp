@@ -9,7 +9,7 @@
 
 #include "hearth/session.h"
 #include "hearth/shell_text.h"
-#include "hearth/walk/overlay.h"
+#include "hearth/walk/captions.h"
 
 namespace hearth {
 
@@ -54,6 +54,13 @@ void WalkLoop::goOnIn(const Level& level, const Renderer& renderer) {
   shown_.reset();
 }
 
+void WalkLoop::setNotes(std::vector<std::string> mistakes,
+                        const std::optional<StageProgress>& bake) {
+  scene_.notes = std::move(mistakes);
+  if (bake) scene_.notes.push_back(progressText(*bake));
+  figures_.bake = bake;
+}
+
 bool WalkLoop::round() {
   for (SDL_Event event; outside_.poll(event);) take(event);
   const double now = outside_.seconds();
@@ -68,6 +75,7 @@ bool WalkLoop::round() {
 void WalkLoop::take(const SDL_Event& event) {
   if (event.type == SDL_QUIT) hasLeft_ = true;
   if (event.type == SDL_WINDOWEVENT) take(event.window);
+  if (overlay_.take(event)) return;
   if (event.type == SDL_MOUSEBUTTONDOWN) captureMouse(true);
   if (const std::optional<Action> action = controls_.take(event)) act(*action);
 }
@@ -77,6 +85,7 @@ void WalkLoop::take(const SDL_WindowEvent& event) {
   if (event.event != SDL_WINDOWEVENT_FOCUS_LOST) return;
   controls_.release();
   captureMouse(false);
+  capturesMouseAgain_ = false;
 }
 
 void WalkLoop::act(Action action) {
@@ -110,7 +119,11 @@ void WalkLoop::act(Action action) {
       wantsScreenshot_ = true;
       shown_.reset();
       break;
+    case Action::Overlay:
+      toggleOverlay();
+      break;
     case Action::Leave:
+      if (overlay_.isOpen()) return toggleOverlay();
       if (!controls_.isMouseCaptured()) hasLeft_ = true;
       captureMouse(false);
       break;
@@ -123,6 +136,14 @@ void WalkLoop::captureMouse(bool isCaptured) {
   if (controls_.isMouseCaptured() == isCaptured) return;
   controls_.captureMouse(isCaptured);
   outside_.captureMouse(isCaptured);
+}
+
+/// The panel needs the mouse; the walk gets it back where it had it.
+void WalkLoop::toggleOverlay() {
+  overlay_.toggle();
+  shown_.reset();
+  if (overlay_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
+  captureMouse(!overlay_.isOpen() && capturesMouseAgain_);
 }
 
 // --- Time ----------------------------------------------------------------------------------------
@@ -177,7 +198,7 @@ Camera WalkLoop::cameraIn(PictureSize window) const {
 void WalkLoop::drawOrRest(double now) {
   const std::optional<PictureSize> window = outside_.windowSize();
   if (window) scene_.camera = cameraIn(*window);
-  if (!window || shown_ == scene_) return outside_.rest(kTickSeconds);
+  if (!window || (shown_ == scene_ && !overlay_.isStale(now))) return outside_.rest(kTickSeconds);
   const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
   const double wait = nextFrame_ - now;
   if (wait > 0 && wait <= period) return outside_.rest(std::min(wait, kTickSeconds));
@@ -187,22 +208,42 @@ void WalkLoop::drawOrRest(double now) {
 }
 
 void WalkLoop::draw(double now) {
-  if (wantsScreenshot_ || hasOverlays()) {
-    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, picture_);
-    if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
-    seeWhatIsDrawn();
-    drawOverlays();
-    count(now);
-    outside_.show(picture_);
-  } else {
-    const PictureSize size{scene_.camera.width, scene_.camera.height};
-    outside_.show(size, [&](const PixelRows& rows) {
-      renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows);
-      seeWhatIsDrawn();
-      count(now);
-    });
-  }
+  if (isCovered())
+    drawImage(now);
+  else
+    drawRows(now);
   shown_ = scene_;
+}
+
+void WalkLoop::drawImage(double now) {
+  FrameParts parts;
+  double begin = outside_.seconds();
+  const auto lap = [&] {
+    const double end = outside_.seconds();
+    return end - std::exchange(begin, end);
+  };
+  renderer_->findSpans(scene_.camera, scratch_, picture_);
+  parts.find = lap();
+  renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_);
+  parts.paint = lap();
+  if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
+  seeWhatIsDrawn();
+  drawCaptions();
+  drawOverlay(now);
+  parts.cover = lap();
+  count(now, begin);
+  outside_.show(picture_);
+  parts.show = lap();
+  figures_.frames.add(parts);
+}
+
+void WalkLoop::drawRows(double now) {
+  const PictureSize size{scene_.camera.width, scene_.camera.height};
+  outside_.show(size, [&](const PixelRows& rows) {
+    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows);
+    seeWhatIsDrawn();
+    count(now, outside_.seconds());
+  });
 }
 
 void WalkLoop::seeWhatIsDrawn() {
@@ -211,8 +252,8 @@ void WalkLoop::seeWhatIsDrawn() {
   seen_.add(scratch_.visibility.found.spans);
 }
 
-void WalkLoop::count(double begin) {
-  const auto mean = rate_.count(begin, outside_.seconds());
+void WalkLoop::count(double begin, double end) {
+  const auto mean = rate_.count(begin, end);
   if (!mean) return;
   title_.clear();
   fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
@@ -220,17 +261,29 @@ void WalkLoop::count(double begin) {
   outside_.setTitle(title_);
 }
 
-bool WalkLoop::hasOverlays() const {
+/// Whether a frame is kept as a picture, or something is drawn over it.
+bool WalkLoop::isCovered() const {
   const WalkView& view = scene_.view;
-  return view.isMapShown || view.areKeysShown || !scene_.notes.empty() || !scene_.message.empty();
+  return wantsScreenshot_ || overlay_.isOpen() || view.isMapShown || view.areKeysShown ||
+         !scene_.notes.empty() || !scene_.message.empty();
 }
 
-void WalkLoop::drawOverlays() {
+/// The list of keys and the panel would be in each other's way.
+void WalkLoop::drawCaptions() {
   if (scene_.view.isMapShown)
     drawAutomap(picture_, *level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
-  if (scene_.view.areKeysShown) drawKeys(picture_);
-  if (!scene_.notes.empty()) drawNotes(picture_, scene_.notes);
+  if (scene_.view.areKeysShown && !overlay_.isOpen()) drawKeys(picture_);
+  const int width = overlay_.leaves(picture_.width());
+  if (!scene_.notes.empty() && width > 0) drawNotes(picture_, scene_.notes, width);
   if (!scene_.message.empty()) drawMessage(picture_, scene_.message);
+}
+
+void WalkLoop::drawOverlay(double now) {
+  if (!overlay_.isOpen()) return;
+  figures_.counters = countersOf(scratch_.visibility.found.stats, scratch_.painted);
+  figures_.lightmapBytes = renderer_->light().stats.bytes;
+  overlay_.draw(
+      now, [this] { showFigures(figures_); }, picture_);
 }
 
 /// The options with which `hearth shot` draws this picture.

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "hearth/options.h"
+#include "hearth/overlay/figures_section.h"
+#include "hearth/overlay/overlay.h"
 #include "hearth/walk/automap.h"
 #include "hearth/walk/controls.h"
 #include "hearth/walk/frame_rate.h"
@@ -52,8 +54,9 @@ class WalkLoop {
   /// From now on in another version of the level, where the journey has gone on already.
   void goOnIn(const Level& level, const Renderer& renderer);
 
-  /// What stands over the picture until it is given anew, a line each.
-  void setNotes(std::vector<std::string> notes) { scene_.notes = std::move(notes); }
+  /// What stands over the picture until it is given anew: mistakes, a line each, and how far a bake
+  /// is.
+  void setNotes(std::vector<std::string> mistakes, const std::optional<StageProgress>& bake);
 
   /// False once the walk is over.
   bool round();
@@ -76,6 +79,7 @@ class WalkLoop {
   void take(const SDL_WindowEvent& event);
   void act(Action action);
   void captureMouse(bool isCaptured);
+  void toggleOverlay();
   void passTime(double now);
   WalkInput nextInput(int ticksDue);
   void say(std::string message, double now);
@@ -84,10 +88,13 @@ class WalkLoop {
   Camera cameraIn(PictureSize window) const;
   void drawOrRest(double now);
   void draw(double now);
+  void drawImage(double now);
+  void drawRows(double now);
   void seeWhatIsDrawn();
-  void count(double begin);
-  bool hasOverlays() const;
-  void drawOverlays();
+  void count(double begin, double end);
+  bool isCovered() const;
+  void drawCaptions();
+  void drawOverlay(double now);
   std::string cameraText() const;
 
   const Level* level_;
@@ -111,6 +118,9 @@ class WalkLoop {
   FrameScratch scratch_;
   Image picture_;
   SeenSectors seen_;
+  Overlay overlay_;
+  bool capturesMouseAgain_ = false;  ///< once the overlay is closed
+  Figures figures_;
   FrameRate rate_;
   std::string title_;
 };

@@ -121,7 +121,23 @@ bool WalkWindow::poll(SDL_Event& event) {
   if (SDL_PollEvent(&event) == 0) return false;
   if (event.type == SDL_CONTROLLERDEVICEADDED || event.type == SDL_CONTROLLERDEVICEREMOVED)
     setGamepad(event.cdevice);
+  if (event.type == SDL_MOUSEMOTION) moveIntoPicture(event.motion.x, event.motion.y);
+  if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP)
+    moveIntoPicture(event.button.x, event.button.y);
   return true;
+}
+
+/// From the desktop's points, of which there are fewer than pixels on displays of high density.
+void WalkWindow::moveIntoPicture(int& x, int& y) const {
+  PictureSize points{};
+  PictureSize pixels{};
+  SDL_GetWindowSize(window_.get(), &points.width, &points.height);
+  if (!shown_ || points.width < 1 || points.height < 1 ||
+      SDL_GetRendererOutputSize(renderer_.get(), &pixels.width, &pixels.height) != 0)
+    return;
+  const auto& [place, picture] = *shown_;
+  x = pixelAt((x + 0.5) * pixels.width / points.width, place.x, place.width, picture.width);
+  y = pixelAt((y + 0.5) * pixels.height / points.height, place.y, place.height, picture.height);
 }
 
 /// Gamepads report only while they are open.
@@ -164,6 +180,7 @@ void WalkWindow::show(const Image& picture) {
 void WalkWindow::show(PictureSize size, const DrawRows& draw) {
   const std::optional<PictureSize> window = windowSize();
   if (!window) return;
+  shown_ = {placed(size, *window, settings_.scaling), size};
   if (SDL_Surface* const surface = surfaceOfSize(size)) {
     draw(rowsOf(surface->pixels, surface->pitch, size));
     SDL_UpdateWindowSurface(window_.get());
@@ -188,7 +205,7 @@ SDL_Surface* WalkWindow::surfaceOfSize(PictureSize size) const {
 }
 
 void WalkWindow::present(PictureSize window) {
-  const Placement place = placed(*textureSize_, window, settings_.scaling);
+  const Placement& place = shown_->place;
   SDL_SetTextureScaleMode(texture_.get(),
                           place.hasSquarePixels ? SDL_ScaleModeNearest : SDL_ScaleModeLinear);
   const SDL_Rect target{place.x, place.y, place.width, place.height};

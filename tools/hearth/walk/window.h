@@ -53,11 +53,17 @@ class WalkWindow : public Outside {
   SDL_Surface* surfaceOfSize(PictureSize size) const;
   void fitTexture(PictureSize size);
   void present(PictureSize window);
+  void moveIntoPicture(int& x, int& y) const;
 
   WindowSettings settings_;
   PictureSize largest_{kMaxPictureSide, kMaxPictureSide};  ///< that the display can show
   bool drawsOnSurface_ = false;  ///< the renderer, without the help of hardware
   std::optional<PictureSize> textureSize_;
+  struct Shown {
+    Placement place;
+    PictureSize picture;
+  };
+  std::optional<Shown> shown_;  ///< the last picture
 
   // Destroyed in reverse order: SDL itself last.
   std::shared_ptr<void> sdl_;

@@ -11,7 +11,7 @@ namespace hearth {
 
 /// How many pixels a pixel of letters and lines takes on each side, so that both can be read in
 /// large pictures.
-int overlayScale(const Image& picture);
+int captionScale(const Image& picture);
 
 /// Makes the picture darker, so that what is drawn over it stands out.
 void darken(Image& picture, int left, int top, int right, int bottom);
@@ -19,9 +19,9 @@ void darken(Image& picture, int left, int top, int right, int bottom);
 /// The table of keys, in the middle. What a small picture has no room for is cut off.
 void drawKeys(Image& picture);
 
-/// Lines at the upper edge, broken where the picture ends. Of more than fit into half of it, the
-/// first.
-void drawNotes(Image& picture, std::span<const std::string> notes);
+/// Lines at the upper edge, broken at `width` pixels. Of more than fit into half of the picture,
+/// the first.
+void drawNotes(Image& picture, std::span<const std::string> notes, int width);
 
 /// One line at the lower edge.
 void drawMessage(Image& picture, std::string_view text);

@@ -1,4 +1,4 @@
-#include "hearth/walk/overlay.h"
+#include "hearth/walk/captions.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -59,7 +59,7 @@ std::vector<std::string> brokenAt(std::string_view text, int width) {
 
 }  // namespace
 
-int overlayScale(const Image& picture) {
+int captionScale(const Image& picture) {
   return std::max(1,
                   std::min(picture.width() / kWidthPerScale, picture.height() / kHeightPerScale));
 }
@@ -74,7 +74,7 @@ void darken(Image& picture, int left, int top, int right, int bottom) {
 }
 
 void drawKeys(Image& picture) {
-  const int scale = overlayScale(picture);
+  const int scale = captionScale(picture);
   const KeyListSize size = keyListSize();
   const int width = scale * (size.names + kGap + size.help);
   const int left = std::max(0, (picture.width() - width) / 2);
@@ -89,18 +89,17 @@ void drawKeys(Image& picture) {
   }
 }
 
-void drawNotes(Image& picture, std::span<const std::string> notes) {
-  const int scale = overlayScale(picture);
+void drawNotes(Image& picture, std::span<const std::string> notes, int width) {
+  const int scale = captionScale(picture);
   const int margin = scale * kMargin;
   std::vector<std::string> lines;
   for (const std::string& note : notes) {
-    const std::vector<std::string> broken = brokenAt(note, (picture.width() - 2 * margin) / scale);
+    const std::vector<std::string> broken = brokenAt(note, (width - 2 * margin) / scale);
     lines.insert(lines.end(), broken.begin(), broken.end());
   }
   const int most = std::max(1, (picture.height() / 2 - 2 * margin) / (scale * kLine));
   if (std::ssize(lines) > most) lines.resize(static_cast<std::size_t>(most));
-  darken(picture, 0, 0, picture.width(),
-         static_cast<int>(lines.size()) * scale * kLine + 2 * margin);
+  darken(picture, 0, 0, width, static_cast<int>(lines.size()) * scale * kLine + 2 * margin);
   int y = margin;
   for (const std::string& line : lines) {
     drawText(picture, margin, y, line, kTextColor, scale);
@@ -109,7 +108,7 @@ void drawNotes(Image& picture, std::span<const std::string> notes) {
 }
 
 void drawMessage(Image& picture, std::string_view text) {
-  const int scale = overlayScale(picture);
+  const int scale = captionScale(picture);
   const int margin = scale * kMargin;
   const int top = picture.height() - scale * kLine - margin;
   darken(picture, 0, top - margin, margin + scale * textWidth(text) + margin, picture.height());

@@ -1,0 +1,187 @@
+// The panel over a picture: how it takes events, and what it shows.
+
+#include "hearth/overlay/overlay.h"
+
+#include <gtest/gtest.h>
+#include <imgui/imgui.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "hearth/options.h"
+#include "hearth/overlay/figures_section.h"
+#include "walk/stage.h"
+
+namespace hearth {
+namespace {
+
+constexpr Rgb kGrey = {90, 90, 90};
+
+void showNothing() {}
+
+SDL_Event buttonAt(Uint32 type, int x, int y) {
+  SDL_Event event{};
+  event.type = type;
+  event.button.button = SDL_BUTTON_LEFT;
+  event.button.x = x;
+  event.button.y = y;
+  return event;
+}
+
+SDL_Event text(const std::string& letters) {
+  SDL_Event event{};
+  event.type = SDL_TEXTINPUT;
+  letters.copy(event.text.text, letters.size());
+  return event;
+}
+
+TEST(OverlayTest, HasLettersOfWholeTimesTheirSize) {
+  EXPECT_EQ(letterScale(1), 1);
+  EXPECT_EQ(letterScale(720), 1);
+  EXPECT_EQ(letterScale(1080), 1);
+  EXPECT_EQ(letterScale(1440), 2);
+  EXPECT_EQ(letterScale(2160), 3);
+}
+
+TEST(OverlayTest, TakesNothingWhileItIsClosed) {
+  Overlay overlay;
+  EXPECT_FALSE(overlay.take(test::motion(3, 3)));
+  EXPECT_FALSE(overlay.take(buttonAt(SDL_MOUSEBUTTONDOWN, 1, 1)));
+  EXPECT_FALSE(overlay.take(text("w")));
+  EXPECT_FALSE(overlay.isStale(1e9));
+}
+
+TEST(OverlayTest, TakesTheMouseAndLeavesTheKeys) {
+  Overlay overlay;
+  overlay.toggle();
+  Image picture(640, 400);
+  overlay.draw(1, showNothing, picture);
+  EXPECT_TRUE(overlay.take(test::motion(3, 3)));
+  EXPECT_TRUE(overlay.take(buttonAt(SDL_MOUSEBUTTONDOWN, 1, 1)));
+  EXPECT_FALSE(overlay.take(test::down(SDL_SCANCODE_W)));
+  EXPECT_FALSE(overlay.take(test::up(SDL_SCANCODE_W)));
+  EXPECT_FALSE(overlay.take(test::windowEvent(SDL_WINDOWEVENT_FOCUS_LOST)));
+}
+
+TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
+  Overlay overlay;
+  overlay.toggle();
+  std::array<char, 32> field{};
+  auto frame = [&, now = 1.0]() mutable {
+    Image picture(640, 400);
+    const auto section = [&field] {
+      ImGui::SetNextItemWidth(100);
+      ImGui::InputText("field", field.data(), field.size());
+    };
+    overlay.draw(now += 0.02, section, picture);
+  };
+  frame();
+  const int left = overlay.leaves(640);
+  overlay.take(buttonAt(SDL_MOUSEBUTTONDOWN, left + 20, 15));
+  overlay.take(buttonAt(SDL_MOUSEBUTTONUP, left + 20, 15));  // before any frame saw it held
+  for (int i = 0; i < 3; ++i) frame();
+  EXPECT_TRUE(overlay.take(test::down(SDL_SCANCODE_H)));
+  EXPECT_TRUE(overlay.take(text("hi")));
+  EXPECT_FALSE(overlay.take(test::up(SDL_SCANCODE_H))) << "no key is to stay held in the walk";
+  EXPECT_FALSE(overlay.take(test::down(SDL_SCANCODE_F1))) << "who writes can close it, too";
+  frame();
+  EXPECT_STREQ(field.data(), "hi");
+  overlay.toggle();
+  overlay.toggle();
+  frame();
+  overlay.take(test::down(SDL_SCANCODE_BACKSPACE));
+  frame();
+  EXPECT_STREQ(field.data(), "h");
+  overlay.take(test::windowEvent(SDL_WINDOWEVENT_FOCUS_LOST));
+  for (int i = 0; i < 50; ++i) frame();  // a key that was let go of does not repeat
+  EXPECT_STREQ(field.data(), "h");
+}
+
+TEST(OverlayTest, IsDrawnAtTheRightAndNowhereElse) {
+  Overlay overlay;
+  overlay.toggle();
+  Image picture(1280, 720, kGrey);
+  overlay.draw(1, showNothing, picture);
+  const int left = overlay.leaves(1280);
+  EXPECT_GT(left, 1280 / 2);
+  for (int y = 0; y < 720; ++y) {
+    for (int x = 0; x < left; ++x) ASSERT_EQ(picture.at(x, y), kGrey) << x << ',' << y;
+    for (int x = left; x < 1280; ++x) ASSERT_NE(picture.at(x, y), kGrey) << x << ',' << y;
+  }
+}
+
+TEST(OverlayTest, ShowsInPicturesOfAnySize) {
+  Overlay overlay;
+  overlay.toggle();
+  double now = 1;
+  for (const auto& [width, height] :
+       {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}, {3840, 2160}, {640, 400}}) {
+    Image picture(width, height, kGrey);
+    overlay.draw(
+        now += 0.1, [] { showFigures({}); }, picture);
+    EXPECT_EQ(picture.width(), width);
+    EXPECT_NE(picture, Image(width, height, kGrey));
+  }
+}
+
+TEST(OverlayTest, IsStaleAfterAnEventAndFourTimesASecond) {
+  Overlay overlay;
+  overlay.toggle();
+  Image picture(320, 200);
+  for (int i = 0; i < 10; ++i) overlay.draw(1, showNothing, picture);
+  EXPECT_FALSE(overlay.isStale(1.2));
+  EXPECT_TRUE(overlay.isStale(1.25));
+  EXPECT_TRUE(overlay.isStale(0)) << "the clock was set back";
+  overlay.take(test::motion(1, 1));
+  EXPECT_TRUE(overlay.isStale(1));
+}
+
+// --- Figures -------------------------------------------------------------------------------------
+
+TEST(FrameHistoryTest, KeepsTheLastFrames) {
+  FrameHistory frames;
+  EXPECT_EQ(frames.size(), 0);
+  for (int i = 0; i < 250; ++i) {
+    frames.add({.find = static_cast<double>(i)});
+    EXPECT_EQ(frames.at(frames.size() - 1).find, i);
+  }
+  ASSERT_EQ(frames.size(), FrameHistory::kMost);
+  EXPECT_EQ(frames.at(0).find, 50);
+}
+
+TEST(FiguresTest, HaveAScaleOfARoundTime) {
+  EXPECT_EQ(scaleFor(0), 1e-3);
+  EXPECT_EQ(scaleFor(1e-3), 1e-3);
+  EXPECT_EQ(scaleFor(1.1e-3), 2e-3);
+  EXPECT_EQ(scaleFor(2.1e-3), 5e-3);
+  EXPECT_NEAR(scaleFor(0.0051), 0.01, 1e-12);
+  EXPECT_NEAR(scaleFor(17), 20, 1e-9);
+  EXPECT_EQ(scaleFor(NAN), 1e-3);
+}
+
+TEST(FiguresTest, HaveABarWhosePartsAreAsHighAsTheyTookLong) {
+  Overlay overlay;
+  overlay.toggle();
+  Figures figures;
+  figures.frames.add({.find = 4e-3, .paint = 3e-3, .cover = 1e-3, .show = 2e-3});  // of 10 ms
+  Image picture(1280, 720);
+  for (int i = 0; i < 3; ++i)
+    overlay.draw(
+        1 + i, [&] { showFigures(figures); }, picture);
+  // The newest bar ends where the panel's padding of 8 pixels begins.
+  const auto heightOf = [&](Rgb color) {
+    int height = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      if (picture.at(1280 - 9, y) == color) ++height;
+    return height;
+  };
+  const double graph = 6 * 13;
+  EXPECT_NEAR(heightOf({96, 160, 255}), 0.4 * graph, 1);
+  EXPECT_NEAR(heightOf({112, 208, 112}), 0.3 * graph, 1);
+  EXPECT_NEAR(heightOf({255, 200, 80}), 0.1 * graph, 1);
+  EXPECT_NEAR(heightOf({160, 128, 128}), 0.2 * graph, 1);
+}
+
+}  // namespace
+}  // namespace hearth

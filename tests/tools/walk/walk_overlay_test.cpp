@@ -1,0 +1,106 @@
+// The overlay in a walk, without a window.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "staged_walk.h"
+
+namespace hearth {
+namespace {
+
+using test::click;
+using test::down;
+using test::motion;
+using test::windowEvent;
+
+class OverlayWalk : public test::StagedWalk {
+ public:
+  OverlayWalk() {
+    stage.window = PictureSize{800, 400};
+    now();
+    plain = stage.shown;
+  }
+
+  void press(SDL_Scancode code) { now(down(code)); }
+
+  Image plain;  ///< the picture without it
+};
+
+TEST(WalkOverlay, OpensAndClosesWithF1) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  EXPECT_NE(walk.stage.shown, walk.plain);
+  walk.press(SDL_SCANCODE_F1);
+  EXPECT_EQ(walk.stage.shown, walk.plain);
+}
+
+TEST(WalkOverlay, IsClosedByEscWhichDoesNotLeave) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.press(SDL_SCANCODE_ESCAPE);
+  EXPECT_TRUE(walk.isOn);
+  EXPECT_EQ(walk.stage.shown, walk.plain);
+}
+
+TEST(WalkOverlay, HasTheMouseWhileItIsOpen) {
+  OverlayWalk walk;
+  walk.now(click());
+  walk.press(SDL_SCANCODE_F1);
+  EXPECT_FALSE(walk.stage.isMouseCaptured);
+  walk.now(motion(100, 0));
+  walk.now(click());
+  EXPECT_FALSE(walk.stage.isMouseCaptured);
+  walk.ticks(2);
+  EXPECT_EQ(walk.walker().angle, walk.start().angle);
+  walk.press(SDL_SCANCODE_F1);
+  EXPECT_TRUE(walk.stage.isMouseCaptured) << "as before";
+}
+
+TEST(WalkOverlay, TakesNoMouseForTheWalkThatItHadNot) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.press(SDL_SCANCODE_F1);
+  EXPECT_FALSE(walk.stage.isMouseCaptured);
+  walk.now(click());
+  walk.press(SDL_SCANCODE_F1);
+  walk.now(windowEvent(SDL_WINDOWEVENT_FOCUS_LOST));
+  walk.press(SDL_SCANCODE_F1);
+  EXPECT_FALSE(walk.stage.isMouseCaptured);
+}
+
+TEST(WalkOverlay, LetsKeysWalkOn) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.press(SDL_SCANCODE_W);
+  walk.ticks(4);
+  EXPECT_NE(walk.walker().feet, walk.start().feet);
+}
+
+TEST(WalkOverlay, IsDrawnFourTimesASecondWhileNothingHappens) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.ticks(64);
+  const int frames = walk.stage.frames;
+  walk.ticks(256);
+  EXPECT_EQ(walk.stage.frames - frames, 16);
+}
+
+TEST(WalkOverlay, LeavesNotesBesideIt) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.ticks(4);
+  const Image open = walk.stage.shown;
+  walk.loop().setNotes({std::string(200, 'x')}, StageProgress{Stage::Baking, 1, 4, 2.0});
+  walk.ticks(1);
+  const auto differsAt = [&](int x) {
+    for (int y = 0; y < 30; ++y)
+      if (walk.stage.shown.at(x, y) != open.at(x, y)) return true;
+    return false;
+  };
+  EXPECT_TRUE(differsAt(5));
+  EXPECT_FALSE(differsAt(799)) << "the panel's own edge";
+}
+
+}  // namespace
+}  // namespace hearth

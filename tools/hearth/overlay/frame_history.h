@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace hearth {
+
+/// Where the time of a frame went, in seconds.
+struct FrameParts {
+  double find = 0;   ///< what shows where
+  double paint = 0;  ///< its pixels
+  double cover = 0;  ///< what is written over it: map, text, overlay
+  double show = 0;   ///< handing it to the window, and waiting for the display
+
+  double sum() const { return find + paint + cover + show; }
+};
+
+/// The last frames.
+class FrameHistory {
+ public:
+  static constexpr std::size_t kMost = 200;
+
+  void add(const FrameParts& frame) {
+    frames_[count_ % kMost] = frame;
+    ++count_;
+  }
+
+  std::size_t size() const { return count_ < kMost ? count_ : kMost; }
+  /// 0 is the oldest.
+  const FrameParts& at(std::size_t age) const { return frames_[(count_ - size() + age) % kMost]; }
+
+ private:
+  std::array<FrameParts, kMost> frames_{};
+  std::size_t count_ = 0;  ///< of all that came
+};
+
+}  // namespace hearth
