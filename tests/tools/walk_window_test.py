@@ -254,7 +254,8 @@ def opens_the_overlay(display, walk):
     rows = panel_rows(display, walk)
     display.do("click", "1")
     wait_for("a click on its title closes a section",
-             lambda: len(panel_rows(display, walk)) < len(rows) / 2)
+             lambda: len(panel_rows(display, walk)) < 0.8 * len(rows))
+    display.do("click", "1")
     display.do("key", "F1")
     wait_for("F1 closes it again", lambda: display.pixels() == plain)
     display.do("mousemove", "--window", walk.window, "200", "200")
@@ -272,6 +273,23 @@ def opens_the_overlay(display, walk):
     settled(display)
     if walk.process.poll() is not None:
         sys.exit("FAILED: Esc must not leave while the mouse is captured, as it is again")
+
+
+def chooses_a_quality(display, walk):
+    """A click on `draft` in the overlay draws squares of pixels, as screenshots then say."""
+    display.do("key", "F1")
+    settled(display)
+    width = walk.geometry()[2]
+    display.do("mousemove", "--window", walk.window, str(width - 100), "17")
+    settled(display)
+    display.do("click", "1")  # closes the section above
+    settled(display)
+    display.do("mousemove", "--window", walk.window, str(width - 450), "110")
+    settled(display)
+    display.do("click", "1")
+    wait_for("draft is chosen", lambda: "--pixel-size 2" in " ".join(walk.screenshot()[1]))
+    display.do("key", "F1")
+    walk.expect_screenshot()
 
 
 def resizes(display, walk):
@@ -348,6 +366,7 @@ def main():
                 loses_focus(display, walk)
                 shows(display, walk)
                 opens_the_overlay(display, walk)
+                chooses_a_quality(display, walk)
                 resizes(display, walk)
                 walk.leave()
             finally:

@@ -100,6 +100,7 @@ class OptionValues {
   std::vector<std::string> levels;  ///< in its place, of a command that takes several
 
   void set(Option option, std::string value) { values_[option] = std::move(value); }
+  void unset(Option option) { values_.erase(option); }
   bool has(Option option) const { return values_.contains(option); }
   std::optional<std::string> text(Option option) const;
   std::optional<double> number(Option option) const;

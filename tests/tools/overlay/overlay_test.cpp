@@ -176,7 +176,7 @@ TEST(FiguresTest, HaveABarWhosePartsAreAsHighAsTheyTookLong) {
       if (picture.at(1280 - 9, y) == color) ++height;
     return height;
   };
-  const double graph = 6 * 13;
+  const double graph = 4 * 13;
   EXPECT_NEAR(heightOf({96, 160, 255}), 0.4 * graph, 1);
   EXPECT_NEAR(heightOf({112, 208, 112}), 0.3 * graph, 1);
   EXPECT_NEAR(heightOf({255, 200, 80}), 0.1 * graph, 1);

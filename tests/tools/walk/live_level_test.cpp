@@ -58,14 +58,13 @@ class LiveWalk : public testing::Test {
     live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source), nextFile);
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
-    live_->redraw(*lit);
     const Player& player = *loaded->level.player;
     journey_ = std::make_unique<Journey>(
         loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
         Journey::Memory::None);
     screenshots_ = std::make_unique<Screenshots>(folder_, "live");
     loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *journey_, *screenshots_,
-                                       stage_, WalkSettings{});
+                                       stage_, WalkSettings{.options = values_, .canBake = true});
     loop_->round();
   }
 
@@ -107,11 +106,12 @@ class LiveWalk : public testing::Test {
   }
 
   /// What the files hold, loaded, baked and drawn afresh from where the walker is.
-  Image fresh() const {
+  Image fresh() const { return fresh(values_); }
+  Image fresh(const OptionValues& values) const {
     const LoadedLevel loaded = load();
-    const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values_), 2);
+    const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values), 2);
     const Eye eye = journey_->eye(1);
-    return Renderer(loaded.level, loaded.textures, light)
+    return Renderer(loaded.level, loaded.textures, light, drawSettingsFrom(values))
         .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
                stage_.window->height},
               LightMode::Both);
@@ -330,6 +330,43 @@ TEST_F(LiveWalk, ShowsADraftWhereBakingTakesLong) {
   ASSERT_TRUE(isTold("rooms.lights.json: a draft is shown"));
   ASSERT_TRUE(isTold("rooms.lights.json: shown"));
   EXPECT_EQ(stage_.shown, fresh());
+}
+
+TEST_F(LiveWalk, OptionsThatAreChosenBakeAnew) {
+  begin();
+  OptionValues chosen = values_;
+  chosen.set(Option::Texel, "0.5");
+  ASSERT_NE(fresh(chosen), fresh());
+  loop_->choose(chosen);
+  const Image expected = fresh(chosen);
+  EXPECT_TRUE(comesTo([&] { return stage_.shown == expected; }));
+  // Edits are baked by them, too.
+  paintFloors("#402010");
+  const Image edited = fresh(chosen);
+  EXPECT_TRUE(comesTo([&] { return stage_.shown == edited; }));
+}
+
+TEST_F(LiveWalk, OptionsOfFramesThatAreChosenShowAtOnce) {
+  begin();
+  ASSERT_TRUE(comesToShowFresh());
+  OptionValues chosen = values_;
+  chosen.set(Option::PixelSize, "4");
+  loop_->choose(chosen);
+  round();
+  round();
+  EXPECT_EQ(stage_.shown, fresh(chosen));
+}
+
+TEST_F(LiveWalk, OptionsThatNoBakeTakesAreToldAndCanBeTakenBack) {
+  begin();
+  ASSERT_TRUE(comesToShowFresh());
+  const Image lit = fresh();
+  OptionValues chosen = values_;
+  chosen.set(Option::Texel, "1e-6");
+  loop_->choose(chosen);
+  EXPECT_TRUE(comesTo([&] { return stage_.shown != lit; })) << "a note stands over it";
+  loop_->choose(values_);
+  EXPECT_TRUE(comesToShowFresh());
 }
 
 TEST_F(LiveWalk, LiftsTheWalkerWithTheFloor) {

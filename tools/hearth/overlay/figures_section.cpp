@@ -20,7 +20,7 @@ namespace {
 constexpr double kBytesPerMiB = 1 << 20;
 
 /// In lines of text.
-constexpr float kGraphLines = 6;
+constexpr float kGraphLines = 4;
 
 struct Part {
   double FrameParts::*seconds;

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "hearth/settings.h"
 #include "level/locate.h"
 #include "math/tolerance.h"
 
@@ -60,7 +61,7 @@ std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const
 
 LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
                      LevelSource source, std::chrono::milliseconds nextFile)
-    : workshop_(values, loaded, std::move(source), nextFile) {
+    : workshop_(values, loaded, std::move(source), nextFile), draw_(drawSettingsFrom(values)) {
   watch(*loaded);
 }
 
@@ -83,13 +84,19 @@ tl::expected<std::shared_ptr<const LitLevel>, std::string> LiveLevel::awaitFirst
   }
 }
 
-void LiveLevel::redraw(std::shared_ptr<const LitLevel> level) {
-  workshop_.setDraw(level->renderer.settings());
-  shown_ = std::move(level);
+void LiveLevel::setOptions(const OptionValues& values) {
+  workshop_.setOptions(values);
+  draw_ = drawSettingsFrom(values);
+  if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
 }
 
 void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
   if (!report_.empty()) outside.print(std::exchange(report_, ""));
+  if (const auto options = loop.takeChoice()) {
+    const auto before = shown_;  // which the loop still draws
+    setOptions(*options);
+    loop.goOnIn(shown_->loaded->level, shown_->renderer);
+  }
   const FileWatch::Changes changes = watch_.changes();
   // What was missing may have come.
   if (!changes.watched.empty() || (changes.other && !mistakes_.empty())) {
@@ -114,8 +121,9 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
     }
     watch(*news.level->loaded);
   }
-  loop.goOnIn(news.level->loaded->level, news.level->renderer);
-  shown_ = news.level;
+  const auto before = std::exchange(shown_, news.level);  // which the loop still draws
+  if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
+  loop.goOnIn(shown_->loaded->level, shown_->renderer);
   if (saved_)
     report_ = fmt::format("{}: {} {:.3f} s after it was saved", saved_->filename().string(),
                           news.isDraft ? "a draft is shown" : "shown", secondsSinceSaved(*saved_));

@@ -30,8 +30,11 @@ class LiveLevel {
   /// The light of the level as it was given, perhaps a draft. `wait` is called again and again.
   tl::expected<std::shared_ptr<const LitLevel>, std::string> awaitFirst(
       const std::function<void()>& wait);
-  /// The same level drawn otherwise: so are the next ones.
-  void redraw(std::shared_ptr<const LitLevel> level);
+  /// From now on bakes and draws by other options. What is shown is drawn by them at once, and
+  /// baked by them once that is done.
+  void setOptions(const OptionValues& values);
+  /// The last that was given out.
+  const std::shared_ptr<const LitLevel>& shown() const { return shown_; }
 
   /// Looks what has happened, between two frames.
   void update(WalkLoop& loop, Journey& journey, Outside& outside);
@@ -44,6 +47,7 @@ class LiveLevel {
   FileWatch watch_;
   std::vector<std::filesystem::path> watched_;  ///< files
   Workshop workshop_;
+  DrawSettings draw_;
   std::shared_ptr<const LitLevel> shown_;
   std::vector<std::string> mistakes_;           ///< of the version that was saved last
   std::optional<std::filesystem::path> saved_;  ///< and is not shown yet

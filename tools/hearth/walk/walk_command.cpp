@@ -32,12 +32,20 @@ struct Plan {
   std::optional<Recording> replay;
 };
 
+/// Recordings are of one version of a level, and saved light is of one geometry.
+bool isLive(const OptionValues& values) {
+  return !values.has(Option::Record) && !values.has(Option::Replay) &&
+         !values.has(Option::LightFrom);
+}
+
 tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& values) {
   Plan plan;
   if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
   plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
   plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
   plan.settings.view.mode = lightModeFrom(values);
+  plan.settings.options = values;
+  plan.settings.canBake = isLive(values);
   if (values.has(Option::Replay)) {
     auto recording = readReplay(values);
     if (!recording) return tl::unexpected(recording.error());
@@ -93,12 +101,6 @@ ExitStatus replayHeadless(const Level& level, Journey& journey, const Recording&
 using SharedLevel = std::shared_ptr<const LoadedLevel>;
 using SharedLitLevel = std::shared_ptr<const LitLevel>;
 
-/// Recordings are of one version of a level, and saved light is of one geometry.
-bool isLive(const OptionValues& values) {
-  return !values.has(Option::Record) && !values.has(Option::Replay) &&
-         !values.has(Option::LightFrom);
-}
-
 void answerDesktop() {
   SDL_PumpEvents();
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -110,7 +112,8 @@ tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
   auto light = std::async(std::launch::async, [&] { return lightFor(loaded->level, values); });
   while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready) answerDesktop();
   return light.get().map([&](BakedLight baked) {
-    return std::make_shared<const LitLevel>(loaded, std::move(baked), drawSettingsFrom(values));
+    return std::make_shared<const LitLevel>(
+        loaded, std::make_shared<const BakedLight>(std::move(baked)), drawSettingsFrom(values));
   });
 }
 
@@ -132,17 +135,18 @@ ExitStatus keepWalk(const Level& level, const RecordedStart& start, const Journe
   return written ? ExitStatus::Done : fail(written.error());
 }
 
-/// The level drawn with settings that fit the time for a frame.
-SharedLitLevel drawnWithin(double milliseconds, const SharedLitLevel& lit, const Eye& eye,
-                           const Plan& plan, WalkWindow& window) {
+/// Adds options with which a frame fits the time.
+void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, const Plan& plan,
+               WalkWindow& window, OptionValues& options) {
   const auto [width, height] =
       plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
   const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
                       plan.settings.fov, width,     height};
-  const FittingFrame fitting = frameFitting(lit->renderer, camera, milliseconds, steadySeconds);
+  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds, steadySeconds);
   fmt::print("picked {}\n", words(fitting));
   std::fflush(stdout);  // before the walk, not after it
-  return std::make_shared<const LitLevel>(lit->loaded, lit->light, fitting.draw);
+  for (const Option option : notStandard(fitting.draw))
+    options.set(option, valueOf(fitting.draw, option));
 }
 
 ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Plan& plan,
@@ -156,17 +160,28 @@ ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Pla
   if (isLive(values)) live.emplace(values, loaded, std::move(source));
   auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, values);
   if (!lit) return fail(lit.error());
-  if (const auto target = values.number(Option::TargetMs))
-    *lit = drawnWithin(*target, *lit, eyeOf(level, journey.walker()), plan, *window);
-  if (live) live->redraw(*lit);
+  WalkSettings settings = plan.settings;
+  if (const auto target = values.number(Option::TargetMs)) {
+    fitFrames(*target, (*lit)->renderer, eyeOf(level, journey.walker()), plan, *window,
+              settings.options);
+    if (live) live->setOptions(settings.options);
+    *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
+  }
 
   Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(level, (*lit)->renderer, journey, screenshots, *window, plan.settings);
+  WalkLoop loop(level, (*lit)->renderer, journey, screenshots, *window, settings);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
   if (keepWalk(level, plan.start, journey, values) != ExitStatus::Done) return ExitStatus::BadInput;
-  while (loop.round())
-    if (live) live->update(loop, journey, *window);
+  while (loop.round()) {
+    if (live) {
+      live->update(loop, journey, *window);
+    } else if (const auto options = loop.takeChoice()) {
+      const auto next = redrawn(**lit, drawSettingsFrom(*options));
+      loop.goOnIn(level, next->renderer);
+      *lit = next;
+    }
+  }
   loop.awaitScreenshots();
   if (!plan.replay) return keepWalk(level, plan.start, journey, values);
   if (!loop.isReplayOver()) return fail("--replay: left before its end");
@@ -193,7 +208,7 @@ ExitStatus run(const OptionValues& values) {
 
 Command walkCommand() {
   return {"walk",
-          "opens a window and walks the level: H in it shows the keys",
+          "opens a window and walks the level: H in it shows the keys, F1 figures and settings",
           std::vector<Option>{Option::Start, Option::Camera, Option::Sector, Option::Shot,
                               Option::Size, Option::Scale, Option::Fov, Option::FrameCap,
                               Option::TargetMs, Option::Vsync, Option::Light, Option::Record,

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "hearth/overlay/quality_section.h"
 #include "hearth/session.h"
 #include "hearth/shell_text.h"
 #include "hearth/walk/captions.h"
@@ -41,7 +42,8 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
       screenshots_(screenshots),
       outside_(outside),
       settings_(settings),
-      seen_(level) {
+      seen_(level),
+      bake_(bakeSettingsFrom(level, settings.options)) {
   scene_.view = settings.view;
   title_.reserve(level.name.size() + 64);  // so that no frame has to
   outside_.setTitle(level.name);
@@ -52,6 +54,16 @@ void WalkLoop::goOnIn(const Level& level, const Renderer& renderer) {
   renderer_ = &renderer;
   seen_ = SeenSectors(level, seen_);
   shown_.reset();
+}
+
+void WalkLoop::choose(const OptionValues& options) {
+  settings_.options = options;
+  isChoiceNew_ = true;
+}
+
+std::optional<OptionValues> WalkLoop::takeChoice() {
+  if (!std::exchange(isChoiceNew_, false)) return std::nullopt;
+  return settings_.options;
 }
 
 void WalkLoop::setNotes(std::vector<std::string> mistakes,
@@ -282,8 +294,20 @@ void WalkLoop::drawOverlay(double now) {
   if (!overlay_.isOpen()) return;
   figures_.counters = countersOf(scratch_.visibility.found.stats, scratch_.painted);
   figures_.lightmapBytes = renderer_->light().stats.bytes;
-  overlay_.draw(
-      now, [this] { showFigures(figures_); }, picture_);
+  const auto sections = [this] {
+    showFigures(figures_);
+    showQualitySection();
+  };
+  overlay_.draw(now, sections, picture_);
+}
+
+void WalkLoop::showQualitySection() {
+  if (settings_.canBake) bake_ = bakeSettingsFrom(*level_, settings_.options);
+  QualityChoice choice{settings_.options, settings_.fov, settings_.frameCap};
+  if (showQuality({level_->bake, bake_, renderer_->settings(), settings_.canBake}, choice))
+    choose(choice.options);
+  settings_.fov = choice.fov;
+  settings_.frameCap = choice.frameCap;
 }
 
 /// The options with which `hearth shot` draws this picture.

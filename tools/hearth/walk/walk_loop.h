@@ -35,6 +35,8 @@ struct WalkSettings {
   double fov = 90;                       ///< degrees, horizontal
   double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
   WalkView view = {};
+  OptionValues options = {};  ///< by which the level is lit and drawn
+  bool canBake = false;       ///< by others, if the overlay asks for them
 };
 
 /// A walk, round by round: events, the ticks that are due, a picture where it would be another
@@ -53,6 +55,10 @@ class WalkLoop {
 
   /// From now on in another version of the level, where the journey has gone on already.
   void goOnIn(const Level& level, const Renderer& renderer);
+
+  /// The options that have been chosen since the last call, if any. Their owner sees to the rest.
+  std::optional<OptionValues> takeChoice();
+  void choose(const OptionValues& options);
 
   /// What stands over the picture until it is given anew: mistakes, a line each, and how far a bake
   /// is.
@@ -95,6 +101,7 @@ class WalkLoop {
   bool isCovered() const;
   void drawCaptions();
   void drawOverlay(double now);
+  void showQualitySection();
   std::string cameraText() const;
 
   const Level* level_;
@@ -121,6 +128,8 @@ class WalkLoop {
   Overlay overlay_;
   bool capturesMouseAgain_ = false;  ///< once the overlay is closed
   Figures figures_;
+  BakeSettings bake_;  ///< of the level at hand, by the options
+  bool isChoiceNew_ = false;
   FrameRate rate_;
   std::string title_;
 };

@@ -30,11 +30,14 @@ void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
 
 }  // namespace
 
+std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings) {
+  return std::make_shared<const LitLevel>(lit.loaded, lit.light, settings);
+}
+
 Workshop::Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
                    LevelSource source, std::chrono::milliseconds nextFile)
-    : values_(values),
-      nextFile_(nextFile),
-      draw_(drawSettingsFrom(values)),
+    : nextFile_(nextFile),
+      values_(values),
       current_(std::move(loaded)),
       source_(std::move(source)),
       thread_([this, stop = stop_.get_token()] { run(stop); }) {}
@@ -53,9 +56,17 @@ void Workshop::reload(Changed changed) {
   wakeUp_.notify_all();
 }
 
-void Workshop::setDraw(const DrawSettings& settings) {
+void Workshop::setOptions(const OptionValues& values) {
   const std::scoped_lock lock(mutex_);
-  draw_ = settings;
+  values_ = values;
+  areOptionsNew_ = true;
+  stop_.request_stop();
+  wakeUp_.notify_all();
+}
+
+OptionValues Workshop::options() const {
+  const std::scoped_lock lock(mutex_);
+  return values_;
 }
 
 std::optional<LevelNews> Workshop::news() {
@@ -80,7 +91,9 @@ void Workshop::run(const std::stop_token& stopOfFirst) {
   attempt([&] { light(true, stopOfFirst); });
   while (const auto job = nextJob())
     attempt([&] {
-      load(job->changed);
+      if (job->hasOtherOptions && bakeSettingsFrom(current_->level, options()) != litBy_)
+        isLit_ = false;
+      if (job->changed) load(*job->changed);
       if (!isLit_) light(false, job->stop);
     });
 }
@@ -98,10 +111,11 @@ void Workshop::attempt(const std::function<void()>& work) {
 /// Waits until there is something to do; none at the end.
 std::optional<Workshop::Job> Workshop::nextJob() {
   std::unique_lock lock(mutex_);
-  wakeUp_.wait(lock, [this] { return asked_ || isOver_; });
+  wakeUp_.wait(lock, [this] { return isAsked(); });
   if (isOver_) return std::nullopt;
   stop_ = std::stop_source();
-  return Job{*std::exchange(asked_, std::nullopt), stop_.get_token()};
+  return Job{std::exchange(asked_, std::nullopt), std::exchange(areOptionsNew_, false),
+             stop_.get_token()};
 }
 
 /// The file's level takes the place of the one at hand, if it is one.
@@ -121,33 +135,36 @@ void Workshop::load(Changed changed) {
 
 bool Workshop::isAskedWithin(std::chrono::milliseconds time) {
   std::unique_lock lock(mutex_);
-  return wakeUp_.wait_for(lock, time, [this] { return asked_ || isOver_; });
+  return wakeUp_.wait_for(lock, time, [this] { return isAsked(); });
 }
 
 void Workshop::refuse(std::string mistake) {
-  mistakes_ = {std::move(mistake)};
+  refusal_ = std::move(mistake);
   tell({});
 }
 
 LoadResult Workshop::loaded(Changed changed) {
-  const LoadLimits limits = limitsFrom(values_);
+  const OptionValues values = options();
+  const LoadLimits limits = limitsFrom(values);
   if (changed == Changed::Lights && source_)
     if (auto result = reloadLights(*current_, *source_, limits)) return *std::move(result);
   source_.reset();
-  auto [result, source] = loadLevelWithSource(values_.level, limits);
+  auto [result, source] = loadLevelWithSource(values.level, limits);
   if (result.loaded) source_ = std::move(source);
   return std::move(result);
 }
 
 void Workshop::light(bool isFirst, const std::stop_token& stop) {
   const Level& level = current_->level;
-  const auto settings = bakeSettingsFor(level, values_);
+  const OptionValues values = options();
+  const auto settings = bakeSettingsFor(level, values);
   if (!settings) return refuse(settings.error());
-  const auto cache = values_.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
+  refusal_.reset();
+  const auto cache = values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
   const bool isKept = isFirst && cache && showKept(*cache, *settings);
 
   // Also where the light was kept: from then on an edit asks for little.
-  Rebake rebake(memory_, level, *settings, threadsFrom(values_));
+  Rebake rebake(memory_, level, *settings, threadsFrom(values));
   if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft))
     show(rebake.draft(), true);
   const auto progress = std::make_shared<BakeProgress>();
@@ -156,9 +173,10 @@ void Workshop::light(bool isFirst, const std::stop_token& stop) {
   setProgress(nullptr);
   if (!baked) return;
   isLit_ = true;
+  litBy_ = *settings;
   if (isKept) return;
   const auto lit = show(*std::move(baked), false);
-  if (cache) cache->keep(level, *settings, lit->light);
+  if (cache) cache->keep(level, *settings, *lit->light);
 }
 
 bool Workshop::showKept(const BakeCache& cache, const BakeSettings& settings) {
@@ -171,13 +189,11 @@ bool Workshop::showKept(const BakeCache& cache, const BakeSettings& settings) {
 std::shared_ptr<const LitLevel> Workshop::show(BakedLight light, bool isDraft) {
   LevelNews news;
   news.isDraft = isDraft;
-  if (const auto warning = warningIfDark(current_->level, light, values_); warning && !isDraft)
+  const OptionValues values = options();
+  if (const auto warning = warningIfDark(current_->level, light, values); warning && !isDraft)
     news.warnings.push_back(*warning);
-  const DrawSettings draw = [this] {
-    const std::scoped_lock lock(mutex_);
-    return draw_;
-  }();
-  auto lit = std::make_shared<const LitLevel>(current_, std::move(light), draw);
+  auto lit = std::make_shared<const LitLevel>(
+      current_, std::make_shared<const BakedLight>(std::move(light)), drawSettingsFrom(values));
   news.level = lit;
   tell(std::move(news));
   return lit;
@@ -191,6 +207,7 @@ void Workshop::setProgress(std::shared_ptr<const BakeProgress> progress) {
 
 void Workshop::tell(LevelNews news) {
   news.mistakes = mistakes_;
+  if (refusal_) news.mistakes.push_back(*refusal_);
   const std::scoped_lock lock(mutex_);
   news_.push_back(std::move(news));
 }

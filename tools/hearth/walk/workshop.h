@@ -26,17 +26,21 @@ namespace hearth {
 
 /// A version of a level with its light, as it is drawn.
 struct LitLevel {
-  LitLevel(std::shared_ptr<const LoadedLevel> level, BakedLight baked, const DrawSettings& settings)
+  LitLevel(std::shared_ptr<const LoadedLevel> level, std::shared_ptr<const BakedLight> baked,
+           const DrawSettings& settings)
       : loaded(std::move(level)),
         light(std::move(baked)),
-        renderer(loaded->level, loaded->textures, light, settings) {}
+        renderer(loaded->level, loaded->textures, *light, settings) {}
   LitLevel(const LitLevel&) = delete;
   LitLevel& operator=(const LitLevel&) = delete;
 
   std::shared_ptr<const LoadedLevel> loaded;
-  BakedLight light;
+  std::shared_ptr<const BakedLight> light;
   Renderer renderer;
 };
+
+/// The same, drawn otherwise.
+std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings);
 
 /// What has become of a version of a level.
 struct LevelNews {
@@ -66,8 +70,9 @@ class Workshop {
   enum class Changed { Lights, Anything };
   /// Loads the level anew: all of it, or just its lights where only their file has changed.
   void reload(Changed changed);
-  /// How levels are drawn from the next one on.
-  void setDraw(const DrawSettings& settings);
+  /// Bakes and draws by other options from now on. The level at hand is baked anew where they ask
+  /// for that; who only wants it drawn otherwise has `redrawn`.
+  void setOptions(const OptionValues& values);
 
   /// The oldest that has not been given out.
   std::optional<LevelNews> news();
@@ -76,7 +81,8 @@ class Workshop {
 
  private:
   struct Job {
-    Changed changed;
+    std::optional<Changed> changed;
+    bool hasOtherOptions;
     std::stop_token stop;
   };
   void run(const std::stop_token& stopOfFirst);
@@ -88,29 +94,33 @@ class Workshop {
   bool isAskedWithin(std::chrono::milliseconds time);
   void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
+  bool isAsked() const { return asked_ || areOptionsNew_ || isOver_; }
+  OptionValues options() const;
   bool showKept(const BakeCache& cache, const BakeSettings& settings);
   std::shared_ptr<const LitLevel> show(BakedLight light, bool isDraft);
   void setProgress(std::shared_ptr<const BakeProgress> progress);
   void tell(LevelNews news);
 
-  const OptionValues values_;
   const std::chrono::milliseconds nextFile_;
 
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable wakeUp_;
   std::optional<Changed> asked_;
   bool isOver_ = false;
-  DrawSettings draw_;
-  std::stop_source stop_;  ///< of the job at hand
+  OptionValues values_;
+  bool areOptionsNew_ = false;  ///< and have not been baked by
+  std::stop_source stop_;       ///< of the job at hand
   std::deque<LevelNews> news_;
   std::shared_ptr<const BakeProgress> progress_;
   double bakeBegin_ = 0;
 
   // The thread's own:
   std::shared_ptr<const LoadedLevel> current_;
-  std::optional<LevelSource> source_;  ///< of the current level, while it is that of the files
-  bool isLit_ = false;                 ///< with its own light, not a draft
-  std::vector<std::string> mistakes_;  ///< of the files as they were read last
+  std::optional<LevelSource> source_;   ///< of the current level, while it is that of the files
+  bool isLit_ = false;                  ///< with its own light, not a draft
+  BakeSettings litBy_;                  ///< if it is
+  std::vector<std::string> mistakes_;   ///< of the files as they were read last
+  std::optional<std::string> refusal_;  ///< why the level is not lit
   LightMemory memory_;
 
   std::jthread thread_;  ///< last, so that it ends first

@@ -1,0 +1,135 @@
+// The section that lets choose how accurately a walk is lit and drawn.
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "hearth/overlay/overlay.h"
+#include "hearth/overlay/quality_section.h"
+#include "hearth/settings.h"
+#include "hearth/tradeoff/approximations.h"
+
+namespace hearth {
+namespace {
+
+constexpr int kPadding = 8;        // pixels, of the panel
+constexpr int kLetter = 7;         // its width
+constexpr int kHeaderBottom = 30;  // below which a click closes no section
+
+/// A panel with this section alone, and a hand that clicks into it.
+class QualityTest : public testing::Test {
+ protected:
+  QualityTest() {
+    overlay_.toggle();
+    frame();
+    left_ = overlay_.leaves(picture_.width()) + kPadding;
+  }
+
+  void frame() {
+    const BakeSettings ofLevel;
+    Level level;
+    level.bake = ofLevel;
+    const QualityInLevel inLevel{ofLevel, bakeSettingsFrom(level, choice_.options),
+                                 drawSettingsFrom(choice_.options), canBake_};
+    overlay_.draw(
+        now_ += 0.02, [&] { wasChosen_ |= showQuality(inLevel, choice_); }, picture_);
+  }
+
+  void button(bool isDown, int x, int y) {
+    SDL_Event event{};
+    event.type = isDown ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
+    event.button.button = SDL_BUTTON_LEFT;
+    event.button.x = x;
+    event.button.y = y;
+    overlay_.take(event);
+    frame();
+    frame();
+  }
+  void click(int x, int y) {
+    button(true, x, y);
+    button(false, x, y);
+  }
+
+  /// Opens whatever list there is, row by row, and takes its first value or, if that is the
+  /// current one, the next.
+  std::set<Option> chosenFromLists() {
+    std::set<Option> chosen;
+    for (int y = kHeaderBottom; y < 420; y += 11)
+      for (const int below : {26, 43}) {
+        const OptionValues before = choice_.options;
+        click(left_ + 20 * kLetter, y);
+        click(left_ + 20 * kLetter, y + below);
+        click(left_ - 100, 10);  // which closes what is still open
+        for (const Approximation& approximation : approximations())
+          if (choice_.options.text(approximation.setting) != before.text(approximation.setting))
+            chosen.insert(approximation.setting);
+      }
+    return chosen;
+  }
+
+  Overlay overlay_;
+  Image picture_ = Image(700, 900);
+  QualityChoice choice_;
+  bool canBake_ = true;
+  bool wasChosen_ = false;
+  int left_ = 0;
+  double now_ = 1;
+};
+
+TEST(QualityOptions, OfAQualityTakeThePlaceOfSingleOnes) {
+  OptionValues options;
+  options.set(Option::PixelSize, "3");
+  options.set(Option::Texel, "0.5");
+  options.set(Option::Threads, "2");
+  chooseQuality(options, "high");
+  EXPECT_EQ(options.text(Option::Quality), "high");
+  EXPECT_FALSE(options.has(Option::PixelSize));
+  EXPECT_FALSE(options.has(Option::Texel));
+  EXPECT_TRUE(options.has(Option::Threads)) << "how, not what";
+}
+
+TEST_F(QualityTest, IsChosenByAClick) {
+  choice_.options.set(Option::PixelSize, "4");
+  for (int y = kHeaderBottom; y < 200 && !wasChosen_; y += 6) click(left_ + 5, y);
+  EXPECT_EQ(choice_.options.text(Option::Quality), "draft");
+  EXPECT_FALSE(choice_.options.has(Option::PixelSize));
+}
+
+TEST_F(QualityTest, LetsChooseEverySettingOfTheTable) {
+  std::set<Option> all;
+  for (const Approximation& approximation : approximations()) all.insert(approximation.setting);
+  EXPECT_EQ(chosenFromLists(), all);
+  EXPECT_TRUE(wasChosen_);
+}
+
+TEST_F(QualityTest, LeavesLightThatCannotBeBakedAsItIs) {
+  canBake_ = false;
+  std::set<Option> ofFrames;
+  for (const Approximation& approximation : approximations())
+    if (approximation.of == Approximation::Of::Frame) ofFrames.insert(approximation.setting);
+  EXPECT_EQ(chosenFromLists(), ofFrames);
+}
+
+TEST_F(QualityTest, HasSlidersForFieldOfViewAndFrameCap) {
+  const auto drag = [this](int y, int to) {
+    button(true, left_ + 10, y);
+    button(true, to, y);  // still held, elsewhere
+    button(false, to, y);
+  };
+  std::set<double> fovs;
+  std::set<double> caps;
+  for (int y = kHeaderBottom; y < 80; y += 6)
+    for (const int to : {0, 1279}) {
+      drag(y, to);
+      fovs.insert(choice_.fov);
+      caps.insert(choice_.frameCap);
+    }
+  EXPECT_EQ(*fovs.begin(), 10);
+  EXPECT_EQ(*fovs.rbegin(), 170);
+  EXPECT_EQ(*caps.begin(), 0);
+  EXPECT_EQ(*caps.rbegin(), 240);
+}
+
+}  // namespace
+}  // namespace hearth
