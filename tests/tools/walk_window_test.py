@@ -284,7 +284,7 @@ def chooses_a_quality(display, walk):
     settled(display)
     display.do("click", "1")  # closes the section above
     settled(display)
-    display.do("mousemove", "--window", walk.window, str(width - 450), "110")
+    display.do("mousemove", "--window", walk.window, str(width - 450), "87")
     settled(display)
     display.do("click", "1")
     wait_for("draft is chosen", lambda: "--pixel-size 2" in " ".join(walk.screenshot()[1]))

@@ -7,49 +7,26 @@
 #include <string>
 #include <utility>
 
+#include "hearth/channels.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
 #include "image/image_file.h"
 #include "render/renderer.h"
-#include "render/views.h"
 
 namespace hearth {
 
 namespace {
 
-/// What a shot can show besides the lit picture, by the names that `--channel` takes.
-constexpr std::array kChannels = {
-    std::pair{std::string_view("sector"), Channel::Sector},
-    std::pair{std::string_view("surface"), Channel::Surface},
-    std::pair{std::string_view("depth"), Channel::Depth},
-    std::pair{std::string_view("uv"), Channel::Uv},
-    std::pair{std::string_view("normal"), Channel::Normal},
-    std::pair{std::string_view("light"), Channel::Light},
-    std::pair{std::string_view("overdraw"), Channel::Overdraw},
-};
-constexpr std::array kViews = {
-    std::pair{std::string_view("world"), View::World},
-    std::pair{std::string_view("camera"), View::Camera},
-    std::pair{std::string_view("depthspace"), View::DepthSpace},
-    std::pair{std::string_view("screen"), View::Screen},
-};
-
-template <typename Table>
-auto find(const Table& table, std::string_view name) -> std::optional<decltype(table[0].second)> {
-  for (const auto& [key, value] : table)
-    if (key == name) return value;
-  return std::nullopt;
-}
-
 /// The picture that the options ask for. Light is baked only where it shows.
 tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera& camera,
                                          const OptionValues& values) {
-  const std::string channel = values.text(Option::Channel).value_or("");
-  if (const auto view = find(kViews, channel)) return drawView(loaded.level, camera, *view);
+  const std::optional<std::string> channel = values.text(Option::Channel);
+  if (channel)
+    if (auto geometry = drawGeometry(loaded.level, camera, *channel)) return *std::move(geometry);
   const auto light = lightFor(loaded.level, values);
   if (!light) return tl::unexpected(light.error());
   const Renderer renderer(loaded.level, loaded.textures, *light, drawSettingsFrom(values));
-  if (const auto shown = find(kChannels, channel)) return renderer.draw(camera, *shown);
+  if (channel) return drawChannel(loaded.level, renderer, camera, *channel);
   return renderer.draw(camera, lightModeFrom(values));
 }
 

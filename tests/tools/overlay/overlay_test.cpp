@@ -7,10 +7,14 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
+#include <string_view>
 
+#include "hearth/channels.h"
 #include "hearth/options.h"
 #include "hearth/overlay/figures_section.h"
+#include "hearth/overlay/view_section.h"
 #include "walk/stage.h"
 
 namespace hearth {
@@ -135,6 +139,35 @@ TEST(OverlayTest, IsStaleAfterAnEventAndFourTimesASecond) {
   EXPECT_TRUE(overlay.isStale(0)) << "the clock was set back";
   overlay.take(test::motion(1, 1));
   EXPECT_TRUE(overlay.isStale(1));
+}
+
+TEST(ViewSectionTest, LetsChooseEveryChannelAndEveryMode) {
+  Overlay overlay;
+  overlay.toggle();
+  LightMode mode = LightMode::Both;
+  std::string_view channel;
+  std::set<LightMode> modes;
+  std::set<std::string_view> channels;
+  auto click = [&, now = 1.0](int x, int y) mutable {
+    for (const Uint32 type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
+      overlay.take(buttonAt(type, x, y));
+      for (int i = 0; i < 2; ++i) {
+        Image picture(500, 200);
+        overlay.draw(
+            now += 0.02, [&] { showView(mode, channel); }, picture);
+      }
+    }
+    if (channel.empty()) modes.insert(mode);
+    channels.insert(channel);
+  };
+  click(400, 17);  // the first picture, in which nothing is laid out yet
+  click(400, 17);  // opens the section
+  for (int y = 40; y < 150; y += 11)
+    for (int x = 50; x < 480; x += 12) click(x, y);
+  EXPECT_EQ(modes.size(), 3);
+  std::set<std::string_view> all = {""};
+  for (const std::string_view name : channelNames()) all.insert(name);
+  EXPECT_EQ(channels, all);
 }
 
 // --- Figures -------------------------------------------------------------------------------------

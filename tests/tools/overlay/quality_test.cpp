@@ -112,16 +112,16 @@ TEST_F(QualityTest, LeavesLightThatCannotBeBakedAsItIs) {
 }
 
 TEST_F(QualityTest, HasSlidersForFieldOfViewAndFrameCap) {
-  const auto drag = [this](int y, int to) {
-    button(true, left_ + 10, y);
+  const auto drag = [this](int from, int y, int to) {
+    button(true, from, y);
     button(true, to, y);  // still held, elsewhere
     button(false, to, y);
   };
   std::set<double> fovs;
   std::set<double> caps;
-  for (int y = kHeaderBottom; y < 80; y += 6)
-    for (const int to : {0, 1279}) {
-      drag(y, to);
+  for (const int from : {left_ + 10, left_ + 300})
+    for (const int to : {0, picture_.width()}) {
+      drag(from, kHeaderBottom + 10, to);
       fovs.insert(choice_.fov);
       caps.insert(choice_.frameCap);
     }

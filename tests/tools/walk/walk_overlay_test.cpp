@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 
+#include "hearth/channels.h"
 #include "staged_walk.h"
 
 namespace hearth {
@@ -67,6 +69,44 @@ TEST(WalkOverlay, TakesNoMouseForTheWalkThatItHadNot) {
   walk.now(windowEvent(SDL_WINDOWEVENT_FOCUS_LOST));
   walk.press(SDL_SCANCODE_F1);
   EXPECT_FALSE(walk.stage.isMouseCaptured);
+}
+
+TEST(WalkOverlay, ShowsChannelsWithTheOptionsThatDrawThemAgain) {
+  WalkSettings settings;
+  settings.view.channel = "spaces";
+  test::StagedWalk walk(settings);
+  const Eye eye = eyeOf(walk.level(), walk.start());
+  const Camera camera{eye.sector, eye.point, eye.angle, eye.pitch, settings.fov, 64, 40};
+  EXPECT_EQ(walk.stage.shown, drawGeometry(walk.level(), camera, "spaces"));
+  walk.now(down(SDL_SCANCODE_F12));
+  walk.loop().awaitScreenshots();
+  ASSERT_EQ(walk.stage.printed.size(), 1);
+  EXPECT_NE(walk.stage.printed[0].find(" --channel spaces"), std::string::npos);
+  walk.now(down(SDL_SCANCODE_2));
+  EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::None, {64, 40}));
+}
+
+TEST(Channels, HaveTheFourSpacesInTheirQuarters) {
+  const Level& level = test::rooms().loaded.level;
+  const Camera camera{level.player->sector, level.player->eye, level.player->angle, 0, 90, 61, 41};
+  const Image all = *drawGeometry(level, camera, "spaces");
+  const auto expectAt = [&](std::string_view name, int left, int top, int width, int height) {
+    Camera quarter = camera;
+    quarter.width = width;
+    quarter.height = height;
+    const Image one = *drawGeometry(level, quarter, name);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        ASSERT_EQ(all.at(left + x, top + y), one.at(x, y)) << name << ' ' << x << ',' << y;
+  };
+  expectAt("world", 0, 0, 30, 20);
+  expectAt("camera", 30, 0, 31, 20);
+  expectAt("depthspace", 0, 20, 30, 21);
+  expectAt("screen", 30, 20, 31, 21);
+  Camera tiny = camera;
+  tiny.width = tiny.height = 1;
+  EXPECT_EQ(drawGeometry(level, tiny, "spaces")->width(), 1);
+  EXPECT_FALSE(drawGeometry(level, camera, "depth"));
 }
 
 TEST(WalkOverlay, LetsKeysWalkOn) {

@@ -165,9 +165,19 @@ bool showSettings(const QualityInLevel& inLevel, OptionValues& options) {
 
 void showSlider(const char* name, double& value, float least, float most, const char* format) {
   auto shown = static_cast<float>(value);
-  ImGui::SetNextItemWidth(letters(kNameWidth + kValueWidth));
   if (ImGui::SliderFloat(name, &shown, least, most, format, ImGuiSliderFlags_AlwaysClamp))
     value = std::round(shown);
+}
+
+/// Both in a row.
+void showSliders(QualityChoice& choice) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::PushItemWidth(std::floor((ImGui::GetContentRegionAvail().x - gap) / 2));
+  showSlider("##fov", choice.fov, kLeastFov, kMostFov, "field of view %.0f degrees");
+  ImGui::SameLine(0, gap);
+  showSlider("##cap", choice.frameCap, 0, kMostFrames,
+             choice.frameCap > 0 ? "at most %.0f frames/s" : "no cap on frames");
+  ImGui::PopItemWidth();
 }
 
 }  // namespace
@@ -179,9 +189,7 @@ void chooseQuality(OptionValues& options, std::string_view name) {
 
 bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice) {
   if (!ImGui::CollapsingHeader("Quality", ImGuiTreeNodeFlags_DefaultOpen)) return false;
-  showSlider("field of view", choice.fov, kLeastFov, kMostFov, "%.0f degrees");
-  showSlider("frames a second", choice.frameCap, 0, kMostFrames,
-             choice.frameCap > 0 ? "at most %.0f" : "as many as possible");
+  showSliders(choice);
   bool isChosen = showQualities(choice.options);
   showText("bake: " + figureOf(inLevel.bake, inLevel.ofLevel));
   showText("frames: " + figureOf(inLevel.draw));

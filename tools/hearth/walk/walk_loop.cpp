@@ -7,7 +7,9 @@
 #include <iterator>
 #include <utility>
 
+#include "hearth/channels.h"
 #include "hearth/overlay/quality_section.h"
+#include "hearth/overlay/view_section.h"
 #include "hearth/session.h"
 #include "hearth/shell_text.h"
 #include "hearth/walk/captions.h"
@@ -104,13 +106,13 @@ void WalkLoop::act(Action action) {
   WalkView& view = scene_.view;
   switch (action) {
     case Action::ShowBoth:
-      view.mode = LightMode::Both;
+      show(LightMode::Both);
       break;
     case Action::ShowTextures:
-      view.mode = LightMode::None;
+      show(LightMode::None);
       break;
     case Action::ShowLight:
-      view.mode = LightMode::Only;
+      show(LightMode::Only);
       break;
     case Action::Map:
       view.isMapShown = !view.isMapShown;
@@ -142,6 +144,11 @@ void WalkLoop::act(Action action) {
     default:  // what the next tick does
       break;
   }
+}
+
+void WalkLoop::show(LightMode mode) {
+  scene_.view.mode = mode;
+  scene_.view.channel = {};
 }
 
 void WalkLoop::captureMouse(bool isCaptured) {
@@ -220,11 +227,12 @@ void WalkLoop::drawOrRest(double now) {
 }
 
 void WalkLoop::draw(double now) {
+  const Scene drawn = scene_;  // which the overlay may change
   if (isCovered())
     drawImage(now);
   else
     drawRows(now);
-  shown_ = scene_;
+  shown_ = drawn;
 }
 
 void WalkLoop::drawImage(double now) {
@@ -236,7 +244,10 @@ void WalkLoop::drawImage(double now) {
   };
   renderer_->findSpans(scene_.camera, scratch_, picture_);
   parts.find = lap();
-  renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_);
+  if (scene_.view.channel.empty())
+    renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_);
+  else
+    picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel);
   parts.paint = lap();
   if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
   seeWhatIsDrawn();
@@ -277,7 +288,7 @@ void WalkLoop::count(double begin, double end) {
 bool WalkLoop::isCovered() const {
   const WalkView& view = scene_.view;
   return wantsScreenshot_ || overlay_.isOpen() || view.isMapShown || view.areKeysShown ||
-         !scene_.notes.empty() || !scene_.message.empty();
+         !view.channel.empty() || !scene_.notes.empty() || !scene_.message.empty();
 }
 
 /// The list of keys and the panel would be in each other's way.
@@ -292,11 +303,14 @@ void WalkLoop::drawCaptions() {
 
 void WalkLoop::drawOverlay(double now) {
   if (!overlay_.isOpen()) return;
-  figures_.counters = countersOf(scratch_.visibility.found.stats, scratch_.painted);
+  const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
+  figures_.counters =
+      countersOf(scratch_.visibility.found.stats, isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
   const auto sections = [this] {
     showFigures(figures_);
     showQualitySection();
+    showView(scene_.view.mode, scene_.view.channel);
   };
   overlay_.draw(now, sections, picture_);
 }
@@ -314,11 +328,13 @@ void WalkLoop::showQualitySection() {
 std::string WalkLoop::cameraText() const {
   const Camera& camera = scene_.camera;
   const std::string drawOptions = optionsOf(renderer_->settings());
-  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} --light {}{}",
-                     camera.eye.x, camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
+  const std::string what = scene_.view.channel.empty()
+                               ? fmt::format("--light {}", nameOf(scene_.view.mode))
+                               : fmt::format("--channel {}", scene_.view.channel);
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}", camera.eye.x,
+                     camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
                      shellWord((*level_)[camera.sector].name), camera.fov, camera.width,
-                     camera.height, nameOf(scene_.view.mode),
-                     drawOptions.empty() ? "" : " " + drawOptions);
+                     camera.height, what, drawOptions.empty() ? "" : " " + drawOptions);
 }
 
 }  // namespace hearth

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ namespace hearth {
 /// What shows over and of the picture, as keys change it.
 struct WalkView {
   LightMode mode = LightMode::Both;
+  std::string_view channel = {};  ///< the name of one to show instead; else empty
   bool isMapShown = false;
   double mapMetres = kFirstMapMetres;
   bool areKeysShown = false;
@@ -84,6 +86,7 @@ class WalkLoop {
   void take(const SDL_Event& event);
   void take(const SDL_WindowEvent& event);
   void act(Action action);
+  void show(LightMode mode);
   void captureMouse(bool isCaptured);
   void toggleOverlay();
   void passTime(double now);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+#include "render/draw_settings.h"
+
+namespace hearth {
+
+/// A section of the overlay: what of the level shows. `channel` is the name of one, or empty.
+void showView(LightMode& mode, std::string_view& channel);
+
+}  // namespace hearth
