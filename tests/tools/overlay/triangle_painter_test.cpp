@@ -201,7 +201,7 @@ class Random {
   ImVec2 uv() { return {static_cast<float>(below(9)) / 8, between(-0.1F, 1.1F)}; }
 
   Image picture() {
-    Image picture(1 + below(20), 1 + below(20));
+    Image picture(1 + below(40), 1 + below(20));
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x) picture.at(x, y) = {byte(), byte(), byte()};
     return picture;

@@ -118,12 +118,27 @@ void blend(Rgb& pixel, Rgba color, unsigned alpha) {
   pixel = {mixed(pixel.r, color.r), mixed(pixel.g, color.g), mixed(pixel.b, color.b)};
 }
 
+/// As `blend` does, byte by byte in chunks of whole pixels, which compilers turn into vectors.
 void blendRow(std::span<Rgb> pixels, Rgba color, unsigned alpha) {
+  static_assert(sizeof(Rgb) == 3);
   if (alpha == 0) return;
-  if (alpha == 255)
-    std::ranges::fill(pixels, Rgb{color.r, color.g, color.b});
-  else
-    for (Rgb& pixel : pixels) blend(pixel, color, alpha);
+  constexpr std::size_t kPixels = 16;
+  std::array<std::uint16_t, 3 * kPixels> above{};
+  for (std::size_t i = 0; i < above.size(); i += 3) {
+    above[i] = static_cast<std::uint16_t>(color.r * alpha + 128);
+    above[i + 1] = static_cast<std::uint16_t>(color.g * alpha + 128);
+    above[i + 2] = static_cast<std::uint16_t>(color.b * alpha + 128);
+  }
+  const auto rest = static_cast<std::uint16_t>(255 - alpha);
+  std::size_t begin = 0;
+  for (; begin + kPixels <= pixels.size(); begin += kPixels) {
+    auto* bytes = reinterpret_cast<std::uint8_t*>(&pixels[begin]);
+    for (std::size_t i = 0; i < above.size(); ++i) {
+      const auto sum = static_cast<std::uint16_t>(above[i] + bytes[i] * rest);
+      bytes[i] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(sum + (sum >> 8)) >> 8);
+    }
+  }
+  for (Rgb& pixel : pixels.subspan(begin)) blend(pixel, color, alpha);
 }
 
 // --- Rectangles ----------------------------------------------------------------------------------
