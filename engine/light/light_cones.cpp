@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "light/light_cone_finder.h"
 #include "light/ray_rounding.h"

@@ -138,8 +138,9 @@ Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
 
 std::vector<LitSurface::Texels> LitSurface::askedIn(int j) const {
   std::vector<Texels> asked;
-  // See texelsOf: the middles of texels that are asked for are less than one texel off.
-  for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + kWhisker)) {
+  // See texelsOf: the middles of texels that are asked for are less than one texel off. Another
+  // whisker, so that no rounding leaves a row of its texels without one.
+  for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + 2 * kWhisker)) {
     const Texels next{
         std::max(texels.i0, static_cast<int>(std::ceil(from - 0.5))),
         std::min(texels.i0 + texels.width - 1, static_cast<int>(std::floor(to - 0.5)))};
