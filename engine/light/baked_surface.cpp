@@ -68,9 +68,9 @@ void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
   }
 }
 
-void addSampledLight(int side, std::span<const std::size_t> lights, SurfaceLight& surface,
-                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop) {
-  const TexelRect rect = surface.texels();
+void addSampledLight(const TexelRect& rect, int side, std::span<const std::size_t> lights,
+                     SurfaceLight& surface, const SumsOf& sumsOf, BakeProgress& progress,
+                     const std::stop_token& stop) {
   const auto tiles = [](int texels) { return std::int64_t{(texels + kTile - 1) / kTile}; };
   SurfaceProgress done(progress, rect.count(), tiles(rect.width) * tiles(rect.height));
   for (int j = 0; j < rect.height; j += kTile)
@@ -81,16 +81,23 @@ void addSampledLight(int side, std::span<const std::size_t> lights, SurfaceLight
     }
 }
 
+/// `rect` is what must be baked, see bakedWith.
+void addLightsIn(const TexelRect& rect, SurfaceLight& surface, std::span<const std::size_t> lights,
+                 const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
+                 const std::stop_token& stop) {
+  if (settings.samples)
+    addSampledLight(rect, static_cast<int>(std::lround(std::sqrt(*settings.samples))), lights,
+                    surface, sumsOf, progress, stop);
+  else
+    addClippedLight(surface, lights, sumsOf, progress, stop);
+}
+
 }  // namespace
 
 void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                const std::stop_token& stop) {
-  if (settings.samples)
-    addSampledLight(static_cast<int>(std::lround(std::sqrt(*settings.samples))), lights, surface,
-                    sumsOf, progress, stop);
-  else
-    addClippedLight(surface, lights, sumsOf, progress, stop);
+  addLightsIn(surface.texels(), surface, lights, settings, sumsOf, progress, stop);
 }
 
 void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
@@ -122,16 +129,20 @@ void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights
   }
 }
 
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& settings,
-                                    BakeProgress& progress) {
+TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
+                    const BakeSettings& settings) {
+  return settings.samples ? intersection(wanted, surface.texels) : surface.texels;
+}
+
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& baked,
+                                    const BakeSettings& settings, BakeProgress& progress) {
   if (surface.facing().empty()) {
-    progress.add(surface.texels().count());
+    progress.add(baked.count());
     return std::nullopt;
   }
-  TexelSums sums(surface.texels(), surface.channels());
-  addLights(
-      surface, surface.facing(), settings, [&](std::size_t) -> TexelSums& { return sums; },
-      progress);
+  TexelSums sums(baked, surface.channels());
+  const auto all = [&](std::size_t) -> TexelSums& { return sums; };
+  addLightsIn(baked, surface, surface.facing(), settings, all, progress, {});
   return lightmapOf(sums, settings);
 }
 

@@ -25,9 +25,14 @@ inline constexpr int kDraftSide = 4;
 void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                       const BakeSettings& settings, const SumsOf& sumsOf);
 
-/// The lightmap of a surface; none where no light reaches it.
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const BakeSettings& settings,
-                                    BakeProgress& progress);
+/// What of a surface must be baked for some of its texels: these alone, or all where texels share
+/// what they ask of lights.
+TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
+                    const BakeSettings& settings);
+
+/// The lightmap of a surface, or of what of it must be baked; none where no light reaches that.
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& baked,
+                                    const BakeSettings& settings, BakeProgress& progress);
 
 /// Of the sums of all its lights.
 std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
+#include <utility>
 
 #include "light/baked_surface.h"
 #include "light/parallel.h"
@@ -20,14 +22,9 @@ bool isPlantedUnlit(SurfaceKind kind) {
 }
 
 /// Largest first, so that no thread starts the longest job last.
-std::vector<std::size_t> byFallingSize(const LitSurfaces& surfaces) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i]) order.push_back(i);
-  const auto texels = [&](std::size_t i) { return surfaces[i]->texels.count(); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return texels(a) > texels(b); });
-  return order;
+void sortByFallingSize(std::vector<SurfaceTexels>& jobs) {
+  std::ranges::stable_sort(jobs, std::ranges::greater{},
+                           [](const SurfaceTexels& job) { return job.texels.count(); });
 }
 
 /// Returns the rays that it added.
@@ -40,11 +37,38 @@ std::int64_t addTo(std::vector<LightCost>& sum, const std::vector<LightCost>& co
   return rays;
 }
 
-std::int64_t texelsOf(const LitSurfaces& surfaces) {
+std::int64_t texelsOf(const std::vector<SurfaceTexels>& jobs) {
   std::int64_t sum = 0;
-  for (const auto& surface : surfaces)
-    if (surface) sum += surface->texels.count();
+  for (const SurfaceTexels& job : jobs) sum += job.texels.count();
   return sum;
+}
+
+/// Bakes the texels of these surfaces, all of which can be lit.
+BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const Level& level,
+                    const BakeSettings& settings, int threads, BakeProgress* progress) {
+  BakeProgress unwatched;
+  BakeProgress& done = progress ? *progress : unwatched;
+  sortByFallingSize(jobs);
+  done.begin(texelsOf(jobs));
+
+  BakedLight baked;
+  baked.surfaces = std::move(surfaces);
+  baked.lightmaps.resize(baked.surfaces.size());
+  baked.surfaceCosts.resize(baked.surfaces.size());
+  baked.lightCosts.resize(level.lights.size());
+  const LightSights sights(level, settings);
+  std::mutex addsLightCosts;
+  parallelFor(jobs.size(), threads, [&](std::size_t job) {
+    const auto& [id, texels] = jobs[job];
+    const std::size_t i = id.index();
+    if (isPlantedUnlit(level.surfaces[i].kind)) return;
+    SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, id);
+    baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);
+    const std::scoped_lock lock(addsLightCosts);
+    baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
+  });
+  baked.stats = statsOf(baked);
+  return baked;
 }
 
 std::optional<std::string> mistakeInSquare(int number) {
@@ -88,29 +112,19 @@ std::optional<std::string> mistakeInSettings(const Level& level, const BakeSetti
 
 BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
                 BakeProgress* progress) {
-  BakeProgress unwatched;
-  BakeProgress& done = progress ? *progress : unwatched;
-  BakedLight baked;
-  baked.surfaces = makeLitSurfaces(level, settings.texel);
-  baked.lightmaps.resize(baked.surfaces.size());
+  LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
+  std::vector<SurfaceTexels> all;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i]) all.push_back({SurfaceId(i), surfaces[i]->texels});
+  return bakeJobs(std::move(all), std::move(surfaces), level, settings, threads, progress);
+}
 
-  const LightSights sights(level, settings);
-
-  done.begin(texelsOf(baked.surfaces));
-  baked.surfaceCosts.resize(baked.surfaces.size());
-  baked.lightCosts.resize(level.lights.size());
-  std::mutex addsLightCosts;
-  const std::vector<std::size_t> order = byFallingSize(baked.surfaces);
-  parallelFor(order.size(), threads, [&](std::size_t job) {
-    const std::size_t i = order[job];
-    if (isPlantedUnlit(level.surfaces[i].kind)) return;
-    SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, SurfaceId(i));
-    baked.lightmaps[i] = bakeSurface(surface, settings, done);
-    const std::scoped_lock lock(addsLightCosts);
-    baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
-  });
-  baked.stats = statsOf(baked);
-  return baked;
+BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Level& level,
+                    const BakeSettings& settings, int threads, BakeProgress* progress) {
+  std::vector<SurfaceTexels> jobs;
+  for (const auto& [id, texels] : wanted)
+    jobs.push_back({id, bakedWith(texels, *surfaces[id.index()], settings)});
+  return bakeJobs(std::move(jobs), std::move(surfaces), level, settings, threads, progress);
 }
 
 }  // namespace hearth

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,17 @@ std::optional<std::string> mistakeInSettings(const Level& level, const BakeSetti
 /// `threads`. `progress`, if any, is new, and has all texels done when the bake is.
 BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
+
+/// Texels of a surface, of which there is at least one.
+struct SurfaceTexels {
+  SurfaceId surface;
+  TexelRect texels;
+};
+
+/// Bakes texels of some surfaces alone, each surface named once: they get what a whole bake gives
+/// them. `surfaces` are the level's, on grids of `settings`. What was not asked for is dark, or in
+/// no lightmap.
+BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Level& level,
+                    const BakeSettings& settings, int threads, BakeProgress* progress = nullptr);
 
 }  // namespace hearth

@@ -131,6 +131,15 @@ class LitSurfaceBuilder {
 
 }  // namespace
 
+TexelRect intersection(const TexelRect& a, const TexelRect& b) {
+  const int i0 = std::max(a.i0, b.i0);
+  const int j0 = std::max(a.j0, b.j0);
+  const TexelRect both{i0, j0, std::min(a.i0 + a.width, b.i0 + b.width) - i0,
+                       std::min(a.j0 + a.height, b.j0 + b.height) - j0};
+  CHECK(both.width > 0 && both.height > 0, both.i0, both.j0, both.width, both.height);
+  return both;
+}
+
 Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
   const Vec3 p = grid.toWorld(texelPoint);
   return p - distanceInFront(p) * normal;

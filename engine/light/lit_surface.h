@@ -24,6 +24,9 @@ struct TexelRect {
   friend bool operator==(const TexelRect&, const TexelRect&) = default;
 };
 
+/// Of two that have texels in common.
+TexelRect intersection(const TexelRect& a, const TexelRect& b);
+
 /// A surface that continues another in its plane, and the edge that they share, in texel
 /// coordinates of that other one.
 struct Continuation {

@@ -75,6 +75,12 @@ Projection projectionFor(const Level& level, const Camera& camera, int pixelSize
   return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye), pixelSize);
 }
 
+Camera inSquares(Camera camera, int pixelSize) {
+  camera.width = squaresIn(camera.width, pixelSize);
+  camera.height = squaresIn(camera.height, pixelSize);
+  return camera;
+}
+
 Renderer::Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
                    DrawSettings settings)
     : level_(level), light_(light), settings_(settings) {
@@ -143,9 +149,7 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
 
 void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch) const {
   const Projection projection = projectionFor(level_, camera, pixelSize);
-  Camera squares = camera;
-  squares.width = squaresIn(camera.width, pixelSize);
-  squares.height = squaresIn(camera.height, pixelSize);
+  const Camera squares = inSquares(camera, pixelSize);
   scratch.stripSpans.sort(findVisibleSpans(level_, squares, projection, scratch.visibility).spans,
                           squares.width);
   findClimbs(scratch.climbs, projection, squares.height);

@@ -73,4 +73,7 @@ class Renderer {
 /// The projection of a camera whose eye is moved off the walls that it may touch.
 Projection projectionFor(const Level& level, const Camera& camera, int pixelSize = 1);
 
+/// The camera whose pixels are the squares of another's.
+Camera inSquares(Camera camera, int pixelSize);
+
 }  // namespace hearth

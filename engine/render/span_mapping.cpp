@@ -12,22 +12,30 @@ namespace {
 /// The same texel all along the span.
 ImageAxis constant(double texel) { return {.place = {texel, 0}}; }
 
+/// On the lightmap alone, if any.
+SpanMapping uprightOnLight(const Level& level, const Projection& projection, const Span& span,
+                           const LitSurface* lit) {
+  SpanMapping mapping{.depth = span.depth};
+  if (!lit) return mapping;
+  const Segment& segment = level[*level[span.surface].segment];
+  const Vec2 at = lerp(segment.p0, segment.p1, span.share);
+  const TexelGrid& grid = lit->grid;
+  mapping.s.atZero = grid.toTexels({at.x, at.y, 0}).x;
+  mapping.t = {projection.eye().z / grid.texel, span.depth / grid.texel};
+  return mapping;
+}
+
 SpanMapping uprightMapping(const Level& level, const Projection& projection, const Span& span,
                            const Texture& image, const LitSurface* lit) {
-  const Surface& surface = level[span.surface];
-  const TextureMapping& texture = surface.mapping;
-  SpanMapping mapping{.depth = span.depth};
+  const TextureMapping& texture = level[span.surface].mapping;
+  SpanMapping mapping = uprightOnLight(level, projection, span, lit);
   const double start = planted(PlantedBug::AlongIgnored) ? 0 : texture.along;
   mapping.u =
       constant(image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x);
-  const double eyeZ = projection.eye().z;
-  mapping.v = {
-      {eyeZ, span.depth}, span.zRef, -image.height() / texture.repeat.y, texture.offsetTexels.y};
-  if (!lit) return mapping;
-  const Segment& segment = level[*surface.segment];
-  const Vec2 at = lerp(segment.p0, segment.p1, span.share);
-  mapping.s.atZero = lit->grid.toTexels({at.x, at.y, 0}).x;
-  mapping.t = {eyeZ / lit->grid.texel, span.depth / lit->grid.texel};
+  mapping.v = {{projection.eye().z, span.depth},
+               span.zRef,
+               -image.height() / texture.repeat.y,
+               texture.offsetTexels.y};
   return mapping;
 }
 
@@ -47,23 +55,32 @@ PlaneOverRay planeOver(const Level& level, const Surface& surface, Vec2 eye, Vec
   return {slope.zAt(eye), dot(slope.gradient, ray), flat.textureOrigin};
 }
 
+/// On the lightmap alone, if any.
+SpanMapping planeOnLight(const PlaneOverRay& plane, const Projection& projection, Vec2 ray,
+                         const Span& span, const LitSurface* lit) {
+  const Vec3 eye = projection.eye();
+  SpanMapping mapping{
+      .isPlane = true, .height = plane.zAtEye - eye.z, .rise = plane.rise, .depth = span.depth};
+  if (!lit) return mapping;
+  const TexelGrid& grid = lit->grid;
+  const Vec2 atEye = grid.toTexels({eye.x, eye.y, plane.zAtEye});
+  const Vec3 way{ray.x, ray.y, plane.rise};
+  mapping.s = {atEye.x, dot(way, grid.axisS) / grid.texel};
+  mapping.t = {atEye.y, dot(way, grid.axisT) / grid.texel};
+  return mapping;
+}
+
 SpanMapping planeMapping(const Level& level, const Projection& projection, const Span& span,
                          const Texture& image, const LitSurface* lit) {
   const Surface& surface = level[span.surface];
   const TextureMapping& texture = surface.mapping;
   const Vec2 eye = projection.eye().xy();
   const Vec2 ray = projection.rayOf(span.column + 0.5);
-  const auto [zAtEye, rise, origin] = planeOver(level, surface, eye, ray);
-  SpanMapping mapping{
-      .isPlane = true, .height = zAtEye - projection.eye().z, .rise = rise, .depth = span.depth};
+  const PlaneOverRay plane = planeOver(level, surface, eye, ray);
+  SpanMapping mapping = planeOnLight(plane, projection, ray, span, lit);
+  const Vec2 origin = plane.textureOrigin;
   mapping.u = {{eye.x, ray.x}, origin.x, image.width() / texture.repeat.x, texture.offsetTexels.x};
   mapping.v = {{eye.y, ray.y}, origin.y, image.height() / texture.repeat.y, texture.offsetTexels.y};
-  if (!lit) return mapping;
-  const TexelGrid& grid = lit->grid;
-  const Vec2 atEye = grid.toTexels({eye.x, eye.y, zAtEye});
-  const Vec3 way{ray.x, ray.y, rise};
-  mapping.s = {atEye.x, dot(way, grid.axisS) / grid.texel};
-  mapping.t = {atEye.y, dot(way, grid.axisT) / grid.texel};
   return mapping;
 }
 
@@ -96,6 +113,15 @@ SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to)
   scale(mapping.u, from.width(), to.width());
   scale(mapping.v, from.height(), to.height());
   return mapping;
+}
+
+SpanMapping lightMappingOf(const Level& level, const Projection& projection, const Span& span,
+                           const LitSurface& lit) {
+  const Surface& surface = level[span.surface];
+  if (surface.segment) return uprightOnLight(level, projection, span, &lit);
+  const Vec2 ray = projection.rayOf(span.column + 0.5);
+  const PlaneOverRay plane = planeOver(level, surface, projection.eye().xy(), ray);
+  return planeOnLight(plane, projection, ray, span, &lit);
 }
 
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,

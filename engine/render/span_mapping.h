@@ -61,6 +61,10 @@ struct SpanMapping {
 /// The same span on an image that shows the same in another size.
 SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to);
 
+/// Without texture: u and v are those of nothing.
+SpanMapping lightMappingOf(const Level& level, const Projection& projection, const Span& span,
+                           const LitSurface& lit);
+
 /// `lit` is null where no light can be: sky, and what cannot show.
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
                       const Texture& image, const LitSurface* lit);

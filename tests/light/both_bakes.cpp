@@ -59,7 +59,7 @@ void expectSameBakes(const Level& level, const BakeSettings& settings, const std
     const auto baked = [&](Seeing seeing, LightCost& cost) {
       BakeProgress progress;
       SurfaceLight surface(level, surfaces, sights, settings.lambert, SurfaceId(i), seeing);
-      std::optional<Lightmap> map = bakeSurface(surface, settings, progress);
+      std::optional<Lightmap> map = bakeSurface(surface, surfaces[i]->texels, settings, progress);
       for (const LightCost& light : surface.costs()) add(light, cost);
       return map;
     };

@@ -354,9 +354,19 @@ class Bake(InFolder):
                                ('{"x": 2, "y": 3, "z": 2, "intensity": 0}', reaches),
                                ('{"x": 2, "y": 3, "z": 2, "curve": [[0, 255], [0.001, 0]]}', reaches)]:
             (self.folder / "dark.lights.json").write_text(f"[{light}]")
-            result = run("bake", dark)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn(warning, result.stderr)
+            for command in [["bake"], ["shot", "--no-cache", "-o", self.out]]:
+                result = run(*command, dark)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn(warning, result.stderr)
+
+    def test_of_light_out_of_view_warns_of_nothing(self):
+        view = "2,2,1,180"  # from the dark west of two rooms
+        level = self.folder / "rooms.json"
+        level.write_text((SOURCE / "tests/levels/rooms.json").read_text())
+        (self.folder / "rooms.lights.json").write_text(
+            '[{"x": 5, "y": 2, "z": 0.2, "curve": [[0, 255], [0.5, 0]]}]')
+        result = run("shot", level, "--no-cache", "--camera", view, "-o", self.out)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_takes_samples_as_needed(self):
         result = run("bake", self.level, "--samples", "auto")

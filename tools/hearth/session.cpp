@@ -10,6 +10,7 @@
 #include "hearth/command.h"
 #include "hearth/shell_text.h"
 #include "light/parallel.h"
+#include "render/texels_in_view.h"
 
 namespace hearth {
 
@@ -20,9 +21,21 @@ void warnIfDark(const Level& level, const BakedLight& light, const OptionValues&
     fmt::print(stderr, "{}\n", *warning);
 }
 
+/// What `work` bakes, its progress shown.
+template <typename Work>
+BakedLight whileShown(const OptionValues& values, ProgressStyle inFile, Work&& work) {
+  BakeProgress progress;
+  const ProgressDisplay display(progressStyle(values, inFile), progress);
+  return work(progress);
+}
+
+std::optional<BakeCache> cacheFor(const OptionValues& values) {
+  return values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
+}
+
 BakedLight cachedLight(const Level& level, const BakeSettings& settings,
                        const OptionValues& values) {
-  const auto cache = values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
+  const auto cache = cacheFor(values);
   if (cache) {
     if (auto light = cache->find(level, settings)) {
       warnIfDark(level, *light, values);
@@ -96,11 +109,9 @@ Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValu
               ProgressStyle inFile) {
   const int threads = threadsFrom(values);
   const auto start = std::chrono::steady_clock::now();
-  BakedLight light = [&] {
-    BakeProgress progress;
-    const ProgressDisplay display(progressStyle(values, inFile), progress);
+  BakedLight light = whileShown(values, inFile, [&](BakeProgress& progress) {
     return bake(level, settings, threads, &progress);
-  }();
+  });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   warnIfDark(level, light, values);
   return Bake{std::move(light), settings, threads, seconds.count()};
@@ -122,6 +133,21 @@ tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionV
     return tl::unexpected(
         fmt::format("--light-from: this light is baked already; leave out{}", given));
   return readBake(level, values);
+}
+
+tl::expected<BakedLight, std::string> lightInView(const Level& level, const Camera& camera,
+                                                  const OptionValues& values) {
+  if (values.has(Option::LightFrom) || cacheFor(values)) return lightFor(level, values);
+  return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
+    LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
+    const auto seen = texelsInView(level, surfaces, camera, drawSettingsFrom(values));
+    BakedLight light = whileShown(values, ProgressStyle::None, [&](BakeProgress& progress) {
+      return bakeOnly(seen, std::move(surfaces), level, settings, threadsFrom(values), &progress);
+    });
+    // Whether anything else is lit shows in a whole bake only.
+    if (light.stats.litSurfaces > 0) return light;
+    return bakeWith(level, settings, values, ProgressStyle::None).light;
+  });
 }
 
 }  // namespace hearth

@@ -63,6 +63,11 @@ int threadsFrom(const OptionValues& values);
 /// is not there, baked and kept there.
 tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);
 
+/// The same for one picture: where no cache keeps the light for others, only what the camera sees
+/// is baked.
+tl::expected<BakedLight, std::string> lightInView(const Level& level, const Camera& camera,
+                                                  const OptionValues& values);
+
 /// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
 tl::expected<Camera, std::string> cameraFor(const Level& level, const OptionValues& values,
                                             PictureSize standardSize);

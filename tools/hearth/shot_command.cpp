@@ -23,7 +23,7 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
   const std::optional<std::string> channel = values.text(Option::Channel);
   if (channel)
     if (auto geometry = drawGeometry(loaded.level, camera, *channel)) return *std::move(geometry);
-  const auto light = lightFor(loaded.level, values);
+  const auto light = lightInView(loaded.level, camera, values);
   if (!light) return tl::unexpected(light.error());
   const Renderer renderer(loaded.level, loaded.textures, *light, drawSettingsFrom(values));
   if (channel) return drawChannel(loaded.level, renderer, camera, *channel);
