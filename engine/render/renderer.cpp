@@ -37,6 +37,18 @@ void fit(Image& picture, const Camera& camera) {
     picture = Image(camera.width, camera.height);
 }
 
+/// Into parts of about as many strips, which threads take.
+void divideColumns(std::vector<FrameColumns>& parts, int width, int threads) {
+  const int strips = Strip::countIn(width);
+  const int count = threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
+  parts.resize(static_cast<std::size_t>(count));
+  const auto columnOf = [&](int part) {
+    return std::min(width, strips * part / count * Strip::kColumns);
+  };
+  for (int i = 0; i < count; ++i)
+    parts[static_cast<std::size_t>(i)].range = {columnOf(i), columnOf(i + 1)};
+}
+
 /// Draws a picture strip by strip, with `paint(span, strip, stats)` for each span. Threads take
 /// parts: neighbouring strips, drawn one after the other in the same memory.
 template <typename Picture, typename Paint>
@@ -58,7 +70,7 @@ void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int thr
     PaintStats stats;
     for (int i = firstOf(part); i < firstOf(part + 1); ++i) {
       strip.begin(i, rows, kHole);
-      for (const Span& span : scratch.stripSpans.of(i)) paint(span, batch, strip, stats);
+      for (const Span& span : scratch.spansOf(i)) paint(span, batch, strip, stats);
       strip.copyTo(picture, pixelSize);
     }
     scratch.stripsPainted[part] = stats;
@@ -93,7 +105,7 @@ Renderer::Renderer(const Level& level, const std::vector<Image>& textures, const
 
 void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
                     int threads) const {
-  findSpans(camera, scratch, picture);
+  findSpans(camera, scratch, picture, threads);
   paintSpans(camera, mode, scratch, picture, threads);
 }
 
@@ -101,13 +113,14 @@ void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
                     const PixelRows& picture, int threads) const {
   CHECK(picture.width == camera.width && picture.height == camera.height, picture.width,
         picture.height);
-  findSpans(camera, settings_.pixelSize, scratch);
+  findSpans(camera, settings_.pixelSize, scratch, threads);
   paint(camera, mode, scratch, picture, threads);
 }
 
-void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, Image& picture) const {
+void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, Image& picture,
+                         int threads) const {
   fit(picture, camera);
-  findSpans(camera, settings_.pixelSize, scratch);
+  findSpans(camera, settings_.pixelSize, scratch, threads);
 }
 
 void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
@@ -138,7 +151,7 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   FrameScratch scratch;
   Image picture;
   fit(picture, camera);
-  findSpans(camera, 1, scratch);
+  findSpans(camera, 1, scratch, 1);
   const Projection projection = projectionFor(level_, camera);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
   paintStrips(scratch, 1, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
@@ -147,11 +160,17 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   return picture;
 }
 
-void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch) const {
+void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,
+                         int threads) const {
   const Projection projection = projectionFor(level_, camera, pixelSize);
   const Camera squares = inSquares(camera, pixelSize);
-  scratch.stripSpans.sort(findVisibleSpans(level_, squares, projection, scratch.visibility).spans,
-                          squares.width);
+  divideColumns(scratch.parts, squares.width, threads);
+  const auto findPart = [&](std::size_t i) {
+    auto& [range, visibility, strips] = scratch.parts[i];
+    strips.sort(findVisibleSpans(level_, squares, projection, range, visibility).spans, range);
+  };
+  // By reference: a copy would take memory in every frame.
+  parallelFor(scratch.parts.size(), threads, std::cref(findPart));
   findClimbs(scratch.climbs, projection, squares.height);
 }
 

@@ -8,27 +8,14 @@
 #include "render/camera.h"
 #include "render/channel.h"
 #include "render/draw_settings.h"
+#include "render/frame_scratch.h"
 #include "render/pixel_rows.h"
-#include "render/strip.h"
-#include "render/strip_spans.h"
 #include "render/texture.h"
-#include "render/visibility_scratch.h"
 
 namespace hearth {
 
 /// The colour of a pixel that nothing covers. No enclosed level shows it.
 inline constexpr Rgb kHole = {255, 0, 255};
-
-/// What frames are drawn in. Who keeps it from frame to frame draws without taking memory anew;
-/// each thread that draws needs its own. No frame depends on an earlier one.
-struct FrameScratch {
-  VisibilityScratch visibility;  ///< with the spans of the last frame
-  StripSpans stripSpans;
-  std::vector<double> climbs;             ///< of the centres of rows, see Projection::climbOf
-  std::vector<Strip> strips;              ///< one for each part that threads take
-  std::vector<PaintStats> stripsPainted;  ///< by the same parts
-  PaintStats painted;                     ///< in the last frame
-};
 
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
 class Renderer {
@@ -41,8 +28,8 @@ class Renderer {
   const BakedLight& light() const { return light_; }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
-  /// and the same pixels whatever the number of threads that colour them. Channels are drawn with
-  /// all pixels, whatever the settings.
+  /// and the same pixels whatever the number of threads. Channels are drawn with all pixels,
+  /// whatever the settings.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
             int threads = 1) const;
   /// The same pixels, straight into rows of the camera's size.
@@ -50,7 +37,8 @@ class Renderer {
             int threads = 1) const;
   /// The two phases of `draw`, for who times them: what shows where, into the scratch and a picture
   /// of the camera's size; and, once that is found for the same camera, the pixels.
-  void findSpans(const Camera& camera, FrameScratch& scratch, Image& picture) const;
+  void findSpans(const Camera& camera, FrameScratch& scratch, Image& picture,
+                 int threads = 1) const;
   void paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
                   int threads = 1) const;
   /// Single pictures.
@@ -59,7 +47,7 @@ class Renderer {
 
  private:
   /// The first phase of a frame of squares of pixels.
-  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch) const;
+  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch, int threads) const;
   template <typename Picture>
   void paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
              int threads) const;

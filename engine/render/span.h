@@ -33,6 +33,18 @@ struct FrameStats {
   std::size_t spans = 0;
   std::size_t middleSpans = 0;  ///< of those, of middle textures
 
+  FrameStats& operator+=(const FrameStats& other) {
+    viewports += other.viewports;
+    flatPortals += other.flatPortals;
+    windows += other.windows;
+    segments += other.segments;
+    wallColumns += other.wallColumns;
+    stackColumns += other.stackColumns;
+    slopeColumns += other.slopeColumns;
+    spans += other.spans;
+    middleSpans += other.middleSpans;
+    return *this;
+  }
   friend bool operator==(const FrameStats&, const FrameStats&) = default;
 };
 

@@ -22,10 +22,11 @@ namespace {
 class Visibility {
  public:
   Visibility(const Level& level, const Camera& camera, const Projection& projection,
-             VisibilityScratch& scratch)
+             ColumnRange columns, VisibilityScratch& scratch)
       : level_(level),
         camera_(camera),
         projection_(projection),
+        columns_(columns),
         scratch_(scratch),
         found_(scratch.found),
         viewports_(scratch.viewports),
@@ -49,7 +50,7 @@ class Visibility {
     found_.stats = {};
     scratch_.middles.clear();
     Viewport first{camera_.sector, std::nullopt, noWindows()};
-    for (int column = 0; column < camera_.width; ++column)
+    for (int column = columns_.begin; column < columns_.end; ++column)
       first.windows.push_back({column, 0, camera_.height, 0});
     viewports_.push_back(std::move(first));
   }
@@ -69,7 +70,9 @@ class Visibility {
     scratch_.spareWindows.giveBack(std::move(view.windows));
   }
 
-  std::vector<Window> noWindows() { return scratch_.spareWindows.take(camera_.width); }
+  std::vector<Window> noWindows() {
+    return scratch_.spareWindows.take(columns_.end - columns_.begin);
+  }
 
   // --- sectors seen from the side ---------------------------------------------------------------
 
@@ -338,6 +341,7 @@ class Visibility {
   const Level& level_;
   const Camera& camera_;
   const Projection& projection_;
+  ColumnRange columns_;
   VisibilityScratch& scratch_;
   VisibleSpans& found_;
   std::vector<Viewport>& viewports_;
@@ -347,8 +351,9 @@ class Visibility {
 }  // namespace
 
 const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
-                                     const Projection& projection, VisibilityScratch& scratch) {
-  Visibility(level, camera, projection, scratch).find();
+                                     const Projection& projection, ColumnRange columns,
+                                     VisibilityScratch& scratch) {
+  Visibility(level, camera, projection, columns, scratch).find();
   return scratch.found;
 }
 

@@ -7,10 +7,17 @@
 
 namespace hearth {
 
-/// The first phase of a frame: which surface shows in which rows of which column. The camera's
-/// sector must contain its eye, which `projection` has off the walls. The result lies in
-/// `scratch`, until the next search.
+/// The first phase of a frame: which surface shows in which rows of some of its columns. What is
+/// found in a column does not depend on the others. The camera's sector must contain its eye, which
+/// `projection` has off the walls. The result lies in `scratch`, until the next search.
 const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
-                                     const Projection& projection, VisibilityScratch& scratch);
+                                     const Projection& projection, ColumnRange columns,
+                                     VisibilityScratch& scratch);
+/// The same in all of them.
+inline const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
+                                            const Projection& projection,
+                                            VisibilityScratch& scratch) {
+  return findVisibleSpans(level, camera, projection, {0, camera.width}, scratch);
+}
 
 }  // namespace hearth

@@ -137,7 +137,7 @@ FrameStats workOf(const LitLevel& lit, std::size_t shot) {
   FrameScratch scratch;
   Image picture;
   lit.renderer().draw(cameraOf(lit.level().shots[shot]), LightMode::Both, scratch, picture);
-  return scratch.visibility.found.stats;
+  return scratch.found();
 }
 
 }  // namespace

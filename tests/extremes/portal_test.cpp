@@ -32,7 +32,7 @@ TEST(Portals, ofAGridAreLookedThroughOnceEach) {
     renderer.draw(camera, LightMode::None, scratch, picture);
     // A column's ray enters a room at most once. Rooms are looked into again for what is seen past
     // another corner, but no more often than there are columns.
-    EXPECT_LE(scratch.visibility.found.stats.viewports, 160 * 60) << angle;
+    EXPECT_LE(scratch.found().viewports, 160 * 60) << angle;
   }
 }
 
@@ -77,7 +77,7 @@ TEST(Portals, aThousandInOneLineOfSightAreAllLookedThrough) {
   const double took = seconds([&] {
     Renderer(row.level, row.textures, light).draw(camera, LightMode::None, scratch, picture);
   });
-  EXPECT_GE(scratch.visibility.found.stats.viewports, 1000);
+  EXPECT_GE(scratch.found().viewports, 1000);
   EXPECT_LT(took, 5) << "a frame of a thousand portals";
 }
 

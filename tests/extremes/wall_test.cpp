@@ -25,9 +25,10 @@ std::vector<double> placesAlongWall(const LoadedLevel& loaded, const Camera& cam
   Image picture;
   Renderer(loaded.level, loaded.textures, light).draw(camera, LightMode::None, scratch, picture);
   std::vector<double> places(static_cast<std::size_t>(camera.width), -1);
-  for (const Span& span : scratch.visibility.found.spans)
+  scratch.forEachSpan([&](const Span& span) {
     if (loaded.level[span.surface].segment == SegmentId(0))
       places[static_cast<std::size_t>(span.column)] = span.s;
+  });
   return places;
 }
 

@@ -121,7 +121,7 @@ TEST(MiddleTextures, areCountedAndCostNothingWhereThereAreNone) {
     Image picture;
     Renderer(loaded.level, texturesOf(loaded.level), light)
         .draw({SectorId(0), {1, 0, 2}, 0, 0, 90, kSize, kSize}, LightMode::None, scratch, picture);
-    return scratch.visibility.found.stats.middleSpans;
+    return scratch.found().middleSpans;
   };
   EXPECT_EQ(spansOf(rooms("", "")), 0U);
   EXPECT_EQ(spansOf(rooms(kNearMiddle, "")), 42U) << "4 m at 3 m deep, of 64 columns for 6 m";

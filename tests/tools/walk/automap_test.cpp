@@ -139,7 +139,7 @@ TEST_F(AutomapTest, AnyPictureAndAnyPlaceWillDo) {
 TEST_F(AutomapTest, SpansTellWhatIsSeen) {
   std::vector<Span> spans(1);
   spans[0].surface = *level_[east_].floorSurface;
-  seen_.add(spans);
+  for (const Span& span : spans) seen_.add(span);
   EXPECT_TRUE(seen_.has(east_));
   EXPECT_FALSE(seen_.has(west_));
 }

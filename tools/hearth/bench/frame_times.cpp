@@ -55,7 +55,7 @@ void FrameTimes::draw(const Renderer& renderer, Camera camera, const Clock& cloc
   const double begin = clock();
   renderer.draw(camera, LightMode::Both, scratch_, picture_, bench_.threads);
   milliseconds_.push_back(1e3 * (clock() - begin));
-  const FrameCounters ofFrame = countersOf(scratch_.visibility.found.stats, scratch_.painted);
+  const FrameCounters ofFrame = countersOf(scratch_.found(), scratch_.painted);
   for (std::size_t i = 0; i < ofFrame.size(); ++i) bench_.counters[i].mean += ofFrame[i].mean;
   write(clock);
 }

@@ -144,8 +144,7 @@ KernelFrame KernelFrames::frameOf(const Camera& camera) {
 
   KernelFrame frame{
       static_cast<std::size_t>(camera.width), static_cast<std::size_t>(camera.height), {}, {}};
-  for (const Span& span : scratch.visibility.found.spans)
-    addSpans(painter, span, rows, frame.spans);
+  scratch.forEachSpan([&](const Span& span) { addSpans(painter, span, rows, frame.spans); });
   std::ranges::sort(frame.spans, {},
                     [](const KernelSpan& span) { return std::pair(span.column, span.rowBegin); });
   for (std::size_t column = 0; column <= frame.width; column += KernelFrame::kColumns) {

@@ -141,9 +141,7 @@ SeenSectors::SeenSectors(const Level& level, const SeenSectors& before) : SeenSe
     isSeen_[i] = names.contains(level.sectors[i].name);
 }
 
-void SeenSectors::add(const std::vector<Span>& spans) {
-  for (const Span& span : spans) add((*level_)[span.surface].sector);
-}
+void SeenSectors::add(const Span& span) { add((*level_)[span.surface].sector); }
 
 WallKind wallKind(const Segment& segment) {
   const auto isOpen = [](const WallPiece& piece) {

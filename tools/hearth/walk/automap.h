@@ -17,8 +17,8 @@ class SeenSectors {
   SeenSectors(const Level& level, const SeenSectors& before);
 
   void add(SectorId sector) { isSeen_[sector.index()] = true; }
-  /// All of which a frame shows something.
-  void add(const std::vector<Span>& spans);
+  /// That of which a frame shows something there.
+  void add(const Span& span);
   bool has(SectorId sector) const { return isSeen_[sector.index()]; }
 
  private:

@@ -272,7 +272,7 @@ void WalkLoop::drawRows(double now) {
 void WalkLoop::seeWhatIsDrawn() {
   seen_.add(scene_.camera.sector);
   seen_.add(journey_.walker().sector);
-  seen_.add(scratch_.visibility.found.spans);
+  scratch_.forEachSpan([this](const Span& span) { seen_.add(span); });
 }
 
 void WalkLoop::count(double begin, double end) {
@@ -304,8 +304,7 @@ void WalkLoop::drawCaptions() {
 void WalkLoop::drawOverlay(double now) {
   if (!overlay_.isOpen()) return;
   const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
-  figures_.counters =
-      countersOf(scratch_.visibility.found.stats, isPainted ? scratch_.painted : PaintStats{});
+  figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
   const auto sections = [this] {
     showFigures(figures_);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "render/column_hits.h"
+#include "render/strip.h"
+#include "render/strip_spans.h"
+#include "render/visibility_scratch.h"
+
+namespace hearth {
+
+/// Neighbouring columns of a frame, in which one thread finds what shows.
+struct FrameColumns {
+  ColumnRange range{};  ///< begins with a strip
+  VisibilityScratch visibility;
+  StripSpans strips;
+};
+
+/// What frames are drawn in. Who keeps it from frame to frame draws without taking memory anew;
+/// each thread that draws needs its own. No frame depends on an earlier one.
+struct FrameScratch {
+  std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
+  std::vector<double> climbs;             ///< of the centres of rows, see Projection::climbOf
+  std::vector<Strip> strips;              ///< one for each part that threads take
+  std::vector<PaintStats> stripsPainted;  ///< by the same parts
+  PaintStats painted;                     ///< in the last frame
+
+  /// What finding the spans of the last frame took; sectors, windows and segments once for each
+  /// part that they are seen in.
+  FrameStats found() const {
+    FrameStats sum;
+    for (const FrameColumns& part : parts) sum += part.visibility.found.stats;
+    return sum;
+  }
+
+  /// Those of a strip of the last frame, in the order in which they were found.
+  std::span<const Span> spansOf(int strip) const {
+    const auto isLeftOf = [](const FrameColumns& part, int column) {
+      return part.range.end <= column;
+    };
+    const auto part =
+        std::lower_bound(parts.begin(), parts.end(), strip * Strip::kColumns, isLeftOf);
+    return part->strips.of(strip);
+  }
+
+  /// Calls `use(span)` for all of the last frame.
+  template <typename Use>
+  void forEachSpan(Use&& use) const {
+    for (const FrameColumns& part : parts)
+      for (const Span& span : part.visibility.found.spans) use(span);
+  }
+};
+
+}  // namespace hearth
