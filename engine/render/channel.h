@@ -14,4 +14,11 @@ enum class Channel {
   Overdraw,  ///< green where a pixel is drawn once, red where more often
 };
 
+/// What can be marked on the lit picture.
+enum class Marks {
+  Texels,    ///< lines between the lightmap's texels; where these are small, between every 8th
+  Outlines,  ///< edges of walls white, of openings orange, of flat portals and in stacks green
+  Coverage,  ///< magenta where nothing is drawn, red where more than once; all else dimmed
+};
+
 }  // namespace hearth

@@ -49,6 +49,11 @@ Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double meas
   return {level(0), level(1), level(2)};
 }
 
+/// Metres.
+double depthOf(const SpanMapping& mapping, double measure) {
+  return mapping.isPlane ? measure : mapping.depth;
+}
+
 bool isHole(const SpanMapping& mapping, double measure, const Texture& image) {
   const int x = wrapped(mapping.u.at(measure), image.width());
   const int y = wrapped(mapping.v.at(measure), image.height());
@@ -75,7 +80,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = indexColor(span.surface.index());
         break;
       case Channel::Depth:
-        pixel = gray(255 / (1 + (mapping.isPlane ? measure : mapping.depth)));
+        pixel = gray(255 / (1 + depthOf(mapping, measure)));
         break;
       case Channel::Uv:
         pixel = uvColor(mapping, measure, material.image());
@@ -91,6 +96,24 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         break;
     }
     *strip.at(span.column, row) = pixelOf(pixel);
+  }
+}
+
+void noteShown(const SpanPainter& painter, const Span& span, Marks marks,
+               std::span<const double> climbs, ShownStrip& shown) {
+  const Material material = painter.materialOf(span.surface);
+  const SpanMapping mapping = painter.mappingOf(material, span);
+  const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
+  if (hasHoles && marks != Marks::Texels) return;
+  for (int row = span.rowBegin; row < span.rowEnd; ++row) {
+    const double measure = mapping.measureAt(climbs[static_cast<std::size_t>(row)]);
+    if (hasHoles && isHole(mapping, measure, material.image())) continue;
+    ShownPixel& pixel = shown.at(span.column, row);
+    pixel.surface = span.surface;
+    ++pixel.times;
+    pixel.depth = depthOf(mapping, measure);
+    pixel.texel.reset();
+    if (material.lit) pixel.texel = {mapping.s.at(measure), mapping.t.at(measure)};
   }
 }
 

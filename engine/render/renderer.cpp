@@ -8,6 +8,8 @@
 #include "light/parallel.h"
 #include "math/check.h"
 #include "render/channel_pixels.h"
+#include "render/marks.h"
+#include "render/shown_strip.h"
 #include "render/span_painter.h"
 #include "render/visibility.h"
 
@@ -157,6 +159,29 @@ Image Renderer::draw(const Camera& camera, Channel channel) const {
   paintStrips(scratch, 1, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
     paintChannel(painter, span, channel, scratch.climbs, strip);
   });
+  return picture;
+}
+
+Image Renderer::draw(const Camera& camera, Marks marks) const {
+  FrameScratch scratch;
+  Image picture;
+  fit(picture, camera);
+  findSpans(camera, 1, scratch, 1);
+  const Projection projection = projectionFor(level_, camera);
+  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
+  Strip strip;
+  ShownStrip shown;
+  RowBatch batch{};
+  for (int i = 0; i < Strip::countIn(camera.width); ++i) {
+    strip.begin(i, camera.height, kHole);
+    shown.begin(i, camera.height);
+    for (const Span& span : scratch.spansOf(i)) {
+      painter.paint(span, LightMode::Both, batch, strip, scratch.painted);
+      noteShown(painter, span, marks, scratch.climbs, shown);
+    }
+    mark(marks, level_, shown, std::min((i + 1) * Strip::kColumns, camera.width), strip);
+    strip.copyTo(picture, 1);
+  }
   return picture;
 }
 

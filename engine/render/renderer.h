@@ -28,8 +28,8 @@ class Renderer {
   const BakedLight& light() const { return light_; }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
-  /// and the same pixels whatever the number of threads. Channels are drawn with all pixels,
-  /// whatever the settings.
+  /// and the same pixels whatever the number of threads. Channels and marks are drawn with all
+  /// pixels, whatever the settings.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
             int threads = 1) const;
   /// The same pixels, straight into rows of the camera's size.
@@ -44,6 +44,7 @@ class Renderer {
   /// Single pictures.
   Image draw(const Camera& camera, LightMode mode) const;
   Image draw(const Camera& camera, Channel channel) const;
+  Image draw(const Camera& camera, Marks marks) const;
 
  private:
   /// The first phase of a frame of squares of pixels.

@@ -10,6 +10,7 @@
 #include "math/tolerance.h"
 #include "render/line.h"
 #include "render/renderer.h"
+#include "render/segment_colors.h"
 #include "render/visibility.h"
 
 namespace hearth {
@@ -18,30 +19,21 @@ namespace {
 
 constexpr Rgb kBackground = {16, 18, 28};
 constexpr Rgb kAxis = {52, 58, 80};
-constexpr Rgb kWall = {255, 255, 255};
-constexpr Rgb kWayOn = {255, 160, 48};
 constexpr Rgb kEye = {96, 200, 255};
 constexpr Rgb kFieldOfView = {48, 120, 176};
 
 /// Share of the picture's shorter side that stays free round a plan.
 constexpr double kMargin = 0.06;
 
-/// Metres of depth. The pictures leave out what is nearer than authors can mean: 1/depth has no
-/// end.
+/// Metres of depth. Where 1/depth is drawn, which has no end, what is nearer than authors can mean
+/// is left out; on the screen, what is nearer than any wall is wide.
 constexpr double kNearPlane = kAuthorNoise;
+constexpr double kNearPlaneOfScreen = kShortestWall;
 
 Rgb dimmed(Rgb color) {
   const auto dim = [](std::uint8_t c) { return static_cast<std::uint8_t>(c / 4 + 16); };
   return {dim(color.r), dim(color.g), dim(color.b)};
 }
-
-bool leadsOn(const Segment& segment) {
-  return std::ranges::any_of(segment.pieces, [](const WallPiece& piece) {
-    return std::holds_alternative<Opening>(piece.content);
-  });
-}
-
-Rgb colorOf(const Segment& segment) { return leadsOn(segment) ? kWayOn : kWall; }
 
 void drawLine(Image& image, Vec2 a, Vec2 b, Rgb color) {
   forEachPixelOfLine(a, b, image.width(), image.height(),
@@ -79,10 +71,11 @@ struct ViewedSegment {
   }
 };
 
-ViewedSegment viewed(const Projection& projection, const Segment& segment, double edge) {
+ViewedSegment viewed(const Projection& projection, const Segment& segment, double edge,
+                     double nearPlane) {
   ViewedSegment result{projection.toCamera(segment.p0), projection.toCamera(segment.p1), {}};
   const auto& [p0, p1, part] = result;
-  std::optional<LinePart> left = keepPositive({}, p0.depth - kNearPlane, p1.depth - kNearPlane);
+  std::optional<LinePart> left = keepPositive({}, p0.depth - nearPlane, p1.depth - nearPlane);
   if (left) left = keepPositive(*left, p0.lateral + edge * p0.depth, p1.lateral + edge * p1.depth);
   if (left) left = keepPositive(*left, edge * p0.depth - p0.lateral, edge * p1.depth - p1.lateral);
   result.part = left;
@@ -152,7 +145,7 @@ double fitView(const Level& level, const Camera& camera, const Projection& proje
   double depth = kNearPlane;
   double lateral = kNearPlane;
   for (const Segment& segment : level.segments) {
-    const ViewedSegment seen = viewed(projection, segment, edge);
+    const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (!seen.part) continue;
     for (const double share : {seen.part->from, seen.part->to}) {
       depth = std::max(depth, seen.at(share).depth);
@@ -179,7 +172,7 @@ Image drawCamera(const Level& level, const Camera& camera, const Projection& pro
              toPicture(projection.toCamera(segment.p1)), dimmed(colorOf(segment)));
   });
   forWallsThenWaysOn(level, [&](const Segment& segment) {
-    const ViewedSegment seen = viewed(projection, segment, edge);
+    const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (seen.part)
       drawLine(image, toPicture(seen.at(seen.part->from)), toPicture(seen.at(seen.part->to)),
                colorOf(segment));
@@ -244,11 +237,11 @@ class ShownPixels {
 /// of sectors of which something shows.
 template <typename Draw>
 void forSegmentsInView(const Level& level, const Camera& camera, const Projection& projection,
-                       const ShownPixels& shown, Draw&& draw) {
+                       const ShownPixels& shown, double nearPlane, Draw&& draw) {
   const double edge = slantOfEdge(camera, projection);
   forWallsThenWaysOn(level, [&](const Segment& segment) {
     if (!shown.isSeen(segment.sector)) return;
-    const ViewedSegment seen = viewed(projection, segment, edge);
+    const ViewedSegment seen = viewed(projection, segment, edge, nearPlane);
     if (seen.part && facesEye(seen)) draw(segment, seen);
   });
 }
@@ -259,7 +252,7 @@ Image drawDepthSpace(const Level& level, const Camera& camera, const Projection&
   Image image(camera.width, camera.height, kBackground);
   const ShownPixels shown(level, camera, projection);
   double nearest = 0;  // the greatest 1/depth, which goes to the lower edge
-  forSegmentsInView(level, camera, projection, shown,
+  forSegmentsInView(level, camera, projection, shown, kNearPlane,
                     [&](const Segment&, const ViewedSegment& seen) {
                       for (const double share : {seen.part->from, seen.part->to})
                         nearest = std::max(nearest, 1 / seen.at(share).depth);
@@ -269,97 +262,141 @@ Image drawDepthSpace(const Level& level, const Camera& camera, const Projection&
   const double scale = nearest > 0 ? (camera.height - 2 * top) / nearest : 0;
   drawLine(image, {0, top}, {image.width() + 0.0, top}, kAxis);
   drawLine(image, {camera.width / 2.0, 0}, {camera.width / 2.0, image.height() + 0.0}, kAxis);
-  forSegmentsInView(
-      level, camera, projection, shown, [&](const Segment& segment, const ViewedSegment& seen) {
-        const auto toPicture = [&](double share) {
-          const CameraPoint p = seen.at(share);
-          return Vec2{projection.columnOf(p), top + scale / p.depth};
-        };
-        drawLine(image, toPicture(seen.part->from), toPicture(seen.part->to), colorOf(segment));
-      });
+  forSegmentsInView(level, camera, projection, shown, kNearPlane,
+                    [&](const Segment& segment, const ViewedSegment& seen) {
+                      const auto toPicture = [&](double share) {
+                        const CameraPoint p = seen.at(share);
+                        return Vec2{projection.columnOf(p), top + scale / p.depth};
+                      };
+                      drawLine(image, toPicture(seen.part->from), toPicture(seen.part->to),
+                               colorOf(segment));
+                    });
   return image;
 }
 
 // --- Screen ----------------------------------------------------------------------------------
 
-/// Draws the edges of one segment, dim where something hides them.
-class EdgeDrawer {
- public:
-  EdgeDrawer(Image& image, const Level& level, const Projection& projection,
-             const ShownPixels& shown, const Segment& segment, const ViewedSegment& seen)
-      : image_(image),
-        level_(level),
-        projection_(projection),
-        shown_(shown),
-        segment_(segment),
-        seen_(seen) {}
+/// Where a line begins or ends: at a share of the way along a segment, at a height.
+struct LineEnd {
+  double share;
+  double z;
+};
 
-  void draw() const {
-    along(kWall, [&](double share) { return airAt(segment_, share).zBottom; });
-    along(kWall, [&](double share) { return airAt(segment_, share).zTop; });
-    if (seen_.part->from == 0) upright(0);
-    if (seen_.part->to == 1) upright(1);
+/// Calls `draw(from, to, color)` for the edges of what of a segment is in the field of view.
+template <typename Draw>
+class SegmentEdges {
+ public:
+  SegmentEdges(const Level& level, const Segment& segment, LinePart part, const Draw& draw)
+      : level_(level), segment_(segment), part_(part), draw_(draw) {}
+
+  void visit() const {
+    const Sector& sector = level_[segment_.sector];
+    along(colorOf(sector.floor), 1, [&](double share) { return airAt(segment_, share).zBottom; });
+    along(colorOf(sector.ceiling), 1, [&](double share) { return airAt(segment_, share).zTop; });
+    if (part_.from == 0) upright(0);
+    if (part_.to == 1) upright(1);
+    for (std::size_t i = 1; i < segment_.pieces.size(); ++i) borderBelow(segment_.pieces[i]);
     for (const WallPiece& piece : segment_.pieces)
       if (const Opening* opening = std::get_if<Opening>(&piece.content)) frame(piece, *opening);
   }
 
  private:
-  /// The lower and upper edge of an opening.
+  /// Between two parts of a stack; frames of openings come over it. Slopes may bend it.
+  void borderBelow(const WallPiece& piece) const {
+    along(kFlatPortalColor, segment_.airRises ? kBentPieces : 1, [&](double share) {
+      const AirColumn air = airAt(segment_, share);
+      return std::clamp(piece.zBottom, air.zBottom, air.zTop);
+    });
+  }
+
+  /// The lower and upper edge of an opening. They may bend where two slopes cross.
   void frame(const WallPiece& piece, const Opening& opening) const {
+    const Segment& twin = level_[opening.twin];
     const auto span = [&](double share) {
-      return openingSpan(piece, airAt(segment_, share), airAt(level_[opening.twin], 1 - share));
+      return openingSpan(piece, airAt(segment_, share), airAt(twin, 1 - share));
     };
-    along(kWayOn, [&](double share) { return span(share).zBottom; });
-    along(kWayOn, [&](double share) { return span(share).zTop; });
+    const int pieces = segment_.airRises || twin.airRises ? kBentPieces : 1;
+    along(kWayOnColor, pieces, [&](double share) { return span(share).zBottom; });
+    along(kWayOnColor, pieces, [&](double share) { return span(share).zTop; });
   }
 
   void upright(double share) const {
     const AirColumn air = airAt(segment_, share);
-    line(share, air.zBottom, share, air.zTop, colorOf(segment_));
+    draw_(LineEnd{share, air.zBottom}, LineEnd{share, air.zTop}, colorOf(segment_));
   }
 
-  /// A line along the segment. Heights may bend where two slopes cross, hence the pieces.
   template <typename Height>
-  void along(Rgb color, Height&& height) const {
-    constexpr int kPieces = 16;
-    for (int i = 0; i < kPieces; ++i) {
-      const auto& [from, to] = *seen_.part;
-      const double a = std::lerp(from, to, static_cast<double>(i) / kPieces);
-      const double b = std::lerp(from, to, (i + 1.0) / kPieces);
-      line(a, height(a), b, height(b), color);
+  void along(Rgb color, int pieces, Height&& height) const {
+    for (int i = 0; i < pieces; ++i) {
+      const double a = std::lerp(part_.from, part_.to, static_cast<double>(i) / pieces);
+      const double b = std::lerp(part_.from, part_.to, (i + 1.0) / pieces);
+      draw_(LineEnd{a, height(a)}, LineEnd{b, height(b)}, color);
     }
   }
 
-  void line(double shareA, double zA, double shareB, double zB, Rgb color) const {
-    const CameraPoint a = seen_.at(shareA);
-    const CameraPoint b = seen_.at(shareB);
-    const Vec2 onScreenA{projection_.columnOf(a), projection_.rowOf(zA, a.depth)};
-    const Vec2 onScreenB{projection_.columnOf(b), projection_.rowOf(zB, b.depth)};
-    forEachPixelOfLine(onScreenA, onScreenB, image_.width(), image_.height(),
-                       [&](int x, int y, double share) {
-                         const double depth = 1 / std::lerp(1 / a.depth, 1 / b.depth, share);
-                         const bool shows = shown_.shows(x, y, segment_.sector, depth);
-                         Rgb& pixel = image_.at(x, y);
-                         if (shows) pixel = color;
-                         if (!shows && pixel == kBackground) pixel = dimmed(color);
-                       });
-  }
+  static constexpr int kBentPieces = 16;
 
-  Image& image_;
   const Level& level_;
-  const Projection& projection_;
-  const ShownPixels& shown_;
   const Segment& segment_;
-  const ViewedSegment& seen_;
+  LinePart part_;
+  const Draw& draw_;
 };
 
+/// Calls `plot(x, y, depth, color)` for the pixels of a segment's edges, whatever hides them.
+template <typename Plot>
+void plotEdges(const Level& level, const Projection& projection, const Camera& camera,
+               const Segment& segment, const ViewedSegment& seen, Plot&& plot) {
+  const auto draw = [&](LineEnd from, LineEnd to, Rgb color) {
+    const CameraPoint a = seen.at(from.share);
+    const CameraPoint b = seen.at(to.share);
+    const Vec2 onScreenA{projection.columnOf(a), projection.rowOf(from.z, a.depth)};
+    const Vec2 onScreenB{projection.columnOf(b), projection.rowOf(to.z, b.depth)};
+    forEachPixelOfLine(onScreenA, onScreenB, camera.width, camera.height,
+                       [&](int x, int y, double share) {
+                         plot(x, y, 1 / std::lerp(1 / a.depth, 1 / b.depth, share), color);
+                       });
+  };
+  SegmentEdges(level, segment, *seen.part, draw).visit();
+}
+
+/// Dim where something hides an edge.
 Image drawScreen(const Level& level, const Camera& camera, const Projection& projection) {
   Image image(camera.width, camera.height, kBackground);
   const ShownPixels shown(level, camera, projection);
-  forSegmentsInView(level, camera, projection, shown,
-                    [&](const Segment& segment, const ViewedSegment& seen) {
-                      EdgeDrawer(image, level, projection, shown, segment, seen).draw();
-                    });
+  const auto draw = [&](const Segment& segment, const ViewedSegment& seen) {
+    plotEdges(level, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
+      Rgb& pixel = image.at(x, y);
+      if (shown.shows(x, y, segment.sector, depth))
+        pixel = color;
+      else if (pixel == kBackground)
+        pixel = dimmed(color);
+    });
+  };
+  forSegmentsInView(level, camera, projection, shown, kNearPlaneOfScreen, draw);
+  return image;
+}
+
+// --- Wireframe -----------------------------------------------------------------------------------
+
+/// Metres at which lines are half as bright as beside the eye.
+constexpr double kHalfBright = 20;
+constexpr double kLeastBright = 0.25;
+
+Rgb faded(Rgb color, double depth) {
+  const double share = std::max(kLeastBright, kHalfBright / (kHalfBright + depth));
+  const auto fade = [share](std::uint8_t c) { return static_cast<std::uint8_t>(share * c); };
+  return {fade(color.r), fade(color.g), fade(color.b)};
+}
+
+Image drawWireframe(const Level& level, const Camera& camera, const Projection& projection) {
+  Image image(camera.width, camera.height);
+  const double edge = slantOfEdge(camera, projection);
+  forWallsThenWaysOn(level, [&](const Segment& segment) {
+    const ViewedSegment seen = viewed(projection, segment, edge, kNearPlaneOfScreen);
+    if (!seen.part) return;
+    plotEdges(level, projection, camera, segment, seen,
+              [&](int x, int y, double depth, Rgb color) { image.at(x, y) = faded(color, depth); });
+  });
   return image;
 }
 
@@ -376,6 +413,8 @@ Image drawView(const Level& level, const Camera& camera, View view) {
       return drawDepthSpace(level, camera, projection);
     case View::Screen:
       return drawScreen(level, camera, projection);
+    case View::Wireframe:
+      return drawWireframe(level, camera, projection);
   }
   return {};
 }

@@ -16,6 +16,8 @@ namespace {
 
 constexpr Rgb kWall = {255, 255, 255};
 constexpr Rgb kWayOn = {255, 160, 48};
+constexpr View kViews[] = {View::World, View::Camera, View::DepthSpace, View::Screen,
+                           View::Wireframe};
 
 LoadedLevel loaded(const std::string& path) {
   LoadResult result = loadLevel(std::string(HEARTH_SOURCE_DIR) + "/" + path);
@@ -98,8 +100,37 @@ TEST_F(Views, OnTheScreenEdgesAreWhereTheProjectionHasThem) {
   EXPECT_TRUE(isNear(image, 100, 77, kWayOn));
 }
 
+/// Whether a line passes a pixel or one beside it, bright enough for a wall at that depth.
+bool hasLine(const Image& image, int x, int y) {
+  for (int j = y - 1; j <= y + 1; ++j)
+    for (int i = x - 1; i <= x + 1; ++i)
+      if (image.at(i, j) != Rgb{}) return true;
+  return false;
+}
+
+TEST_F(Views, TheWireframeHasWhatIsHidden) {
+  const Image image = draw(View::Wireframe);
+  // The foot of the garden's far wall, 7 m ahead, behind the parapet: row 60 + 100 * 1.5 / 7.
+  for (const int column : {90, 100, 110}) EXPECT_TRUE(hasLine(image, column, 81)) << column;
+  for (const int column : {90, 100, 110}) EXPECT_FALSE(hasLine(image, column, 87)) << column;
+  // Nearer lines are brighter: the foot of the wall 3 m ahead.
+  const auto brightest = [&](int column, int row) {
+    return std::max(
+        {image.at(column, row - 1).b, image.at(column, row).b, image.at(column, row + 1).b});
+  };
+  EXPECT_GT(brightest(50, 110), brightest(100, 81));
+}
+
+TEST_F(Views, TheWireframeHasNothingBehindTheEye) {
+  Camera camera = eastward(level);
+  camera.eye.x = 7.999;  // before the last wall, which has no edges in this narrow view
+  camera.sector = SectorId(1);
+  camera.fov = 30;
+  EXPECT_EQ(count(drawView(level, camera, View::Wireframe), Rgb{}), 200 * 120);
+}
+
 TEST_F(Views, ArePicturesOfTheCamerasSize) {
-  for (const View view : {View::World, View::Camera, View::DepthSpace, View::Screen})
+  for (const View view : kViews)
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 200}, {33, 7}}) {
       Camera camera = eastward(level);
       camera.width = width;
@@ -111,14 +142,15 @@ TEST_F(Views, ArePicturesOfTheCamerasSize) {
 }
 
 TEST_F(Views, TakeEveryFieldOfViewAndPlace) {
-  for (const View view : {View::World, View::Camera, View::DepthSpace, View::Screen})
+  for (const View view : kViews)
     for (const double fov : {1.0, 179.0})
       for (const Vec3 eye : {Vec3{0, 0, 0}, Vec3{4, 2, 1.5}, Vec3{1e-9, 2, 1.5}, Vec3{2, 4, 3}}) {
         Camera camera = eastward(level);
         camera.fov = fov;
         camera.pitch = 60;
         camera.eye = eye;
-        EXPECT_GT(count(drawView(level, camera, view), {16, 18, 28}), 0);
+        const Rgb background = view == View::Wireframe ? Rgb{} : Rgb{16, 18, 28};
+        EXPECT_GT(count(drawView(level, camera, view), background), 0);
       }
 }
 

@@ -86,7 +86,8 @@ class Shot(InFolder):
         pictures = {}
         for options in [(), ("--light", "none"), ("--light", "only")] + [
                 ("--channel", name) for name in
-                "sector surface depth uv normal light overdraw world camera depthspace screen spaces".split()]:
+                ("grid outlines holes sector surface depth uv normal light overdraw wireframe world camera "
+                 "depthspace screen spaces").split()]:
             result = self.shot("--camera", "1,2,1.5,10", *options)
             self.assertEqual(result.returncode, 0, result.stderr)
             pictures[options] = self.out.read_bytes()

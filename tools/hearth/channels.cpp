@@ -21,13 +21,19 @@ constexpr std::array kChannels = {
     std::pair{std::string_view("light"), Channel::Light},
     std::pair{std::string_view("overdraw"), Channel::Overdraw},
 };
-constexpr std::array kViews = {
+constexpr std::array kMarks = {
+    std::pair{std::string_view("grid"), Marks::Texels},
+    std::pair{std::string_view("outlines"), Marks::Outlines},
+    std::pair{std::string_view("holes"), Marks::Coverage},
+};
+constexpr std::array kSpaces = {
     std::pair{std::string_view("world"), View::World},
     std::pair{std::string_view("camera"), View::Camera},
     std::pair{std::string_view("depthspace"), View::DepthSpace},
     std::pair{std::string_view("screen"), View::Screen},
 };
-constexpr std::string_view kAllViews = "spaces";
+constexpr std::string_view kAllSpaces = "spaces";
+constexpr std::string_view kWireframe = "wireframe";
 
 template <typename Table>
 auto find(const Table& table, std::string_view name) -> std::optional<decltype(table[0].second)> {
@@ -42,18 +48,18 @@ void copy(const Image& tile, int left, int top, Image& picture) {
 }
 
 /// The four views in the quarters of a picture, row by row.
-Image drawAllViews(const Level& level, const Camera& camera) {
+Image drawAllSpaces(const Level& level, const Camera& camera) {
   Image picture(camera.width, camera.height);
   const std::array<int, 3> xs = {0, camera.width / 2, camera.width};
   const std::array<int, 3> ys = {0, camera.height / 2, camera.height};
-  for (std::size_t i = 0; i < kViews.size(); ++i) {
+  for (std::size_t i = 0; i < kSpaces.size(); ++i) {
     const std::size_t column = i % 2;
     const std::size_t row = i / 2;
     Camera quarter = camera;
     quarter.width = xs.at(column + 1) - xs.at(column);
     quarter.height = ys.at(row + 1) - ys.at(row);
     if (quarter.width > 0 && quarter.height > 0)
-      copy(drawView(level, quarter, kViews.at(i).second), xs.at(column), ys.at(row), picture);
+      copy(drawView(level, quarter, kSpaces.at(i).second), xs.at(column), ys.at(row), picture);
   }
   return picture;
 }
@@ -64,14 +70,16 @@ std::vector<std::string_view> channelNames() { return split(row(Option::Channel)
 
 std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
                                   std::string_view channel) {
-  if (channel == kAllViews) return drawAllViews(level, camera);
-  if (const auto view = find(kViews, channel)) return drawView(level, camera, *view);
+  if (channel == kAllSpaces) return drawAllSpaces(level, camera);
+  if (channel == kWireframe) return drawView(level, camera, View::Wireframe);
+  if (const auto view = find(kSpaces, channel)) return drawView(level, camera, *view);
   return std::nullopt;
 }
 
 Image drawChannel(const Level& level, const Renderer& renderer, const Camera& camera,
                   std::string_view channel) {
   if (auto geometry = drawGeometry(level, camera, channel)) return *std::move(geometry);
+  if (const auto marks = find(kMarks, channel)) return renderer.draw(camera, *marks);
   const auto found = find(kChannels, channel);
   CHECK(found, channel);  // the option takes no other
   return renderer.draw(camera, *found);

@@ -31,9 +31,11 @@ constexpr std::array kTable = {
               "horizontal field of view"},
     OptionRow{Option::Light, "--light", ValueKind::Choice, "both|none|only", 0, 0, "both",
               "what the picture shows of texture and light"},
-    OptionRow{Option::Channel, "--channel", ValueKind::Choice,
-              "sector|surface|depth|uv|normal|light|overdraw|world|camera|depthspace|screen|spaces",
-              0, 0, "", "the renderer's own numbers, or a view of the geometry, as a picture"},
+    OptionRow{
+        Option::Channel, "--channel", ValueKind::Choice,
+        "grid|outlines|holes|sector|surface|depth|uv|normal|light|overdraw|wireframe|world|camera|"
+        "depthspace|screen|spaces",
+        0, 0, "", "marks on the lit level, the renderer's own numbers, or a view of the geometry"},
     OptionRow{Option::Quality, "--quality", ValueKind::Choice, "draft|normal|high|reference", 0, 0,
               "normal: as the level says",
               "settings of bake and frames that go together; single ones given beside it count"},

@@ -140,7 +140,9 @@ tl::expected<BakedLight, std::string> lightInView(const Level& level, const Came
   if (values.has(Option::LightFrom) || cacheFor(values)) return lightFor(level, values);
   return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
     LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
-    const auto seen = texelsInView(level, surfaces, camera, drawSettingsFrom(values));
+    DrawSettings frame = drawSettingsFrom(values);
+    if (values.has(Option::Channel)) frame.pixelSize = 1;  // channels have all pixels
+    const auto seen = texelsInView(level, surfaces, camera, frame);
     BakedLight light = whileShown(values, ProgressStyle::None, [&](BakeProgress& progress) {
       return bakeOnly(seen, std::move(surfaces), level, settings, threadsFrom(values), &progress);
     });

@@ -1,0 +1,77 @@
+#include "render/outlines.h"
+
+#include <cstddef>
+#include <variant>
+
+#include "render/segment_colors.h"
+
+namespace hearth {
+
+namespace {
+
+/// On which side of the nearer of two pixels the other one lies.
+enum class Side { Left, Right, AboveOrBelow };
+
+bool opensTo(const Flat& flat, const Flat& other) {
+  return flat.interface && flat.interface == other.interface;
+}
+
+bool partedByFlatPortal(const Sector& a, const Sector& b) {
+  return opensTo(a.floor, b.ceiling) || opensTo(a.ceiling, b.floor);
+}
+
+/// Seen from the front the loop goes on to the right.
+const Segment& besideInLoop(const Level& level, SegmentId id, Side side) {
+  const Segment& segment = level[id];
+  const Loop& loop = level[segment.sector].loops[segment.loop];
+  const std::size_t place = id.index() - loop.first.index();
+  const std::size_t way = side == Side::Right ? 1 : loop.count - 1;
+  return level[SegmentId(loop.first.index() + (place + way) % loop.count)];
+}
+
+/// Of the edge of a wall. Where it ends at an opening, that is the opening's, too.
+Rgb colorOfEdge(const Level& level, SegmentId wall, Side side) {
+  if (leadsOn(level[wall]) || side == Side::AboveOrBelow) return colorOf(level[wall]);
+  return colorOf(besideInLoop(level, wall, side));
+}
+
+bool isBorderInStack(const Level& level, const Surface& a, const Surface& b) {
+  return a.segment && a.segment == b.segment &&
+         std::holds_alternative<Stack>(level[*a.segment].kind);
+}
+
+/// Of the edge of the nearer surface, beyond which the farther one shows.
+Rgb colorOfEdge(const Level& level, const Surface& near, const Surface& far, Side side) {
+  const bool isSameSector = near.sector == far.sector;
+  if (!isSameSector && partedByFlatPortal(level[near.sector], level[far.sector]))
+    return kFlatPortalColor;
+  if (isBorderInStack(level, near, far)) return kFlatPortalColor;
+  if (near.segment && (!isSameSector || far.segment))
+    return colorOfEdge(level, *near.segment, side);
+  // A flat ends at walls of its own sector, or at an opening.
+  if (!isSameSector) return kWayOnColor;
+  const auto wall = near.segment ? near.segment : far.segment;
+  return wall ? colorOf(level[*wall]) : kWallColor;
+}
+
+std::optional<Rgb> colorBetween(const Level& level, const ShownPixel& a, const ShownPixel& b,
+                                bool areInRow) {
+  if (!a.surface || !b.surface || a.surface == b.surface) return std::nullopt;
+  const bool isFirstNearer = a.depth <= b.depth;
+  const Surface& near = level[isFirstNearer ? *a.surface : *b.surface];
+  const Surface& far = level[isFirstNearer ? *b.surface : *a.surface];
+  if (isSky(near.kind) && isSky(far.kind)) return std::nullopt;
+  const Side side = !areInRow ? Side::AboveOrBelow : (isFirstNearer ? Side::Right : Side::Left);
+  return colorOfEdge(level, near, far, side);
+}
+
+}  // namespace
+
+std::optional<Rgb> outlineColor(const Level& level, const ShownPixel& pixel, const ShownPixel* left,
+                                const ShownPixel* above) {
+  if (left)
+    if (const auto color = colorBetween(level, *left, pixel, true)) return color;
+  return above ? colorBetween(level, *above, pixel, false) : std::nullopt;
+}
+
+}  // namespace hearth
