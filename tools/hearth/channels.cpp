@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
-#include "hearth/options.h"
 #include "math/check.h"
 #include "render/views.h"
 
@@ -12,34 +12,43 @@ namespace hearth {
 
 namespace {
 
-constexpr std::array kChannels = {
-    std::pair{std::string_view("sector"), Channel::Sector},
-    std::pair{std::string_view("surface"), Channel::Surface},
-    std::pair{std::string_view("depth"), Channel::Depth},
-    std::pair{std::string_view("uv"), Channel::Uv},
-    std::pair{std::string_view("normal"), Channel::Normal},
-    std::pair{std::string_view("light"), Channel::Light},
-    std::pair{std::string_view("overdraw"), Channel::Overdraw},
-};
-constexpr std::array kMarks = {
-    std::pair{std::string_view("grid"), Marks::Texels},
-    std::pair{std::string_view("outlines"), Marks::Outlines},
-    std::pair{std::string_view("holes"), Marks::Coverage},
-};
-constexpr std::array kSpaces = {
-    std::pair{std::string_view("world"), View::World},
-    std::pair{std::string_view("camera"), View::Camera},
-    std::pair{std::string_view("depthspace"), View::DepthSpace},
-    std::pair{std::string_view("screen"), View::Screen},
-};
-constexpr std::string_view kAllSpaces = "spaces";
-constexpr std::string_view kWireframe = "wireframe";
+struct FourSpaces {};
 
-template <typename Table>
-auto find(const Table& table, std::string_view name) -> std::optional<decltype(table[0].second)> {
-  for (const auto& [key, value] : table)
-    if (key == name) return value;
-  return std::nullopt;
+struct Row {
+  std::string_view name;
+  std::variant<Marks, Channel, View, FourSpaces> draws;
+  std::string_view shows;
+};
+
+constexpr std::array kRows = {
+    Row{"grid", Marks::Texels, "lines between the lightmaps' texels, stronger ones at every 8th"},
+    Row{"outlines", Marks::Outlines,
+        "edges: walls white, ways on orange, flat portals and borders in stacks green"},
+    Row{"holes", Marks::Coverage, "magenta: drawn by nothing; red: drawn more than once"},
+    Row{"sector", Channel::Sector, "a colour for each sector"},
+    Row{"surface", Channel::Surface, "a colour for each surface"},
+    Row{"depth", Channel::Depth, "the nearer the brighter; half bright at 1 m"},
+    Row{"uv", Channel::Uv, "red: u, green: v, within an image"},
+    Row{"normal", Channel::Normal, "where surfaces face: x red, y green, z blue"},
+    Row{"light", Channel::Light, "the lightmaps alone, without the light of sectors"},
+    Row{"overdraw", Channel::Overdraw, "green: drawn once, red: more often"},
+    Row{"wireframe", View::Wireframe, "edges of all walls, hidden or not, dimmer when far"},
+    Row{"world", View::World, "world space: the plan, with the eye and what it looks at"},
+    Row{"camera", View::Camera, "camera space: the plan as the eye turns it, looking up"},
+    Row{"depthspace", View::DepthSpace, "depth space: columns to the right, 1/depth downwards"},
+    Row{"screen", View::Screen, "screen space: edges of walls in view, dim where hidden"},
+    Row{"spaces", FourSpaces{}, "world, camera, depth and screen space side by side"},
+};
+constexpr std::array kSpaces = {View::World, View::Camera, View::DepthSpace, View::Screen};
+
+ChannelKind kindOf(const Row& row) {
+  if (std::holds_alternative<Marks>(row.draws)) return ChannelKind::Marks;
+  return std::holds_alternative<Channel>(row.draws) ? ChannelKind::Numbers : ChannelKind::Geometry;
+}
+
+const Row* find(std::string_view name) {
+  const auto* const found = std::ranges::find(kRows, name, &Row::name);
+  return found == kRows.end() ? nullptr : found;
 }
 
 void copy(const Image& tile, int left, int top, Image& picture) {
@@ -47,7 +56,7 @@ void copy(const Image& tile, int left, int top, Image& picture) {
     for (int x = 0; x < tile.width(); ++x) picture.at(left + x, top + y) = tile.at(x, y);
 }
 
-/// The four views in the quarters of a picture, row by row.
+/// The four spaces in the quarters of a picture, row by row.
 Image drawAllSpaces(const Level& level, const Camera& camera) {
   Image picture(camera.width, camera.height);
   const std::array<int, 3> xs = {0, camera.width / 2, camera.width};
@@ -59,30 +68,39 @@ Image drawAllSpaces(const Level& level, const Camera& camera) {
     quarter.width = xs.at(column + 1) - xs.at(column);
     quarter.height = ys.at(row + 1) - ys.at(row);
     if (quarter.width > 0 && quarter.height > 0)
-      copy(drawView(level, quarter, kSpaces.at(i).second), xs.at(column), ys.at(row), picture);
+      copy(drawView(level, quarter, kSpaces.at(i)), xs.at(column), ys.at(row), picture);
   }
   return picture;
 }
 
 }  // namespace
 
-std::vector<std::string_view> channelNames() { return split(row(Option::Channel).value, '|'); }
+std::vector<ChannelText> channelTexts() {
+  std::vector<ChannelText> texts;
+  for (const Row& row : kRows) texts.push_back({row.name, kindOf(row), row.shows});
+  return texts;
+}
+
+bool isGeometry(std::string_view channel) {
+  const Row* row = find(channel);
+  return row && kindOf(*row) == ChannelKind::Geometry;
+}
 
 std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
                                   std::string_view channel) {
-  if (channel == kAllSpaces) return drawAllSpaces(level, camera);
-  if (channel == kWireframe) return drawView(level, camera, View::Wireframe);
-  if (const auto view = find(kSpaces, channel)) return drawView(level, camera, *view);
-  return std::nullopt;
+  if (!isGeometry(channel)) return std::nullopt;
+  const View* view = std::get_if<View>(&find(channel)->draws);
+  return view ? drawView(level, camera, *view) : drawAllSpaces(level, camera);
 }
 
 Image drawChannel(const Level& level, const Renderer& renderer, const Camera& camera,
                   std::string_view channel) {
-  if (auto geometry = drawGeometry(level, camera, channel)) return *std::move(geometry);
-  if (const auto marks = find(kMarks, channel)) return renderer.draw(camera, *marks);
-  const auto found = find(kChannels, channel);
-  CHECK(found, channel);  // the option takes no other
-  return renderer.draw(camera, *found);
+  const Row* row = find(channel);
+  CHECK(row, channel);  // the option takes no other
+  if (const Marks* marks = std::get_if<Marks>(&row->draws)) return renderer.draw(camera, *marks);
+  if (const Channel* numbers = std::get_if<Channel>(&row->draws))
+    return renderer.draw(camera, *numbers);
+  return *drawGeometry(level, camera, channel);
 }
 
 }  // namespace hearth

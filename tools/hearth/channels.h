@@ -10,10 +10,25 @@
 /// What a picture can show besides the lit level, by the names that `--channel` takes.
 namespace hearth {
 
-/// In the order of the option's choices.
-std::vector<std::string_view> channelNames();
+enum class ChannelKind {
+  Marks,     ///< on the lit level
+  Numbers,   ///< the renderer's own
+  Geometry,  ///< alone: needs no light
+};
 
-/// A picture of the camera's size, if the channel is one of geometry alone, which needs no light.
+struct ChannelText {
+  std::string_view name;
+  ChannelKind kind;
+  std::string_view shows;
+};
+
+/// All there are, in the order of the option's choices.
+std::vector<ChannelText> channelTexts();
+
+/// Whether the channel of this name is one of geometry alone; none has an empty name.
+bool isGeometry(std::string_view channel);
+
+/// A picture of the camera's size, if the channel is one of geometry alone.
 std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
                                   std::string_view channel);
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hearth/channels.h"
 #include "hearth/options.h"
@@ -152,7 +153,7 @@ TEST(ViewSectionTest, LetsChooseEveryChannelAndEveryMode) {
     for (const Uint32 type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
       overlay.take(buttonAt(type, x, y));
       for (int i = 0; i < 2; ++i) {
-        Image picture(500, 200);
+        Image picture(500, 300);
         overlay.draw(
             now += 0.02, [&] { showView(mode, channel); }, picture);
       }
@@ -162,12 +163,23 @@ TEST(ViewSectionTest, LetsChooseEveryChannelAndEveryMode) {
   };
   click(400, 17);  // the first picture, in which nothing is laid out yet
   click(400, 17);  // opens the section
-  for (int y = 40; y < 150; y += 11)
-    for (int x = 50; x < 480; x += 12) click(x, y);
+  for (int y = 40; y < 290; y += 11)
+    for (int x = 50; x < 480; x += 16) click(x, y);
   EXPECT_EQ(modes.size(), 3);
   std::set<std::string_view> all = {""};
-  for (const std::string_view name : channelNames()) all.insert(name);
+  for (const std::string_view name : split(row(Option::Channel).value, '|')) all.insert(name);
   EXPECT_EQ(channels, all);
+}
+
+TEST(Channels, AreThoseOfTheOptionWithAText) {
+  std::vector<std::string_view> names;
+  for (const ChannelText& text : channelTexts()) {
+    names.push_back(text.name);
+    EXPECT_FALSE(text.shows.empty()) << text.name;
+    EXPECT_EQ(isGeometry(text.name), text.kind == ChannelKind::Geometry);
+  }
+  EXPECT_EQ(names, split(row(Option::Channel).value, '|'));
+  EXPECT_FALSE(isGeometry(""));
 }
 
 // --- Figures -------------------------------------------------------------------------------------

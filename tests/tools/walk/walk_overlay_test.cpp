@@ -86,6 +86,51 @@ TEST(WalkOverlay, ShowsChannelsWithTheOptionsThatDrawThemAgain) {
   EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::None, {64, 40}));
 }
 
+/// Whether the left of the picture is `part`, all of it.
+bool beginsWith(const Image& picture, const Image& part) {
+  for (int y = 0; y < part.height(); ++y)
+    for (int x = 0; x < part.width(); ++x)
+      if (!(picture.at(x, y) == part.at(x, y))) return false;
+  return true;
+}
+
+TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
+  for (const PictureSize size : {PictureSize{1280, 720}, {3840, 2160}}) {
+    WalkSettings settings;
+    settings.view.channel = "spaces";
+    test::StagedWalk walk(settings);
+    walk.stage.window = size;
+    walk.now(down(SDL_SCANCODE_F1));
+    for (int i = 0; i < 4; ++i) walk.now();
+    Overlay panel;  // of the same size
+    panel.toggle();
+    Image picture(size.width, size.height);
+    panel.draw(
+        1, [] {}, picture);
+    const Eye eye = eyeOf(walk.level(), walk.start());
+    const Camera camera{eye.sector, eye.point,    eye.angle,
+                        eye.pitch,  settings.fov, panel.leaves(size.width),
+                        size.height};
+    EXPECT_EQ(walk.stage.shown.width(), size.width);
+    EXPECT_TRUE(beginsWith(walk.stage.shown, *drawGeometry(walk.level(), camera, "spaces")));
+    walk.now(down(SDL_SCANCODE_F1));
+    EXPECT_TRUE(
+        beginsWith(walk.stage.shown, *drawGeometry(walk.level(),
+                                                   {eye.sector, eye.point, eye.angle, eye.pitch,
+                                                    settings.fov, size.width, size.height},
+                                                   "spaces")));
+  }
+}
+
+TEST(WalkOverlay, CoversChannelsOfGeometryWhereThereIsNoRoomBeside) {
+  WalkSettings settings;
+  settings.view.channel = "world";
+  test::StagedWalk walk(settings);
+  walk.now(down(SDL_SCANCODE_F1));
+  for (int i = 0; i < 4; ++i) walk.now();
+  EXPECT_EQ(walk.stage.shown.width(), 64);
+}
+
 TEST(Channels, HaveTheFourSpacesInTheirQuarters) {
   const Level& level = test::rooms().loaded.level;
   const Camera camera{level.player->sector, level.player->eye, level.player->angle, 0, 90, 61, 41};

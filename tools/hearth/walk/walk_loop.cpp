@@ -34,6 +34,15 @@ std::string_view nameOf(LightMode mode) {
   return "";
 }
 
+/// With black at the right.
+void widen(Image& picture, int width) {
+  if (picture.width() == width) return;
+  Image wide(width, picture.height());
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) wide.at(x, y) = picture.at(x, y);
+  picture = std::move(wide);
+}
+
 }  // namespace
 
 WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journey,
@@ -208,15 +217,21 @@ void WalkLoop::awaitScreenshots() {
 
 // --- Pictures ------------------------------------------------------------------------------------
 
-Camera WalkLoop::cameraIn(PictureSize window) const {
+/// Of geometry the panel covers nothing, if it leaves any room.
+Camera WalkLoop::cameraIn(PictureSize picture) const {
   const Eye eye = journey_.eye(shareOfTick_);
-  const auto [width, height] = settings_.size.value_or(window);
-  return {eye.sector, eye.point, eye.angle, eye.pitch, settings_.fov, width, height};
+  const int beside = isGeometry(scene_.view.channel) ? overlay_.leaves(picture.width) : 0;
+  return {eye.sector,    eye.point,     eye.angle,
+          eye.pitch,     settings_.fov, beside > 0 ? beside : picture.width,
+          picture.height};
 }
 
 void WalkLoop::drawOrRest(double now) {
   const std::optional<PictureSize> window = outside_.windowSize();
-  if (window) scene_.camera = cameraIn(*window);
+  if (window) {
+    scene_.size = settings_.size.value_or(*window);
+    scene_.camera = cameraIn(scene_.size);
+  }
   if (!window || (shown_ == scene_ && !overlay_.isStale(now))) return outside_.rest(kTickSeconds);
   const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
   const double wait = nextFrame_ - now;
@@ -250,6 +265,7 @@ void WalkLoop::drawImage(double now) {
     picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel);
   parts.paint = lap();
   if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
+  widen(picture_, scene_.size.width);
   seeWhatIsDrawn();
   drawCaptions();
   drawOverlay(now);

@@ -75,7 +75,8 @@ class WalkLoop {
  private:
   /// What a picture depends on besides the level.
   struct Scene {
-    Camera camera;
+    PictureSize size{};
+    Camera camera;  ///< of the picture or, of a channel of geometry, of what the panel leaves of it
     WalkView view;
     std::string message;
     std::vector<std::string> notes;
@@ -94,7 +95,7 @@ class WalkLoop {
   void say(std::string message, double now);
   void updateMessage(double now);
   void tell(const Screenshots::News& news);
-  Camera cameraIn(PictureSize window) const;
+  Camera cameraIn(PictureSize picture) const;
   void drawOrRest(double now);
   void draw(double now);
   void drawImage(double now);
