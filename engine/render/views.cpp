@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "level/openings.h"
+#include "level/plan_frame.h"
 #include "math/tolerance.h"
 #include "render/line.h"
 #include "render/renderer.h"
@@ -99,17 +100,13 @@ struct Fit {
 };
 
 Fit fitPlan(const Level& level, const Camera& camera) {
-  Vec2 low = camera.eye.xy();
-  Vec2 high = low;
-  for (const Segment& segment : level.segments) {
-    low = {std::min(low.x, segment.p0.x), std::min(low.y, segment.p0.y)};
-    high = {std::max(high.x, segment.p0.x), std::max(high.y, segment.p0.y)};
-  }
-  const Vec2 size = high - low;
+  PlanBox frame = planFrame(level);
+  frame.add(camera.eye.xy());
+  const Vec2 size = frame.high - frame.low;
   const double free = 1 - 2 * kMargin;
   const double scale = std::min(camera.width * free / std::max(size.x, kNearPlane),
                                 camera.height * free / std::max(size.y, kNearPlane));
-  return {scale, low + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
+  return {scale, frame.low + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
 }
 
 Image drawWorld(const Level& level, const Camera& camera, const Projection& projection) {
@@ -138,21 +135,43 @@ Image drawWorld(const Level& level, const Camera& camera, const Projection& proj
 
 // --- Camera ----------------------------------------------------------------------------------
 
-/// Pixels per metre at which all that lies in the field of view fits above the eye.
-double fitView(const Level& level, const Camera& camera, const Projection& projection,
-               double eyeRow) {
-  const double edge = slantOfEdge(camera, projection);
-  double depth = kNearPlane;
-  double lateral = kNearPlane;
+/// How far from the eye things are, ahead and to either side: metres.
+struct Extent {
+  double depth = 0;
+  double lateral = 0;
+};
+
+/// Of what lies in the field of view of the segments that count.
+template <typename Counts>
+Extent extentInView(const Level& level, const Projection& projection, double edge,
+                    Counts&& counts) {
+  Extent extent;
   for (const Segment& segment : level.segments) {
+    if (!counts(segment)) continue;
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (!seen.part) continue;
     for (const double share : {seen.part->from, seen.part->to}) {
-      depth = std::max(depth, seen.at(share).depth);
-      lateral = std::max(lateral, std::abs(seen.at(share).lateral));
+      extent.depth = std::max(extent.depth, seen.at(share).depth);
+      extent.lateral = std::max(extent.lateral, std::abs(seen.at(share).lateral));
     }
   }
-  return std::min(eyeRow / depth, camera.width / 2.0 / lateral) * (1 - kMargin);
+  return extent;
+}
+
+/// Pixels per metre at which what of the plan lies in the field of view fits above the eye, or all
+/// if the plan has nothing there.
+double fitView(const Level& level, const Camera& camera, const Projection& projection,
+               double eyeRow) {
+  const double edge = slantOfEdge(camera, projection);
+  const PlanBox frame = planFrame(level);
+  Extent extent = extentInView(level, projection, edge, [&](const Segment& segment) {
+    return frame.contains(segment.p0) && frame.contains(segment.p1);
+  });
+  if (extent.depth == 0)
+    extent = extentInView(level, projection, edge, [](const Segment&) { return true; });
+  return std::min(eyeRow / std::max(extent.depth, kNearPlane),
+                  camera.width / 2.0 / std::max(extent.lateral, kNearPlane)) *
+         (1 - kMargin);
 }
 
 Image drawCamera(const Level& level, const Camera& camera, const Projection& projection) {

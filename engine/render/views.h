@@ -12,7 +12,7 @@ namespace hearth {
 /// last of them as if nothing hid anything. Walls that lead nowhere are white, those with an
 /// opening orange; on the screen the edges of flat portals are green.
 enum class View : std::uint8_t {
-  World,       ///< the map, y down: all segments, the eye and its field of view
+  World,       ///< the map, y down, the eye and its field of view; far lakes run out of it
   Camera,      ///< as the camera turns it: the eye below, looking up; dim what it cannot see
   DepthSpace,  ///< columns to the right, 1/depth downwards: the segments in view, still straight
   Screen,      ///< edges of the walls in view, dim where something hides them

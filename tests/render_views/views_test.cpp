@@ -9,6 +9,7 @@
 
 #include "load/load.h"
 #include "render/line.h"
+#include "support/level_text.h"
 
 namespace hearth {
 
@@ -98,6 +99,31 @@ TEST_F(Views, OnTheScreenEdgesAreWhereTheProjectionHasThem) {
   for (const int row : {30, 60, 90}) EXPECT_TRUE(isNear(image, 33, row, kWall)) << row;
   // The window's sill, 0.5 m below the eye: row 60 + 100 * 0.5 / 3.
   EXPECT_TRUE(isNear(image, 100, 77, kWayOn));
+}
+
+TEST(ViewsOfAFarHorizon, AreFilledByWhatIsNear) {
+  // A room that opens to a lake of 2 km.
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light': 1, 'shots': [{'name': 'in', 'camera': [1, 2, 1.5, 0, 0]}, "
+      "{'name': 'out', 'camera': [3, 2, 1.5, 0, 0]}], 'sectors': {" +
+      test::sectorText("room", "0,0, 4,0, 4,4, 0,4", 0, 3,
+                       "[{'texture': '#808080'}, {'next': 'lake'}, {'texture': '#808080'}, "
+                       "{'texture': '#808080'}]") +
+      "," +
+      test::sectorText("lake", "4,0, 2000,-1000, 2000,1000, 4,4", 0, 3,
+                       "[{'texture': '#808080'}, {'texture': '#808080'}, {'texture': '#808080'}, "
+                       "{'next': 'room'}]") +
+      "}}");
+  Camera camera = cameraOf(loaded.level.shots.front());
+  camera.width = 200;
+  camera.height = 120;
+  // 4 m in 120 pixels with 6 % margins are 26.4 pixels a metre about (2, 2).
+  const Image world = drawView(loaded.level, camera, View::World);
+  EXPECT_TRUE(isNear(world, 47, 60, kWall));
+  EXPECT_TRUE(isNear(world, 153, 60, kWayOn));
+  // The way out, 3 m ahead, is as far up as the picture has room: the eye's row is 108.
+  const Image turned = drawView(loaded.level, camera, View::Camera);
+  EXPECT_TRUE(isNear(turned, 120, 6, kWayOn));
 }
 
 /// Whether a line passes a pixel or one beside it, bright enough for a wall at that depth.

@@ -14,6 +14,7 @@
 #include "hearth/html.h"
 #include "image/image.h"
 #include "level/locate.h"
+#include "level/plan_frame.h"
 #include "math/predicates.h"
 #include "math/trig.h"
 
@@ -83,34 +84,15 @@ Line lineOf(const Level& level, const Segment& segment) {
   return shows ? Line::Step : Line::Opening;
 }
 
-struct Box {
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high = -1 * low;
-
-  void add(Vec2 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  double longerSide() const { return std::max(high.x - low.x, high.y - low.y); }
-  Box common(const Box& other) const {
-    return {{std::max(low.x, other.low.x), std::max(low.y, other.low.y)},
-            {std::min(high.x, other.high.x), std::min(high.y, other.high.y)}};
-  }
-  bool meets(const Box& other) const {
-    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
-           other.low.y < high.y;
-  }
-};
-
 /// A place inside a sector with much room around it.
 struct Place {
   Vec2 point;
   double room = 0;  ///< metres to the nearest wall
 };
 
-Place roomiestPlace(const Level& level, const Sector& sector, const Box& frame) {
+Place roomiestPlace(const Level& level, const Sector& sector, const PlanBox& frame) {
   constexpr int kTried = 24;  // to a side
-  const Box tried = frame.common({sector.boxMin, sector.boxMax});
+  const PlanBox tried = frame.common({sector.boxMin, sector.boxMax});
   Place best{tried.low};
   for (int j = 0; j < kTried; ++j)
     for (int i = 0; i < kTried; ++i) {
@@ -124,35 +106,13 @@ Place roomiestPlace(const Level& level, const Sector& sector, const Box& frame) 
   return best;
 }
 
-/// How much larger than where lights, shots and player are a sector can be and still be in the
-/// frame as a whole: a lake up to the horizon runs out of it.
-constexpr double kMostTimes = 4;
-
-Box frameOf(const Level& level) {
-  Box used;
-  for (const LightSource& light : level.lights) used.add(light.position.xy());
-  for (const Shot& shot : level.shots) used.add(shot.eye.xy());
-  if (level.player) used.add(level.player->eye.xy());
-  const auto frameWithin = [&](double most) {
-    Box frame;
-    for (const Sector& sector : level.sectors) {
-      if (Box{sector.boxMin, sector.boxMax}.longerSide() > most) continue;
-      frame.add(sector.boxMin);
-      frame.add(sector.boxMax);
-    }
-    return frame;
-  };
-  const Box near = frameWithin(kMostTimes * used.longerSide());
-  return near.longerSide() > 0 ? near : frameWithin(std::numeric_limits<double>::infinity());
-}
-
 std::string hex(Rgb color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b); }
 
 class Plan {
  public:
   explicit Plan(const Level& level)
       : level_(level),
-        frame_(frameOf(level)),
+        frame_(planFrame(level)),
         size_(frame_.high - frame_.low),
         scale_(kLongerSide / std::max(size_.x, size_.y)) {}
 
@@ -265,8 +225,8 @@ class Plan {
   }
 
   bool takes(Vec2 middle, Vec2 half) {
-    const Box box{middle - half, middle + half};
-    const auto isInTheWay = [&](const Box& other) { return box.meets(other); };
+    const PlanBox box{middle - half, middle + half};
+    const auto isInTheWay = [&](const PlanBox& other) { return box.meets(other); };
     if (std::ranges::any_of(taken_, isInTheWay)) return false;
     taken_.push_back(box);
     return true;
@@ -295,7 +255,8 @@ class Plan {
   }
 
   /// Where one looks from, a dot, and the two sides of what is in view; the box around these.
-  Box drawEye(std::string_view style, Vec2 eye, double angle, double fov, std::string_view title) {
+  PlanBox drawEye(std::string_view style, Vec2 eye, double angle, double fov,
+                  std::string_view title) {
     constexpr double kLength = 18;
     const auto end = [&](double turned) {
       const auto [sin, cos] = sinCosDegrees(angle + turned);
@@ -307,13 +268,13 @@ class Plan {
     add("<g class=\"{}\">{}<path d=\"M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}\"/>"
         "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/></g>\n",
         style, title, left.x, left.y, eye.x, eye.y, right.x, right.y, eye.x, eye.y, kEyeRadius);
-    Box box;
+    PlanBox box;
     for (const Vec2 corner : {left, eye, right}) box.add(corner);
     return box;
   }
 
-  Box drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
-                 double fov) {
+  PlanBox drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
+                     double fov) {
     const std::string title = fmt::format("<title>{} at z {:g}</title>", escaped(name), eye.z);
     return taken_.emplace_back(drawEye(style, toPaper(eye.xy()), angle, fov, title));
   }
@@ -326,7 +287,7 @@ class Plan {
   }
 
   /// Beside its sign, where nothing is in the way; else further off, and at last not at all.
-  void drawShotName(std::string_view name, const Box& sign) {
+  void drawShotName(std::string_view name, const PlanBox& sign) {
     constexpr std::array kSides = {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1},  Vec2{0, -1},
                                    Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}};
     const Vec2 half{kLetterWidth * static_cast<double>(name.size()) * kShotText / 2, kShotText / 2};
@@ -395,11 +356,11 @@ class Plan {
   }
 
   const Level& level_;
-  Box frame_;
+  PlanBox frame_;
   Vec2 size_;
-  double scale_;            ///< units per metre
-  std::vector<Box> taken_;  ///< on the paper, by what names must not cover
-  std::vector<Box> shots_;  ///< on the paper: the signs of the level's shots
+  double scale_;                ///< units per metre
+  std::vector<PlanBox> taken_;  ///< on the paper, by what names must not cover
+  std::vector<PlanBox> shots_;  ///< on the paper: the signs of the level's shots
   std::string out_;
 };
 
