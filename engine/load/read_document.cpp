@@ -45,7 +45,11 @@ bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, D
     report.error({documentIndex, 0}, text.error().what, adviceOn(text.error().fault, path));
     return false;
   }
-  document.text = std::move(*text);
+  return readText(*std::move(text), document, documentIndex, report);
+}
+
+bool readText(std::string text, Document& document, std::uint32_t documentIndex, Report& report) {
+  document.text = std::move(text);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (document.text.starts_with(kByteOrderMark)) document.text.erase(0, kByteOrderMark.size());
   if (document.text.starts_with(kByteOrderMark)) {  // which the JSON library would pass over

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "load/document.h"
 #include "load/limits.h"
@@ -12,5 +14,8 @@ namespace hearth {
 /// goes to the report; the result is false where the tree must not be used.
 bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, Document& document,
                   std::uint32_t documentIndex, Report& report);
+
+/// The same of a text that is at hand. The document knows already what messages call it.
+bool readText(std::string text, Document& document, std::uint32_t documentIndex, Report& report);
 
 }  // namespace hearth

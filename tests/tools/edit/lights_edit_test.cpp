@@ -1,0 +1,235 @@
+// The text of a lights file as single edits change it, to the byte.
+
+#include "hearth/edit/lights_edit.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace hearth {
+namespace {
+
+LightsEdit opened(std::string_view text) {
+  auto edit = LightsEdit::open(text, "lights.json");
+  if (edit) return *std::move(edit);
+  ADD_FAILURE() << edit.error();
+  return *LightsEdit::open("[]", "");
+}
+
+LightDescription lightAt(Vec3 position) {
+  LightDescription light;
+  light.source.position = position;
+  return light;
+}
+
+/// The text after one edit, having seen that it can be undone and redone.
+template <typename Edit>
+std::string after(std::string_view text, Edit&& edit) {
+  LightsEdit lights = opened(text);
+  const auto mistake = edit(lights);
+  EXPECT_FALSE(mistake) << mistake.value_or("");
+  std::string last = lights.bytes();
+  if (!lights.canUndo()) return last;
+  lights.undo();
+  EXPECT_EQ(lights.bytes(), text);
+  EXPECT_FALSE(lights.canUndo()) << "an edit is one step";
+  lights.redo();
+  EXPECT_EQ(lights.bytes(), last);
+  return last;
+}
+
+template <typename Change>
+std::string afterChange(std::string_view text, std::size_t light, Change&& change) {
+  return after(text, [&](LightsEdit& lights) {
+    LightDescription to = lights.lights().lights[light];
+    change(to);
+    return lights.set(light, to);
+  });
+}
+
+std::string afterAdd(std::string_view text, const LightDescription& light) {
+  return after(text, [&](LightsEdit& lights) { return lights.add(light); });
+}
+
+std::string afterRemove(std::string_view text, std::size_t light) {
+  return after(text, [&](LightsEdit& lights) { return lights.remove(light); });
+}
+
+TEST(LightsEditTest, ChangesOnlyTheNumberThatChanged) {
+  EXPECT_EQ(afterChange(R"([ {"x" : 1.50 ,"y":1e1, "z":2.0,"$note":[1,{"x":7}]} ])", 0,
+                        [](LightDescription& light) { light.source.position.y = -0.125; }),
+            R"([ {"x" : 1.50 ,"y":-0.125, "z":2.0,"$note":[1,{"x":7}]} ])");
+}
+
+TEST(LightsEditTest, LeavesTheSpellingOfWhatIsTheSame) {
+  const std::string text = R"([{"x":1.50,"y":1e1,"z":-0,"color":"#FFffFF"}])";
+  EXPECT_EQ(afterChange(text, 0,
+                        [](LightDescription& light) {
+                          light.source.position = {1.5, 10, 0};
+                          light.source.intensity = 255;  // which it is by default
+                        }),
+            text);
+}
+
+TEST(LightsEditTest, AddsAKeyInTheMannerOfTheOthers) {
+  const auto brighten = [](LightDescription& light) {
+    light.source.intensity = 90;
+    light.source.color[1] = 16;
+  };
+  EXPECT_EQ(afterChange(R"([{"x":1,"y":2,"z":3}])", 0, brighten),
+            R"([{"x":1,"y":2,"z":3,"intensity":90,"color":"#ff10ff"}])");
+  EXPECT_EQ(afterChange("[\r\n  {\r\n    \"z\" : 1,\r\n    \"y\" : 2,\r\n    \"x\" : 3,\r\n"
+                        "    \"//\" : \"lamp\"\r\n  }\r\n]\r\n",
+                        0, brighten),
+            "[\r\n  {\r\n    \"z\" : 1,\r\n    \"y\" : 2,\r\n    \"x\" : 3,\r\n"
+            "    \"intensity\" : 90,\r\n    \"color\" : \"#ff10ff\",\r\n"
+            "    \"//\" : \"lamp\"\r\n  }\r\n]\r\n");
+}
+
+TEST(LightsEditTest, FindsKeysThatAreSpelledWithEscapes) {
+  EXPECT_EQ(afterChange(R"([{"\u0078":1,"y":2,"z":3}])", 0,
+                        [](LightDescription& light) { light.source.position.x = 5; }),
+            R"([{"\u0078":5,"y":2,"z":3}])");
+}
+
+TEST(LightsEditTest, NamesSectorsAndForgetsThem) {
+  EXPECT_EQ(afterChange(R"([{"x":1,"y":2,"z":3}])", 0,
+                        [](LightDescription& light) {
+                          light.sector = NameReference{"a \"b\"", {}};
+                        }),
+            R"([{"x":1,"y":2,"z":3,"sector":"a \"b\""}])");
+  const auto forget = [](LightDescription& light) { light.sector.reset(); };
+  EXPECT_EQ(afterChange(R"([{"x":1,"y":2, "z":3, "sector":"a" }])", 0, forget),
+            R"([{"x":1,"y":2, "z":3 }])");
+  EXPECT_EQ(afterChange(R"([{"sector":"a", "x":1,"y":2, "z":3}])", 0, forget),
+            R"([{"x":1,"y":2, "z":3}])");
+}
+
+TEST(LightsEditTest, WritesCurvesAndPutsIntensityInTheirPlace) {
+  const std::string text = R"([{"x":1,"y":2,"z":3,"curve":[ [0,9], [4.0,1] ],"radius":1}])";
+  EXPECT_EQ(
+      afterChange(text, 0, [](LightDescription& light) { light.source.curve[1].level = 2.5; }),
+      R"([{"x":1,"y":2,"z":3,"curve":[[0, 9], [4, 2.5]],"radius":1}])");
+  EXPECT_EQ(afterChange(text, 0,
+                        [](LightDescription& light) {
+                          light.source.curve.clear();
+                          light.source.intensity = 9;
+                        }),
+            R"([{"x":1,"y":2,"z":3,"radius":1,"intensity":9}])");
+}
+
+TEST(LightsEditTest, AddsALightLikeTheLast) {
+  EXPECT_EQ(afterAdd(R"([{"x":1,"y":2,"z":3}])", lightAt({4, 5.125, 1e-3})),
+            R"([{"x":1,"y":2,"z":3},{"x":4,"y":5.125,"z":0.001}])");
+  EXPECT_EQ(afterAdd("{ \"lights\": [\n  { \"//\": \"a\",\n    \"x\": 1, \"y\": 2, \"z\": 3 },\n\n"
+                     "  { \"x\": 1, \"y\": 2, \"z\": 3, \"radius\": 1 }\n] }\n",
+                     lightAt({4, 5, 6})),
+            "{ \"lights\": [\n  { \"//\": \"a\",\n    \"x\": 1, \"y\": 2, \"z\": 3 },\n\n"
+            "  { \"x\": 1, \"y\": 2, \"z\": 3, \"radius\": 1 },\n"
+            "  { \"x\": 4, \"y\": 5, \"z\": 6 }\n] }\n");
+}
+
+TEST(LightsEditTest, WritesOfAnAddedLightWhatIsNotByDefault) {
+  LightDescription light = lightAt({1, 2, 3});
+  light.source.falloff = 0.5;
+  EXPECT_EQ(afterAdd("[]", light), R"([{"x":1,"y":2,"z":3,"falloff":0.5}])");
+}
+
+TEST(LightsEditTest, AddsTheFirstLightInTheMannerOfTheText) {
+  const LightDescription light = lightAt({1, 2, 3});
+  EXPECT_EQ(afterAdd("[ ]", light), R"([{ "x": 1, "y": 2, "z": 3 }])");
+  EXPECT_EQ(afterAdd("[\n]\n", light), "[\n  { \"x\": 1, \"y\": 2, \"z\": 3 }\n]\n");
+  EXPECT_EQ(afterAdd("{\r\n\t\"lights\": []\r\n}", light),
+            "{\r\n\t\"lights\": [\r\n\t\t{ \"x\": 1, \"y\": 2, \"z\": 3 }\r\n\t]\r\n}");
+}
+
+TEST(LightsEditTest, RemovesALightWithOneComma) {
+  const std::string text =
+      "[\n  {\"x\":1,\"y\":1,\"z\":1},\n  {\"x\":2,\"y\":2,\"z\":2} ,\n  "
+      "{\"x\":3,\"y\":3,\"z\":3}\n]";
+  EXPECT_EQ(afterRemove(text, 0),
+            "[\n  {\"x\":2,\"y\":2,\"z\":2} ,\n  {\"x\":3,\"y\":3,\"z\":3}\n]");
+  EXPECT_EQ(afterRemove(text, 1),
+            "[\n  {\"x\":1,\"y\":1,\"z\":1},\n  {\"x\":3,\"y\":3,\"z\":3}\n]");
+  EXPECT_EQ(afterRemove(text, 2),
+            "[\n  {\"x\":1,\"y\":1,\"z\":1},\n  {\"x\":2,\"y\":2,\"z\":2}\n]");
+  EXPECT_EQ(afterRemove("[\n  {\"x\":1,\"y\":1,\"z\":1}\n]\n", 0), "[]\n");
+}
+
+TEST(LightsEditTest, KeepsAByteOrderMark) {
+  EXPECT_EQ(afterRemove("\xEF\xBB\xBF[{\"x\":1,\"y\":1,\"z\":1}]", 0), "\xEF\xBB\xBF[]");
+}
+
+TEST(LightsEditTest, KeepsEditsThatAreRefusedOut) {
+  const std::string text = R"([{"x":1,"y":2,"z":3}])";
+  LightsEdit lights = opened(text);
+  LightDescription light = lights.lights().lights[0];
+  light.source.radius = -1;
+  const auto mistake = lights.set(0, light);
+  ASSERT_TRUE(mistake);
+  EXPECT_NE(mistake->find("lights.json:1:30: error: "), std::string::npos) << *mistake;
+  EXPECT_EQ(lights.bytes(), text);
+  EXPECT_EQ(lights.lights().lights[0].source.radius, 0);
+  EXPECT_FALSE(lights.canUndo());
+}
+
+TEST(LightsEditTest, MakesOneStepOfADrag) {
+  const std::string text = R"([{"x":1.0,"y":2.0,"z":3}])";
+  LightsEdit lights = opened(text);
+  const auto move = [&](double x, double y) {
+    LightDescription light = lights.lights().lights[0];
+    light.source.position.x = x;
+    light.source.position.y = y;
+    EXPECT_FALSE(lights.set(0, light));
+  };
+  lights.beginDrag();
+  move(1.5, 2.5);
+  EXPECT_FALSE(lights.canUndo());
+  move(1.75, 2);
+  lights.endDrag();
+  EXPECT_EQ(lights.bytes(), R"([{"x":1.75,"y":2.0,"z":3}])") << "y is spelled as it was";
+  lights.undo();
+  EXPECT_EQ(lights.bytes(), text);
+  EXPECT_FALSE(lights.canUndo());
+
+  lights.beginDrag();
+  move(4, 4);
+  move(1, 2);
+  lights.endDrag();
+  EXPECT_EQ(lights.bytes(), text);
+  EXPECT_FALSE(lights.canUndo()) << "a drag that came back is no step";
+}
+
+TEST(LightsEditTest, ForgetsWhatWasUndoneAfterAnotherEdit) {
+  LightsEdit lights = opened("[]");
+  EXPECT_FALSE(lights.add(lightAt({1, 1, 1})));
+  lights.undo();
+  EXPECT_TRUE(lights.canRedo());
+  EXPECT_FALSE(lights.add(lightAt({2, 2, 2})));
+  EXPECT_FALSE(lights.canRedo());
+}
+
+TEST(LightsEditTest, OpensNoTextWithMistakes) {
+  const auto broken = LightsEdit::open("[\n{\"x\":1}]", "my.json");
+  ASSERT_FALSE(broken);
+  EXPECT_TRUE(broken.error().starts_with("my.json:2:1: error: ")) << broken.error();
+  EXPECT_FALSE(LightsEdit::open("[", "my.json"));
+  EXPECT_FALSE(LightsEdit::open("{\"sectors\":{}}", "my.json"));
+}
+
+TEST(LightsEditTest, HasTheCommentOfALight) {
+  const LightsEdit lights = opened(
+      R"([{"//":"lamp, \"A\"","x":1,"y":1,"z":1},{"x":1,"y":1,"z":1,"//":2},{"x":1,"y":1,"z":1}])");
+  EXPECT_EQ(lights.commentOf(0), "lamp, \"A\"");
+  EXPECT_EQ(lights.commentOf(1), "");
+  EXPECT_EQ(lights.commentOf(2), "");
+}
+
+TEST(LightsEditTest, RoundsToMillimetres) {
+  EXPECT_EQ(toMillimetres(1.23456), 1.235);
+  EXPECT_EQ(toMillimetres(-0.0004), 0);
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Where the parts of a JSON text stand, ignored keys among them, and the changes that leave all
+/// others as they are spelled. Offsets are bytes. All of it expects JSON that parse() has taken.
+namespace hearth {
+
+struct TextRange {
+  std::size_t begin;
+  std::size_t end;  ///< one past the last byte
+
+  std::string_view of(std::string_view text) const { return text.substr(begin, end - begin); }
+};
+
+struct MemberRange {
+  std::string name;
+  TextRange key;  ///< with its quotes
+  TextRange value;
+};
+
+/// Of the object that begins at `object`, in the order of the text.
+std::vector<MemberRange> membersAt(std::string_view json, std::size_t object);
+/// Of the array that begins at `array`.
+std::vector<TextRange> elementsAt(std::string_view json, std::size_t array);
+
+/// Bytes of a text in place of others.
+struct Replacement {
+  std::size_t offset;
+  std::string before;
+  std::string after;
+};
+
+/// A member that is to be written: its key and its value, spelled.
+struct SpelledMember {
+  std::string key;
+  std::string value;
+};
+
+/// Gives the object's member a value. One that is not there yet comes behind the last of those
+/// that `earlier` names, with blanks as before that. Expects: the object has two members at least,
+/// and one of those.
+Replacement withMember(std::string_view json, std::size_t object, const SpelledMember& member,
+                       const std::vector<std::string_view>& earlier);
+/// Takes a member out with one of its commas. Expects: the object has it.
+Replacement withoutMember(std::string_view json, std::size_t object, std::string_view key);
+
+/// Puts an object at the end of an array, in the manner of the last one there, which has the
+/// members `x`, `y` and `z`; in an empty array in that of the whole text.
+Replacement withObject(std::string_view json, std::size_t array,
+                       const std::vector<SpelledMember>& members);
+/// Takes an element out with one of its commas.
+Replacement withoutElement(std::string_view json, std::size_t array, std::size_t index);
+
+}  // namespace hearth
