@@ -16,13 +16,15 @@ namespace fs = std::filesystem;
 
 class Loader {
  public:
-  Loader(const fs::path& file, const LoadLimits& limits) : file_(file), limits_(limits) {
+  Loader(const fs::path& file, const LoadLimits& limits,
+         const std::optional<std::string>& unsavedLights)
+      : file_(file), limits_(limits), unsavedLights_(unsavedLights) {
     source_.documents.reserve(2);  // values point into them
   }
 
   SourcedResult load() {
     LoadResult result;
-    if (const std::optional<JsonValue> root = rootOf(file_)) {
+    if (const std::optional<JsonValue> root = rootOf(file_, {})) {
       source_.level = readLevel(report_, *root, limits_);
       source_.lights = readLightsOf(source_.level);
       result.loaded = link(source_.level, source_.lights);
@@ -32,7 +34,7 @@ class Loader {
   }
 
  private:
-  std::optional<JsonValue> rootOf(const fs::path& path);
+  std::optional<JsonValue> rootOf(const fs::path& path, const std::optional<std::string>& unsaved);
   LightsDescription readLightsOf(const LevelDescription& description);
   std::optional<LoadedLevel> link(const LevelDescription& description,
                                   const LightsDescription& lights);
@@ -40,36 +42,34 @@ class Loader {
 
   const fs::path& file_;
   const LoadLimits& limits_;
+  std::optional<std::string> unsavedLights_;
   Report report_;
   LevelSource source_;
   std::vector<fs::path> files_;
+  fs::path lights_;
 };
 
 /// The root of a file; reported when there is none.
-std::optional<JsonValue> Loader::rootOf(const fs::path& path) {
+std::optional<JsonValue> Loader::rootOf(const fs::path& path,
+                                        const std::optional<std::string>& unsaved) {
   const auto index = static_cast<std::uint32_t>(source_.documents.size());
   Document& document = source_.documents.emplace_back();
   files_.push_back(path);
-  if (!readDocument(path, limits_, document, index, report_)) return std::nullopt;
+  if (!readDocument(path, unsaved, limits_, document, index, report_)) return std::nullopt;
   return JsonValue(document, index, 0);
 }
 
 LightsDescription Loader::readLightsOf(const LevelDescription& description) {
-  fs::path path = file_.parent_path();
-  if (description.lights) {
-    path /= description.lights->name;
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
-      report_.error(description.lights->place, fmt::format("there is no file {}", path.string()),
+  lights_ =
+      description.lights ? file_.parent_path() / description.lights->name : lightsBeside(file_);
+  std::error_code ignored;
+  if (!unsavedLights_ && !fs::exists(lights_, ignored)) {
+    if (description.lights)
+      report_.error(description.lights->place, fmt::format("there is no file {}", lights_.string()),
                     "correct the path, which is relative to the level file");
-      return {};
-    }
-  } else {
-    path = lightsBeside(file_);
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) return {};
+    return {};
   }
-  const std::optional<JsonValue> root = rootOf(path);
+  const std::optional<JsonValue> root = rootOf(lights_, unsavedLights_);
   return root ? readLights(report_, *root, limits_) : LightsDescription{};
 }
 
@@ -112,7 +112,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
   source_.outlines = std::move(linking.outlines);
   source_.edgeOf = std::move(linking.edgeOf);
-  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, files_,
+  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, lights_, files_,
                      textures.decoded};
 }
 
@@ -123,11 +123,12 @@ fs::path lightsBeside(const fs::path& level) {
 }
 
 LoadResult loadLevel(const fs::path& file, const LoadLimits& limits) {
-  return Loader(file, limits).load().result;
+  return Loader(file, limits, {}).load().result;
 }
 
-SourcedResult loadLevelWithSource(const fs::path& file, const LoadLimits& limits) {
-  return Loader(file, limits).load();
+SourcedResult loadLevelWithSource(const fs::path& file, const LoadLimits& limits,
+                                  const std::optional<std::string>& unsavedLights) {
+  return Loader(file, limits, unsavedLights).load();
 }
 
 }  // namespace hearth

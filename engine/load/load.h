@@ -17,6 +17,7 @@ struct LoadedLevel {
   Level level;                  ///< finished
   std::vector<Image> textures;  ///< by TextureId; one black pixel where no surface wears it
   std::filesystem::path path;
+  std::filesystem::path lights;  ///< file of its lights: where one belongs if there is none
   /// All that was read: the level first, then its lights if it has any, then the images. A program
   /// that watches these knows when to load again.
   std::vector<std::filesystem::path> files;

@@ -48,6 +48,14 @@ bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, D
   return readText(*std::move(text), document, documentIndex, report);
 }
 
+bool readDocument(const std::filesystem::path& path, const std::optional<std::string>& unsaved,
+                  const LoadLimits& limits, Document& document, std::uint32_t documentIndex,
+                  Report& report) {
+  if (!unsaved) return readDocument(path, limits, document, documentIndex, report);
+  document.file = path.string();
+  return readText(*unsaved, document, documentIndex, report);
+}
+
 bool readText(std::string text, Document& document, std::uint32_t documentIndex, Report& report) {
   document.text = std::move(text);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "load/document.h"
@@ -14,8 +15,13 @@ namespace hearth {
 /// goes to the report; the result is false where the tree must not be used.
 bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, Document& document,
                   std::uint32_t documentIndex, Report& report);
+/// With `unsaved` the file is taken to hold this text.
+bool readDocument(const std::filesystem::path& path, const std::optional<std::string>& unsaved,
+                  const LoadLimits& limits, Document& document, std::uint32_t documentIndex,
+                  Report& report);
 
-/// The same of a text that is at hand. The document knows already what messages call it.
+/// The same of a text that is at hand; a byte order mark at its begin is left out. The document
+/// knows already what messages call it.
 bool readText(std::string text, Document& document, std::uint32_t documentIndex, Report& report);
 
 }  // namespace hearth

@@ -27,16 +27,17 @@ Level levelWith(const LightsDescription& lights, const Level& level, const Level
 }  // namespace
 
 std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
-                                       const LoadLimits& limits) {
+                                       const LoadLimits& limits,
+                                       const std::optional<std::string>& unsavedLights) {
   if (source.documents.size() <= kLights) return std::nullopt;
   const std::filesystem::path& file = loaded.files[kLights];
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) return std::nullopt;
+  if (!unsavedLights && !std::filesystem::exists(file, error)) return std::nullopt;
 
   Report report;
   Document document;
   LightsDescription lights;
-  if (readDocument(file, limits, document, kLights, report))
+  if (readDocument(file, unsavedLights, limits, document, kLights, report))
     lights = readLights(report, JsonValue(document, kLights, 0), limits);
   const bool wasBright = saysNothingOfLight(source.level, source.lights);
   if (!report.hasErrors() && saysNothingOfLight(source.level, lights) != wasBright)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "load/description.h"
@@ -32,13 +33,17 @@ struct SourcedResult {
 };
 
 /// `loadLevel`, for who has something to say of the level's files, too. Holds all of their text.
-SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadLimits& limits = {});
+/// With `unsavedLights` the lights file is taken to hold this text, even if there is none yet.
+SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadLimits& limits = {},
+                                  const std::optional<std::string>& unsavedLights = {});
 
 /// The level with what its lights file says now: what loading gives where no other file has
 /// changed, and much sooner; it tells of that file alone. `source` is that of `loaded`, and becomes
 /// that of the result if this has a level. None where the level has no such file (any more), or its
-/// first or last light comes or goes of a level that else is fully bright.
+/// first or last light comes or goes of a level that else is fully bright. `unsavedLights` as
+/// above.
 std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
-                                       const LoadLimits& limits = {});
+                                       const LoadLimits& limits = {},
+                                       const std::optional<std::string>& unsavedLights = {});
 
 }  // namespace hearth

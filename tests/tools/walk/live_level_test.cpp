@@ -1,24 +1,16 @@
 // Files that are saved while a walk goes on in their level.
 
-#include "hearth/walk/live_level.h"
-
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
-#include "hearth/settings.h"
 #include "image/image_file.h"
-#include "stage.h"
+#include "live_walk.h"
 
 namespace hearth {
 namespace {
@@ -27,127 +19,13 @@ namespace fs = std::filesystem;
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds kPatience{60};
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+using test::kPatience;
+using test::LiveWalk;
+using test::write;
 
 Json read(const fs::path& file) { return Json::parse(std::ifstream(file)); }
 
 Image plain(Rgb color) { return {4, 4, color}; }
-
-/// A walk through a copy of a level, on a stage.
-class LiveWalk : public testing::Test {
- protected:
-  LiveWalk() : folder_(fs::temp_directory_path() / fmt::format("hearth-live-{}", ::getpid())) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    for (const char* name : {"rooms.json", "rooms.lights.json"})
-      fs::copy(fs::path(HEARTH_SOURCE_DIR "/tests/levels") / name, folder_);
-    values_.level = (folder_ / "rooms.json").string();
-    values_.set(Option::NoCache, "");
-  }
-  ~LiveWalk() override { fs::remove_all(folder_); }
-
-  fs::path levelFile() const { return folder_ / "rooms.json"; }
-  fs::path lightsFile() const { return folder_ / "rooms.lights.json"; }
-
-  void begin(std::chrono::milliseconds nextFile = Workshop::kNextFile) {
-    SourcedResult opened = loadLevelWithSource(levelFile());
-    ASSERT_TRUE(opened.result.loaded);
-    auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
-    live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source), nextFile);
-    const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
-    ASSERT_TRUE(lit) << lit.error();
-    const Player& player = *loaded->level.player;
-    journey_ = std::make_unique<Journey>(
-        loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
-        Journey::Memory::None);
-    screenshots_ = std::make_unique<Screenshots>(folder_, "live");
-    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *journey_, *screenshots_,
-                                       stage_, WalkSettings{.options = values_, .canBake = true});
-    loop_->round();
-  }
-
-  void round() {
-    stage_.now += 1.0 / 64;
-    loop_->round();
-    live_->update(*loop_, *journey_, stage_);
-  }
-
-  /// Rounds until something is so, or for too long.
-  bool comesTo(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (!condition()) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      round();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-  }
-  bool comesToShowFresh() {
-    const Image expected = fresh();
-    return comesTo([&] { return stage_.shown == expected; });
-  }
-  bool isTold(const std::string& words) {
-    const bool has = comesTo([&] {
-      return std::ranges::any_of(stage_.printed, [&](const std::string& line) {
-        return line.find(words) != std::string::npos;
-      });
-    });
-    stage_.printed.clear();
-    round();
-    return has;
-  }
-
-  LoadedLevel load() const {
-    LoadResult result = loadLevel(levelFile());
-    for (const Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << format(diagnostic);
-    return *std::move(result.loaded);
-  }
-
-  /// What the files hold, loaded, baked and drawn afresh from where the walker is.
-  Image fresh() const { return fresh(values_); }
-  Image fresh(const OptionValues& values) const {
-    const LoadedLevel loaded = load();
-    const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values), 2);
-    const Eye eye = journey_->eye(1);
-    return Renderer(loaded.level, loaded.textures, light, drawSettingsFrom(values))
-        .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
-               stage_.window->height},
-              LightMode::Both);
-  }
-
-  /// Paints all floors that have a texture.
-  void paintFloors(const std::string& texture) {
-    Json level = read(levelFile());
-    for (auto& [name, sector] : level["sectors"].items())
-      if (sector["floor"].contains("texture")) sector["floor"]["texture"] = texture;
-    write(levelFile(), level.dump());
-  }
-
-  /// One room instead of all.
-  void writeRoom(const std::string& name, double floor) {
-    Json level = read(levelFile());
-    level.erase("shots");
-    level["player"] = {{"sector", name}, {"x", 1}, {"y", 2}, {"z", 1.6}, {"angle", 0}};
-    level["sectors"] = {
-        {name,
-         {{"floor", {{"z", floor}, {"texture", "#707070"}}},
-          {"ceiling", {{"z", 3}, {"texture", "#707070"}}},
-          {"loops",
-           {{"border", {{"v", {0, 0, 4, 0, 4, 4, 0, 4}}, {"walls", {{"texture", "#a08060"}}}}}}}}}};
-    write(levelFile(), level.dump());
-    write(lightsFile(), R"([{"x": 2, "y": 2, "z": 2.5, "falloff": 0.4}])");
-  }
-
-  fs::path folder_;
-  OptionValues values_;
-  test::Stage stage_;
-  std::unique_ptr<LiveLevel> live_;
-  std::unique_ptr<Journey> journey_;
-  std::unique_ptr<Screenshots> screenshots_;
-  std::unique_ptr<WalkLoop> loop_;
-};
 
 TEST_F(LiveWalk, ShowsALightThatWasChangedAndSaved) {
   begin();

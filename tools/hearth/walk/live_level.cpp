@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -68,7 +69,9 @@ LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const Loa
 /// Also the lights that are not there yet.
 void LiveLevel::watch(const LoadedLevel& loaded) {
   watched_ = loaded.files;
-  watched_.push_back(lightsBeside(loaded.files.front()));
+  const auto found = std::ranges::find(watched_, loaded.lights);
+  lightsFile_ = static_cast<std::size_t>(found - watched_.begin());
+  if (found == watched_.end()) watched_.push_back(loaded.lights);
   watch_.watch(watched_);
 }
 
@@ -97,21 +100,37 @@ void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
     setOptions(*options);
     loop.goOnIn(shown_->loaded->level, shown_->renderer);
   }
-  const FileWatch::Changes changes = watch_.changes();
-  // What was missing may have come.
-  if (!changes.watched.empty() || (changes.other && !mistakes_.empty())) {
-    // The second file is that of the lights; a level that has none is loaded as a whole.
-    const bool areLights = changes.watched == std::set<std::size_t>{1};
-    workshop_.reload(areLights ? Workshop::Changed::Lights : Workshop::Changed::Anything);
-    if (!changes.watched.empty()) saved_ = watched_[*changes.watched.begin()];
-  }
+  LightsEditor* const lights = loop.lights();
+  reload(watch_.changes(), lights);
+  if (lights)
+    if (auto text = lights->takeText()) workshop_.setLights(*std::move(text));
   while (const auto news = workshop_.news()) take(*news, loop, journey);
   loop.setNotes(mistakes_, workshop_.progress());
 }
 
+void LiveLevel::reload(const FileWatch::Changes& changes, LightsEditor* lights) {
+  std::set<std::size_t> written = changes.watched;
+  if (lights && written.contains(lightsFile_) && !hasOtherLights(*lights))
+    written.erase(lightsFile_);
+  // What was missing may have come.
+  if (written.empty() && (!changes.other || mistakes_.empty())) return;
+  const bool areLights = written == std::set{lightsFile_};
+  workshop_.reload(areLights ? Workshop::Changed::Lights : Workshop::Changed::Anything);
+  if (!written.empty()) saved_ = watched_[*written.begin()];
+}
+
+/// Whether the file, which has been written, has lights that do not show yet and are to.
+bool LiveLevel::hasOtherLights(LightsEditor& lights) {
+  const bool hasOthers = lights.noteWritten();
+  if (!lights.isUnsaved()) workshop_.forgetLights();
+  return hasOthers;
+}
+
 void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
-  printToStderr(news.warnings);
-  if (mistakes_ != news.mistakes) printToStderr(news.mistakes);
+  // What stands over the picture is enough of lights that are being moved.
+  const bool isOfFiles = !loop.lights() || !loop.lights()->isUnsaved();
+  if (isOfFiles) printToStderr(news.warnings);
+  if (isOfFiles && mistakes_ != news.mistakes) printToStderr(news.mistakes);
   mistakes_ = news.mistakes;
   if (!news.level) return;
   if (news.level->loaded != shown_->loaded) {
@@ -120,6 +139,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
       return printToStderr(mistakes_);
     }
     watch(*news.level->loaded);
+    if (loop.lights()) loop.editLights(news.level->loaded->lights);
   }
   const auto before = std::exchange(shown_, news.level);  // which the loop still draws
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);

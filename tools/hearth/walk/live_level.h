@@ -40,12 +40,15 @@ class LiveLevel {
   void update(WalkLoop& loop, Journey& journey, Outside& outside);
 
  private:
+  void reload(const FileWatch::Changes& changes, LightsEditor* lights);
+  bool hasOtherLights(LightsEditor& lights);
   void take(const LevelNews& news, WalkLoop& loop, Journey& journey);
   bool goOnIn(const LitLevel& next, Journey& journey) const;
   void watch(const LoadedLevel& loaded);
 
   FileWatch watch_;
   std::vector<std::filesystem::path> watched_;  ///< files
+  std::size_t lightsFile_ = 0;                  ///< among them
   Workshop workshop_;
   DrawSettings draw_;
   std::shared_ptr<const LitLevel> shown_;

@@ -161,6 +161,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Pla
   auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, values);
   if (!lit) return fail(lit.error());
   WalkSettings settings = plan.settings;
+  if (live) settings.lightsFile = loaded->lights;
   if (const auto target = values.number(Option::TargetMs)) {
     fitFrames(*target, (*lit)->renderer, eyeOf(level, journey.walker()), plan, *window,
               settings.options);

@@ -56,6 +56,7 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
       seen_(level),
       bake_(bakeSettingsFrom(level, settings.options)) {
   scene_.view = settings.view;
+  if (settings.lightsFile) editLights(*settings.lightsFile);
   title_.reserve(level.name.size() + 64);  // so that no frame has to
   outside_.setTitle(level.name);
 }
@@ -75,6 +76,11 @@ void WalkLoop::choose(const OptionValues& options) {
 std::optional<OptionValues> WalkLoop::takeChoice() {
   if (!std::exchange(isChoiceNew_, false)) return std::nullopt;
   return settings_.options;
+}
+
+void WalkLoop::editLights(const std::filesystem::path& file) {
+  if (lights_ && (lights_->file() == file || lights_->isUnsaved())) return;
+  lights_.emplace(file, limitsFrom(settings_.options));
 }
 
 void WalkLoop::setNotes(std::vector<std::string> mistakes,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hearth/edit/lights_editor.h"
 #include "hearth/options.h"
 #include "hearth/overlay/figures_section.h"
 #include "hearth/overlay/overlay.h"
@@ -37,8 +39,9 @@ struct WalkSettings {
   double fov = 90;                       ///< degrees, horizontal
   double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
   WalkView view = {};
-  OptionValues options = {};  ///< by which the level is lit and drawn
-  bool canBake = false;       ///< by others, if the overlay asks for them
+  OptionValues options = {};                             ///< by which the level is lit and drawn
+  std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
+  bool canBake = false;  ///< by others, if the overlay asks for them
 };
 
 /// A walk, round by round: events, the ticks that are due, a picture where it would be another
@@ -61,6 +64,11 @@ class WalkLoop {
   /// The options that have been chosen since the last call, if any. Their owner sees to the rest.
   std::optional<OptionValues> takeChoice();
   void choose(const OptionValues& options);
+
+  /// The lights as they are edited, if they can be. Their owner sees to the rest.
+  LightsEditor* lights() { return lights_ ? &*lights_ : nullptr; }
+  /// From now on the lights of this file, unless there are edits of the one before.
+  void editLights(const std::filesystem::path& file);
 
   /// What stands over the picture until it is given anew: mistakes, a line each, and how far a bake
   /// is.
@@ -134,6 +142,7 @@ class WalkLoop {
   Figures figures_;
   BakeSettings bake_;  ///< of the level at hand, by the options
   bool isChoiceNew_ = false;
+  std::optional<LightsEditor> lights_;
   FrameRate rate_;
   std::string title_;
 };

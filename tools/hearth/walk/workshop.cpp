@@ -56,12 +56,30 @@ void Workshop::reload(Changed changed) {
   wakeUp_.notify_all();
 }
 
+void Workshop::setLights(std::string unsaved) {
+  const std::scoped_lock lock(mutex_);
+  unsavedLights_ = std::move(unsaved);
+  asked_ = std::max(Changed::Lights, asked_.value_or(Changed::Lights));
+  if (hasShownDraft_) stop_.request_stop();
+  wakeUp_.notify_all();
+}
+
+void Workshop::forgetLights() {
+  const std::scoped_lock lock(mutex_);
+  unsavedLights_.reset();
+}
+
 void Workshop::setOptions(const OptionValues& values) {
   const std::scoped_lock lock(mutex_);
   values_ = values;
   areOptionsNew_ = true;
   stop_.request_stop();
   wakeUp_.notify_all();
+}
+
+std::optional<std::string> Workshop::unsavedLights() const {
+  const std::scoped_lock lock(mutex_);
+  return unsavedLights_;
 }
 
 OptionValues Workshop::options() const {
@@ -114,6 +132,7 @@ std::optional<Workshop::Job> Workshop::nextJob() {
   wakeUp_.wait(lock, [this] { return isAsked(); });
   if (isOver_) return std::nullopt;
   stop_ = std::stop_source();
+  hasShownDraft_ = false;
   return Job{std::exchange(asked_, std::nullopt), std::exchange(areOptionsNew_, false),
              stop_.get_token()};
 }
@@ -138,6 +157,11 @@ bool Workshop::isAskedWithin(std::chrono::milliseconds time) {
   return wakeUp_.wait_for(lock, time, [this] { return isAsked(); });
 }
 
+bool Workshop::isOvertaken() const {
+  const std::scoped_lock lock(mutex_);
+  return isAsked();
+}
+
 void Workshop::refuse(std::string mistake) {
   refusal_ = std::move(mistake);
   tell({});
@@ -146,10 +170,11 @@ void Workshop::refuse(std::string mistake) {
 LoadResult Workshop::loaded(Changed changed) {
   const OptionValues values = options();
   const LoadLimits limits = limitsFrom(values);
+  const std::optional<std::string> lights = unsavedLights();
   if (changed == Changed::Lights && source_)
-    if (auto result = reloadLights(*current_, *source_, limits)) return *std::move(result);
+    if (auto result = reloadLights(*current_, *source_, limits, lights)) return *std::move(result);
   source_.reset();
-  auto [result, source] = loadLevelWithSource(values.level, limits);
+  auto [result, source] = loadLevelWithSource(values.level, limits, lights);
   if (result.loaded) source_ = std::move(source);
   return std::move(result);
 }
@@ -165,8 +190,10 @@ void Workshop::light(bool isFirst, const std::stop_token& stop) {
 
   // Also where the light was kept: from then on an edit asks for little.
   Rebake rebake(memory_, level, *settings, threadsFrom(values));
-  if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft))
+  if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft)) {
     show(rebake.draft(), true);
+    if (isOvertaken()) return;
+  }
   const auto progress = std::make_shared<BakeProgress>();
   setProgress(isKept ? nullptr : progress);
   auto baked = rebake.finish(progress.get(), stop);
@@ -176,7 +203,7 @@ void Workshop::light(bool isFirst, const std::stop_token& stop) {
   litBy_ = *settings;
   if (isKept) return;
   const auto lit = show(*std::move(baked), false);
-  if (cache) cache->keep(level, *settings, *lit->light);
+  if (cache && !unsavedLights()) cache->keep(level, *settings, *lit->light);
 }
 
 bool Workshop::showKept(const BakeCache& cache, const BakeSettings& settings) {
@@ -196,6 +223,8 @@ std::shared_ptr<const LitLevel> Workshop::show(BakedLight light, bool isDraft) {
       current_, std::make_shared<const BakedLight>(std::move(light)), drawSettingsFrom(values));
   news.level = lit;
   tell(std::move(news));
+  const std::scoped_lock lock(mutex_);
+  hasShownDraft_ = isDraft;
   return lit;
 }
 

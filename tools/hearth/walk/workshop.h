@@ -70,6 +70,11 @@ class Workshop {
   enum class Changed { Lights, Anything };
   /// Loads the level anew: all of it, or just its lights where only their file has changed.
   void reload(Changed changed);
+  /// From now on the lights file is taken to hold this text, which is not saved yet. Lights that
+  /// come in quick succession show: a bake of which nothing has shown yet is not given up for them.
+  void setLights(std::string unsaved);
+  /// Takes lights from their file again, from the next reload on.
+  void forgetLights();
   /// Bakes and draws by other options from now on. The level at hand is baked anew where they ask
   /// for that; who only wants it drawn otherwise has `redrawn`.
   void setOptions(const OptionValues& values);
@@ -92,6 +97,8 @@ class Workshop {
   LoadResult loaded(Changed changed);
   /// Whether there is another job, or the end, before the time is over.
   bool isAskedWithin(std::chrono::milliseconds time);
+  bool isOvertaken() const;
+  std::optional<std::string> unsavedLights() const;
   void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
   bool isAsked() const { return asked_ || areOptionsNew_ || isOver_; }
@@ -106,10 +113,12 @@ class Workshop {
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable wakeUp_;
   std::optional<Changed> asked_;
+  std::optional<std::string> unsavedLights_;
   bool isOver_ = false;
   OptionValues values_;
   bool areOptionsNew_ = false;  ///< and have not been baked by
   std::stop_source stop_;       ///< of the job at hand
+  bool hasShownDraft_ = false;  ///< of that job
   std::deque<LevelNews> news_;
   std::shared_ptr<const BakeProgress> progress_;
   double bakeBegin_ = 0;

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "hearth/settings.h"
+#include "hearth/walk/live_level.h"
+#include "stage.h"
+
+namespace hearth::test {
+
+namespace fs = std::filesystem;
+
+inline constexpr std::chrono::seconds kPatience{60};
+
+inline void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+/// A walk through a copy of a level, on a stage.
+class LiveWalk : public testing::Test {
+ protected:
+  LiveWalk() : folder_(fs::temp_directory_path() / fmt::format("hearth-live-{}", ::getpid())) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    for (const char* name : {"rooms.json", "rooms.lights.json"})
+      fs::copy(fs::path(HEARTH_SOURCE_DIR "/tests/levels") / name, folder_);
+    values_.level = (folder_ / "rooms.json").string();
+    values_.set(Option::NoCache, "");
+  }
+  ~LiveWalk() override { fs::remove_all(folder_); }
+
+  fs::path levelFile() const { return folder_ / "rooms.json"; }
+  fs::path lightsFile() const { return folder_ / "rooms.lights.json"; }
+
+  void begin(std::chrono::milliseconds nextFile = Workshop::kNextFile) {
+    SourcedResult opened = loadLevelWithSource(levelFile());
+    ASSERT_TRUE(opened.result.loaded);
+    auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
+    live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source), nextFile);
+    const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
+    ASSERT_TRUE(lit) << lit.error();
+    const Player& player = *loaded->level.player;
+    journey_ = std::make_unique<Journey>(
+        loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
+        Journey::Memory::None);
+    screenshots_ = std::make_unique<Screenshots>(folder_, "live");
+    const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
+    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *journey_, *screenshots_,
+                                       stage_, settings);
+    loop_->round();
+  }
+
+  void round() {
+    stage_.now += 1.0 / 64;
+    loop_->round();
+    live_->update(*loop_, *journey_, stage_);
+  }
+
+  /// Rounds until something is so, or for too long.
+  bool comesTo(const std::function<bool()>& condition) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      round();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  bool comesToShowFresh() {
+    const Image expected = fresh();
+    return comesTo([&] { return stage_.shown == expected; });
+  }
+  bool isTold(const std::string& words) {
+    const bool has = comesTo([&] {
+      return std::ranges::any_of(stage_.printed, [&](const std::string& line) {
+        return line.find(words) != std::string::npos;
+      });
+    });
+    stage_.printed.clear();
+    round();
+    return has;
+  }
+
+  LoadedLevel load() const {
+    LoadResult result = loadLevel(levelFile());
+    for (const Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << format(diagnostic);
+    return *std::move(result.loaded);
+  }
+
+  /// What the files hold, loaded, baked and drawn afresh from where the walker is.
+  Image fresh() const { return fresh(values_); }
+  Image fresh(const OptionValues& values) const {
+    const LoadedLevel loaded = load();
+    const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values), 2);
+    const Eye eye = journey_->eye(1);
+    return Renderer(loaded.level, loaded.textures, light, drawSettingsFrom(values))
+        .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
+               stage_.window->height},
+              LightMode::Both);
+  }
+
+  /// Paints all floors that have a texture.
+  void paintFloors(const std::string& texture);
+  /// One room instead of all.
+  void writeRoom(const std::string& name, double floor);
+
+  fs::path folder_;
+  OptionValues values_;
+  Stage stage_;
+  std::unique_ptr<LiveLevel> live_;
+  std::unique_ptr<Journey> journey_;
+  std::unique_ptr<Screenshots> screenshots_;
+  std::unique_ptr<WalkLoop> loop_;
+};
+
+}  // namespace hearth::test
