@@ -86,6 +86,12 @@ bool isGeometry(std::string_view channel) {
   return row && kindOf(*row) == ChannelKind::Geometry;
 }
 
+bool isOfCamera(std::string_view channel) {
+  if (!isGeometry(channel)) return true;
+  const View* view = std::get_if<View>(&find(channel)->draws);
+  return view && (*view == View::Screen || *view == View::Wireframe);
+}
+
 std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
                                   std::string_view channel) {
   if (!isGeometry(channel)) return std::nullopt;

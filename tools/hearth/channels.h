@@ -28,6 +28,10 @@ std::vector<ChannelText> channelTexts();
 /// Whether the channel of this name is one of geometry alone; none has an empty name.
 bool isGeometry(std::string_view channel);
 
+/// Whether the pixels of a channel, or of the level itself where it is empty, show what the camera
+/// sees there.
+bool isOfCamera(std::string_view channel);
+
 /// A picture of the camera's size, if the channel is one of geometry alone.
 std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
                                   std::string_view channel);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hearth/edit/lights_edit.h"
 #include "load/limits.h"

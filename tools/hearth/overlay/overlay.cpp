@@ -213,6 +213,7 @@ void Overlay::draw(double now, const std::function<void()>& sections, Image& pic
   panelWidth_ = static_cast<int>(width);
   beginPanel(io.DisplaySize, width);
   sections();
+  hasPopup_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   ImGui::End();
   ImGui::Render();
   painter_.paint(*ImGui::GetDrawData(), atlas_, picture);

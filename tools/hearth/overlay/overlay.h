@@ -36,6 +36,9 @@ class Overlay {
   /// How many pixels of a picture's width are left of the panel, as it was drawn last.
   int leaves(int pictureWidth) const;
 
+  /// Whether a list or a field of the panel has opened over the picture.
+  bool hasPopup() const { return hasPopup_; }
+
   /// Draws the panel with what `sections` puts into it by calls of ImGui. Only while open.
   void draw(double now, const std::function<void()>& sections, Image& picture);
 
@@ -52,6 +55,7 @@ class Overlay {
   bool isOpen_ = false;
   int panelWidth_ = 0;  ///< pixels
   double drawn_ = 0;    ///< when that was, in seconds
+  bool hasPopup_ = false;
   int framesLeft_ = 0;  ///< until what has happened is settled
 
   static constexpr int kButtons = 3;

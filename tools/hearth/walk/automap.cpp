@@ -29,8 +29,7 @@ class AutomapDrawer {
         seen_(seen),
         eye_(eye),
         lineWidth_(captionScale(picture)),
-        middle_{picture.width() / 2.0, picture.height() / 2.0},
-        pixelsPerMetre_(std::min(picture.width(), picture.height()) / metres) {}
+        scale_(mapScale(picture.width(), picture.height(), eye, metres)) {}
 
   void draw() {
     darken(picture_, 0, 0, picture_.width(), picture_.height());
@@ -78,7 +77,7 @@ class AutomapDrawer {
     constexpr double kLength = 12;  // pixels of letters
     constexpr double kHalfWidth = 4;
     const auto [sin, cos] = sinCosDegrees(eye_.angle);
-    const double metre = lineWidth_ / pixelsPerMetre_;  // that a pixel of letters is
+    const double metre = lineWidth_ / scale_.pixelsPerMetre;  // that a pixel of letters is
     const Vec2 ahead = metre * Vec2{cos, sin};
     const Vec2 right = turned90(ahead);
     const Vec2 tip = eye_.point.xy() + kLength / 2 * ahead;
@@ -90,14 +89,12 @@ class AutomapDrawer {
 
   /// From a to b on the level's map; `gap` > 1 leaves out dots of the line.
   void drawLine(Vec2 a, Vec2 b, Rgb color, int gap = 1) {
-    forEachPixelOfLine(toPicture(a), toPicture(b), picture_.width(), picture_.height(),
-                       [&](int x, int y, double) {
+    forEachPixelOfLine(scale_.toPicture(a), scale_.toPicture(b), picture_.width(),
+                       picture_.height(), [&](int x, int y, double) {
                          const int dot = (x + y) / (2 * lineWidth_);
                          if (dot % gap == 0) drawDot(x, y, color);
                        });
   }
-
-  Vec2 toPicture(Vec2 world) const { return middle_ + pixelsPerMetre_ * (world - eye_.point.xy()); }
 
   void drawDot(int left, int top, Rgb color) {
     for (int y = top; y < std::min(top + lineWidth_, picture_.height()); ++y)
@@ -127,8 +124,7 @@ class AutomapDrawer {
   const SeenSectors& seen_;
   const Eye& eye_;
   int lineWidth_;  ///< pixels
-  Vec2 middle_;    ///< of the picture, where the player is
-  double pixelsPerMetre_;
+  MapScale scale_;
 };
 
 }  // namespace
@@ -153,6 +149,10 @@ WallKind wallKind(const Segment& segment) {
 
 double zoomedIn(double metres) { return std::max(kFewestMetres, metres / kZoomStep); }
 double zoomedOut(double metres) { return std::min(kMostMetres, metres * kZoomStep); }
+
+MapScale mapScale(int width, int height, const Eye& eye, double metres) {
+  return {{width / 2.0, height / 2.0}, eye.point.xy(), std::min(width, height) / metres};
+}
 
 void drawAutomap(Image& picture, const Level& level, const SeenSectors& seen, const Eye& eye,
                  double metres) {

@@ -46,6 +46,18 @@ inline constexpr double kFirstMapMetres = 32;
 double zoomedIn(double metres);
 double zoomedOut(double metres);
 
+/// Where points of the map are in a picture.
+struct MapScale {
+  Vec2 middle;  ///< of the picture, in pixels
+  Vec2 center;  ///< what is there, in metres
+  double pixelsPerMetre;
+
+  Vec2 toPicture(Vec2 world) const { return middle + pixelsPerMetre * (world - center); }
+  Vec2 toWorld(Vec2 pixel) const { return center + 1 / pixelsPerMetre * (pixel - middle); }
+};
+/// Of a map as `drawAutomap` draws it.
+MapScale mapScale(int width, int height, const Eye& eye, double metres);
+
 /// Draws the map over a picture that it darkens: x to the right, y down, the player in the middle,
 /// an arrow that points where he looks. Only sectors that were seen; those that lie wholly above or
 /// below the player's body are dim. Outlines of flat portals are dotted over the walls.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hearth/channels.h"
+#include "hearth/overlay/lights_section.h"
 #include "hearth/overlay/quality_section.h"
 #include "hearth/overlay/view_section.h"
 #include "hearth/session.h"
@@ -79,7 +80,7 @@ std::optional<OptionValues> WalkLoop::takeChoice() {
 }
 
 void WalkLoop::editLights(const std::filesystem::path& file) {
-  if (lights_ && (lights_->file() == file || lights_->isUnsaved())) return;
+  if (lights_ && (lights()->file() == file || lights()->isUnsaved())) return;
   lights_.emplace(file, limitsFrom(settings_.options));
 }
 
@@ -102,9 +103,11 @@ bool WalkLoop::round() {
 // --- Events --------------------------------------------------------------------------------------
 
 void WalkLoop::take(const SDL_Event& event) {
-  if (event.type == SDL_QUIT) hasLeft_ = true;
+  if (event.type == SDL_QUIT) leave();
   if (event.type == SDL_WINDOWEVENT) take(event.window);
+  if (overlay_.isOpen()) point(event);
   if (overlay_.take(event)) return;
+  if (overlay_.isOpen() && lights_ && event.type == SDL_KEYDOWN && lights_->take(event.key)) return;
   if (event.type == SDL_MOUSEBUTTONDOWN) captureMouse(true);
   if (const std::optional<Action> action = controls_.take(event)) act(*action);
 }
@@ -113,8 +116,22 @@ void WalkLoop::take(const SDL_WindowEvent& event) {
   shown_.reset();
   if (event.event != SDL_WINDOWEVENT_FOCUS_LOST) return;
   controls_.release();
+  releasePointer();
   captureMouse(false);
   capturesMouseAgain_ = false;
+}
+
+/// What the mouse does in the picture beside the panel is about a light, if it is at one.
+void WalkLoop::point(const SDL_Event& event) {
+  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene_.camera.width);
+  const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
+  const std::optional<MarkerSpace> space = markerSpace();
+  if (pointed && space && lights_) lights_->take(*pointed, *space, scene_.camera.height);
+}
+
+void WalkLoop::releasePointer() {
+  pointer_.release();
+  if (lights_) lights_->release();
 }
 
 void WalkLoop::act(Action action) {
@@ -153,12 +170,21 @@ void WalkLoop::act(Action action) {
       break;
     case Action::Leave:
       if (overlay_.isOpen()) return toggleOverlay();
-      if (!controls_.isMouseCaptured()) hasLeft_ = true;
+      if (!controls_.isMouseCaptured()) leave();
       captureMouse(false);
       break;
     default:  // what the next tick does
       break;
   }
+}
+
+/// Asks once where that loses edits.
+void WalkLoop::leave() {
+  hasLeft_ = hasAskedToSave_ || !lights_ || !lights()->isUnsaved();
+  if (hasLeft_) return;
+  hasAskedToSave_ = true;
+  say("lights are not saved: F1 and Ctrl+S save them, leaving again drops them",
+      outside_.seconds());
 }
 
 void WalkLoop::show(LightMode mode) {
@@ -175,6 +201,9 @@ void WalkLoop::captureMouse(bool isCaptured) {
 /// The panel needs the mouse; the walk gets it back where it had it.
 void WalkLoop::toggleOverlay() {
   overlay_.toggle();
+  releasePointer();
+  hasAskedToSave_ = false;
+  if (lights_ && overlay_.isOpen()) lights()->open();
   shown_.reset();
   if (overlay_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
   captureMouse(!overlay_.isOpen() && capturesMouseAgain_);
@@ -317,6 +346,8 @@ bool WalkLoop::isCovered() const {
 void WalkLoop::drawCaptions() {
   if (scene_.view.isMapShown)
     drawAutomap(picture_, *level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
+  if (const auto space = markerSpace(); lights_ && overlay_.isOpen() && space)
+    lights_->draw(*level_, scene_.camera, *space, picture_);
   if (scene_.view.areKeysShown && !overlay_.isOpen()) drawKeys(picture_);
   const int width = overlay_.leaves(picture_.width());
   if (!scene_.notes.empty() && width > 0) drawNotes(picture_, scene_.notes, width);
@@ -332,8 +363,18 @@ void WalkLoop::drawOverlay(double now) {
     showFigures(figures_);
     showQualitySection();
     showView(scene_.view.mode, scene_.view.channel);
+    showLights(lights_ ? &*lights_ : nullptr, *level_, scene_.camera);
   };
   overlay_.draw(now, sections, picture_);
+}
+
+/// None while the picture shows neither what the camera sees nor the map.
+std::optional<MarkerSpace> WalkLoop::markerSpace() const {
+  const WalkView& view = scene_.view;
+  if (view.isMapShown)
+    return MarkerSpace(mapScale(scene_.size.width, scene_.size.height, journey_.eye(shareOfTick_),
+                                view.mapMetres));
+  return isOfCamera(view.channel) ? std::optional(MarkerSpace(scene_.camera)) : std::nullopt;
 }
 
 void WalkLoop::showQualitySection() {

@@ -11,7 +11,10 @@
 #include "hearth/edit/lights_editor.h"
 #include "hearth/options.h"
 #include "hearth/overlay/figures_section.h"
+#include "hearth/overlay/lights_tool.h"
+#include "hearth/overlay/marker_space.h"
 #include "hearth/overlay/overlay.h"
+#include "hearth/overlay/pointer.h"
 #include "hearth/walk/automap.h"
 #include "hearth/walk/controls.h"
 #include "hearth/walk/frame_rate.h"
@@ -66,7 +69,7 @@ class WalkLoop {
   void choose(const OptionValues& options);
 
   /// The lights as they are edited, if they can be. Their owner sees to the rest.
-  LightsEditor* lights() { return lights_ ? &*lights_ : nullptr; }
+  LightsEditor* lights() { return lights_ ? &lights_->editor() : nullptr; }
   /// From now on the lights of this file, unless there are edits of the one before.
   void editLights(const std::filesystem::path& file);
 
@@ -94,7 +97,10 @@ class WalkLoop {
 
   void take(const SDL_Event& event);
   void take(const SDL_WindowEvent& event);
+  void point(const SDL_Event& event);
+  void releasePointer();
   void act(Action action);
+  void leave();
   void show(LightMode mode);
   void captureMouse(bool isCaptured);
   void toggleOverlay();
@@ -113,6 +119,7 @@ class WalkLoop {
   bool isCovered() const;
   void drawCaptions();
   void drawOverlay(double now);
+  std::optional<MarkerSpace> markerSpace() const;
   void showQualitySection();
   std::string cameraText() const;
 
@@ -142,7 +149,9 @@ class WalkLoop {
   Figures figures_;
   BakeSettings bake_;  ///< of the level at hand, by the options
   bool isChoiceNew_ = false;
-  std::optional<LightsEditor> lights_;
+  Pointer pointer_;
+  std::optional<LightsTool> lights_;
+  bool hasAskedToSave_ = false;
   FrameRate rate_;
   std::string title_;
 };

@@ -1,0 +1,219 @@
+// Lights that are picked, dragged, undone and saved in a walk, without a window.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "staged_walk.h"
+
+namespace hearth {
+namespace {
+
+namespace fs = std::filesystem;
+
+using test::down;
+using test::up;
+
+/// 2 m before the player of `rooms`, half a metre to his left, at the height of his eye.
+const std::string kLights =
+    "[\r\n  { \"//\": \"kept\", \"x\": 3.0, \"y\": 1.50, \"z\": 16e-1 } ,\r\n"
+    "\t{\"z\":5,\"x\":6,\"y\":2}\r\n]\r\n";
+
+std::string withFirstAt(const std::string& x, const std::string& y, const std::string& z) {
+  return "[\r\n  { \"//\": \"kept\", \"x\": " + x + ", \"y\": " + y + ", \"z\": " + z +
+         " } ,\r\n\t{\"z\":5,\"x\":6,\"y\":2}\r\n]\r\n";
+}
+
+fs::path writtenLights() {
+  const fs::path file = fs::path(testing::TempDir()) / ("lights-" + std::to_string(::getpid()));
+  std::ofstream(file) << kLights;
+  return file;
+}
+
+SDL_Event keyWith(SDL_Keycode letter, int modifiers) {
+  SDL_Event event = down(SDL_GetScancodeFromKey(letter));
+  event.key.keysym.sym = letter;
+  event.key.keysym.mod = static_cast<Uint16>(modifiers);
+  return event;
+}
+
+/// 640 pixels to the metre at a depth of 1 m, the eye's level in the middle of 1280x720.
+class LightsWalk : public test::StagedWalk {
+ public:
+  LightsWalk() : StagedWalk(WalkSettings{.lightsFile = writtenLights()}) {
+    stage.window = PictureSize{1280, 720};
+    now();
+    plain = stage.shown;
+    now(down(SDL_SCANCODE_F1));
+    settle();
+  }
+  ~LightsWalk() { fs::remove(lights().file()); }
+
+  LightsEditor& lights() { return *loop().lights(); }
+  std::string onDisk() {
+    std::ifstream stream(lights().file());
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  void settle() { ticks(4); }
+  void mouse(Uint32 type, int x, int y) {
+    SDL_Event event{};
+    event.type = type;
+    if (type == SDL_MOUSEMOTION) {
+      event.motion.x = x;
+      event.motion.y = y;
+    } else {
+      event.button.button = SDL_BUTTON_LEFT;
+      event.button.x = x;
+      event.button.y = y;
+    }
+    now(event);
+  }
+  void press(int x, int y) { mouse(SDL_MOUSEBUTTONDOWN, x, y); }
+  void move(int x, int y) { mouse(SDL_MOUSEMOTION, x, y); }
+  void release(int x, int y) { mouse(SDL_MOUSEBUTTONUP, x, y); }
+  void drag(int fromX, int fromY, int toX, int toY) {
+    press(fromX, fromY);
+    move((fromX + toX) / 2, fromY + 1);
+    move(toX, toY);
+    release(toX, toY);
+  }
+
+  Image plain;  ///< the picture without the overlay
+};
+
+TEST(WalkLights, AreMarkedWhileTheOverlayIsOpen) {
+  LightsWalk walk;
+  EXPECT_EQ(walk.stage.shown.at(480, 360), (Rgb{255, 255, 255})) << "its colour";
+  EXPECT_EQ(walk.stage.shown.at(480, 355), (Rgb{0, 0, 0})) << "its rim";
+  EXPECT_EQ(walk.stage.shown.at(480, 354), walk.plain.at(480, 354));
+  walk.now(down(SDL_SCANCODE_F1));
+  EXPECT_EQ(walk.stage.shown, walk.plain);
+}
+
+TEST(WalkLights, ArePickedByAClickOnTheirMark) {
+  LightsWalk walk;
+  walk.press(400, 360);
+  walk.release(400, 360);
+  EXPECT_FALSE(walk.lights().picked());
+  walk.press(483, 357);
+  walk.release(483, 357);
+  EXPECT_EQ(walk.lights().picked(), 0);
+  EXPECT_FALSE(walk.lights().isUnsaved()) << "a click moves nothing";
+  EXPECT_FALSE(walk.stage.isMouseCaptured);
+  walk.settle();
+  EXPECT_EQ(walk.stage.shown.at(480, 355), (Rgb{255, 255, 255})) << "a white rim";
+}
+
+TEST(WalkLights, AreDraggedToTheSideAndUp) {
+  LightsWalk walk;
+  walk.drag(482, 361, 482 - 160, 361 - 64);
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1", "1.8"));
+  walk.settle();
+  EXPECT_EQ(walk.stage.shown.at(320, 296), (Rgb{255, 255, 255})) << "the mark has followed";
+  walk.move(600, 300);
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1", "1.8")) << "it was let go of";
+  EXPECT_EQ(walk.onDisk(), kLights);
+}
+
+TEST(WalkLights, AreDraggedUpAndDownWithShift) {
+  LightsWalk walk;
+  walk.now(down(SDL_SCANCODE_LSHIFT));
+  walk.drag(480, 360, 400, 360 - 64);
+  walk.now(up(SDL_SCANCODE_LSHIFT));
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1.50", "1.8"));
+}
+
+TEST(WalkLights, AreDraggedOverThePlanOnTheMap) {
+  LightsWalk walk;
+  walk.now(down(SDL_SCANCODE_TAB));
+  walk.settle();
+  const double pixelsPerMetre = 720 / kFirstMapMetres;  // 22.5
+  EXPECT_EQ(walk.stage.shown.at(640 + 45, 349), (Rgb{255, 255, 255}));
+  walk.drag(685, 349, 685 - static_cast<int>(2 * pixelsPerMetre), 349);
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("1", "1.50", "16e-1"));
+}
+
+TEST(WalkLights, StayWhereTheyWereWhenTheMouseComesFromThePanel) {
+  LightsWalk walk;
+  walk.press(1279, 700);
+  walk.move(480, 360);
+  walk.move(300, 300);
+  walk.release(300, 300);
+  EXPECT_EQ(walk.lights().bytes(), kLights);
+}
+
+TEST(WalkLights, AreUndoneAndRedoneByKeys) {
+  LightsWalk walk;
+  walk.drag(480, 360, 320, 360);
+  const std::string edited = walk.lights().bytes();
+  walk.now(keyWith(SDLK_z, KMOD_LCTRL));
+  EXPECT_EQ(walk.lights().bytes(), kLights);
+  EXPECT_FALSE(walk.lights().isUnsaved());
+  walk.now(keyWith(SDLK_y, KMOD_LCTRL));
+  EXPECT_EQ(walk.lights().bytes(), edited);
+  walk.now(keyWith(SDLK_z, KMOD_LCTRL));
+  walk.now(keyWith(SDLK_z, KMOD_LCTRL | KMOD_LSHIFT));
+  EXPECT_EQ(walk.lights().bytes(), edited);
+}
+
+TEST(WalkLights, AreSavedByCtrlSWhichDoesNotWalk) {
+  LightsWalk walk;
+  walk.drag(480, 360, 320, 360);
+  walk.now(keyWith(SDLK_LCTRL, KMOD_LCTRL));
+  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.ticks(4);
+  EXPECT_EQ(walk.onDisk(), withFirstAt("3.0", "1", "16e-1"));
+  EXPECT_FALSE(walk.lights().isUnsaved());
+  EXPECT_EQ(walk.walker().feet, walk.start().feet);
+  EXPECT_EQ(walk.inputs().back().up, 0) << "nor does Ctrl crouch";
+}
+
+TEST(WalkLights, AreLetGoOfWhenTheOverlayCloses) {
+  LightsWalk walk;
+  walk.press(480, 360);
+  walk.move(400, 360);
+  walk.now(down(SDL_SCANCODE_F1));
+  EXPECT_TRUE(walk.lights().canUndo()) << "the drag has ended";
+}
+
+TEST(WalkLights, AskOnceBeforeTheyAreLost) {
+  LightsWalk walk;
+  walk.drag(480, 360, 400, 360);
+  walk.now(down(SDL_SCANCODE_ESCAPE));  // closes the overlay
+  walk.now(down(SDL_SCANCODE_ESCAPE));
+  EXPECT_TRUE(walk.isOn);
+  EXPECT_NE(walk.stage.shown, walk.plain) << "a message";
+  walk.now(down(SDL_SCANCODE_ESCAPE));
+  EXPECT_FALSE(walk.isOn);
+}
+
+TEST(WalkLights, AskAgainAfterTheyWereLookedAt) {
+  LightsWalk walk;
+  walk.drag(480, 360, 400, 360);
+  SDL_Event quit{};
+  quit.type = SDL_QUIT;
+  walk.now(quit);
+  EXPECT_TRUE(walk.isOn) << "so does the window's own button";
+  walk.now(down(SDL_SCANCODE_F1));
+  walk.now(quit);
+  EXPECT_TRUE(walk.isOn);
+  walk.now(quit);
+  EXPECT_FALSE(walk.isOn);
+}
+
+TEST(WalkLights, AskNothingWhenTheyAreSaved) {
+  LightsWalk walk;
+  walk.drag(480, 360, 400, 360);
+  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(down(SDL_SCANCODE_ESCAPE));
+  EXPECT_FALSE(walk.isOn);
+}
+
+}  // namespace
+}  // namespace hearth

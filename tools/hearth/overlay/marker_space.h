@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "hearth/walk/automap.h"
+#include "math/vec.h"
+#include "render/camera.h"
+
+namespace hearth {
+
+/// How the pixels of a picture and points of the world belong together: as the camera sees them, or
+/// on the map.
+class MarkerSpace {
+ public:
+  explicit MarkerSpace(const Camera& camera) : space_(Projection(camera, camera.eye)) {}
+  explicit MarkerSpace(const MapScale& map) : space_(map) {}
+
+  /// Perhaps beside the picture; none behind the eye.
+  std::optional<Vec2> pixelOf(Vec3 world) const;
+
+  /// Where what is at `from` comes to when it is dragged to a pixel: at the same depth, as far as
+  /// the camera looks level, or at the same height on the map. Changed coordinates are whole
+  /// millimetres. `isUpright` keeps the place on the map, and on the map does nothing.
+  Vec3 dragged(Vec3 from, Vec2 pixel, bool isUpright) const;
+
+  bool isMap() const { return std::holds_alternative<MapScale>(space_); }
+
+ private:
+  std::variant<Projection, MapScale> space_;
+};
+
+}  // namespace hearth
