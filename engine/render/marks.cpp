@@ -37,10 +37,10 @@ constexpr Rgb kTexelColor = {64, 224, 255};
 /// Every eighth line is stronger, and every eighth of those: they stay where texels are too small
 /// for lines of their own.
 struct Lines {
-  int every;  ///< texels
+  int everyLog2;  ///< of the texels from one to the next
   double strength;
 };
-constexpr Lines kLines[] = {{1, 0.3}, {8, 0.6}, {64, 0.8}};
+constexpr Lines kLines[] = {{0, 0.3}, {3, 0.6}, {6, 0.8}};
 
 // Pixels between lines from which on they begin to show, and show in full.
 constexpr double kNarrowest = 3;
@@ -56,27 +56,32 @@ std::optional<Vec2> stepFrom(const ShownPixel* neighbour, const ShownPixel& pixe
   return *pixel.texel - *neighbour->texel;
 }
 
+std::int64_t lineBefore(double texel) { return static_cast<std::int64_t>(std::floor(texel)); }
+
 /// How strongly a pixel shows a line across one axis of the grid, given its place there and how far
 /// it is from its neighbours'.
 double strengthOfLine(double texel, double fromLeft, double fromAbove) {
+  const std::int64_t line = lineBefore(texel);
+  const std::int64_t left = lineBefore(texel - fromLeft);
+  const std::int64_t above = lineBefore(texel - fromAbove);
+  if (line == left && line == above) return 0;
   const double texelsPerPixel = std::sqrt(fromLeft * fromLeft + fromAbove * fromAbove);
   double strength = 0;
-  for (const Lines& lines : kLines) {
-    const auto isParted = [&](double step) {
-      return std::floor(texel / lines.every) != std::floor((texel - step) / lines.every);
-    };
-    if (isParted(fromLeft) || isParted(fromAbove))
-      strength = std::max(strength, lines.strength * visibility(lines.every / texelsPerPixel));
+  for (const auto& [everyLog2, full] : kLines) {
+    const std::int64_t its = line >> everyLog2;
+    if (its != left >> everyLog2 || its != above >> everyLog2)
+      strength = std::max(strength, full * visibility((1 << everyLog2) / texelsPerPixel));
   }
   return strength;
 }
 
-double strengthOfTexels(const ShownPixel& pixel, const Neighbours& neighbours) {
-  if (!pixel.texel) return 0;
+Rgb withTexels(const ShownPixel& pixel, const Neighbours& neighbours, Rgb lit) {
+  if (!pixel.texel) return lit;
   const Vec2 fromLeft = stepFrom(neighbours.left, pixel).value_or(Vec2{});
   const Vec2 fromAbove = stepFrom(neighbours.above, pixel).value_or(Vec2{});
-  return std::max(strengthOfLine(pixel.texel->x, fromLeft.x, fromAbove.x),
-                  strengthOfLine(pixel.texel->y, fromLeft.y, fromAbove.y));
+  const double strength = std::max(strengthOfLine(pixel.texel->x, fromLeft.x, fromAbove.x),
+                                   strengthOfLine(pixel.texel->y, fromLeft.y, fromAbove.y));
+  return strength > 0 ? mixed(lit, kTexelColor, strength) : lit;
 }
 
 // --- Coverage ------------------------------------------------------------------------------------
@@ -93,7 +98,7 @@ Rgb marked(Marks marks, const Level& level, const ShownPixel& pixel, const Neigh
            Rgb lit) {
   switch (marks) {
     case Marks::Texels:
-      return mixed(lit, kTexelColor, strengthOfTexels(pixel, neighbours));
+      return withTexels(pixel, neighbours, lit);
     case Marks::Outlines:
       return outlineColor(level, pixel, neighbours.left, neighbours.above).value_or(lit);
     case Marks::Coverage:
