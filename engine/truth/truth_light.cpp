@@ -31,60 +31,77 @@ double spread(int index, int base) {
 
 }  // namespace
 
-TruthLight::TruthLight(const Level& level, int ballPoints) : level_(level) {
-  for (const LightSource& light : level.lights) shapes_.push_back(shapeOf(light, ballPoints));
-}
-
-TruthLight::Shape TruthLight::shapeOf(const LightSource& light, int ballPoints) const {
-  const Vec3 middle = rayOrigin(level_, light);
-  if (light.radius == 0) return {{{middle, light.sector}}, 1};
-  Shape ball{{}, 0};
-  for (int i = 1; ball.count < ballPoints; ++i) {
+TruthSource::TruthSource(const Level& level, const LightSource& light, int ballPoints)
+    : level_(level), middle_{rayOrigin(level, light), light.sector} {
+  if (light.radius == 0) {
+    origins_ = {middle_};
+    return;
+  }
+  count_ = 0;
+  for (int i = 1; count_ < ballPoints; ++i) {
     const Vec3 p{spread(i, 2), spread(i, 3), spread(i, 5)};
     if (dot(p, p) > 1) continue;
-    ++ball.count;
-    const Vec3 point = middle + light.radius * p;
-    if (const auto sector = sectorAt(level_, light.sector, middle, point))
-      ball.origins.push_back({point, *sector});
+    ++count_;
+    const Vec3 point = middle_.point + light.radius * p;
+    if (const auto sector = sectorAt(level, light.sector, middle_.point, point))
+      origins_.push_back({point, *sector});
   }
-  return ball;
+}
+
+double TruthSource::seenShare(const SurfacePoint& place) const {
+  const auto seen =
+      std::ranges::count_if(origins_, [&](const Origin& origin) { return sees(origin, place); });
+  return static_cast<double>(seen) / count_;
+}
+
+double TruthSource::unshaded(const LightSource& light, const SurfacePoint& place, bool lambert) {
+  const Vec3 toLight = light.position - place.point;
+  if (std::abs(dot(place.normal, toLight)) <= kInPlane) return 0;
+  const double distance = length(toLight);
+  const double cosine = lambert ? std::max(0.0, dot(place.normal, toLight)) / distance : 1;
+  return light.levelAt(distance) * cosine;
+}
+
+bool TruthSource::sees(const Origin& origin, const SurfacePoint& place) const {
+  if (dot(place.normal, origin.point - place.point) <= kInPlane) return false;
+  // A straight line meets a plane once: where it meets this surface, it meets it at this point.
+  const std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
+  return met && isSameSurface(*met, place);
+}
+
+std::optional<TruthHit> TruthSource::firstMet(const SurfacePoint& place) const {
+  const auto metFrom = [&](const Origin& origin) -> std::optional<TruthHit> {
+    std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
+    return met && isSameSurface(*met, place) ? std::nullopt : met;
+  };
+  std::optional<TruthHit> met = metFrom(middle_);
+  for (std::size_t i = 0; i < origins_.size() && !met; ++i) met = metFrom(origins_[i]);
+  return met;
+}
+
+TruthLight::TruthLight(const Level& level, int ballPoints) : level_(level) {
+  for (const LightSource& light : level.lights) sources_.emplace_back(level, light, ballPoints);
 }
 
 Vec3 TruthLight::at(const SurfacePoint& place) const {
   Vec3 sum;
-  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
     const LightSource& light = level_.lights[i];
     sum = sum + from(i, place) * Vec3{light.share(0), light.share(1), light.share(2)};
   }
   return sum;
 }
 
-double TruthLight::from(std::size_t index, const SurfacePoint& place) const {
-  return unshaded(index, place) * seenShare(index, place);
+double TruthLight::from(std::size_t light, const SurfacePoint& place) const {
+  return unshaded(light, place) * seenShare(light, place);
 }
 
-double TruthLight::seenShare(std::size_t index, const SurfacePoint& place) const {
-  const Shape& shape = shapes_[index];
-  const auto seen = std::ranges::count_if(
-      shape.origins, [&](const Origin& origin) { return sees(origin, place); });
-  return static_cast<double>(seen) / shape.count;
+double TruthLight::seenShare(std::size_t light, const SurfacePoint& place) const {
+  return sources_[light].seenShare(place);
 }
 
-double TruthLight::unshaded(std::size_t index, const SurfacePoint& place) const {
-  const LightSource& light = level_.lights[index];
-  const Vec3 toLight = light.position - place.point;
-  if (std::abs(dot(place.normal, toLight)) <= kInPlane) return 0;
-  const double distance = length(toLight);
-  const double cosine =
-      level_.bake.lambert ? std::max(0.0, dot(place.normal, toLight)) / distance : 1;
-  return light.levelAt(distance) * cosine;
-}
-
-bool TruthLight::sees(const Origin& origin, const SurfacePoint& place) const {
-  if (dot(place.normal, origin.point - place.point) <= kInPlane) return false;
-  // A straight line meets a plane once: where it meets this surface, it meets it at this point.
-  const std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
-  return met && isSameSurface(*met, place);
+double TruthLight::unshaded(std::size_t light, const SurfacePoint& place) const {
+  return TruthSource::unshaded(level_.lights[light], place, level_.bake.lambert);
 }
 
 }  // namespace hearth

@@ -6,6 +6,41 @@
 
 namespace hearth {
 
+/// One light, as points of surfaces see it.
+class TruthSource {
+ public:
+  /// Keeps a reference to the level. A ball of light is so many points.
+  TruthSource(const Level& level, const LightSource& light, int ballPoints);
+
+  /// Which share of it sees the point, 0..1.
+  double seenShare(const SurfacePoint& place) const;
+
+  /// What a light would add in levels (255 is full) if it were white and nothing stood between, to
+  /// a point that need not lie on a surface; 0 in the plane of the light. Multiplied by the cosine
+  /// at the surface with `lambert`.
+  static double unshaded(const LightSource& light, const SurfacePoint& place, bool lambert);
+
+  /// What its light meets first on the way to the point, from its middle or, where nothing stops it
+  /// there, from the first point of a ball that something does. None where nothing does, but skies.
+  std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
+
+ private:
+  /// A point from which it shines.
+  struct Origin {
+    Vec3 point;
+    SectorId sector;
+  };
+
+  bool sees(const Origin& origin, const SurfacePoint& place) const;
+
+  const Level& level_;
+  Origin middle_;
+  /// Many points of a ball, all alike; one of a point. What of a ball its middle does not see
+  /// counts as points that shine nowhere.
+  std::vector<Origin> origins_;
+  int count_ = 1;  ///< with those that shine nowhere
+};
+
 /// The light at points of surfaces as the file format defines it, not as any bake samples it: the
 /// reference for bakes.
 class TruthLight {
@@ -32,24 +67,8 @@ class TruthLight {
   double unshaded(std::size_t light, const SurfacePoint& place) const;
 
  private:
-  /// A point from which a light shines.
-  struct Origin {
-    Vec3 point;
-    SectorId sector;
-  };
-
-  /// Many points of a light that is a ball, all alike; one of a point. What of a ball its middle
-  /// does not see counts as points that shine nowhere.
-  struct Shape {
-    std::vector<Origin> origins;
-    int count = 1;  ///< with those that shine nowhere
-  };
-
-  Shape shapeOf(const LightSource& light, int ballPoints) const;
-  bool sees(const Origin& origin, const SurfacePoint& place) const;
-
   const Level& level_;
-  std::vector<Shape> shapes_;  ///< by index of light
+  std::vector<TruthSource> sources_;  ///< by index of light
 };
 
 }  // namespace hearth

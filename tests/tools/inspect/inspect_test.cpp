@@ -1,0 +1,223 @@
+// What is said of a place: held against the definition of light, and against pictures.
+
+#include "hearth/inspect/inspect.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "hearth/inspect/words.h"
+#include "loaded.h"
+#include "render/renderer.h"
+#include "support/level_text.h"
+#include "truth/truth_light.h"
+
+namespace hearth {
+namespace {
+
+const std::string kSolid = "{'texture':'#808080'}";
+
+/// What a look from `eye` in the sector along `direction` meets.
+TruthHit lookedAt(const Level& level, const std::string& sector, Vec3 eye, Vec3 direction) {
+  return *trace(level, sectorNamed(level, sector), eye, direction, RayKind::Look);
+}
+
+Inspection inspected(const Level& level, const TruthHit& place) {
+  return inspect(level, bake(level, level.bake, 1), level.bake, place);
+}
+
+/// The only finding of a level of one light, in words.
+std::string reasonAt(const LoadedLevel& loaded, const std::string& sector, Vec3 eye,
+                     Vec3 direction) {
+  const Level& level = loaded.level;
+  const Inspection found = inspected(level, lookedAt(level, sector, eye, direction));
+  EXPECT_EQ(found.lights.size(), 1);
+  return reasonWords(level, found.lights.at(0));
+}
+
+/// A room of 10 x 4 x 3 m whose eastern half is another sector.
+LoadedLevel halves(const std::string& east, const std::string& lights, double eastFloor = 0,
+                   const std::string& more = "") {
+  const std::string next = ",'lower':'#303030','upper':'#303030'}";
+  return test::levelFrom(
+      "{'light':0,'sectors':{" +
+          test::sectorText(
+              "west", "0,0, 5,0, 5,4, 0,4", 0, 3,
+              "[" + kSolid + ",{'next':'east'" + east + next + "," + kSolid + "," + kSolid + "]") +
+          "," +
+          test::sectorText(
+              "east", "5,0, 10,0, 10,4, 5,4", eastFloor, 3,
+              "[" + kSolid + "," + kSolid + "," + kSolid + ",{'next':'west'" + next + "]", more) +
+          "}}",
+      lights);
+}
+
+std::string lamp(double x, double y, double z, const std::string& more = "") {
+  return "[{'x':" + std::to_string(x) + ",'y':" + std::to_string(y) + ",'z':" + std::to_string(z) +
+         more + "}]";
+}
+
+TEST(Inspect, namesTheUnlitSideOfAWall) {
+  // The lamp stands in the next room, behind the step whose other side is looked at.
+  const LoadedLevel loaded = halves("", lamp(8, 2, 2.5), 1.5);
+  EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 1}, {1, 0, 0}),
+            "faces away: the light is behind this surface");
+}
+
+TEST(Inspect, namesTheStepThatBlocks) {
+  const LoadedLevel loaded = halves("", lamp(9, 2, 1.75), 1.5);
+  EXPECT_EQ(reasonAt(loaded, "west", {2, 2, 1}, {0, 0, -1}), "blocked by floor of east at 8,2,1.5");
+  const LoadedLevel other = halves("", lamp(4, 2, 0.5), 1.5);
+  EXPECT_EQ(reasonAt(other, "east", {8, 2, 2}, {0, 0, 1}),
+            "blocked by lower step of west, wall 1 at 5,2,1.125");
+}
+
+TEST(Inspect, namesTheSidewallThatBlocks) {
+  const LoadedLevel loaded =
+      halves("", lamp(2, 2, 0.5), 0, ",'slopeFloor':{'z':[2,0,0,2],'sidewall':'#808080'}");
+  EXPECT_EQ(reasonAt(loaded, "east", {9.9, 2, 1}, {1, 0, -0.1}),
+            "blocked by floor sidewall of east, seen through west, wall 1 at 5,2,0.684");
+}
+
+TEST(Inspect, namesTheHangingTextureThatBlocksAndLetsLightThroughItsHoles) {
+  LoadedLevel loaded = halves(",'middle':'#808080 4,3'", lamp(2, 2, 1.5));
+  EXPECT_EQ(reasonAt(loaded, "east", {8, 2, 1.5}, {1, 0, 0}),
+            "blocked by middle texture of west, wall 1 at 5,2,1.5");
+  TexelHoles holes(1, 1);
+  holes.make(0, 0);
+  loaded.level.holes.assign(loaded.level.textures.size(), holes);
+  EXPECT_EQ(reasonAt(loaded, "east", {8, 2, 1.5}, {1, 0, 0}), "");
+}
+
+TEST(Inspect, namesALightThatIsTooWeakAndTellsHowWeak) {
+  const LoadedLevel loaded = halves("", lamp(2, 2, 1.5, ",'intensity':3,'falloff':1"));
+  EXPECT_EQ(reasonAt(loaded, "west", {2.5, 2, 1.5}, {1, 0, 0}),
+            "too weak here: 0.33 levels at 8 m, falloff 1");
+  const Level& level = loaded.level;
+  const TruthHit place = lookedAt(level, "west", {2.5, 2, 1.5}, {1, 0, 0});
+  EXPECT_NEAR(inspected(level, place).sum.x, 1.0 / 3, 1e-12) << "which is something";
+  BakeSettings cut = level.bake;
+  cut.cutOff = 1;
+  EXPECT_EQ(inspect(level, bake(level, cut, 1), cut, place).sum, Vec3{});
+}
+
+TEST(Inspect, namesALightInThePlaneOfTheSurface) {
+  const LoadedLevel loaded = halves("", lamp(5, 2, 1.5), 1);
+  EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 0.5}, {1, 0, 0}), "in the plane of the surface");
+}
+
+TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
+  // Two rooms at one place, that know nothing of each other.
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':0,'sectors':{" + test::sectorText("here", "0,0, 9,0, 9,9, 0,9", 0, 3) + "," +
+          test::sectorText("there", "0,0, 9,0, 9,5, 0,5", 0, 4) + "}}",
+      "[{'x':1,'y':1,'z':3.5}]");
+  EXPECT_EQ(reasonAt(loaded, "here", {4, 4, 1}, {0, 0.001, 1}),
+            "faces away: the light is behind this surface");
+  const LoadedLevel inside = test::levelFrom(
+      "{'light':0,'sectors':{" + test::sectorText("here", "0,0, 5,0, 5,5, 0,5", 0, 3) + "," +
+          test::sectorText("there", "-9,-9, 9,-9, 9,9, -9,9", -1, 4) + "}}",
+      "[{'x':1,'y':1,'z':2,'sector':'there'}]");
+  EXPECT_EQ(reasonAt(inside, "here", {4, 2, 1}, {1, 0, 0}),
+            "not reached: no straight way from its part of the level");
+}
+
+TEST(Inspect, tellsWhichShareOfABallIsSeen) {
+  const LoadedLevel loaded = halves("", lamp(8, 2, 1.5, ",'radius':0.4"), 1.5);
+  const Level& level = loaded.level;
+  const Inspection found = inspected(level, lookedAt(level, "west", {1, 2, 1.5}, {-1, 0, 0}));
+  EXPECT_NEAR(found.lights.at(0).seenShare, 0.5, 0.02) << "the half above the floor";
+  EXPECT_TRUE(reasonWords(level, found.lights[0]).ends_with(" % of it seen"));
+  EXPECT_NEAR(found.sum.x, 255 * found.lights[0].seenShare, 1e-9);
+}
+
+TEST(Inspect, saysNothingOfSkies) {
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':0,'sectors':{'yard':{'floor':{'texture':'#808080'},"
+      "'ceiling':{'z':3,'texture':'#808080','parallax':true},"
+      "'loops':{'border':{'v':[0,0, 4,0, 4,4, 0,4],'walls':{'texture':'#808080'}}}}}}",
+      lamp(1, 1, 1));
+  const Inspection found =
+      inspected(loaded.level, lookedAt(loaded.level, "yard", {2, 2, 1}, {0, 0, 1}));
+  EXPECT_FALSE(found.lightmap);
+  EXPECT_TRUE(found.lights.empty());
+}
+
+TEST(Inspect, hasTheBrightestFirstAndThenWhatWouldBe) {
+  const LoadedLevel loaded =
+      halves("",
+             "[{'x':1,'y':2,'z':2,'intensity':20},{'x':9,'y':2,'z':0.5,'intensity':90},"
+             "{'x':1,'y':1,'z':2,'intensity':50,'color':'#ff0000'},{'x':9,'y':1,'z':0.5}]");
+  const Level& level = loaded.level;
+  const TruthHit wall = lookedAt(level, "east", {6, 2, 1}, {1, 0, 0});
+  std::vector<std::size_t> order;
+  for (const LightFinding& finding : inspected(level, wall).lights) order.push_back(finding.light);
+  EXPECT_EQ(order, (std::vector<std::size_t>{3, 1, 0, 2}));
+}
+
+// --- Against the definition, and against pictures ------------------------------------------------
+
+/// Calls `check(hit, column, row)` for some pixels of all shots of a level.
+template <typename Check>
+void forPixelsOfShots(const Level& level, Check&& check) {
+  for (const Shot& shot : level.shots) {
+    Camera camera = cameraOf(shot);
+    camera.width = 11;
+    camera.height = 7;
+    const Projection projection = projectionFor(level, camera);
+    for (int row = 0; row < camera.height; ++row)
+      for (int column = 0; column < camera.width; ++column) {
+        const Vec2 ray = projection.rayOf(column + 0.5);
+        const auto hit = trace(level, camera.sector, projection.eye(),
+                               {ray.x, ray.y, projection.climbOf(row + 0.5)}, RayKind::Look);
+        check(*hit, camera, column, row);
+      }
+  }
+}
+
+void expectAsDefined(const std::string& path) {
+  const Level level = loaded(path).level;
+  const TruthLight truth(level, kInspectedBallPoints);
+  const BakedLight light = bake(level, level.bake, 2);
+  int lit = 0;
+  forPixelsOfShots(level, [&](const TruthHit& hit, const Camera&, int, int) {
+    if (isSky(hit.kind)) return;
+    const Inspection found = inspect(level, light, level.bake, hit);
+    const Vec3 sum = truth.at(hit);
+    ASSERT_NEAR(length(found.sum - sum), 0, 1e-9) << surfaceWords(level, hit);
+    ASSERT_EQ(found.lights.size(), level.lights.size());
+    lit += sum.x > 1 ? 1 : 0;
+  });
+  EXPECT_GT(lit, 100) << path;
+}
+
+TEST(Inspect, addsUpToTheLightAsDefinedWithSlopesAndStacksAndFlatPortals) {
+  expectAsDefined("levels/tutorial.json");
+}
+
+TEST(Inspect, addsUpToTheLightAsDefinedBehindGrilles) { expectAsDefined("levels/gaol.json"); }
+
+TEST(Inspect, hasOfTheLightmapWhatPicturesHave) {
+  for (const char* path : {"levels/tutorial.json", "levels/gaol.json"}) {
+    const LoadedLevel place = loaded(path);
+    const Level& level = place.level;
+    const BakedLight light = bake(level, level.bake, 2);
+    const Renderer renderer(level, place.textures, light);
+    Image picture;
+    forPixelsOfShots(level, [&](const TruthHit& hit, const Camera& camera, int column, int row) {
+      if (column == 0 && row == 0) picture = renderer.draw(camera, Channel::Light);
+      if (isSky(hit.kind)) return;
+      const auto found = inspect(level, light, level.bake, hit).lightmap;
+      ASSERT_TRUE(found) << surfaceWords(level, hit);
+      const Rgb pixel = picture.at(column, row);
+      ASSERT_NEAR(found->shown.x, pixel.r, 1) << surfaceWords(level, hit);
+      ASSERT_NEAR(found->shown.z, pixel.b, 1) << surfaceWords(level, hit);
+      ASSERT_LT(found->column, found->columns);
+      ASSERT_LT(found->row, found->rows);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace hearth

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "light/bakery.h"
+#include "truth/trace.h"
+
+namespace hearth {
+
+/// Why a light gives a point of a surface what it gives.
+enum class LightReason : std::uint8_t {
+  Lights,
+  TooWeak,     ///< at this distance, whether or not anything stands between
+  FacesAway,   ///< it is behind the plane of the surface
+  InPlane,     ///< it lies in that plane
+  Blocked,     ///< something stands between
+  NotReached,  ///< its light passes the place in another part of the level
+};
+
+/// One light, as a point of a surface has it.
+struct LightFinding {
+  std::size_t light;  ///< its index in the level, and in its file
+  LightReason reason;
+  double distance;                                 ///< metres, from its middle
+  double level;                                    ///< at that distance, before colour
+  double unshaded;                                 ///< levels, if nothing stood between; white
+  double seenShare = 0;                            ///< of a ball, 0..1; of a point 0 or 1
+  Vec3 adds = {};                                  ///< levels of red, green and blue
+  std::optional<TruthHit> blocker = std::nullopt;  ///< what stands between, if that is the reason
+};
+
+/// What a lightmap has at a point.
+struct LightmapFinding {
+  int column;  ///< of the texel, from 0
+  int row;
+  int columns;
+  int rows;
+  double metres;  ///< a texel's side
+  Vec3 texel;     ///< its levels of red, green and blue; 0 where no light reaches the surface
+  Vec3 shown;     ///< mixed with those of the texels around it, as the picture has it
+};
+
+/// What is at a point of a surface, and where its light comes from.
+struct Inspection {
+  TruthHit place;
+  std::optional<LightmapFinding> lightmap;  ///< none for skies
+  /// None for skies. Those that give most come first; of those that give nothing, those that are
+  /// brightest at their distance.
+  std::vector<LightFinding> lights;
+  std::size_t notFollowed = 0;  ///< lights that are not among them, being weaker and too many
+  Vec3 sum;                     ///< of what they add: levels at this very point, as defined
+};
+
+/// Points that a ball of light is for this.
+inline constexpr int kInspectedBallPoints = 128;
+
+/// Levels. What adds less to each channel is too weak.
+inline constexpr double kVisibleLevel = 1;
+
+/// Follows the lights of the level, which is baked so, to a place of it; the more of them, the
+/// longer that takes, up to some tens of milliseconds.
+Inspection inspect(const Level& level, const BakedLight& light, const BakeSettings& settings,
+                   const TruthHit& place);
+
+}  // namespace hearth
