@@ -26,6 +26,7 @@ class Renderer {
 
   const DrawSettings& settings() const { return settings_; }
   const BakedLight& light() const { return light_; }
+  const Texture& texture(TextureId id) const { return textures_[id.index()].full(); }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
   /// and the same pixels whatever the number of threads. Channels and marks are drawn with all

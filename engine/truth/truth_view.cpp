@@ -16,6 +16,13 @@ std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::floor
 
 }  // namespace
 
+Vec2 texelOf(const TruthHit& hit, int width, int height) {
+  const TextureMapping& mapping = *hit.texture;
+  return Vec2{width * hit.imageMetres.x / mapping.repeat.x,
+              height * hit.imageMetres.y / mapping.repeat.y} -
+         mapping.offsetTexels;
+}
+
 TruthView::TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera,
                      int ballPoints)
     : level_(level), textures_(textures), camera_(camera), light_(level, ballPoints) {
@@ -40,11 +47,8 @@ TruthHit TruthView::hit(double i, double j) const {
 }
 
 Vec2 TruthView::texelAt(const TruthHit& hit) const {
-  const TextureMapping& mapping = *hit.texture;
-  const Image& image = textures_[mapping.texture.index()];
-  return Vec2{image.width() * hit.imageMetres.x / mapping.repeat.x,
-              image.height() * hit.imageMetres.y / mapping.repeat.y} -
-         mapping.offsetTexels;
+  const Image& image = textures_[hit.texture->texture.index()];
+  return texelOf(hit, image.width(), image.height());
 }
 
 Vec3 TruthView::textureColor(const TruthHit& hit) const {

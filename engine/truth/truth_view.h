@@ -21,6 +21,10 @@ struct TruthPixel {
   TruthHit hit;
 };
 
+/// Texel coordinates of a hit on an image of that size, not wrapped: the texel is (floor x, floor
+/// y).
+Vec2 texelOf(const TruthHit& hit, int width, int height);
+
 /// A level seen by one camera, pixel by pixel, with exact light: the reference for pictures.
 ///
 /// Pixel positions (i, j) are real numbers, in pixels from the picture's upper left corner: the
@@ -34,7 +38,7 @@ class TruthView {
 
   TruthHit hit(double i, double j) const;
 
-  /// Texel coordinates of a hit, not wrapped: the texel is (floor x, floor y).
+  /// On the image that the hit wears.
   Vec2 texelAt(const TruthHit& hit) const;
 
   TruthPixel pixel(double i, double j, TruthLightMode mode) const;

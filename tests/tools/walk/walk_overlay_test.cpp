@@ -154,6 +154,37 @@ TEST(Channels, HaveTheFourSpacesInTheirQuarters) {
   EXPECT_FALSE(drawGeometry(level, camera, "depth"));
 }
 
+SDL_Event clickAt(int x, int y) {
+  SDL_Event event = click();
+  event.button.button = SDL_BUTTON_LEFT;
+  event.button.x = x;
+  event.button.y = y;
+  return event;
+}
+
+TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.ticks(4);
+  const auto left = [&] {  // of the picture, without the panel
+    Image part(300, 400);
+    for (int y = 0; y < 400; ++y)
+      for (int x = 0; x < 300; ++x) part.at(x, y) = walk.stage.shown.at(x, y);
+    return part;
+  };
+  const Image before = left();
+  walk.now(clickAt(100, 300));
+  walk.ticks(4);
+  EXPECT_NE(left(), before) << "rays, and a ring round the place";
+  walk.press(SDL_SCANCODE_ESCAPE);
+  walk.now(windowEvent(SDL_WINDOWEVENT_LEAVE));
+  walk.ticks(4);
+  EXPECT_EQ(left(), before);
+  walk.press(SDL_SCANCODE_ESCAPE);
+  EXPECT_EQ(walk.stage.shown, walk.plain) << "and then closes the overlay";
+  EXPECT_TRUE(walk.isOn);
+}
+
 TEST(WalkOverlay, LetsKeysWalkOn) {
   OverlayWalk walk;
   walk.press(SDL_SCANCODE_F1);

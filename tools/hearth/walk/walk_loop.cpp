@@ -66,6 +66,7 @@ void WalkLoop::goOnIn(const Level& level, const Renderer& renderer) {
   level_ = &level;
   renderer_ = &renderer;
   seen_ = SeenSectors(level, seen_);
+  inspector_.forget();
   shown_.reset();
 }
 
@@ -121,12 +122,16 @@ void WalkLoop::take(const SDL_WindowEvent& event) {
   capturesMouseAgain_ = false;
 }
 
-/// What the mouse does in the picture beside the panel is about a light, if it is at one.
+/// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
+/// about what shows there.
 void WalkLoop::point(const SDL_Event& event) {
-  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene_.camera.width);
+  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene_.size.width);
   const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
   const std::optional<MarkerSpace> space = markerSpace();
-  if (pointed && space && lights_) lights_->take(*pointed, *space, scene_.camera.height);
+  const bool isOfLight =
+      pointed && space && lights_ && lights_->take(*pointed, *space, scene_.camera.height);
+  const bool showsLevel = !scene_.view.isMapShown && isOfCamera(scene_.view.channel);
+  inspector_.take(event, showsLevel && !isOfLight ? panelLeft : 0);
 }
 
 void WalkLoop::releasePointer() {
@@ -169,6 +174,7 @@ void WalkLoop::act(Action action) {
       toggleOverlay();
       break;
     case Action::Leave:
+      if (overlay_.isOpen() && inspector_.letGo()) break;
       if (overlay_.isOpen()) return toggleOverlay();
       if (!controls_.isMouseCaptured()) leave();
       captureMouse(false);
@@ -359,11 +365,13 @@ void WalkLoop::drawOverlay(double now) {
   const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
   figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
+  if (settings_.canBake) bake_ = bakeSettingsFrom(*level_, settings_.options);
   const auto sections = [this] {
     showFigures(figures_);
     showQualitySection();
     showView(scene_.view.mode, scene_.view.channel);
     showLights(lights_ ? &*lights_ : nullptr, *level_, scene_.camera);
+    inspector_.show({*level_, *renderer_, bake_}, scene_.camera);
   };
   overlay_.draw(now, sections, picture_);
 }
@@ -378,7 +386,6 @@ std::optional<MarkerSpace> WalkLoop::markerSpace() const {
 }
 
 void WalkLoop::showQualitySection() {
-  if (settings_.canBake) bake_ = bakeSettingsFrom(*level_, settings_.options);
   QualityChoice choice{settings_.options, settings_.fov, settings_.frameCap};
   if (showQuality({level_->bake, bake_, renderer_->settings(), settings_.canBake}, choice))
     choose(choice.options);

@@ -11,6 +11,7 @@
 #include "hearth/edit/lights_editor.h"
 #include "hearth/options.h"
 #include "hearth/overlay/figures_section.h"
+#include "hearth/overlay/inspector.h"
 #include "hearth/overlay/lights_tool.h"
 #include "hearth/overlay/marker_space.h"
 #include "hearth/overlay/overlay.h"
@@ -145,6 +146,7 @@ class WalkLoop {
   Image picture_;
   SeenSectors seen_;
   Overlay overlay_;
+  Inspector inspector_;
   bool capturesMouseAgain_ = false;  ///< once the overlay is closed
   Figures figures_;
   BakeSettings bake_;  ///< of the level at hand, by the options

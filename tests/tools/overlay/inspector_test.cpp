@@ -1,0 +1,140 @@
+// The inspector in the panel: what the pointer is at, and what a click pins.
+
+#include "hearth/overlay/inspector.h"
+
+#include <gtest/gtest.h>
+
+#include "hearth/overlay/overlay.h"
+#include "loaded.h"
+
+namespace hearth {
+namespace {
+
+SDL_Event mouseAt(Uint32 type, int x, int y) {
+  SDL_Event event{};
+  event.type = type;
+  if (type == SDL_MOUSEMOTION) {
+    event.motion.x = x;
+    event.motion.y = y;
+  } else {
+    event.button.button = SDL_BUTTON_LEFT;
+    event.button.x = x;
+    event.button.y = y;
+  }
+  return event;
+}
+
+/// The panel with this section alone, over a picture of the rooms.
+class InspectorTest : public testing::Test {
+ protected:
+  InspectorTest()
+      : place_(loaded("tests/levels/rooms.json")),
+        light_(bake(place_.level, place_.level.bake, 1)),
+        renderer_(place_.level, place_.textures, light_),
+        camera_{place_.level.player->sector,
+                place_.level.player->eye,
+                place_.level.player->angle,
+                0,
+                90,
+                1280,
+                720} {
+    overlay_.toggle();
+    frame();
+  }
+
+  void frame() {
+    picture_ = renderer_.draw(camera_, LightMode::Both);
+    overlay_.draw(
+        now_ += 0.02,
+        [this] {
+          inspector_.show({place_.level, renderer_, place_.level.bake}, camera_);
+        },
+        picture_);
+  }
+
+  void send(const SDL_Event& event) {
+    inspector_.take(event, overlay_.leaves(camera_.width));
+    overlay_.take(event);
+    frame();
+  }
+  void moveTo(int x, int y) { send(mouseAt(SDL_MOUSEMOTION, x, y)); }
+  void clickAt(int x, int y) {
+    send(mouseAt(SDL_MOUSEBUTTONDOWN, x, y));
+    send(mouseAt(SDL_MOUSEBUTTONUP, x, y));
+  }
+
+  /// What the renderer has at a pixel of its picture.
+  void expectFoundAt(int x, int y) {
+    ASSERT_TRUE(inspector_.found());
+    const Vec3 point = inspector_.found()->place.point;
+    const Projection projection = projectionFor(place_.level, camera_);
+    const CameraPoint seen = projection.toCamera(point.xy());
+    EXPECT_NEAR(projection.columnOf(seen), x + 0.5, 1e-6);
+    EXPECT_NEAR(projection.rowOf(point.z, seen.depth), y + 0.5, 1e-6);
+  }
+
+  LoadedLevel place_;
+  BakedLight light_;
+  Renderer renderer_;
+  Camera camera_;
+  Overlay overlay_;
+  Inspector inspector_;
+  Image picture_;
+  double now_ = 1;
+};
+
+TEST_F(InspectorTest, FollowsNothingWhileItIsClosed) {
+  moveTo(300, 400);
+  EXPECT_FALSE(inspector_.found());
+}
+
+TEST_F(InspectorTest, IsOpenedByAClickIntoThePictureWhichPins) {
+  clickAt(300, 400);
+  expectFoundAt(300, 400);
+  moveTo(400, 300);
+  expectFoundAt(300, 400);
+  clickAt(400, 300);
+  expectFoundAt(400, 300);
+}
+
+TEST_F(InspectorTest, FollowsThePointerWhereNothingIsPinned) {
+  clickAt(300, 400);
+  EXPECT_TRUE(inspector_.letGo());
+  EXPECT_FALSE(inspector_.letGo());
+  moveTo(310, 100);
+  expectFoundAt(310, 100);
+  moveTo(100, 600);
+  expectFoundAt(100, 600);
+  moveTo(1270, 600);
+  EXPECT_FALSE(inspector_.found()) << "over the panel";
+}
+
+TEST_F(InspectorTest, KeepsThePlaceWhileTheWalkerGoesOn) {
+  clickAt(300, 400);
+  const Vec3 point = inspector_.found()->place.point;
+  camera_.angle += 30;
+  frame();
+  EXPECT_EQ(inspector_.found()->place.point, point);
+}
+
+TEST_F(InspectorTest, LooksAnewOnceTheLevelIsAnother) {
+  clickAt(300, 400);
+  const Inspection before = *inspector_.found();
+  ASSERT_FALSE(before.lights.empty());
+  place_.level.lights.clear();
+  inspector_.forget();
+  frame();
+  EXPECT_EQ(inspector_.found()->place.point, before.place.point);
+  EXPECT_TRUE(inspector_.found()->lights.empty());
+}
+
+TEST_F(InspectorTest, LosesAPlaceThatIsNoMore) {
+  clickAt(300, 400);
+  place_.level.sectors[camera_.sector.index()].name = "elsewhere";
+  inspector_.forget();
+  frame();
+  EXPECT_FALSE(inspector_.found());
+}
+
+}  // namespace
+}  // namespace hearth

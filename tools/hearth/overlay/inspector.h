@@ -1,0 +1,63 @@
+#pragma once
+
+#include <SDL_events.h>
+
+#include <optional>
+#include <string>
+
+#include "hearth/inspect/inspect.h"
+#include "render/renderer.h"
+
+namespace hearth {
+
+/// A level as it is walked in.
+struct InspectedLevel {
+  const Level& level;
+  const Renderer& renderer;
+  const BakeSettings& settings;  ///< of its bake
+};
+
+/// A section of the overlay: what the pointer is at in the picture, and why it is as light as it
+/// is. A click pins the place, and opens the section.
+class Inspector {
+ public:
+  /// Positions are in pixels of the picture, of whose width `width` are left of the panel.
+  void take(const SDL_Event& event, int width);
+
+  /// Lets go of what is pinned. Returns whether anything was.
+  bool letGo();
+
+  /// From now on the level is another, or lit otherwise. What is pinned is looked at anew.
+  void forget() { found_.reset(); }
+
+  /// What the section shows; none where it is closed, or the pointer at nothing.
+  const std::optional<Inspection>& found() const { return found_; }
+
+  /// `camera` is that of the picture.
+  void show(const InspectedLevel& in, const Camera& camera);
+
+ private:
+  /// A look at a place, which finds the same place again in another version of the level.
+  struct Look {
+    std::string sector;  ///< of the eye
+    Vec3 eye;
+    Vec3 direction;
+
+    friend bool operator==(const Look&, const Look&) = default;
+  };
+  struct Pixel {
+    int x;
+    int y;
+  };
+
+  Look lookThrough(Pixel pixel, const InspectedLevel& in, const Camera& camera) const;
+  void find(const Look& look, const InspectedLevel& in);
+
+  std::optional<Pixel> mouse_;  ///< while it is over the picture
+  bool isClicked_ = false;      ///< since it was shown last
+  std::optional<Look> pinned_;
+  std::optional<Look> look_;  ///< by which the last was found
+  std::optional<Inspection> found_;
+};
+
+}  // namespace hearth
