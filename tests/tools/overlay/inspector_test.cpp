@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
+#include "hearth/inspect/places.h"
+#include "hearth/inspect/words.h"
 #include "hearth/overlay/overlay.h"
-#include "loaded.h"
 
 namespace hearth {
 namespace {
@@ -28,7 +32,8 @@ SDL_Event mouseAt(Uint32 type, int x, int y) {
 class InspectorTest : public testing::Test {
  protected:
   InspectorTest()
-      : place_(loaded("tests/levels/rooms.json")),
+      : sourced_(loadLevelWithSource(HEARTH_SOURCE_DIR "/tests/levels/rooms.json")),
+        place_(*sourced_.result.loaded),
         light_(bake(place_.level, place_.level.bake, 1)),
         renderer_(place_.level, place_.textures, light_),
         camera_{place_.level.player->sector,
@@ -47,7 +52,9 @@ class InspectorTest : public testing::Test {
     overlay_.draw(
         now_ += 0.02,
         [this] {
-          inspector_.show({place_.level, renderer_, place_.level.bake}, camera_);
+          const auto copied = inspector_.show(
+              {place_.level, renderer_, place_.level.bake, &sourced_.source}, camera_);
+          if (copied) copied_.insert(*copied);
         },
         picture_);
   }
@@ -73,6 +80,7 @@ class InspectorTest : public testing::Test {
     EXPECT_NEAR(projection.rowOf(point.z, seen.depth), y + 0.5, 1e-6);
   }
 
+  SourcedResult sourced_;
   LoadedLevel place_;
   BakedLight light_;
   Renderer renderer_;
@@ -81,6 +89,7 @@ class InspectorTest : public testing::Test {
   Inspector inspector_;
   Image picture_;
   double now_ = 1;
+  std::set<std::string> copied_;
 };
 
 TEST_F(InspectorTest, FollowsNothingWhileItIsClosed) {
@@ -126,6 +135,19 @@ TEST_F(InspectorTest, LooksAnewOnceTheLevelIsAnother) {
   frame();
   EXPECT_EQ(inspector_.found()->place.point, before.place.point);
   EXPECT_TRUE(inspector_.found()->lights.empty());
+}
+
+TEST_F(InspectorTest, CopiesByAClickWhereTheFilesHaveIt) {
+  clickAt(300, 400);
+  const Inspection found = *inspector_.found();
+  for (int y = 50; y < 500; y += 8) clickAt(overlay_.leaves(camera_.width) + 90, y);
+  const LevelSource& source = sourced_.source;
+  EXPECT_TRUE(copied_.contains(placeOfSurface(source, place_.level, found.place)));
+  EXPECT_TRUE(copied_.contains(placeOfTexture(source, place_.level, found.place)));
+  EXPECT_TRUE(copied_.contains(placeOfSector(source, found.place.sector)));
+  EXPECT_TRUE(copied_.contains(pointWords(found.place.point)));
+  for (const LightFinding& finding : found.lights)
+    EXPECT_TRUE(copied_.contains(placeOfLight(source, finding.light)));
 }
 
 TEST_F(InspectorTest, LosesAPlaceThatIsNoMore) {

@@ -45,7 +45,8 @@ class LiveWalk : public testing::Test {
     SourcedResult opened = loadLevelWithSource(levelFile());
     ASSERT_TRUE(opened.result.loaded);
     auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
-    live_ = std::make_unique<LiveLevel>(values_, loaded, std::move(opened.source), nextFile);
+    auto source = std::make_shared<const LevelSource>(std::move(opened.source));
+    live_ = std::make_unique<LiveLevel>(values_, loaded, source, nextFile);
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
     const Player& player = *loaded->level.player;

@@ -41,6 +41,7 @@ class Stage : public Outside {
   void setTitle(const std::string& text) override { title = text; }
   void captureMouse(bool isCaptured) override { isMouseCaptured = isCaptured; }
   void toggleFullScreen() override { isFullScreen = !isFullScreen; }
+  void copy(const std::string& text) override { clipboard = text; }
   void print(const std::string& line) override { printed.push_back(line); }
 
   double now = 1000;
@@ -54,6 +55,7 @@ class Stage : public Outside {
   bool isMouseCaptured = false;
   bool isFullScreen = false;
   std::vector<std::string> printed;
+  std::string clipboard;
 
  private:
   static Rgb colorAt(const PixelRows& rows, int x, int y) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 #include <string_view>
 
@@ -183,6 +184,22 @@ TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {
   walk.press(SDL_SCANCODE_ESCAPE);
   EXPECT_EQ(walk.stage.shown, walk.plain) << "and then closes the overlay";
   EXPECT_TRUE(walk.isOn);
+}
+
+TEST(WalkOverlay, CopiesToTheClipboardWhatIsClickedOn) {
+  OverlayWalk walk;
+  walk.press(SDL_SCANCODE_F1);
+  walk.ticks(4);
+  walk.now(clickAt(100, 300));
+  walk.ticks(4);
+  for (int y = 230; y < 400 && walk.stage.clipboard.empty(); y += 8) {
+    walk.now(clickAt(460, y));
+    SDL_Event up = clickAt(460, y);
+    up.type = SDL_MOUSEBUTTONUP;
+    walk.now(up);
+  }
+  EXPECT_TRUE(std::regex_match(walk.stage.clipboard, std::regex("[-0-9.]+,[-0-9.]+,[-0-9.]+")))
+      << "the point, as the level has no source here: " << walk.stage.clipboard;
 }
 
 TEST(WalkOverlay, LetsKeysWalkOn) {

@@ -14,6 +14,9 @@ namespace hearth {
 
 namespace {
 
+/// A panel is scrolled no farther than it was long in the frame before.
+constexpr int kFramesToScroll = 3;
+
 std::optional<SectorId> sectorNamed(const Level& level, const std::string& name) {
   const auto found = std::ranges::find(level.sectors, name, &Sector::name);
   if (found == level.sectors.end()) return std::nullopt;
@@ -56,24 +59,28 @@ void Inspector::find(const Look& look, const InspectedLevel& in) {
     found_ = inspect(in.level, in.renderer.light(), in.settings, *hit);
 }
 
-void Inspector::show(const InspectedLevel& in, const Camera& camera) {
+std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
   const bool isClicked = std::exchange(isClicked_, false) && mouse_;
   if (isClicked) pinned_ = lookThrough(*mouse_, in, camera);
   if (isClicked) ImGui::SetNextItemOpen(true);
+  if (isClicked) scrollsLeft_ = kFramesToScroll;
   const bool isOpen = ImGui::CollapsingHeader("Inspector");
-  if (isClicked) ImGui::SetScrollHereY(0);
-  if (!isOpen) return forget();
+  if (scrollsLeft_ > 0) ImGui::SetScrollHereY(0);
+  scrollsLeft_ = std::max(0, scrollsLeft_ - 1);
+  if (!isOpen || (!pinned_ && !mouse_)) forget();
+  if (!isOpen) return std::nullopt;
   if (!pinned_ && !mouse_) {
-    forget();
     ImGui::TextUnformatted("Point at a surface in the picture. A click pins the place.");
-    return;
+    return std::nullopt;
   }
   find(pinned_ ? *pinned_ : lookThrough(*mouse_, in, camera), in);
-  if (!found_) return;
+  if (!found_) return std::nullopt;
   const Texture& texture = in.renderer.texture(found_->place.texture->texture);
-  const InspectorRequest asked = showInspection(*found_, in.level, texture, pinned_.has_value());
+  const InspectorRequest asked =
+      showInspection(*found_, {in.level, texture, in.source}, pinned_.has_value());
   drawLightRays(*found_, asked.light, in.level, camera);
   if (asked.letsGo) letGo();
+  return asked.copied;
 }
 
 }  // namespace hearth

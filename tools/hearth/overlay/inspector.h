@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hearth/inspect/inspect.h"
+#include "load/source.h"
 #include "render/renderer.h"
 
 namespace hearth {
@@ -15,6 +16,7 @@ struct InspectedLevel {
   const Level& level;
   const Renderer& renderer;
   const BakeSettings& settings;  ///< of its bake
+  const LevelSource* source;     ///< the way back to its files, if there is one
 };
 
 /// A section of the overlay: what the pointer is at in the picture, and why it is as light as it
@@ -33,8 +35,8 @@ class Inspector {
   /// What the section shows; none where it is closed, or the pointer at nothing.
   const std::optional<Inspection>& found() const { return found_; }
 
-  /// `camera` is that of the picture.
-  void show(const InspectedLevel& in, const Camera& camera);
+  /// `camera` is that of the picture. Returns what is to be copied.
+  std::optional<std::string> show(const InspectedLevel& in, const Camera& camera);
 
  private:
   /// A look at a place, which finds the same place again in another version of the level.
@@ -55,6 +57,7 @@ class Inspector {
 
   std::optional<Pixel> mouse_;  ///< while it is over the picture
   bool isClicked_ = false;      ///< since it was shown last
+  int scrollsLeft_ = 0;         ///< frames in which the section is brought into view
   std::optional<Look> pinned_;
   std::optional<Look> look_;  ///< by which the last was found
   std::optional<Inspection> found_;

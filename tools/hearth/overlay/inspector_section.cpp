@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "hearth/inspect/places.h"
 #include "hearth/inspect/words.h"
 #include "math/wrapped.h"
 #include "truth/truth_view.h"
@@ -36,38 +37,14 @@ void showValue(const char* name, const std::string& value) {
   showText(value);
 }
 
+/// To three digits, but no finer than a hundredth.
 std::string words(Vec3 levels) {
-  return fmt::format("{:.0f} {:.0f} {:.0f}", levels.x, levels.y, levels.z);
+  const auto rounded = [](double level) { return std::round(100 * level) / 100; };
+  return fmt::format("{:.3g} {:.3g} {:.3g}", rounded(levels.x), rounded(levels.y),
+                     rounded(levels.z));
 }
 
 std::string words(Vec2 point) { return fmt::format("{:.3f},{:.3f}", point.x, point.y); }
-
-// --- The place -----------------------------------------------------------------------------------
-
-void showSegment(const Level& level, SegmentId id) {
-  const Segment& segment = level[id];
-  showValue("segment", fmt::format("{} to {}, {:.3f} m", words(segment.p0), words(segment.p1),
-                                   segment.length));
-}
-
-void showTexture(const Level& level, const TruthHit& place, const Texture& texture) {
-  showValue("texture", level.textures[place.texture->texture.index()]);
-  if (isSky(place.kind)) return;  // which has directions alone
-  const Vec2 pixel = texelOf(place, texture.width(), texture.height());
-  showValue("uv", fmt::format("{} m, pixel {},{} of {} x {}", words(place.imageMetres),
-                              wrapped(pixel.x, texture.width()), wrapped(pixel.y, texture.height()),
-                              texture.width(), texture.height()));
-}
-
-void showPlace(const Level& level, const TruthHit& place, const Texture& texture) {
-  showValue("surface", surfaceWords(level, place));
-  showValue("sector", level[place.sector].name);
-  if (place.segment) showSegment(level, *place.segment);
-  showTexture(level, place, texture);
-  showValue("point", pointWords(place.point));
-}
-
-// --- Its light -----------------------------------------------------------------------------------
 
 std::string answer(const Inspection& found) {
   if (!found.lightmap) return "sky: always fully bright";
@@ -78,59 +55,122 @@ std::string answer(const Inspection& found) {
   return fmt::format("{} of {} lights give it light", lit, all);
 }
 
-void showLightmap(const LightmapFinding& map, const Inspection& found, double sectorLight) {
-  showValue("texel", fmt::format("{},{} of {} x {}, {:g} m wide", map.column, map.row, map.columns,
-                                 map.rows, map.metres));
-  showValue("lightmap",
-            fmt::format("{}, mixed with its neighbours {}", words(map.texel), words(map.shown)));
-  showValue("exactly", fmt::format("{} at this very point", words(found.sum)));
-  if (sectorLight > 0)
-    showValue("ambient",
-              fmt::format("{:.0f} more: the sector's light {:g}", 255 * sectorLight, sectorLight));
-}
+/// The section of one frame.
+class Section {
+ public:
+  Section(const Inspection& found, const InspectedSurface& surface)
+      : found_(found), place_(found.place), level_(surface.level), surface_(surface) {}
 
-/// Returns whether the pointer is on it.
-bool showLight(const Level& level, const LightFinding& finding) {
-  ImGui::BeginGroup();
-  showText(fmt::format("light {:<5}{:>8.2f} m   {}", finding.light, finding.distance,
-                       finding.adds == Vec3{} ? "adds nothing" : "adds " + words(finding.adds)));
-  if (const std::string reason = reasonWords(level, finding); !reason.empty()) {
+  InspectorRequest show(bool isPinned) {
+    if (isPinned) {
+      asked_.letsGo = ImGui::SmallButton("let go");
+      ImGui::SameLine();
+    }
+    showText(answer(found_));
+    ImGui::Separator();
+    showLights();
+    if (!found_.lights.empty()) ImGui::Separator();
+    showPlace();
+    if (found_.lightmap) showLightmap(*found_.lightmap);
+    return asked_;
+  }
+
+ private:
+  /// Lets the text before be clicked on, which copies another.
+  void offer(const std::string& copied) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::SetTooltip("a click copies %s", copied.data());
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) asked_.copied = copied;
+  }
+
+  /// The same with a place in the level's files: `placeIn(source)` works it out.
+  template <typename PlaceIn>
+  void offerPlace(PlaceIn&& placeIn) {
+    if (surface_.source && ImGui::IsItemHovered()) offer(placeIn(*surface_.source));
+  }
+
+  void showPlace() {
+    showValue("surface", surfaceWords(level_, place_));
+    offerPlace(
+        [this](const LevelSource& source) { return placeOfSurface(source, level_, place_); });
+    showValue("sector", level_[place_.sector].name);
+    offerPlace([this](const LevelSource& source) { return placeOfSector(source, place_.sector); });
+    if (place_.segment) showSegment(level_[*place_.segment]);
+    showTexture();
+    showValue("point", pointWords(place_.point));
+    offer(pointWords(place_.point));
+  }
+
+  void showSegment(const Segment& segment) {
+    showValue("segment", fmt::format("{} to {}, {:.3f} m", words(segment.p0), words(segment.p1),
+                                     segment.length));
+  }
+
+  void showTexture() {
+    showValue("texture", level_.textures[place_.texture->texture.index()]);
+    offerPlace(
+        [this](const LevelSource& source) { return placeOfTexture(source, level_, place_); });
+    if (isSky(place_.kind)) return;  // which has directions alone
+    const int width = surface_.texture.width();
+    const int height = surface_.texture.height();
+    const Vec2 pixel = texelOf(place_, width, height);
+    showValue("uv", fmt::format("{} m, pixel {},{} of {} x {}", words(place_.imageMetres),
+                                wrapped(pixel.x, width), wrapped(pixel.y, height), width, height));
+  }
+
+  void showLightmap(const LightmapFinding& map) {
+    showValue("texel", fmt::format("{},{} of {} x {}, {:g} m wide", map.column, map.row,
+                                   map.columns, map.rows, map.metres));
+    showValue("lightmap",
+              fmt::format("{}, mixed with its neighbours {}", words(map.texel), words(map.shown)));
+    showValue("exactly", fmt::format("{} at this very point", words(found_.sum)));
+    const double ambient = level_[place_.sector].light;
+    if (ambient > 0)
+      showValue("ambient",
+                fmt::format("{:.0f} more: the sector's light {:g}", 255 * ambient, ambient));
+  }
+
+  void showLights() {
+    const std::size_t listed = std::min(found_.lights.size(), kMostListedLights);
+    for (std::size_t i = 0; i < listed; ++i) {
+      ImGui::BeginGroup();
+      showLight(found_.lights[i]);
+      ImGui::EndGroup();
+      if (ImGui::IsItemHovered()) asked_.light = i;
+    }
+    const std::size_t more = found_.lights.size() - listed + found_.notFollowed;
+    if (more > 0) showText(fmt::format("and {} more", more));
+  }
+
+  void showLight(const LightFinding& finding) {
+    showText(fmt::format("light {:<5}{:>8.2f} m   {}", finding.light, finding.distance,
+                         finding.adds == Vec3{} ? "adds nothing" : "adds " + words(finding.adds)));
+    offerPlace([&](const LevelSource& source) { return placeOfLight(source, finding.light); });
+    const std::string reason = reasonWords(level_, finding);
+    if (reason.empty()) return;
     ImGui::Indent(letters(kIndent));
     ImGui::PushStyleColor(ImGuiCol_Text, kReasonColor);
     showText(reason);
     ImGui::PopStyleColor();
+    if (finding.blocker)
+      offerPlace([&](const LevelSource& source) {
+        return placeOfSurface(source, level_, *finding.blocker);
+      });
     ImGui::Unindent(letters(kIndent));
   }
-  ImGui::EndGroup();
-  return ImGui::IsItemHovered();
-}
 
-std::optional<std::size_t> showLights(const Level& level, const Inspection& found) {
-  std::optional<std::size_t> pointed;
-  const std::size_t listed = std::min(found.lights.size(), kMostListedLights);
-  for (std::size_t i = 0; i < listed; ++i)
-    if (showLight(level, found.lights[i])) pointed = i;
-  const std::size_t more = found.lights.size() - listed + found.notFollowed;
-  if (more > 0) showText(fmt::format("and {} more", more));
-  return pointed;
-}
+  const Inspection& found_;
+  const TruthHit& place_;
+  const Level& level_;
+  const InspectedSurface& surface_;
+  InspectorRequest asked_;
+};
 
 }  // namespace
 
-InspectorRequest showInspection(const Inspection& found, const Level& level, const Texture& texture,
+InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,
                                 bool isPinned) {
-  InspectorRequest asked;
-  if (isPinned) {
-    asked.letsGo = ImGui::SmallButton("let go");
-    ImGui::SameLine();
-  }
-  showText(answer(found));
-  ImGui::Separator();
-  asked.light = showLights(level, found);
-  if (!found.lights.empty()) ImGui::Separator();
-  showPlace(level, found.place, texture);
-  if (found.lightmap) showLightmap(*found.lightmap, found, level[found.place.sector].light);
-  return asked;
+  return Section(found, surface).show(isPinned);
 }
 
 }  // namespace hearth

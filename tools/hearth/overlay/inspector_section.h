@@ -1,9 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "hearth/inspect/inspect.h"
-#include "image/image.h"
+#include "load/source.h"
 #include "render/texture.h"
 
 namespace hearth {
@@ -12,10 +13,19 @@ namespace hearth {
 struct InspectorRequest {
   std::optional<std::size_t> light = {};  ///< that it is on: an index into the findings
   bool letsGo = false;                    ///< of what is pinned
+  std::optional<std::string> copied = {};
 };
 
-/// Writes what was found into the panel. `texture` is what the surface wears.
-InspectorRequest showInspection(const Inspection& found, const Level& level, const Texture& texture,
+/// What belongs to what was found.
+struct InspectedSurface {
+  const Level& level;
+  const Texture& texture;     ///< that the surface wears
+  const LevelSource* source;  ///< the way back to the level's files, if there is one
+};
+
+/// Writes what was found into the panel. A click on what stands in the level's files copies its
+/// place in them, one on the point that itself.
+InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,
                                 bool isPinned);
 
 /// Lights that are listed, and whose rays are drawn.

@@ -61,7 +61,7 @@ std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const
 }
 
 LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
-                     LevelSource source, std::chrono::milliseconds nextFile)
+                     std::shared_ptr<const LevelSource> source, std::chrono::milliseconds nextFile)
     : workshop_(values, loaded, std::move(source), nextFile), draw_(drawSettingsFrom(values)) {
   watch(*loaded);
 }
@@ -98,7 +98,7 @@ void LiveLevel::update(WalkLoop& loop, Journey& journey, Outside& outside) {
   if (const auto options = loop.takeChoice()) {
     const auto before = shown_;  // which the loop still draws
     setOptions(*options);
-    loop.goOnIn(shown_->loaded->level, shown_->renderer);
+    loop.goOnIn(shown_->loaded->level, shown_->renderer, shown_->source);
   }
   LightsEditor* const lights = loop.lights();
   reload(watch_.changes(), lights);
@@ -143,7 +143,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, Journey& journey) {
   }
   const auto before = std::exchange(shown_, news.level);  // which the loop still draws
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
-  loop.goOnIn(shown_->loaded->level, shown_->renderer);
+  loop.goOnIn(shown_->loaded->level, shown_->renderer, shown_->source);
   if (saved_)
     report_ = fmt::format("{}: {} {:.3f} s after it was saved", saved_->filename().string(),
                           news.isDraft ? "a draft is shown" : "shown", secondsSinceSaved(*saved_));

@@ -25,7 +25,8 @@ class LiveLevel {
  public:
   /// Lights `loaded`, meanwhile.
   LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
-            LevelSource source, std::chrono::milliseconds nextFile = Workshop::kNextFile);
+            std::shared_ptr<const LevelSource> source,
+            std::chrono::milliseconds nextFile = Workshop::kNextFile);
 
   /// The light of the level as it was given, perhaps a draft. `wait` is called again and again.
   tl::expected<std::shared_ptr<const LitLevel>, std::string> awaitFirst(

@@ -36,6 +36,8 @@ class Outside {
   /// Hides the pointer and reports the mouse's motion without end.
   virtual void captureMouse(bool isCaptured) = 0;
   virtual void toggleFullScreen() = 0;
+  /// Puts text on the clipboard.
+  virtual void copy(const std::string& text) = 0;
   /// For who reads what the program prints.
   virtual void print(const std::string& line) = 0;
 };

@@ -99,6 +99,7 @@ ExitStatus replayHeadless(const Level& level, Journey& journey, const Recording&
 }
 
 using SharedLevel = std::shared_ptr<const LoadedLevel>;
+using SharedSource = std::shared_ptr<const LevelSource>;
 using SharedLitLevel = std::shared_ptr<const LitLevel>;
 
 void answerDesktop() {
@@ -108,12 +109,14 @@ void answerDesktop() {
 
 /// Bakes while the window answers to the desktop.
 tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
+                                                    const SharedSource& source,
                                                     const OptionValues& values) {
   auto light = std::async(std::launch::async, [&] { return lightFor(loaded->level, values); });
   while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready) answerDesktop();
   return light.get().map([&](BakedLight baked) {
-    return std::make_shared<const LitLevel>(
-        loaded, std::make_shared<const BakedLight>(std::move(baked)), drawSettingsFrom(values));
+    return std::make_shared<const LitLevel>(loaded, source,
+                                            std::make_shared<const BakedLight>(std::move(baked)),
+                                            drawSettingsFrom(values));
   });
 }
 
@@ -149,7 +152,7 @@ void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, co
     options.set(option, valueOf(fitting.draw, option));
 }
 
-ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Plan& plan,
+ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, const Plan& plan,
                         Journey& journey, const OptionValues& values) {
   const Level& level = loaded->level;
   auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
@@ -157,8 +160,8 @@ ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Pla
     return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
                             window.error(), values.program));
   std::optional<LiveLevel> live;
-  if (isLive(values)) live.emplace(values, loaded, std::move(source));
-  auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, values);
+  if (isLive(values)) live.emplace(values, loaded, source);
+  auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, source, values);
   if (!lit) return fail(lit.error());
   WalkSettings settings = plan.settings;
   if (live) settings.lightsFile = loaded->lights;
@@ -170,7 +173,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Pla
   }
 
   Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(level, (*lit)->renderer, journey, screenshots, *window, settings);
+  WalkLoop loop(level, (*lit)->renderer, journey, screenshots, *window, settings, source);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
   if (keepWalk(level, plan.start, journey, values) != ExitStatus::Done) return ExitStatus::BadInput;
@@ -179,7 +182,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, LevelSource source, const Pla
       live->update(loop, journey, *window);
     } else if (const auto options = loop.takeChoice()) {
       const auto next = redrawn(**lit, drawSettingsFrom(*options));
-      loop.goOnIn(level, next->renderer);
+      loop.goOnIn(level, next->renderer, source);
       *lit = next;
     }
   }
@@ -202,7 +205,8 @@ ExitStatus run(const OptionValues& values) {
   Journey journey(level, *walker,
                   values.has(Option::Record) ? Journey::Memory::Inputs : Journey::Memory::None);
   if (values.has(Option::Headless)) return replayHeadless(level, journey, *plan->replay);
-  return walkInWindow(loaded, std::move(opened.source), *plan, journey, values);
+  const auto source = std::make_shared<const LevelSource>(std::move(opened.source));
+  return walkInWindow(loaded, source, *plan, journey, values);
 }
 
 }  // namespace

@@ -47,9 +47,11 @@ void widen(Image& picture, int width) {
 }  // namespace
 
 WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journey,
-                   Screenshots& screenshots, Outside& outside, const WalkSettings& settings)
+                   Screenshots& screenshots, Outside& outside, const WalkSettings& settings,
+                   std::shared_ptr<const LevelSource> source)
     : level_(&level),
       renderer_(&renderer),
+      source_(std::move(source)),
       journey_(journey),
       screenshots_(screenshots),
       outside_(outside),
@@ -62,9 +64,11 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
   outside_.setTitle(level.name);
 }
 
-void WalkLoop::goOnIn(const Level& level, const Renderer& renderer) {
+void WalkLoop::goOnIn(const Level& level, const Renderer& renderer,
+                      std::shared_ptr<const LevelSource> source) {
   level_ = &level;
   renderer_ = &renderer;
+  source_ = std::move(source);
   seen_ = SeenSectors(level, seen_);
   inspector_.forget();
   shown_.reset();
@@ -366,12 +370,12 @@ void WalkLoop::drawOverlay(double now) {
   figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
   if (settings_.canBake) bake_ = bakeSettingsFrom(*level_, settings_.options);
-  const auto sections = [this] {
+  const auto sections = [this, now] {
     showFigures(figures_);
     showQualitySection();
     showView(scene_.view.mode, scene_.view.channel);
     showLights(lights_ ? &*lights_ : nullptr, *level_, scene_.camera);
-    inspector_.show({*level_, *renderer_, bake_}, scene_.camera);
+    showInspector(now);
   };
   overlay_.draw(now, sections, picture_);
 }
@@ -391,6 +395,13 @@ void WalkLoop::showQualitySection() {
     choose(choice.options);
   settings_.fov = choice.fov;
   settings_.frameCap = choice.frameCap;
+}
+
+void WalkLoop::showInspector(double now) {
+  const auto copied = inspector_.show({*level_, *renderer_, bake_, source_.get()}, scene_.camera);
+  if (!copied) return;
+  outside_.copy(*copied);
+  say("copied " + *copied, now);
 }
 
 /// The options with which `hearth shot` draws this picture.

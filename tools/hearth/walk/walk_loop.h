@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@
 #include "hearth/walk/journey.h"
 #include "hearth/walk/outside.h"
 #include "hearth/walk/screenshots.h"
+#include "load/source.h"
 #include "render/renderer.h"
 #include "walk/walk_clock.h"
 
@@ -53,9 +55,11 @@ struct WalkSettings {
 /// changes.
 class WalkLoop {
  public:
-  /// All but the settings must outlive the loop.
+  /// All but the settings must outlive the loop. `source`, if any, is that of the level: without
+  /// it no places in its files can be copied.
   WalkLoop(const Level& level, const Renderer& renderer, Journey& journey, Screenshots& screenshots,
-           Outside& outside, const WalkSettings& settings);
+           Outside& outside, const WalkSettings& settings,
+           std::shared_ptr<const LevelSource> source = nullptr);
 
   /// From now on these inputs, one for each tick, take the place of the user's; the walk ends with
   /// them. They must outlive the loop.
@@ -63,7 +67,8 @@ class WalkLoop {
   bool isReplayOver() const { return replay_ && replay_->empty(); }
 
   /// From now on in another version of the level, where the journey has gone on already.
-  void goOnIn(const Level& level, const Renderer& renderer);
+  void goOnIn(const Level& level, const Renderer& renderer,
+              std::shared_ptr<const LevelSource> source);
 
   /// The options that have been chosen since the last call, if any. Their owner sees to the rest.
   std::optional<OptionValues> takeChoice();
@@ -122,10 +127,12 @@ class WalkLoop {
   void drawOverlay(double now);
   std::optional<MarkerSpace> markerSpace() const;
   void showQualitySection();
+  void showInspector(double now);
   std::string cameraText() const;
 
   const Level* level_;
   const Renderer* renderer_;
+  std::shared_ptr<const LevelSource> source_;
   Journey& journey_;
   Screenshots& screenshots_;
   Outside& outside_;

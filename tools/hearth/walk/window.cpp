@@ -238,6 +238,8 @@ void WalkWindow::toggleFullScreen() {
   SDL_SetWindowFullscreen(window_.get(), isFull ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
 }
 
+void WalkWindow::copy(const std::string& text) { ::SDL_SetClipboardText(text.data()); }
+
 void WalkWindow::print(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);

@@ -43,6 +43,7 @@ class WalkWindow : public Outside {
   void setTitle(const std::string& title) override;
   void captureMouse(bool isCaptured) override;
   void toggleFullScreen() override;
+  void copy(const std::string& text) override;
   void print(const std::string& line) override;
 
  private:

@@ -31,11 +31,11 @@ void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
 }  // namespace
 
 std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings) {
-  return std::make_shared<const LitLevel>(lit.loaded, lit.light, settings);
+  return std::make_shared<const LitLevel>(lit.loaded, lit.source, lit.light, settings);
 }
 
 Workshop::Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
-                   LevelSource source, std::chrono::milliseconds nextFile)
+                   std::shared_ptr<const LevelSource> source, std::chrono::milliseconds nextFile)
     : nextFile_(nextFile),
       values_(values),
       current_(std::move(loaded)),
@@ -171,11 +171,17 @@ LoadResult Workshop::loaded(Changed changed) {
   const OptionValues values = options();
   const LoadLimits limits = limitsFrom(values);
   const std::optional<std::string> lights = unsavedLights();
-  if (changed == Changed::Lights && source_)
-    if (auto result = reloadLights(*current_, *source_, limits, lights)) return *std::move(result);
-  source_.reset();
+  if (changed == Changed::Lights && isOfFiles_) {
+    auto source = std::make_shared<LevelSource>(*source_);  // what is shown keeps its own
+    if (auto result = reloadLights(*current_, *source, limits, lights)) {
+      if (result->loaded) source_ = std::move(source);
+      return *std::move(result);
+    }
+  }
+  isOfFiles_ = false;
   auto [result, source] = loadLevelWithSource(values.level, limits, lights);
-  if (result.loaded) source_ = std::move(source);
+  isOfFiles_ = result.loaded.has_value();
+  if (isOfFiles_) source_ = std::make_shared<const LevelSource>(std::move(source));
   return std::move(result);
 }
 
@@ -219,8 +225,9 @@ std::shared_ptr<const LitLevel> Workshop::show(BakedLight light, bool isDraft) {
   const OptionValues values = options();
   if (const auto warning = warningIfDark(current_->level, light, values); warning && !isDraft)
     news.warnings.push_back(*warning);
-  auto lit = std::make_shared<const LitLevel>(
-      current_, std::make_shared<const BakedLight>(std::move(light)), drawSettingsFrom(values));
+  auto lit = std::make_shared<const LitLevel>(current_, source_,
+                                              std::make_shared<const BakedLight>(std::move(light)),
+                                              drawSettingsFrom(values));
   news.level = lit;
   tell(std::move(news));
   const std::scoped_lock lock(mutex_);

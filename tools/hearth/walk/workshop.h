@@ -26,15 +26,17 @@ namespace hearth {
 
 /// A version of a level with its light, as it is drawn.
 struct LitLevel {
-  LitLevel(std::shared_ptr<const LoadedLevel> level, std::shared_ptr<const BakedLight> baked,
-           const DrawSettings& settings)
+  LitLevel(std::shared_ptr<const LoadedLevel> level, std::shared_ptr<const LevelSource> itsSource,
+           std::shared_ptr<const BakedLight> baked, const DrawSettings& settings)
       : loaded(std::move(level)),
+        source(std::move(itsSource)),
         light(std::move(baked)),
         renderer(loaded->level, loaded->textures, *light, settings) {}
   LitLevel(const LitLevel&) = delete;
   LitLevel& operator=(const LitLevel&) = delete;
 
   std::shared_ptr<const LoadedLevel> loaded;
+  std::shared_ptr<const LevelSource> source;
   std::shared_ptr<const BakedLight> light;
   Renderer renderer;
 };
@@ -62,7 +64,7 @@ class Workshop {
   /// Bakes `loaded` first, with the settings of the command line above those of the file. Mistakes
   /// are told unless another file comes within `nextFile`.
   Workshop(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
-           LevelSource source, std::chrono::milliseconds nextFile);
+           std::shared_ptr<const LevelSource> source, std::chrono::milliseconds nextFile);
   ~Workshop();
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
@@ -125,7 +127,8 @@ class Workshop {
 
   // The thread's own:
   std::shared_ptr<const LoadedLevel> current_;
-  std::optional<LevelSource> source_;   ///< of the current level, while it is that of the files
+  std::shared_ptr<const LevelSource> source_;
+  bool isOfFiles_ = true;               ///< the current level; else they have mistakes
   bool isLit_ = false;                  ///< with its own light, not a draft
   BakeSettings litBy_;                  ///< if it is
   std::vector<std::string> mistakes_;   ///< of the files as they were read last
