@@ -29,7 +29,7 @@ std::string withFirstAt(const std::string& x, const std::string& y, const std::s
 }
 
 fs::path writtenLights() {
-  const fs::path file = fs::path(testing::TempDir()) / ("lights-" + std::to_string(::getpid()));
+  fs::path file = fs::path(testing::TempDir()) / ("lights-" + std::to_string(::getpid()));
   std::ofstream(file) << kLights;
   return file;
 }

@@ -1,0 +1,160 @@
+// The section that edits lights: its list, its fields, its buttons.
+
+#include "hearth/overlay/lights_section.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "hearth/overlay/overlay.h"
+#include "loaded.h"
+
+namespace hearth {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Pixels of the panel, as it is laid out: its padding, the buttons and the list below its header,
+// and what is below these.
+constexpr int kPadding = 8;
+constexpr int kButtons = 40;
+constexpr int kFirstRow = 66;
+constexpr int kRow = 17;
+constexpr int kFieldsBegin = 175;
+constexpr int kFieldsEnd = 300;
+constexpr int kFieldLeft = 90;
+constexpr int kColumn = 130;  // of three numbers in a row
+
+const std::string kLights =
+    R"([{"x":2,"y":3,"z":2.5,"radius":0.1,"intensity":220,"falloff":0.4},{"x":6,"y":2,"z":5}])";
+
+class LightsSectionTest : public testing::Test {
+ protected:
+  LightsSectionTest()
+      : file_(fs::path(testing::TempDir()) / ("section-" + std::to_string(::getpid()))),
+        tool_((std::ofstream(file_) << kLights, file_), {}) {
+    editor().open();
+    overlay_.toggle();
+    frame();
+    left_ = overlay_.leaves(picture_.width()) + kPadding;
+    click(30, 17);  // opens the section
+  }
+  ~LightsSectionTest() override { fs::remove(file_); }
+
+  LightsEditor& editor() { return tool_.editor(); }
+  const LightSource& light() { return editor().lights().lights[0].source; }
+
+  void frame() {
+    overlay_.draw(
+        now_ += 0.02, [&] { showLights(&tool_, rooms_.level, camera_); }, picture_);
+  }
+  void mouse(Uint32 type, int x, int y) {
+    SDL_Event event{};
+    event.type = type;
+    if (type == SDL_MOUSEMOTION) {
+      event.motion.x = left_ + x;
+      event.motion.y = y;
+    } else {
+      event.button.button = SDL_BUTTON_LEFT;
+      event.button.x = left_ + x;
+      event.button.y = y;
+    }
+    overlay_.take(event);
+    frame();
+    frame();
+  }
+  void click(int x, int y) {
+    mouse(SDL_MOUSEBUTTONDOWN, x, y);
+    mouse(SDL_MOUSEBUTTONUP, x, y);
+  }
+  void drag(int x, int y) {
+    mouse(SDL_MOUSEMOTION, x, y);
+    mouse(SDL_MOUSEBUTTONDOWN, x, y);
+    for (const int way : {10, 20, 30}) mouse(SDL_MOUSEMOTION, x + way, y);
+    mouse(SDL_MOUSEBUTTONUP, x + 30, y);
+  }
+
+  /// The keys of the first light that are not as they were.
+  std::set<std::string> changedKeys() {
+    std::set<std::string> keys;
+    const LightSource& now = light();
+    if (now.position.x != 2) keys.insert("x");
+    if (now.position.y != 3) keys.insert("y");
+    if (now.position.z != 2.5) keys.insert("z");
+    if (now.radius != 0.1) keys.insert("radius");
+    if (now.intensity != 220) keys.insert("intensity");
+    if (now.falloff != 0.4) keys.insert("falloff");
+    return keys;
+  }
+
+  LoadedLevel rooms_ = loaded("tests/levels/rooms.json");
+  Camera camera_{rooms_.level.player->sector, rooms_.level.player->eye};
+  fs::path file_;
+  LightsTool tool_;
+  Overlay overlay_;
+  Image picture_ = Image(700, 600);
+  int left_ = 0;
+  double now_ = 1;
+};
+
+TEST_F(LightsSectionTest, PicksALightInItsList) {
+  EXPECT_FALSE(editor().picked());
+  click(60, kFirstRow + kRow);
+  EXPECT_EQ(editor().picked(), 1);
+  click(60, kFirstRow);
+  EXPECT_EQ(editor().picked(), 0);
+  EXPECT_FALSE(editor().isUnsaved());
+}
+
+TEST_F(LightsSectionTest, HasAFieldForEachNumberAndMakesOneStepOfADrag) {
+  click(60, kFirstRow);
+  std::set<std::string> found;
+  for (int y = kFieldsBegin; y < kFieldsEnd; y += 7)
+    for (const int column : {0, 1, 2}) {
+      drag(kFieldLeft + column * kColumn, y);
+      const std::set<std::string> changed = changedKeys();
+      EXPECT_LE(changed.size(), 1) << y;
+      found.insert(changed.begin(), changed.end());
+      if (editor().canUndo()) editor().undo();
+      EXPECT_EQ(editor().bytes(), kLights) << y;
+      EXPECT_FALSE(editor().canUndo()) << y;
+    }
+  EXPECT_EQ(found, (std::set<std::string>{"x", "y", "z", "radius", "intensity", "falloff"}));
+}
+
+TEST_F(LightsSectionTest, HasButtonsThatAddDeleteUndoRedoAndSave) {
+  click(12, kButtons);  // add
+  ASSERT_EQ(editor().lights().lights.size(), 3);
+  EXPECT_EQ(editor().picked(), 2);
+  const Vec3 eye = camera_.eye;
+  EXPECT_EQ(editor().pickedLight().source.position, (Vec3{eye.x + 1.5, eye.y, eye.z}));
+  click(60, kButtons);  // delete
+  EXPECT_EQ(editor().bytes(), kLights);
+  EXPECT_FALSE(editor().picked());
+  click(112, kButtons);  // undo
+  EXPECT_EQ(editor().lights().lights.size(), 3);
+  click(156, kButtons);  // redo
+  EXPECT_EQ(editor().bytes(), kLights);
+  click(112, kButtons);
+  click(200, kButtons);  // save
+  EXPECT_FALSE(editor().isUnsaved());
+  EXPECT_EQ(fs::file_size(file_), editor().bytes().size());
+}
+
+TEST_F(LightsSectionTest, OffersToReadAFileThatWasChanged) {
+  click(12, kButtons);
+  std::ofstream(file_) << "[]";
+  click(200, kButtons);
+  EXPECT_TRUE(editor().hasConflict());
+  EXPECT_EQ(fs::file_size(file_), 2);
+  for (int y = kFieldsBegin; y < 400 && editor().hasConflict(); y += 7) click(60, y);
+  EXPECT_FALSE(editor().hasConflict());
+  EXPECT_EQ(editor().bytes(), "[]");
+}
+
+}  // namespace
+}  // namespace hearth
