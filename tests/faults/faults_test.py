@@ -60,7 +60,8 @@ class InFolder(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
-        self.environment = {**os.environ, "XDG_CACHE_HOME": os.devnull}
+        self.environment = {**os.environ, "XDG_CACHE_HOME": os.devnull,
+                            "XDG_CONFIG_HOME": os.devnull, "XDG_STATE_HOME": os.devnull}
         self.level = self.folder / "level.json"
         shutil.copy(SOURCE / "tests/levels/rooms.json", self.level)
         shutil.copy(SOURCE / "tests/levels/rooms.lights.json", self.folder / "level.lights.json")

@@ -21,6 +21,7 @@ from pathlib import Path
 
 # No bakes of other runs are found, and none are left.
 os.environ["XDG_CACHE_HOME"] = os.devnull
+os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = os.devnull
 
 HEARTH = ""
 PNG_START = b"\x89PNG\r\n\x1a\n"

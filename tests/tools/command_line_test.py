@@ -22,6 +22,7 @@ from pathlib import Path
 
 # No bakes of other runs are found, and none are left.
 os.environ["XDG_CACHE_HOME"] = os.devnull
+os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = os.devnull
 
 HEARTH = ""
 SOURCE = Path()
@@ -308,6 +309,21 @@ class Walk(InFolder):
         self.assertGreater(len(rows), 15)
         self.assertEqual([line.split() for line in keys.splitlines() if line],
                          [(names + " " + does).split() for names, does in rows[2:]])
+
+    def test_help_lists_the_users_keys_and_the_file_that_names_them_is_documented(self):
+        folder = self.folder / "hearth"
+        folder.mkdir()
+        environment = {**os.environ, "XDG_CONFIG_HOME": str(self.folder)}
+        text = (SOURCE / "tools/README.md").read_text().partition("#### Settings of your own")[2]
+        (folder / "config.json").write_text(re.search(r"```json\n(.*?)```", text, re.DOTALL)[1])
+        keys = run("walk", "--help", env=environment).stdout
+        self.assertRegex(keys, r"(?m)^  E S, Up Down +walk$")
+        self.assertRegex(keys, r"(?m)^  Space, Keypad 0 +jump; in flight: up$")
+        actions = re.search(r"Actions are (.*?)\. Keys", text, re.DOTALL)[1]
+        for name in re.findall(r"`(\w+)`", actions):
+            (folder / "config.json").write_text(json.dumps({"keys": {name: ["F9"]}}))
+            help_text = run("walk", "--help", env=environment).stdout
+            self.assertRegex(help_text, r"\bF9\b", name)
 
 
 class Bake(InFolder):

@@ -16,6 +16,7 @@ from pathlib import Path
 
 # No bakes of other runs are found, and none are left.
 os.environ["XDG_CACHE_HOME"] = os.devnull
+os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = os.devnull
 
 TIMEOUT = 30  # seconds, for anything to happen
 SCREEN = (1024, 768)  # pixels
@@ -143,12 +144,12 @@ def predicted(kind, left, up, up_left):
 class Walk:
     """`hearth walk` in a window of the display."""
 
-    def __init__(self, display, hearth, level, folder, *options):
+    def __init__(self, display, hearth, level, folder, *options, **environment):
         self.display, self.hearth, self.level, self.folder = display, hearth, level, folder
         self.output = folder / "output.txt"
         with self.output.open("w") as out:
             self.process = subprocess.Popen([hearth, "walk", level, *options], stdout=out, cwd=folder,
-                                            env=display.environment)
+                                            env={**display.environment, **environment})
         self.window = wait_for("the window shows the level's name",
                                lambda: display.do("search", "--name", "^rooms$"))
         display.do("windowfocus", "--sync", self.window)
@@ -344,6 +345,27 @@ def fits_small_screens(hearth, level, folder):
         display.close()
 
 
+def heeds_the_users_settings(display, hearth, level, folder):
+    """Keys are those of the user's file, of which a mistake is told over the picture."""
+    config = folder / "config/hearth/config.json"
+    config.parent.mkdir(parents=True)
+    config.write_text('{ "keys": { "map": ["M"], "jmp": ["J"] } }')
+    walk = Walk(display, hearth, level, folder, XDG_CONFIG_HOME=str(folder / "config"))
+    try:
+        with_note = settled(display)
+        wait_for("the note about a mistake goes by itself", lambda: display.pixels() != with_note)
+        expect_toggle(display, "the map", "m")
+        before = settled(display)
+        display.do("key", "Tab")
+        time.sleep(0.5)
+        if display.pixels() != before:
+            sys.exit("FAILED: Tab is no longer the map's key")
+        walk.leave()
+    finally:
+        walk.process.kill()
+        walk.process.wait()
+
+
 def replays(hearth, level, folder):
     result = subprocess.run([hearth, "walk", level, "--replay", folder / "walk.txt", "--headless"],
                             capture_output=True, text=True)
@@ -373,6 +395,7 @@ def main():
                 walk.process.kill()
                 walk.process.wait()
             replays(hearth, level, folder)
+            heeds_the_users_settings(display, hearth, level, folder)
             keeps_to_a_time(display, hearth, level, folder)
             fits_small_screens(hearth, level, folder)
         finally:

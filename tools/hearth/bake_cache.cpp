@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "hearth/settings.h"
+#include "hearth/user_folders.h"
 #include "image/read_file.h"
 #include "light/geometry_hash.h"
 #include "light/saved_bake.h"
@@ -96,15 +96,10 @@ std::uint64_t lightHash(const Level& level, const BakeSettings& settings) {
 }
 
 std::optional<BakeCache> BakeCache::ofUser() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value ? value : "");
-  };
-  fs::path home = variable("XDG_CACHE_HOME");
-  if (!home.is_absolute()) home = variable("HOME") / ".cache";
+  const auto folder = cacheFolder();
   const auto program = hashOfProgram();
-  if (!home.is_absolute() || !program) return std::nullopt;
-  return BakeCache(home / "hearth", *program);
+  if (!folder || !program) return std::nullopt;
+  return BakeCache(*folder, *program);
 }
 
 fs::path BakeCache::fileOf(const Level& level, const BakeSettings& settings) const {

@@ -25,8 +25,9 @@ struct Command {
   std::vector<Option> required;  ///< of the options
   ExitStatus (*run)(const OptionValues& values);
   LevelFiles levels = LevelFiles::One;
-  std::string more = {};                ///< that its help says after the options
-  std::string_view argument = "LEVEL";  ///< what stands for the level files in the help
+  std::string more = {};                  ///< that its help says after the options
+  std::string_view argument = "LEVEL";    ///< what stands for the level files in the help
+  std::string (*moreOfUser)() = nullptr;  ///< in place of `more`, where the user's files count
 };
 
 Command walkCommand();

@@ -37,7 +37,10 @@ void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValue
 
 void addCommand(CLI::App& program, const Command& command, OptionValues& values) {
   CLI::App& app = *program.add_subcommand(std::string(command.name), std::string(command.help));
-  app.footer(command.more);
+  if (command.moreOfUser)
+    app.footer(command.moreOfUser);
+  else
+    app.footer(command.more);
   const std::string argument(command.argument);
   if (command.levels == LevelFiles::Several)
     app.add_option(argument, values.levels, "the level files")->required()->type_name("");

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "stage.h"
 
@@ -25,18 +28,47 @@ class ControlsTest : public testing::Test {
   Controls controls_;
 };
 
-TEST(KeyTable, HasEveryActionAndNoKeyTwice) {
-  std::set<Action> actions;
+TEST(KeyTable, HasKeysForEveryActionAndNoneTwice) {
   std::set<SDL_Scancode> codes;
-  for (const KeyRow& row : keyTable())
-    for (const KeyBinding& binding : row.bindings) {
-      if (binding.code == SDL_SCANCODE_UNKNOWN) continue;
-      actions.insert(binding.action);
-      EXPECT_TRUE(codes.insert(binding.code).second) << row.names;
-      EXPECT_EQ(actionOf(binding.code), binding.action);
+  std::set<std::string_view> names;
+  const KeyMap map;
+  for (const ActionRow& row : actionTable()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_FALSE(map.keysOf(row.action).empty()) << row.name;
+    for (const SDL_Scancode key : map.keysOf(row.action)) {
+      EXPECT_TRUE(codes.insert(key).second) << nameOf(key);
+      EXPECT_EQ(map.actionOf(key), row.action);
     }
-  EXPECT_EQ(actions.size(), kActionCount);
-  EXPECT_FALSE(actionOf(SDL_SCANCODE_UNKNOWN));
+  }
+  EXPECT_FALSE(map.actionOf(SDL_SCANCODE_UNKNOWN));
+}
+
+TEST(KeyTable, GivesAKeyToOneActionOnly) {
+  KeyMap keys;
+  keys.bind(Action::Jump, {SDL_SCANCODE_W, SDL_SCANCODE_J});
+  EXPECT_EQ(keys.actionOf(SDL_SCANCODE_W), Action::Jump);
+  EXPECT_EQ(keys.keysOf(Action::Forward), std::vector{SDL_SCANCODE_UP});
+  EXPECT_FALSE(keys.actionOf(SDL_SCANCODE_SPACE));
+}
+
+std::string namesFor(const KeyMap& keys, std::string_view help) {
+  for (const KeyListRow& row : keyList(keys))
+    if (row.help == help) return row.names;
+  ADD_FAILURE() << "no row " << help;
+  return "";
+}
+
+TEST(KeyTable, ListsTheKeysThatThereAre) {
+  KeyMap keys;
+  EXPECT_EQ(namesFor(keys, "walk"), "W S, Up Down");
+  EXPECT_EQ(namesFor(keys, "run"), "Shift");
+  keys.bind(Action::Forward, {SDL_SCANCODE_E});
+  keys.bind(Action::Fly, {SDL_SCANCODE_LSHIFT});
+  keys.bind(Action::Jump, {});
+  EXPECT_EQ(namesFor(keys, "walk"), "E S, Down");
+  EXPECT_EQ(namesFor(keys, "fly, or walk again"), "Left Shift");
+  EXPECT_EQ(namesFor(keys, "run"), "Right Shift") << "one of them alone";
+  EXPECT_EQ(namesFor(keys, "jump; in flight: up"), "no key");
 }
 
 TEST_F(ControlsTest, NothingIsAskedForByNothing) { EXPECT_EQ(tick(), WalkInput{}); }
@@ -113,6 +145,25 @@ TEST_F(ControlsTest, TheMouseLooksOnlyWhileItIsCaptured) {
   controls_.take(motion(10, -4));
   EXPECT_EQ(tick(), (WalkInput{.turn = 1500, .pitch = 600}));
   EXPECT_EQ(tick(), WalkInput{});
+}
+
+TEST_F(ControlsTest, TheMouseMovesAsFarAndTheWayThatTheUserLikes) {
+  controls_.setComfort({.degreesPerPixel = 0.04, .invertsPitch = true});
+  controls_.captureMouse(true);
+  controls_.take(motion(10, -4));
+  EXPECT_EQ(tick(), (WalkInput{.turn = 400, .pitch = -160}));
+}
+
+TEST_F(ControlsTest, KeysDoWhatTheUserSays) {
+  Comfort comfort;
+  comfort.keys.bind(Action::Forward, {SDL_SCANCODE_E});
+  controls_.take(down(SDL_SCANCODE_S));
+  controls_.setComfort(comfort);
+  EXPECT_EQ(tick(), WalkInput{}) << "what was held is let go of";
+  controls_.take(down(SDL_SCANCODE_W));
+  EXPECT_EQ(tick(), WalkInput{});
+  controls_.take(down(SDL_SCANCODE_E));
+  EXPECT_EQ(tick().forward, 127);
 }
 
 TEST_F(ControlsTest, MotionIsSpreadOverTheTicksAndNoneIsLost) {

@@ -98,7 +98,7 @@ TEST_F(ScreenshotsTest, SayWhatIsWrong) {
 TEST(Captions, StaysInsidePicturesOfAnySize) {
   for (const auto& [width, height] : {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}}) {
     Image picture(width, height, {200, 200, 200});
-    drawKeys(picture);
+    drawKeys(picture, keyList({}));
     drawMessage(picture, "a message that is longer than the picture is wide");
     EXPECT_EQ(picture.width(), width);
     EXPECT_NE(picture, Image(width, height, {200, 200, 200}));
@@ -108,7 +108,7 @@ TEST(Captions, StaysInsidePicturesOfAnySize) {
 TEST(Captions, HasRoomForAllKeysInASmallPicture) {
   const Image plain(320, 200, {200, 200, 200});
   Image picture = plain;
-  drawKeys(picture);
+  drawKeys(picture, keyList({}));
   for (int x = 0; x < 320; ++x) {
     EXPECT_EQ(picture.at(x, 0), plain.at(x, 0));
     EXPECT_EQ(picture.at(x, 199), plain.at(x, 199));

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "hearth/text_image.h"
-#include "hearth/walk/keys.h"
 
 namespace hearth {
 
@@ -31,9 +30,9 @@ struct KeyListSize {
   int height = 0;
 };
 
-KeyListSize keyListSize() {
+KeyListSize keyListSize(std::span<const KeyListRow> rows) {
   KeyListSize size;
-  for (const KeyRow& row : keyTable()) {
+  for (const KeyListRow& row : rows) {
     size.names = std::max(size.names, textWidth(row.names));
     size.help = std::max(size.help, textWidth(row.help));
     size.height += kLine;
@@ -73,16 +72,16 @@ void darken(Image& picture, int left, int top, int right, int bottom) {
     }
 }
 
-void drawKeys(Image& picture) {
+void drawKeys(Image& picture, std::span<const KeyListRow> rows) {
   const int scale = captionScale(picture);
-  const KeyListSize size = keyListSize();
+  const KeyListSize size = keyListSize(rows);
   const int width = scale * (size.names + kGap + size.help);
   const int left = std::max(0, (picture.width() - width) / 2);
   int y = std::max(0, (picture.height() - scale * size.height) / 2);
   const int margin = scale * kMargin;
   darken(picture, left - margin, y - margin, left + width + margin,
          y + scale * size.height + margin);
-  for (const KeyRow& row : keyTable()) {
+  for (const KeyListRow& row : rows) {
     drawText(picture, left, y, row.names, kNameColor, scale);
     drawText(picture, left + scale * (size.names + kGap), y, row.help, kTextColor, scale);
     y += scale * kLine;

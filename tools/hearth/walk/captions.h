@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "hearth/walk/keys.h"
 #include "image/image.h"
 
 /// What is written over the picture.
@@ -16,8 +17,8 @@ int captionScale(const Image& picture);
 /// Makes the picture darker, so that what is drawn over it stands out.
 void darken(Image& picture, int left, int top, int right, int bottom);
 
-/// The table of keys, in the middle. What a small picture has no room for is cut off.
-void drawKeys(Image& picture);
+/// The list of keys, in the middle. What a small picture has no room for is cut off.
+void drawKeys(Image& picture, std::span<const KeyListRow> rows);
 
 /// Lines at the upper edge, broken at `width` pixels. Of more than fit into half of the picture,
 /// the first.

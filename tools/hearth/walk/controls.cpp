@@ -7,9 +7,8 @@ namespace hearth {
 
 namespace {
 
-// In 1/1000 degree: 0.15 degrees for a pixel of the mouse; by keys, 128 degrees a second to the
-// side and 64 up; by a stick, at most 192 and 96.
-constexpr int kMousePerPixel = 150;
+// In 1/1000 degree: by keys, 128 degrees a second to the side and 64 up; by a stick, at most 192
+// and 96.
 constexpr int kKeyTurn = 128000 / kTicksPerSecond;
 constexpr int kKeyPitch = 64000 / kTicksPerSecond;
 constexpr double kStickTurn = 192000.0 / kTicksPerSecond;
@@ -35,8 +34,6 @@ constexpr std::array kButtons = {
 
 std::size_t indexOf(Action action) { return static_cast<std::size_t>(action); }
 
-int motionOf(int pixels) { return kMousePerPixel * std::clamp(pixels, -kMostPixels, kMostPixels); }
-
 void add(int& pending, int motion) {
   pending = std::clamp(pending + motion, -kMostMotion, kMostMotion);
 }
@@ -55,6 +52,11 @@ int share(double stick, int keys) {
 
 }  // namespace
 
+void Controls::setComfort(const Comfort& comfort) {
+  comfort_ = comfort;
+  release();
+}
+
 std::optional<Action> Controls::take(const SDL_Event& event) {
   switch (event.type) {
     case SDL_KEYDOWN:
@@ -65,7 +67,7 @@ std::optional<Action> Controls::take(const SDL_Event& event) {
     case SDL_MOUSEMOTION:
       if (!isMouseCaptured_) break;
       add(mouse_.turn, motionOf(event.motion.xrel));
-      add(mouse_.pitch, -motionOf(event.motion.yrel));
+      add(mouse_.pitch, (comfort_.invertsPitch ? 1 : -1) * motionOf(event.motion.yrel));
       break;
     case SDL_CONTROLLERAXISMOTION:
       axes_.at(event.caxis.axis) = event.caxis.value;
@@ -86,7 +88,7 @@ std::optional<Action> Controls::take(const SDL_Event& event) {
 }
 
 std::optional<Action> Controls::press(const SDL_KeyboardEvent& key) {
-  const std::optional<Action> action = actionOf(key.keysym.scancode);
+  const std::optional<Action> action = comfort_.keys.actionOf(key.keysym.scancode);
   const bool isForTheDesktop = (key.keysym.mod & KMOD_ALT) != 0;
   if (!action || isForTheDesktop) return std::nullopt;
   keys_.set(key.keysym.scancode);
@@ -135,11 +137,16 @@ WalkInput Controls::nextTick(int ticksDue, double pitch) {
   return input;
 }
 
+/// In 1/1000 degree.
+int Controls::motionOf(int pixels) const {
+  const auto perPixel = static_cast<int>(std::lround(1000 * comfort_.degreesPerPixel));
+  return perPixel * std::clamp(pixels, -kMostPixels, kMostPixels);
+}
+
 bool Controls::wants(Action action) const {
   if (pressed_[indexOf(action)]) return true;
-  for (const KeyRow& row : keyTable())
-    for (const KeyBinding& key : row.bindings)
-      if (key.action == action && keys_[key.code]) return true;
+  for (const SDL_Scancode key : comfort_.keys.keysOf(action))
+    if (keys_[key]) return true;
   return std::ranges::any_of(kButtons, [&](const ButtonBinding& binding) {
     return binding.action == action && buttons_[static_cast<std::size_t>(binding.button)];
   });

@@ -6,7 +6,7 @@
 #include <bitset>
 #include <optional>
 
-#include "hearth/walk/keys.h"
+#include "hearth/comfort/comfort.h"
 #include "math/vec.h"
 #include "walk/walk_input.h"
 
@@ -16,6 +16,9 @@ namespace hearth {
 /// SDL's events from anywhere and asks SDL nothing.
 class Controls {
  public:
+  /// Lets go of everything, as keys may mean something else now.
+  void setComfort(const Comfort& comfort);
+
   /// What the event asks for besides movement: the action of a key or button that was pressed.
   std::optional<Action> take(const SDL_Event& event);
 
@@ -39,11 +42,13 @@ class Controls {
 
   std::optional<Action> press(const SDL_KeyboardEvent& key);
   std::optional<Action> press(SDL_GameControllerButton button);
+  int motionOf(int pixels) const;
   bool wants(Action action) const;
   int direction(Action less, Action more) const;  ///< -1, 0 or 1
   Vec2 stick(SDL_GameControllerAxis horizontal, SDL_GameControllerAxis vertical) const;
   bool isTriggerHeld() const;
 
+  Comfort comfort_;
   std::bitset<SDL_NUM_SCANCODES> keys_;
   std::bitset<SDL_CONTROLLER_BUTTON_MAX> buttons_;
   std::array<int, SDL_CONTROLLER_AXIS_MAX> axes_{};

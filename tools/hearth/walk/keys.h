@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hearth {
 
@@ -32,32 +33,65 @@ enum class Action : std::uint8_t {
   Map,
   ZoomIn,
   ZoomOut,
-  Screenshot,
-  FullScreen,
-  Keys,
   Overlay,
+  FullScreen,
+  Screenshot,
+  Keys,
   Leave,
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::Leave) + 1;
 
-/// A place on the keyboard: keys keep theirs where letters lie otherwise.
-struct KeyBinding {
-  SDL_Scancode code = SDL_SCANCODE_UNKNOWN;
+/// A row of the table that input, the user's settings and lists of keys are made from.
+struct ActionRow {
   Action action{};
+  std::string_view name;               ///< in files
+  std::string_view help;               ///< in the overlay
+  std::array<SDL_Scancode, 3> keys{};  ///< unless the user says otherwise
 };
 
-/// A row of the table that input, the list on the screen and `--help` are made from.
-struct KeyRow {
-  std::string_view names;  ///< as on a US keyboard
+/// By Action.
+std::span<const ActionRow> actionTable();
+
+/// As files name a key: by its place on a US keyboard, as SDL does.
+std::string nameOf(SDL_Scancode key);
+/// Letters may be small or capital.
+std::optional<SDL_Scancode> keyNamed(std::string_view name);
+std::vector<std::string_view> allKeyNames();
+/// With Alt held, keys are for the desktop.
+bool isForTheDesktop(SDL_Scancode key);
+
+/// Which key asks for what. Keys are places on the keyboard: they keep theirs where letters lie
+/// otherwise. None has two actions.
+class KeyMap {
+ public:
+  /// Those of the table.
+  KeyMap();
+
+  std::optional<Action> actionOf(SDL_Scancode key) const;
+  const std::vector<SDL_Scancode>& keysOf(Action action) const {
+    return keys_[static_cast<std::size_t>(action)];
+  }
+  /// Gives an action these keys and no others; what else they asked for, they do no more.
+  void bind(Action action, std::vector<SDL_Scancode> keys);
+
+  friend bool operator==(const KeyMap&, const KeyMap&) = default;
+
+ private:
+  std::array<std::vector<SDL_Scancode>, kActionCount> keys_;
+};
+
+/// The keys of an action as they are written on them: `Shift` where both ask for the same.
+std::vector<std::string> shortNames(const KeyMap& keys, Action action);
+
+struct KeyListRow {
+  std::string names;
   std::string_view help;
-  std::array<KeyBinding, 5> bindings{};  ///< none for mouse and gamepad
 };
 
-std::span<const KeyRow> keyTable();
+/// What the list on the screen and `--help` show, mouse and gamepad included.
+std::vector<KeyListRow> keyList(const KeyMap& keys);
 
-std::optional<Action> actionOf(SDL_Scancode code);
-
-/// The table as text, a line for each row.
-std::string keyHelp();
+/// The list as text, a line for each row.
+std::string keyHelp(const KeyMap& keys);
 
 }  // namespace hearth

@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "hearth/budget.h"
+#include "hearth/comfort/config.h"
 #include "hearth/command.h"
 #include "hearth/session.h"
+#include "hearth/user_folders.h"
 #include "hearth/walk/keys.h"
 #include "hearth/walk/live_level.h"
 #include "hearth/walk/recording_file.h"
@@ -152,6 +154,18 @@ void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, co
     options.set(option, valueOf(fitting.draw, option));
 }
 
+/// What the user has set. Of mistakes there he is told, and walks.
+Config configOfUser() {
+  const auto file = configFile();
+  return file ? readConfig(*file) : Config{};
+}
+
+void addConfig(const Config& config, WalkSettings& settings) {
+  settings.comfort = config.comfort;
+  for (const Diagnostic& warning : config.warnings) settings.notes.push_back(format(warning));
+  tell(config.warnings);
+}
+
 ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, const Plan& plan,
                         Journey& journey, const OptionValues& values) {
   const Level& level = loaded->level;
@@ -165,6 +179,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   if (!lit) return fail(lit.error());
   WalkSettings settings = plan.settings;
   if (live) settings.lightsFile = loaded->lights;
+  addConfig(configOfUser(), settings);
   if (const auto target = values.number(Option::TargetMs)) {
     fitFrames(*target, (*lit)->renderer, eyeOf(level, journey.walker()), plan, *window,
               settings.options);
@@ -222,7 +237,9 @@ Command walkCommand() {
           {},
           run,
           LevelFiles::One,
-          "Keys:\n" + keyHelp()};
+          "Keys:\n" + keyHelp({}),
+          "LEVEL",
+          [] { return "Keys:\n" + keyHelp(configOfUser().comfort.keys); }};
 }
 
 }  // namespace hearth

@@ -20,6 +20,7 @@ namespace hearth {
 namespace {
 
 constexpr double kMessageSeconds = 3;
+constexpr double kFirstNotesSeconds = 15;
 /// The longest rest: ticks that are due must not wait for a frame.
 constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
 
@@ -60,6 +61,7 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
       bake_(bakeSettingsFrom(level, settings.options)) {
   scene_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);
+  controls_.setComfort(settings.comfort);
   title_.reserve(level.name.size() + 64);  // so that no frame has to
   outside_.setTitle(level.name);
 }
@@ -91,8 +93,8 @@ void WalkLoop::editLights(const std::filesystem::path& file) {
 
 void WalkLoop::setNotes(std::vector<std::string> mistakes,
                         const std::optional<StageProgress>& bake) {
-  scene_.notes = std::move(mistakes);
-  if (bake) scene_.notes.push_back(progressText(*bake));
+  notes_ = std::move(mistakes);
+  if (bake) notes_.push_back(progressText(*bake));
   figures_.bake = bake;
 }
 
@@ -101,6 +103,7 @@ bool WalkLoop::round() {
   const double now = outside_.seconds();
   passTime(now);
   updateMessage(now);
+  updateNotes(now);
   if (!hasLeft_) drawOrRest(now);
   return !hasLeft_;
 }
@@ -252,6 +255,14 @@ void WalkLoop::updateMessage(double now) {
   }
 }
 
+/// Those of the beginning for a while, then only those of the level.
+void WalkLoop::updateNotes(double now) {
+  if (!begin_) begin_ = now;
+  if (now >= *begin_ + kFirstNotesSeconds) settings_.notes.clear();
+  scene_.notes = settings_.notes;
+  scene_.notes.insert(scene_.notes.end(), notes_.begin(), notes_.end());
+}
+
 void WalkLoop::tell(const Screenshots::News& news) {
   outside_.print(news.isSaved ? fmt::format("{}: {}", news.text, news.note) : news.text);
 }
@@ -358,7 +369,8 @@ void WalkLoop::drawCaptions() {
     drawAutomap(picture_, *level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
   if (const auto space = markerSpace(); lights_ && overlay_.isOpen() && space)
     lights_->draw(*level_, scene_.camera, *space, picture_);
-  if (scene_.view.areKeysShown && !overlay_.isOpen()) drawKeys(picture_);
+  if (scene_.view.areKeysShown && !overlay_.isOpen())
+    drawKeys(picture_, keyList(settings_.comfort.keys));
   const int width = overlay_.leaves(picture_.width());
   if (!scene_.notes.empty() && width > 0) drawNotes(picture_, scene_.notes, width);
   if (!scene_.message.empty()) drawMessage(picture_, scene_.message);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hearth/edit/lights_editor.h"
+#include "hearth/comfort/comfort.h"
 #include "hearth/options.h"
 #include "hearth/overlay/figures_section.h"
 #include "hearth/overlay/inspector.h"
@@ -48,6 +49,8 @@ struct WalkSettings {
   OptionValues options = {};                             ///< by which the level is lit and drawn
   std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
   bool canBake = false;  ///< by others, if the overlay asks for them
+  Comfort comfort = {};
+  std::vector<std::string> notes = {};  ///< that stand over the picture at first
 };
 
 /// A walk, round by round: events, the ticks that are due, a picture where it would be another
@@ -114,6 +117,7 @@ class WalkLoop {
   WalkInput nextInput(int ticksDue);
   void say(std::string message, double now);
   void updateMessage(double now);
+  void updateNotes(double now);
   void tell(const Screenshots::News& news);
   Camera cameraIn(PictureSize picture) const;
   void drawOrRest(double now);
@@ -146,6 +150,8 @@ class WalkLoop {
 
   Scene scene_;  ///< the next picture's
   double messageBegin_ = 0;
+  std::optional<double> begin_;     ///< of the walk, in seconds of the clock
+  std::vector<std::string> notes_;  ///< of the level and its bake
   bool wantsScreenshot_ = false;
   std::optional<Scene> shown_;  ///< the last picture's; none where it must be drawn again
   double nextFrame_ = 0;        ///< when it may be drawn, in seconds of the clock
