@@ -30,7 +30,7 @@ class Display:
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "{}x{}x24".format(*screen),
-             "-fbdir", folder, "-nocursor", "-nolisten", "tcp"],
+             "-fbdir", folder, "-nocursor", "-noreset", "-nolisten", "tcp"],
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as number:
@@ -301,12 +301,12 @@ def resizes(display, walk):
     display.do("windowsize", walk.window, "1", "1")
     time.sleep(0.5)
     display.do("windowsize", "--sync", walk.window, "320", "200")
-    # There is no window manager here that would resize the window, but pictures fill the screen.
     display.do("key", "F11")
     wait_for("F11 fills the screen", lambda: read_png(walk.screenshot()[0])[:2] == SCREEN)
     display.do("key", "F11")
+    wait_for("F11 gives the window back", lambda: walk.geometry()[2:] == [320, 200])
     display.do("windowsize", "--sync", walk.window, "640", "400")
-    wait_for("F11 gives the window back", lambda: walk.geometry()[2:] == [640, 400])
+    wait_for("the window has its size", lambda: walk.geometry()[2:] == [640, 400])
     walk.expect_screenshot()
 
 
@@ -366,6 +366,26 @@ def heeds_the_users_settings(display, hearth, level, folder):
         walk.process.wait()
 
 
+def opens_where_it_was_left(display, hearth, level, folder):
+    """The window is remembered, unless a size of the picture is asked for."""
+    state = {"XDG_STATE_HOME": str(folder / "state")}
+    usual = [32, 84, 960, 600]
+    left = [100, 60, 500, 300]
+    for options, expected in [([], usual), ([], left), (["--size", "320x200"], usual), ([], left)]:
+        walk = Walk(display, hearth, level, folder, *options, **state)
+        try:
+            wait_for(f"with {options} the window lies at {expected}",
+                     lambda walk=walk, expected=expected: walk.geometry() == expected)
+            if not options:
+                display.do("windowsize", "--sync", walk.window, *map(str, left[2:]))
+                display.do("windowmove", "--sync", walk.window, *map(str, left[:2]))
+                settled(display)
+            walk.leave()
+        finally:
+            walk.process.kill()
+            walk.process.wait()
+
+
 def replays(hearth, level, folder):
     result = subprocess.run([hearth, "walk", level, "--replay", folder / "walk.txt", "--headless"],
                             capture_output=True, text=True)
@@ -396,6 +416,7 @@ def main():
                 walk.process.wait()
             replays(hearth, level, folder)
             heeds_the_users_settings(display, hearth, level, folder)
+            opens_where_it_was_left(display, hearth, level, folder)
             keeps_to_a_time(display, hearth, level, folder)
             fits_small_screens(hearth, level, folder)
         finally:

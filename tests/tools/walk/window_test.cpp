@@ -128,6 +128,24 @@ TEST_F(HiddenWindow, IsNoLargerThanTheScreenAndKeepsThePicturesShape) {
   EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{19, 768}));
 }
 
+TEST_F(HiddenWindow, OpensWhereTheLastOneWasLeft) {
+  WindowSettings settings;
+  settings.place = WindowPlace{100, 50, {500, 300}};
+  EXPECT_EQ(WalkWindow::open("test", settings)->place(), *settings.place);
+  settings.place = WindowPlace{900, -20, {2000, 300}};
+  EXPECT_EQ(WalkWindow::open("test", settings)->place(), (WindowPlace{0, 0, {1024, 300}}));
+}
+
+TEST_F(HiddenWindow, GoesBackFromTheFullScreenToWhereItWas) {
+  WindowSettings settings;
+  settings.place = WindowPlace{100, 50, {500, 300}, true};
+  auto window = WalkWindow::open("test", settings);
+  EXPECT_EQ(window->place(), *settings.place);
+  EXPECT_EQ(window->windowSize(), (PictureSize{1024, 768}));
+  window->toggleFullScreen();
+  EXPECT_EQ(window->place(), (WindowPlace{100, 50, {500, 300}}));
+}
+
 TEST_F(HiddenWindow, IsAsLargeAsIsAskedForWhateverTheScreen) {
   WindowSettings settings;
   settings.windowSize = PictureSize{1920, 1080};

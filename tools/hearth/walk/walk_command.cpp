@@ -21,6 +21,7 @@
 #include "hearth/walk/recording_file.h"
 #include "hearth/walk/walk_loop.h"
 #include "hearth/walk/window.h"
+#include "hearth/walk/window_place.h"
 #include "render/renderer.h"
 
 namespace hearth {
@@ -122,10 +123,18 @@ tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
   });
 }
 
+/// Where the place of the window is kept. Pictures of a size of their own have windows that fit.
+std::optional<std::filesystem::path> windowFile(const Plan& plan) {
+  const auto folder = stateFolder();
+  if (!folder || plan.settings.size) return std::nullopt;
+  return *folder / "window.json";
+}
+
 WindowSettings windowSettings(const Plan& plan, const OptionValues& values) {
   WindowSettings settings;
   settings.pictureSize = plan.settings.size;
   if (values.text(Option::Scale) == "integer") settings.scaling = Scaling::Integer;
+  if (const auto file = windowFile(plan)) settings.place = readWindowPlace(*file);
   settings.waitsForDisplay = values.text(Option::Vsync) != "off";
   return settings;
 }
@@ -201,6 +210,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
       *lit = next;
     }
   }
+  if (const auto file = windowFile(plan)) keepWindowPlace(*file, window->place());
   loop.awaitScreenshots();
   if (!plan.replay) return keepWalk(level, plan.start, journey, values);
   if (!loop.isReplayOver()) return fail("--replay: left before its end");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 namespace hearth {
 
@@ -57,6 +58,15 @@ PictureSize firstSize(const std::optional<PictureSize>& picture) {
   return shrunk({times * picture->width, times * picture->height}, room);
 }
 
+std::vector<Screen> screens() {
+  std::vector<Screen> screens;
+  for (int i = 0; i < SDL_GetNumVideoDisplays(); ++i)
+    if (SDL_Rect usable{};
+        SDL_GetDisplayUsableBounds(i, &usable) == 0 && usable.w > 0 && usable.h > 0)
+      screens.push_back({usable.x, usable.y, usable.w, usable.h});
+  return screens;
+}
+
 PixelRows rowsOf(void* pixels, int bytesPerRow, PictureSize size) {
   return {static_cast<Uint32*>(pixels), static_cast<std::size_t>(bytesPerRow) / sizeof(Uint32),
           size.width, size.height};
@@ -81,14 +91,19 @@ tl::expected<void, std::string> WalkWindow::create(const std::string& title) {
   sdl_ = std::shared_ptr<void>(nullptr, [](void*) { SDL_Quit(); });
   SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // one walks without gamepads, too
 
-  const auto [width, height] =
-      settings_.windowSize ? *settings_.windowSize : firstSize(settings_.pictureSize);
+  WindowPlace place{SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, {}};
+  if (settings_.place)
+    place = onScreen(*settings_.place, screens());
+  else
+    place.size = settings_.windowSize ? *settings_.windowSize : firstSize(settings_.pictureSize);
   window_ = std::shared_ptr<SDL_Window>(
-      SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+      SDL_CreateWindow(title.c_str(), place.x, place.y, place.size.width, place.size.height,
                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
       [](SDL_Window* window) { SDL_DestroyWindow(window); });
   if (!window_) return tl::unexpected(sdlError());
-  return createRenderer();
+  auto created = createRenderer();
+  if (created && place.isFullScreen) toggleFullScreen();
+  return created;
 }
 
 tl::expected<void, std::string> WalkWindow::createRenderer() {
@@ -233,9 +248,33 @@ void WalkWindow::captureMouse(bool isCaptured) {
   SDL_SetRelativeMouseMode(isCaptured ? SDL_TRUE : SDL_FALSE);
 }
 
+bool WalkWindow::isFullScreen() const {
+  return (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+}
+
 void WalkWindow::toggleFullScreen() {
-  const bool isFull = (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
-  SDL_SetWindowFullscreen(window_.get(), isFull ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+  if (!isFullScreen()) {
+    unfilled_ = placeNow();
+    SDL_SetWindowFullscreen(window_.get(), SDL_WINDOW_FULLSCREEN_DESKTOP);
+    return;
+  }
+  SDL_SetWindowFullscreen(window_.get(), 0);
+  // Where nobody manages windows they do not go back by themselves.
+  SDL_SetWindowSize(window_.get(), unfilled_.size.width, unfilled_.size.height);
+  SDL_SetWindowPosition(window_.get(), unfilled_.x, unfilled_.y);
+}
+
+WindowPlace WalkWindow::placeNow() const {
+  WindowPlace place;
+  SDL_GetWindowPosition(window_.get(), &place.x, &place.y);
+  SDL_GetWindowSize(window_.get(), &place.size.width, &place.size.height);
+  return place;
+}
+
+WindowPlace WalkWindow::place() const {
+  WindowPlace place = isFullScreen() ? unfilled_ : placeNow();
+  place.isFullScreen = isFullScreen();
+  return place;
 }
 
 void WalkWindow::copy(const std::string& text) { ::SDL_SetClipboardText(text.data()); }

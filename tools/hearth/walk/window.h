@@ -8,6 +8,7 @@
 
 #include "hearth/walk/outside.h"
 #include "hearth/walk/placement.h"
+#include "hearth/walk/window_place.h"
 
 struct SDL_Renderer;
 struct SDL_Surface;
@@ -17,12 +18,13 @@ struct SDL_Window;
 namespace hearth {
 
 /// Of a window at first, unless the picture needs more or the screen has less room; the user may
-/// drag it to any size.
+/// drag it to any size and place.
 inline constexpr PictureSize kFirstWindowSize = {960, 600};
 
 struct WindowSettings {
   std::optional<PictureSize> pictureSize;  ///< without it, pictures come in the window's size
   std::optional<PictureSize> windowSize;   ///< without it, one that fits picture and screen
+  std::optional<WindowPlace> place;        ///< in place of both, as far as the screen has room
   Scaling scaling = Scaling::Smooth;
   bool waitsForDisplay = true;  ///< vertical sync
 };
@@ -46,10 +48,15 @@ class WalkWindow : public Outside {
   void copy(const std::string& text) override;
   void print(const std::string& line) override;
 
+  /// To open the next one likewise.
+  WindowPlace place() const;
+
  private:
   explicit WalkWindow(const WindowSettings& settings) : settings_(settings) {}
   tl::expected<void, std::string> create(const std::string& title);
   tl::expected<void, std::string> createRenderer();
+  bool isFullScreen() const;
+  WindowPlace placeNow() const;
   void setGamepad(const SDL_ControllerDeviceEvent& event);
   SDL_Surface* surfaceOfSize(PictureSize size) const;
   void fitTexture(PictureSize size);
@@ -65,6 +72,7 @@ class WalkWindow : public Outside {
     PictureSize picture;
   };
   std::optional<Shown> shown_;  ///< the last picture
+  WindowPlace unfilled_;        ///< to which it goes back from the full screen
 
   // Destroyed in reverse order: SDL itself last.
   std::shared_ptr<void> sdl_;
