@@ -54,7 +54,7 @@ TEST_F(ConfigTest, IsAsByDefaultWithoutAFile) {
 TEST_F(ConfigTest, SaysHowKeysAndMouseWork) {
   const Config config = read(R"({ "//": "mine",
     "keys": { "forward": ["e", "Left Ctrl"], "fly": [] },
-    "mouse": { "degreesPerPixel": 0.3, "invert": true } })");
+    "mouse": { "degreesPerPixel": 0.3, "invert": true }, "viewBob": 25 })");
   EXPECT_EQ(told(config), std::vector<std::string>{});
   EXPECT_EQ(config.comfort.keys.keysOf(Action::Forward),
             (std::vector{SDL_SCANCODE_E, SDL_SCANCODE_LCTRL}));
@@ -64,6 +64,7 @@ TEST_F(ConfigTest, SaysHowKeysAndMouseWork) {
   EXPECT_TRUE(config.comfort.keys.keysOf(Action::Fly).empty());
   EXPECT_EQ(config.comfort.degreesPerPixel, 0.3);
   EXPECT_TRUE(config.comfort.invertsPitch);
+  EXPECT_EQ(config.comfort.viewBob, 0.25);
 }
 
 TEST_F(ConfigTest, TellsEachMistakeAndKeepsTheRest) {
@@ -116,6 +117,7 @@ TEST_F(ConfigTest, IsWrittenWhereItDiffersAndKeepsTheRest) {
 TEST_F(ConfigTest, IsMadeWithItsFolder) {
   Comfort comfort;
   comfort.invertsPitch = true;
+  comfort.viewBob = 0.7;
   comfort.keys.bind(Action::Fly, {SDL_SCANCODE_W});  // which walked forward
   ASSERT_TRUE(writeConfig(file_, {}, comfort));
   const Config config = readConfig(file_);

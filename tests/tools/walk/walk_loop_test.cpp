@@ -165,6 +165,24 @@ TEST(WalkInputs, ARecordedWalkIsReplayedToTheBitAtAnyFrameRate) {
   }
 }
 
+TEST(WalkInputs, ARecordedWalkIsReplayedWhateverTheUsersSettings) {
+  Comfort comfort;
+  comfort.keys.bind(Action::Forward, {SDL_SCANCODE_E});
+  comfort.degreesPerPixel = 0.02;
+  comfort.viewBob = 1;
+  Walk walk({.comfort = comfort});
+  walk.now(click());
+  walk.now(down(SDL_SCANCODE_E));
+  walk.now(motion(100, 20));
+  walk.ticks(40);
+  EXPECT_NEAR(walk.walker().angle - walk.start().angle, 2, 1e-9);
+  const std::vector<WalkInput> inputs = walk.inputs();
+  Walk again;
+  again.loop().replay(inputs);
+  again.ticks(100);
+  EXPECT_EQ(again.walker(), walk.walker());
+}
+
 // --- Pictures ------------------------------------------------------------------------------------
 
 TEST(WalkPictures, AreWhatShotDraws) {
@@ -184,6 +202,19 @@ TEST(WalkPictures, FollowTheWindow) {
     walk.now(windowEvent(SDL_WINDOWEVENT_SIZE_CHANGED));
     EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::Both, size));
   }
+}
+
+TEST(WalkPictures, GoUpAndDownWithTheStepsWhereTheUserLikesThat) {
+  Walk still;
+  Walk bobbing({.comfort = {.viewBob = 1}});
+  EXPECT_EQ(bobbing.stage.shown, still.stage.shown);
+  for (Walk* walk : {&still, &bobbing}) {
+    walk->now(down(SDL_SCANCODE_W));
+    walk->ticks(12);
+  }
+  EXPECT_EQ(bobbing.walker(), still.walker()) << "it moves what is seen only";
+  EXPECT_EQ(still.stage.shown, still.drawn(LightMode::Both, {64, 40}));
+  EXPECT_NE(bobbing.stage.shown, still.stage.shown);
 }
 
 TEST(WalkPictures, HaveTheSizeAndTheFieldOfViewThatWereAskedFor) {

@@ -11,6 +11,8 @@ struct Comfort {
       0.15;                   ///< that the mouse moves; 0.01..10, hundredths of it at the finest
   bool invertsPitch = false;  ///< the mouse looks up when it is drawn near
 
+  double viewBob = 0;  ///< 0..1, of what steps move the head
+
   friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 

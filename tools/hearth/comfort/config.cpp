@@ -26,8 +26,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kKeys = "keys";
 constexpr std::string_view kMouse = "mouse";
+constexpr std::string_view kViewBob = "viewBob";
 constexpr std::string_view kDegreesPerPixel = "degreesPerPixel";
 constexpr std::string_view kInvert = "invert";
+
+constexpr double kPercent = 100;
 
 /// Of a file that the program makes: a line for each of its members to come.
 constexpr std::string_view kNewFile = "{\n  \"//\": \"settings of hearth walk\"\n}\n";
@@ -52,7 +55,7 @@ class KeyReader {
     std::vector<SDL_Scancode> keys;
     for (const JsonValue element : value.elements())
       if (const auto key = readKey(element, row)) keys.push_back(*key);
-    if (keys.size() > 0 || value.size() == 0) keys_.bind(row.action, std::move(keys));
+    if (!keys.empty() || value.size() == 0) keys_.bind(row.action, std::move(keys));
   }
 
   std::optional<SDL_Scancode> readKey(JsonValue value, const ActionRow& row) {
@@ -93,10 +96,13 @@ void readMouse(Report& report, JsonValue value, Comfort& comfort) {
 }
 
 void readComfort(Report& report, JsonValue root, Comfort& comfort) {
-  constexpr std::array<std::string_view, 2> kKnown{kKeys, kMouse};
+  constexpr std::array<std::string_view, 3> kKnown{kKeys, kMouse, kViewBob};
   const Fields fields(report, root, kKnown);
   if (const auto keys = fields.find(kKeys)) KeyReader(report, comfort.keys).read(*keys);
   if (const auto mouse = fields.find(kMouse)) readMouse(report, *mouse, comfort);
+  double percent = kPercent * comfort.viewBob;
+  fields.read(kViewBob, {0, kPercent}, percent);
+  comfort.viewBob = percent / kPercent;
 }
 
 // --- Writing -------------------------------------------------------------------------------------
@@ -118,6 +124,8 @@ std::string edited(std::string json, const Comfort& before, const Comfort& after
     set(std::array{kMouse, kDegreesPerPixel}, fmt::format("{}", after.degreesPerPixel));
   if (after.invertsPitch != before.invertsPitch)
     set(std::array{kMouse, kInvert}, fmt::format("{}", after.invertsPitch));
+  if (after.viewBob != before.viewBob)
+    set(std::array{kViewBob}, fmt::format("{:g}", kPercent * after.viewBob));
   return json;
 }
 

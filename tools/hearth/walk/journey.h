@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "level/level.h"
+#include "walk/bob.h"
 #include "walk/recording.h"
 #include "walk/walker.h"
 
@@ -19,7 +21,9 @@ class Journey {
 
   void tick(const WalkInput& input) {
     before_ = after_;
+    gaitBefore_ = gait_;
     after_ = walked(*level_, after_, input);
+    gait_ = walkedOn(gait_, before_, after_);
     if (memory_ == Memory::Inputs) inputs_.push_back(input);
   }
 
@@ -27,6 +31,7 @@ class Journey {
   void goOnIn(const Level& level, const Walker& walker) {
     level_ = &level;
     before_ = after_ = walker;
+    gaitBefore_ = gait_ = {};
   }
 
   /// No more can be kept.
@@ -36,6 +41,13 @@ class Journey {
   /// `share` of a tick after the tick before the last. So the view lags by a tick at most, and
   /// moves evenly at any rate of frames.
   Eye eye(double share) const { return eyeBetween(*level_, before_, after_, share); }
+  /// The same with so much (0..1) of what steps move the head.
+  Eye eye(double share, double bob) const {
+    if (bob == 0) return eye(share);
+    const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, share),
+                    std::lerp(gaitBefore_.swing, gait_.swing, share)};
+    return bobbed(*level_, eye(share), gait, bob);
+  }
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 
  private:
@@ -43,6 +55,8 @@ class Journey {
   Memory memory_;
   Walker before_;
   Walker after_;
+  Gait gaitBefore_;
+  Gait gait_;
   std::vector<WalkInput> inputs_;
 };
 

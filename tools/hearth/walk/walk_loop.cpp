@@ -275,7 +275,7 @@ void WalkLoop::awaitScreenshots() {
 
 /// Of geometry the panel covers nothing, if it leaves any room.
 Camera WalkLoop::cameraIn(PictureSize picture) const {
-  const Eye eye = journey_.eye(shareOfTick_);
+  const Eye eye = journey_.eye(shareOfTick_, settings_.comfort.viewBob);
   const int beside = isGeometry(scene_.view.channel) ? overlay_.leaves(picture.width) : 0;
   return {eye.sector,    eye.point,     eye.angle,
           eye.pitch,     settings_.fov, beside > 0 ? beside : picture.width,

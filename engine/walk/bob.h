@@ -1,0 +1,23 @@
+#pragma once
+
+#include "walk/walker.h"
+
+namespace hearth {
+
+/// How a walker's head goes up and down with his steps. It moves what is seen and nothing else: no
+/// walk depends on it.
+struct Gait {
+  double stride = 0;  ///< metres walked on the ground
+  double swing = 0;   ///< 0 at rest .. 1 running; follows the walker in an eighth of a second
+
+  friend bool operator==(const Gait&, const Gait&) = default;
+};
+
+/// The gait after a tick that led from `before` to `after`.
+Gait walkedOn(const Gait& gait, const Walker& before, const Walker& after);
+
+/// What is seen `share` (0..1) of the full height of steps higher or lower, as far as the sector of
+/// the eye has air.
+Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double share);
+
+}  // namespace hearth
