@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <string>
+
 #include "level/finish.h"
 #include "load/link.h"
 #include "load/read.h"
@@ -112,8 +115,13 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
   source_.outlines = std::move(linking.outlines);
   source_.edgeOf = std::move(linking.edgeOf);
-  return LoadedLevel{std::move(linking.level), std::move(textures.images), file_, lights_, files_,
-                     textures.decoded};
+  return LoadedLevel{std::move(linking.level),
+                     std::move(textures.images),
+                     file_,
+                     lights_,
+                     files_,
+                     textures.decoded,
+                     std::hash<std::string>{}(source_.documents.front().text)};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +24,8 @@ struct LoadedLevel {
   std::vector<std::filesystem::path> files;
   /// Images among the files that a surface wears. Of the others only the header is read.
   std::size_t decodedImages = 0;
+  /// Of the level file's text, by std::hash: a program that edits it knows if it has changed since.
+  std::size_t textHash = 0;
 };
 
 struct LoadResult {

@@ -15,7 +15,7 @@ namespace {
 constexpr Rgb kNameColor = {255, 208, 112};
 constexpr Rgb kTextColor = {255, 255, 255};
 
-// In pixels of letters. All keys fit into 320x200.
+// In pixels of letters.
 constexpr int kLine = kTextHeight + 1;
 constexpr int kMargin = 4;
 constexpr int kGap = 10;
@@ -27,15 +27,19 @@ constexpr int kHeightPerScale = 300;
 struct KeyListSize {
   int names = 0;  ///< pixels of letters
   int help = 0;
+  int line = 0;
   int height = 0;
 };
 
-KeyListSize keyListSize(std::span<const KeyListRow> rows) {
+/// Lines are closer where a picture has no room for all of them: all keys fit into 320x200.
+KeyListSize keyListSize(std::span<const KeyListRow> rows, int room) {
+  const auto count = static_cast<int>(rows.size());
   KeyListSize size;
+  size.line = std::clamp((room - 2 * kMargin - 2) / count, kTextHeight, kLine);
+  size.height = count * size.line;
   for (const KeyListRow& row : rows) {
     size.names = std::max(size.names, textWidth(row.names));
     size.help = std::max(size.help, textWidth(row.help));
-    size.height += kLine;
   }
   return size;
 }
@@ -74,7 +78,7 @@ void darken(Image& picture, int left, int top, int right, int bottom) {
 
 void drawKeys(Image& picture, std::span<const KeyListRow> rows) {
   const int scale = captionScale(picture);
-  const KeyListSize size = keyListSize(rows);
+  const KeyListSize size = keyListSize(rows, picture.height() / scale);
   const int width = scale * (size.names + kGap + size.help);
   const int left = std::max(0, (picture.width() - width) / 2);
   int y = std::max(0, (picture.height() - scale * size.height) / 2);
@@ -84,7 +88,7 @@ void drawKeys(Image& picture, std::span<const KeyListRow> rows) {
   for (const KeyListRow& row : rows) {
     drawText(picture, left, y, row.names, kNameColor, scale);
     drawText(picture, left + scale * (size.names + kGap), y, row.help, kTextColor, scale);
-    y += scale * kLine;
+    y += scale * size.line;
   }
 }
 

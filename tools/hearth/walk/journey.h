@@ -34,6 +34,7 @@ class Journey {
     gaitBefore_ = gait_ = {};
   }
 
+  bool isKept() const { return memory_ == Memory::Inputs; }
   /// No more can be kept.
   bool isFull() const { return inputs_.size() >= kMostRecordedTicks; }
 

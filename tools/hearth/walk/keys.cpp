@@ -37,6 +37,8 @@ constexpr std::array kActions = {
     ActionRow{Action::ZoomIn, "zoomIn", "map larger", {SDL_SCANCODE_EQUALS, SDL_SCANCODE_KP_PLUS}},
     ActionRow{
         Action::ZoomOut, "zoomOut", "map smaller", {SDL_SCANCODE_MINUS, SDL_SCANCODE_KP_MINUS}},
+    ActionRow{Action::Bookmark, "bookmark", "bookmark this place", {SDL_SCANCODE_B}},
+    ActionRow{Action::NextBookmark, "nextBookmark", "go to the next bookmark", {SDL_SCANCODE_G}},
     ActionRow{Action::Overlay, "overlay", "overlay", {SDL_SCANCODE_F1}},
     ActionRow{Action::FullScreen, "fullScreen", "full screen", {SDL_SCANCODE_F11}},
     ActionRow{Action::Screenshot, "screenshot", "save the picture", {SDL_SCANCODE_F12}},
@@ -69,6 +71,7 @@ constexpr std::array kListed = {
     ListedActions{Action::Fly, Action::Fly, "fly, or walk again"},
     ListedActions{Action::ShowBoth, Action::ShowLight, "textures and light, one alone"},
     ListedActions{Action::Map, Action::ZoomOut, "map of what was seen, its zoom"},
+    ListedActions{Action::Bookmark, Action::NextBookmark, "bookmark here, go to the next"},
     ListedActions{Action::Overlay, Action::Overlay, "overlay: figures, settings"},
     ListedActions{Action::FullScreen, Action::FullScreen, "full screen, or window again"},
     ListedActions{Action::Screenshot, Action::Screenshot, "save the picture as a PNG"},

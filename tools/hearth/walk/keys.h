@@ -33,6 +33,8 @@ enum class Action : std::uint8_t {
   Map,
   ZoomIn,
   ZoomOut,
+  Bookmark,
+  NextBookmark,
   Overlay,
   FullScreen,
   Screenshot,

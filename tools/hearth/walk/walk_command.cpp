@@ -14,6 +14,7 @@
 #include "hearth/budget.h"
 #include "hearth/comfort/config.h"
 #include "hearth/command.h"
+#include "hearth/edit/shots_edit.h"
 #include "hearth/session.h"
 #include "hearth/user_folders.h"
 #include "hearth/walk/keys.h"
@@ -189,6 +190,10 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   WalkSettings settings = plan.settings;
   if (live) settings.lightsFile = loaded->lights;
   addConfig(configOfUser(), settings);
+  if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(*file);
+  settings.writeShot = [&live, &loaded](const Bookmark& bookmark) {
+    return writeShot(live ? *live->shown()->loaded : *loaded, bookmark);
+  };
   if (const auto target = values.number(Option::TargetMs)) {
     fitFrames(*target, (*lit)->renderer, eyeOf(level, journey.walker()), plan, *window,
               settings.options);

@@ -180,6 +180,12 @@ void WalkLoop::act(Action action) {
     case Action::Overlay:
       toggleOverlay();
       break;
+    case Action::Bookmark:
+      bookmark(settings_.bookmarks.freeName());
+      break;
+    case Action::NextBookmark:
+      goToNextBookmark();
+      break;
     case Action::Leave:
       if (overlay_.isOpen() && inspector_.letGo()) break;
       if (overlay_.isOpen()) return toggleOverlay();
@@ -220,6 +226,32 @@ void WalkLoop::toggleOverlay() {
   shown_.reset();
   if (overlay_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
   captureMouse(!overlay_.isOpen() && capturesMouseAgain_);
+}
+
+// --- Bookmarks ---------------------------------------------------------------------------------
+
+void WalkLoop::bookmark(const std::string& name) {
+  const auto added =
+      settings_.bookmarks.add(bookmarkOf(*level_, journey_.walker(), settings_.fov, name));
+  say(added ? fmt::format("bookmarked as {}", name) : added.error());
+}
+
+void WalkLoop::goToNextBookmark() {
+  const std::vector<Bookmark>& all = settings_.bookmarks.all();
+  if (all.empty()) return say("there are no bookmarks yet");
+  const std::size_t next = nextBookmark_ % all.size();
+  nextBookmark_ = next + 1;
+  goTo(all[next]);
+}
+
+/// A recording has no jumps: it would not lead where it led.
+void WalkLoop::goTo(const Bookmark& bookmark) {
+  if (!canJump()) return say("no jumps in a walk that is recorded or replayed");
+  const auto walker = walkerAt(*level_, bookmark);
+  if (!walker) return say(walker.error());
+  journey_.goOnIn(*level_, *walker);
+  settings_.fov = bookmark.fov;
+  say(bookmark.name);
 }
 
 // --- Time ----------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "hearth/edit/lights_editor.h"
+#include "hearth/comfort/bookmarks.h"
 #include "hearth/comfort/comfort.h"
 #include "hearth/options.h"
 #include "hearth/overlay/figures_section.h"
@@ -50,6 +52,9 @@ struct WalkSettings {
   std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
   bool canBake = false;  ///< by others, if the overlay asks for them
   Comfort comfort = {};
+  Bookmarks bookmarks = {};
+  /// Writes a bookmark into the level's file; none where there is none to be written.
+  std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
   std::vector<std::string> notes = {};  ///< that stand over the picture at first
 };
 
@@ -113,8 +118,13 @@ class WalkLoop {
   void show(LightMode mode);
   void captureMouse(bool isCaptured);
   void toggleOverlay();
+  void bookmark(const std::string& name);
+  void goToNextBookmark();
+  void goTo(const Bookmark& bookmark);
+  bool canJump() const { return !replay_ && !journey_.isKept(); }
   void passTime(double now);
   WalkInput nextInput(int ticksDue);
+  void say(std::string message) { say(std::move(message), outside_.seconds()); }
   void say(std::string message, double now);
   void updateMessage(double now);
   void updateNotes(double now);
@@ -144,6 +154,7 @@ class WalkLoop {
   std::optional<std::span<const WalkInput>> replay_;  ///< what is left of it
 
   Controls controls_;
+  std::size_t nextBookmark_ = 0;
   WalkClock clock_;
   double shareOfTick_ = 0;  ///< how far the view is from the tick before the last to the last
   bool hasLeft_ = false;

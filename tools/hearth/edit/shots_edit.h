@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "hearth/comfort/bookmarks.h"
+#include "load/load.h"
+
+namespace hearth {
+
+/// Writes a bookmark as the last shot of its level, into the level's file, of which all the rest
+/// stays as it is to the byte. Refuses a name that a shot has, and a file that is not what was
+/// loaded. Errors are one sentence that begins with the path.
+tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookmark& bookmark);
+
+}  // namespace hearth
