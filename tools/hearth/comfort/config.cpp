@@ -121,7 +121,7 @@ std::string edited(std::string json, const Comfort& before, const Comfort& after
     if (const auto& keys = after.keys.keysOf(row.action); keys != before.keys.keysOf(row.action))
       set(std::array{kKeys, row.name}, namesOf(keys));
   if (after.degreesPerPixel != before.degreesPerPixel)
-    set(std::array{kMouse, kDegreesPerPixel}, fmt::format("{}", after.degreesPerPixel));
+    set(std::array{kMouse, kDegreesPerPixel}, fmt::format("{:g}", after.degreesPerPixel));
   if (after.invertsPitch != before.invertsPitch)
     set(std::array{kMouse, kInvert}, fmt::format("{}", after.invertsPitch));
   if (after.viewBob != before.viewBob)

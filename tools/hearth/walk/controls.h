@@ -18,6 +18,7 @@ class Controls {
  public:
   /// Lets go of everything, as keys may mean something else now.
   void setComfort(const Comfort& comfort);
+  const Comfort& comfort() const { return comfort_; }
 
   /// What the event asks for besides movement: the action of a key or button that was pressed.
   std::optional<Action> take(const SDL_Event& event);

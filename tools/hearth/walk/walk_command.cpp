@@ -190,6 +190,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   WalkSettings settings = plan.settings;
   if (live) settings.lightsFile = loaded->lights;
   addConfig(configOfUser(), settings);
+  settings.config = configFile().value_or("");
   if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(*file);
   settings.writeShot = [&live, &loaded](const Bookmark& bookmark) {
     return writeShot(live ? *live->shown()->loaded : *loaded, bookmark);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hearth/channels.h"
+#include "hearth/comfort/config.h"
 #include "hearth/overlay/lights_section.h"
 #include "hearth/overlay/quality_section.h"
 #include "hearth/overlay/view_section.h"
@@ -62,6 +63,7 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
   scene_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);
   controls_.setComfort(settings.comfort);
+  written_ = settings.comfort;
   title_.reserve(level.name.size() + 64);  // so that no frame has to
   outside_.setTitle(level.name);
 }
@@ -113,6 +115,7 @@ bool WalkLoop::round() {
 void WalkLoop::take(const SDL_Event& event) {
   if (event.type == SDL_QUIT) leave();
   if (event.type == SDL_WINDOWEVENT) take(event.window);
+  if (comfortSection_.take(event, settings_.comfort)) return shown_.reset();
   if (overlay_.isOpen()) point(event);
   if (overlay_.take(event)) return;
   if (overlay_.isOpen() && lights_ && event.type == SDL_KEYDOWN && lights_->take(event.key)) return;
@@ -223,6 +226,7 @@ void WalkLoop::toggleOverlay() {
   releasePointer();
   hasAskedToSave_ = false;
   if (lights_ && overlay_.isOpen()) lights()->open();
+  comfortSection_.giveUp();
   shown_.reset();
   if (overlay_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
   captureMouse(!overlay_.isOpen() && capturesMouseAgain_);
@@ -420,6 +424,8 @@ void WalkLoop::drawOverlay(double now) {
     showView(scene_.view.mode, scene_.view.channel);
     showLights(lights_ ? &*lights_ : nullptr, *level_, scene_.camera);
     showInspector(now);
+    showComfortSection();
+    showBookmarksSection();
   };
   overlay_.draw(now, sections, picture_);
 }
@@ -446,6 +452,31 @@ void WalkLoop::showInspector(double now) {
   if (!copied) return;
   outside_.copy(*copied);
   say("copied " + *copied, now);
+}
+
+void WalkLoop::showComfortSection() {
+  const bool canBeWritten = comfortSection_.show(settings_.comfort);
+  if (settings_.comfort != controls_.comfort()) controls_.setComfort(settings_.comfort);
+  if (!canBeWritten || settings_.config.empty()) return;
+  const auto written = writeConfig(settings_.config, written_, settings_.comfort);
+  if (!written) return say(written.error());
+  written_ = settings_.comfort;
+}
+
+void WalkLoop::showBookmarksSection() {
+  const BookmarkRights rights{canJump(), settings_.writeShot != nullptr};
+  if (const auto wish = bookmarksSection_.show(settings_.bookmarks, rights)) grant(*wish);
+}
+
+void WalkLoop::grant(const BookmarkWish& wish) {
+  using What = BookmarkWish::What;
+  if (wish.what == What::Add) return bookmark(wish.name);
+  const Bookmark mark = *settings_.bookmarks.find(wish.name);
+  if (wish.what == What::GoTo) return goTo(mark);
+  const bool isRemoved = wish.what == What::Remove;
+  const auto done = isRemoved ? settings_.bookmarks.remove(wish.name) : settings_.writeShot(mark);
+  if (!done) return say(done.error());
+  say(fmt::format("{} {}", isRemoved ? "forgot" : "wrote the shot", wish.name));
 }
 
 /// The options with which `hearth shot` draws this picture.

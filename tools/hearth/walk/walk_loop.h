@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,10 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "hearth/edit/lights_editor.h"
 #include "hearth/comfort/bookmarks.h"
 #include "hearth/comfort/comfort.h"
+#include "hearth/edit/lights_editor.h"
 #include "hearth/options.h"
+#include "hearth/overlay/bookmarks_section.h"
+#include "hearth/overlay/comfort_section.h"
 #include "hearth/overlay/figures_section.h"
 #include "hearth/overlay/inspector.h"
 #include "hearth/overlay/lights_tool.h"
@@ -52,6 +54,7 @@ struct WalkSettings {
   std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
   bool canBake = false;  ///< by others, if the overlay asks for them
   Comfort comfort = {};
+  std::filesystem::path config = {};  ///< that the overlay's comfort is written into; or none
   Bookmarks bookmarks = {};
   /// Writes a bookmark into the level's file; none where there is none to be written.
   std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
@@ -142,6 +145,9 @@ class WalkLoop {
   std::optional<MarkerSpace> markerSpace() const;
   void showQualitySection();
   void showInspector(double now);
+  void showComfortSection();
+  void showBookmarksSection();
+  void grant(const BookmarkWish& wish);
   std::string cameraText() const;
 
   const Level* level_;
@@ -173,6 +179,9 @@ class WalkLoop {
   Inspector inspector_;
   bool capturesMouseAgain_ = false;  ///< once the overlay is closed
   Figures figures_;
+  ComfortSection comfortSection_;
+  BookmarksSection bookmarksSection_;
+  Comfort written_;    ///< as the user's file has it
   BakeSettings bake_;  ///< of the level at hand, by the options
   bool isChoiceNew_ = false;
   Pointer pointer_;

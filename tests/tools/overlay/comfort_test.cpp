@@ -1,0 +1,145 @@
+// The sections that let choose how a walk is steered, and where to go.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "hearth/overlay/bookmarks_section.h"
+#include "hearth/overlay/comfort_section.h"
+#include "hearth/overlay/overlay.h"
+#include "walk/stage.h"
+
+namespace hearth {
+namespace {
+
+using test::down;
+
+constexpr int kHeaderY = 17;
+constexpr int kFirstRow = 30;  // below the header
+
+/// A panel with one section alone, which is open, and a hand that clicks into it.
+class SectionTest : public testing::Test {
+ protected:
+  void open() {
+    overlay_.toggle();
+    frame();
+    left_ = overlay_.leaves(picture_.width());
+    click(left_ + 100, kHeaderY);
+  }
+  virtual void show() = 0;
+
+  void frame() {
+    overlay_.draw(
+        now_ += 0.02, [this] { show(); }, picture_);
+  }
+  void click(int x, int y) {
+    for (const Uint32 type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
+      SDL_Event event{};
+      event.type = type;
+      event.button.button = SDL_BUTTON_LEFT;
+      event.button.x = x;
+      event.button.y = y;
+      overlay_.take(event);
+      frame();
+      frame();
+    }
+  }
+
+  Overlay overlay_;
+  Image picture_{900, 900};
+  int left_ = 0;
+  double now_ = 1;
+};
+
+class ComfortSectionTest : public SectionTest {
+ protected:
+  ComfortSectionTest() { open(); }
+  void show() override { wasWritten_ |= section_.show(comfort_); }
+
+  /// Clicks down the second column until a key is waited for, and presses it.
+  bool give(SDL_Scancode key) {
+    for (int y = 110; y < 400; y += 6) {
+      click(left_ + 242, y);
+      if (section_.take(down(key), comfort_)) return true;
+    }
+    return false;
+  }
+
+  ComfortSection section_;
+  Comfort comfort_;
+  bool wasWritten_ = false;
+};
+
+TEST_F(ComfortSectionTest, GivesAnActionTheKeyThatIsPressed) {
+  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F9), comfort_)) << "no key is waited for yet";
+  ASSERT_TRUE(give(SDL_SCANCODE_F9));
+  EXPECT_TRUE(comfort_.keys.actionOf(SDL_SCANCODE_F9));
+  frame();
+  EXPECT_TRUE(wasWritten_);
+  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F8), comfort_)) << "only one";
+}
+
+TEST_F(ComfortSectionTest, TakesAKeyFromTheActionThatHadIt) {
+  ASSERT_EQ(comfort_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
+  ASSERT_TRUE(give(SDL_SCANCODE_H));
+  EXPECT_NE(comfort_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
+  EXPECT_TRUE(comfort_.keys.keysOf(Action::Keys).empty());
+}
+
+TEST_F(ComfortSectionTest, LeavesAllAsItWasWithEsc) {
+  ASSERT_TRUE(give(SDL_SCANCODE_ESCAPE));
+  EXPECT_EQ(comfort_, Comfort{});
+  frame();
+  EXPECT_FALSE(wasWritten_);
+}
+
+TEST_F(ComfortSectionTest, ChangesNothingByItself) {
+  comfort_.degreesPerPixel = 3.456;
+  for (int i = 0; i < 4; ++i) frame();
+  EXPECT_EQ(comfort_.degreesPerPixel, 3.456);
+  EXPECT_FALSE(wasWritten_);
+}
+
+TEST_F(ComfortSectionTest, HasASliderForTheMouse) {
+  click(left_ + 400, kFirstRow + 10);
+  EXPECT_GT(comfort_.degreesPerPixel, 0.3);
+  EXPECT_TRUE(wasWritten_);
+}
+
+class BookmarksSectionTest : public SectionTest {
+ protected:
+  BookmarksSectionTest() {
+    static_cast<void>(bookmarks_.add({"door", "hall", {1, 2, 3}}));
+    open();
+  }
+  void show() override {
+    if (const auto wish = section_.show(bookmarks_, rights_)) wish_ = wish;
+  }
+  /// Clicks along the row of the bookmark until something is asked for.
+  std::optional<BookmarkWish> wishFrom(int begin) {
+    wish_.reset();
+    for (int x = begin; x < begin + 40 && !wish_; x += 8) click(left_ + x, 62);
+    return wish_;
+  }
+
+  BookmarksSection section_;
+  Bookmarks bookmarks_;
+  BookmarkRights rights_{true, true};
+  std::optional<BookmarkWish> wish_;
+};
+
+TEST_F(BookmarksSectionTest, AsksToGoToABookmark) {
+  ASSERT_TRUE(wishFrom(10));
+  EXPECT_EQ(wish_->what, BookmarkWish::What::GoTo);
+  EXPECT_EQ(wish_->name, "door");
+}
+
+TEST_F(BookmarksSectionTest, AsksForNothingThatCannotBeHad) {
+  rights_ = {};
+  for (int x = 10; x < 130; x += 8) click(left_ + x, 62);
+  EXPECT_FALSE(wish_);
+}
+
+}  // namespace
+}  // namespace hearth
