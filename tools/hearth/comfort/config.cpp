@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "hearth/json_edit.h"
+#include "hearth/edit/json_edit.h"
 #include "image/replace_file.h"
 #include "load/fields.h"
 #include "load/read_document.h"
@@ -115,7 +115,7 @@ std::string namesOf(const std::vector<SDL_Scancode>& keys) {
 
 std::string edited(std::string json, const Comfort& before, const Comfort& after) {
   const auto set = [&json](const auto& path, const std::string& value) {
-    json = withMember(json, path, value);
+    json = withValueAt(json, path, value);
   };
   for (const ActionRow& row : actionTable())
     if (const auto& keys = after.keys.keysOf(row.action); keys != before.keys.keysOf(row.action))

@@ -38,18 +38,6 @@ std::size_t bracketEnd(std::string_view json, std::size_t begin) {
   return at;
 }
 
-TextRange valueAt(std::string_view json, std::size_t begin) {
-  switch (json[begin]) {
-    case '"':
-      return {begin, stringEnd(json, begin)};
-    case '[':
-    case '{':
-      return {begin, bracketEnd(json, begin)};
-    default:
-      return {begin, std::min(json.find_first_of(" \t\r\n,]}", begin), json.size())};
-  }
-}
-
 /// Where the next element or member begins behind one that ends at `end`.
 std::size_t nextAfter(std::string_view json, std::size_t end) {
   const std::size_t at = skipBlanks(json, end);
@@ -120,13 +108,6 @@ std::string spelled(const std::vector<SpelledMember>& members, const ObjectManne
   return text + manner.close + "}";
 }
 
-/// The blanks of a line break and what follows; of several line breaks, the last.
-std::string_view fromLastLine(std::string_view blanks) {
-  const std::size_t feed = blanks.rfind('\n');
-  if (feed == std::string_view::npos) return blanks;
-  return blanks.substr(feed > 0 && blanks[feed - 1] == '\r' ? feed - 1 : feed);
-}
-
 /// The line break before an object that stands alone in the array, and the one behind it: empty in
 /// a text of one line.
 struct Lines {
@@ -154,6 +135,31 @@ Replacement withFirstObject(std::string_view json, std::size_t array,
 }
 
 }  // namespace
+
+std::size_t rootOf(std::string_view json) { return skipBlanks(json, 0); }
+
+TextRange valueAt(std::string_view json, std::size_t begin) {
+  switch (json[begin]) {
+    case '"':
+      return {begin, stringEnd(json, begin)};
+    case '[':
+    case '{':
+      return {begin, bracketEnd(json, begin)};
+    default:
+      return {begin, std::min(json.find_first_of(" \t\r\n,]}", begin), json.size())};
+  }
+}
+
+std::string_view blanksBefore(std::string_view json, std::size_t end) {
+  const std::string_view before = json.substr(0, end);
+  return before.substr(before.find_last_not_of(kBlanks) + 1);  // npos + 1 is the begin
+}
+
+std::string_view lastLineOf(std::string_view blanks) {
+  const std::size_t feed = blanks.rfind('\n');
+  if (feed == std::string_view::npos) return blanks;
+  return blanks.substr(feed > 0 && blanks[feed - 1] == '\r' ? feed - 1 : feed);
+}
 
 std::vector<MemberRange> membersAt(std::string_view json, std::size_t object) {
   std::vector<MemberRange> members;
@@ -209,7 +215,7 @@ Replacement withObject(std::string_view json, std::size_t array,
   const std::size_t before =
       elements.size() > 1 ? json.find(',', elements[elements.size() - 2].end) : array;
   const std::string_view blanks = json.substr(before + 1, last.begin - before - 1);
-  return {last.end, "", fmt::format(",{}{}", fromLastLine(blanks), spelled(members, manner))};
+  return {last.end, "", fmt::format(",{}{}", lastLineOf(blanks), spelled(members, manner))};
 }
 
 Replacement withoutElement(std::string_view json, std::size_t array, std::size_t index) {

@@ -16,6 +16,15 @@ struct TextRange {
   std::string_view of(std::string_view text) const { return text.substr(begin, end - begin); }
 };
 
+/// Where the text's one value begins.
+std::size_t rootOf(std::string_view json);
+/// The value that begins at `begin`.
+TextRange valueAt(std::string_view json, std::size_t begin);
+/// What of the text before `end` is blank.
+std::string_view blanksBefore(std::string_view json, std::size_t end);
+/// Of blanks the last line break and what follows; all of them without one.
+std::string_view lastLineOf(std::string_view blanks);
+
 struct MemberRange {
   std::string name;
   TextRange key;  ///< with its quotes

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "hearth/json_edit.h"
+#include "hearth/edit/json_edit.h"
 #include "image/read_file.h"
 #include "image/replace_file.h"
 
@@ -48,7 +48,7 @@ tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookm
   text.remove_prefix(mark.size());
   if (std::hash<std::string_view>{}(text) != loaded.textHash)
     return failure("has changed since it was loaded; try again once it is shown as it is");
-  const std::string edited = withElement(text, "shots", "sectors", shotText(bookmark));
+  const std::string edited = withElementIn(text, "shots", "sectors", shotText(bookmark));
   return replaceFile(loaded.path, [&](std::ostream& stream) {
     stream << mark << edited;
     return stream.good();
