@@ -607,6 +607,11 @@ class KeptBakes(InFolder):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return self.out.read_bytes()
 
+    def test_show_what_is_baked_for_one_picture_alone(self):
+        for options in [(), ("--pixel-size", "5"), ("--precision", "single"), ("--samples", "auto"),
+                        ("--channel", "light"), ("--channel", "light", "--pixel-size", "50")]:
+            self.assertEqual(self.draw("--no-cache", *options), self.draw(*options), options)
+
     def test_are_drawn_with_instead_of_baking(self):
         picture = self.draw()
         [kept] = self.kept()
