@@ -72,7 +72,7 @@ constexpr std::array kListed = {
     ListedActions{Action::ShowBoth, Action::ShowLight, "textures and light, one alone"},
     ListedActions{Action::Map, Action::ZoomOut, "map of what was seen, its zoom"},
     ListedActions{Action::Bookmark, Action::NextBookmark, "bookmark here, go to the next"},
-    ListedActions{Action::Overlay, Action::Overlay, "overlay: figures, settings"},
+    ListedActions{Action::Overlay, Action::Overlay, "overlay: lights, why it is dark"},
     ListedActions{Action::FullScreen, Action::FullScreen, "full screen, or window again"},
     ListedActions{Action::Screenshot, Action::Screenshot, "save the picture as a PNG"},
     ListedActions{Action::Keys, Action::Keys, "show these keys"},
