@@ -375,7 +375,7 @@ def rebinds_a_key_in_the_overlay(display, hearth, level, folder):
         display.do("key", "F1")
         right = walk.geometry()[2]
         # Closes two sections, opens Comfort, and takes the key of stepping to the left.
-        for x, y in [(100, 17), (100, 41), (100, 87), (228, 244)]:
+        for x, y in [(100, 17), (100, 41), (100, 133), (228, 290)]:
             time.sleep(0.5)
             display.do("mousemove", "--window", walk.window, str(right - x), str(y))
             time.sleep(0.5)
