@@ -23,8 +23,9 @@ constexpr std::array kTable = {
               "the player's", "where the eye is (metres) and looks (degrees; pitch -60..60)"},
     OptionRow{Option::Sector, "--sector", ValueKind::Text, "NAME", 0, 0, "found from the position",
               "the sector that the camera is in"},
-    OptionRow{Option::Shot, "--shot", ValueKind::Text, "NAME", 0, 0, "",
-              "the camera, field of view and size of one of the level's shots"},
+    OptionRow{
+        Option::Shot, "--shot", ValueKind::Text, "NAME", 0, 0, "",
+        "the camera and field of view of one of the level's shots; `shot` takes its size, too"},
     OptionRow{Option::Size, "--size", ValueKind::Text, "WxH", 1, kMaxPictureSide,
               "320x200; in a window, as large as that", "size of the picture in pixels"},
     OptionRow{Option::Fov, "--fov", ValueKind::Number, "DEGREES", 1, 179, "90",

@@ -61,7 +61,6 @@ tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& 
   if (!camera) return tl::unexpected(camera.error());
   plan.start = {level[camera->sector].name, camera->eye, camera->angle, camera->pitch};
   plan.settings.fov = camera->fov;
-  if (values.has(Option::Shot)) plan.settings.size = {camera->width, camera->height};
   return plan;
 }
 
