@@ -17,8 +17,12 @@ namespace hearth {
 
 namespace {
 
-/// So that no thread has to wait long for one whose strips are dearer.
-constexpr int kPartsPerThread = 4;
+/// Into how many parts threads divide so many strips: several to each thread, so that none has to
+/// wait long for one whose strips are dearer.
+int partsOf(int strips, int threads) {
+  constexpr int kPartsPerThread = 4;
+  return threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
+}
 
 void findClimbs(std::vector<double>& climbs, const Projection& projection, int height) {
   climbs.clear();
@@ -42,7 +46,7 @@ void fit(Image& picture, const Camera& camera) {
 /// Into parts of about as many strips, which threads take.
 void divideColumns(std::vector<FrameColumns>& parts, int width, int threads) {
   const int strips = Strip::countIn(width);
-  const int count = threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
+  const int count = partsOf(strips, threads);
   parts.resize(static_cast<std::size_t>(count));
   const auto columnOf = [&](int part) {
     return std::min(width, strips * part / count * Strip::kColumns);
@@ -58,7 +62,7 @@ void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int thr
                  Paint&& paint) {
   const int strips = Strip::countIn(squaresIn(widthOf(picture), pixelSize));
   const int rows = squaresIn(heightOf(picture), pixelSize);
-  const int parts = threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
+  const int parts = partsOf(strips, threads);
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
   scratch.stripsPainted.assign(static_cast<std::size_t>(parts), {});

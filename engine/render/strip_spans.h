@@ -40,8 +40,7 @@ class StripSpans {
 
   int firstStrip_ = 0;
   std::vector<Span> sorted_;
-  std::vector<std::size_t>
-      begin_;  ///< of strip i are [begin_[i], begin_[i + 1]), from the first on
+  std::vector<std::size_t> begin_;  ///< of the i-th are [begin_[i], begin_[i + 1])
 };
 
 }  // namespace hearth
