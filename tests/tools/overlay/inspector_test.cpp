@@ -53,7 +53,8 @@ class InspectorTest : public testing::Test {
         now_ += 0.02,
         [this] {
           const auto copied = inspector_.show(
-              {place_.level, renderer_, place_.level.bake, &sourced_.source}, camera_);
+              {place_.level, renderer_, place_.level.bake, &sourced_.source, isInPicture_},
+              camera_);
           if (copied) copied_.insert(*copied);
         },
         picture_);
@@ -87,6 +88,7 @@ class InspectorTest : public testing::Test {
   Camera camera_;
   Overlay overlay_;
   Inspector inspector_;
+  bool isInPicture_ = true;
   Image picture_;
   double now_ = 1;
   std::set<std::string> copied_;
@@ -104,6 +106,22 @@ TEST_F(InspectorTest, IsOpenedByAClickIntoThePictureWhichPins) {
   expectFoundAt(300, 400);
   clickAt(400, 300);
   expectFoundAt(400, 300);
+}
+
+TEST_F(InspectorTest, DrawsRaysOnlyOverWhatTheCameraSees) {
+  const Image level = renderer_.draw(camera_, LightMode::Both);
+  const auto isDrawnOver = [&] {
+    frame();
+    for (int y = 0; y < camera_.height; ++y)
+      for (int x = 0; x < overlay_.leaves(camera_.width); ++x)
+        if (picture_.at(x, y) != level.at(x, y)) return true;
+    return false;
+  };
+  clickAt(300, 400);
+  EXPECT_TRUE(isDrawnOver());
+  isInPicture_ = false;
+  EXPECT_FALSE(isDrawnOver());
+  EXPECT_TRUE(inspector_.found()) << "the panel tells it still";
 }
 
 TEST_F(InspectorTest, FollowsThePointerWhereNothingIsPinned) {

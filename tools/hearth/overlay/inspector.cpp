@@ -78,7 +78,7 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
   const Texture& texture = in.renderer.texture(found_->place.texture->texture);
   const InspectorRequest asked =
       showInspection(*found_, {in.level, texture, in.source}, pinned_.has_value());
-  drawLightRays(*found_, asked.light, in.level, camera);
+  if (in.isInPicture) drawLightRays(*found_, asked.light, in.level, camera);
   if (asked.letsGo) letGo();
   return asked.copied;
 }

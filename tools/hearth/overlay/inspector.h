@@ -17,6 +17,7 @@ struct InspectedLevel {
   const Renderer& renderer;
   const BakeSettings& settings;  ///< of its bake
   const LevelSource* source;     ///< the way back to its files, if there is one
+  bool isInPicture = true;       ///< as the camera sees it; else there is nowhere for rays
 };
 
 /// A section of the overlay: what the pointer is at in the picture, and why it is as light as it

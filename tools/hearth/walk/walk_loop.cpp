@@ -140,8 +140,11 @@ void WalkLoop::point(const SDL_Event& event) {
   const std::optional<MarkerSpace> space = markerSpace();
   const bool isOfLight =
       pointed && space && lights_ && lights_->take(*pointed, *space, scene_.camera.height);
-  const bool showsLevel = !scene_.view.isMapShown && isOfCamera(scene_.view.channel);
-  inspector_.take(event, showsLevel && !isOfLight ? panelLeft : 0);
+  inspector_.take(event, showsLevel() && !isOfLight ? panelLeft : 0);
+}
+
+bool WalkLoop::showsLevel() const {
+  return !scene_.view.isMapShown && isOfCamera(scene_.view.channel);
 }
 
 void WalkLoop::releasePointer() {
@@ -448,7 +451,8 @@ void WalkLoop::showQualitySection() {
 }
 
 void WalkLoop::showInspector(double now) {
-  const auto copied = inspector_.show({*level_, *renderer_, bake_, source_.get()}, scene_.camera);
+  const InspectedLevel level{*level_, *renderer_, bake_, source_.get(), showsLevel()};
+  const auto copied = inspector_.show(level, scene_.camera);
   if (!copied) return;
   outside_.copy(*copied);
   say("copied " + *copied, now);

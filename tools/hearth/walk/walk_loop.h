@@ -115,6 +115,7 @@ class WalkLoop {
   void take(const SDL_Event& event);
   void take(const SDL_WindowEvent& event);
   void point(const SDL_Event& event);
+  bool showsLevel() const;
   void releasePointer();
   void act(Action action);
   void leave();
