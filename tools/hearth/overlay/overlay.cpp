@@ -22,9 +22,6 @@ constexpr int kHeightPerScale = 720;
 /// Of the panel, in letters.
 constexpr float kPanelLetters = 62;
 
-/// ImGui answers an event a frame later, and lays a panel out anew in the one after that.
-constexpr int kFramesToSettle = 3;
-
 /// What no event tells: progress, memory, figures.
 constexpr double kRefreshSeconds = 0.25;
 
@@ -119,7 +116,7 @@ void Overlay::begin(int scale) {
 
 void Overlay::toggle() {
   isOpen_ = !isOpen_;
-  framesLeft_ = kFramesToSettle;
+  refresh();
   release();
 }
 
@@ -135,7 +132,7 @@ void Overlay::release() {
 
 bool Overlay::take(const SDL_Event& event) {
   if (!isOpen_) return false;
-  framesLeft_ = kFramesToSettle;
+  refresh();
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
   switch (event.type) {

@@ -30,6 +30,9 @@ class Overlay {
   /// field. Positions are in pixels of the picture. Takes nothing while closed.
   bool take(const SDL_Event& event);
 
+  /// What it shows has changed, though it took no event.
+  void refresh() { framesLeft_ = kFramesToSettle; }
+
   /// Whether it may look otherwise than when it was drawn last; `now` in seconds.
   bool isStale(double now) const;
 
@@ -56,6 +59,9 @@ class Overlay {
   int panelWidth_ = 0;  ///< pixels
   double drawn_ = 0;    ///< when that was, in seconds
   bool hasPopup_ = false;
+
+  /// ImGui answers an event a frame later, and lays a panel out anew in the one after that.
+  static constexpr int kFramesToSettle = 3;
   int framesLeft_ = 0;  ///< until what has happened is settled
 
   static constexpr int kButtons = 3;

@@ -9,9 +9,6 @@
 
 #include "hearth/channels.h"
 #include "hearth/comfort/config.h"
-#include "hearth/overlay/lights_section.h"
-#include "hearth/overlay/quality_section.h"
-#include "hearth/overlay/view_section.h"
 #include "hearth/session.h"
 #include "hearth/shell_text.h"
 #include "hearth/walk/captions.h"
@@ -59,7 +56,7 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, Journey& journe
       outside_(outside),
       settings_(settings),
       seen_(level),
-      bake_(bakeSettingsFrom(level, settings.options)) {
+      panel_(bakeSettingsFrom(level, settings.options)) {
   scene_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);
   controls_.setComfort(settings.comfort);
@@ -74,7 +71,7 @@ void WalkLoop::goOnIn(const Level& level, const Renderer& renderer,
   renderer_ = &renderer;
   source_ = std::move(source);
   seen_ = SeenSectors(level, seen_);
-  inspector_.forget();
+  panel_.forget();
   shown_.reset();
 }
 
@@ -89,8 +86,7 @@ std::optional<OptionValues> WalkLoop::takeChoice() {
 }
 
 void WalkLoop::editLights(const std::filesystem::path& file) {
-  if (lights_ && (lights()->file() == file || lights()->isUnsaved())) return;
-  lights_.emplace(file, limitsFrom(settings_.options));
+  panel_.editLights(file, limitsFrom(settings_.options));
 }
 
 void WalkLoop::setNotes(std::vector<std::string> mistakes,
@@ -115,10 +111,7 @@ bool WalkLoop::round() {
 void WalkLoop::take(const SDL_Event& event) {
   if (event.type == SDL_QUIT) leave();
   if (event.type == SDL_WINDOWEVENT) take(event.window);
-  if (comfortSection_.take(event, settings_.comfort)) return shown_.reset();
-  if (overlay_.isOpen()) point(event);
-  if (overlay_.take(event)) return;
-  if (overlay_.isOpen() && lights_ && event.type == SDL_KEYDOWN && lights_->take(event.key)) return;
+  if (panel_.take(event, panelScene(), settings_.comfort)) return;
   if (event.type == SDL_MOUSEBUTTONDOWN) captureMouse(true);
   if (const std::optional<Action> action = controls_.take(event)) act(*action);
 }
@@ -127,29 +120,9 @@ void WalkLoop::take(const SDL_WindowEvent& event) {
   shown_.reset();
   if (event.event != SDL_WINDOWEVENT_FOCUS_LOST) return;
   controls_.release();
-  releasePointer();
+  panel_.releasePointer();
   captureMouse(false);
   capturesMouseAgain_ = false;
-}
-
-/// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
-/// about what shows there.
-void WalkLoop::point(const SDL_Event& event) {
-  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene_.size.width);
-  const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
-  const std::optional<MarkerSpace> space = markerSpace();
-  const bool isOfLight =
-      pointed && space && lights_ && lights_->take(*pointed, *space, scene_.camera.height);
-  inspector_.take(event, showsLevel() && !isOfLight ? panelLeft : 0);
-}
-
-bool WalkLoop::showsLevel() const {
-  return !scene_.view.isMapShown && isOfCamera(scene_.view.channel);
-}
-
-void WalkLoop::releasePointer() {
-  pointer_.release();
-  if (lights_) lights_->release();
 }
 
 void WalkLoop::act(Action action) {
@@ -184,7 +157,7 @@ void WalkLoop::act(Action action) {
       shown_.reset();
       break;
     case Action::Overlay:
-      toggleOverlay();
+      togglePanel();
       break;
     case Action::Bookmark:
       bookmark(settings_.bookmarks.freeName());
@@ -193,8 +166,8 @@ void WalkLoop::act(Action action) {
       goToNextBookmark();
       break;
     case Action::Leave:
-      if (overlay_.isOpen() && inspector_.letGo()) break;
-      if (overlay_.isOpen()) return toggleOverlay();
+      if (panel_.letGo()) break;
+      if (panel_.isOpen()) return togglePanel();
       if (!controls_.isMouseCaptured()) leave();
       captureMouse(false);
       break;
@@ -205,7 +178,7 @@ void WalkLoop::act(Action action) {
 
 /// Asks once where that loses edits.
 void WalkLoop::leave() {
-  hasLeft_ = hasAskedToSave_ || !lights_ || !lights()->isUnsaved();
+  hasLeft_ = hasAskedToSave_ || !panel_.hasUnsavedLights();
   if (hasLeft_) return;
   hasAskedToSave_ = true;
   say("lights are not saved: F1 and Ctrl+S save them, leaving again drops them",
@@ -224,15 +197,12 @@ void WalkLoop::captureMouse(bool isCaptured) {
 }
 
 /// The panel needs the mouse; the walk gets it back where it had it.
-void WalkLoop::toggleOverlay() {
-  overlay_.toggle();
-  releasePointer();
+void WalkLoop::togglePanel() {
+  panel_.toggle();
   hasAskedToSave_ = false;
-  if (lights_ && overlay_.isOpen()) lights()->open();
-  comfortSection_.giveUp();
   shown_.reset();
-  if (overlay_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
-  captureMouse(!overlay_.isOpen() && capturesMouseAgain_);
+  if (panel_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
+  captureMouse(!panel_.isOpen() && capturesMouseAgain_);
 }
 
 // --- Bookmarks ---------------------------------------------------------------------------------
@@ -315,7 +285,7 @@ void WalkLoop::awaitScreenshots() {
 /// Of geometry the panel covers nothing, if it leaves any room.
 Camera WalkLoop::cameraIn(PictureSize picture) const {
   const Eye eye = journey_.eye(shareOfTick_, settings_.comfort.viewBob);
-  const int beside = isGeometry(scene_.view.channel) ? overlay_.leaves(picture.width) : 0;
+  const int beside = isGeometry(scene_.view.channel) ? panel_.leaves(picture.width) : 0;
   return {eye.sector,    eye.point,     eye.angle,
           eye.pitch,     settings_.fov, beside > 0 ? beside : picture.width,
           picture.height};
@@ -327,7 +297,7 @@ void WalkLoop::drawOrRest(double now) {
     scene_.size = settings_.size.value_or(*window);
     scene_.camera = cameraIn(scene_.size);
   }
-  if (!window || (shown_ == scene_ && !overlay_.isStale(now))) return outside_.rest(kTickSeconds);
+  if (!window || (shown_ == scene_ && !panel_.isStale(now))) return outside_.rest(kTickSeconds);
   const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
   const double wait = nextFrame_ - now;
   if (wait > 0 && wait <= period) return outside_.rest(std::min(wait, kTickSeconds));
@@ -363,7 +333,7 @@ void WalkLoop::drawImage(double now) {
   widen(picture_, scene_.size.width);
   seeWhatIsDrawn();
   drawCaptions();
-  drawOverlay(now);
+  drawPanel(now);
   parts.cover = lap();
   count(now, begin);
   outside_.show(picture_);
@@ -398,7 +368,7 @@ void WalkLoop::count(double begin, double end) {
 /// Whether a frame is kept as a picture, or something is drawn over it.
 bool WalkLoop::isCovered() const {
   const WalkView& view = scene_.view;
-  return wantsScreenshot_ || overlay_.isOpen() || view.isMapShown || view.areKeysShown ||
+  return wantsScreenshot_ || panel_.isOpen() || view.isMapShown || view.areKeysShown ||
          !view.channel.empty() || !scene_.notes.empty() || !scene_.message.empty();
 }
 
@@ -406,31 +376,33 @@ bool WalkLoop::isCovered() const {
 void WalkLoop::drawCaptions() {
   if (scene_.view.isMapShown)
     drawAutomap(picture_, *level_, seen_, journey_.eye(shareOfTick_), scene_.view.mapMetres);
-  if (const auto space = markerSpace(); lights_ && overlay_.isOpen() && space)
-    lights_->draw(*level_, scene_.camera, *space, picture_);
-  if (scene_.view.areKeysShown && !overlay_.isOpen())
+  panel_.drawMarks(panelScene(), picture_);
+  if (scene_.view.areKeysShown && !panel_.isOpen())
     drawKeys(picture_, keyList(settings_.comfort.keys));
-  const int width = overlay_.leaves(picture_.width());
+  const int width = panel_.leaves(picture_.width());
   if (!scene_.notes.empty() && width > 0) drawNotes(picture_, scene_.notes, width);
   if (!scene_.message.empty()) drawMessage(picture_, scene_.message);
 }
 
-void WalkLoop::drawOverlay(double now) {
-  if (!overlay_.isOpen()) return;
+// --- The panel -----------------------------------------------------------------------------------
+
+void WalkLoop::drawPanel(double now) {
+  if (!panel_.isOpen()) return;
   const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
   figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
-  if (settings_.canBake) bake_ = bakeSettingsFrom(*level_, settings_.options);
-  const auto sections = [this, now] {
-    showFigures(figures_);
-    showQualitySection();
-    showView(scene_.view.mode, scene_.view.channel);
-    showLights(lights_ ? &*lights_ : nullptr, *level_, scene_.camera);
-    showInspector(now);
-    showComfortSection();
-    showBookmarksSection();
-  };
-  overlay_.draw(now, sections, picture_);
+  grant(panel_.draw(now, panelScene(), figures_, settings_, scene_.view, picture_), now);
+}
+
+PanelScene WalkLoop::panelScene() const {
+  return {*level_,
+          *renderer_,
+          source_.get(),
+          scene_.camera,
+          scene_.size,
+          markerSpace(),
+          !scene_.view.isMapShown && isOfCamera(scene_.view.channel),
+          {canJump(), settings_.writeShot != nullptr}};
 }
 
 /// None while the picture shows neither what the camera sees nor the map.
@@ -442,34 +414,15 @@ std::optional<MarkerSpace> WalkLoop::markerSpace() const {
   return isOfCamera(view.channel) ? std::optional(MarkerSpace(scene_.camera)) : std::nullopt;
 }
 
-void WalkLoop::showQualitySection() {
-  QualityChoice choice{settings_.options, settings_.fov, settings_.frameCap};
-  if (showQuality({level_->bake, bake_, renderer_->settings(), settings_.canBake}, choice))
-    choose(choice.options);
-  settings_.fov = choice.fov;
-  settings_.frameCap = choice.frameCap;
-}
-
-void WalkLoop::showInspector(double now) {
-  const InspectedLevel level{*level_, *renderer_, bake_, source_.get(), showsLevel()};
-  const auto copied = inspector_.show(level, scene_.camera);
-  if (!copied) return;
-  outside_.copy(*copied);
-  say("copied " + *copied, now);
-}
-
-void WalkLoop::showComfortSection() {
-  const bool canBeWritten = comfortSection_.show(settings_.comfort);
+void WalkLoop::grant(const PanelWishes& wishes, double now) {
+  isChoiceNew_ |= wishes.areOptionsNew;
+  if (wishes.copied) {
+    outside_.copy(*wishes.copied);
+    say("copied " + *wishes.copied, now);
+  }
   if (settings_.comfort != controls_.comfort()) controls_.setComfort(settings_.comfort);
-  if (!canBeWritten || settings_.config.empty()) return;
-  const auto written = writeConfig(settings_.config, written_, settings_.comfort);
-  if (!written) return say(written.error());
-  written_ = settings_.comfort;
-}
-
-void WalkLoop::showBookmarksSection() {
-  const BookmarkRights rights{canJump(), settings_.writeShot != nullptr};
-  if (const auto wish = bookmarksSection_.show(settings_.bookmarks, rights)) grant(*wish);
+  if (wishes.isComfortNew) writeComfort();
+  if (wishes.bookmark) grant(*wishes.bookmark);
 }
 
 void WalkLoop::grant(const BookmarkWish& wish) {
@@ -481,6 +434,13 @@ void WalkLoop::grant(const BookmarkWish& wish) {
   const auto done = isRemoved ? settings_.bookmarks.remove(wish.name) : settings_.writeShot(mark);
   if (!done) return say(done.error());
   say(fmt::format("{} {}", isRemoved ? "forgot" : "wrote the shot", wish.name));
+}
+
+void WalkLoop::writeComfort() {
+  if (settings_.config.empty()) return;
+  const auto written = writeConfig(settings_.config, written_, settings_.comfort);
+  if (!written) return say(written.error());
+  written_ = settings_.comfort;
 }
 
 /// The options with which `hearth shot` draws this picture.

@@ -1,65 +1,29 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "hearth/comfort/bookmarks.h"
-#include "hearth/comfort/comfort.h"
-#include "hearth/edit/lights_editor.h"
 #include "hearth/options.h"
-#include "hearth/overlay/bookmarks_section.h"
-#include "hearth/overlay/comfort_section.h"
 #include "hearth/overlay/figures_section.h"
-#include "hearth/overlay/inspector.h"
-#include "hearth/overlay/lights_tool.h"
 #include "hearth/overlay/marker_space.h"
-#include "hearth/overlay/overlay.h"
-#include "hearth/overlay/pointer.h"
 #include "hearth/walk/automap.h"
 #include "hearth/walk/controls.h"
 #include "hearth/walk/frame_rate.h"
 #include "hearth/walk/journey.h"
 #include "hearth/walk/outside.h"
 #include "hearth/walk/screenshots.h"
+#include "hearth/walk/walk_panel.h"
+#include "hearth/walk/walk_settings.h"
 #include "load/source.h"
 #include "render/renderer.h"
 #include "walk/walk_clock.h"
 
 namespace hearth {
-
-/// What shows over and of the picture, as keys change it.
-struct WalkView {
-  LightMode mode = LightMode::Both;
-  std::string_view channel = {};  ///< the name of one to show instead; else empty
-  bool isMapShown = false;
-  double mapMetres = kFirstMapMetres;
-  bool areKeysShown = false;
-
-  friend bool operator==(const WalkView&, const WalkView&) = default;
-};
-
-struct WalkSettings {
-  std::optional<PictureSize> size = {};  ///< of the picture; without it that of the window
-  double fov = 90;                       ///< degrees, horizontal
-  double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
-  WalkView view = {};
-  OptionValues options = {};                             ///< by which the level is lit and drawn
-  std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
-  bool canBake = false;  ///< by others, if the overlay asks for them
-  Comfort comfort = {};
-  std::filesystem::path config = {};  ///< that the overlay's comfort is written into; or none
-  Bookmarks bookmarks = {};
-  /// Writes a bookmark into the level's file; none where there is none to be written.
-  std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
-  std::vector<std::string> notes = {};  ///< that stand over the picture at first
-};
 
 /// A walk, round by round: events, the ticks that are due, a picture where it would be another
 /// than the last. Waits for nothing but that the window takes the picture, and rests while nothing
@@ -86,7 +50,7 @@ class WalkLoop {
   void choose(const OptionValues& options);
 
   /// The lights as they are edited, if they can be. Their owner sees to the rest.
-  LightsEditor* lights() { return lights_ ? &lights_->editor() : nullptr; }
+  LightsEditor* lights() { return panel_.lights(); }
   /// From now on the lights of this file, unless there are edits of the one before.
   void editLights(const std::filesystem::path& file);
 
@@ -114,14 +78,11 @@ class WalkLoop {
 
   void take(const SDL_Event& event);
   void take(const SDL_WindowEvent& event);
-  void point(const SDL_Event& event);
-  bool showsLevel() const;
-  void releasePointer();
   void act(Action action);
   void leave();
   void show(LightMode mode);
   void captureMouse(bool isCaptured);
-  void toggleOverlay();
+  void togglePanel();
   void bookmark(const std::string& name);
   void goToNextBookmark();
   void goTo(const Bookmark& bookmark);
@@ -142,13 +103,12 @@ class WalkLoop {
   void count(double begin, double end);
   bool isCovered() const;
   void drawCaptions();
-  void drawOverlay(double now);
+  void drawPanel(double now);
+  PanelScene panelScene() const;
   std::optional<MarkerSpace> markerSpace() const;
-  void showQualitySection();
-  void showInspector(double now);
-  void showComfortSection();
-  void showBookmarksSection();
+  void grant(const PanelWishes& wishes, double now);
   void grant(const BookmarkWish& wish);
+  void writeComfort();
   std::string cameraText() const;
 
   const Level* level_;
@@ -176,17 +136,11 @@ class WalkLoop {
   FrameScratch scratch_;
   Image picture_;
   SeenSectors seen_;
-  Overlay overlay_;
-  Inspector inspector_;
-  bool capturesMouseAgain_ = false;  ///< once the overlay is closed
+  WalkPanel panel_;
+  bool capturesMouseAgain_ = false;  ///< once the panel is closed
   Figures figures_;
-  ComfortSection comfortSection_;
-  BookmarksSection bookmarksSection_;
-  Comfort written_;    ///< as the user's file has it
-  BakeSettings bake_;  ///< of the level at hand, by the options
+  Comfort written_;  ///< as the user's file has it
   bool isChoiceNew_ = false;
-  Pointer pointer_;
-  std::optional<LightsTool> lights_;
   bool hasAskedToSave_ = false;
   FrameRate rate_;
   std::string title_;

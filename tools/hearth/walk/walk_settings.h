@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "hearth/comfort/bookmarks.h"
+#include "hearth/comfort/comfort.h"
+#include "hearth/options.h"
+#include "hearth/walk/automap.h"
+#include "render/draw_settings.h"
+
+namespace hearth {
+
+/// What shows over and of the picture, as keys change it.
+struct WalkView {
+  LightMode mode = LightMode::Both;
+  std::string_view channel = {};  ///< the name of one to show instead; else empty
+  bool isMapShown = false;
+  double mapMetres = kFirstMapMetres;
+  bool areKeysShown = false;
+
+  friend bool operator==(const WalkView&, const WalkView&) = default;
+};
+
+struct WalkSettings {
+  std::optional<PictureSize> size = {};  ///< of the picture; without it that of the window
+  double fov = 90;                       ///< degrees, horizontal
+  double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
+  WalkView view = {};
+  OptionValues options = {};                             ///< by which the level is lit and drawn
+  std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
+  bool canBake = false;  ///< by others, if the overlay asks for them
+  Comfort comfort = {};
+  std::filesystem::path config = {};  ///< that the overlay's comfort is written into; or none
+  Bookmarks bookmarks = {};
+  /// Writes a bookmark into the level's file; none where there is none to be written.
+  std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
+  std::vector<std::string> notes = {};  ///< that stand over the picture at first
+};
+
+}  // namespace hearth
