@@ -245,18 +245,29 @@ def panel_rows(display, walk):
     return [row for row in rows if b"\xff\xff\xff" * 3 in row]
 
 
+# Where the tabs of the panel are, in pixels left of the right edge.
+TABS = {"Light": 435, "Quality": 350, "Comfort": 220, "Bookmarks": 150}
+
+
+def turn_to(display, walk, page):
+    right = walk.geometry()[2]
+    display.do("mousemove", "--window", walk.window, str(right - TABS[page]), "17")
+    settled(display)
+    display.do("click", "1")
+    settled(display)
+
+
 def opens_the_overlay(display, walk):
     """F1 opens a panel at the right, which has the mouse until it is closed."""
     plain = settled(display)
     expect_change(display, "F1 opens the overlay", lambda: display.do("key", "F1"))
     width = walk.geometry()[2]
-    display.do("mousemove", "--window", walk.window, str(width - 100), "17")
     settled(display)
     rows = panel_rows(display, walk)
-    display.do("click", "1")
-    wait_for("a click on its title closes a section",
-             lambda: len(panel_rows(display, walk)) < len(rows))
-    display.do("click", "1")
+    turn_to(display, walk, "Comfort")
+    wait_for("a click on a tab shows its page",
+             lambda: len(panel_rows(display, walk)) > len(rows))
+    turn_to(display, walk, "Light")
     display.do("key", "F1")
     wait_for("F1 closes it again", lambda: display.pixels() == plain)
     display.do("mousemove", "--window", walk.window, "200", "200")
@@ -281,10 +292,7 @@ def chooses_a_quality(display, walk):
     display.do("key", "F1")
     settled(display)
     width = walk.geometry()[2]
-    display.do("mousemove", "--window", walk.window, str(width - 100), "17")
-    settled(display)
-    display.do("click", "1")  # closes the section above
-    settled(display)
+    turn_to(display, walk, "Quality")
     display.do("mousemove", "--window", walk.window, str(width - 450), "87")
     settled(display)
     display.do("click", "1")
@@ -374,13 +382,12 @@ def rebinds_a_key_in_the_overlay(display, hearth, level, folder):
         settled(display)
         display.do("key", "F1")
         right = walk.geometry()[2]
-        # Closes two sections, opens Comfort, and takes the key of stepping to the left.
-        for x, y in [(100, 17), (100, 41), (100, 133), (228, 290)]:
-            time.sleep(0.5)
-            display.do("mousemove", "--window", walk.window, str(right - x), str(y))
-            time.sleep(0.5)
-            display.do("click", "1")
-        time.sleep(0.5)
+        turn_to(display, walk, "Comfort")
+        # Takes the key of stepping to the left.
+        display.do("mousemove", "--window", walk.window, str(right - 225), "174")
+        settled(display)
+        display.do("click", "1")
+        settled(display)
         display.do("key", "j")
         wait_for("the user's file has the key", lambda: config.exists() and
                  '"stepLeft": ["J"]' in config.read_text())

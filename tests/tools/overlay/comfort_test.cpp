@@ -15,17 +15,15 @@ namespace {
 
 using test::down;
 
-constexpr int kHeaderY = 17;
-constexpr int kFirstRow = 30;  // below the header
+constexpr int kFirstRow = 18;
 
-/// A panel with one section alone, which is open, and a hand that clicks into it.
+/// A panel with one section alone, and a hand that clicks into it.
 class SectionTest : public testing::Test {
  protected:
   void open() {
     overlay_.toggle();
     frame();
     left_ = overlay_.leaves(picture_.width());
-    click(left_ + 100, kHeaderY);
   }
   virtual void show() = 0;
 
@@ -59,7 +57,7 @@ class ComfortSectionTest : public SectionTest {
 
   /// Clicks down the second column until a key is waited for, and presses it.
   bool give(SDL_Scancode key) {
-    for (int y = 110; y < 400; y += 6) {
+    for (int y = 88; y < 378; y += 6) {
       click(left_ + 242, y);
       if (section_.take(down(key), comfort_)) return true;
     }
@@ -102,7 +100,7 @@ TEST_F(ComfortSectionTest, ChangesNothingByItself) {
 }
 
 TEST_F(ComfortSectionTest, HasASliderForTheMouse) {
-  click(left_ + 400, kFirstRow + 10);
+  click(left_ + 250, kFirstRow);
   EXPECT_GT(comfort_.degreesPerPixel, 0.3);
   EXPECT_TRUE(wasWritten_);
 }
@@ -119,7 +117,7 @@ class BookmarksSectionTest : public SectionTest {
   /// Clicks along the row of the bookmark until something is asked for.
   std::optional<BookmarkWish> wishFrom(int begin) {
     wish_.reset();
-    for (int x = begin; x < begin + 40 && !wish_; x += 8) click(left_ + x, 62);
+    for (int x = begin; x < begin + 40 && !wish_; x += 8) click(left_ + x, 40);
     return wish_;
   }
 
@@ -137,7 +135,7 @@ TEST_F(BookmarksSectionTest, AsksToGoToABookmark) {
 
 TEST_F(BookmarksSectionTest, AsksForNothingThatCannotBeHad) {
   rights_ = {};
-  for (int x = 10; x < 130; x += 8) click(left_ + x, 62);
+  for (int x = 10; x < 130; x += 8) click(left_ + x, 40);
   EXPECT_FALSE(wish_);
 }
 

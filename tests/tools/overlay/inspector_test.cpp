@@ -94,7 +94,10 @@ class InspectorTest : public testing::Test {
   std::set<std::string> copied_;
 };
 
-TEST_F(InspectorTest, FollowsNothingWhileItIsClosed) {
+TEST_F(InspectorTest, FollowsThePointerUnlessItIsClosed) {
+  moveTo(300, 400);
+  expectFoundAt(300, 400);
+  clickAt(camera_.width - 100, 17);
   moveTo(300, 400);
   EXPECT_FALSE(inspector_.found());
 }

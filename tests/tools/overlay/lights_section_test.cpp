@@ -41,7 +41,6 @@ class LightsSectionTest : public testing::Test {
     overlay_.toggle();
     frame();
     left_ = overlay_.leaves(picture_.width()) + kPadding;
-    click(30, 17);  // opens the section
   }
   ~LightsSectionTest() override { fs::remove(file_); }
 

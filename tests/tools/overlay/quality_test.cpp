@@ -13,9 +13,9 @@
 namespace hearth {
 namespace {
 
-constexpr int kPadding = 8;        // pixels, of the panel
-constexpr int kLetter = 7;         // its width
-constexpr int kHeaderBottom = 30;  // below which a click closes no section
+constexpr int kPadding = 8;            // pixels, of the panel
+constexpr int kLetter = 7;             // its width
+constexpr int kSlider = 17 * kLetter;  // where it begins
 
 /// A panel with this section alone, and a hand that clicks into it.
 class QualityTest : public testing::Test {
@@ -55,7 +55,7 @@ class QualityTest : public testing::Test {
   /// current one, the next.
   std::set<Option> chosenFromLists() {
     std::set<Option> chosen;
-    for (int y = kHeaderBottom; y < 420; y += 11)
+    for (int y = kPadding; y < 420; y += 11)
       for (const int below : {26, 43}) {
         const OptionValues before = choice_.options;
         click(left_ + 20 * kLetter, y);
@@ -91,7 +91,7 @@ TEST(QualityOptions, OfAQualityTakeThePlaceOfSingleOnes) {
 
 TEST_F(QualityTest, IsChosenByAClick) {
   choice_.options.set(Option::PixelSize, "4");
-  for (int y = kHeaderBottom; y < 200 && !wasChosen_; y += 6) click(left_ + 5, y);
+  for (int y = kPadding; y < 200 && !wasChosen_; y += 6) click(left_ + 5, y);
   EXPECT_EQ(choice_.options.text(Option::Quality), "draft");
   EXPECT_FALSE(choice_.options.has(Option::PixelSize));
 }
@@ -119,9 +119,9 @@ TEST_F(QualityTest, HasSlidersForFieldOfViewAndFrameCap) {
   };
   std::set<double> fovs;
   std::set<double> caps;
-  for (const int from : {left_ + 10, left_ + 300})
+  for (const int y : {kPadding + 10, kPadding + 33})
     for (const int to : {0, picture_.width()}) {
-      drag(from, kHeaderBottom + 10, to);
+      drag(left_ + kSlider, y, to);
       fovs.insert(choice_.fov);
       caps.insert(choice_.frameCap);
     }

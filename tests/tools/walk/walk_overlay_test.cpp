@@ -163,6 +163,11 @@ SDL_Event clickAt(int x, int y) {
   return event;
 }
 
+SDL_Event released(SDL_Event click) {
+  click.type = SDL_MOUSEBUTTONUP;
+  return click;
+}
+
 TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {
   OverlayWalk walk;
   walk.press(SDL_SCANCODE_F1);
@@ -186,17 +191,35 @@ TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {
   EXPECT_TRUE(walk.isOn);
 }
 
+TEST(WalkOverlay, ShowsWhyAPlaceIsLitWhateverPageWasOpen) {
+  OverlayWalk walk;
+  OverlayWalk turned;
+  for (OverlayWalk* each : {&walk, &turned}) {
+    each->press(SDL_SCANCODE_F1);
+    each->ticks(4);
+  }
+  const Image first = turned.stage.shown;
+  turned.now(clickAt(400, 17));
+  turned.now(released(clickAt(400, 17)));
+  turned.ticks(4);
+  EXPECT_NE(turned.stage.shown, first) << "another page";
+  for (OverlayWalk* each : {&walk, &turned}) {
+    each->now(clickAt(100, 300));
+    each->now(released(clickAt(100, 300)));
+    each->ticks(8);
+  }
+  EXPECT_EQ(turned.stage.shown, walk.stage.shown);
+}
+
 TEST(WalkOverlay, CopiesToTheClipboardWhatIsClickedOn) {
   OverlayWalk walk;
   walk.press(SDL_SCANCODE_F1);
   walk.ticks(4);
   walk.now(clickAt(100, 300));
   walk.ticks(4);
-  for (int y = 230; y < 400 && walk.stage.clipboard.empty(); y += 8) {
+  for (int y = 30; y < 400 && walk.stage.clipboard.empty(); y += 8) {
     walk.now(clickAt(460, y));
-    SDL_Event up = clickAt(460, y);
-    up.type = SDL_MOUSEBUTTONUP;
-    walk.now(up);
+    walk.now(released(clickAt(460, y)));
   }
   EXPECT_TRUE(std::regex_match(walk.stage.clipboard, std::regex("[-0-9.]+,[-0-9.]+,[-0-9.]+")))
       << "the point, as the level has no source here: " << walk.stage.clipboard;

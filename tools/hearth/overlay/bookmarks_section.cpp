@@ -24,7 +24,6 @@ bool showButton(const char* label, bool canBePressed) {
 std::optional<BookmarkWish> BookmarksSection::show(const Bookmarks& bookmarks,
                                                    const BookmarkRights& rights) {
   using What = BookmarkWish::What;
-  if (!ImGui::CollapsingHeader("Bookmarks")) return std::nullopt;
   std::optional<BookmarkWish> wish;
   std::array<char, kLongestName + 1> typed{};
   name_.copy(typed.data(), kLongestName);

@@ -4,30 +4,19 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "hearth/overlay/widgets.h"
 
 namespace hearth {
 
 namespace {
 
-/// More than hands like, so that the slider is fine enough.
-constexpr double kMostDegreesOfSlider = 1;
-constexpr double kPercent = 100;
+/// Degrees a pixel, to more than hands like; so the slider is fine enough.
+constexpr SliderRange kMouse{kLeastDegreesPerPixel, 1, 100};
+constexpr SliderRange kBob{0, 1, 100};
 
 const ActionRow& rowOf(Action action) { return actionTable()[static_cast<std::size_t>(action)]; }
-
-/// A value that shows `scale` times as large, and is chosen in steps of `step` of that.
-bool showSlider(const char* name, double& value, double scale, double step, double least,
-                double most, const char* format) {
-  auto shown = static_cast<float>(scale * value);
-  ImGui::SetNextItemWidth(-1);
-  if (!ImGui::SliderFloat(name, &shown, static_cast<float>(least), static_cast<float>(most), format,
-                          ImGuiSliderFlags_AlwaysClamp))
-    return false;
-  value = std::round(shown / step) * step / scale;
-  return true;
-}
 
 }  // namespace
 
@@ -56,16 +45,12 @@ void ComfortSection::give(SDL_Scancode key, Comfort& comfort) {
 }
 
 bool ComfortSection::show(Comfort& comfort) {
-  if (ImGui::CollapsingHeader("Comfort")) {
-    isChanged_ |=
-        showSlider("##mouse", comfort.degreesPerPixel, 1, kLeastDegreesPerPixel,
-                   kLeastDegreesPerPixel, kMostDegreesOfSlider, "mouse %.2f degrees a pixel");
-    isChanged_ |= showSlider("##bob", comfort.viewBob, kPercent, 1, 0, kPercent,
-                             "steps move the view by %.0f %%");
-    isChanged_ |=
-        ImGui::Checkbox("the mouse looks up when it is drawn near", &comfort.invertsPitch);
-    showKeys(comfort);
-  }
+  isChanged_ |= showSlider("mouse", comfort.degreesPerPixel, kMouse,
+                           fmt::format("{:.2f} degrees a pixel", comfort.degreesPerPixel));
+  isChanged_ |= showSlider("view bob", comfort.viewBob, kBob,
+                           fmt::format("{:.0f} % with each step", 100 * comfort.viewBob));
+  isChanged_ |= ImGui::Checkbox("the mouse looks up when it is drawn near", &comfort.invertsPitch);
+  showKeys(comfort);
   const bool canBeWritten = isChanged_ && !ImGui::IsAnyItemActive();
   if (canBeWritten) isChanged_ = false;
   return canBeWritten;

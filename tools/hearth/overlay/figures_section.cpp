@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hearth/overlay/widgets.h"
+
 namespace hearth {
 
 namespace {
@@ -34,8 +36,6 @@ constexpr std::array kParts = {
     Part{&FrameParts::cover, "cover", IM_COL32(255, 200, 80, 255)},
     Part{&FrameParts::show, "show", IM_COL32(160, 128, 128, 255)},
 };
-
-void showText(const std::string& text) { ImGui::TextUnformatted(text.data()); }
 
 /// In whole pixels: rectangles stay sharp.
 float wholePixels(double pixels) { return static_cast<float>(std::floor(pixels)); }
@@ -132,7 +132,6 @@ double scaleFor(double longest) {
 }
 
 void showFigures(const Figures& figures) {
-  if (!ImGui::CollapsingHeader("Figures", ImGuiTreeNodeFlags_DefaultOpen)) return;
   showGraph(figures.frames);
   showParts(figures.frames);
   ImGui::Separator();

@@ -64,7 +64,7 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
   if (isClicked) pinned_ = lookThrough(*mouse_, in, camera);
   if (isClicked) ImGui::SetNextItemOpen(true);
   if (isClicked) scrollsLeft_ = kFramesToScroll;
-  const bool isOpen = ImGui::CollapsingHeader("Inspector");
+  const bool isOpen = ImGui::CollapsingHeader("Inspector", ImGuiTreeNodeFlags_DefaultOpen);
   if (scrollsLeft_ > 0) ImGui::SetScrollHereY(0);
   scrollsLeft_ = std::max(0, scrollsLeft_ - 1);
   if (!isOpen || (!pinned_ && !mouse_)) forget();

@@ -211,7 +211,7 @@ void showNews(LightsEditor& editor) {
 void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
   const bool isPickedInPicture = tool && tool->takePick();
   if (isPickedInPicture) ImGui::SetNextItemOpen(true);
-  if (!ImGui::CollapsingHeader("Lights")) return;
+  if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return;
   if (!tool)
     return showWrapped(
         "This walk is recorded or replayed, or takes its light from a file: lights "

@@ -4,11 +4,11 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hearth/overlay/widgets.h"
 #include "hearth/quality.h"
 #include "hearth/settings.h"
 #include "hearth/tradeoff/approximations.h"
@@ -19,20 +19,14 @@ namespace hearth {
 namespace {
 
 /// Degrees that are looked through without straining.
-constexpr float kLeastFov = 10;
-constexpr float kMostFov = 170;
+constexpr SliderRange kFov{10, 170, 1};
 
 /// More than displays show, so that the slider is fine enough.
-constexpr float kMostFrames = 240;
+constexpr SliderRange kFrames{0, 240, 1};
 
 // In letters.
 constexpr float kNameWidth = 16;
 constexpr float kValueWidth = 13;
-constexpr float kBoundWidth = 50;
-
-float letters(float count) { return count * ImGui::CalcTextSize("M").x; }
-
-void showText(const std::string& text) { ImGui::TextUnformatted(text.data()); }
 
 std::string nameOf(Option option) { return std::string(row(option).name.substr(2)); }
 
@@ -108,12 +102,7 @@ std::string figureOf(const Approximation& approximation, const std::string& valu
 }
 
 void showBound(const Approximation& approximation) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(letters(kBoundWidth));
-  showText(fmt::format("How far off: {} ({}).", approximation.bound, approximation.code));
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  showTip(fmt::format("How far off: {} ({}).", approximation.bound, approximation.code));
 }
 
 bool showSetting(const Approximation& approximation, const QualityInLevel& inLevel,
@@ -163,21 +152,10 @@ bool showSettings(const QualityInLevel& inLevel, OptionValues& options) {
 
 // --- View ----------------------------------------------------------------------------------------
 
-void showSlider(const char* name, double& value, float least, float most, const char* format) {
-  auto shown = static_cast<float>(value);
-  if (ImGui::SliderFloat(name, &shown, least, most, format, ImGuiSliderFlags_AlwaysClamp))
-    value = std::round(shown);
-}
-
-/// Both in a row.
 void showSliders(QualityChoice& choice) {
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  ImGui::PushItemWidth(std::floor((ImGui::GetContentRegionAvail().x - gap) / 2));
-  showSlider("##fov", choice.fov, kLeastFov, kMostFov, "field of view %.0f degrees");
-  ImGui::SameLine(0, gap);
-  showSlider("##cap", choice.frameCap, 0, kMostFrames,
-             choice.frameCap > 0 ? "at most %.0f frames/s" : "no cap on frames");
-  ImGui::PopItemWidth();
+  showSlider("field of view", choice.fov, kFov, fmt::format("{:.0f} degrees", choice.fov));
+  showSlider("most frames", choice.frameCap, kFrames,
+             choice.frameCap > 0 ? fmt::format("{:.0f} a second", choice.frameCap) : "no limit");
 }
 
 }  // namespace
@@ -188,7 +166,6 @@ void chooseQuality(OptionValues& options, std::string_view name) {
 }
 
 bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice) {
-  if (!ImGui::CollapsingHeader("Quality", ImGuiTreeNodeFlags_DefaultOpen)) return false;
   showSliders(choice);
   bool isChosen = showQualities(choice.options);
   showText("bake: " + figureOf(inLevel.bake, inLevel.ofLevel));

@@ -89,7 +89,6 @@ class Choices {
 }  // namespace
 
 void showView(LightMode& mode, std::string_view& channel) {
-  if (!ImGui::CollapsingHeader("View")) return;
   Choices choices;
   choices.beginGroup("lit");
   for (const ModeText& text : kModes)

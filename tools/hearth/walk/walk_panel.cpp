@@ -1,11 +1,20 @@
 #include "hearth/walk/walk_panel.h"
 
+#include <array>
+#include <cstddef>
+
 #include "hearth/overlay/lights_section.h"
 #include "hearth/overlay/quality_section.h"
 #include "hearth/overlay/view_section.h"
 #include "hearth/session.h"
 
 namespace hearth {
+
+namespace {
+
+constexpr std::size_t kLightPage = 0;
+
+}  // namespace
 
 void WalkPanel::toggle() {
   overlay_.toggle();
@@ -40,6 +49,7 @@ bool WalkPanel::take(const SDL_Event& event, const PanelScene& scene, Comfort& c
 void WalkPanel::point(const SDL_Event& event, const PanelScene& scene) {
   const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene.size.width);
   const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
+  if (pointed && pointed->kind == PointerEvent::Kind::Press) pages_.turnTo(kLightPage);
   const bool isOfLight = pointed && scene.space && lights_ &&
                          lights_->take(*pointed, *scene.space, scene.camera.height);
   inspector_.take(event, scene.isLevelShown && !isOfLight ? panelLeft : 0);
@@ -55,18 +65,26 @@ PanelWishes WalkPanel::draw(double now, const PanelScene& scene, const Figures& 
   PanelWishes wishes;
   if (!isOpen()) return wishes;
   if (settings.canBake) bake_ = bakeSettingsFrom(scene.level, settings.options);
-  const auto sections = [&] {
-    showFigures(figures);
-    wishes.areOptionsNew = showQualityOf(scene, settings);
-    showView(view.mode, view.channel);
-    showLights(lights_ ? &*lights_ : nullptr, scene.level, scene.camera);
-    wishes.copied = inspector_.show(
-        {scene.level, scene.renderer, bake_, scene.source, scene.isLevelShown}, scene.camera);
-    wishes.isComfortNew = comfortSection_.show(settings.comfort);
-    wishes.bookmark = bookmarksSection_.show(settings.bookmarks, scene.bookmarks);
-  };
-  overlay_.draw(now, sections, picture);
+  const std::array<Page, 6> pages = {{
+      {"Light", [&] { wishes.copied = showLightPage(scene); }},
+      {"View", [&] { showView(view.mode, view.channel); }},
+      {"Quality", [&] { wishes.areOptionsNew = showQualityOf(scene, settings); }},
+      {"Figures", [&] { showFigures(figures); }},
+      {"Comfort", [&] { wishes.isComfortNew = comfortSection_.show(settings.comfort); }},
+      {"Bookmarks",
+       [&] { wishes.bookmark = bookmarksSection_.show(settings.bookmarks, scene.bookmarks); }},
+  }};
+  overlay_.draw(
+      now, [&] { pages_.show(pages); }, picture);
   return wishes;
+}
+
+/// Returns what is to be copied.
+std::optional<std::string> WalkPanel::showLightPage(const PanelScene& scene) {
+  auto copied = inspector_.show(
+      {scene.level, scene.renderer, bake_, scene.source, scene.isLevelShown}, scene.camera);
+  showLights(lights_ ? &*lights_ : nullptr, scene.level, scene.camera);
+  return copied;
 }
 
 bool WalkPanel::showQualityOf(const PanelScene& scene, WalkSettings& settings) {

@@ -14,6 +14,7 @@
 #include "hearth/overlay/lights_tool.h"
 #include "hearth/overlay/marker_space.h"
 #include "hearth/overlay/overlay.h"
+#include "hearth/overlay/pages.h"
 #include "hearth/overlay/pointer.h"
 #include "hearth/walk/walk_settings.h"
 #include "image/image.h"
@@ -43,7 +44,7 @@ struct PanelWishes {
   std::optional<BookmarkWish> bookmark = {};
 };
 
-/// The overlay of a walk, with its sections, and what the mouse does in the picture beside it.
+/// The overlay of a walk, with its pages, and what the mouse does in the picture beside it.
 class WalkPanel {
  public:
   /// `bake`: by which the level has been lit.
@@ -80,9 +81,11 @@ class WalkPanel {
 
  private:
   void point(const SDL_Event& event, const PanelScene& scene);
+  std::optional<std::string> showLightPage(const PanelScene& scene);
   bool showQualityOf(const PanelScene& scene, WalkSettings& settings);
 
   Overlay overlay_;
+  Pages pages_;
   Inspector inspector_;
   Pointer pointer_;
   std::optional<LightsTool> lights_;
