@@ -181,10 +181,20 @@ TEST(WalkLights, AreLetGoOfWhenTheOverlayCloses) {
   EXPECT_TRUE(walk.lights().canUndo()) << "the drag has ended";
 }
 
+TEST(WalkLights, AreToldToBeUnsavedWhenTheOverlayCloses) {
+  LightsWalk walk;
+  walk.drag(480, 360, 400, 360);
+  walk.now(down(SDL_SCANCODE_ESCAPE));
+  EXPECT_NE(walk.stage.shown, walk.plain) << "a message";
+  walk.go(1, 3);
+  EXPECT_EQ(walk.stage.shown, walk.plain);
+}
+
 TEST(WalkLights, AskOnceBeforeTheyAreLost) {
   LightsWalk walk;
   walk.drag(480, 360, 400, 360);
   walk.now(down(SDL_SCANCODE_ESCAPE));  // closes the overlay
+  walk.go(1, 3);
   walk.now(down(SDL_SCANCODE_ESCAPE));
   EXPECT_TRUE(walk.isOn);
   EXPECT_NE(walk.stage.shown, walk.plain) << "a message";

@@ -199,6 +199,8 @@ void WalkLoop::captureMouse(bool isCaptured) {
 /// The panel needs the mouse; the walk gets it back where it had it.
 void WalkLoop::togglePanel() {
   panel_.toggle();
+  if (!panel_.isOpen() && panel_.hasUnsavedLights())
+    say("lights are not saved: F1 and Ctrl+S save them");
   hasAskedToSave_ = false;
   shown_.reset();
   if (panel_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
