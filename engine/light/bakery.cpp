@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "light/baked_surface.h"
-#include "light/parallel.h"
 #include "light/texel_limits.h"
+#include "math/parallel.h"
 #include "math/planted_bug.h"
 
 namespace hearth {

@@ -13,10 +13,10 @@
 #include "light/geometry_hash.h"
 #include "light/light_prints.h"
 #include "light/light_sight.h"
-#include "light/parallel.h"
 #include "light/surface_light.h"
 #include "light/texel_sums.h"
 #include "light/trail.h"
+#include "math/parallel.h"
 
 namespace hearth {
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "level/locate.h"
-#include "light/parallel.h"
 #include "math/check.h"
+#include "math/parallel.h"
 #include "render/channel_pixels.h"
 #include "render/marks.h"
 #include "render/shown_strip.h"

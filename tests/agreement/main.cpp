@@ -6,7 +6,7 @@
 #include <random>
 
 #include "agreement/compare_level.h"
-#include "light/parallel.h"
+#include "math/parallel.h"
 #include "random_levels/random_level.h"
 
 namespace {

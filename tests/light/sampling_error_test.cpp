@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "light/bakery.h"
-#include "light/parallel.h"
 #include "load/load.h"
+#include "math/parallel.h"
 
 namespace hearth {
 namespace {

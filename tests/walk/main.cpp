@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <mutex>
 
-#include "light/parallel.h"
+#include "math/parallel.h"
 #include "random_levels/random_level.h"
 #include "walk_tests/random_walks.h"
 

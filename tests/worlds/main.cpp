@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "hearth/import/map.h"
-#include "light/parallel.h"
+#include "math/parallel.h"
 #include "worlds/world.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include "hearth/bake_file.h"
 #include "hearth/command.h"
 #include "hearth/shell_text.h"
-#include "light/parallel.h"
+#include "math/parallel.h"
 #include "render/texels_in_view.h"
 
 namespace hearth {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include "light/parallel.h"
 #include "light/raytracer.h"
 #include "light/sample_placement.h"
+#include "math/parallel.h"
 #include "math/tolerance.h"
 
 namespace hearth {

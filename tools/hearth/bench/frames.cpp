@@ -5,7 +5,7 @@
 #include "hearth/bench/kernel_frames.h"
 #include "hearth/bench/peer_inputs.h"
 #include "hearth/bench/peer_rows.h"
-#include "light/parallel.h"
+#include "math/parallel.h"
 
 namespace hearth {
 

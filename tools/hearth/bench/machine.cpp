@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "light/parallel.h"
+#include "math/parallel.h"
 
 namespace hearth {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hearth/import/import_map.h"
-#include "light/parallel.h"
+#include "math/parallel.h"
 
 namespace hearth {
 

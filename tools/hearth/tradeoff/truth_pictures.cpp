@@ -1,6 +1,6 @@
 #include "hearth/tradeoff/truth_pictures.h"
 
-#include "light/parallel.h"
+#include "math/parallel.h"
 #include "truth/truth_view.h"
 
 namespace hearth {

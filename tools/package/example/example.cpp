@@ -5,8 +5,8 @@
 
 #include "image/image_file.h"
 #include "light/bakery.h"
-#include "light/parallel.h"
 #include "load/load.h"
+#include "math/parallel.h"
 #include "render/renderer.h"
 
 int fail(const std::string& message) {

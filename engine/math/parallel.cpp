@@ -1,4 +1,4 @@
-#include "light/parallel.h"
+#include "math/parallel.h"
 
 #include <algorithm>
 #include <atomic>
