@@ -37,7 +37,8 @@ struct LoadResult {
 std::filesystem::path lightsBeside(const std::filesystem::path& level);
 
 /// Reads a level with its lights and textures. All mistakes are reported together, each at its
-/// place; there is no level unless there is none. levels/README.md says what the files hold.
+/// place; there is no level unless there is none. Up to four threads read the images, one for each
+/// core. levels/README.md says what the files hold.
 LoadResult loadLevel(const std::filesystem::path& file, const LoadLimits& limits = {});
 
 }  // namespace hearth

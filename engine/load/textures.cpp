@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <tl/expected.hpp>
+#include <utility>
 
 #include "image/image_file.h"
 #include "load/color.h"
 #include "load/suggest.h"
+#include "math/parallel.h"
 
 namespace hearth {
 
@@ -115,29 +118,28 @@ void reportMissingFolder(Report& report, const NameReference& folder, const Imag
                "give the folder of the images, seen from the folder of this file");
 }
 
-/// Whether the file is an image that may be decoded, by its header.
-bool checkHeader(Report& report, const NameReference& name, const fs::path& path,
-                 const LoadLimits& limits) {
-  const auto size = readImageSize(path);
-  if (!size) {
-    report.error(name.place, size.error(), "replace the image");
-    return false;
-  }
-  const std::int64_t pixels = std::int64_t{size->width} * size->height;
-  if (pixels <= limits.imagePixels) return true;
-  report.error(name.place,
-               fmt::format("{} has {} x {} pixels, more than {}", path.string(), size->width,
-                           size->height, limits.imagePixels),
-               "raise the limit with --max-image-pixels");
-  return false;
-}
+struct Mistake {
+  std::string message;
+  std::string advice;
+};
 
-std::optional<Image> decode(Report& report, const NameReference& name, const fs::path& path,
-                            const LoadLimits& limits) {
+/// None of an image of which only the header is read.
+using ImageRead = tl::expected<std::optional<Image>, Mistake>;
+
+ImageRead readFrom(const fs::path& path, bool isWorn, const LoadLimits& limits) {
+  const auto mistake = [](std::string message, std::string advice) {
+    return tl::unexpected(Mistake{std::move(message), std::move(advice)});
+  };
+  const auto size = readImageSize(path);
+  if (!size) return mistake(size.error(), "replace the image");
+  if (std::int64_t{size->width} * size->height > limits.imagePixels)
+    return mistake(fmt::format("{} has {} x {} pixels, more than {}", path.string(), size->width,
+                               size->height, limits.imagePixels),
+                   "raise the limit with --max-image-pixels");
+  if (!isWorn) return std::nullopt;
   auto image = readImage(path, limits.imagePixels);
-  if (image) return *std::move(image);
-  report.error(name.place, image.error(), "replace the image");
-  return std::nullopt;
+  if (!image) return mistake(image.error(), "replace the image");
+  return *std::move(image);
 }
 
 /// By TextureId.
@@ -145,6 +147,32 @@ std::vector<bool> wornBy(std::span<const Surface> surfaces, std::size_t textures
   std::vector<bool> worn(textures);
   for (const Surface& surface : surfaces) worn[surface.mapping.texture.index()] = true;
   return worn;
+}
+
+bool isColor(const NameReference& name) { return name.name.starts_with('#'); }
+bool isPath(const NameReference& name) {
+  return name.name.find_first_of("/\\") != std::string::npos;
+}
+
+/// By TextureId, of images; none of those that are not found.
+std::vector<std::optional<fs::path>> pathsOf(std::span<const NameReference> names,
+                                             const ImageFinder& finder) {
+  std::vector<std::optional<fs::path>> paths(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!isColor(names[i]) && !isPath(names[i])) paths[i] = finder.find(names[i].name);
+  return paths;
+}
+
+/// By TextureId.
+std::vector<ImageRead> readAll(std::span<const std::optional<fs::path>> paths,
+                               const std::vector<bool>& worn, const LoadLimits& limits) {
+  // Each may take as much memory for a while as a decoder is allowed.
+  constexpr int kMostThreads = 4;
+  std::vector<ImageRead> reads(paths.size());
+  parallelFor(paths.size(), std::min(kMostThreads, availableThreads()), [&](std::size_t i) {
+    if (paths[i]) reads[i] = readFrom(*paths[i], worn[i], limits);
+  });
+  return reads;
 }
 
 TexelHoles holesOf(const Image& image) {
@@ -186,13 +214,15 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
                           std::span<const Surface> surfaces, const fs::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits) {
   const ImageFinder finder(levelFile, folder);
-  const std::vector<bool> worn = wornBy(surfaces, table.names().size());
+  const std::vector<NameReference>& names = table.names();
+  const std::vector<std::optional<fs::path>> paths = pathsOf(names, finder);
+  std::vector<ImageRead> reads = readAll(paths, wornBy(surfaces, names.size()), limits);
   bool hasFolder = true;
   TextureFiles textures;
-  for (const NameReference& name : table.names()) {
-    const bool isWorn = worn[textures.images.size()];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const NameReference& name = names[i];
     Image& image = textures.images.emplace_back(1, 1);
-    if (name.name.starts_with('#')) {
+    if (isColor(name)) {
       if (const std::optional<Rgb> color = parseColor(name.name))
         image = Image(1, 1, *color);
       else
@@ -200,24 +230,26 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
                      "write \"#rrggbb\" with hexadecimal digits");
       continue;
     }
-    if (name.name.find_first_of("/\\") != std::string::npos) {
+    if (isPath(name)) {
       report.error(name.place, fmt::format("\"{}\" is a path", name.name),
                    "write the name of an image of the textures folder");
       continue;
     }
-    const std::optional<fs::path> path = finder.find(name.name);
-    if (!path && hasFolder) {
+    if (!paths[i] && hasFolder) {
       hasFolder = !folder || finder.hasFolder();
       if (hasFolder)
         reportMissing(report, name, finder);
       else
         reportMissingFolder(report, *folder, finder);
     }
-    if (!path) continue;
-    textures.files.push_back(*path);
-    if (!checkHeader(report, name, *path, limits) || !isWorn) continue;
-    ++textures.decoded;
-    if (auto read = decode(report, name, *path, limits)) image = *std::move(read);
+    if (!paths[i]) continue;
+    textures.files.push_back(*paths[i]);
+    if (!reads[i]) {
+      report.error(name.place, reads[i].error().message, reads[i].error().advice);
+    } else if (*reads[i]) {
+      ++textures.decoded;
+      image = **std::move(reads[i]);
+    }
   }
   return textures;
 }

@@ -41,8 +41,8 @@ struct TextureFiles {
 };
 
 /// Reads the images that `surfaces` wear. Of the others only the header is read, and they are one
-/// black pixel. `folder` is what the level file names, if it does. A missing or broken image is
-/// reported where it is first used.
+/// black pixel. Up to four threads read them. `folder` is what the level file names, if it does. A
+/// missing or broken image is reported where it is first used.
 TextureFiles readTextures(Report& report, const TextureTable& table,
                           std::span<const Surface> surfaces, const std::filesystem::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "image/image_file.h"
 #include "load_text.h"
@@ -199,6 +201,69 @@ TEST_F(TextureSearch, prefersPngToTheOtherKinds) {
   EXPECT_EQ(load(), (Rgb{5, 0, 0}));
   addImage("textures/wall.png", {6, 0, 0});
   EXPECT_EQ(load(), (Rgb{6, 0, 0}));
+}
+
+/// A room of 40 walls with an image on each, "image0" to "image39".
+class TexturesReadInThreads : public testing::Test {
+ protected:
+  static constexpr int kImages = 40;
+
+  void write(int image, std::string_view content) {
+    folder_.write(fmt::format("textures/image{}.png", image), content);
+  }
+  void writeAll() {
+    std::filesystem::create_directories(folder_.path() / "textures");
+    for (int i = 0; i < kImages; ++i)
+      ASSERT_TRUE(writePng(folder_.path() / fmt::format("textures/image{}.png", i),
+                           Image(1 + i, 2, {static_cast<std::uint8_t>(i), 0, 0})));
+  }
+
+  LoadResult load() {
+    std::string vertices;
+    std::string walls;
+    for (int i = 0; i < kImages; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kImages;
+      vertices += fmt::format("{}{:.3f},{:.3f}", i == 0 ? "" : ", ", 9 * std::cos(angle),
+                              9 * std::sin(angle));
+      walls += fmt::format("{}{{\"texture\": \"image{}\"}}", i == 0 ? "" : ",\n", i);
+    }
+    return loadLevel(folder_.write(
+        "levels/level.json",
+        fmt::format(R"({{"light": 1, "sectors": {{"a": {{"floor": {{"texture": "#000000"}},)"
+                    R"( "ceiling": {{"texture": "#000000"}}, "loops": {{"border": {{"v": [{}],)"
+                    R"( "walls": [{}]}}}}}}}}}})",
+                    vertices, walls)));
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(TexturesReadInThreads, areThoseOfTheirNames) {
+  writeAll();
+  const LoadResult room = load();
+  ASSERT_TRUE(room.loaded) << listed(room);
+  EXPECT_EQ(room.loaded->decodedImages, kImages);
+  for (std::size_t i = 0; i < room.loaded->textures.size(); ++i) {
+    const std::string& name = room.loaded->level.textures[i];
+    if (name.starts_with('#')) continue;
+    const Image& image = room.loaded->textures[i];
+    EXPECT_EQ(fmt::format("image{}", image.width() - 1), name);
+    EXPECT_EQ(image.at(0, 0).r, image.width() - 1);
+  }
+}
+
+TEST_F(TexturesReadInThreads, areReportedInTheOrderOfTheFile) {
+  writeAll();
+  for (int i = 0; i < kImages; i += 3) write(i, "no image");
+  for (int i = 1; i < kImages; i += 3) write(i, std::string("\x89PNG\r\n\x1a\n", 8));
+  const LoadResult room = load();
+  EXPECT_EQ(countErrors(room), 27U) << listed(room);
+  int last = 0;
+  for (const Diagnostic& diagnostic : room.diagnostics) {
+    EXPECT_GT(diagnostic.line, last) << format(diagnostic);
+    last = diagnostic.line;
+  }
 }
 
 }  // namespace
