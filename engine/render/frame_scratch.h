@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "math/parallel.h"
 #include "render/column_hits.h"
 #include "render/strip.h"
 #include "render/strip_spans.h"
@@ -19,14 +21,15 @@ struct FrameColumns {
   StripSpans strips;
 };
 
-/// What frames are drawn in. Who keeps it from frame to frame draws without taking memory anew;
-/// each thread that draws needs its own. No frame depends on an earlier one.
+/// What frames are drawn in. Who keeps it from frame to frame draws without taking memory or
+/// starting threads anew; each thread that draws needs its own. No frame depends on an earlier one.
 struct FrameScratch {
   std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
   std::vector<double> climbs;             ///< of the centres of rows, see Projection::climbOf
   std::vector<Strip> strips;              ///< one for each part that threads take
   std::vector<PaintStats> stripsPainted;  ///< by the same parts
   PaintStats painted;                     ///< in the last frame
+  std::unique_ptr<Workers> workers;       ///< as many as drew the last frame
 
   /// What finding the spans of the last frame took; sectors, windows and segments once for each
   /// part that they are seen in.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 #include "level/locate.h"
 #include "math/check.h"
@@ -22,6 +23,12 @@ namespace {
 int partsOf(int strips, int threads) {
   constexpr int kPartsPerThread = 4;
   return threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
+}
+
+Workers& workersOf(FrameScratch& scratch, int threads) {
+  if (!scratch.workers || scratch.workers->threads() != threads)
+    scratch.workers = std::make_unique<Workers>(threads);
+  return *scratch.workers;
 }
 
 void findClimbs(std::vector<double>& climbs, const Projection& projection, int height) {
@@ -82,7 +89,7 @@ void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int thr
     scratch.stripsPainted[part] = stats;
   };
   // By reference: a copy would take memory in every frame.
-  parallelFor(static_cast<std::size_t>(parts), threads, std::cref(paintPart));
+  workersOf(scratch, threads).run(static_cast<std::size_t>(parts), std::cref(paintPart));
   scratch.painted = {};
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
@@ -199,7 +206,7 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
     strips.sort(findVisibleSpans(level_, squares, projection, range, visibility).spans, range);
   };
   // By reference: a copy would take memory in every frame.
-  parallelFor(scratch.parts.size(), threads, std::cref(findPart));
+  workersOf(scratch, threads).run(scratch.parts.size(), std::cref(findPart));
   findClimbs(scratch.climbs, projection, squares.height);
 }
 

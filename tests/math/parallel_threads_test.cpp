@@ -42,5 +42,27 @@ TEST(ParallelFor, throwsOneExceptionOfManyAndBeginsNoMoreWork) {
   EXPECT_LE(begun, 7);
 }
 
+TEST(Workers, doEveryIndexOfEveryPieceOnce) {
+  for (const int threads : {1, 2, 7}) {
+    Workers workers(threads);
+    EXPECT_EQ(workers.threads(), threads);
+    for (std::size_t count = 0; count < 300; ++count) {
+      std::vector<std::atomic<int>> done(count);
+      workers.run(count, [&](std::size_t i) { ++done[i]; });
+      for (const auto& times : done) ASSERT_EQ(times, 1) << threads << " threads, " << count;
+    }
+  }
+}
+
+TEST(Workers, goOnAfterAnException) {
+  Workers workers(3);
+  EXPECT_THROW(workers.run(100, [](std::size_t) { throw std::bad_alloc(); }), std::bad_alloc);
+  std::atomic<int> done = 0;
+  workers.run(100, [&](std::size_t) { ++done; });
+  EXPECT_EQ(done, 100);
+}
+
+TEST(Workers, endWithoutHavingWorked) { EXPECT_EQ(Workers(3).threads(), 3); }
+
 }  // namespace
 }  // namespace hearth

@@ -71,7 +71,7 @@ TEST(Budget, ofAFrameIsSpentOnTheMostAccurateSettings) {
   const Renderer renderer(level.level, level.textures, light);
   const Camera camera = cameraOf(level.level.shots.front());
   const auto fitting = [&](double milliseconds) {
-    return frameFitting(renderer, camera, milliseconds, clockOf(0.01));  // 10 ms a frame
+    return frameFitting(renderer, camera, milliseconds, 1, clockOf(0.01));  // 10 ms a frame
   };
   EXPECT_EQ(fitting(10).draw, DrawSettings{});
   EXPECT_DOUBLE_EQ(fitting(10).milliseconds, 10);

@@ -24,15 +24,15 @@ FittingBake bakeFitting(const Level& level, const BakeSettings& ofLevel, double 
 }
 
 FittingFrame frameFitting(const Renderer& renderer, const Camera& camera, double milliseconds,
-                          const Clock& clock) {
+                          int threads, const Clock& clock) {
   constexpr int kFrames = 5;
   FrameScratch scratch;
   Image picture;
-  renderer.draw(camera, LightMode::Both, scratch, picture);  // takes the memory
+  renderer.draw(camera, LightMode::Both, scratch, picture, threads);  // takes the memory
   std::vector<double> times;
   for (int i = 0; i < kFrames; ++i) {
     const double begin = clock();
-    renderer.draw(camera, LightMode::Both, scratch, picture);
+    renderer.draw(camera, LightMode::Both, scratch, picture, threads);
     times.push_back(1e3 * (clock() - begin));
   }
   const double exact = std::max(spreadOf(times).median, 1e-6);

@@ -47,6 +47,7 @@ tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& 
   if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
   plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
   plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
+  plan.settings.threads = threadsFrom(values);
   plan.settings.view.mode = lightModeFrom(values);
   plan.settings.options = values;
   plan.settings.canBake = isLive(values);
@@ -156,7 +157,8 @@ void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, co
       plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
   const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
                       plan.settings.fov, width,     height};
-  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds, steadySeconds);
+  const int threads = threadsFor({width, height}, plan.settings.threads);
+  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds, threads, steadySeconds);
   fmt::print("picked {}\n", words(fitting));
   std::fflush(stdout);  // before the walk, not after it
   for (const Option option : notStandard(fitting.draw))

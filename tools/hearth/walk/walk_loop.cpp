@@ -324,10 +324,11 @@ void WalkLoop::drawImage(double now) {
     const double end = outside_.seconds();
     return end - std::exchange(begin, end);
   };
-  renderer_->findSpans(scene_.camera, scratch_, picture_);
+  const int threads = threadsFor(scene_.size, settings_.threads);
+  renderer_->findSpans(scene_.camera, scratch_, picture_, threads);
   parts.find = lap();
   if (scene_.view.channel.empty())
-    renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_);
+    renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_, threads);
   else
     picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel);
   parts.paint = lap();
@@ -346,7 +347,8 @@ void WalkLoop::drawImage(double now) {
 void WalkLoop::drawRows(double now) {
   const PictureSize size{scene_.camera.width, scene_.camera.height};
   outside_.show(size, [&](const PixelRows& rows) {
-    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows);
+    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows,
+                    threadsFor(size, settings_.threads));
     seeWhatIsDrawn();
     count(now, outside_.seconds());
   });
