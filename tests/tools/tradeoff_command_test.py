@@ -63,11 +63,19 @@ class Tradeoff(unittest.TestCase):
         first, second = rows(), rows()
         self.assertEqual(first[0]["settings"], "", "the level's own come first")
         self.assertEqual(len(first), len({row["settings"] for row in first}))
-        timed = {"front", "bake_seconds", "frame_ms"}
+        timed = {"front", "bake_cost", "bake_seconds", "frame_cost", "frame_ms"}
         for a, b in zip(first, second, strict=True):
             self.assertEqual({key: a[key] for key in a.keys() - timed},
                              {key: b[key] for key in b.keys() - timed})
         self.assertTrue(any(row["front"] for row in first))
+
+    def test_prints_costs_as_shares_of_the_levels_own_settings(self):
+        own, *others = csv.DictReader(io.StringIO(measure("--csv", "--quiet").stdout))
+        self.assertEqual((own["bake_cost"], own["frame_cost"]), ("1", "1"))
+        for row in others:
+            for cost, time in ("bake_cost", "bake_seconds"), ("frame_cost", "frame_ms"):
+                self.assertGreater(float(row[cost]), 0)
+                self.assertAlmostEqual(float(row[cost]) * float(own[time]) / float(row[time]), 1)
 
     def test_finds_finer_texels_nearer_to_truth(self):
         rows = {row["settings"]: row

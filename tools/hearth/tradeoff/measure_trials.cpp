@@ -1,80 +1,158 @@
 #include "hearth/tradeoff/measure_trials.h"
 
 #include <algorithm>
-#include <map>
+#include <iterator>
+#include <utility>
 
+#include "hearth/tradeoff/cost.h"
 #include "render/renderer.h"
 
 namespace hearth {
 
 namespace {
 
-/// Trials of one bake.
-class BakeTrials {
+/// Bakes a level and draws its shots, by a clock.
+class Stopwatch {
  public:
-  BakeTrials(const LoadedLevel& loaded, const BakeSettings& settings, const TrialBench& bench)
+  Stopwatch(const LoadedLevel& loaded, std::span<const TruthPicture> truth, const TrialBench& bench)
       : loaded_(loaded), bench_(bench) {
-    const double begin = bench_.clock();
-    light_ = bake(loaded_.level, settings, bench_.threads);
-    seconds_ = bench_.clock() - begin;
+    for (const TruthPicture& of : truth) {
+      Camera camera = of.camera;
+      camera.width = bench.frameSize.width;
+      camera.height = bench.frameSize.height;
+      cameras_.push_back(camera);
+    }
   }
 
-  /// Frames of all trials in turn, so that what else the machine does strikes all alike.
-  void measure(std::span<Measured*> trials, std::span<const TruthPicture> truth) {
-    std::vector<Renderer> renderers;
-    for (const Measured* trial : trials)
-      renderers.emplace_back(loaded_.level, loaded_.textures, light_, trial->trial.draw);
-    std::vector<std::vector<double>> times(trials.size());
-    for (int repeat = 0; repeat < bench_.repeats; ++repeat)
-      for (const TruthPicture& of : truth)
-        for (std::size_t k = 0; k < trials.size(); ++k)
-          times[k].push_back(frameMilliseconds(renderers[k], of.camera, *trials[k]));
-    for (std::size_t k = 0; k < trials.size(); ++k) {
-      Measured& trial = *trials[k];
-      trial.frameMilliseconds = spreadOf(times[k]).median;
-      trial.bakeSeconds = seconds_;
-      trial.texels = light_.stats.texels;
-      trial.rays = light_.stats.rays;
-      trial.bytes = light_.stats.bytes;
-      trial.pixels /= static_cast<double>(times[k].size());
-      trial.lightLookups /= static_cast<double>(times[k].size());
-      trial.errors = errorsOf(renderers[k], truth);
+  std::span<const Camera> cameras() const { return cameras_; }
+
+  double secondsToBake(const BakeSettings& settings, BakedLight& light) const {
+    light = {};
+    const double begin = bench_.clock();
+    light = bake(loaded_.level, settings, bench_.threads);
+    return bench_.clock() - begin;
+  }
+
+  /// Draws the frame twice: what the first of them waits for, memory and caches, is no work of the
+  /// settings.
+  double secondsToDraw(const Renderer& renderer, const Camera& camera) {
+    draw(renderer, camera);
+    const double begin = bench_.clock();
+    draw(renderer, camera);
+    return bench_.clock() - begin;
+  }
+
+  const PaintStats& draw(const Renderer& renderer, const Camera& camera) {
+    renderer.draw(camera, LightMode::Both, scratch_, picture_);
+    return scratch_.painted;
+  }
+
+ private:
+  const LoadedLevel& loaded_;
+  const TrialBench& bench_;
+  std::vector<Camera> cameras_;
+  FrameScratch scratch_;
+  Image picture_;
+};
+
+/// Trials, each held against the base.
+class Measurement {
+ public:
+  Measurement(const LoadedLevel& loaded, const Trial& base, std::span<const TruthPicture> truth,
+              const TrialBench& bench)
+      : loaded_(loaded),
+        base_(base),
+        truth_(truth),
+        bench_(bench),
+        watch_(loaded, truth, bench),
+        bakeSeconds_{watch_.secondsToBake(base.bake, light_)},
+        renderer_(loaded.level, loaded.textures, light_, base.draw) {
+    for (const Camera& camera : watch_.cameras()) drawBase(camera);
+  }
+
+  /// Trials of one bake.
+  void measure(std::span<Measured*> trials) {
+    const BakeSettings& settings = trials.front()->trial.bake;
+    BakedLight baked;
+    const bool isBaseBake = settings == base_.bake;
+    const double bakeCost = isBaseBake ? 1 : costOfBake(settings, baked);
+    const BakedLight& light = isBaseBake ? light_ : baked;
+    for (Measured* trial : trials) {
+      trial->bakeCost = bakeCost;
+      trial->texels = light.stats.texels;
+      trial->rays = light.stats.rays;
+      trial->bytes = light.stats.bytes;
+      const Renderer renderer(loaded_.level, loaded_.textures, light, trial->trial.draw);
+      if (!isBaseBake || trial->trial.draw != base_.draw) trial->frameCost = costOfFrame(renderer);
+      countWork(renderer, *trial);
+      trial->errors = errorsOf(renderer);
+    }
+  }
+
+  /// Of all trials, in seconds, once the base was timed beside each.
+  void giveSeconds(std::span<Measured> trials) const {
+    for (Measured& trial : trials) {
+      trial.bakeSeconds = trial.bakeCost * spreadOf(bakeSeconds_).median;
+      trial.frameMilliseconds = trial.frameCost * 1e3 * spreadOf(frameSeconds_).median;
     }
   }
 
  private:
-  /// Draws the frame twice: what the first of them waits for, memory and caches, is no work of the
-  /// settings.
-  double frameMilliseconds(const Renderer& renderer, Camera camera, Measured& trial) {
-    camera.width = bench_.frameSize.width;
-    camera.height = bench_.frameSize.height;
-    renderer.draw(camera, LightMode::Both, scratch_, picture_);
-    const double begin = bench_.clock();
-    renderer.draw(camera, LightMode::Both, scratch_, picture_);
-    const double seconds = bench_.clock() - begin;
-    trial.pixels += static_cast<double>(scratch_.painted.pixels);
-    trial.lightLookups += static_cast<double>(scratch_.painted.lightLookups);
-    return 1e3 * seconds;
+  double bakeBase() {
+    BakedLight again;
+    return bakeSeconds_.emplace_back(watch_.secondsToBake(base_.bake, again));
+  }
+  double drawBase(const Camera& camera) {
+    return frameSeconds_.emplace_back(watch_.secondsToDraw(renderer_, camera));
   }
 
-  static Errors errorsOf(const Renderer& renderer, std::span<const TruthPicture> truth) {
+  double costOfBake(const BakeSettings& settings, BakedLight& light) {
+    const TurnTimes times =
+        timedInTurn([&] { return bakeBase(); },
+                    [&] { return watch_.secondsToBake(settings, light); }, bench_.repeats);
+    return costOf(ratiosOf(times));
+  }
+
+  double costOfFrame(const Renderer& renderer) {
+    std::vector<double> ratios;
+    for (const Camera& camera : watch_.cameras()) {
+      const TurnTimes times =
+          timedInTurn([&] { return drawBase(camera); },
+                      [&] { return watch_.secondsToDraw(renderer, camera); }, bench_.repeats);
+      std::ranges::copy(ratiosOf(times), std::back_inserter(ratios));
+    }
+    return costOf(std::move(ratios));
+  }
+
+  void countWork(const Renderer& renderer, Measured& trial) {
+    PaintStats sum;
+    for (const Camera& camera : watch_.cameras()) sum += watch_.draw(renderer, camera);
+    const auto frames = static_cast<double>(watch_.cameras().size());
+    trial.pixels = static_cast<double>(sum.pixels) / frames;
+    trial.lightLookups = static_cast<double>(sum.lightLookups) / frames;
+  }
+
+  Errors errorsOf(const Renderer& renderer) const {
     ErrorSums sums;
-    for (const TruthPicture& of : truth)
+    for (const TruthPicture& of : truth_)
       sums.add(of, renderer.draw(of.camera, LightMode::Both),
                renderer.draw(of.camera, LightMode::Only));
     return sums.errors();
   }
 
   const LoadedLevel& loaded_;
+  const Trial& base_;
+  std::span<const TruthPicture> truth_;
   const TrialBench& bench_;
-  BakedLight light_;
-  double seconds_ = 0;
-  FrameScratch scratch_;
-  Image picture_;
+  Stopwatch watch_;
+  BakedLight light_;                  ///< of the base
+  std::vector<double> bakeSeconds_;   ///< ... each time that it was baked
+  std::vector<double> frameSeconds_;  ///< ... and drawn
+  Renderer renderer_;
 };
 
-/// Those that have the bake of the first of them.
-std::vector<Measured*> withSameBake(std::span<Measured> trials, const BakeSettings& bake) {
+/// Those that have the same bake.
+std::vector<Measured*> withBake(std::span<Measured> trials, const BakeSettings& bake) {
   std::vector<Measured*> same;
   for (Measured& trial : trials)
     if (trial.trial.bake == bake) same.push_back(&trial);
@@ -87,16 +165,18 @@ std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial
                                     std::span<const TruthPicture> truth, const TrialBench& bench) {
   std::vector<Measured> measured;
   for (Trial& trial : trials) measured.emplace_back().trial = std::move(trial);
+  Measurement measurement(loaded, measured.front().trial, truth, bench);
   std::vector<BakeSettings> bakes;
   std::size_t count = 0;
   for (const Measured& trial : measured) {
     const BakeSettings& settings = trial.trial.bake;
     if (std::ranges::find(bakes, settings) != bakes.end()) continue;
     bakes.push_back(settings);
-    std::vector<Measured*> same = withSameBake(measured, settings);
-    BakeTrials(loaded, settings, bench).measure(same, truth);
+    std::vector<Measured*> same = withBake(measured, settings);
+    measurement.measure(same);
     bench.done(count += same.size());
   }
+  measurement.giveSeconds(measured);
   return measured;
 }
 

@@ -15,8 +15,13 @@ namespace hearth {
 /// how far off it is.
 struct Measured {
   Trial trial;
+  // Medians of ratios to the first trial, the base, each within a moment; of the base 1. A frame's
+  // are of the level's shots, on one thread.
+  double bakeCost = 1;
+  double frameCost = 1;
+  // The same times what the base took in the whole run, as a median.
   double bakeSeconds = 0;
-  double frameMilliseconds = 0;  ///< median over shots and repeats, on one thread
+  double frameMilliseconds = 0;
   std::int64_t texels = 0;
   std::int64_t rays = 0;
   std::int64_t bytes = 0;   ///< of lightmaps
@@ -27,14 +32,16 @@ struct Measured {
 
 /// How trials are measured.
 struct TrialBench {
-  PictureSize frameSize{640, 400};  ///< that is timed
-  int threads = 1;                  ///< of bakes
-  int repeats = 5;                  ///< of frames
-  Clock clock;
+  PictureSize frameSize{640, 400};        ///< that is timed
+  int threads = 1;                        ///< of bakes
+  int repeats = 3;                        ///< of bakes, and of frames of each shot
+  Clock clock;                            ///< never stands still
   std::function<void(std::size_t)> done;  ///< called with the number of trials that are measured
 };
 
-/// Bakes what has the same bake only once. `truth` is of the level's shots; none may be empty.
+/// Measures each trial in turn with the first, the base, as a machine under load gets slower. What
+/// has the same bake is baked only once, again and again. `truth` is of the level's shots; none may
+/// be empty.
 std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
                                     std::span<const TruthPicture> truth, const TrialBench& bench);
 

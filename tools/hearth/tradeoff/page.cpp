@@ -32,7 +32,8 @@ tr.front { color: var(--front); }
 )css";
 
 constexpr std::string_view kColumns =
-    "<table>\n<tr><th>settings</th><th>bake, s</th><th>frame, ms</th><th>texels</th><th>rays</th>"
+    "<table>\n<tr><th>settings</th><th>bake, x</th><th>s</th><th>frame, "
+    "x</th><th>ms</th><th>texels</th><th>rays</th>"
     "<th>light, bytes</th><th>light: max</th><th>RMS</th><th>p99</th><th>over 2, %</th>"
     "<th>over 8, %</th><th>largest blob</th><th>PSNR, dB</th><th>SSIM</th><th>front</th></tr>\n";
 
@@ -41,13 +42,14 @@ std::string row(const TradeoffReport& report, std::size_t i) {
   const auto& [light, picture] = of.errors;
   const std::string_view front = frontName(report, i);
   return fmt::format(
-      "<tr{}><td>{}</td><td>{:.3f}</td><td>{:.3f}</td><td>{}</td><td>{}</td><td>{}</td>"
+      "<tr{}><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.2f}</td><td>{:.3f}</td><td>{}</"
+      "td><td>{}</td><td>{}</td>"
       "<td>{:.1f}</td><td>{:.2f}</td><td>{:.1f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{}</td>"
       "<td>{:.1f}</td><td>{:.4f}</td><td>{}</td></tr>\n",
-      front.empty() ? "" : " class=\"front\"", escaped(nameOf(of.trial)), of.bakeSeconds,
-      of.frameMilliseconds, of.texels, of.rays, of.bytes, light.max, light.rms, light.p99,
-      100 * picture.over2, 100 * picture.over8, picture.largestBlob, picture.psnr, picture.ssim,
-      front);
+      front.empty() ? "" : " class=\"front\"", escaped(nameOf(of.trial)), of.bakeCost,
+      of.bakeSeconds, of.frameCost, of.frameMilliseconds, of.texels, of.rays, of.bytes, light.max,
+      light.rms, light.p99, 100 * picture.over2, 100 * picture.over8, picture.largestBlob,
+      picture.psnr, picture.ssim, front);
 }
 
 std::string figure(std::string_view caption, const std::string& plot) {
@@ -81,8 +83,9 @@ std::string pageOf(const TradeoffReport& report) {
   html += fmt::format("<h1>What settings cost, and how far off they are: {}</h1>\n",
                       escaped(report.level));
   html += fmt::format(
-      "<p>{}, {} thread(s), {}. Bakes on {} thread(s), frames of {}x{} on one. Errors against "
-      "truth, in the level's shots at {}x{}: of light in levels of 255, of pictures by pixels that "
+      "<p>{}, {} thread(s), {}. Bakes on {} thread(s), frames of {}x{} on one; x: times what the "
+      "level's own settings take, measured in turn with them. Errors against truth, in the level's "
+      "shots at {}x{}: of light in levels of 255, of pictures by pixels that "
       "are off by more than 2 or 8 levels.</p>\n<div class=\"plots\">\n",
       escaped(report.machine.processor), report.machine.threads, escaped(report.machine.compiler),
       report.bakeThreads, report.frameSize.width, report.frameSize.height, report.truthSize.width,

@@ -53,39 +53,41 @@ TradeoffReport reportOf(TradeoffReport measured) {
 std::string tableOf(const TradeoffReport& report) {
   std::string text = fmt::format(
       "{}, {} thread(s), {}; bakes on {} thread(s), frames of {}x{} on one;\n"
+      "x: times what the level's own settings take, measured in turn with them\n"
       "errors against truth at {}x{}: of light in levels of 255, of pictures in percent of pixels\n"
-      "\n{:<38} {:>8} {:>8} {:>9} {:>10} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}  "
-      "front\n",
+      "\n{:<38} {:>7} {:>8} {:>7} {:>8} {:>9} {:>10} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} "
+      "{:>6} {:>6}  front\n",
       report.machine.processor, report.machine.threads, report.machine.compiler, report.bakeThreads,
       report.frameSize.width, report.frameSize.height, report.truthSize.width,
-      report.truthSize.height, "settings", "bake s", "frame ms", "texels", "rays", "bytes", "max",
-      "RMS", "p99", "> 2 %", "> 8 %", "blob", "PSNR", "SSIM");
+      report.truthSize.height, "settings", "bake x", "bake s", "frame x", "frame ms", "texels",
+      "rays", "bytes", "max", "RMS", "p99", "> 2 %", "> 8 %", "blob", "PSNR", "SSIM");
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
     const Measured& of = report.trials[i];
     const auto& [light, picture] = of.errors;
     text += fmt::format(
-        "{:<38} {:>8.3f} {:>8.3f} {:>9} {:>10} {:>10} {:>6.1f} {:>6.2f} {:>6.1f} {:>6.2f} {:>6.2f} "
-        "{:>6} {:>6.1f} {:>6.4f}  {}\n",
-        nameOf(of.trial), of.bakeSeconds, of.frameMilliseconds, of.texels, of.rays, of.bytes,
-        light.max, light.rms, light.p99, 100 * picture.over2, 100 * picture.over8,
-        picture.largestBlob, picture.psnr, picture.ssim, frontName(report, i));
+        "{:<38} {:>7.2f} {:>8.3f} {:>7.2f} {:>8.3f} {:>9} {:>10} {:>10} {:>6.1f} {:>6.2f} {:>6.1f} "
+        "{:>6.2f} {:>6.2f} {:>6} {:>6.1f} {:>6.4f}  {}\n",
+        nameOf(of.trial), of.bakeCost, of.bakeSeconds, of.frameCost, of.frameMilliseconds,
+        of.texels, of.rays, of.bytes, light.max, light.rms, light.p99, 100 * picture.over2,
+        100 * picture.over8, picture.largestBlob, picture.psnr, picture.ssim, frontName(report, i));
   }
   return text;
 }
 
 std::string csvOf(const TradeoffReport& report) {
   std::string text =
-      "settings,front,bake_seconds,frame_ms,texels,rays,lightmap_bytes,frame_pixels,light_lookups,"
+      "settings,front,bake_cost,bake_seconds,frame_cost,frame_ms,texels,rays,lightmap_bytes,frame_"
+      "pixels,light_lookups,"
       "light_max,light_rms,light_p99,picture_rms,over2_share,over8_share,largest_blob,psnr,"
       "ssim\r\n";
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
     const Measured& of = report.trials[i];
     const auto& [light, picture] = of.errors;
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", of.trial.options,
-        frontName(report, i), of.bakeSeconds, of.frameMilliseconds, of.texels, of.rays, of.bytes,
-        of.pixels, of.lightLookups, light.max, light.rms, light.p99, picture.rms, picture.over2,
-        picture.over8, picture.largestBlob, picture.psnr, picture.ssim);
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", of.trial.options,
+        frontName(report, i), of.bakeCost, of.bakeSeconds, of.frameCost, of.frameMilliseconds,
+        of.texels, of.rays, of.bytes, of.pixels, of.lightLookups, light.max, light.rms, light.p99,
+        picture.rms, picture.over2, picture.over8, picture.largestBlob, picture.psnr, picture.ssim);
   }
   return text;
 }

@@ -12,7 +12,14 @@ namespace hearth {
 namespace {
 
 constexpr PictureSize kTruthSize{160, 100};
-constexpr int kRepeats = 5;
+constexpr int kRepeats = 3;
+
+constexpr std::string_view kMore =
+    R"(Bakes and frames of each setting are timed in turn with those of the level's
+own. What it costs, x, is the median of the ratios of neighbours in time, so a
+machine that gets slower meanwhile changes it little; seconds are that times
+what the level's own took, as a median over the whole run. What takes longer
+than the level's own is repeated less often, but once at least.)";
 
 void printList() {
   for (const Approximation& approximation : approximations()) {
@@ -93,7 +100,8 @@ Command tradeoffCommand() {
                      drawOptions() + bakeOptions(),
           .required = {},
           .run = run,
-          .levels = LevelFiles::OneOrNone};
+          .levels = LevelFiles::OneOrNone,
+          .more = std::string(kMore)};
 }
 
 }  // namespace hearth
