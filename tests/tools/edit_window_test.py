@@ -1,14 +1,17 @@
-"""Edits a light in a real window: drags it, undoes that, saves, and compares files and pictures.
+"""Edits a level in a real window: drags a light, undoes that, saves, and writes a bookmark as a shot;
+compares files and pictures.
 
 usage: edit_window_test.py HEARTH LEVEL
 """
 
+import json
 import shutil
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from walk_window_test import Display, Walk, expect_change, settled, wait_for
+from walk_window_test import Display, Walk, expect_change, hold, settled, turn_to, wait_for
 
 # The player of `rooms` looks at the first light from 2 m: it is a quarter of the picture's half to
 # the left of the middle, at the height of his eye. Spelled as nobody would, to be kept so.
@@ -39,15 +42,20 @@ def main():
         lights.write_bytes(LIGHTS)
         display = Display(name)
         try:
-            walk = Walk(display, hearth, copy, folder)
-            try:
-                edits(display, walk, lights)
-            finally:
-                walk.process.kill()
-                walk.process.wait()
+            edit(Walk(display, hearth, copy, folder), edits, display, lights)
+            state = str(folder / "state")
+            edit(Walk(display, hearth, copy, folder, XDG_STATE_HOME=state), writes_a_shot, display, copy)
         finally:
             display.close()
     print("edited in a window")
+
+
+def edit(walk, how, display, file):
+    try:
+        how(display, walk, file)
+    finally:
+        walk.process.kill()
+        walk.process.wait()
 
 
 def edits(display, walk, lights):
@@ -85,6 +93,45 @@ def edits(display, walk, lights):
     display.do("key", "F1")
     walk.expect_screenshot()
     walk.leave()
+
+
+def writes_a_shot(display, walk, level):
+    """B keeps the place, a click on its `write as a shot` writes it into the level's file."""
+    settled(display)
+    hold(display, "Right")
+    hold(display, "w")
+    settled(display)
+    display.do("key", "b")
+    wait_for("the place is kept", lambda: list(walk.folder.glob("state/hearth/bookmarks/*")))
+    display.do("key", "g")  # to the place as it is kept, to the millimetre
+    picture = walk.screenshot()[0].read_bytes()
+    before = level.read_bytes()
+    display.do("key", "F1")
+    right, height = walk.geometry()[2:]
+    turn_to(display, walk, "Bookmarks")
+    display.do("mousemove", "--window", walk.window, str(right - 370), "60")  # the only one's button
+    settled(display)
+    display.do("click", "1")
+    wait_for("the level's file changes", lambda: level.read_bytes() != before)
+    expect_only_one_more_shot(before, level.read_bytes())
+    drawn = walk.folder / "place.png"
+    subprocess.run([walk.hearth, "shot", level, "-o", drawn, "--shot", "place-1", "--size",
+                    f"{right}x{height}"], check=True, stdout=subprocess.DEVNULL)
+    if drawn.read_bytes() != picture:
+        sys.exit("FAILED: the shot shows what the window showed")
+    settled(display)
+    display.do("key", "F1")
+    walk.leave()
+
+
+def expect_only_one_more_shot(before, after):
+    """What was there stays, to the byte, and something stands between."""
+    begin = next(i for i, (a, b) in enumerate(zip(before, after)) if a != b)
+    if after[len(after) - len(before) + begin:] != before[begin:]:
+        sys.exit(f"FAILED: the rest of the file stays as it is: {after}")
+    shots, more = (json.loads(text)["shots"] for text in (before, after))
+    if more[:-1] != shots or more[-1]["name"] != "place-1":
+        sys.exit(f"FAILED: a shot more than {shots}: {more}")
 
 
 if __name__ == "__main__":
