@@ -226,6 +226,35 @@ TEST(LightsEditTest, HasTheCommentOfALight) {
   EXPECT_EQ(lights.commentOf(2), "");
 }
 
+std::string afterComment(std::string_view text, const std::string& comment) {
+  return after(text, [&](LightsEdit& lights) { return lights.setComment(0, comment); });
+}
+
+TEST(LightsEditTest, WritesAndTakesOutComments) {
+  EXPECT_EQ(afterComment(R"([{ "x": 1, "//0" :2, "//1": "old", "y": 1, "z": 1 }])", "a \"b\""),
+            R"([{ "x": 1, "//0" :2, "//1": "a \"b\"", "y": 1, "z": 1 }])");
+  EXPECT_EQ(afterComment("[\n{\"z\" :1,\n \"y\":2, \"x\":3}]", "new"),
+            "[\n{\"//\":\"new\",\n \"z\" :1,\n \"y\":2, \"x\":3}]");
+  EXPECT_EQ(afterComment(R"([{"//":"a","x":1,"y":1,"z":1}])", ""), R"([{"x":1,"y":1,"z":1}])");
+  EXPECT_EQ(afterComment(R"([{"x":1,"y":1,"z":1}])", ""), R"([{"x":1,"y":1,"z":1}])");
+}
+
+TEST(LightsEditTest, AddsALightWithItsComment) {
+  EXPECT_EQ(after(R"([{"x":1,"y":2,"z":3}])",
+                  [](LightsEdit& lights) {
+                    return lights.add(lightAt({4, 5, 6}), "in a hall");
+                  }),
+            R"([{"x":1,"y":2,"z":3},{"//":"in a hall","x":4,"y":5,"z":6}])");
+}
+
+TEST(LightsEditTest, PutsACurveInPlaceOfIntensityAndFalloff) {
+  EXPECT_EQ(afterChange(R"([{"x":1,"y":2,"z":3,"falloff":1,"radius":1}])", 0,
+                        [](LightDescription& light) {
+                          light.source.curve = {{0, 9}};
+                        }),
+            R"([{"x":1,"y":2,"z":3,"radius":1,"curve":[[0, 9]]}])");
+}
+
 TEST(LightsEditTest, RoundsToMillimetres) {
   EXPECT_EQ(toMillimetres(1.23456), 1.235);
   EXPECT_EQ(toMillimetres(-0.0004), 0);

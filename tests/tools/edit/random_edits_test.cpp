@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "hearth/edit/curve_edit.h"
 #include "hearth/edit/lights_edit.h"
 
 namespace hearth {
@@ -61,10 +62,17 @@ class TextWriter {
   std::string number() {
     return dice_.oneOf<std::string>({"1.50", "1e1", "0", "-0", "3", "12.0E-1", "7.125"});
   }
+  std::string curve() {
+    std::string text = "[";
+    for (std::size_t i = 0, count = 1 + dice_.below(3); i < count; ++i)
+      text += (i > 0 ? gap() + "," : "") + gap() + fmt::format("[{}{},{}1e1]", i, gap(), gap());
+    return text + gap() + "]";
+  }
   std::string light() {
     std::vector<std::string> members;
     for (const char* key : {"x", "y", "z"}) members.push_back(member(key, number()));
-    if (dice_.toss()) members.push_back(member("falloff", "0.40"));
+    if (dice_.toss())
+      members.push_back(dice_.toss() ? member("falloff", "0.40") : member("curve", curve()));
     if (dice_.toss()) members.push_back(member("color", "\"#Ff8000\""));
     if (dice_.toss()) members.push_back(member("sector", R"("ha\u006cl")"));
     std::rotate(members.begin(), members.begin() + static_cast<long>(dice_.below(members.size())),
@@ -100,23 +108,58 @@ std::vector<decltype(meaning({}))> meanings(const LightsDescription& lights) {
   return all;
 }
 
+/// Beside a curve there are neither intensity nor falloff.
+void makeStrong(LightSource& source, double intensity, double falloff) {
+  source.intensity = intensity;
+  source.falloff = falloff;
+  source.curve.clear();
+}
+
+/// As the panel changes curves, and with the first point or without the last.
+void changeCurve(LightSource& source, Dice& dice) {
+  std::vector<CurvePoint>& curve = source.curve;
+  if (curve.empty()) {
+    makeStrong(source, 255, 0);
+    curve = {{dice.number(), dice.number()}};
+    return;
+  }
+  const std::size_t point = dice.below(curve.size());
+  switch (dice.below(3)) {
+    case 0:
+      curve = withPointBehind(curve, point);
+      break;
+    case 1:
+      if (curve.size() == 1)
+        makeStrong(source, 255, dice.number());
+      else
+        curve = withoutPoint(curve, point);
+      break;
+    default:
+      curve[point].level = dice.number();
+      break;
+  }
+}
+
 LightDescription changed(LightDescription light, Dice& dice) {
   LightSource& source = light.source;
-  switch (dice.below(6)) {
+  switch (dice.below(7)) {
     case 0:
       source.position = {dice.number(), source.position.y, dice.number()};
       break;
     case 1:
-      source.falloff = dice.number();
+      makeStrong(source, source.intensity, dice.number());
       break;
     case 2:
-      source.intensity = dice.number();
+      makeStrong(source, dice.number(), source.falloff);
       break;
     case 3:
       source.color[dice.below(3)] = static_cast<std::uint8_t>(dice.below(256));
       break;
     case 4:
       source.radius = dice.number();
+      break;
+    case 5:
+      changeCurve(source, dice);
       break;
     default:
       light.sector = dice.toss() ? std::optional(NameReference{"hall \"2\"", {}}) : std::nullopt;
@@ -125,19 +168,26 @@ LightDescription changed(LightDescription light, Dice& dice) {
   return light;
 }
 
+const std::vector<std::string> kComments{"", "a lamp", "a \"b\", {c]", "\u00e4\n"};
+
 /// One edit of any kind; what the lights then are to mean is worked out beside it.
 void editAtRandom(LightsEdit& edit, Dice& dice) {
   std::vector<LightDescription> expected = edit.lights().lights;
-  const std::size_t kind = expected.empty() ? 0 : dice.below(8);
+  const std::size_t kind = expected.empty() ? 0 : dice.below(9);
   std::optional<std::string> mistake;
   if (kind == 0) {
     const LightDescription light = changed({}, dice);
     expected.push_back(light);
-    mistake = edit.add(light);
+    mistake = edit.add(light, dice.oneOf(kComments));
   } else if (kind == 1) {
     const std::size_t light = dice.below(expected.size());
     expected.erase(expected.begin() + static_cast<long>(light));
     mistake = edit.remove(light);
+  } else if (kind == 8) {
+    const std::size_t light = dice.below(expected.size());
+    const std::string& comment = dice.oneOf(kComments);
+    mistake = edit.setComment(light, comment);
+    EXPECT_EQ(edit.commentOf(light), comment);
   } else {
     const std::size_t light = dice.below(expected.size());
     if (kind == 2) edit.beginDrag();

@@ -61,6 +61,13 @@ Replacement without(std::string_view json, std::size_t bracket, const std::vecto
   return replacing(json, out, "");
 }
 
+/// Each with its key.
+std::vector<TextRange> partsOf(const std::vector<MemberRange>& members) {
+  std::vector<TextRange> parts;
+  for (const MemberRange& member : members) parts.push_back({member.key.begin, member.value.end});
+  return parts;
+}
+
 /// The blanks within an object.
 struct ObjectManner {
   std::string open = " ";
@@ -173,6 +180,15 @@ std::vector<MemberRange> membersAt(std::string_view json, std::size_t object) {
   return members;
 }
 
+std::optional<std::size_t> commentIn(std::string_view json,
+                                     const std::vector<MemberRange>& members) {
+  const auto found = std::ranges::find_if(members, [json](const MemberRange& member) {
+    return member.name.starts_with("//") && json[member.value.begin] == '"';
+  });
+  if (found == members.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - members.begin());
+}
+
 std::vector<TextRange> elementsAt(std::string_view json, std::size_t array) {
   std::vector<TextRange> elements;
   for (std::size_t at = skipBlanks(json, array + 1); json[at] != ']';) {
@@ -195,14 +211,26 @@ Replacement withMember(std::string_view json, std::size_t object, const SpelledM
 }
 
 Replacement withoutMember(std::string_view json, std::size_t object, std::string_view key) {
-  std::vector<TextRange> parts;
-  std::optional<std::size_t> index;
-  for (const MemberRange& member : membersAt(json, object)) {
-    if (member.name == key) index = parts.size();
-    parts.push_back({member.key.begin, member.value.end});
-  }
-  CHECK(index, key);
-  return without(json, object, parts, *index);
+  const std::vector<MemberRange> members = membersAt(json, object);
+  const auto found = std::ranges::find(members, key, &MemberRange::name);
+  CHECK(found != members.end(), key);
+  return without(json, object, partsOf(members), static_cast<std::size_t>(found - members.begin()));
+}
+
+Replacement withComment(std::string_view json, std::size_t object, std::string_view comment) {
+  const std::vector<MemberRange> members = membersAt(json, object);
+  if (const auto old = commentIn(json, members))
+    return replacing(json, members[*old].value, std::string(comment));
+  const ObjectManner manner = mannerOf(json, object, members, 1);
+  return {members.front().key.begin, "",
+          fmt::format("\"//\"{}{},{}", manner.colon, comment, manner.beforeKey)};
+}
+
+Replacement withoutComment(std::string_view json, std::size_t object) {
+  const std::vector<MemberRange> members = membersAt(json, object);
+  const auto comment = commentIn(json, members);
+  CHECK(comment, object);
+  return without(json, object, partsOf(members), *comment);
 }
 
 Replacement withObject(std::string_view json, std::size_t array,

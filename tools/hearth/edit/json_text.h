@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,9 @@ struct MemberRange {
 
 /// Of the object that begins at `object`, in the order of the text.
 std::vector<MemberRange> membersAt(std::string_view json, std::size_t object);
+/// The first of them that is a comment, of one string.
+std::optional<std::size_t> commentIn(std::string_view json,
+                                     const std::vector<MemberRange>& members);
 /// Of the array that begins at `array`.
 std::vector<TextRange> elementsAt(std::string_view json, std::size_t array);
 
@@ -54,6 +58,11 @@ struct SpelledMember {
 /// and one of those.
 Replacement withMember(std::string_view json, std::size_t object, const SpelledMember& member,
                        const std::vector<std::string_view>& earlier);
+/// Gives the object a comment, spelled, in place of the first one that it has, else before all that
+/// it has. Expects: the object has two members at least.
+Replacement withComment(std::string_view json, std::size_t object, std::string_view comment);
+/// Takes the first comment out. Expects: the object has one.
+Replacement withoutComment(std::string_view json, std::size_t object);
 /// Takes a member out with one of its commas. Expects: the object has it.
 Replacement withoutMember(std::string_view json, std::size_t object, std::string_view key);
 

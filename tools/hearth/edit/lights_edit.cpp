@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hearth/edit/light_name.h"
 #include "load/read.h"
 #include "load/read_document.h"
 
@@ -37,7 +38,10 @@ std::string spelled(const std::vector<CurvePoint>& curve) {
   return fmt::format("[{}]", text);
 }
 
-std::string spelled(const std::string& name) { return nlohmann::json(name).dump(); }
+/// Bytes that are no UTF-8 are not kept.
+std::string spelled(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 struct Member {
   std::string_view key;
@@ -60,11 +64,16 @@ std::vector<Member> changes(const LightDescription& from, const LightDescription
     members.push_back(
         {"sector", to.sector ? std::optional(spelled(to.sector->name)) : std::nullopt});
   add("radius", from.source.radius, to.source.radius);
-  if (to.source.curve.empty() && !from.source.curve.empty())
-    members.push_back({"curve", std::nullopt});
-  add("intensity", from.source.intensity, to.source.intensity);
-  add("falloff", from.source.falloff, to.source.falloff);
-  if (!to.source.curve.empty()) add("curve", from.source.curve, to.source.curve);
+  if (to.source.curve.empty()) {
+    if (!from.source.curve.empty()) members.push_back({"curve", std::nullopt});
+    add("intensity", from.source.intensity, to.source.intensity);
+    add("falloff", from.source.falloff, to.source.falloff);
+  } else {  // beside which there are neither
+    if (from.source.curve.empty())
+      for (const std::string_view key : {"intensity", "falloff"})
+        members.push_back({key, std::nullopt});
+    add("curve", from.source.curve, to.source.curve);
+  }
   if (!std::ranges::equal(from.source.color, to.source.color))
     members.push_back({"color", spelled(to.source.color)});
   return members;
@@ -74,8 +83,16 @@ std::vector<std::string_view> keysBefore(std::string_view key) {
   return {kKeys.begin(), std::ranges::find(kKeys, key)};
 }
 
+bool hasMember(std::string_view json, std::size_t light, std::string_view key) {
+  const std::vector<MemberRange> members = membersAt(json, light);
+  return std::ranges::find(members, key, &MemberRange::name) != members.end();
+}
+
+/// Of what has no such member it takes nothing out.
 Replacement with(std::string_view json, std::size_t light, const Member& member) {
-  if (!member.value) return withoutMember(json, light, member.key);
+  if (!member.value)
+    return hasMember(json, light, member.key) ? withoutMember(json, light, member.key)
+                                              : Replacement{light, "", ""};
   return withMember(json, light, {std::string(member.key), *member.value}, keysBefore(member.key));
 }
 
@@ -105,11 +122,7 @@ std::string LightsEdit::bytes() const {
 }
 
 std::string LightsEdit::commentOf(std::size_t light) const {
-  const std::string& text = history_.text();
-  for (const MemberRange& member : membersAt(text, offsetOf(light)))
-    if (member.name.starts_with("//") && text[member.value.begin] == '"')
-      return nlohmann::json::parse(member.value.of(text));
-  return "";
+  return commentAt(history_.text(), offsetOf(light));
 }
 
 /// Reads the text; what is wrong with it, if anything.
@@ -153,15 +166,28 @@ std::optional<std::string> LightsEdit::set(std::size_t light, const LightDescrip
   });
 }
 
-std::optional<std::string> LightsEdit::add(const LightDescription& light) {
+std::optional<std::string> LightsEdit::setComment(std::size_t light, const std::string& comment) {
   return edit([&] {
-    std::vector<SpelledMember> members{{"x", spelled(light.source.position.x)},
-                                       {"y", spelled(light.source.position.y)},
-                                       {"z", spelled(light.source.position.z)}};
+    if (commentOf(light) == comment) return;
+    history_.replace(comment.empty()
+                         ? withoutComment(history_.text(), offsetOf(light))
+                         : withComment(history_.text(), offsetOf(light), spelled(comment)));
+  });
+}
+
+std::optional<std::string> LightsEdit::add(const LightDescription& light,
+                                           const std::string& comment) {
+  return edit([&] {
+    std::vector<SpelledMember> members;
+    if (!comment.empty()) members.push_back({"//", spelled(comment)});
+    for (const auto& [key, value] :
+         {std::pair("x", light.source.position.x), std::pair("y", light.source.position.y),
+          std::pair("z", light.source.position.z)})
+      members.push_back({key, spelled(value)});
     LightDescription plain;
     plain.source.position = light.source.position;
     for (const Member& member : changes(plain, light))
-      members.push_back({std::string(member.key), *member.value});
+      if (member.value) members.push_back({std::string(member.key), *member.value});
     history_.replace(withObject(history_.text(), list_, members));
   });
 }

@@ -33,8 +33,10 @@ class LightsEdit {
 
   /// Writes what of `to` is not as it was.
   std::optional<std::string> set(std::size_t light, const LightDescription& to);
-  /// At the end: the position, and what else is not by default.
-  std::optional<std::string> add(const LightDescription& light);
+  /// What `commentOf` gives; an empty one is taken out.
+  std::optional<std::string> setComment(std::size_t light, const std::string& comment);
+  /// At the end: the comment, if any, the position, and what else is not by default.
+  std::optional<std::string> add(const LightDescription& light, const std::string& comment = "");
   std::optional<std::string> remove(std::size_t light);
 
   /// Until the drag ends each edit takes the place of the one before, so that all are one step.

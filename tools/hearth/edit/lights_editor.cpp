@@ -54,8 +54,12 @@ void LightsEditor::take(const std::optional<std::string>& mistake) {
 
 void LightsEditor::set(const LightDescription& to) { take(edit_->set(*picked_, to)); }
 
-void LightsEditor::add(const LightDescription& light) {
-  const auto mistake = edit_->add(light);
+void LightsEditor::setComment(const std::string& comment) {
+  take(edit_->setComment(*picked_, comment));
+}
+
+void LightsEditor::add(const LightDescription& light, const std::string& comment) {
+  const auto mistake = edit_->add(light, comment);
   if (!mistake) picked_ = lights().lights.size() - 1;
   take(mistake);
 }

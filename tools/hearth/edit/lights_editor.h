@@ -37,8 +37,9 @@ class LightsEditor {
   const LightDescription& pickedLight() const { return lights().lights[*picked_]; }
 
   // As those of LightsEdit. What is refused is told by `message`.
-  void set(const LightDescription& to);     ///< the light that is picked
-  void add(const LightDescription& light);  ///< which is picked then
+  void set(const LightDescription& to);         ///< the light that is picked
+  void setComment(const std::string& comment);  ///< of the light that is picked
+  void add(const LightDescription& light, const std::string& comment = "");  ///< picked then
   void removePicked();
   void beginDrag() { edit_->beginDrag(); }
   void endDrag() { edit_->endDrag(); }
