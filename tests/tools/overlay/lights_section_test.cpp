@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "hearth/overlay/overlay.h"
 #include "loaded.h"
@@ -70,6 +72,14 @@ class LightsSectionTest : public testing::Test {
     mouse(SDL_MOUSEBUTTONDOWN, x, y);
     mouse(SDL_MOUSEBUTTONUP, x, y);
   }
+  void type(const char* text) {
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    std::strncpy(event.text.text, text, sizeof event.text.text - 1);
+    overlay_.take(event);
+    frame();
+    frame();
+  }
   void drag(int x, int y) {
     mouse(SDL_MOUSEMOTION, x, y);
     mouse(SDL_MOUSEBUTTONDOWN, x, y);
@@ -123,6 +133,83 @@ TEST_F(LightsSectionTest, HasAFieldForEachNumberAndMakesOneStepOfADrag) {
       EXPECT_FALSE(editor().canUndo()) << y;
     }
   EXPECT_EQ(found, (std::set<std::string>{"x", "y", "z", "radius", "intensity", "falloff"}));
+}
+
+TEST_F(LightsSectionTest, GoesThroughAFieldInAFewHundredPixels) {
+  click(60, kFirstRow);
+  LightDescription far = editor().pickedLight();
+  far.source.falloff = 12;
+  editor().set(far);
+  bool isFound = false;
+  for (int y = kFieldsBegin; y < kFieldsEnd && !isFound; y += 7) {
+    mouse(SDL_MOUSEMOTION, 300, y);
+    mouse(SDL_MOUSEBUTTONDOWN, 300, y);
+    for (int x = 290; x >= 0; x -= 10) mouse(SDL_MOUSEMOTION, x, y);
+    mouse(SDL_MOUSEBUTTONUP, 0, y);
+    isFound = light().falloff != 12;
+  }
+  ASSERT_TRUE(isFound);
+  EXPECT_LT(light().falloff, 0.2) << "from 12";
+}
+
+TEST_F(LightsSectionTest, NamesALightInOneStep) {
+  click(60, kFirstRow);
+  for (int y = kFieldsBegin - 20; y < kFieldsEnd && editor().commentOf(0).empty(); y += 7) {
+    click(kFieldLeft, y);
+    type("lamp");
+    click(690 - left_, 590);  // away from it
+    if (editor().commentOf(0).empty() && editor().canUndo()) editor().undo();
+  }
+  EXPECT_EQ(editor().commentOf(0), "lamp");
+  EXPECT_TRUE(editor().bytes().starts_with(R"([{"//":"lamp","x":2,)"));
+  editor().undo();
+  EXPECT_EQ(editor().bytes(), kLights);
+}
+
+TEST_F(LightsSectionTest, AddsAndTakesOutPointsOfACurve) {
+  click(60, kFirstRow);
+  LightDescription curved = editor().pickedLight();
+  curved.source.curve = {{0, 200}, {2, 100}};
+  editor().set(curved);
+  const auto points = [this] { return light().curve; };
+  const int right = picture_.width() - left_;
+  const auto clickUntil = [&](int x, std::size_t count) {
+    for (int y = kFieldsBegin; y < kFieldsEnd && points().size() != count; y += 7) click(x, y);
+  };
+  clickUntil(right - 40, 3);  // +
+  EXPECT_EQ(points(), (std::vector<CurvePoint>{{0, 200}, {1, 150}, {2, 100}}));
+  clickUntil(right - 17, 2);  // -
+  EXPECT_EQ(points(), (std::vector<CurvePoint>{{1, 150}, {2, 100}}));
+  clickUntil(right - 17, 1);
+  const std::string one = editor().bytes();
+  clickUntil(right - 17, 0);
+  EXPECT_EQ(editor().bytes(), one) << "the last point stays";
+}
+
+TEST_F(LightsSectionTest, HidesTheMarksWhichAreNotPickedThen) {
+  click(60, kFirstRow);
+  LightDescription ahead = editor().pickedLight();
+  ahead.source.position = camera_.eye + Vec3{2, 0, 0};
+  editor().set(ahead);
+  editor().pick({});
+  const MarkerSpace view(camera_);
+  const PointerEvent press{PointerEvent::Kind::Press, *view.pixelOf(light().position)};
+  const auto isMarked = [&] {
+    Image picture(camera_.width, camera_.height);
+    const Image before = picture;
+    tool_.draw(rooms_.level, camera_, view, picture);
+    return picture != before;
+  };
+  EXPECT_TRUE(isMarked());
+  for (int x = 220; x < 260 && tool_.areMarksShown(); x += 8) click(x, kButtons);
+  EXPECT_FALSE(tool_.areMarksShown());
+  EXPECT_FALSE(isMarked());
+  EXPECT_FALSE(tool_.take(press, view, camera_.height));
+  EXPECT_FALSE(editor().picked());
+  tool_.showMarks(true);
+  EXPECT_TRUE(tool_.take(press, view, camera_.height));
+  EXPECT_EQ(editor().picked(), 0);
+  EXPECT_TRUE(tool_.section().isCalled()) << "in which it is edited";
 }
 
 TEST_F(LightsSectionTest, HasButtonsThatAddDeleteUndoRedoAndSave) {

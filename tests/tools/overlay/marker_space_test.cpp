@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace hearth {
 namespace {
 
@@ -28,30 +30,65 @@ TEST(MarkerSpaceTest, HasThePixelsOfTheView) {
 
 TEST(MarkerSpaceTest, DragsInAPlaneThatFacesTheCamera) {
   const MarkerSpace view(camera());
-  expectNear(view.dragged({3, 2, 1.5}, {320 + 160, 200 - 16}, false), {3, 3, 1.6});
-  expectNear(view.dragged({3, 2, 1.5}, {320 + 160, 200 - 16}, true), {3, 2, 1.6});
+  expectNear(view.dragged({3, 2, 1.5}, {320 + 160, 200 - 16}), {3, 3, 1.6});
+  expectNear(view.dragged({3, 2, 1.5}, {320 + 160, 200 - 16}, Axis::Z), {3, 2, 1.6});
   Camera turned = camera();
   turned.angle = 90;
   turned.pitch = 30;
   const MarkerSpace other(turned);
   for (const Vec2 pixel : {Vec2{10, 20}, Vec2{600, 399}}) {
-    const Vec3 at = other.dragged({1.5, 7, 0.25}, pixel, false);
+    const Vec3 at = other.dragged({1.5, 7, 0.25}, pixel);
     EXPECT_NEAR(at.y, 7, 1e-9);
     EXPECT_LT(length(*other.pixelOf(at) - pixel), 0.1) << "but for half a millimetre";
   }
 }
 
+TEST(MarkerSpaceTest, DragsAlongAnAxisAcrossTheViewAsFarAsThePointer) {
+  const MarkerSpace view(camera());
+  expectNear(view.dragged({3, 2, 1.5}, {320 + 160, 200 - 99}, Axis::Y), {3, 3, 1.5});
+  Camera slanted = camera();
+  slanted.angle = 60;
+  const MarkerSpace other(slanted);
+  const Vec3 from{3, 4, 1};
+  const Vec2 begin = *other.pixelOf(from);
+  for (const double x : {2.8, 3.2}) {
+    const Vec3 to = other.dragged(from, *other.pixelOf({x, 4, 1}), Axis::X);
+    EXPECT_NEAR(to.x, x, 0.05) << "but for what perspective adds";
+    EXPECT_EQ(to.y, 4);
+    EXPECT_EQ(to.z, 1);
+  }
+  EXPECT_EQ(other.dragged(from, begin, Axis::X), from);
+}
+
+TEST(MarkerSpaceTest, DragsAlongAnAxisThatRunsAwayWithoutLeaps) {
+  const MarkerSpace view(camera());
+  const Vec3 from{5, 2.25, 1.75};  // whose pixels hardly move as x grows
+  for (int pixels = -60; pixels <= 60; ++pixels) {
+    const Vec2 pixel = *view.pixelOf(from) + Vec2{pixels * 1.0, pixels * 0.5};
+    EXPECT_LT(length(view.dragged(from, pixel, Axis::X) - from), std::abs(pixels) * 0.06 + 0.001);
+  }
+  const Vec3 middle{5, 2, 1.5};  // whose pixel does not move
+  EXPECT_EQ(view.dragged(middle, {400, 100}, Axis::X), middle);
+}
+
+TEST(MarkerSpaceTest, DragsOnTheMapAlongAnAxis) {
+  const MarkerSpace map(MapScale{{320, 200}, {1, 2}, 10});
+  expectNear(map.dragged({3, 1, 99}, {300, 205}, Axis::X), {-1, 1, 99});
+  expectNear(map.dragged({3, 1, 99}, {300, 205}, Axis::Y), {3, 2.5, 99});
+  EXPECT_EQ(map.dragged({3, 1, 99}, {300, 205}, Axis::Z), (Vec3{3, 1, 99}));
+}
+
 TEST(MarkerSpaceTest, DragsOnTheMapAtTheSameHeight) {
   const MarkerSpace map(MapScale{{320, 200}, {1, 2}, 10});
   EXPECT_EQ(map.pixelOf({3, 1, 99}), (Vec2{340, 190}));
-  expectNear(map.dragged({3, 1, 99}, {300, 205}, false), {-1, 2.5, 99});
+  expectNear(map.dragged({3, 1, 99}, {300, 205}), {-1, 2.5, 99});
   EXPECT_TRUE(map.isMap());
 }
 
 TEST(MarkerSpaceTest, DragsByWholeMillimetresAndLeavesWhatStays) {
   const MarkerSpace map(MapScale{{320, 200}, {0, 0}, 3});
   const Vec3 from{1.23456, 2.34567, 3.45678};
-  const Vec3 at = map.dragged(from, *map.pixelOf(from) + Vec2{1, 0}, false);
+  const Vec3 at = map.dragged(from, *map.pixelOf(from) + Vec2{1, 0});
   EXPECT_EQ(at.x, 1.568);
   EXPECT_EQ(at.y, from.y);
   EXPECT_EQ(at.z, from.z);

@@ -2,6 +2,7 @@
 
 #include "hearth/overlay/pointer.h"
 
+#include <SDL_keyboard.h>
 #include <gtest/gtest.h>
 
 #include "walk/stage.h"
@@ -71,6 +72,28 @@ TEST(PointerTest, KnowsOfShift) {
   EXPECT_TRUE(pointer.take(moveTo(1), kPanelLeft)->isShifted);
   EXPECT_FALSE(pointer.take(test::up(SDL_SCANCODE_LSHIFT), kPanelLeft));
   EXPECT_FALSE(pointer.take(moveTo(1), kPanelLeft)->isShifted);
+}
+
+SDL_Event letter(SDL_Keycode key, bool isDown, int modifiers = 0) {
+  SDL_Event event = test::keyEvent(SDL_GetScancodeFromKey(key), isDown);
+  event.key.keysym.sym = key;
+  event.key.keysym.mod = static_cast<Uint16>(modifiers);
+  return event;
+}
+
+TEST(PointerTest, KnowsTheAxisWhoseKeyIsHeld) {
+  Pointer pointer;
+  const auto axis = [&] { return pointer.take(moveTo(1), kPanelLeft)->axis; };
+  pointer.take(letter(SDLK_x, true), kPanelLeft);
+  EXPECT_EQ(axis(), Axis::X);
+  pointer.take(letter(SDLK_z, true), kPanelLeft);
+  EXPECT_EQ(axis(), Axis::Z);
+  pointer.take(letter(SDLK_x, false), kPanelLeft);
+  EXPECT_EQ(axis(), Axis::Z);
+  pointer.take(letter(SDLK_z, false), kPanelLeft);
+  EXPECT_FALSE(axis());
+  pointer.take(letter(SDLK_z, true, KMOD_LCTRL), kPanelLeft);
+  EXPECT_FALSE(axis()) << "which undoes";
 }
 
 }  // namespace

@@ -128,6 +128,55 @@ TEST(WalkLights, AreDraggedUpAndDownWithShift) {
   EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1.50", "1.8"));
 }
 
+TEST(WalkLights, AreDraggedAlongTheAxisWhoseKeyIsHeld) {
+  LightsWalk walk;
+  walk.now(keyWith(SDLK_y, 0));
+  walk.drag(480, 360, 320, 360 - 64);
+  SDL_Event up = keyWith(SDLK_y, 0);
+  up.type = SDL_KEYUP;
+  walk.now(up);
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1", "16e-1"));
+  walk.drag(320, 360, 480, 360 - 64);
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1.5", "1.8")) << "and then freely";
+}
+
+TEST(WalkLights, ShowTheirAxesWhileTheyAreDragged) {
+  LightsWalk walk;
+  const auto isGreen = [&](int x, int y) {
+    const Rgb pixel = walk.stage.shown.at(x, y);
+    return pixel.g > 200 && pixel.r < 160 && pixel.b < 160;
+  };
+  walk.press(480, 360);
+  walk.move(400, 360);
+  walk.settle();
+  EXPECT_TRUE(isGreen(430, 360)) << "y runs to the right here";
+  walk.release(400, 360);
+  walk.settle();
+  EXPECT_FALSE(isGreen(430, 360));
+}
+
+TEST(WalkLights, AreDraggedAlongOneAxisOfTheMapWithShift) {
+  LightsWalk walk;
+  walk.now(down(SDL_SCANCODE_TAB));
+  walk.settle();
+  walk.now(down(SDL_SCANCODE_LSHIFT));
+  walk.drag(685, 349, 640, 339);
+  walk.now(up(SDL_SCANCODE_LSHIFT));
+  EXPECT_EQ(walk.lights().bytes(), withFirstAt("1", "1.50", "16e-1"));
+}
+
+TEST(WalkLights, AreHollowBehindWalls) {
+  LightsWalk walk;
+  walk.lights().pick(1);
+  LightDescription light = walk.lights().pickedLight();
+  light.source.position = {30, 2, 1.6};  // straight on, beyond the walls
+  walk.lights().set(light);
+  walk.lights().pick({});
+  walk.ticks(32);  // half a second, in which it is drawn anew
+  EXPECT_EQ(walk.stage.shown.at(640, 360), walk.plain.at(640, 360)) << "what is before it shows";
+  EXPECT_NE(walk.stage.shown.at(640, 355), walk.plain.at(640, 355)) << "its rim";
+}
+
 TEST(WalkLights, AreDraggedOverThePlanOnTheMap) {
   LightsWalk walk;
   walk.now(down(SDL_SCANCODE_TAB));

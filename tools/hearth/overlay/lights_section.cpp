@@ -3,59 +3,56 @@
 #include <fmt/format.h>
 #include <imgui/imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
+#include "hearth/edit/curve_edit.h"
+#include "hearth/edit/light_name.h"
+#include "hearth/overlay/widgets.h"
+
 namespace hearth {
 
 namespace {
 
-constexpr int kRows = 6;           // of the list that show at once
-constexpr float kNameWidth = 11;   // of a field, in letters
-constexpr double kLargest = 1e9;   // of all fields; the loader takes no more
-constexpr double kLeast = 0;       // of all fields but the position
-constexpr double kNoLeast = -1e9;  // of that one
-constexpr const char* kMetres = "%.3f m";
-
-/// How far a field goes for each pixel of the mouse.
-constexpr float kMetresPerPixel = 0.01F;
-constexpr float kLevelsPerPixel = 1;
-constexpr float kFalloffPerPixel = 0.005F;
-
-float letters(float count) { return count * ImGui::CalcTextSize("M").x; }
-
-void showText(const std::string& text) { ImGui::TextUnformatted(text.data()); }
-
-void showWrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  showText(text);
-  ImGui::PopTextWrapPos();
-}
+constexpr int kRows = 6;                    // of the list that show at once
+constexpr float kNameWidth = 11;            // of a field, in letters
+constexpr double kLargest = 1e9;            // of all fields; the loader takes no more
+constexpr std::size_t kLongestName = 1000;  // bytes
 
 bool showButton(const char* name, bool isEnabled) {
   ImGui::BeginDisabled(!isEnabled);
   const bool isPressed = ImGui::Button(name);
   ImGui::EndDisabled();
-  ImGui::SameLine();
   return isPressed;
 }
 
 void showButtons(LightsTool& tool, const Level& level, const Camera& camera) {
   LightsEditor& editor = tool.editor();
   if (showButton("add", true)) tool.addBefore(level, camera);
+  showTip("Before the eye. Inspector adds one before a surface that is clicked on.");
+  ImGui::SameLine();
   if (showButton("delete", editor.picked().has_value())) {
     tool.release();
     editor.removePicked();
   }
+  ImGui::SameLine();
   if (showButton("undo", editor.canUndo())) editor.undo();
+  ImGui::SameLine();
   if (showButton("redo", editor.canRedo())) editor.redo();
+  ImGui::SameLine();
   if (showButton("save", editor.isUnsaved())) {
     tool.release();
     editor.save();
   }
+  ImGui::SameLine();
+  bool areShown = tool.areMarksShown();
+  if (ImGui::Checkbox("marks", &areShown)) tool.showMarks(areShown);
+  showTip("Of lights, in the picture. Behind walls they are hollow.");
+  ImGui::SameLine();
   showText(editor.isUnsaved() ? "not saved" : "");
 }
 
@@ -74,11 +71,13 @@ void showRow(LightsTool& tool, std::size_t i) {
                      ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
                      {height, height});
   ImGui::SameLine();
-  const std::string name = fmt::format("{} {}", i, editor.commentOf(i));
-  if (ImGui::Selectable(name.data(), editor.picked() == i)) {
+  const ImVec2 begin = ImGui::GetCursorPos();
+  if (ImGui::Selectable("##light", editor.picked() == i)) {
     tool.release();
     editor.pick(i);
   }
+  ImGui::SetCursorPos(begin);
+  showText(lightName(i, editor.commentOf(i)));
   ImGui::PopID();
 }
 
@@ -100,36 +99,79 @@ void showList(LightsTool& tool, bool scrollsToPicked) {
 
 // --- Fields of the light that is picked ----------------------------------------------------------
 
-void showName(const char* name) {
+void showLabel(const char* name) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name);
   ImGui::SameLine(letters(kNameWidth));
   ImGui::SetNextItemWidth(-1);
 }
 
+/// Of a field. It is dragged so far for each pixel of the mouse; farther where its number is large,
+/// by a share of it.
 struct FieldRange {
   double least;
-  float perPixel;
+  double most;
+  double perPixel;
+  double sharePerPixel;
   const char* format;
+  const char* tip;
 };
+constexpr FieldRange kPosition{
+    -kLargest, kLargest, 0.02, 0, "%.3f m", "x to the right on the map, y down on it, z up."};
+constexpr FieldRange kRadius{
+    0, kLargest, 0.005, 0.01, "%.3f m", "Of a ball of light, which has soft shadows. 0: a point."};
+constexpr FieldRange kIntensity{0, kLargest, 1, 0.01, "%.1f of 255", "Levels of light at 0 m."};
+constexpr FieldRange kFalloff{0,
+                              kLargest,
+                              0.004,
+                              0.02,
+                              "%.3f per m",
+                              "At d metres there is intensity / (d x falloff + 1): 0.3 for a lamp "
+                              "that fills a hall, 0.8 for a pool of light."};
 
-template <std::size_t kCount>
-bool showNumbers(const char* name, std::array<double*, kCount> values, const FieldRange& range) {
-  showName(name);
-  std::array<double, kCount> shown;
-  for (std::size_t i = 0; i < kCount; ++i) shown.at(i) = *values.at(i);
+/// As wide as was asked for.
+bool showNumber(const char* id, double& value, const FieldRange& range) {
+  const double speed = std::max(range.perPixel, range.sharePerPixel * std::abs(value));
+  const bool isChanged =
+      ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &range.least,
+                        &range.most, range.format, ImGuiSliderFlags_AlwaysClamp);
+  if (!ImGui::IsItemActive())
+    showTip(fmt::format("{}\nDrag it; Ctrl and a click let you type a number.", range.tip));
+  return isChanged;
+}
+
+bool showField(const char* name, double& value, const FieldRange& range) {
+  showLabel(name);
   ImGui::PushID(name);
-  const bool isChanged = ImGui::DragScalarN("##field", ImGuiDataType_Double, shown.data(),
-                                            static_cast<int>(kCount), range.perPixel, &range.least,
-                                            &kLargest, range.format, ImGuiSliderFlags_AlwaysClamp);
+  const bool isChanged = showNumber("##field", value, range);
   ImGui::PopID();
-  if (isChanged)
-    for (std::size_t i = 0; i < kCount; ++i) *values.at(i) = shown.at(i);
+  return isChanged;
+}
+
+/// `count` fields side by side, with room for `right` pixels behind them.
+float widthOfEach(int count, float right = 0) {
+  const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemInnerSpacing.x;
+  return (ImGui::GetContentRegionAvail().x - gaps - right) / static_cast<float>(count);
+}
+
+bool showPosition(Vec3& position) {
+  showLabel("x, y, z");
+  const float width = widthOfEach(3);
+  bool isChanged = false;
+  const auto show = [&](const char* id, double& value) {
+    ImGui::SetNextItemWidth(width);
+    isChanged |= showNumber(id, value, kPosition);
+  };
+  show("##x", position.x);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  show("##y", position.y);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  show("##z", position.z);
   return isChanged;
 }
 
 bool showColor(LightSource& light) {
-  showName("color");
+  showLabel("color");
   std::array<float, 3> shares{};
   for (int i = 0; i < 3; ++i)
     shares.at(static_cast<std::size_t>(i)) = static_cast<float>(light.share(i));
@@ -141,36 +183,65 @@ bool showColor(LightSource& light) {
   return true;
 }
 
-bool showCurve(LightSource& light) {
-  bool isChanged = false;
-  for (std::size_t i = 0; i < light.curve.size(); ++i) {
-    CurvePoint& point = light.curve[i];
+// --- A curve -------------------------------------------------------------------------------------
+
+/// Its distance stays between those of its neighbours.
+bool showPoint(std::vector<CurvePoint>& curve, std::size_t i, float width) {
+  const FieldRange distance{i > 0 ? curve[i - 1].distance : 0,
+                            i + 1 < curve.size() ? curve[i + 1].distance : kLargest,
+                            0.02,
+                            0,
+                            "at %.2f m",
+                            "Of this point of the curve, between those beside it."};
+  const FieldRange level{
+      0, kLargest,      1,
+      0, "%.1f of 255", "Levels of light there. Between two points they change evenly."};
+  ImGui::SetNextItemWidth(width);
+  const bool isMoved = showNumber("##distance", curve[i].distance, distance);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(width);
+  return showNumber("##level", curve[i].level, level) || isMoved;
+}
+
+/// Two buttons behind a point, square ones, add another and take it out.
+bool showPointButtons(std::vector<CurvePoint>& curve, std::size_t i) {
+  const ImVec2 square{ImGui::GetFrameHeight(), ImGui::GetFrameHeight()};
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool isAdded = ImGui::Button("+", square);
+  showTip("Adds a point behind this one, which changes nothing yet.");
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::BeginDisabled(curve.size() == 1);
+  const bool isTakenOut = ImGui::Button("-", square);
+  ImGui::EndDisabled();
+  showTip("Takes this point out.");
+  if (isAdded) curve = withPointBehind(curve, i);
+  if (isTakenOut) curve = withoutPoint(curve, i);
+  return isAdded || isTakenOut;
+}
+
+bool showCurve(std::vector<CurvePoint>& curve) {
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    showLabel(i == 0 ? "curve" : "");
+    const float buttons = 2 * (ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::PushID(static_cast<int>(i));
-    showName(i == 0 ? "curve" : "");
-    ImGui::SetNextItemWidth(-1);
-    std::array<double, 2> shown{point.distance, point.level};
-    if (ImGui::DragScalarN("##point", ImGuiDataType_Double, shown.data(), 2, kMetresPerPixel,
-                           &kLeast, &kLargest, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
-      point = {shown[0], shown[1]};
-      isChanged = true;
-    }
+    bool isChanged = showPoint(curve, i, widthOfEach(2, buttons));
+    isChanged |= showPointButtons(curve, i);
     ImGui::PopID();
+    if (isChanged) return true;  // the rest in the next frame
   }
-  return isChanged;
+  return false;
 }
 
 bool showStrength(LightSource& light) {
-  if (!light.curve.empty()) return showCurve(light);
-  const bool isBrighter = showNumbers<1>("intensity", {&light.intensity},
-                                         {kLeast, kLevelsPerPixel, "%.1f levels of 255"});
-  return showNumbers<1>("falloff", {&light.falloff}, {kLeast, kFalloffPerPixel, "%.3f per m"}) ||
-         isBrighter;
+  if (!light.curve.empty()) return showCurve(light.curve);
+  const bool isBrighter = showField("intensity", light.intensity, kIntensity);
+  return showField("falloff", light.falloff, kFalloff) || isBrighter;
 }
 
 /// The sector is of use only where sectors overlap.
 bool showSector(LightDescription& light) {
   if (!light.sector) return false;
-  showName("sector");
+  showLabel("sector");
   showText(light.sector->name);
   ImGui::SameLine();
   if (!ImGui::Button("find by position")) return false;
@@ -180,23 +251,35 @@ bool showSector(LightDescription& light) {
 
 bool showFields(LightDescription& light) {
   LightSource& source = light.source;
-  bool isChanged =
-      showNumbers<3>("x, y, z", {&source.position.x, &source.position.y, &source.position.z},
-                     {kNoLeast, kMetresPerPixel, kMetres});
+  bool isChanged = showPosition(source.position);
   isChanged |= showSector(light);
-  isChanged |= showNumbers<1>("radius", {&source.radius}, {kLeast, kMetresPerPixel, kMetres});
+  isChanged |= showField("radius", source.radius, kRadius);
   isChanged |= showStrength(source);
   isChanged |= showColor(source);
+  return isChanged;
+}
+
+/// The comment of a light. Returns whether it has been changed.
+bool showName(std::string& comment) {
+  showLabel("name");
+  std::array<char, kLongestName + 1> typed{};
+  comment.copy(typed.data(), kLongestName);
+  const bool isChanged = ImGui::InputTextWithHint("##name", "none", typed.data(), typed.size());
+  showTip("Its comment in the file.");
+  if (isChanged) comment = typed.data();
   return isChanged;
 }
 
 /// As long as a field is held, what it changes is one step.
 void editPicked(LightsEditor& editor) {
   LightDescription light = editor.pickedLight();
-  if (showFields(light)) {
-    if (!editor.isDragging() && ImGui::IsAnyItemActive()) editor.beginDrag();
-    editor.set(light);
-  }
+  std::string comment = editor.commentOf(*editor.picked());
+  const bool isRenamed = showName(comment);
+  const bool isChanged = showFields(light);
+  if ((isRenamed || isChanged) && !editor.isDragging() && ImGui::IsAnyItemActive())
+    editor.beginDrag();
+  if (isRenamed) editor.setComment(comment);
+  if (isChanged) editor.set(light);
   if (editor.isDragging() && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) editor.endDrag();
 }
 
@@ -209,9 +292,10 @@ void showNews(LightsEditor& editor) {
 }  // namespace
 
 void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
-  const bool isPickedInPicture = tool && tool->takePick();
-  if (isPickedInPicture) ImGui::SetNextItemOpen(true);
-  if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  CalledSection none;
+  CalledSection& section = tool ? tool->section() : none;
+  const bool isCalled = section.isCalled();
+  if (!section.show("Lights")) return;
   if (!tool)
     return showWrapped(
         "This walk is recorded or replayed, or takes its light from a file: lights "
@@ -219,12 +303,13 @@ void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
   LightsEditor& editor = tool->editor();
   if (!editor.isOpen()) return showNews(editor);
   showButtons(*tool, level, camera);
-  showList(*tool, isPickedInPicture && editor.picked());
+  showList(*tool, isCalled && editor.picked());
   if (editor.picked()) editPicked(editor);
   showNews(editor);
   showWrapped(
-      "Drag a mark in the view: to the sides and up and down, with Shift only up and down. Drag it "
-      "on the map (Tab) to move it over the plan. Ctrl+Z undoes, Ctrl+Y redoes, Ctrl+S saves.");
+      "Drag a mark in the picture, or on the map (Tab) over the plan. With x, y or z held it moves "
+      "along that axis alone; with Shift up and down, on the map along x or y. Ctrl+Z undoes, "
+      "Ctrl+Y redoes, Ctrl+S saves.");
 }
 
 }  // namespace hearth

@@ -11,6 +11,7 @@
 #include "hearth/overlay/overlay.h"
 #include "level/locate.h"
 #include "light/raytracer.h"
+#include "load/positions.h"
 
 namespace hearth {
 
@@ -26,11 +27,18 @@ constexpr std::array kAhead = {1.5, 1.0, 0.5, 0.25};
 /// Enough to see what is near, and not all that is far.
 constexpr double kFirstFalloff = 0.5;
 
-bool isVisible(const Level& level, const Camera& camera, Vec3 point) {
+/// And before a surface.
+constexpr double kMostBefore = 1;
+
+/// The sector of a point that the eye sees.
+std::optional<SectorId> seenAt(const Level& level, const Camera& camera, Vec3 point) {
   const Vec3 eye = nudgedInside(level, level[camera.sector], camera.eye);
   SectorSet met;
-  return Raytracer(level).sectorAt({eye, camera.sector}, point, met).has_value();
+  return Raytracer(level).sectorAt({eye, camera.sector}, point, met);
 }
+
+/// A drag along both sides of a map goes where the mouse has gone farther.
+Axis fartherAxis(Vec2 way) { return std::abs(way.x) >= std::abs(way.y) ? Axis::X : Axis::Y; }
 
 Rgb colorOf(const LightSource& light) { return {light.color[0], light.color[1], light.color[2]}; }
 
@@ -44,7 +52,7 @@ Rgb mixed(Rgb a, Rgb b) {
 struct Mark {
   Rgb color;
   Rgb rim;
-  bool isDim;
+  bool isHidden;  ///< then it is hollow
 };
 
 void drawMark(Image& picture, Vec2 pixel, const Mark& mark) {
@@ -56,8 +64,12 @@ void drawMark(Image& picture, Vec2 pixel, const Mark& mark) {
     for (int x = std::max(0, left - half); x <= std::min(picture.width() - 1, left + half); ++x) {
       const int fromMiddle = std::abs(x - left) + std::abs(y - top);
       if (fromMiddle > half) continue;
-      const Rgb color = fromMiddle > half - 2 * scale ? mark.rim : mark.color;
-      picture.at(x, y) = mark.isDim ? mixed(color, picture.at(x, y)) : color;
+      const bool isRim = fromMiddle > half - 2 * scale;
+      Rgb& shown = picture.at(x, y);
+      if (!mark.isHidden)
+        shown = isRim ? mark.rim : mark.color;
+      else if (isRim)
+        shown = mixed(mark.rim, shown);
     }
 }
 
@@ -72,6 +84,7 @@ bool isNear(Vec2 pixel, const Image& picture) {
 
 std::optional<std::size_t> LightsTool::lightAt(Vec2 pixel, const MarkerSpace& space,
                                                int pictureHeight) const {
+  if (!areMarksShown_) return std::nullopt;
   std::optional<std::size_t> nearest;
   double least = kReach * letterScale(pictureHeight);
   for (std::size_t i = 0; i < editor_.lights().lights.size(); ++i) {
@@ -95,12 +108,12 @@ bool LightsTool::take(const PointerEvent& event, const MarkerSpace& space, int p
       editor_.beginDrag();
       const LightDescription& picked = editor_.pickedLight();
       grip_ = Grip{picked, *space.pixelOf(picked.source.position) - event.pixel};
-      hasPicked_ = true;
+      section_.call();
       return true;
     }
     case PointerEvent::Kind::Move:
       if (!grip_) return false;
-      drag(event, space);
+      dragTo(event, space);
       return true;
     case PointerEvent::Kind::Release:
       if (!grip_) return false;
@@ -110,15 +123,26 @@ bool LightsTool::take(const PointerEvent& event, const MarkerSpace& space, int p
   return false;
 }
 
-void LightsTool::drag(const PointerEvent& event, const MarkerSpace& space) {
+void LightsTool::dragTo(const PointerEvent& event, const MarkerSpace& space) {
   LightDescription light = grip_->light;
   Vec3& position = light.source.position;
-  if (!space.pixelOf(position)) return;  // the eye has turned away from it
-  position = space.dragged(position, event.pixel + grip_->toMark, event.isShifted);
+  const auto mark = space.pixelOf(position);
+  if (!mark) return;  // the eye has turned away from it
+  const Vec2 pixel = event.pixel + grip_->toMark;
+  grip_->axis = event.axis;
+  if (event.isShifted && !event.axis)
+    grip_->axis = space.isMap() ? fartherAxis(pixel - *mark) : Axis::Z;
+  position = space.dragged(position, pixel, grip_->axis);
   editor_.set(light);
 }
 
+std::optional<LightsTool::Drag> LightsTool::drag() const {
+  if (!grip_ || !editor_.isDragging() || !editor_.picked()) return std::nullopt;
+  return Drag{editor_.pickedLight().source.position, grip_->axis};
+}
+
 bool LightsTool::take(const SDL_KeyboardEvent& key) {
+  if (grip_ && axisOf(key)) return true;
   if ((key.keysym.mod & KMOD_CTRL) == 0 || !editor_.isOpen()) return false;
   const bool isShifted = (key.keysym.mod & KMOD_SHIFT) != 0;
   switch (key.keysym.sym) {
@@ -145,35 +169,70 @@ void LightsTool::release() {
   grip_.reset();
 }
 
-void LightsTool::addBefore(const Level& level, const Camera& camera) {
+void LightsTool::showMarks(bool areShown) {
   release();
+  areMarksShown_ = areShown;
+}
+
+void LightsTool::pick(std::size_t light) {
+  release();
+  if (light >= editor_.lights().lights.size()) return;
+  editor_.pick(light);
+  section_.call();
+}
+
+// --- New lights ----------------------------------------------------------------------------------
+
+void LightsTool::addBefore(const Level& level, const Camera& camera) {
   const Projection view(camera, camera.eye);
+  Vec3 position;
+  std::optional<SectorId> sector;
+  for (std::size_t i = 0; i < kAhead.size() && !sector; ++i) {
+    const Vec2 plan = camera.eye.xy() + kAhead.at(i) * view.direction();
+    position = {plan.x, plan.y, camera.eye.z};
+    sector = seenAt(level, camera, position);
+  }
+  add(level, position, sector);
+}
+
+void LightsTool::addBefore(const Level& level, const SurfacePoint& place) {
+  const Vec3 begin = nudgedInside(level, level[place.sector], place.point);
+  const auto met = trace(level, place.sector, begin, place.normal, RayKind::Look);
+  const double free = met ? met->t : kMostBefore;  // the normal is a unit
+  const Vec3 position = place.point + std::min(kMostBefore, free / 2) * place.normal;
+  add(level, position, sectorAt(level, place.sector, begin, position));
+}
+
+/// Names the sector where a position alone does not say which.
+void LightsTool::add(const Level& level, Vec3 position, std::optional<SectorId> sector) {
+  release();
   LightDescription light;
   light.source.falloff = kFirstFalloff;
-  for (const double ahead : kAhead) {
-    const Vec2 plan = camera.eye.xy() + ahead * view.direction();
-    light.source.position = {toMillimetres(plan.x), toMillimetres(plan.y),
-                             toMillimetres(camera.eye.z)};
-    if (isVisible(level, camera, light.source.position)) break;
-  }
-  editor_.add(light);
-  hasPicked_ = editor_.picked().has_value();
+  light.source.position = {toMillimetres(position.x), toMillimetres(position.y),
+                           toMillimetres(position.z)};
+  const std::string name = sector ? level[*sector].name : "";
+  const Locator locator(level);
+  if (sector && !locator.locate(light.source.position, std::nullopt, PositionOf::Light))
+    light.sector = NameReference{name, {}};
+  editor_.add(light, sector ? "in " + name : "");
+  section_.call();
 }
 
 // --- Marks ---------------------------------------------------------------------------------------
 
 void LightsTool::draw(const Level& level, const Camera& camera, const MarkerSpace& space,
                       Image& picture) const {
-  if (!editor_.isOpen()) return;
+  if (!editor_.isOpen() || !areMarksShown_) return;
   constexpr Rgb kRim = {0, 0, 0};
   constexpr Rgb kPickedRim = {255, 255, 255};
   const auto drawLight = [&](std::size_t i) {
     const LightSource& light = editor_.lights().lights[i].source;
     const auto pixel = space.pixelOf(light.position);
     if (!pixel || !isNear(*pixel, picture)) return;
-    const bool isHidden = !space.isMap() && !isVisible(level, camera, light.position);
+    const bool isHidden = !space.isMap() && !seenAt(level, camera, light.position);
     const bool isPicked = editor_.picked() == i;
-    drawMark(picture, *pixel, {colorOf(light), isPicked ? kPickedRim : kRim, isHidden});
+    const Rgb rim = isHidden ? colorOf(light) : kRim;
+    drawMark(picture, *pixel, {colorOf(light), isPicked ? kPickedRim : rim, isHidden});
   };
   for (std::size_t i = 0; i < editor_.lights().lights.size(); ++i) drawLight(i);
   if (editor_.picked()) drawLight(*editor_.picked());  // over all others

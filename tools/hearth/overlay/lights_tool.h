@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "hearth/edit/lights_editor.h"
+#include "hearth/overlay/called_section.h"
 #include "hearth/overlay/marker_space.h"
 #include "hearth/overlay/pointer.h"
 #include "image/image.h"
 #include "level/level.h"
 #include "load/limits.h"
 #include "render/camera.h"
+#include "truth/trace.h"
 
 namespace hearth {
 
@@ -25,37 +27,55 @@ class LightsTool {
 
   LightsEditor& editor() { return editor_; }
   const LightsEditor& editor() const { return editor_; }
+  /// In which lights are edited: called when one is picked outside of it.
+  CalledSection& section() { return section_; }
+
+  /// Whether lights have marks, which can be picked.
+  bool areMarksShown() const { return areMarksShown_; }
+  void showMarks(bool areShown);
 
   /// Picks and drags. Returns whether the event is about a light.
   bool take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
   /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
-  /// is one of these, or Ctrl by itself.
+  /// is one of these, or Ctrl by itself, or an axis of a drag.
   bool take(const SDL_KeyboardEvent& key);
   /// Ends a drag.
   void release();
 
-  /// A mark for each light, dim where `level` hides it from the camera; bright on the map.
+  /// What is being dragged.
+  struct Drag {
+    Vec3 position;
+    std::optional<Axis> axis;  ///< along which alone
+  };
+  std::optional<Drag> drag() const;
+
+  /// A mark for each light: hollow and dim where `level` hides it from the camera, but on the map.
   void draw(const Level& level, const Camera& camera, const MarkerSpace& space,
             Image& picture) const;
 
+  /// As by a click on its mark. Nothing where there is no such light any more.
+  void pick(std::size_t light);
   /// Puts a light before the eye.
   void addBefore(const Level& level, const Camera& camera);
-  /// Whether a light has been picked in the picture, or put there, since the last call.
-  bool takePick() { return std::exchange(hasPicked_, false); }
+  /// Puts a light a metre before a surface, or half as far as there is air.
+  void addBefore(const Level& level, const SurfacePoint& place);
 
  private:
   std::optional<std::size_t> lightAt(Vec2 pixel, const MarkerSpace& space, int pictureHeight) const;
-  void drag(const PointerEvent& event, const MarkerSpace& space);
+  void dragTo(const PointerEvent& event, const MarkerSpace& space);
+  void add(const Level& level, Vec3 position, std::optional<SectorId> sector);
 
-  /// What is dragged.
+  /// What holds the light that is dragged.
   struct Grip {
     LightDescription light;  ///< as it was
     Vec2 toMark;             ///< from the pointer, in pixels
+    std::optional<Axis> axis = {};
   };
 
   LightsEditor editor_;
+  CalledSection section_;
+  bool areMarksShown_ = true;
   std::optional<Grip> grip_;
-  bool hasPicked_ = false;
 };
 
 }  // namespace hearth

@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "hearth/overlay/pointer.h"
 #include "hearth/walk/automap.h"
 #include "math/vec.h"
 #include "render/camera.h"
@@ -20,9 +21,9 @@ class MarkerSpace {
   std::optional<Vec2> pixelOf(Vec3 world) const;
 
   /// Where what is at `from` comes to when it is dragged to a pixel: at the same depth, as far as
-  /// the camera looks level, or at the same height on the map. Changed coordinates are whole
-  /// millimetres. `isUpright` keeps the place on the map, and on the map does nothing.
-  Vec3 dragged(Vec3 from, Vec2 pixel, bool isUpright) const;
+  /// the camera looks level, or at the same height on the map. With an axis along that alone, as
+  /// far as the pixel lies along it in the picture. Changed coordinates are whole millimetres.
+  Vec3 dragged(Vec3 from, Vec2 pixel, std::optional<Axis> axis = {}) const;
 
   bool isMap() const { return std::holds_alternative<MapScale>(space_); }
 

@@ -9,6 +9,8 @@
 
 namespace hearth {
 
+enum class Axis : std::uint8_t { X, Y, Z };
+
 /// What the mouse does in the picture beside the panel.
 struct PointerEvent {
   enum class Kind : std::uint8_t { Move, Press, Release };
@@ -16,6 +18,7 @@ struct PointerEvent {
   Kind kind;
   Vec2 pixel;  ///< of the picture; while the button is held perhaps beside it
   bool isShifted = false;
+  std::optional<Axis> axis = {};  ///< whose key is held
 };
 
 /// Tells whose the left button is while the overlay is open: where it was pressed, until it is let
@@ -24,15 +27,24 @@ class Pointer {
  public:
   /// What of an event is for the picture: for what is left of the column `panelLeft`.
   std::optional<PointerEvent> take(const SDL_Event& event, int panelLeft);
-  void release() { holder_ = Holder::None; }
+  void release() {
+    holder_ = Holder::None;
+    axis_.reset();
+  }
 
  private:
   enum class Holder : std::uint8_t { None, Picture, Panel };
 
   std::optional<PointerEvent> take(const SDL_MouseButtonEvent& button, int panelLeft);
+  void take(const SDL_KeyboardEvent& key);
+  PointerEvent eventAt(PointerEvent::Kind kind, int x, int y) const;
 
   Holder holder_ = Holder::None;
   bool isShifted_ = false;
+  std::optional<Axis> axis_;
 };
+
+/// That the key x, y or z names, without Ctrl.
+std::optional<Axis> axisOf(const SDL_KeyboardEvent& key);
 
 }  // namespace hearth

@@ -2,6 +2,7 @@
 
 #include <imgui/imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hearth {
@@ -13,24 +14,47 @@ constexpr float kTipWidth = 50;
 constexpr float kSliderName = 16;
 constexpr float kSliderWidth = 24;
 
+float widthOf(std::string_view text) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+/// The bytes of the first line: up to the last blank that leaves it narrow enough, else the first.
+std::size_t firstLine(std::string_view text, float width) {
+  std::size_t end = std::min(text.find(' '), text.size());
+  while (end < text.size()) {
+    const std::size_t next = std::min(text.find(' ', end + 1), text.size());
+    if (widthOf(text.substr(0, next)) > width) break;
+    end = next;
+  }
+  return end;
+}
+
 }  // namespace
 
 float letters(float count) { return count * ImGui::CalcTextSize("M").x; }
 
 void showText(const std::string& text) { ImGui::TextUnformatted(text.data()); }
 
-void showWrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  showText(text);
-  ImGui::PopTextWrapPos();
+std::string brokenAtBlanks(std::string_view text, float width) {
+  std::string lines;
+  while (true) {
+    const std::size_t end = firstLine(text, width);
+    lines += text.substr(0, end);
+    if (end == text.size()) return lines;
+    lines += '\n';
+    text.remove_prefix(end + 1);
+  }
+}
+
+void showWrapped(std::string_view text) {
+  const std::string lines = brokenAtBlanks(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
 }
 
 void showTip(const std::string& text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(letters(kTipWidth));
-  showText(text);
-  ImGui::PopTextWrapPos();
+  showText(brokenAtBlanks(text, letters(kTipWidth)));
   ImGui::EndTooltip();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 /// What sections of the overlay are made of, besides ImGui's own.
 namespace hearth {
@@ -9,8 +10,11 @@ namespace hearth {
 float letters(float count);
 
 void showText(const std::string& text);
-/// Broken at the panel's edge.
-void showWrapped(const std::string& text);
+/// The text in lines of at most so many pixels, broken at blanks: numbers and names stay whole,
+/// even where they are wider.
+std::string brokenAtBlanks(std::string_view text, float width);
+/// Broken so at the panel's edge.
+void showWrapped(std::string_view text);
 /// While the pointer is on the last item, which may be disabled.
 void showTip(const std::string& text);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "hearth/overlay/drag_axes.h"
 #include "hearth/overlay/lights_section.h"
 #include "hearth/overlay/quality_section.h"
 #include "hearth/overlay/view_section.h"
@@ -81,9 +82,11 @@ PanelWishes WalkPanel::draw(double now, const PanelScene& scene, const Figures& 
 
 /// Returns what is to be copied.
 std::optional<std::string> WalkPanel::showLightPage(const PanelScene& scene) {
+  LightsTool* const lights = lights_ ? &*lights_ : nullptr;
   auto copied = inspector_.show(
       {scene.level, scene.renderer, bake_, scene.source, scene.isLevelShown}, scene.camera);
-  showLights(lights_ ? &*lights_ : nullptr, scene.level, scene.camera);
+  showLights(lights, scene.level, scene.camera);
+  if (lights && scene.space) drawDragAxes(*lights, *scene.space, scene.size.height);
   return copied;
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace hearth {
+
+/// A section of the panel, open at first, that can be called: it is opened then, and scrolled to
+/// its top.
+class CalledSection {
+ public:
+  void call() { framesLeft_ = kFramesToScroll; }
+  /// Whether it is being brought into view.
+  bool isCalled() const { return framesLeft_ > 0; }
+
+  /// Returns whether it is open. Expects a frame of ImGui.
+  bool show(const char* name);
+
+ private:
+  /// A panel is scrolled no farther than it was long in the frame before.
+  static constexpr int kFramesToScroll = 3;
+
+  int framesLeft_ = 0;
+};
+
+}  // namespace hearth
