@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include "hearth/inspect/remedy.h"
 #include "hearth/inspect/words.h"
 #include "loaded.h"
 #include "render/renderer.h"
@@ -19,34 +21,76 @@ struct Spot {
 };
 
 const Spot kSpots[] = {
-    {"unlit-side", "solid wall of pier/pier, wall 3",
-     "faces away: the light is behind this surface"},
-    {"step", "solid wall of dais-top, wall 2", "blocked by lower step of dais, wall 4 at 7.5,6,"},
-    {"sidewall", "solid wall of ramp-east, wall 1",
-     "blocked by floor sidewall of ramp-way, seen through ramp-west, wall 1 at 12,"},
-    {"weak", "solid wall of nook, wall 4", "too weak here: 0."},
-    {"in-plane", "solid wall of bend, wall 5", "in the plane of the surface"},
+    {"unlit-side", "wall 3 of pier/pier",
+     "faces away: it is behind this surface; move it to this side"},
+    {"step", "wall 2 of dais-top", "blocked by lower step at wall 4 of dais (7.5, 6, "},
+    {"sidewall", "wall 1 of ramp-east",
+     "blocked by sidewall of the sloped floor of ramp-way, at wall 1 of ramp-west (12, "},
+    {"weak", "wall 4 of nook", "too weak here: 0."},
+    {"in-plane", "wall 5 of bend", "in the plane of this surface: move it off the plane, "},
 };
+
+/// What the middle of a shot shows.
+TruthHit middleOf(const Level& level, const std::string& name) {
+  const auto shot = std::ranges::find(level.shots, name, &Shot::name);
+  const Camera camera = cameraOf(*shot);
+  const Projection projection = projectionFor(level, camera);
+  const Vec2 ray = projection.rayOf(camera.width / 2.0);
+  return *trace(level, camera.sector, projection.eye(),
+                {ray.x, ray.y, projection.climbOf(camera.height / 2.0)}, RayKind::Look);
+}
 
 TEST(DarkSpots, AreNamedEachWithItsReason) {
   const LoadedLevel place = loaded("levels/dark-spots.json");
   const Level& level = place.level;
   const BakedLight light = bake(level, level.bake, 2);
   for (const Spot& spot : kSpots) {
-    const auto shot = std::ranges::find(level.shots, spot.shot, &Shot::name);
-    ASSERT_NE(shot, level.shots.end()) << spot.shot;
-    const Camera camera = cameraOf(*shot);
-    const Projection projection = projectionFor(level, camera);
-    const Vec2 ray = projection.rayOf(camera.width / 2.0);
-    const auto hit = trace(level, camera.sector, projection.eye(),
-                           {ray.x, ray.y, projection.climbOf(camera.height / 2.0)}, RayKind::Look);
-    const Inspection found = inspect(level, light, level.bake, *hit);
+    const Inspection found = inspect(level, light, level.bake, middleOf(level, spot.shot));
     EXPECT_EQ(surfaceWords(level, found.place), spot.surface);
     EXPECT_TRUE(reasonWords(level, found.lights.at(0)).starts_with(spot.reason))
         << reasonWords(level, found.lights[0]);
     EXPECT_LT(found.sum.x, kVisibleLevel) << spot.shot;
     EXPECT_LE(found.lightmap->shown.x, kVisibleLevel) << spot.shot;
   }
+}
+
+TEST(DarkSpots, HaveOnlyTheLightOfTheirRoomNear) {
+  const LoadedLevel place = loaded("levels/dark-spots.json");
+  const Level& level = place.level;
+  const BakedLight light = bake(level, level.bake, 2);
+  std::vector<std::size_t> near;
+  for (const Spot& spot : kSpots)
+    for (const auto& finding : inspect(level, light, level.bake, middleOf(level, spot.shot)).lights)
+      if (finding.comesNear) near.push_back(finding.light);
+  EXPECT_EQ(near, (std::vector<std::size_t>{5, 6, 7, 8, 9}));
+}
+
+/// The light that the first of a room's findings is about, which `change` mends by what it says.
+template <typename Change>
+double afterAdvice(const std::string& shot, Change&& change) {
+  LoadedLevel place = loaded("levels/dark-spots.json");
+  Level& level = place.level;
+  const BakedLight light = bake(level, level.bake, 2);
+  const TruthHit spot = middleOf(level, shot);
+  const Inspection before = inspect(level, light, level.bake, spot);
+  LightSource& lamp = level.lights[before.lights.at(0).light];
+  change(lamp, before.lights[0]);
+  return brightest(inspect(level, light, level.bake, spot).sum);
+}
+
+TEST(DarkSpots, AreLitByWhatTheirReasonsAdvise) {
+  const auto lift = [](LightSource& lamp, const LightFinding& finding) {
+    ASSERT_TRUE(finding.lift);
+    lamp.position.z += *finding.lift;
+  };
+  EXPECT_GT(afterAdvice("step", lift), kClearLevel);
+  EXPECT_GT(afterAdvice("sidewall", lift), kClearLevel);
+  const double strengthened =
+      afterAdvice("weak", [](LightSource& lamp, const LightFinding& finding) {
+        lamp.falloff = *remedyFor(lamp, finding)->falloff;
+      });
+  EXPECT_GE(strengthened, kClearLevel);
+  EXPECT_LT(strengthened, 1.1 * kClearLevel) << "no more than needed";
 }
 
 }  // namespace

@@ -62,28 +62,31 @@ TEST(Inspect, namesTheUnlitSideOfAWall) {
   // The lamp stands in the next room, behind the step whose other side is looked at.
   const LoadedLevel loaded = halves("", lamp(8, 2, 2.5), 1.5);
   EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 1}, {1, 0, 0}),
-            "faces away: the light is behind this surface");
+            "faces away: it is behind this surface; move it to this side");
 }
 
 TEST(Inspect, namesTheStepThatBlocks) {
   const LoadedLevel loaded = halves("", lamp(9, 2, 1.75), 1.5);
-  EXPECT_EQ(reasonAt(loaded, "west", {2, 2, 1}, {0, 0, -1}), "blocked by floor of east at 8,2,1.5");
+  EXPECT_EQ(reasonAt(loaded, "west", {2, 2, 1}, {0, 0, -1}),
+            "blocked by floor of east (8, 2, 1.5): move it to where nothing is between");
   const LoadedLevel other = halves("", lamp(4, 2, 0.5), 1.5);
   EXPECT_EQ(reasonAt(other, "east", {8, 2, 2}, {0, 0, 1}),
-            "blocked by lower step of west, wall 1 at 5,2,1.125");
+            "blocked by lower step at wall 1 of west (5, 2, 1.125): raise it 0.5 m or more");
 }
 
 TEST(Inspect, namesTheSidewallThatBlocks) {
   const LoadedLevel loaded =
       halves("", lamp(2, 2, 0.5), 0, ",'slopeFloor':{'z':[2,0,0,2],'sidewall':'#808080'}");
   EXPECT_EQ(reasonAt(loaded, "east", {9.9, 2, 1}, {1, 0, -0.1}),
-            "blocked by floor sidewall of east, seen through west, wall 1 at 5,2,0.684");
+            "blocked by sidewall of the sloped floor of east, at wall 1 of west (5, 2, 0.684): "
+            "raise it 2.2 m or more");
 }
 
 TEST(Inspect, namesTheHangingTextureThatBlocksAndLetsLightThroughItsHoles) {
   LoadedLevel loaded = halves(",'middle':'#808080 4,3'", lamp(2, 2, 1.5));
   EXPECT_EQ(reasonAt(loaded, "east", {8, 2, 1.5}, {1, 0, 0}),
-            "blocked by middle texture of west, wall 1 at 5,2,1.5");
+            "blocked by middle texture at wall 1 of west (5, 2, 1.5): move it to where nothing is "
+            "between");
   TexelHoles holes(1, 1);
   holes.make(0, 0);
   loaded.level.holes.assign(loaded.level.textures.size(), holes);
@@ -93,7 +96,7 @@ TEST(Inspect, namesTheHangingTextureThatBlocksAndLetsLightThroughItsHoles) {
 TEST(Inspect, namesALightThatIsTooWeakAndTellsHowWeak) {
   const LoadedLevel loaded = halves("", lamp(2, 2, 1.5, ",'intensity':3,'falloff':1"));
   EXPECT_EQ(reasonAt(loaded, "west", {2.5, 2, 1.5}, {1, 0, 0}),
-            "too weak here: 0.33 levels at 8 m, falloff 1");
+            "too weak here: 0.33 of 255 at 8 m; intensity 580 instead of 3 would give 64");
   const Level& level = loaded.level;
   const TruthHit place = lookedAt(level, "west", {2.5, 2, 1.5}, {1, 0, 0});
   EXPECT_NEAR(inspected(level, place).sum.x, 1.0 / 3, 1e-12) << "which is something";
@@ -104,7 +107,8 @@ TEST(Inspect, namesALightThatIsTooWeakAndTellsHowWeak) {
 
 TEST(Inspect, namesALightInThePlaneOfTheSurface) {
   const LoadedLevel loaded = halves("", lamp(5, 2, 1.5), 1);
-  EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 0.5}, {1, 0, 0}), "in the plane of the surface");
+  EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 0.5}, {1, 0, 0}),
+            "in the plane of this surface: move it off the plane, to this side");
 }
 
 TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
@@ -114,13 +118,13 @@ TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
           test::sectorText("there", "0,0, 9,0, 9,5, 0,5", 0, 4) + "}}",
       "[{'x':1,'y':1,'z':3.5}]");
   EXPECT_EQ(reasonAt(loaded, "here", {4, 4, 1}, {0, 0.001, 1}),
-            "faces away: the light is behind this surface");
+            "faces away: it is behind this surface; move it to this side");
   const LoadedLevel inside = test::levelFrom(
       "{'light':0,'sectors':{" + test::sectorText("here", "0,0, 5,0, 5,5, 0,5", 0, 3) + "," +
           test::sectorText("there", "-9,-9, 9,-9, 9,9, -9,9", -1, 4) + "}}",
       "[{'x':1,'y':1,'z':2,'sector':'there'}]");
   EXPECT_EQ(reasonAt(inside, "here", {4, 2, 1}, {1, 0, 0}),
-            "not reached: no straight way from its part of the level");
+            "not reached: it shines in a part of the level from which no straight way leads here");
 }
 
 TEST(Inspect, tellsWhichShareOfABallIsSeen) {

@@ -14,19 +14,24 @@
 namespace hearth {
 namespace {
 
-SDL_Event mouseAt(Uint32 type, int x, int y) {
+SDL_Event mouseAt(Uint32 type, int x, int y, Uint8 button = SDL_BUTTON_LEFT) {
   SDL_Event event{};
   event.type = type;
   if (type == SDL_MOUSEMOTION) {
     event.motion.x = x;
     event.motion.y = y;
   } else {
-    event.button.button = SDL_BUTTON_LEFT;
+    event.button.button = button;
     event.button.x = x;
     event.button.y = y;
   }
   return event;
 }
+
+// Pixels of the panel: below the section's header, and where lights have their names, a place its
+// values, and the row of buttons `add a light here`.
+constexpr int kFirstRow = 35;
+constexpr int kColumn = 95;
 
 /// The panel with this section alone, over a picture of the rooms.
 class InspectorTest : public testing::Test {
@@ -43,6 +48,7 @@ class InspectorTest : public testing::Test {
                 90,
                 1280,
                 720} {
+    tool_.editor().open();
     overlay_.toggle();
     frame();
   }
@@ -52,9 +58,10 @@ class InspectorTest : public testing::Test {
     overlay_.draw(
         now_ += 0.02,
         [this] {
-          const auto copied = inspector_.show(
-              {place_.level, renderer_, place_.level.bake, &sourced_.source, isInPicture_},
-              camera_);
+          const auto copied =
+              inspector_.show({place_.level, renderer_, place_.level.bake, &sourced_.source,
+                               areLightsEdited_ ? &tool_ : nullptr, isInPicture_},
+                              camera_);
           if (copied) copied_.insert(*copied);
         },
         picture_);
@@ -66,9 +73,17 @@ class InspectorTest : public testing::Test {
     frame();
   }
   void moveTo(int x, int y) { send(mouseAt(SDL_MOUSEMOTION, x, y)); }
-  void clickAt(int x, int y) {
-    send(mouseAt(SDL_MOUSEBUTTONDOWN, x, y));
-    send(mouseAt(SDL_MOUSEBUTTONUP, x, y));
+  void clickAt(int x, int y, Uint8 button = SDL_BUTTON_LEFT) {
+    send(mouseAt(SDL_MOUSEBUTTONDOWN, x, y, button));
+    send(mouseAt(SDL_MOUSEBUTTONUP, x, y, button));
+  }
+  /// Clicks into the panel here and there, from the top down, until something has come of it.
+  template <typename IsDone>
+  void clickThroughPanel(IsDone&& isDone, Uint8 button = SDL_BUTTON_LEFT) {
+    for (int y = kFirstRow; y < 500; y += 5) {
+      if (isDone()) return;
+      clickAt(overlay_.leaves(camera_.width) + kColumn, y, button);
+    }
   }
 
   /// What the renderer has at a pixel of its picture.
@@ -88,7 +103,9 @@ class InspectorTest : public testing::Test {
   Camera camera_;
   Overlay overlay_;
   Inspector inspector_;
+  LightsTool tool_{HEARTH_SOURCE_DIR "/tests/levels/rooms.lights.json", {}};
   bool isInPicture_ = true;
+  bool areLightsEdited_ = true;
   Image picture_;
   double now_ = 1;
   std::set<std::string> copied_;
@@ -161,14 +178,54 @@ TEST_F(InspectorTest, LooksAnewOnceTheLevelIsAnother) {
 TEST_F(InspectorTest, CopiesByAClickWhereTheFilesHaveIt) {
   clickAt(300, 400);
   const Inspection found = *inspector_.found();
-  for (int y = 50; y < 500; y += 8) clickAt(overlay_.leaves(camera_.width) + 90, y);
+  const auto goesOn = [] { return false; };
+  clickThroughPanel(goesOn);
   const LevelSource& source = sourced_.source;
   EXPECT_TRUE(copied_.contains(placeOfSurface(source, place_.level, found.place)));
   EXPECT_TRUE(copied_.contains(placeOfTexture(source, place_.level, found.place)));
   EXPECT_TRUE(copied_.contains(placeOfSector(source, found.place.sector)));
   EXPECT_TRUE(copied_.contains(pointWords(found.place.point)));
+  copied_.clear();
+  clickThroughPanel(goesOn, SDL_BUTTON_RIGHT);
+  std::set<std::string> lights;
   for (const LightFinding& finding : found.lights)
-    EXPECT_TRUE(copied_.contains(placeOfLight(source, finding.light)));
+    if (finding.comesNear) lights.insert(placeOfLight(source, finding.light));
+  EXPECT_FALSE(lights.empty());
+  EXPECT_EQ(copied_, lights) << "a right click copies those of lights";
+}
+
+TEST_F(InspectorTest, PicksTheLightThatIsClickedOn) {
+  clickAt(300, 400);
+  const std::size_t first = inspector_.found()->lights.at(0).light;
+  clickThroughPanel([&] {
+    if (tool_.editor().canUndo()) tool_.editor().undo();  // one that was added on the way
+    return tool_.editor().picked() == first;
+  });
+  EXPECT_EQ(tool_.editor().picked(), first);
+  EXPECT_TRUE(tool_.section().isCalled());
+  EXPECT_TRUE(copied_.empty());
+}
+
+TEST_F(InspectorTest, AddsALightAMetreBeforeThePlaceThatIsPinned) {
+  const std::size_t before = tool_.editor().lights().lights.size();
+  clickAt(300, 400);
+  const TruthHit place = inspector_.found()->place;
+  const auto isAdded = [&] { return tool_.editor().canUndo(); };
+  clickThroughPanel(isAdded);
+  ASSERT_EQ(tool_.editor().lights().lights.size(), before + 1);
+  const LightDescription added = tool_.editor().lights().lights.back();
+  EXPECT_LT(length(added.source.position - (place.point + place.normal)), 0.001);
+  EXPECT_EQ(tool_.editor().picked(), before);
+  EXPECT_EQ(tool_.editor().commentOf(before), "in " + place_.level[place.sector].name);
+}
+
+TEST_F(InspectorTest, AddsNoLightWhereTheyCannotBeEdited) {
+  areLightsEdited_ = false;
+  clickAt(300, 400);
+  clickThroughPanel([] { return false; });
+  EXPECT_TRUE(inspector_.found());
+  EXPECT_EQ(tool_.editor().canUndo(), false);
+  EXPECT_FALSE(tool_.editor().picked());
 }
 
 TEST_F(InspectorTest, LosesAPlaceThatIsNoMore) {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 
+#include "hearth/inspect/outlook.h"
+#include "level/locate.h"
 #include "math/tolerance.h"
 #include "truth/truth_light.h"
 
@@ -14,6 +17,10 @@ namespace {
 
 /// Of light, for one place: as many as are followed within some tens of milliseconds.
 constexpr int kMostRays = 10'000;
+
+/// How far up and down a light is tried: in steps of so many metres.
+constexpr double kLiftStep = 0.1;
+constexpr int kLifts = 30;
 
 /// Of a ball: to its points, and from there.
 int raysOf(const LightSource& light) { return light.radius > 0 ? 2 * kInspectedBallPoints : 1; }
@@ -77,15 +84,11 @@ std::optional<LightmapFinding> lightmapAt(const Level& level, const BakedLight& 
   return found;
 }
 
-double brightest(const LightSource& light) {
-  return std::max({light.share(0), light.share(1), light.share(2)});
-}
-
 /// The lights of a level, as one place of a surface has them.
 class Follower {
  public:
   Follower(const Level& level, const BakeSettings& settings, const SurfacePoint& place)
-      : level_(level), settings_(settings), place_(place) {}
+      : level_(level), settings_(settings), place_(place), outlook_(level, place) {}
 
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
@@ -95,7 +98,38 @@ class Follower {
             TruthSource::unshaded(light, place_, settings_.lambert)};
   }
 
-  void follow(LightFinding& finding) const {
+  /// Returns how many rays that took, at most.
+  int follow(LightFinding& finding) const {
+    const LightSource& light = level_.lights[finding.light];
+    followToPlace(finding);
+    finding.comesNear = finding.seenShare > 0 && finding.level > 0;
+    if (finding.comesNear || finding.level * brightestShare(light) < kVisibleLevel)
+      return raysOf(light);
+    finding.comesNear = outlook_.isLitBy(light);
+    if (!finding.comesNear || finding.reason != LightReason::Blocked)
+      return raysOf(light) + kOutlookRays;
+    finding.lift = liftToSee(light);
+    return raysOf(light) + kOutlookRays + 2 * kLifts;
+  }
+
+ private:
+  /// The least that is enough, of some.
+  std::optional<double> liftToSee(const LightSource& light) const {
+    for (int i = 1; i <= kLifts; ++i)
+      for (const double lift : {i * kLiftStep, -i * kLiftStep})
+        if (seesIfLifted(light, lift)) return lift;
+    return std::nullopt;
+  }
+
+  bool seesIfLifted(const LightSource& light, double lift) const {
+    LightSource lifted = light;
+    lifted.radius = 0;
+    lifted.position.z += lift;
+    return contains(level_, level_[light.sector], lifted.position, 0) &&
+           TruthSource(level_, lifted, 1).seenShare(place_) > 0;
+  }
+
+  void followToPlace(LightFinding& finding) const {
     const LightSource& light = level_.lights[finding.light];
     const double front = dot(place_.normal, light.position - place_.point);
     finding.reason = LightReason::InPlane;
@@ -110,7 +144,7 @@ class Follower {
     const double level = isCutOff ? 0 : finding.unshaded * finding.seenShare;
     finding.adds = level * Vec3{light.share(0), light.share(1), light.share(2)};
     finding.reason = LightReason::TooWeak;
-    if (isCutOff || finding.unshaded * brightest(light) < kVisibleLevel) return;
+    if (isCutOff || finding.unshaded * brightestShare(light) < kVisibleLevel) return;
     finding.reason = LightReason::Lights;
     if (finding.seenShare > 0) return;
     finding.blocker = source.firstMet(place_);
@@ -119,10 +153,10 @@ class Follower {
     if (!isBefore) finding.blocker.reset();
   }
 
- private:
   const Level& level_;
   const BakeSettings& settings_;
   const SurfacePoint& place_;
+  Outlook outlook_;
 };
 
 double total(Vec3 levels) { return levels.x + levels.y + levels.z; }
@@ -134,18 +168,22 @@ void findLights(const Level& level, const BakeSettings& settings, Inspection& fo
   std::size_t followed = 0;
   for (int rays = 0; followed < found.lights.size() && rays < kMostRays; ++followed) {
     LightFinding& finding = found.lights[followed];
-    rays += raysOf(level.lights[finding.light]);
-    follower.follow(finding);
+    rays += follower.follow(finding);
     found.sum = found.sum + finding.adds;
   }
   found.notFollowed = found.lights.size() - followed;
   found.lights.erase(found.lights.begin() + static_cast<std::ptrdiff_t>(followed),
                      found.lights.end());
-  std::ranges::stable_sort(found.lights, std::greater{},
-                           [](const LightFinding& finding) { return total(finding.adds); });
+  std::ranges::stable_sort(found.lights, std::greater{}, [](const LightFinding& finding) {
+    return std::pair(total(finding.adds), finding.comesNear);
+  });
 }
 
 }  // namespace
+
+double brightestShare(const LightSource& light) {
+  return std::max({light.share(0), light.share(1), light.share(2)});
+}
 
 Inspection inspect(const Level& level, const BakedLight& light, const BakeSettings& settings,
                    const TruthHit& place) {

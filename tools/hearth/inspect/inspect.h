@@ -29,6 +29,12 @@ struct LightFinding {
   double seenShare = 0;                            ///< of a ball, 0..1; of a point 0 or 1
   Vec3 adds = {};                                  ///< levels of red, green and blue
   std::optional<TruthHit> blocker = std::nullopt;  ///< what stands between, if that is the reason
+  /// Of one that is blocked and comes near: metres by which it must be raised, or lowered where
+  /// that is negative, to be seen. None where neither is enough.
+  std::optional<double> lift = std::nullopt;
+  /// Whether its light comes to the place or to what that sees round it. Else it shines elsewhere,
+  /// or gives too little.
+  bool comesNear = false;
 };
 
 /// What a lightmap has at a point.
@@ -46,8 +52,8 @@ struct LightmapFinding {
 struct Inspection {
   TruthHit place;
   std::optional<LightmapFinding> lightmap;  ///< none for skies
-  /// None for skies. Those that give most come first; of those that give nothing, those that are
-  /// brightest at their distance.
+  /// None for skies. Those that give most come first; of those that give nothing, those that come
+  /// near, and then those that are brightest at their distance.
   std::vector<LightFinding> lights;
   std::size_t notFollowed = 0;  ///< lights that are not among them, being weaker and too many
   Vec3 sum;                     ///< of what they add: levels at this very point, as defined
@@ -58,6 +64,9 @@ inline constexpr int kInspectedBallPoints = 128;
 
 /// Levels. What adds less to each channel is too weak.
 inline constexpr double kVisibleLevel = 1;
+
+/// By which a light is multiplied in its brightest channel.
+double brightestShare(const LightSource& light);
 
 /// Follows the lights of the level, which is baked so, to a place of it; the more of them, the
 /// longer that takes, up to some tens of milliseconds.

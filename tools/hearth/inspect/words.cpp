@@ -2,14 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <variant>
+
+#include "hearth/inspect/remedy.h"
 
 namespace hearth {
 
 namespace {
 
-/// Metres or levels, to so many decimals and without zeros at the end.
+/// Levels from which on light is more than next to nothing.
+constexpr double kFaintLevel = 16;
+
+/// To so many decimals and without zeros at the end.
 std::string rounded(double value, int decimals) {
   const double unit = std::pow(10, decimals);
   return fmt::format("{:g}", std::round(value * unit) / unit + 0.0);  // no -0
@@ -20,32 +27,66 @@ std::string metres(double value) { return fmt::format("{}", std::round(value * 1
 std::string wallWords(const Level& level, const TruthHit& place) {
   const Segment& segment = level[*place.segment];
   const Sector& sector = level[segment.sector];
-  std::string words = sector.name;
-  if (segment.loop > 0) words += "/" + sector.loops[segment.loop].name;
-  words += fmt::format(", wall {}", segment.wall);
-  if (std::holds_alternative<Stack>(segment.kind)) words += fmt::format(" part {}", place.subWall);
-  return words;
+  const bool isStack = std::holds_alternative<Stack>(segment.kind);
+  const std::string part = isStack ? fmt::format(" part {}", place.subWall) : "";
+  const std::string loop = segment.loop > 0 ? "/" + sector.loops[segment.loop].name : "";
+  return fmt::format("wall {}{} of {}{}", segment.wall, part, sector.name, loop);
 }
 
-std::string falloffWords(const LightSource& light) {
-  return light.curve.empty() ? fmt::format("falloff {:g}", light.falloff) : "by its curve";
+std::string sidewallWords(const Level& level, const TruthHit& place) {
+  const std::string_view flat = isOverhead(place.kind) ? "ceiling" : "floor";
+  return fmt::format("sidewall of the sloped {} of {}, at {}", flat,
+                     level[wedgeOf(level, place)].name, wallWords(level, place));
 }
 
-std::string weakWords(const Level& level, const LightFinding& finding) {
-  const std::string cosine = finding.unshaded < finding.level ? ", and grazes the surface" : "";
-  return fmt::format("too weak here: {} levels at {} m, {}{}", rounded(finding.level, 2),
-                     rounded(finding.distance, 2), falloffWords(level.lights[finding.light]),
-                     cosine);
+std::string remedyWords(const LightSource& light, const LightFinding& finding) {
+  const std::optional<Remedy> remedy = remedyFor(light, finding);
+  if (!remedy) return "its color is black";
+  if (remedy->falloff)
+    return fmt::format("falloff {:g} instead of {:g} would give {}", *remedy->falloff,
+                       light.falloff, kClearLevel);
+  if (remedy->intensity)
+    return fmt::format("intensity {:g} instead of {:g} would give {}", *remedy->intensity,
+                       light.intensity, kClearLevel);
+  return fmt::format("raise its curve to {:g} at {} m", *remedy->curveLevel,
+                     rounded(finding.distance, 1));
+}
+
+std::string weakWords(const LightSource& light, const LightFinding& finding) {
+  const std::string_view cosine = finding.unshaded < finding.level ? ", grazing the surface" : "";
+  return fmt::format("too weak here: {} of 255 at {} m{}; {}", rounded(finding.level, 2),
+                     rounded(finding.distance, 2), cosine, remedyWords(light, finding));
+}
+
+std::string blockedWords(const Level& level, const LightFinding& finding) {
+  const std::string advice =
+      finding.lift ? fmt::format("{} it {} m or more", *finding.lift > 0 ? "raise" : "lower",
+                                 rounded(std::abs(*finding.lift), 1))
+                   : "move it to where nothing is between";
+  return fmt::format("blocked by {} ({}): {}", surfaceWords(level, *finding.blocker),
+                     pointWords(finding.blocker->point, ", "), advice);
+}
+
+std::string_view brightnessWord(double level) {
+  if (level < kClearLevel) return "dark";
+  return level < 2 * kClearLevel ? "dim" : "lit";
+}
+
+std::string lightsWords(const Level& level, double sum) {
+  if (level.lights.empty()) return "the level has no lights";
+  if (sum == 0) return "no light gives it anything";
+  return fmt::format("lights give {}{}", levelWords(sum),
+                     sum < kFaintLevel ? ", next to nothing" : "");
 }
 
 }  // namespace
 
 std::string surfaceWords(const Level& level, const TruthHit& place) {
   if (!place.segment) return fmt::format("{} of {}", name(place.kind), level[place.sector].name);
-  if (!isSidewall(place.kind))
-    return fmt::format("{} of {}", name(place.kind), wallWords(level, place));
-  return fmt::format("{} of {}, seen through {}", name(place.kind),
-                     level[wedgeOf(level, place)].name, wallWords(level, place));
+  if (isSidewall(place.kind)) return sidewallWords(level, place);
+  if (place.kind == SurfaceKind::Solid || place.kind == SurfaceKind::StackSolid)
+    return wallWords(level, place);
+  return fmt::format("{} at {}", name(place.kind), wallWords(level, place));
 }
 
 SectorId wedgeOf(const Level& level, const TruthHit& sidewall) {
@@ -56,8 +97,23 @@ SectorId wedgeOf(const Level& level, const TruthHit& sidewall) {
   return nextOf(segment.kind);
 }
 
-std::string pointWords(Vec3 point) {
-  return fmt::format("{},{},{}", metres(point.x), metres(point.y), metres(point.z));
+std::string pointWords(Vec3 point, std::string_view separator) {
+  return fmt::format("{}{}{}{}{}", metres(point.x), separator, metres(point.y), separator,
+                     metres(point.z));
+}
+
+std::string levelWords(double level) { return rounded(level, level < 10 ? 1 : 0); }
+
+double brightest(Vec3 levels) { return std::max({levels.x, levels.y, levels.z}); }
+
+std::string brightnessWords(const Level& level, const Inspection& found) {
+  if (!found.lightmap) return "sky: always fully bright";
+  const double lights = brightest(found.sum);
+  const double own = 255 * level[found.place.sector].light;
+  std::string words = fmt::format("{}, {} of 255: {}", brightnessWord(lights + own),
+                                  levelWords(lights + own), lightsWords(level, lights));
+  if (own > 0) words += fmt::format("; the sector's own light gives {}", levelWords(own));
+  return words;
 }
 
 std::string reasonWords(const Level& level, const LightFinding& finding) {
@@ -66,16 +122,15 @@ std::string reasonWords(const Level& level, const LightFinding& finding) {
       return finding.seenShare < 1 ? fmt::format("{:.0f} % of it seen", 100 * finding.seenShare)
                                    : "";
     case LightReason::TooWeak:
-      return weakWords(level, finding);
+      return weakWords(level.lights[finding.light], finding);
     case LightReason::FacesAway:
-      return "faces away: the light is behind this surface";
+      return "faces away: it is behind this surface; move it to this side";
     case LightReason::InPlane:
-      return "in the plane of the surface";
+      return "in the plane of this surface: move it off the plane, to this side";
     case LightReason::Blocked:
-      return fmt::format("blocked by {} at {}", surfaceWords(level, *finding.blocker),
-                         pointWords(finding.blocker->point));
+      return blockedWords(level, finding);
     case LightReason::NotReached:
-      return "not reached: no straight way from its part of the level";
+      return "not reached: it shines in a part of the level from which no straight way leads here";
   }
   return "";
 }

@@ -14,9 +14,6 @@ namespace hearth {
 
 namespace {
 
-/// A panel is scrolled no farther than it was long in the frame before.
-constexpr int kFramesToScroll = 3;
-
 std::optional<SectorId> sectorNamed(const Level& level, const std::string& name) {
   const auto found = std::ranges::find(level.sectors, name, &Sector::name);
   if (found == level.sectors.end()) return std::nullopt;
@@ -62,11 +59,8 @@ void Inspector::find(const Look& look, const InspectedLevel& in) {
 std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
   const bool isClicked = std::exchange(isClicked_, false) && mouse_;
   if (isClicked) pinned_ = lookThrough(*mouse_, in, camera);
-  if (isClicked) ImGui::SetNextItemOpen(true);
-  if (isClicked) scrollsLeft_ = kFramesToScroll;
-  const bool isOpen = ImGui::CollapsingHeader("Inspector", ImGuiTreeNodeFlags_DefaultOpen);
-  if (scrollsLeft_ > 0) ImGui::SetScrollHereY(0);
-  scrollsLeft_ = std::max(0, scrollsLeft_ - 1);
+  if (isClicked) section_.call();
+  const bool isOpen = section_.show("Inspector");
   if (!isOpen || (!pinned_ && !mouse_)) forget();
   if (!isOpen) return std::nullopt;
   if (!pinned_ && !mouse_) {
@@ -76,9 +70,14 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
   find(pinned_ ? *pinned_ : lookThrough(*mouse_, in, camera), in);
   if (!found_) return std::nullopt;
   const Texture& texture = in.renderer.texture(found_->place.texture->texture);
-  const InspectorRequest asked =
-      showInspection(*found_, {in.level, texture, in.source}, pinned_.has_value());
+  LightsTool* const lights = in.lights && in.lights->editor().isOpen() ? in.lights : nullptr;
+  const InspectorRequest asked = showInspection(*found_,
+                                                {in.level, texture, in.source, lights != nullptr,
+                                                 lights ? lights->editor().picked() : std::nullopt},
+                                                pinned_.has_value());
   if (in.isInPicture) drawLightRays(*found_, asked.light, in.level, camera);
+  if (lights && asked.picked) lights->pick(*asked.picked);
+  if (lights && asked.addsLight) lights->addBefore(in.level, found_->place);
   if (asked.letsGo) letGo();
   return asked.copied;
 }

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "hearth/inspect/inspect.h"
+#include "hearth/overlay/called_section.h"
+#include "hearth/overlay/lights_tool.h"
 #include "load/source.h"
 #include "render/renderer.h"
 
@@ -17,6 +19,7 @@ struct InspectedLevel {
   const Renderer& renderer;
   const BakeSettings& settings;  ///< of its bake
   const LevelSource* source;     ///< the way back to its files, if there is one
+  LightsTool* lights = nullptr;  ///< to pick and add lights, where they can be edited
   bool isInPicture = true;       ///< as the camera sees it; else there is nowhere for rays
 };
 
@@ -58,7 +61,7 @@ class Inspector {
 
   std::optional<Pixel> mouse_;  ///< while it is over the picture
   bool isClicked_ = false;      ///< since it was shown last
-  int scrollsLeft_ = 0;         ///< frames in which the section is brought into view
+  CalledSection section_;
   std::optional<Look> pinned_;
   std::optional<Look> look_;  ///< by which the last was found
   std::optional<Inspection> found_;

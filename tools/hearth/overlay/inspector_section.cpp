@@ -7,8 +7,10 @@
 #include <cmath>
 #include <string>
 
+#include "hearth/edit/light_name.h"
 #include "hearth/inspect/places.h"
 #include "hearth/inspect/words.h"
+#include "hearth/overlay/widgets.h"
 #include "math/wrapped.h"
 #include "truth/truth_view.h"
 
@@ -19,22 +21,15 @@ namespace {
 // In letters.
 constexpr float kNameWidth = 11;
 constexpr float kIndent = 2;
+constexpr int kDistanceWidth = 10;
+constexpr int kLevelWidth = 8;
 
 constexpr ImU32 kReasonColor = IM_COL32(255, 192, 96, 255);
-
-float letters(float count) { return count * ImGui::CalcTextSize("M").x; }
-
-/// Broken at the panel's edge.
-void showText(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.data());
-  ImGui::PopTextWrapPos();
-}
 
 void showValue(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(letters(kNameWidth));
-  showText(value);
+  showWrapped(value);
 }
 
 /// To three digits, but no finer than a hundredth.
@@ -44,15 +39,17 @@ std::string words(Vec3 levels) {
                      rounded(levels.z));
 }
 
-std::string words(Vec2 point) { return fmt::format("{:.3f},{:.3f}", point.x, point.y); }
+std::string words(Vec2 point) { return fmt::format("{:.3f}, {:.3f}", point.x, point.y); }
 
-std::string answer(const Inspection& found) {
-  if (!found.lightmap) return "sky: always fully bright";
-  const auto lit = std::ranges::count_if(
-      found.lights, [](const LightFinding& light) { return light.reason == LightReason::Lights; });
-  const std::size_t all = found.lights.size() + found.notFollowed;
-  if (lit == 0) return fmt::format("dark: none of {} lights gives it a level", all);
-  return fmt::format("{} of {} lights give it light", lit, all);
+/// In the columns at the right of a list, which begin at `left`.
+void showColumns(float left, const std::string& distance, const std::string& level) {
+  ImGui::SameLine(left);
+  ImGui::TextUnformatted(
+      fmt::format("{:>{}}{:>{}}", distance, kDistanceWidth, level, kLevelWidth).data());
+}
+
+ImU32 colorOf(const LightSource& light) {
+  return IM_COL32(light.color[0], light.color[1], light.color[2], 255);
 }
 
 /// The section of one frame.
@@ -62,11 +59,8 @@ class Section {
       : found_(found), place_(found.place), level_(surface.level), surface_(surface) {}
 
   InspectorRequest show(bool isPinned) {
-    if (isPinned) {
-      asked_.letsGo = ImGui::SmallButton("let go");
-      ImGui::SameLine();
-    }
-    showText(answer(found_));
+    showWrapped(brightnessWords(level_, found_));
+    if (isPinned) showButtons();
     ImGui::Separator();
     showLights();
     if (!found_.lights.empty()) ImGui::Separator();
@@ -76,10 +70,20 @@ class Section {
   }
 
  private:
+  void showButtons() {
+    if (surface_.canAddLights && found_.lightmap) {
+      asked_.addsLight = ImGui::SmallButton("add a light here");
+      showTip("A metre before this surface, or half as far as there is room.");
+      ImGui::SameLine();
+    }
+    asked_.letsGo = ImGui::SmallButton("unpin");
+    showTip("Then the pointer says again which place this is about. Esc does the same.");
+  }
+
   /// Lets the text before be clicked on, which copies another.
   void offer(const std::string& copied) {
     if (!ImGui::IsItemHovered()) return;
-    ImGui::SetTooltip("a click copies %s", copied.data());
+    showTip("A click copies " + copied);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) asked_.copied = copied;
   }
 
@@ -97,13 +101,13 @@ class Section {
     offerPlace([this](const LevelSource& source) { return placeOfSector(source, place_.sector); });
     if (place_.segment) showSegment(level_[*place_.segment]);
     showTexture();
-    showValue("point", pointWords(place_.point));
+    showValue("point", pointWords(place_.point, ", "));
     offer(pointWords(place_.point));
   }
 
   void showSegment(const Segment& segment) {
-    showValue("segment", fmt::format("{} to {}, {:.3f} m", words(segment.p0), words(segment.p1),
-                                     segment.length));
+    showValue("from", words(segment.p0));
+    showValue("to", fmt::format("{}; {:.3f} m long", words(segment.p1), segment.length));
   }
 
   void showTexture() {
@@ -114,49 +118,96 @@ class Section {
     const int width = surface_.texture.width();
     const int height = surface_.texture.height();
     const Vec2 pixel = texelOf(place_, width, height);
-    showValue("uv", fmt::format("{} m, pixel {},{} of {} x {}", words(place_.imageMetres),
+    showValue("uv", fmt::format("{} m, pixel {}, {} of {} x {}", words(place_.imageMetres),
                                 wrapped(pixel.x, width), wrapped(pixel.y, height), width, height));
   }
 
   void showLightmap(const LightmapFinding& map) {
-    showValue("texel", fmt::format("{},{} of {} x {}, {:g} m wide", map.column, map.row,
+    showValue("texel", fmt::format("{}, {} of {} x {}, {:g} m wide", map.column, map.row,
                                    map.columns, map.rows, map.metres));
     showValue("lightmap",
-              fmt::format("{}, mixed with its neighbours {}", words(map.texel), words(map.shown)));
+              fmt::format("{}; with its neighbours {}", words(map.texel), words(map.shown)));
     showValue("exactly", fmt::format("{} at this very point", words(found_.sum)));
-    const double ambient = level_[place_.sector].light;
-    if (ambient > 0)
-      showValue("ambient",
-                fmt::format("{:.0f} more: the sector's light {:g}", 255 * ambient, ambient));
   }
 
   void showLights() {
-    const std::size_t listed = std::min(found_.lights.size(), kMostListedLights);
+    const std::size_t listed = listedLights(found_);
+    const float left = ImGui::GetContentRegionAvail().x - letters(kDistanceWidth + kLevelWidth);
+    if (listed > 0) {
+      ImGui::BeginDisabled();
+      ImGui::BeginGroup();
+      ImGui::TextUnformatted("lights, the strongest first");
+      showColumns(left, "distance", "of 255");
+      ImGui::EndGroup();
+      ImGui::EndDisabled();
+    }
     for (std::size_t i = 0; i < listed; ++i) {
       ImGui::BeginGroup();
-      showLight(found_.lights[i]);
+      showLight(found_.lights[i], left);
       ImGui::EndGroup();
       if (ImGui::IsItemHovered()) asked_.light = i;
     }
-    const std::size_t more = found_.lights.size() - listed + found_.notFollowed;
-    if (more > 0) showText(fmt::format("and {} more", more));
+    const auto near =
+        static_cast<std::size_t>(std::ranges::count(found_.lights, true, &LightFinding::comesNear));
+    showCount(near - listed, "weaker here");
+    showCount(found_.lights.size() - near + found_.notFollowed,
+              "too far away, too weak or behind walls");
   }
 
-  void showLight(const LightFinding& finding) {
-    showText(fmt::format("light {:<5}{:>8.2f} m   {}", finding.light, finding.distance,
-                         finding.adds == Vec3{} ? "adds nothing" : "adds " + words(finding.adds)));
-    offerPlace([&](const LevelSource& source) { return placeOfLight(source, finding.light); });
+  /// Of lights that are not listed.
+  static void showCount(std::size_t count, const char* what) {
+    if (count == 0) return;
+    ImGui::BeginDisabled();
+    showWrapped(fmt::format("{} more {}: {}", count, count == 1 ? "light" : "lights", what));
+    ImGui::EndDisabled();
+  }
+
+  /// `left`: where the columns begin.
+  void showLight(const LightFinding& finding, float left) {
+    showHead(finding, left);
     const std::string reason = reasonWords(level_, finding);
     if (reason.empty()) return;
     ImGui::Indent(letters(kIndent));
     ImGui::PushStyleColor(ImGuiCol_Text, kReasonColor);
-    showText(reason);
+    showWrapped(reason);
     ImGui::PopStyleColor();
     if (finding.blocker)
       offerPlace([&](const LevelSource& source) {
         return placeOfSurface(source, level_, *finding.blocker);
       });
     ImGui::Unindent(letters(kIndent));
+  }
+
+  /// Its color, its name and its figures, which can be clicked on.
+  void showHead(const LightFinding& finding, float left) {
+    const float line = ImGui::GetTextLineHeight();
+    const std::string name =
+        brokenAtBlanks(surface_.nameOf(finding.light), left - letters(kIndent));
+    ImGui::PushID(static_cast<int>(finding.light));
+    if (ImGui::Selectable("##light", surface_.picked == finding.light,
+                          ImGuiSelectableFlags_AllowItemOverlap,
+                          {0, ImGui::CalcTextSize(name.data()).y}))
+      asked_.picked = finding.light;
+    ImGui::PopID();
+    if (ImGui::IsItemHovered()) offerLight(finding.light);
+    ImGui::SameLine(letters(kIndent));
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x + line / 4, corner.y + line / 4},
+                                              {corner.x + line, corner.y + line},
+                                              colorOf(level_.lights[finding.light]));
+    ImGui::TextUnformatted(name.data());
+    showColumns(left, fmt::format("{:.2f} m", finding.distance),
+                levelWords(brightest(finding.adds)));
+  }
+
+  void offerLight(std::size_t light) {
+    std::string tip = surface_.canAddLights ? "A click picks it in Lights." : "";
+    if (surface_.source) {
+      const std::string place = placeOfLight(*surface_.source, light);
+      if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) asked_.copied = place;
+      tip += fmt::format("{}A right click copies {}", tip.empty() ? "" : "\n", place);
+    }
+    if (!tip.empty()) showTip(tip);
   }
 
   const Inspection& found_;
@@ -167,6 +218,17 @@ class Section {
 };
 
 }  // namespace
+
+std::string InspectedSurface::nameOf(std::size_t light) const {
+  if (!source) return lightName(light, "");
+  const Place place = source->lights.lights[light].place;
+  return lightName(light, commentAt(source->documents[place.document].text, place.offset));
+}
+
+std::size_t listedLights(const Inspection& found) {
+  const auto end = std::ranges::find(found.lights, false, &LightFinding::comesNear);
+  return std::min(kMostListedLights, static_cast<std::size_t>(end - found.lights.begin()));
+}
 
 InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,
                                 bool isPinned) {

@@ -129,7 +129,7 @@ void drawRay(const LightFinding& finding, const LightSource& light, Vec3 place, 
 void drawLightRays(const Inspection& found, std::optional<std::size_t> pointed, const Level& level,
                    const Camera& camera) {
   WorldLines lines(level, camera);
-  const std::size_t listed = std::min(found.lights.size(), kMostListedLights);
+  const std::size_t listed = listedLights(found);
   for (std::size_t i = 0; i < listed; ++i) {
     const LightFinding& finding = found.lights[i];
     if (!pointed || *pointed == i)

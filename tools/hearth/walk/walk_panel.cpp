@@ -84,7 +84,7 @@ PanelWishes WalkPanel::draw(double now, const PanelScene& scene, const Figures& 
 std::optional<std::string> WalkPanel::showLightPage(const PanelScene& scene) {
   LightsTool* const lights = lights_ ? &*lights_ : nullptr;
   auto copied = inspector_.show(
-      {scene.level, scene.renderer, bake_, scene.source, scene.isLevelShown}, scene.camera);
+      {scene.level, scene.renderer, bake_, scene.source, lights, scene.isLevelShown}, scene.camera);
   showLights(lights, scene.level, scene.camera);
   if (lights && scene.space) drawDragAxes(*lights, *scene.space, scene.size.height);
   return copied;
