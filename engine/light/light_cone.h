@@ -48,9 +48,9 @@ struct LightConeSet {
   std::span<const HeightPlane> planesOf(const LightCone& cone) const {
     return std::span(planes).subspan(cone.firstPlane, cone.lastPlane - cone.firstPlane);
   }
-  /// With what LightCones keeps of each: half a dozen bounds.
+  /// With what LightCones keeps of each: half a dozen bounds, and its sides.
   std::size_t bytes() const {
-    return cones.size() * (sizeof(LightCone) + 6 * sizeof(ConeBound)) +
+    return cones.size() * (sizeof(LightCone) + 6 * sizeof(ConeBound) + 4 * sizeof(double)) +
            planes.size() * sizeof(HeightPlane);
   }
 };

@@ -1,6 +1,7 @@
 #include "light/light_cones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "light/light_cone_finder.h"
@@ -14,7 +15,7 @@ LightCones::LightCones(const Level& level, const Raytracer::Source& light, doubl
                        std::size_t mostBytes)
     : level_(level), light_(light), found_(findLightCones(level, light, reach, mostBytes)) {
   for (std::size_t i = 0; i < found_.cones.size(); ++i) {
-    ++rangeOf_.try_emplace(found_.cones[i].sector.value, Range{i, 0}).first->second.count;
+    ++rangeOf_.try_emplace(found_.cones[i].sector.value, Range{i, i}).first->second.last;
     addBoundsOf(found_.cones[i]);
   }
 }
@@ -25,6 +26,10 @@ void LightCones::addBoundsOf(const LightCone& cone) {
   bounds.first = count();
   bounds_.push_back({{-cone.begin.y, cone.begin.x, 0}, 0, 1, 0});
   bounds_.push_back({{cone.end.y, -cone.end.x, 0}, 0, 1, 0});
+  sides_.beginX.push_back(-cone.begin.y);
+  sides_.beginY.push_back(cone.begin.x);
+  sides_.endX.push_back(cone.end.y);
+  sides_.endY.push_back(-cone.end.x);
   for (const HeightPlane& plane : found_.planesOf(cone)) {
     const double sign = plane.isBelow ? 1 : -1;
     const Vec3 normal{-sign * plane.gradient.x, -sign * plane.gradient.y, sign};
@@ -51,6 +56,7 @@ std::span<const ConeBound> LightCones::boundsOf(const LightCone& cone, const Seg
 LightCones::Points LightCones::seen(std::span<const Vec3> corners) const {
   Points points;
   points.corners = corners;
+  points.ways.count = corners.size();
   for (std::size_t i = 0; i < std::size(points.ways.x); ++i) {
     const Vec3 way = corners[i < corners.size() ? i : 0] - light_.position;
     points.ways.x[i] = way.x;
@@ -70,33 +76,51 @@ bool LightCones::knows(SectorId sector, const Plane& plane, const Points& points
                     points.corners);
 }
 
-/// Whether points lie in a cone for sure; if they may, adds it.
+/// Whether points lie in a cone for sure; if they may, adds it. `asked` are the bounds that may
+/// part them.
 bool LightCones::add(const LightCone& cone, const Points& points, const Segment* on,
-                     Found& found) const {
-  const std::uint32_t parting =
-      lightKernels().findParting(points.ways, boundsOf(cone, on), points.margin, points.reach);
+                     std::uint32_t asked, Found& found) const {
+  const std::uint32_t parting = lightKernels().findParting(points.ways, boundsOf(cone, on), asked,
+                                                           points.margin, points.reach);
   if (parting == kBehindBound) return false;
   if (parting == 0 && !cone.isDoubtful) return true;
   found.push_back({&cone, parting});
   return false;
 }
 
+/// The same of several cones. Most of them are told by their sides, many at once.
+bool LightCones::addSpanning(Range cones, const Points& points, const Segment* on,
+                             Found& found) const {
+  std::array<std::uint32_t, 64> spanning;
+  for (std::size_t first = cones.first; first < cones.last; first += spanning.size()) {
+    const ConeSides sides{&sides_.beginX[first], &sides_.beginY[first], &sides_.endX[first],
+                          &sides_.endY[first]};
+    const std::size_t count = lightKernels().findSpanning(
+        points.ways, sides, std::min(spanning.size(), cones.last - first), points.margin,
+        spanning.data());
+    for (const std::uint32_t i : std::span(spanning).first(count))
+      if (add(found_.cones[first + i], points, on, kAllBounds, found)) return true;
+  }
+  return false;
+}
+
 void LightCones::findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
-                          const Samples& samples, double* seen) const {
-  std::vector<WayBound> parting;
-  std::vector<PartingBounds> cones;
+                          const Samples& samples, Parting& parting, double* seen) const {
+  auto& [parts, cones] = parting;
+  parts.clear();
+  cones.clear();
   for (const Doubt& doubt : doubts) {
-    const std::size_t before = parting.size();
+    const std::size_t before = parts.size();
     const std::span<const ConeBound> bounds = boundsOf(*doubt.cone, on);
     for (std::size_t i = 0; i < bounds.size(); ++i)
       if ((doubt.parting >> std::min(i, kBoundBits - 1) & 1) != 0)
-        parting.push_back(
+        parts.push_back(
             {bounds[i].normal, bounds[i].offset, bounds[i].slack(points.margin, points.reach)});
-    cones.push_back({parting.size() - before, doubt.cone->isDoubtful});
+    cones.push_back({parts.size() - before, doubt.cone->isDoubtful});
   }
   for (std::size_t row = 0; row < samples.rows; ++row)
     lightKernels().findSeen(samples.arrays.from(row * samples.stride), samples.columns,
-                            light_.position, cones, parting.data(), seen + row * samples.stride);
+                            light_.position, cones, parts.data(), seen + row * samples.stride);
 }
 
 /// Whether cones, each of which begins at the very vertex where another ends, hold all that lies
@@ -132,13 +156,17 @@ bool LightCones::find(SectorId sector, const Segment* on, const Points& points,
   const std::size_t before = found.size();
   const auto range = rangeOf_.find(sector.value);
   if (range == rangeOf_.end()) return false;
-  const auto ofSector = std::span(found_.cones).subspan(range->second.first, range->second.count);
-  const auto holds = [&](const LightCone& cone) { return add(cone, points, on, found); };
+  const Range ofSector = range->second;
   const auto isAnyTo = [&](const Segment* wall) {
-    return std::any_of(std::ranges::lower_bound(ofSector, wall, {}, &LightCone::to),
-                       std::ranges::upper_bound(ofSector, wall, {}, &LightCone::to), holds);
+    const auto cones = std::span(found_.cones).first(ofSector.last).subspan(ofSector.first);
+    const auto indexOf = [&](auto place) {
+      return ofSector.first + static_cast<std::size_t>(place - cones.begin());
+    };
+    return addSpanning({indexOf(std::ranges::lower_bound(cones, wall, {}, &LightCone::to)),
+                        indexOf(std::ranges::upper_bound(cones, wall, {}, &LightCone::to))},
+                       points, on, found);
   };
-  const bool isLit = !on || comesToEndOf(*on, points) ? std::ranges::any_of(ofSector, holds)
+  const bool isLit = !on || comesToEndOf(*on, points) ? addSpanning(ofSector, points, on, found)
                                                       : isAnyTo(nullptr) || isAnyTo(on);
   return isLit || isRow(std::span(found).subspan(before));
 }
@@ -147,7 +175,7 @@ bool LightCones::narrow(const Points& points, const Segment* on, Found& found, s
                         std::size_t last) const {
   const std::size_t before = found.size();
   for (std::size_t i = first; i < last; ++i)
-    if (add(*found[i].cone, points, on, found)) return true;
+    if (add(*found[i].cone, points, on, found[i].parting, found)) return true;
   return isRow(std::span(found).subspan(before));
 }
 

@@ -69,10 +69,15 @@ class LightCones {
     std::size_t rows;
     std::size_t stride;  ///< from a row to the next
   };
+  /// Memory of findSeen(), to be kept from call to call.
+  struct Parting {
+    std::vector<WayBound> bounds;
+    std::vector<PartingBounds> cones;
+  };
   /// What is seen by each of some samples among `points`, by the same cones: kUnknownShare where
   /// only narrow() can tell.
   void findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
-                const Samples& samples, double* seen) const;
+                const Samples& samples, Parting& parting, double* seen) const;
 
  private:
   /// The first two bounds of a cone.
@@ -83,7 +88,14 @@ class LightCones {
   std::span<const ConeBound> boundsOf(const LightCone& cone, const Segment* on) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   static bool isRow(std::span<const Doubt> doubts);
-  bool add(const LightCone& cone, const Points& points, const Segment* on, Found& found) const;
+  bool add(const LightCone& cone, const Points& points, const Segment* on, std::uint32_t asked,
+           Found& found) const;
+  /// Some of the cones, by index.
+  struct Range {
+    std::size_t first;
+    std::size_t last;
+  };
+  bool addSpanning(Range cones, const Points& points, const Segment* on, Found& found) const;
 
   const Level& level_;
   Raytracer::Source light_;
@@ -97,11 +109,14 @@ class LightCones {
     std::uint32_t last;
   };
   std::vector<BoundsOfCone> boundsOf_;  ///< by cone
-  struct Range {
-    std::size_t first;
-    std::size_t count;
-  };
-  std::unordered_map<std::uint32_t, Range> rangeOf_;  ///< in the cones, of a sector
+  /// By cone: its first two bounds, for many cones at once.
+  struct Sides {
+    std::vector<double> beginX;
+    std::vector<double> beginY;
+    std::vector<double> endX;
+    std::vector<double> endY;
+  } sides_;
+  std::unordered_map<std::uint32_t, Range> rangeOf_;  ///< of a sector
 };
 
 }  // namespace hearth

@@ -5,6 +5,7 @@
 #include "light/light_kernels.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "light/light_sum.h"
 #include "math/planted_bug.h"
@@ -51,17 +52,52 @@ HWY_INLINE hn::Vec<D> dotOf(D d, const Ways<D>& way, Vec3 v) {
                  hn::Mul(way.z, hn::Set(d, v.z)));
 }
 
+/// In lanes that are cones: how far in front of an upright plane through the light the foremost of
+/// the corners is.
+template <typename D>
+HWY_INLINE hn::Vec<D> foremost(D d, const CornerWays& corners, hn::Vec<D> normalX,
+                               hn::Vec<D> normalY) {
+  const auto inFront = [&](std::size_t k) HWY_ATTR {
+    return hn::Add(hn::Mul(hn::Set(d, corners.x[k]), normalX),
+                   hn::Mul(hn::Set(d, corners.y[k]), normalY));
+  };
+  auto most = inFront(0);
+  for (std::size_t k = 1; k < corners.count; ++k) most = hn::Max(most, inFront(k));
+  return most;
+}
+
+std::size_t findSpanning(const CornerWays& corners, const ConeSides& cones, std::size_t count,
+                         double margin, std::uint32_t* spanning) {
+  std::size_t found = 0;
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto least = hn::Set(d, -margin);
+    const auto ofBegin =
+        foremost(d, corners, hn::LoadU(d, cones.beginX + k), hn::LoadU(d, cones.beginY + k));
+    const auto ofEnd =
+        foremost(d, corners, hn::LoadU(d, cones.endX + k), hn::LoadU(d, cones.endY + k));
+    const auto areSpanning = hn::And(hn::Ge(ofBegin, least), hn::Ge(ofEnd, least));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, areSpanning, bits);
+    for (unsigned left = bits[0]; left != 0; left &= left - 1)
+      spanning[found++] =
+          static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(left));
+  });
+  return found;
+}
+
 std::uint32_t findParting(const CornerWays& corners, std::span<const ConeBound> bounds,
-                          double margin, double reach) {
+                          std::uint32_t asked, double margin, double reach) {
   using Tag = hn::CappedTag<double, 8>;
   const Tag d;
   std::uint32_t parting = 0;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const std::uint32_t bit = std::uint32_t{1} << std::min(i, kBoundBits - 1);
+    if ((asked & bit) == 0) continue;
     const ConeBound& bound = bounds[i];
     const double slack = bound.slack(margin, reach);
     bool isAnyNear = false;
     bool areAllInFront = true;
-    for (std::size_t k = 0; k < 8; k += hn::Lanes(d)) {
+    for (std::size_t k = 0; k < corners.count; k += hn::Lanes(d)) {
       const Ways<Tag> ways = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
                               hn::LoadU(d, corners.z + k)};
       const auto inFront = hn::Sub(dotOf(d, ways, bound.normal), hn::Set(d, bound.offset));
@@ -69,7 +105,7 @@ std::uint32_t findParting(const CornerWays& corners, std::span<const ConeBound> 
       areAllInFront &= hn::AllTrue(d, hn::Gt(inFront, hn::Set(d, slack)));
     }
     if (!isAnyNear) return kBehindBound;
-    if (!areAllInFront) parting |= std::uint32_t{1} << std::min(i, kBoundBits - 1);
+    if (!areAllInFront) parting |= bit;
   }
   return parting;
 }
@@ -88,6 +124,7 @@ void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
         const auto inFront = hn::Sub(dotOf(d, ways, bound.normal), hn::Set(d, bound.offset));
         areInside = hn::And(areInside, hn::Gt(inFront, hn::Set(d, bound.slack)));
         areNear = hn::And(areNear, hn::Ge(inFront, hn::Set(d, -bound.slack)));
+        if (hn::AllFalse(d, areNear)) break;
       }
       next += cone.count;
       areLit = hn::Or(areLit, areInside);
@@ -152,6 +189,7 @@ void addToSums(const double* levels, std::size_t count, double share, double* su
 
 const LightKernels& kernels() {
   static constexpr LightKernels kKernels{
+      .findSpanning = findSpanning,
       .findParting = findParting,
       .findSeen = findSeen,
       .findDistances = findDistances,

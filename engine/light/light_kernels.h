@@ -19,12 +19,13 @@ struct SampleArrays {
   SampleArrays from(std::size_t first) const { return {x + first, y + first, z + first}; }
 };
 
-/// Ways from a light to the corners of what holds some points; the first of them again where there
-/// are less than eight.
+/// Ways from a light to the corners of what holds some points: one to eight, and from there on the
+/// first of them again.
 struct CornerWays {
   double x[8];
   double y[8];
   double z[8];
+  std::size_t count = 8;
 };
 
 /// A plane, by ways from a light: a way is in front of it by dot(normal, way) - offset. Of points
@@ -39,10 +40,20 @@ struct ConeBound {
   double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
 };
 
+/// The upright planes between which cones lie, as findSpanning() takes them: their normals on the
+/// map, into the cone, each coordinate in an array of its own.
+struct ConeSides {
+  const double* beginX;
+  const double* beginY;
+  const double* endX;
+  const double* endY;
+};
+
 /// What findParting() answers where a bound has all corners behind it.
 inline constexpr std::uint32_t kBehindBound = std::uint32_t{1} << 31;
 /// The bits that it has for bounds: the last one stands for all that follow, too.
 inline constexpr std::size_t kBoundBits = 31;
+inline constexpr std::uint32_t kAllBounds = kBehindBound - 1;
 
 /// A plane, by ways from a light: those that it has in front of it have dot(normal, way) > offset.
 /// Within `slack` rounding decides; both are metres times the length of the normal.
@@ -63,10 +74,14 @@ struct PartingBounds {
 inline constexpr double kUnknownShare = -1;
 
 struct LightKernels {
+  /// The indices of cones that have no side with all corners behind it, in rising order. Returns
+  /// how many they are; `spanning` has room for `count`. `margin` is that of rays to the corners.
+  std::size_t (*findSpanning)(const CornerWays& corners, const ConeSides& cones, std::size_t count,
+                              double margin, std::uint32_t* spanning);
   /// A bit for each of the bounds of a cone that has some corners behind it, perhaps; or
-  /// kBehindBound.
+  /// kBehindBound. Of those alone that have a bit in `asked`.
   std::uint32_t (*findParting)(const CornerWays& corners, std::span<const ConeBound> bounds,
-                               double margin, double reach);
+                               std::uint32_t asked, double margin, double reach);
   /// For each of the samples 1 where one of the cones of a point of light holds it for sure, 0
   /// where none can, and else kUnknownShare. The bounds of the cones follow one another.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,

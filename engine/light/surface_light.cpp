@@ -262,7 +262,7 @@ void SurfaceLight::findSeenOf(const ByCones& here, std::size_t light, const Samp
                  std::span(cones_).subspan(here.first, here.last - here.first),
                  {blocks.targets().from(first), static_cast<std::size_t>(block.columns),
                   static_cast<std::size_t>(block.rows), blocks.index(0, 1)},
-                 &seen[first]);
+                 parting_, &seen[first]);
   if (block.surface) return;
   forEachSample(blocks, block, [&](std::size_t index) {
     if (blocks.samples()[index].surface == here.surface) seen_[index] = seenIfOn_[index];

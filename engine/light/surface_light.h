@@ -136,6 +136,7 @@ class SurfaceLight {
   std::vector<LightCost> costs_;
   std::deque<Beam> beams_;  ///< to a block, to its part, to a part of this and so on
   LightCones::Found cones_;
+  LightCones::Parting parting_;
   std::vector<ByCones> byCones_;
   std::vector<double> seen_;
   std::vector<double> seenIfOn_;   ///< the same if all samples lay on one surface

@@ -151,6 +151,41 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
   });
 }
 
+TEST_F(LightKernelsTest, findConesBetweenWhoseSidesSomethingMayLie) {
+  CornerWays corners;
+  for (const std::size_t count : {1, 3, 8}) {
+    corners.count = count;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::size_t k = i < count ? i : 0;
+      corners.x[i] = samples_.x[k] / 30;
+      corners.y[i] = samples_.y[k] / 30 + 2;
+    }
+    const std::vector<double> beginX = between(-1, 1);
+    const std::vector<double> beginY = between(-1, 1);
+    const std::vector<double> endX = between(-1, 1);
+    const std::vector<double> endY = between(-1, 1);
+    const double margin = 0.25;
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+      const auto isBehind = [&](double x, double y) {
+        for (std::size_t k = 0; k < count; ++k)
+          if (corners.x[k] * x + corners.y[k] * y >= -margin) return false;
+        return true;
+      };
+      if (!isBehind(beginX[i], beginY[i]) && !isBehind(endX[i], endY[i])) expected.push_back(i);
+    }
+    EXPECT_GT(expected.size(), 5U);
+    EXPECT_LT(expected.size(), kCount - 5);
+    forEachInstructionSet([&](const LightKernels& kernels) {
+      std::vector<std::uint32_t> found(kCount);
+      found.resize(kernels.findSpanning(corners,
+                                        {beginX.data(), beginY.data(), endX.data(), endY.data()},
+                                        kCount, margin, found.data()));
+      EXPECT_EQ(found, expected);
+    });
+  }
+}
+
 /// A bit for each bound that has a corner behind it, or nearer than its slack.
 TEST_F(LightKernelsTest, findBoundsThatPartABox) {
   CornerWays corners;
@@ -165,7 +200,7 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
   const ConeBound close{{1, 0, 0}, 2.5, 1, 0.1};
   forEachInstructionSet([&](const LightKernels& kernels) {
     const auto parting = [&](const std::vector<ConeBound>& bounds, double margin, double reach) {
-      return kernels.findParting(corners, bounds, margin, reach);
+      return kernels.findParting(corners, bounds, kAllBounds, margin, reach);
     };
     EXPECT_EQ(parting({}, 0.1, 0), 0U);
     EXPECT_EQ(parting({before, across, before, across}, 0.1, 0), 0b1010U);
@@ -176,6 +211,9 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
     std::vector<ConeBound> many(40, before);
     many[38] = across;
     EXPECT_EQ(parting(many, 0.1, 0), std::uint32_t{1} << 30) << "the last bit has room for all";
+    EXPECT_EQ(kernels.findParting(corners, {&behind, 1}, 0, 0.1, 0), 0U) << "it is not asked for";
+    EXPECT_EQ(kernels.findParting(corners, many, std::uint32_t{1} << 30, 0.1, 0),
+              std::uint32_t{1} << 30);
   });
 }
 
