@@ -17,6 +17,8 @@ SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
   const auto addOnce = [](auto& ids, auto id) {
     if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
   };
+  points_.reserve(samples_.size());
+  targets_.reserve(samples_.size());
   for (const SamplePoint& sample : samples_) addToArrays(sample);
   for (const Run& run : runs_) {
     addOnce(surfaces_, run.surface);
@@ -30,7 +32,13 @@ SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
                      .sector = {},
                      .surface = {}});
   for (std::size_t i = 0; i < blocks_.size(); ++i) divide(i);
-  for (std::size_t i = blocks_.size(); i-- > 0;) measure(blocks_[i]);
+  measureAll();
+}
+
+void SampleBlocks::extend(Extent& extent, Vec3 p) {
+  auto& [least, most] = extent;
+  least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+  most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
 }
 
 void SampleBlocks::addToArrays(const SamplePoint& sample) {
@@ -68,36 +76,62 @@ void SampleBlocks::divide(std::size_t index) {
   add(left, upper, right, lower);
 }
 
-void SampleBlocks::measure(Block& block) const {
+/// Parts come behind what they are parts of.
+void SampleBlocks::measureAll() {
+  std::vector<Extent> extents(blocks_.size());
+  for (std::size_t i = blocks_.size(); i-- > 0;) {
+    Block& block = blocks_[i];
+    extents[i] = block.parts == 0 ? measureSamples(block) : joined(block, extents);
+    block.box = boxOf(extents[i]);
+  }
+}
+
+SampleBlocks::Extent SampleBlocks::measureSamples(Block& block) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const Vec3 origin = samples_[index(block.column, block.row)].target;
-  Vec3 least{kFar, kFar, kFar};
-  Vec3 most{-kFar, -kFar, -kFar};
-  bool isOneSector = true;
-  bool isOneSurface = true;
+  Extent extent{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  const Vec3 origin = samples_.front().target;
   const SurfaceId surface = samples_[index(block.column, block.row)].surface;
-  const SectorId sector = level_[surface].sector;
+  block.surface = surface;
+  block.sector = level_[surface].sector;
   for (int j = block.row; j < block.row + block.rows; ++j)
     for (int i = block.column; i < block.column + block.columns; ++i) {
       const SamplePoint& sample = samples_[index(i, j)];
       const Vec3 way = sample.target - origin;
-      const Vec3 p{dot(way, axisS_), dot(way, axisT_), dot(way, normal_)};
-      least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-      most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-      isOneSurface &= sample.surface == surface;
-      isOneSector &= level_[sample.surface].sector == sector;
+      extend(extent, {dot(way, axisS_), dot(way, axisT_), dot(way, normal_)});
+      if (sample.surface == surface) continue;
+      block.surface.reset();
+      if (level_[sample.surface].sector != level_[surface].sector) block.sector.reset();
     }
-  if (isOneSector) block.sector = sector;
-  if (isOneSurface) block.surface = surface;
-  block.box.normal = normal_;
-  const double kThin = kHeightNoise;
+  return extent;
+}
+
+SampleBlocks::Extent SampleBlocks::joined(Block& block, std::span<const Extent> extents) const {
+  const std::span<const Block> parts = partsOf(block);
+  Extent extent = extents[block.firstPart];
+  block.surface = parts.front().surface;
+  block.sector = parts.front().sector;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    extend(extent, extents[block.firstPart + i].least);
+    extend(extent, extents[block.firstPart + i].most);
+    if (parts[i].surface != block.surface) block.surface.reset();
+    if (parts[i].sector != block.sector) block.sector.reset();
+  }
+  return extent;
+}
+
+TargetBox SampleBlocks::boxOf(const Extent& extent) const {
+  constexpr double kThin = kHeightNoise;
+  const auto& [least, most] = extent;
+  TargetBox box;
+  box.normal = normal_;
   const bool isFlat = most.z - least.z < kThin;
   for (const double z : {least.z, most.z}) {
     for (const double y : {least.y, most.y})
       for (const double x : {least.x, most.x})
-        block.box.storage[block.box.count++] = origin + x * axisS_ + y * axisT_ + z * normal_;
+        box.storage[box.count++] = samples_.front().target + x * axisS_ + y * axisT_ + z * normal_;
     if (isFlat) break;
   }
+  return box;
 }
 
 BeamTargets SampleBlocks::targetsOf(const Block& block) const {

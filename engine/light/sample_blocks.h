@@ -67,13 +67,23 @@ class SampleBlocks {
     std::vector<double> y;
     std::vector<double> z;
 
+    void reserve(std::size_t count) { x.reserve(count), y.reserve(count), z.reserve(count); }
     void add(Vec3 p) { x.push_back(p.x), y.push_back(p.y), z.push_back(p.z); }
     SampleArrays arrays() const { return {x.data(), y.data(), z.data()}; }
   };
 
   void addToArrays(const SamplePoint& sample);
   void divide(std::size_t index);
-  void measure(Block& block) const;
+  /// What holds some samples, in metres from the first of all along the axes and the normal.
+  struct Extent {
+    Vec3 least;
+    Vec3 most;
+  };
+  static void extend(Extent& extent, Vec3 p);
+  void measureAll();
+  Extent measureSamples(Block& block) const;
+  Extent joined(Block& block, std::span<const Extent> extents) const;
+  TargetBox boxOf(const Extent& extent) const;
 
   const Level& level_;
   Vec3 axisS_;  ///< unit vectors: nearly those of the surface's grid, and in its own plane
