@@ -71,6 +71,7 @@ std::vector<Outline::Edge> Outline::edgesWithin(Vec2 p, double reach) const {
 
 Outline Outline::aroundRow(double row, double reach) const {
   Outline around;
+  around.edges_.reserve(edges_.size());
   for (const Edge& edge : edges_)
     if (std::min(edge.a.y, edge.b.y) - row <= reach && row - std::max(edge.a.y, edge.b.y) <= reach)
       around.edges_.push_back(edge);
@@ -81,6 +82,7 @@ Outline Outline::aroundRow(double row, double reach) const {
 /// apart. Between two of these all is inside, or all is outside.
 std::vector<Outline::Stretch> Outline::besideEdges(double row, double margin) const {
   std::vector<Stretch> beside;
+  beside.reserve(edges_.size());
   for (const Edge& edge : edges_) {
     const Vec2 a = edge.a;
     const Vec2 b = edge.b;
@@ -93,14 +95,15 @@ std::vector<Outline::Stretch> Outline::besideEdges(double row, double margin) co
     beside.push_back({std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin});
   }
   std::ranges::sort(beside, {}, &Stretch::from);
-  std::vector<Stretch> apart;
+  std::size_t apart = 0;
   for (const Stretch& next : beside) {
-    if (apart.empty() || apart.back().to < next.from)
-      apart.push_back(next);
+    if (apart == 0 || beside[apart - 1].to < next.from)
+      beside[apart++] = next;
     else
-      apart.back().to = std::max(apart.back().to, next.to);
+      beside[apart - 1].to = std::max(beside[apart - 1].to, next.to);
   }
-  return apart;
+  beside.resize(apart);
+  return beside;
 }
 
 bool Outline::isInsideBetween(double row, const Stretch& before, const Stretch& after) const {
