@@ -26,8 +26,10 @@ bool isNarrow(Vec2 begin, Vec2 end) {
   return sine <= 0 || (sine <= kNarrow * length(begin) * length(end) && dot(begin, end) > 0);
 }
 
+/// As squares: this is asked of every wall of every window.
 bool isNear(Vec2 a, Vec2 b) {
-  return std::abs(cross(a, b)) <= kNarrow * length(a) * length(b) && dot(a, b) > 0;
+  const double sine = cross(a, b);
+  return dot(a, b) > 0 && sine * sine <= kNarrow * kNarrow * dot(a, a) * dot(b, b);
 }
 
 /// Whether a direction lies between two others that are less than 180 degrees apart.
@@ -37,8 +39,19 @@ bool isBetween(Vec2 begin, Vec2 end, Vec2 way) {
 
 Vec2 unit(Vec2 way) { return (1 / length(way)) * way; }
 
-/// Of cones in a list: those that say where something is doubtful first.
-auto orderOf(const LightCone& cone) { return std::tuple(cone.sector, cone.to); }
+/// By sectors and walls; none where something is doubtful, so that comes first. Cones are large: it
+/// is their numbers that are sorted.
+std::vector<LightCone> sorted(const std::vector<LightCone>& cones) {
+  std::vector<std::tuple<SectorId, const Segment*, std::size_t>> order;
+  order.reserve(cones.size());
+  for (std::size_t i = 0; i < cones.size(); ++i)
+    order.emplace_back(cones[i].sector, cones[i].to, i);
+  std::ranges::sort(order);
+  std::vector<LightCone> result;
+  result.reserve(cones.size());
+  for (const auto& place : order) result.push_back(cones[std::get<std::size_t>(place)]);
+  return result;
+}
 
 /// Follows what the light sees from its sector on.
 class Finder {
@@ -63,7 +76,7 @@ class Finder {
       visit(window);
     }
     found_.isComplete = windows_.empty();
-    std::ranges::sort(found_.cones, {}, orderOf);
+    found_.cones = sorted(found_.cones);
     return std::move(found_);
   }
 
