@@ -107,9 +107,12 @@ Beam::Outcome Beam::follow(const BeamLight& light, const BeamTargets& targets, c
   sectors_.clear();
   visits_.clear();
   arrives_ = isStopped_ = false;
-  for (const SectorId sector : light.sectors) go({sector, Way::FromLight, nullptr, {}, {}});
-  gate_.reset();
-  bool isGated = light.sectors.size() == 1;
+  gate_ = within ? within->gate() : std::nullopt;
+  bool isGated = gate_ || light.sectors.size() == 1;
+  if (gate_)
+    goThroughGate();
+  else
+    for (const SectorId sector : light.sectors) go({sector, Way::FromLight, nullptr, {}, {}});
   for (std::size_t i = 0; i < visits_.size(); ++i) {
     const Visit way = visits_[i];
     visit(way);
@@ -252,6 +255,14 @@ void Beam::go(const Visit& visit) {
         (visit.way != Way::ThroughWall || other.through->twin == visit.through->twin))
       return;
   visits_.push_back(visit);
+}
+
+/// All rays go through that of the beam around this one, too, and nothing stops them before.
+void Beam::goThroughGate() {
+  const Segment& wall = *gate_->wall;
+  if (const std::optional<BeamHull::Slice> slice = hull_->slice(wall.p0, wall.p1))
+    go({gate_->opening->next, Way::ThroughWall, gate_->opening, lerp(wall.p0, wall.p1, slice->from),
+        lerp(wall.p0, wall.p1, slice->to)});
 }
 
 /// Whether a screen lies between the way into its sector and the targets.

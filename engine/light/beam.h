@@ -110,6 +110,7 @@ class Beam {
   bool isBehind(const MetSector& sector, std::uint32_t screen, const Met& met);
   std::optional<Gate> gateOf(const Visit& way);
   void go(const Visit& visit);
+  void goThroughGate();
   void goThroughFlats(const Sector& sector);
   bool endsOutside(const Sector& sector) const;
   bool isTarget(SectorId id) const;
