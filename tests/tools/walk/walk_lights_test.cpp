@@ -222,6 +222,27 @@ TEST(WalkLights, AreSavedByCtrlSWhichDoesNotWalk) {
   EXPECT_EQ(walk.inputs().back().up, 0) << "nor does Ctrl crouch";
 }
 
+TEST(WalkLights, AreSavedByCtrlSWhileTheirNameIsTyped) {
+  LightsWalk walk;
+  walk.press(480, 360);
+  walk.release(480, 360);
+  walk.settle();
+  SDL_Event typed{};
+  typed.type = SDL_TEXTINPUT;
+  typed.text.text[0] = 'Q';
+  const auto isRenamed = [&] { return walk.lights().bytes().find('Q') != std::string::npos; };
+  for (int y = 130; y < 700 && !isRenamed(); y += 7) {  // from the list down to the field
+    walk.press(1200, y);
+    walk.release(1200, y);
+    walk.now(typed);
+    walk.settle();
+  }
+  ASSERT_TRUE(isRenamed());
+  walk.now(keyWith(SDLK_LCTRL, KMOD_LCTRL));
+  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  EXPECT_EQ(walk.onDisk(), walk.lights().bytes());
+}
+
 TEST(WalkLights, AreLetGoOfWhenTheOverlayCloses) {
   LightsWalk walk;
   walk.press(480, 360);

@@ -164,6 +164,10 @@ bool LightsTool::take(const SDL_KeyboardEvent& key) {
   }
 }
 
+bool LightsTool::isSave(const SDL_KeyboardEvent& key) {
+  return (key.keysym.mod & KMOD_CTRL) != 0 && key.keysym.sym == SDLK_s;
+}
+
 void LightsTool::release() {
   if (editor_.isDragging()) editor_.endDrag();
   grip_.reset();

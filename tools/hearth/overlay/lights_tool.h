@@ -39,6 +39,8 @@ class LightsTool {
   /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
   /// is one of these, or Ctrl by itself, or an axis of a drag.
   bool take(const SDL_KeyboardEvent& key);
+  /// Of these Ctrl+S, which no field of text is to keep for itself.
+  static bool isSave(const SDL_KeyboardEvent& key);
   /// Ends a drag.
   void release();
 

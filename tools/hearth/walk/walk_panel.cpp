@@ -41,8 +41,13 @@ bool WalkPanel::take(const SDL_Event& event, const PanelScene& scene, Comfort& c
     return true;
   }
   point(event, scene);
+  const bool isKeyOfLights = lights_ && event.type == SDL_KEYDOWN;
+  if (isKeyOfLights && LightsTool::isSave(event.key)) {
+    overlay_.refresh();
+    return lights_->take(event.key);
+  }
   if (overlay_.take(event)) return true;
-  return lights_ && event.type == SDL_KEYDOWN && lights_->take(event.key);
+  return isKeyOfLights && lights_->take(event.key);
 }
 
 /// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
