@@ -22,12 +22,13 @@ struct Spot {
 
 const Spot kSpots[] = {
     {"unlit-side", "wall 3 of pier/pier",
-     "faces away: it is behind this surface; move it to this side"},
+     "faces away: it is 2.2 m behind this surface; move it to this side, to smaller y"},
     {"step", "wall 2 of dais-top", "blocked by lower step at wall 4 of dais (7.5, 6, "},
     {"sidewall", "wall 1 of ramp-east",
      "blocked by sidewall of the sloped floor of ramp-way, at wall 1 of ramp-west (12, "},
     {"weak", "wall 4 of nook", "too weak here: 0."},
-    {"in-plane", "wall 5 of bend", "in the plane of this surface: move it off the plane, "},
+    {"in-plane", "wall 5 of bend",
+     "in the plane of this surface: move it off the plane, to smaller x"},
 };
 
 /// What the middle of a shot shows.
@@ -47,8 +48,8 @@ TEST(DarkSpots, AreNamedEachWithItsReason) {
   for (const Spot& spot : kSpots) {
     const Inspection found = inspect(level, light, level.bake, middleOf(level, spot.shot));
     EXPECT_EQ(surfaceWords(level, found.place), spot.surface);
-    EXPECT_TRUE(reasonWords(level, found.lights.at(0)).starts_with(spot.reason))
-        << reasonWords(level, found.lights[0]);
+    EXPECT_TRUE(reasonWords(level, found.place, found.lights.at(0)).starts_with(spot.reason))
+        << reasonWords(level, found.place, found.lights[0]);
     EXPECT_LT(found.sum.x, kVisibleLevel) << spot.shot;
     EXPECT_LE(found.lightmap->shown.x, kVisibleLevel) << spot.shot;
   }

@@ -33,7 +33,7 @@ std::string reasonAt(const LoadedLevel& loaded, const std::string& sector, Vec3 
   const Level& level = loaded.level;
   const Inspection found = inspected(level, lookedAt(level, sector, eye, direction));
   EXPECT_EQ(found.lights.size(), 1);
-  return reasonWords(level, found.lights.at(0));
+  return reasonWords(level, found.place, found.lights.at(0));
 }
 
 /// A room of 10 x 4 x 3 m whose eastern half is another sector.
@@ -62,7 +62,7 @@ TEST(Inspect, namesTheUnlitSideOfAWall) {
   // The lamp stands in the next room, behind the step whose other side is looked at.
   const LoadedLevel loaded = halves("", lamp(8, 2, 2.5), 1.5);
   EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 1}, {1, 0, 0}),
-            "faces away: it is behind this surface; move it to this side");
+            "faces away: it is 3 m behind this surface; move it to this side, to smaller x");
 }
 
 TEST(Inspect, namesTheStepThatBlocks) {
@@ -108,7 +108,7 @@ TEST(Inspect, namesALightThatIsTooWeakAndTellsHowWeak) {
 TEST(Inspect, namesALightInThePlaneOfTheSurface) {
   const LoadedLevel loaded = halves("", lamp(5, 2, 1.5), 1);
   EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 0.5}, {1, 0, 0}),
-            "in the plane of this surface: move it off the plane, to this side");
+            "in the plane of this surface: move it off the plane, to smaller x");
 }
 
 TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
@@ -118,7 +118,7 @@ TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
           test::sectorText("there", "0,0, 9,0, 9,5, 0,5", 0, 4) + "}}",
       "[{'x':1,'y':1,'z':3.5}]");
   EXPECT_EQ(reasonAt(loaded, "here", {4, 4, 1}, {0, 0.001, 1}),
-            "faces away: it is behind this surface; move it to this side");
+            "faces away: it is 0.5 m behind this surface; move it to this side, down");
   const LoadedLevel inside = test::levelFrom(
       "{'light':0,'sectors':{" + test::sectorText("here", "0,0, 5,0, 5,5, 0,5", 0, 3) + "," +
           test::sectorText("there", "-9,-9, 9,-9, 9,9, -9,9", -1, 4) + "}}",
@@ -132,7 +132,7 @@ TEST(Inspect, tellsWhichShareOfABallIsSeen) {
   const Level& level = loaded.level;
   const Inspection found = inspected(level, lookedAt(level, "west", {1, 2, 1.5}, {-1, 0, 0}));
   EXPECT_NEAR(found.lights.at(0).seenShare, 0.5, 0.02) << "the half above the floor";
-  EXPECT_TRUE(reasonWords(level, found.lights[0]).ends_with(" % of it seen"));
+  EXPECT_TRUE(reasonWords(level, found.place, found.lights[0]).ends_with(" % of it seen"));
   EXPECT_NEAR(found.sum.x, 255 * found.lights[0].seenShare, 1e-9);
 }
 

@@ -58,6 +58,20 @@ std::string weakWords(const LightSource& light, const LightFinding& finding) {
                      rounded(finding.distance, 2), cosine, remedyWords(light, finding));
 }
 
+/// The way to the front of a surface, along the axis that is nearest to it.
+std::string_view sideWords(Vec3 normal) {
+  const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+  if (size.z > std::max(size.x, size.y)) return normal.z > 0 ? "up" : "down";
+  if (size.x > size.y) return normal.x > 0 ? "to larger x" : "to smaller x";
+  return normal.y > 0 ? "to larger y" : "to smaller y";
+}
+
+std::string facesAwayWords(const LightSource& light, const SurfacePoint& place) {
+  const double behind = dot(place.normal, place.point - light.position);
+  return fmt::format("faces away: it is {} m behind this surface; move it to this side, {}",
+                     rounded(behind, 2), sideWords(place.normal));
+}
+
 std::string blockedWords(const Level& level, const LightFinding& finding) {
   const std::string advice =
       finding.lift ? fmt::format("{} it {} m or more", *finding.lift > 0 ? "raise" : "lower",
@@ -116,7 +130,8 @@ std::string brightnessWords(const Level& level, const Inspection& found) {
   return words;
 }
 
-std::string reasonWords(const Level& level, const LightFinding& finding) {
+std::string reasonWords(const Level& level, const SurfacePoint& place,
+                        const LightFinding& finding) {
   switch (finding.reason) {
     case LightReason::Lights:
       return finding.seenShare < 1 ? fmt::format("{:.0f} % of it seen", 100 * finding.seenShare)
@@ -124,9 +139,10 @@ std::string reasonWords(const Level& level, const LightFinding& finding) {
     case LightReason::TooWeak:
       return weakWords(level.lights[finding.light], finding);
     case LightReason::FacesAway:
-      return "faces away: it is behind this surface; move it to this side";
+      return facesAwayWords(level.lights[finding.light], place);
     case LightReason::InPlane:
-      return "in the plane of this surface: move it off the plane, to this side";
+      return fmt::format("in the plane of this surface: move it off the plane, {}",
+                         sideWords(place.normal));
     case LightReason::Blocked:
       return blockedWords(level, finding);
     case LightReason::NotReached:

@@ -165,7 +165,7 @@ class Section {
   /// `left`: where the columns begin.
   void showLight(const LightFinding& finding, float left) {
     showHead(finding, left);
-    const std::string reason = reasonWords(level_, finding);
+    const std::string reason = reasonWords(level_, place_, finding);
     if (reason.empty()) return;
     ImGui::Indent(letters(kIndent));
     ImGui::PushStyleColor(ImGuiCol_Text, kReasonColor);
