@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "math/wrapped.h"
 #include "render/renderer.h"
@@ -60,6 +61,19 @@ bool isHole(const SpanMapping& mapping, double measure, const Texture& image) {
   return (image.texels()[x * image.height() + y] & kHoleBit) != 0;
 }
 
+/// floor(texel), without a call for each, as std::floor is.
+std::int64_t lineBefore(double texel) {
+  const auto towardsZero = static_cast<std::int64_t>(texel);
+  return towardsZero - (texel < static_cast<double>(towardsZero) ? 1 : 0);
+}
+
+/// Of what there is one for each row of a picture, those of a span.
+template <typename T>
+std::span<T> rowsOf(const Span& span, std::span<T> rows) {
+  return rows.subspan(static_cast<std::size_t>(span.rowBegin),
+                      static_cast<std::size_t>(span.rowEnd - span.rowBegin));
+}
+
 }  // namespace
 
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
@@ -99,22 +113,37 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
   }
 }
 
-void noteShown(const SpanPainter& painter, const Span& span, Marks marks,
-               std::span<const double> climbs, ShownStrip& shown) {
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+               std::span<ShownTexel> column) {
   const Material material = painter.materialOf(span.surface);
   const SpanMapping mapping = painter.mappingOf(material, span);
   const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
-  if (hasHoles && marks != Marks::Texels) return;
-  for (int row = span.rowBegin; row < span.rowEnd; ++row) {
-    const double measure = mapping.measureAt(climbs[static_cast<std::size_t>(row)]);
+  const auto surface = material.lit ? std::optional(span.surface) : std::nullopt;
+  const std::span rows = rowsOf(span, column);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double measure = mapping.measureAt(rowsOf(span, climbs)[k]);
     if (hasHoles && isHole(mapping, measure, material.image())) continue;
-    ShownPixel& pixel = shown.at(span.column, row);
-    pixel.surface = span.surface;
-    ++pixel.times;
-    pixel.depth = depthOf(mapping, measure);
-    pixel.texel.reset();
-    if (material.lit) pixel.texel = {mapping.s.at(measure), mapping.t.at(measure)};
+    rows[k].surface = surface;
+    const Vec2 texel{mapping.s.at(measure), mapping.t.at(measure)};
+    rows[k].texel = texel;
+    rows[k].lines = {lineBefore(texel.x), lineBefore(texel.y)};
   }
+}
+
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+               std::span<ShownSurface> column) {
+  const Material material = painter.materialOf(span.surface);
+  if (material.surface.kind == SurfaceKind::Middle) return;
+  const SpanMapping mapping = painter.mappingOf(material, span);
+  const std::span rows = rowsOf(span, column);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k] = {span.surface, depthOf(mapping, mapping.measureAt(rowsOf(span, climbs)[k]))};
+}
+
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double>,
+               std::span<ShownTimes> column) {
+  if (painter.materialOf(span.surface).surface.kind == SurfaceKind::Middle) return;
+  for (ShownTimes& row : rowsOf(span, column)) ++row.times;
 }
 
 }  // namespace hearth

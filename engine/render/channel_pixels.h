@@ -3,7 +3,7 @@
 #include <span>
 
 #include "render/channel.h"
-#include "render/shown_strip.h"
+#include "render/shown_columns.h"
 #include "render/span.h"
 #include "render/span_painter.h"
 #include "render/strip.h"
@@ -14,9 +14,13 @@ namespace hearth {
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
                   std::span<const double> climbs, Strip& strip);
 
-/// Notes what the rows of a span show, for marks. Outlines and coverage are those of what lies
-/// behind middle textures.
-void noteShown(const SpanPainter& painter, const Span& span, Marks marks,
-               std::span<const double> climbs, ShownStrip& shown);
+/// Notes what the rows of a span show in its column, for marks. Surfaces and times are those of
+/// what lies behind middle textures.
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+               std::span<ShownTexel> column);
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+               std::span<ShownSurface> column);
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+               std::span<ShownTimes> column);
 
 }  // namespace hearth

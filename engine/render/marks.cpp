@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "render/outlines.h"
 #include "render/renderer.h"
@@ -11,17 +11,6 @@
 namespace hearth {
 
 namespace {
-
-/// What lies to the left of a pixel and above it, if anything of the picture does.
-struct Neighbours {
-  const ShownPixel* left;
-  const ShownPixel* above;
-};
-
-Neighbours neighboursOf(const ShownStrip& shown, int column, int row) {
-  return {column > 0 ? &shown.at(column - 1, row) : nullptr,
-          row > 0 ? &shown.at(column, row - 1) : nullptr};
-}
 
 Rgb mixed(Rgb a, Rgb b, double shareOfB) {
   const auto channel = [shareOfB](double from, double to) {
@@ -50,22 +39,20 @@ double visibility(double pixelsApart) {
   return std::clamp((pixelsApart - kNarrowest) / (kWideEnough - kNarrowest), 0.0, 1.0);
 }
 
-/// The way on the texel grid from a neighbouring pixel, if that shows the same surface.
-std::optional<Vec2> stepFrom(const ShownPixel* neighbour, const ShownPixel& pixel) {
-  if (!neighbour || neighbour->surface != pixel.surface || !neighbour->texel) return std::nullopt;
-  return *pixel.texel - *neighbour->texel;
+/// Whether a line of the grid lies between a pixel and its neighbour: only within a surface.
+bool isLineBetween(const ShownTexel& pixel, const ShownTexel& neighbour) {
+  return pixel.surface == neighbour.surface && pixel.lines != neighbour.lines;
 }
 
-std::int64_t lineBefore(double texel) { return static_cast<std::int64_t>(std::floor(texel)); }
+/// What lies left of or above a pixel on its surface; where that shows another, the pixel itself.
+const ShownTexel& onSurfaceOf(const ShownTexel& pixel, const ShownTexel& neighbour) {
+  return pixel.surface == neighbour.surface ? neighbour : pixel;
+}
 
-/// How strongly a pixel shows a line across one axis of the grid, given its place there and how far
-/// it is from its neighbours'.
-double strengthOfLine(double texel, double fromLeft, double fromAbove) {
-  const std::int64_t line = lineBefore(texel);
-  const std::int64_t left = lineBefore(texel - fromLeft);
-  const std::int64_t above = lineBefore(texel - fromAbove);
-  if (line == left && line == above) return 0;
-  const double texelsPerPixel = std::sqrt(fromLeft * fromLeft + fromAbove * fromAbove);
+/// How strongly a pixel shows a line across one axis of the grid, given the lines before it and its
+/// neighbours, and how far they are apart.
+double strengthOfLine(std::int64_t line, std::int64_t left, std::int64_t above,
+                      double texelsPerPixel) {
   double strength = 0;
   for (const auto& [everyLog2, full] : kLines) {
     const std::int64_t its = line >> everyLog2;
@@ -75,13 +62,20 @@ double strengthOfLine(double texel, double fromLeft, double fromAbove) {
   return strength;
 }
 
-Rgb withTexels(const ShownPixel& pixel, const Neighbours& neighbours, Rgb lit) {
-  if (!pixel.texel) return lit;
-  const Vec2 fromLeft = stepFrom(neighbours.left, pixel).value_or(Vec2{});
-  const Vec2 fromAbove = stepFrom(neighbours.above, pixel).value_or(Vec2{});
-  const double strength = std::max(strengthOfLine(pixel.texel->x, fromLeft.x, fromAbove.x),
-                                   strengthOfLine(pixel.texel->y, fromLeft.y, fromAbove.y));
-  return strength > 0 ? mixed(lit, kTexelColor, strength) : lit;
+double strengthOfLines(const ShownTexel& pixel, const ShownTexel& left, const ShownTexel& above) {
+  const Vec2 fromLeft = pixel.texel - left.texel;
+  const Vec2 fromAbove = pixel.texel - above.texel;
+  const auto length = [](double a, double b) { return std::sqrt(a * a + b * b); };
+  return std::max(
+      strengthOfLine(pixel.lines.s, left.lines.s, above.lines.s, length(fromLeft.x, fromAbove.x)),
+      strengthOfLine(pixel.lines.t, left.lines.t, above.lines.t, length(fromLeft.y, fromAbove.y)));
+}
+
+void markLines(const ShownTexel& shown, const ShownTexel& left, const ShownTexel& above,
+               Pixel& pixel) {
+  const double strength =
+      strengthOfLines(shown, onSurfaceOf(shown, left), onSurfaceOf(shown, above));
+  if (strength > 0) pixel = pixelOf(mixed(colorOf(pixel), kTexelColor, strength));
 }
 
 // --- Coverage ------------------------------------------------------------------------------------
@@ -89,33 +83,49 @@ Rgb withTexels(const ShownPixel& pixel, const Neighbours& neighbours, Rgb lit) {
 constexpr Rgb kTwice = {255, 0, 0};
 constexpr double kShareLeft = 0.35;  // of the picture, so that no wall looks like a signal
 
-Rgb signalOf(const ShownPixel& pixel, Rgb lit) {
-  if (pixel.times == 0) return kHole;
-  return pixel.times == 1 ? mixed({}, lit, kShareLeft) : kTwice;
+Rgb signalOf(int times, Rgb lit) {
+  if (times == 0) return kHole;
+  return times == 1 ? mixed({}, lit, kShareLeft) : kTwice;
 }
 
-Rgb marked(Marks marks, const Level& level, const ShownPixel& pixel, const Neighbours& neighbours,
-           Rgb lit) {
-  switch (marks) {
-    case Marks::Texels:
-      return withTexels(pixel, neighbours, lit);
-    case Marks::Outlines:
-      return outlineColor(level, pixel, neighbours.left, neighbours.above).value_or(lit);
-    case Marks::Coverage:
-      return signalOf(pixel, lit);
+/// Calls `markPixel(pixel, shown, left, above)` for each pixel, with what it and its neighbours
+/// show; beyond the picture nothing shows.
+template <typename Shown, typename MarkPixel>
+void markEach(const ShownColumns<Shown>& shown, Pixel* pixels, MarkPixel&& markPixel) {
+  const Shown nothing;
+  const Shown* above = &nothing;
+  for (std::size_t row = 0; row < shown.here().size(); ++row) {
+    const Shown& here = shown.here()[row];
+    markPixel(pixels[row], here, shown.left()[row], *above);
+    above = &here;
   }
-  return lit;
 }
 
 }  // namespace
 
-void mark(Marks marks, const Level& level, const ShownStrip& shown, int columnEnd, Strip& strip) {
-  for (int column = shown.firstColumn(); column < columnEnd; ++column)
-    for (int row = 0; row < shown.height(); ++row) {
-      Pixel& pixel = *strip.at(column, row);
-      pixel = pixelOf(marked(marks, level, shown.at(column, row), neighboursOf(shown, column, row),
-                             colorOf(pixel)));
-    }
+void mark(const Level&, const ShownColumns<ShownTexel>& shown, Pixel* pixels) {
+  markEach(
+      shown, pixels,
+      [](Pixel& pixel, const ShownTexel& here, const ShownTexel& left, const ShownTexel& above) {
+        if (here.surface && (isLineBetween(here, left) || isLineBetween(here, above)))
+          markLines(here, left, above, pixel);
+      });
+}
+
+void mark(const Level& level, const ShownColumns<ShownSurface>& shown, Pixel* pixels) {
+  markEach(shown, pixels,
+           [&level](Pixel& pixel, const ShownSurface& here, const ShownSurface& left,
+                    const ShownSurface& above) {
+             // Most pixels are in the midst of a surface.
+             if (here.surface == left.surface && here.surface == above.surface) return;
+             if (const auto color = outlineColor(level, here, left, above)) pixel = pixelOf(*color);
+           });
+}
+
+void mark(const Level&, const ShownColumns<ShownTimes>& shown, Pixel* pixels) {
+  markEach(shown, pixels, [](Pixel& pixel, ShownTimes here, ShownTimes, ShownTimes) {
+    pixel = pixelOf(signalOf(here.times, colorOf(pixel)));
+  });
 }
 
 }  // namespace hearth

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "level/level.h"
-#include "render/channel.h"
-#include "render/shown_strip.h"
-#include "render/strip.h"
+#include "render/shown_columns.h"
+#include "render/texture.h"
 
+/// Marks the pixels of a column, which lie one behind the other, by what they show.
 namespace hearth {
 
-/// Marks the columns of a strip, from its first up to `columnEnd`, by what their pixels show.
-void mark(Marks marks, const Level& level, const ShownStrip& shown, int columnEnd, Strip& strip);
+void mark(const Level& level, const ShownColumns<ShownTexel>& shown, Pixel* pixels);
+void mark(const Level& level, const ShownColumns<ShownSurface>& shown, Pixel* pixels);
+void mark(const Level& level, const ShownColumns<ShownTimes>& shown, Pixel* pixels);
 
 }  // namespace hearth

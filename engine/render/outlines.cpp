@@ -54,7 +54,7 @@ Rgb colorOfEdge(const Level& level, const Surface& near, const Surface& far, Sid
   return wall ? colorOf(level[*wall]) : kWallColor;
 }
 
-std::optional<Rgb> colorBetween(const Level& level, const ShownPixel& a, const ShownPixel& b,
+std::optional<Rgb> colorBetween(const Level& level, const ShownSurface& a, const ShownSurface& b,
                                 bool areInRow) {
   if (!a.surface || !b.surface || a.surface == b.surface) return std::nullopt;
   const bool isFirstNearer = a.depth <= b.depth;
@@ -67,11 +67,10 @@ std::optional<Rgb> colorBetween(const Level& level, const ShownPixel& a, const S
 
 }  // namespace
 
-std::optional<Rgb> outlineColor(const Level& level, const ShownPixel& pixel, const ShownPixel* left,
-                                const ShownPixel* above) {
-  if (left)
-    if (const auto color = colorBetween(level, *left, pixel, true)) return color;
-  return above ? colorBetween(level, *above, pixel, false) : std::nullopt;
+std::optional<Rgb> outlineColor(const Level& level, const ShownSurface& pixel,
+                                const ShownSurface& left, const ShownSurface& above) {
+  if (const auto color = colorBetween(level, left, pixel, true)) return color;
+  return colorBetween(level, above, pixel, false);
 }
 
 }  // namespace hearth

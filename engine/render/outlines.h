@@ -4,14 +4,14 @@
 
 #include "image/image.h"
 #include "level/level.h"
-#include "render/shown_strip.h"
+#include "render/shown_columns.h"
 
 namespace hearth {
 
-/// The colour of the outline that parts a pixel from the one to its left or above it, which are
-/// null at the picture's edge: that of walls, openings, or flat portals and borders in stacks. None
-/// within a surface, and between skies.
-std::optional<Rgb> outlineColor(const Level& level, const ShownPixel& pixel, const ShownPixel* left,
-                                const ShownPixel* above);
+/// The colour of the outline that parts a pixel from the one to its left or above it: that of
+/// walls, openings, or flat portals and borders in stacks. None within a surface, between skies,
+/// and beside what shows no surface.
+std::optional<Rgb> outlineColor(const Level& level, const ShownSurface& pixel,
+                                const ShownSurface& left, const ShownSurface& above);
 
 }  // namespace hearth

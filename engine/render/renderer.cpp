@@ -10,7 +10,7 @@
 #include "math/parallel.h"
 #include "render/channel_pixels.h"
 #include "render/marks.h"
-#include "render/shown_strip.h"
+#include "render/shown_columns.h"
 #include "render/span_painter.h"
 #include "render/visibility.h"
 
@@ -62,13 +62,16 @@ void divideColumns(std::vector<FrameColumns>& parts, int width, int threads) {
     parts[static_cast<std::size_t>(i)].range = {columnOf(i), columnOf(i + 1)};
 }
 
-/// Draws a picture strip by strip, with `paint(span, strip, stats)` for each span. Threads take
-/// parts: neighbouring strips, drawn one after the other in the same memory.
-template <typename Picture, typename Paint>
-void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int threads,
-                 Paint&& paint) {
-  const int strips = Strip::countIn(squaresIn(widthOf(picture), pixelSize));
-  const int rows = squaresIn(heightOf(picture), pixelSize);
+/// Strips [begin, end) of a picture.
+struct StripRange {
+  int begin;
+  int end;
+};
+
+/// Calls `paintPart(range, strip, stats)` for parts of a picture of so many strips, which threads
+/// take: neighbouring strips, drawn one after the other in the same memory.
+template <typename PaintPart>
+void paintParts(FrameScratch& scratch, int strips, int threads, PaintPart&& paintPart) {
   const int parts = partsOf(strips, threads);
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
@@ -77,21 +80,63 @@ void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int thr
     return static_cast<int>(static_cast<std::size_t>(strips) * part /
                             static_cast<std::size_t>(parts));
   };
-  const auto paintPart = [&](std::size_t part) {
-    Strip& strip = scratch.strips[part];
-    RowBatch batch{};
+  const auto paint = [&](std::size_t part) {
     PaintStats stats;
-    for (int i = firstOf(part); i < firstOf(part + 1); ++i) {
+    paintPart(StripRange{firstOf(part), firstOf(part + 1)}, scratch.strips[part], stats);
+    scratch.stripsPainted[part] = stats;
+  };
+  // By reference: a copy would take memory in every frame.
+  workersOf(scratch, threads).run(static_cast<std::size_t>(parts), std::cref(paint));
+  scratch.painted = {};
+  for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
+}
+
+/// Draws a picture strip by strip, with `paint(span, batch, strip, stats)` for each span.
+template <typename Picture, typename Paint>
+void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int threads,
+                 Paint&& paint) {
+  const int strips = Strip::countIn(squaresIn(widthOf(picture), pixelSize));
+  const int rows = squaresIn(heightOf(picture), pixelSize);
+  paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
+    RowBatch batch{};
+    for (int i = range.begin; i < range.end; ++i) {
       strip.begin(i, rows, kHole);
       for (const Span& span : scratch.spansOf(i)) paint(span, batch, strip, stats);
       strip.copyTo(picture, pixelSize);
     }
-    scratch.stripsPainted[part] = stats;
-  };
-  // By reference: a copy would take memory in every frame.
-  workersOf(scratch, threads).run(static_cast<std::size_t>(parts), std::cref(paintPart));
-  scratch.painted = {};
-  for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
+  });
+}
+
+/// What the spans of a column show.
+template <typename Shown>
+void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int column,
+                ShownColumns<Shown>& shown) {
+  shown.next();
+  for (const Span& span : scratch.spansOf(column / Strip::kColumns))
+    if (span.column == column) noteShown(painter, span, scratch.climbs, shown.here());
+}
+
+/// Marks what is lit already.
+template <typename Shown>
+void paintMarked(const Level& level, const SpanPainter& painter, FrameScratch& scratch,
+                 Image& picture, int threads) {
+  const int strips = Strip::countIn(picture.width());
+  paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
+    RowBatch batch{};
+    ShownColumns<Shown> shown(picture.height());
+    if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
+    for (int i = range.begin; i < range.end; ++i) {
+      strip.begin(i, picture.height(), kHole);
+      for (const Span& span : scratch.spansOf(i))
+        painter.paint(span, LightMode::Both, batch, strip, stats);
+      const int end = std::min((i + 1) * Strip::kColumns, picture.width());
+      for (int column = i * Strip::kColumns; column < end; ++column) {
+        noteColumn(painter, scratch, column, shown);
+        mark(level, shown, strip.at(column, 0));
+      }
+      strip.copyTo(picture, 1);
+    }
+  });
 }
 
 }  // namespace
@@ -160,38 +205,37 @@ Image Renderer::draw(const Camera& camera, LightMode mode) const {
   return picture;
 }
 
-Image Renderer::draw(const Camera& camera, Channel channel) const {
+Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
   FrameScratch scratch;
   Image picture;
   fit(picture, camera);
-  findSpans(camera, 1, scratch, 1);
+  findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(level_, camera);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, 1, picture, 1, [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
-    paintChannel(painter, span, channel, scratch.climbs, strip);
-  });
+  paintStrips(scratch, 1, picture, threads,
+              [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
+                paintChannel(painter, span, channel, scratch.climbs, strip);
+              });
   return picture;
 }
 
-Image Renderer::draw(const Camera& camera, Marks marks) const {
+Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
   FrameScratch scratch;
   Image picture;
   fit(picture, camera);
-  findSpans(camera, 1, scratch, 1);
+  findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(level_, camera);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  Strip strip;
-  ShownStrip shown;
-  RowBatch batch{};
-  for (int i = 0; i < Strip::countIn(camera.width); ++i) {
-    strip.begin(i, camera.height, kHole);
-    shown.begin(i, camera.height);
-    for (const Span& span : scratch.spansOf(i)) {
-      painter.paint(span, LightMode::Both, batch, strip, scratch.painted);
-      noteShown(painter, span, marks, scratch.climbs, shown);
-    }
-    mark(marks, level_, shown, std::min((i + 1) * Strip::kColumns, camera.width), strip);
-    strip.copyTo(picture, 1);
+  switch (marks) {
+    case Marks::Texels:
+      paintMarked<ShownTexel>(level_, painter, scratch, picture, threads);
+      break;
+    case Marks::Outlines:
+      paintMarked<ShownSurface>(level_, painter, scratch, picture, threads);
+      break;
+    case Marks::Coverage:
+      paintMarked<ShownTimes>(level_, painter, scratch, picture, threads);
+      break;
   }
   return picture;
 }

@@ -44,8 +44,8 @@ class Renderer {
                   int threads = 1) const;
   /// Single pictures.
   Image draw(const Camera& camera, LightMode mode) const;
-  Image draw(const Camera& camera, Channel channel) const;
-  Image draw(const Camera& camera, Marks marks) const;
+  Image draw(const Camera& camera, Channel channel, int threads = 1) const;
+  Image draw(const Camera& camera, Marks marks, int threads = 1) const;
 
  private:
   /// The first phase of a frame of squares of pixels.

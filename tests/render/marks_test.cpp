@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,25 @@ TEST(MarkedTexels, LeaveMostOfAPictureAsItIsHoweverSmallTheyAre) {
   }
 }
 
+TEST(MarkedTexels, HaveNoLineWhereAnotherSurfaceBegins) {
+  const Lit lit("levels/tutorial.json", 0.5);
+  const Renderer renderer = lit.renderer();
+  int corners = 0;
+  for (const Shot& shot : lit.level().shots) {
+    const Image plain = renderer.draw(cameraOf(shot), LightMode::Both);
+    const Image surfaces = renderer.draw(cameraOf(shot), Channel::Surface);
+    const Image grid = renderer.draw(cameraOf(shot), Marks::Texels);
+    for (int y = 1; y < plain.height(); ++y)
+      for (int x = 1; x < plain.width(); ++x) {
+        const Rgb surface = surfaces.at(x, y);
+        if (surface == surfaces.at(x - 1, y) || surface == surfaces.at(x, y - 1)) continue;
+        ++corners;
+        ASSERT_EQ(grid.at(x, y), plain.at(x, y)) << shot.name << ' ' << x << ',' << y;
+      }
+  }
+  EXPECT_GT(corners, 100);
+}
+
 // --- Outlines ------------------------------------------------------------------------------------
 
 class MarkedOutlines : public testing::Test {
@@ -188,28 +208,16 @@ TEST(MarkedOutlinesOfLevels, LieExactlyWhereTheSurfaceChanges) {
 // --- Coverage ------------------------------------------------------------------------------------
 
 TEST(MarkedCoverage, SignalsPixelsThatNobodyDrawsOrSomeTwice) {
-  const Level level;
-  constexpr int kHeight = 4;
-  constexpr Rgb kLit = {200, 100, 40};
-  Strip strip;
-  strip.begin(0, kHeight, kLit);
-  ShownStrip shown;
-  shown.begin(0, kHeight);
-  for (int column = 0; column < Strip::kColumns; ++column)
-    for (int row = 0; row < kHeight; ++row) shown.at(column, row).times = 1;
-  shown.at(2, 1).times = 0;
-  shown.at(5, 3).times = 2;
-  mark(Marks::Coverage, level, shown, Strip::kColumns, strip);
-  for (int column = 0; column < Strip::kColumns; ++column)
-    for (int row = 0; row < kHeight; ++row) {
-      const Rgb pixel = colorOf(*strip.at(column, row));
-      if (column == 2 && row == 1)
-        EXPECT_EQ(pixel, kHole);
-      else if (column == 5 && row == 3)
-        EXPECT_EQ(pixel, (Rgb{255, 0, 0}));
-      else
-        EXPECT_EQ(pixel, (Rgb{70, 35, 14})) << column << ' ' << row;
-    }
+  const Pixel lit = pixelOf({200, 100, 40});
+  ShownColumns<ShownTimes> shown(4);
+  shown.here() = {{1}, {0}, {1}, {2}};
+  std::array<Pixel, 4> column{lit, lit, lit, lit};
+  mark(Level{}, shown, column.data());
+  constexpr Rgb kDimmed = {70, 35, 14};
+  EXPECT_EQ(colorOf(column[0]), kDimmed);
+  EXPECT_EQ(colorOf(column[1]), kHole);
+  EXPECT_EQ(colorOf(column[2]), kDimmed);
+  EXPECT_EQ(colorOf(column[3]), (Rgb{255, 0, 0}));
 }
 
 TEST(MarkedCoverage, IsQuietInSoundLevels) {
@@ -233,6 +241,17 @@ TEST(Marks, AreDrawnPixelByPixelWhateverTheSettings) {
   for (const Marks marks : {Marks::Texels, Marks::Outlines, Marks::Coverage})
     EXPECT_EQ(lit.renderer({.pixelSize = 3}).draw(camera, marks),
               lit.renderer().draw(camera, marks));
+}
+
+TEST(Marks, DoNotDependOnTheNumberOfThreads) {
+  const Lit lit("levels/gaol.json", 0.5);
+  const Renderer renderer = lit.renderer();
+  for (const Shot& shot : lit.level().shots)
+    for (const Marks marks : {Marks::Texels, Marks::Outlines, Marks::Coverage})
+      for (const int threads : {2, 5, 64})
+        EXPECT_EQ(renderer.draw(cameraOf(shot), marks, threads),
+                  renderer.draw(cameraOf(shot), marks))
+            << shot.name << ' ' << threads;
 }
 
 TEST(Marks, ArePicturesOfTheCamerasSize) {

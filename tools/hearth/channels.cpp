@@ -100,12 +100,13 @@ std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
 }
 
 Image drawChannel(const Level& level, const Renderer& renderer, const Camera& camera,
-                  std::string_view channel) {
+                  std::string_view channel, int threads) {
   const Row* row = find(channel);
   CHECK(row, channel);  // the option takes no other
-  if (const Marks* marks = std::get_if<Marks>(&row->draws)) return renderer.draw(camera, *marks);
+  if (const Marks* marks = std::get_if<Marks>(&row->draws))
+    return renderer.draw(camera, *marks, threads);
   if (const Channel* numbers = std::get_if<Channel>(&row->draws))
-    return renderer.draw(camera, *numbers);
+    return renderer.draw(camera, *numbers, threads);
   return *drawGeometry(level, camera, channel);
 }
 

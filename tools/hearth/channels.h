@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "math/parallel.h"
 #include "render/renderer.h"
 
 /// What a picture can show besides the lit level, by the names that `--channel` takes.
@@ -36,8 +37,9 @@ bool isOfCamera(std::string_view channel);
 std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
                                   std::string_view channel);
 
-/// The same of any channel. The renderer is the level's.
+/// The same of any channel. The renderer is the level's. Marks and numbers are drawn on so many
+/// threads, and are the same for any number of them.
 Image drawChannel(const Level& level, const Renderer& renderer, const Camera& camera,
-                  std::string_view channel);
+                  std::string_view channel, int threads = availableThreads());
 
 }  // namespace hearth

@@ -125,7 +125,7 @@ constexpr std::array kTable = {
     OptionRow{Option::NoLambert, "--no-lambert", ValueKind::Flag, "", 0, 0, "",
               "take light alike at any angle; the default"},
     OptionRow{Option::Threads, "--threads", ValueKind::Integer, "COUNT", 1, 1024, "all cores",
-              "threads that bake, and that draw a walk; neither light nor pictures depend on them"},
+              "threads that bake and draw; neither light nor pictures depend on them"},
     OptionRow{Option::MaxFileBytes, "--max-file-bytes", ValueKind::Integer, "BYTES", 1,
               4294967294.0, "67108864",
               "refuse longer JSON files, and saved bakes that are longer or hold more light"},

@@ -26,7 +26,7 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
   const auto light = lightInView(loaded.level, camera, values);
   if (!light) return tl::unexpected(light.error());
   const Renderer renderer(loaded.level, loaded.textures, *light, drawSettingsFrom(values));
-  if (channel) return drawChannel(loaded.level, renderer, camera, *channel);
+  if (channel) return drawChannel(loaded.level, renderer, camera, *channel, threadsFrom(values));
   return renderer.draw(camera, lightModeFrom(values));
 }
 

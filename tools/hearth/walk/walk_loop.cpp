@@ -330,7 +330,7 @@ void WalkLoop::drawImage(double now) {
   if (scene_.view.channel.empty())
     renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_, threads);
   else
-    picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel);
+    picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel, threads);
   parts.paint = lap();
   if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
   widen(picture_, scene_.size.width);

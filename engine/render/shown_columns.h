@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "level/ids.h"
+#include "math/vec.h"
+
+/// What pixels show, as far as marks ask for it.
+namespace hearth {
+
+/// The lines of a texel grid at or before a place: of columns, and of rows.
+struct GridLines {
+  std::int64_t s = 0;
+  std::int64_t t = 0;
+
+  friend bool operator==(const GridLines&, const GridLines&) = default;
+};
+
+struct ShownTexel {
+  std::optional<SurfaceId> surface = {};  ///< the last that was drawn there, if it has texels
+  Vec2 texel = {};                        ///< on the surface's texel grid
+  GridLines lines = {};
+};
+
+struct ShownSurface {
+  std::optional<SurfaceId> surface = {};  ///< the last that was drawn there, if any
+  double depth = 0;                       ///< metres; infinite for sky
+};
+
+struct ShownTimes {
+  int times = 0;  ///< how often something was drawn there
+};
+
+/// What the pixels of a column show, row by row, and those of the column to its left: two columns
+/// stay in the processor's caches. They come from left to right.
+template <typename Shown>
+class ShownColumns {
+ public:
+  /// Nothing shows yet, neither here nor to the left.
+  explicit ShownColumns(int height)
+      : left_(static_cast<std::size_t>(height)), here_(static_cast<std::size_t>(height)) {}
+
+  /// Goes on to the next column, in which nothing shows yet.
+  void next() {
+    std::swap(left_, here_);
+    std::ranges::fill(here_, Shown{});
+  }
+
+  const std::vector<Shown>& left() const { return left_; }
+  const std::vector<Shown>& here() const { return here_; }
+  std::vector<Shown>& here() { return here_; }
+
+ private:
+  std::vector<Shown> left_;
+  std::vector<Shown> here_;
+};
+
+}  // namespace hearth
