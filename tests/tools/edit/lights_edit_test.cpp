@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "hearth/edit/light_name.h"
+
 namespace hearth {
 namespace {
 
@@ -253,6 +255,11 @@ TEST(LightsEditTest, PutsACurveInPlaceOfIntensityAndFalloff) {
                           light.source.curve = {{0, 9}};
                         }),
             R"([{"x":1,"y":2,"z":3,"radius":1,"curve":[[0, 9]]}])");
+}
+
+TEST(LightName, HasTheNumberAndTheComment) {
+  EXPECT_EQ(lightName(3, "lamp posts"), "3 lamp posts");
+  EXPECT_EQ(lightName(3, ""), "light 3");
 }
 
 TEST(LightsEditTest, RoundsToMillimetres) {

@@ -15,7 +15,7 @@ std::string commentAt(std::string_view json, std::size_t object) {
 }
 
 std::string lightName(std::size_t light, const std::string& comment) {
-  return comment.empty() ? fmt::format("{}", light) : fmt::format("{} {}", light, comment);
+  return comment.empty() ? fmt::format("light {}", light) : fmt::format("{} {}", light, comment);
 }
 
 }  // namespace hearth
