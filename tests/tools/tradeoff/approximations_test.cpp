@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "../loaded.h"
 #include "hearth/command.h"
 #include "hearth/settings.h"
+#include "hearth/tradeoff/measured_settings.h"
 #include "render/renderer.h"
 
 namespace hearth {
@@ -32,6 +36,37 @@ TEST(Approximations, areTriedWithValuesThatTheirOptionsTake) {
     for (const std::string_view value : triedOf(approximation))
       EXPECT_EQ(mistakeIn(row(approximation.setting), std::string(value)), std::nullopt)
           << row(approximation.setting).name << ' ' << value;
+}
+
+std::string defaultOf(const Approximation& approximation) {
+  return approximation.of == Approximation::Of::Bake
+             ? valueOf(BakeSettings{}, approximation.setting)
+             : valueOf(DrawSettings{}, approximation.setting);
+}
+
+TEST(MeasuredSettings, areAllValuesThatAreTried) {
+  for (const Approximation& approximation : approximations())
+    for (const std::string_view value : triedOf(approximation))
+      EXPECT_TRUE(measuredAlone(approximation.setting, value))
+          << row(approximation.setting).name << ' ' << value << ": see tools/measure_settings.py";
+}
+
+TEST(MeasuredSettings, areHeldAgainstTheDefaults) {
+  for (const Approximation& approximation : approximations()) {
+    const MeasuredSetting* own = measuredAlone(approximation.setting, defaultOf(approximation));
+    ASSERT_TRUE(own) << row(approximation.setting).name;
+    EXPECT_EQ(own->cost, 1) << row(approximation.setting).name;
+  }
+}
+
+TEST(MeasuredSettings, areOfValuesThatTheirOptionsTakeEachOnce) {
+  std::set<std::pair<Option, std::string_view>> seen;
+  for (const MeasuredSetting& of : measuredSettings()) {
+    EXPECT_EQ(mistakeIn(row(of.setting), std::string(of.value)), std::nullopt) << of.value;
+    EXPECT_TRUE(seen.insert({of.setting, of.value}).second) << of.value;
+    EXPECT_GT(of.cost, 0) << of.value;
+    EXPECT_GT(of.off, 0) << of.value;
+  }
 }
 
 /// A shipped level in coarse light, as its settings leave it.

@@ -13,6 +13,7 @@
 #include "hearth/settings.h"
 #include "hearth/tradeoff/approximations.h"
 #include "hearth/tradeoff/measured_front.h"
+#include "hearth/tradeoff/measured_settings.h"
 
 namespace hearth {
 
@@ -30,12 +31,12 @@ constexpr float kValueWidth = 13;
 
 std::string nameOf(Option option) { return std::string(row(option).name.substr(2)); }
 
-std::string words(const MeasuredFrame& frame) {
-  return fmt::format("{:g} x the time, {:.2g} % off", frame.cost, 100 * frame.over2);
+std::string wordsOfFrame(double cost, double over2) {
+  return fmt::format("{:g} x the time, {:.2g} % off", cost, 100 * over2);
 }
 
-std::string words(const MeasuredBake& bake) {
-  return fmt::format("{:g} x the time, {:g} levels off", bake.cost, bake.rms);
+std::string wordsOfBake(double cost, double rms) {
+  return fmt::format("{:g} x the time, {:g} levels off", cost, rms);
 }
 
 // --- Qualities -----------------------------------------------------------------------------------
@@ -67,12 +68,14 @@ std::string figureOf(const BakeSettings& bake, const BakeSettings& ofLevel) {
   const auto found = std::ranges::find_if(measuredBakes(), [&](const MeasuredBake& measured) {
     return measured.bake.of(ofLevel) == bake;
   });
-  return found == measuredBakes().end() ? "not measured in this combination" : words(*found);
+  return found == measuredBakes().end() ? "not measured in this combination"
+                                        : wordsOfBake(found->cost, found->rms);
 }
 
 std::string figureOf(const DrawSettings& draw) {
   const auto found = std::ranges::find(measuredFrames(), draw, &MeasuredFrame::draw);
-  return found == measuredFrames().end() ? "not measured in this combination" : words(*found);
+  return found == measuredFrames().end() ? "not measured in this combination"
+                                         : wordsOfFrame(found->cost, found->over2);
 }
 
 // --- Settings, one by one ------------------------------------------------------------------------
@@ -92,13 +95,12 @@ std::vector<std::string> valuesOf(const Approximation& approximation, const Qual
   return values;
 }
 
-/// Of a value by itself, where all others are exact; empty where it was not measured.
+/// Of a value by itself, all others as they are by default; empty where it was not measured.
 std::string figureOf(const Approximation& approximation, const std::string& value) {
-  OptionValues alone;
-  if (approximation.of == Approximation::Of::Frame) alone.set(approximation.setting, value);
-  const DrawSettings draw = drawSettingsFrom(alone);
-  const auto found = std::ranges::find(measuredFrames(), draw, &MeasuredFrame::draw);
-  return found == measuredFrames().end() || draw == DrawSettings{} ? "" : words(*found);
+  const MeasuredSetting* found = measuredAlone(approximation.setting, value);
+  if (!found) return "";
+  return approximation.of == Approximation::Of::Bake ? wordsOfBake(found->cost, found->off)
+                                                     : wordsOfFrame(found->cost, found->off);
 }
 
 void showBound(const Approximation& approximation) {

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Measures each setting by itself, and prints the rows of tools/hearth/tradeoff/measured_settings.cpp.
+
+usage: tools/measure_settings.py [OPTION OF `hearth tradeoff`...]
+
+Costs are geometric means, errors arithmetic ones, of the tutorial and the castle; of shadows of
+middle textures, which these do not have, those of the gaol. Bakes take one thread, so that costs are
+of work, and not of how threads share it.
+"""
+
+import csv
+import io
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+HEARTH = ROOT / "build/release/tools/hearth/hearth"
+LEVELS = ["tutorial", "keep"]
+LEVELS_OF = {"--middle-shadows": ["gaol"]}
+SAME = {"--texel 0.0625": "--quality high"}  # and named so
+
+
+def tradeoff(*arguments):
+    return subprocess.run([HEARTH, "tradeoff", *arguments], check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def settings_of(text):
+    """Name, default, and whether bakes take longer or shorter by it, of what `--list` prints."""
+    for part in re.split(r"^(?=--)", text, flags=re.MULTILINE)[1:]:
+        yield part.split()[0], re.search(r"\(default: ([^:)]*)", part)[1], "makes bakes" in part
+
+
+def rows_of(text):
+    rows = {row["settings"]: row for row in csv.DictReader(io.StringIO(text))}
+    return rows | {name: rows[same] for name, same in SAME.items() if same in rows}
+
+
+def values_of(name, levels):
+    """Those that were tried by themselves, in their order."""
+    tried = [row.split() for level in levels for row in level]
+    return list(dict.fromkeys(row[1] for row in tried if len(row) == 2 and row[0] == name))
+
+
+def figures(row, is_bake):
+    if is_bake:
+        return float(row["bake_cost"]), float(row["light_rms"])
+    return float(row["frame_cost"]), float(row["over2_share"])
+
+
+def printed(name, value, measured):
+    cost = math.prod(cost for cost, _ in measured) ** (1 / len(measured))
+    off = sum(off for _, off in measured) / len(measured)
+    option = "".join(word.capitalize() for word in name.split("-"))
+    return f'    MeasuredSetting{{Option::{option}, "{value}", {cost:.2g}, {off:.2g}}},'
+
+
+def table(listed, rows):
+    for name, default, is_bake in settings_of(listed):
+        levels = [rows[level] for level in LEVELS_OF.get(name, LEVELS)]
+        yield printed(name, default, [figures(level[""], is_bake) for level in levels])
+        for value in values_of(name, levels):
+            yield printed(name, value, [figures(level[f"{name} {value}"], is_bake) for level in levels])
+
+
+def main():
+    levels = sorted({*LEVELS, *sum(LEVELS_OF.values(), [])})
+    rows = {level: rows_of(tradeoff(ROOT / f"levels/{level}.json", "--csv", "--threads", "1", *sys.argv[1:]))
+            for level in levels}
+    print("\n".join(table(tradeoff("--list"), rows)))
+
+
+if __name__ == "__main__":
+    main()
