@@ -163,14 +163,17 @@ Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const 
           "move it inside a sector"};
 }
 
+std::optional<SectorId> findSector(const Level& level, std::string_view name) {
+  const auto found = std::ranges::find(level.sectors, name, &Sector::name);
+  if (found == level.sectors.end()) return std::nullopt;
+  return SectorId(static_cast<std::size_t>(found - level.sectors.begin()));
+}
+
 tl::expected<SectorId, std::string> locatePosition(const Level& level, Vec3 p,
                                                    std::optional<std::string_view> sectorName) {
-  std::optional<SectorId> sector;
+  const auto sector = sectorName ? findSector(level, *sectorName) : std::nullopt;
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < level.sectors.size(); ++i) {
-    names.push_back(level.sectors[i].name);
-    if (sectorName == level.sectors[i].name) sector = SectorId(i);
-  }
+  for (const Sector& each : level.sectors) names.push_back(each.name);
   if (sectorName && !sector)
     return tl::unexpected(fmt::format("there is no sector \"{}\", {}", *sectorName,
                                       suggest(*sectorName, names, "name a sector of the level")));

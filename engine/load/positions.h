@@ -40,6 +40,9 @@ class Locator {
   BoxTree sectors_;
 };
 
+/// None where no sector has the name.
+std::optional<SectorId> findSector(const Level& level, std::string_view name);
+
 /// The sector of a position that the user gave, with or without the name of its sector. The error
 /// says what is wrong and what to do.
 tl::expected<SectorId, std::string> locatePosition(const Level& level, Vec3 p,

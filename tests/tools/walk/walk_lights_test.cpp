@@ -243,6 +243,28 @@ TEST(WalkLights, AreSavedByCtrlSWhileTheirNameIsTyped) {
   EXPECT_EQ(walk.onDisk(), walk.lights().bytes());
 }
 
+TEST(WalkLights, AreNotSavedWhereTheLevelHasNoAirForThem) {
+  LightsWalk walk;
+  walk.lights().pick(0);
+  LightDescription light = walk.lights().pickedLight();
+  light.source.position.y = -5;
+  walk.lights().set(light);
+  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  EXPECT_EQ(walk.onDisk(), kLights);
+  EXPECT_TRUE(walk.lights().isUnsaved());
+  EXPECT_TRUE(walk.lights().message().starts_with("not saved: light 0: "))
+      << walk.lights().message();
+  light.source.position.y = 1;
+  light.sector = NameReference{"nowhere", {}};
+  walk.lights().set(light);
+  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  EXPECT_EQ(walk.onDisk(), kLights);
+  light.sector.reset();
+  walk.lights().set(light);
+  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  EXPECT_FALSE(walk.lights().isUnsaved()) << walk.lights().message();
+}
+
 TEST(WalkLights, AreLetGoOfWhenTheOverlayCloses) {
   LightsWalk walk;
   walk.press(480, 360);

@@ -83,7 +83,10 @@ bool LightsEditor::isUnsaved() const {
 }
 
 void LightsEditor::save() {
-  if (!isUnsaved()) return;
+  if (!isUnsaved()) {
+    message_ = "nothing has been changed";
+    return;
+  }
   const std::string bytes = edit_->bytes();
   const std::optional<std::string> there = onDisk();
   hasConflict_ = there != saved_ && there != bytes;

@@ -53,6 +53,8 @@ class LightsEditor {
   bool isUnsaved() const;
   /// Writes the file at once and whole, unless somebody else has changed it since it was read.
   void save();
+  /// Says why it is not saved.
+  void refuse(const std::string& why) { message_ = why; }
   /// Somebody else has changed it, so that it is not saved unless it is opened again.
   bool hasConflict() const { return hasConflict_; }
   /// Reads the file and drops all edits, unless it has mistakes.

@@ -8,19 +8,10 @@
 #include "hearth/overlay/inspector_section.h"
 #include "hearth/overlay/light_rays.h"
 #include "level/locate.h"
+#include "load/positions.h"
 #include "math/tolerance.h"
 
 namespace hearth {
-
-namespace {
-
-std::optional<SectorId> sectorNamed(const Level& level, const std::string& name) {
-  const auto found = std::ranges::find(level.sectors, name, &Sector::name);
-  if (found == level.sectors.end()) return std::nullopt;
-  return SectorId(static_cast<std::size_t>(found - level.sectors.begin()));
-}
-
-}  // namespace
 
 void Inspector::take(const SDL_Event& event, int width) {
   const auto over = [width](int x, int y) {
@@ -49,7 +40,7 @@ void Inspector::find(const Look& look, const InspectedLevel& in) {
   if (found_ && look_ == look) return;
   look_ = look;
   found_.reset();
-  const auto sector = sectorNamed(in.level, look.sector);
+  const auto sector = findSector(in.level, look.sector);
   if (!sector || !contains(in.level, in.level[*sector], look.eye, kPositionSlack)) return;
   const Vec3 eye = nudgedInside(in.level, in.level[*sector], look.eye);
   if (const auto hit = trace(in.level, *sector, eye, look.direction, RayKind::Look))

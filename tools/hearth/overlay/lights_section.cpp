@@ -18,8 +18,9 @@ namespace hearth {
 
 namespace {
 
-constexpr int kRows = 6;                    // of the list that show at once
-constexpr float kNameWidth = 11;            // of a field, in letters
+constexpr int kRows = 6;          // of the list that show at once
+constexpr float kNameWidth = 11;  // of a field, in letters
+constexpr float kGap = 3;
 constexpr double kLargest = 1e9;            // of all fields; the loader takes no more
 constexpr std::size_t kLongestName = 1000;  // bytes
 
@@ -41,19 +42,19 @@ void showButtons(LightsTool& tool, const Level& level, const Camera& camera) {
   }
   ImGui::SameLine();
   if (showButton("undo", editor.canUndo())) editor.undo();
+  showTip("Ctrl+Z");
   ImGui::SameLine();
   if (showButton("redo", editor.canRedo())) editor.redo();
+  showTip("Ctrl+Y, or Ctrl+Shift+Z");
   ImGui::SameLine();
-  if (showButton("save", editor.isUnsaved())) {
-    tool.release();
-    editor.save();
-  }
+  if (showButton("save", editor.isUnsaved())) tool.save(level);
+  showTip("Ctrl+S");
   ImGui::SameLine();
   bool areShown = tool.areMarksShown();
   if (ImGui::Checkbox("marks", &areShown)) tool.showMarks(areShown);
   showTip("Of lights, in the picture. Behind walls they are hollow.");
-  ImGui::SameLine();
-  showText(editor.isUnsaved() ? "not saved" : "");
+  ImGui::SameLine(0, letters(kGap));
+  showText(editor.isUnsaved() ? "(not saved)" : "");
 }
 
 // --- The list ------------------------------------------------------------------------------------
@@ -136,7 +137,7 @@ bool showNumber(const char* id, double& value, const FieldRange& range) {
       ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &range.least,
                         &range.most, range.format, ImGuiSliderFlags_AlwaysClamp);
   if (!ImGui::IsItemActive())
-    showTip(fmt::format("{}\nDrag it; Ctrl and a click let you type a number.", range.tip));
+    showTip(fmt::format("{}\nDrag it, or click to type a number.", range.tip));
   return isChanged;
 }
 
@@ -307,9 +308,8 @@ void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
   if (editor.picked()) editPicked(editor);
   showNews(editor);
   showWrapped(
-      "Drag a mark in the picture, or on the map (Tab) over the plan. With x, y or z held it moves "
-      "along that axis alone; with Shift up and down, on the map along x or y. Ctrl+Z undoes, "
-      "Ctrl+Y redoes, Ctrl+S saves.");
+      "Drag a mark in the picture, or on the map (Tab); with x, y or z held it moves along that "
+      "axis alone. Drag a number, or click to type one.");
 }
 
 }  // namespace hearth

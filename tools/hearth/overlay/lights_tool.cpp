@@ -1,11 +1,13 @@
 #include "hearth/overlay/lights_tool.h"
 
 #include <SDL_keycode.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "hearth/overlay/overlay.h"
@@ -71,6 +73,22 @@ void drawMark(Image& picture, Vec2 pixel, const Mark& mark) {
       else if (isRim)
         shown = mixed(mark.rim, shown);
     }
+}
+
+/// What the loader will say of the first light that it has no sector for.
+std::optional<std::string> mistakeInPlaces(const Level& level, const LightsDescription& described) {
+  const Locator locator(level);
+  for (std::size_t i = 0; i < described.lights.size(); ++i) {
+    const LightDescription& light = described.lights[i];
+    std::optional<SectorId> sector;
+    if (light.sector) sector = findSector(level, light.sector->name);
+    if (light.sector && !sector)
+      return fmt::format("light {}: there is no sector \"{}\"", i, light.sector->name);
+    const auto found = locator.locate(light.source.position, sector, PositionOf::Light);
+    if (!found)
+      return fmt::format("light {}: {}; {}", i, found.error().message, found.error().advice);
+  }
+  return std::nullopt;
 }
 
 bool isNear(Vec2 pixel, const Image& picture) {
@@ -141,7 +159,7 @@ std::optional<LightsTool::Drag> LightsTool::drag() const {
   return Drag{editor_.pickedLight().source.position, grip_->axis};
 }
 
-bool LightsTool::take(const SDL_KeyboardEvent& key) {
+bool LightsTool::take(const SDL_KeyboardEvent& key, const Level& level) {
   if (grip_ && axisOf(key)) return true;
   if ((key.keysym.mod & KMOD_CTRL) == 0 || !editor_.isOpen()) return false;
   const bool isShifted = (key.keysym.mod & KMOD_SHIFT) != 0;
@@ -156,8 +174,7 @@ bool LightsTool::take(const SDL_KeyboardEvent& key) {
       editor_.redo();
       return true;
     case SDLK_s:
-      release();
-      editor_.save();
+      save(level);
       return true;
     default:
       return key.keysym.sym == SDLK_LCTRL || key.keysym.sym == SDLK_RCTRL;
@@ -183,6 +200,16 @@ void LightsTool::pick(std::size_t light) {
   if (light >= editor_.lights().lights.size()) return;
   editor_.pick(light);
   section_.call();
+}
+
+// --- The file ------------------------------------------------------------------------------------
+
+void LightsTool::save(const Level& level) {
+  release();
+  if (const auto mistake = mistakeInPlaces(level, editor_.lights()))
+    editor_.refuse("not saved: " + *mistake);
+  else
+    editor_.save();
 }
 
 // --- New lights ----------------------------------------------------------------------------------

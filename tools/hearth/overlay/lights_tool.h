@@ -38,7 +38,7 @@ class LightsTool {
   bool take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
   /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
   /// is one of these, or Ctrl by itself, or an axis of a drag.
-  bool take(const SDL_KeyboardEvent& key);
+  bool take(const SDL_KeyboardEvent& key, const Level& level);
   /// Of these Ctrl+S, which no field of text is to keep for itself.
   static bool isSave(const SDL_KeyboardEvent& key);
   /// Ends a drag.
@@ -54,6 +54,10 @@ class LightsTool {
   /// A mark for each light: hollow and dim where `level` hides it from the camera, but on the map.
   void draw(const Level& level, const Camera& camera, const MarkerSpace& space,
             Image& picture) const;
+
+  /// Writes the file, unless a light lies where `level` has no air for it: it could not be opened
+  /// again.
+  void save(const Level& level);
 
   /// As by a click on its mark. Nothing where there is no such light any more.
   void pick(std::size_t light);

@@ -100,6 +100,7 @@ void Overlay::begin(int scale) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // nothing is written where the user happens to be
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigDragClickToInputText = true;   // a click on a number lets type another
   io.ConfigInputTextCursorBlink = false;  // nothing changes unless something happens
   for (const auto& [key, place] : kKeys) io.KeyMap[key] = place;
 

@@ -53,8 +53,13 @@ void showWrapped(std::string_view text) {
 
 void showTip(const std::string& text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  const std::string lines = brokenAtBlanks(text, letters(kTipWidth));
+  const float width = ImGui::CalcTextSize(lines.data()).x + 2 * ImGui::GetStyle().WindowPadding.x;
+  // Beside the panel, where there is room: on it tips would cover what they are about.
+  const float left = ImGui::GetWindowPos().x - ImGui::GetStyle().WindowPadding.x;
+  if (left >= width) ImGui::SetNextWindowPos({left, ImGui::GetMousePos().y}, 0, {1, 0});
   ImGui::BeginTooltip();
-  showText(brokenAtBlanks(text, letters(kTipWidth)));
+  showText(lines);
   ImGui::EndTooltip();
 }
 

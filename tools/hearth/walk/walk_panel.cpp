@@ -44,10 +44,10 @@ bool WalkPanel::take(const SDL_Event& event, const PanelScene& scene, Comfort& c
   const bool isKeyOfLights = lights_ && event.type == SDL_KEYDOWN;
   if (isKeyOfLights && LightsTool::isSave(event.key)) {
     overlay_.refresh();
-    return lights_->take(event.key);
+    return lights_->take(event.key, scene.level);
   }
   if (overlay_.take(event)) return true;
-  return isKeyOfLights && lights_->take(event.key);
+  return isKeyOfLights && lights_->take(event.key, scene.level);
 }
 
 /// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
