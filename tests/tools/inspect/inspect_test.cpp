@@ -105,6 +105,14 @@ TEST(Inspect, namesALightThatIsTooWeakAndTellsHowWeak) {
   EXPECT_EQ(inspect(level, bake(level, cut, 1), cut, place).sum, Vec3{});
 }
 
+TEST(Inspect, tellsWhatWouldMakeAFaintLightEnough) {
+  const LoadedLevel loaded = halves("", lamp(2, 2, 1.5, ",'intensity':30,'falloff':1"));
+  EXPECT_EQ(reasonAt(loaded, "west", {2.5, 2, 1.5}, {1, 0, 0}),
+            "too weak here: 3.33 of 255 at 8 m; intensity 580 instead of 30 would give 64");
+  const LoadedLevel brighter = halves("", lamp(2, 2, 1.5, ",'intensity':160,'falloff':1"));
+  EXPECT_EQ(reasonAt(brighter, "west", {2.5, 2, 1.5}, {1, 0, 0}), "");
+}
+
 TEST(Inspect, namesALightInThePlaneOfTheSurface) {
   const LoadedLevel loaded = halves("", lamp(5, 2, 1.5), 1);
   EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 0.5}, {1, 0, 0}),

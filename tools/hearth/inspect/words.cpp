@@ -134,8 +134,9 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
                         const LightFinding& finding) {
   switch (finding.reason) {
     case LightReason::Lights:
-      return finding.seenShare < 1 ? fmt::format("{:.0f} % of it seen", 100 * finding.seenShare)
-                                   : "";
+      if (finding.seenShare < 1) return fmt::format("{:.0f} % of it seen", 100 * finding.seenShare);
+      return brightest(finding.adds) < kFaintLevel ? weakWords(level.lights[finding.light], finding)
+                                                   : "";
     case LightReason::TooWeak:
       return weakWords(level.lights[finding.light], finding);
     case LightReason::FacesAway:
