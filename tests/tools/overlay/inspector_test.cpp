@@ -10,23 +10,12 @@
 #include "hearth/inspect/places.h"
 #include "hearth/inspect/words.h"
 #include "hearth/overlay/overlay.h"
+#include "walk/stage.h"
 
 namespace hearth {
 namespace {
 
-SDL_Event mouseAt(Uint32 type, int x, int y, Uint8 button = SDL_BUTTON_LEFT) {
-  SDL_Event event{};
-  event.type = type;
-  if (type == SDL_MOUSEMOTION) {
-    event.motion.x = x;
-    event.motion.y = y;
-  } else {
-    event.button.button = button;
-    event.button.x = x;
-    event.button.y = y;
-  }
-  return event;
-}
+using test::mouseAt;
 
 // Pixels of the panel: below the section's header, and where lights have their names, a place its
 // values, and the row of buttons `add a light here`.

@@ -34,17 +34,7 @@ class PagesTest : public testing::Test {
   /// As a hand does: there first, then the button.
   void clickAt(int x, int y) {
     for (const Uint32 type : {SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
-      SDL_Event event{};
-      event.type = type;
-      if (type == SDL_MOUSEMOTION) {
-        event.motion.x = x;
-        event.motion.y = y;
-      } else {
-        event.button.button = SDL_BUTTON_LEFT;
-        event.button.x = x;
-        event.button.y = y;
-      }
-      overlay_.take(event);
+      overlay_.take(test::mouseAt(type, x, y));
       frames();
     }
   }

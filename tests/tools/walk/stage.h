@@ -84,6 +84,21 @@ inline SDL_Event click() {
   return event;
 }
 
+/// The mouse at a pixel: it moves there, or a button is pressed or let go of.
+inline SDL_Event mouseAt(Uint32 type, int x, int y, Uint8 button = SDL_BUTTON_LEFT) {
+  SDL_Event event{};
+  event.type = type;
+  if (type == SDL_MOUSEMOTION) {
+    event.motion.x = x;
+    event.motion.y = y;
+  } else {
+    event.button.button = button;
+    event.button.x = x;
+    event.button.y = y;
+  }
+  return event;
+}
+
 inline SDL_Event motion(int right, int downwards) {
   SDL_Event event{};
   event.type = SDL_MOUSEMOTION;

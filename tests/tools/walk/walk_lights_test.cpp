@@ -60,19 +60,7 @@ class LightsWalk : public test::StagedWalk {
   }
 
   void settle() { ticks(4); }
-  void mouse(Uint32 type, int x, int y) {
-    SDL_Event event{};
-    event.type = type;
-    if (type == SDL_MOUSEMOTION) {
-      event.motion.x = x;
-      event.motion.y = y;
-    } else {
-      event.button.button = SDL_BUTTON_LEFT;
-      event.button.x = x;
-      event.button.y = y;
-    }
-    now(event);
-  }
+  void mouse(Uint32 type, int x, int y) { now(test::mouseAt(type, x, y)); }
   void press(int x, int y) { mouse(SDL_MOUSEBUTTONDOWN, x, y); }
   void move(int x, int y) { mouse(SDL_MOUSEMOTION, x, y); }
   void release(int x, int y) { mouse(SDL_MOUSEBUTTONUP, x, y); }
