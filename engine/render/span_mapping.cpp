@@ -12,31 +12,36 @@ namespace {
 /// The same texel all along the span.
 ImageAxis constant(double texel) { return {.place = {texel, 0}}; }
 
-/// On the lightmap alone, if any.
-SpanMapping uprightOnLight(const Level& level, const Projection& projection, const Span& span,
+/// Of a lightmap, if any.
+struct LightAxes {
+  Affine s{};
+  Affine t{};
+};
+
+LightAxes uprightLightAxes(const Level& level, const Projection& projection, const Span& span,
                            const LitSurface* lit) {
-  SpanMapping mapping{.depth = span.depth};
-  if (!lit) return mapping;
+  if (!lit) return {};
   const Segment& segment = level[*level[span.surface].segment];
   const Vec2 at = lerp(segment.p0, segment.p1, span.share);
   const TexelGrid& grid = lit->grid;
-  mapping.s.atZero = grid.toTexels({at.x, at.y, 0}).x;
-  mapping.t = {projection.eye().z / grid.texel, span.depth / grid.texel};
-  return mapping;
+  return {.s = {grid.toTexels({at.x, at.y, 0}).x, 0},
+          .t = {projection.eye().z / grid.texel, span.depth / grid.texel}};
 }
 
 SpanMapping uprightMapping(const Level& level, const Projection& projection, const Span& span,
                            const Texture& image, const LitSurface* lit) {
   const TextureMapping& texture = level[span.surface].mapping;
-  SpanMapping mapping = uprightOnLight(level, projection, span, lit);
+  const LightAxes light = uprightLightAxes(level, projection, span, lit);
   const double start = planted(PlantedBug::AlongIgnored) ? 0 : texture.along;
-  mapping.u =
-      constant(image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x);
-  mapping.v = {{projection.eye().z, span.depth},
-               span.zRef,
-               -image.height() / texture.repeat.y,
-               texture.offsetTexels.y};
-  return mapping;
+  return {
+      .depth = span.depth,
+      .u = constant(image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x),
+      .v = {{projection.eye().z, span.depth},
+            span.zRef,
+            -image.height() / texture.repeat.y,
+            texture.offsetTexels.y},
+      .s = light.s,
+      .t = light.t};
 }
 
 struct PlaneOverRay {
@@ -55,33 +60,33 @@ PlaneOverRay planeOver(const Level& level, const Surface& surface, Vec2 eye, Vec
   return {slope.zAt(eye), dot(slope.gradient, ray), flat.textureOrigin};
 }
 
-/// On the lightmap alone, if any.
-SpanMapping planeOnLight(const PlaneOverRay& plane, const Projection& projection, Vec2 ray,
-                         const Span& span, const LitSurface* lit) {
-  const Vec3 eye = projection.eye();
-  SpanMapping mapping{
-      .isPlane = true, .height = plane.zAtEye - eye.z, .rise = plane.rise, .depth = span.depth};
-  if (!lit) return mapping;
+LightAxes planeLightAxes(const PlaneOverRay& plane, Vec3 eye, Vec2 ray, const LitSurface* lit) {
+  if (!lit) return {};
   const TexelGrid& grid = lit->grid;
   const Vec2 atEye = grid.toTexels({eye.x, eye.y, plane.zAtEye});
   const Vec3 way{ray.x, ray.y, plane.rise};
-  mapping.s = {atEye.x, dot(way, grid.axisS) / grid.texel};
-  mapping.t = {atEye.y, dot(way, grid.axisT) / grid.texel};
-  return mapping;
+  return {.s = {atEye.x, dot(way, grid.axisS) / grid.texel},
+          .t = {atEye.y, dot(way, grid.axisT) / grid.texel}};
 }
 
 SpanMapping planeMapping(const Level& level, const Projection& projection, const Span& span,
                          const Texture& image, const LitSurface* lit) {
   const Surface& surface = level[span.surface];
   const TextureMapping& texture = surface.mapping;
-  const Vec2 eye = projection.eye().xy();
+  const Vec3 eye = projection.eye();
   const Vec2 ray = projection.rayOf(span.column + 0.5);
-  const PlaneOverRay plane = planeOver(level, surface, eye, ray);
-  SpanMapping mapping = planeOnLight(plane, projection, ray, span, lit);
+  const PlaneOverRay plane = planeOver(level, surface, eye.xy(), ray);
+  const LightAxes light = planeLightAxes(plane, eye, ray, lit);
   const Vec2 origin = plane.textureOrigin;
-  mapping.u = {{eye.x, ray.x}, origin.x, image.width() / texture.repeat.x, texture.offsetTexels.x};
-  mapping.v = {{eye.y, ray.y}, origin.y, image.height() / texture.repeat.y, texture.offsetTexels.y};
-  return mapping;
+  return {
+      .isPlane = true,
+      .height = plane.zAtEye - eye.z,
+      .rise = plane.rise,
+      .depth = span.depth,
+      .u = {{eye.x, ray.x}, origin.x, image.width() / texture.repeat.x, texture.offsetTexels.x},
+      .v = {{eye.y, ray.y}, origin.y, image.height() / texture.repeat.y, texture.offsetTexels.y},
+      .s = light.s,
+      .t = light.t};
 }
 
 SpanMapping skyMapping(const Level& level, const Projection& projection, const Span& span,
@@ -92,14 +97,14 @@ SpanMapping skyMapping(const Level& level, const Projection& projection, const S
   const bool below =
       surface.kind == SurfaceKind::SkyFloor || surface.kind == SurfaceKind::SkyLowerStep;
   const double tangentPerClimb = (below ? -1 : 1) / length(ray);
-  SpanMapping mapping{.isSky = true, .depth = std::numeric_limits<double>::infinity()};
-  mapping.u = constant(image.width() * (compassDegrees(ray) / 360) / texture.repeat.x -
-                       texture.offsetTexels.x);
-  mapping.v = {{0, tangentPerClimb},
-               texture.repeat.y,
-               -image.height() / texture.repeat.y,
-               texture.offsetTexels.y};
-  return mapping;
+  return {.isSky = true,
+          .depth = std::numeric_limits<double>::infinity(),
+          .u = constant(image.width() * (compassDegrees(ray) / 360) / texture.repeat.x -
+                        texture.offsetTexels.x),
+          .v = {{0, tangentPerClimb},
+                texture.repeat.y,
+                -image.height() / texture.repeat.y,
+                texture.offsetTexels.y}};
 }
 
 }  // namespace
@@ -118,10 +123,20 @@ SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to)
 SpanMapping lightMappingOf(const Level& level, const Projection& projection, const Span& span,
                            const LitSurface& lit) {
   const Surface& surface = level[span.surface];
-  if (surface.segment) return uprightOnLight(level, projection, span, &lit);
+  if (surface.segment) {
+    const LightAxes light = uprightLightAxes(level, projection, span, &lit);
+    return {.depth = span.depth, .s = light.s, .t = light.t};
+  }
+  const Vec3 eye = projection.eye();
   const Vec2 ray = projection.rayOf(span.column + 0.5);
-  const PlaneOverRay plane = planeOver(level, surface, projection.eye().xy(), ray);
-  return planeOnLight(plane, projection, ray, span, &lit);
+  const PlaneOverRay plane = planeOver(level, surface, eye.xy(), ray);
+  const LightAxes light = planeLightAxes(plane, eye, ray, &lit);
+  return {.isPlane = true,
+          .height = plane.zAtEye - eye.z,
+          .rise = plane.rise,
+          .depth = span.depth,
+          .s = light.s,
+          .t = light.t};
 }
 
 SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
