@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -81,39 +82,52 @@ class Visibility {
     found_.stats.windows += viewport.windows.size();
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
-    const std::vector<std::optional<ColumnHit>>& hits = closestHits(viewport);
+    const std::vector<ColumnHit>& hits = closestHits(viewport);
     for (std::size_t i = 0; i < viewport.windows.size(); ++i)
-      if (hits[i])
-        showColumn(viewport.sector, viewport.windows[i], *hits[i], firstNew, firstNewFlat);
+      if (hits[i].depth < kNoDepth)
+        showColumn(viewport.sector, viewport.windows[i], hits[i], firstNew, firstNewFlat);
   }
 
-  /// For every window the nearest segment, seen from its front, beyond the viewport's entry.
-  const std::vector<std::optional<ColumnHit>>& closestHits(const Viewport& viewport) {
-    std::vector<std::optional<ColumnHit>>& closest = scratch_.closest;
-    closest.assign(viewport.windows.size(), std::nullopt);
-    const Sector& sector = level_[viewport.sector];
+  /// For every window the nearest segment, seen from its front, beyond the viewport's entry; at
+  /// kNoDepth where there is none.
+  const std::vector<ColumnHit>& closestHits(const Viewport& viewport) {
+    std::vector<ColumnHit>& closest = scratch_.closest;
+    closest.assign(viewport.windows.size(), {SegmentId(0), kNoDepth, 0});
+    const std::vector<Window>& windows = viewport.windows;
+    const std::optional<SegmentId> entry = viewport.entry;
+    meetSegments(viewport.sector, entry, windows, [&](std::size_t k, const ColumnHit& hit) {
+      if (isBeyond(entry, windows[k].depth, hit) && isNearer(hit, closest[k])) closest[k] = hit;
+    });
+    return closest;
+  }
+
+  static constexpr double kNoDepth = std::numeric_limits<double>::infinity();
+
+  /// Calls `met(k, hit)` for windows k and the segments, but for one, whose fronts they show.
+  template <typename Met>
+  void meetSegments(SectorId id, std::optional<SegmentId> except,
+                    const std::vector<Window>& windows, Met&& met) {
+    const Sector& sector = level_[id];
     for (std::size_t i = 0; i < sector.segmentCount; ++i) {
-      const SegmentId id(sector.firstSegment.index() + i);
-      if (id == viewport.entry) continue;
+      const SegmentId segment(sector.firstSegment.index() + i);
+      if (segment == except) continue;
       ++found_.stats.segments;
-      const ProjectedSegment projected(projection_, level_[id], camera_.width);
-      if (projected.facing() == ProjectedSegment::Facing::Back) continue;
-      const auto [begin, end] = windowsIn(viewport.windows, projected.columns());
+      const ColumnRange columns = columnsOf(projection_, level_[segment], camera_.width);
+      const auto [begin, end] = windowsIn(windows, columns);
+      if (begin == end) continue;
+      const SegmentMeetings meetings(projection_, level_[segment]);
       for (std::size_t k = begin; k < end; ++k) {
-        const Window& window = viewport.windows[k];
-        const auto [depth, share] = projected.meet(projection_.slantOf(window.column + 0.5));
-        const ColumnHit hit{id, depth, share};
-        if (isBeyond(viewport.entry, window.depth, hit) &&
-            (!closest[k] || isNearer(hit, *closest[k])))
-          closest[k] = hit;
+        const auto [depth, share] = meetings.at(projection_.slantOf(windows[k].column + 0.5));
+        met(k, ColumnHit{segment, depth, share});
       }
     }
-    return closest;
   }
 
   /// Indices [begin, end) of the windows whose column lies in the range.
   static std::pair<std::size_t, std::size_t> windowsIn(const std::vector<Window>& windows,
                                                        ColumnRange columns) {
+    if (columns.end <= windows.front().column || columns.begin > windows.back().column)
+      return {0, 0};
     const auto isLeftOf = [](const Window& window, int column) { return window.column < column; };
     const auto begin = std::lower_bound(windows.begin(), windows.end(), columns.begin, isLeftOf);
     const auto end = std::lower_bound(begin, windows.end(), columns.end, isLeftOf);
@@ -128,7 +142,7 @@ class Visibility {
   }
 
   bool isNearer(const ColumnHit& a, const ColumnHit& b) const {
-    if (planted(PlantedBug::NonConvexByFirstWall)) return false;
+    if (planted(PlantedBug::NonConvexByFirstWall) && b.depth < kNoDepth) return false;
     if (a.depth < b.depth * (1 - kNearTie)) return true;
     if (a.depth > b.depth * (1 + kNearTie)) return false;
     return inOrder(a.segment, b.segment);
@@ -299,18 +313,9 @@ class Visibility {
   }
 
   void addStretches(SectorId id, const std::vector<Window>& windows) {
-    const Sector& sector = level_[id];
-    for (std::size_t i = 0; i < sector.segmentCount; ++i) {
-      const SegmentId segment(sector.firstSegment.index() + i);
-      ++found_.stats.segments;
-      const ProjectedSegment projected(projection_, level_[segment], camera_.width);
-      if (projected.facing() == ProjectedSegment::Facing::Back) continue;
-      const auto [begin, end] = windowsIn(windows, projected.columns());
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto [depth, share] = projected.meet(projection_.slantOf(windows[k].column + 0.5));
-        scratch_.stretches.push_back({k, {id, {segment, depth, share}}});
-      }
-    }
+    meetSegments(id, std::nullopt, windows, [&](std::size_t k, const ColumnHit& exit) {
+      scratch_.stretches.push_back({k, {id, exit}});
+    });
   }
 
   /// Counts the stretches of each window, and puts them where those of the windows before end.

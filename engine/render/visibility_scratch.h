@@ -70,7 +70,7 @@ struct VisibilityScratch {
   std::vector<Viewport> viewports;
   std::vector<FlatPortalView> flatPortals;
   SpareWindows spareWindows;
-  std::vector<std::optional<ColumnHit>> closest;  ///< by window of the present viewport
+  std::vector<ColumnHit> closest;  ///< by window of the present viewport
 
   /// Of the present look through an interface: as they are found, with their windows, ...
   std::vector<std::pair<std::size_t, Stretch>> stretches;

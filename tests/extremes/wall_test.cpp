@@ -63,7 +63,7 @@ TEST(Wall, thatAShortRayMeetsAtOneDegreeFarOutIsMetWhereItIs) {
     segment.p0 = {eye.x + 1 - 0.005, eye.y - 0.005 * sine};
     segment.p1 = {eye.x + 1 + 0.005, eye.y + 0.006 * sine};
     const Projection projection({SectorId(0), {eye.x, eye.y, 0}, 0}, {eye.x, eye.y, 0});
-    const double depth = ProjectedSegment(projection, segment, 320).meet(0).depth;
+    const double depth = SegmentMeetings(projection, segment).at(0).depth;
     // With the coordinates as they were rounded, in 64 bits.
     const long double y0 = static_cast<long double>(segment.p0.y) - eye.y;
     const long double y1 = static_cast<long double>(segment.p1.y) - eye.y;

@@ -37,38 +37,73 @@ TEST(Projection, shearsWithPitch) {
   EXPECT_NEAR(up.rowOf(1, 5), 100 + 160, 1e-9);
 }
 
-TEST(ProjectedSegment, coversTheColumnsWhoseCentresItSpans) {
+TEST(ColumnsOf, areThoseWhoseCentresTheFrontOfASegmentSpans) {
   const Projection projection(cameraAt({0, 0, 0}, 0), {0, 0, 0});
   // From column 160 - 80 = 80 to 160 + 40 = 200.
-  const ProjectedSegment wall(projection, segmentOf({2, -1}, {4, 1}), 320);
-  EXPECT_EQ(wall.facing(), ProjectedSegment::Facing::Front);
-  EXPECT_EQ(wall.columns().begin, 80);
-  EXPECT_EQ(wall.columns().end, 200);
-  const ProjectedSegment back(projection, segmentOf({4, 1}, {2, -1}), 320);
-  EXPECT_EQ(back.facing(), ProjectedSegment::Facing::Back);
-  EXPECT_EQ(back.columns().begin, 80);
-  EXPECT_EQ(back.columns().end, 200);
+  const ColumnRange wall = columnsOf(projection, segmentOf({2, -1}, {4, 1}), 320);
+  EXPECT_EQ(wall.begin, 80);
+  EXPECT_EQ(wall.end, 200);
+  const ColumnRange back = columnsOf(projection, segmentOf({4, 1}, {2, -1}), 320);
+  EXPECT_EQ(back.begin, back.end);
 }
 
-TEST(ProjectedSegment, isNotClippedHoweverNearItIs) {
+TEST(ColumnsOf, areAllOfASegmentHoweverNearItIs) {
   const Projection projection(cameraAt({0, 0, 0}, 0), {0, 0, 0});
-  const ProjectedSegment near(projection, segmentOf({1e-9, -1}, {1e-9, 1}), 320);
-  EXPECT_EQ(near.columns().begin, 0);
-  EXPECT_EQ(near.columns().end, 320);
-  const ProjectedSegment passing(projection, segmentOf({-1, -0.001}, {1, -0.001}), 320);
-  EXPECT_EQ(passing.facing(), ProjectedSegment::Facing::Front);
-  EXPECT_EQ(passing.columns().begin, 0);
-  EXPECT_EQ(passing.columns().end, 160);
+  const ColumnRange near = columnsOf(projection, segmentOf({1e-9, -1}, {1e-9, 1}), 320);
+  EXPECT_EQ(near.begin, 0);
+  EXPECT_EQ(near.end, 320);
+  const ColumnRange passing = columnsOf(projection, segmentOf({-1, -0.001}, {1, -0.001}), 320);
+  EXPECT_EQ(passing.begin, 0);
+  EXPECT_EQ(passing.end, 160);
 }
 
-TEST(ProjectedSegment, meetsItsTwinAtTheSameDepthToTheBit) {
+TEST(ColumnsOf, goOnToTheEdgeOfTheScreenWhereASegmentGoesOnBehindTheEye) {
+  const Projection projection(cameraAt({0, 0, 0}, 0), {0, 0, 0});
+  const Vec2 ahead{2, 1};
+  // It passes the eye on its right, ...
+  for (const Vec2 behind : {Vec2{-2, 1}, Vec2{0, 3}, Vec2{-1, -0.25}}) {
+    const ColumnRange front = columnsOf(projection, segmentOf(ahead, behind), 320);
+    EXPECT_EQ(front.begin, 240);
+    EXPECT_EQ(front.end, 320);
+    const ColumnRange back = columnsOf(projection, segmentOf(behind, ahead), 320);
+    EXPECT_EQ(back.begin, back.end);
+  }
+  // ... and on its left.
+  for (const Vec2 behind : {Vec2{-2, -3}, Vec2{0, -1}, Vec2{-1, -0.75}}) {
+    const ColumnRange front = columnsOf(projection, segmentOf(behind, ahead), 320);
+    EXPECT_EQ(front.begin, 0);
+    EXPECT_EQ(front.end, 240);
+    const ColumnRange back = columnsOf(projection, segmentOf(ahead, behind), 320);
+    EXPECT_EQ(back.begin, back.end);
+  }
+  const ColumnRange unseen = columnsOf(projection, segmentOf({-2, 1}, {-2, -1}), 320);
+  EXPECT_EQ(unseen.begin, unseen.end);
+}
+
+TEST(ColumnsOf, areOneAtMostOfASegmentAndItsBackHoweverEdgeOnTheyAre) {
   const Projection projection(cameraAt({0.3, 0.1, 0}, 17), {0.3, 0.1, 0});
-  const ProjectedSegment wall(projection, segmentOf({2.1, -1.7}, {4.3, 1.9}), 320);
-  const ProjectedSegment twin(projection, segmentOf({4.3, 1.9}, {2.1, -1.7}), 320);
-  for (int column = wall.columns().begin; column < wall.columns().end; ++column) {
+  // Beads on rays of the eye, whose columns rounding alone tells apart.
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 17 + (i - 200) * 0.2;
+    const Vec2 ray{sinCosDegrees(angle).cos, sinCosDegrees(angle).sin};
+    const auto at = [&](double depth) { return Vec2{0.3, 0.1} + depth * ray; };
+    const ColumnRange away = columnsOf(projection, segmentOf(at(1), at(3)), 320);
+    const ColumnRange back = columnsOf(projection, segmentOf(at(3), at(1)), 320);
+    EXPECT_LE(away.end - away.begin + back.end - back.begin, 1);
+  }
+}
+
+TEST(SegmentMeetings, areAtTheSameDepthToTheBitForTwins) {
+  const Projection projection(cameraAt({0.3, 0.1, 0}, 17), {0.3, 0.1, 0});
+  const Segment near = segmentOf({2.1, -1.7}, {4.3, 1.9});
+  const SegmentMeetings wall(projection, near);
+  const SegmentMeetings twin(projection, segmentOf(near.p1, near.p0));
+  const ColumnRange columns = columnsOf(projection, near, 320);
+  EXPECT_LT(columns.begin, columns.end);
+  for (int column = columns.begin; column < columns.end; ++column) {
     const double slant = projection.slantOf(column + 0.5);
-    EXPECT_EQ(wall.meet(slant).depth, twin.meet(slant).depth);
-    EXPECT_DOUBLE_EQ(wall.meet(slant).share, 1 - twin.meet(slant).share);
+    EXPECT_EQ(wall.at(slant).depth, twin.at(slant).depth);
+    EXPECT_DOUBLE_EQ(wall.at(slant).share, 1 - twin.at(slant).share);
   }
 }
 
