@@ -40,13 +40,13 @@ struct FrameScratch {
   }
 
   /// Those of a strip of the last frame, in the order in which they were found.
-  std::span<const Span> spansOf(int strip) const {
-    const auto isLeftOf = [](const FrameColumns& part, int column) {
-      return part.range.end <= column;
-    };
-    const auto part =
-        std::lower_bound(parts.begin(), parts.end(), strip * Strip::kColumns, isLeftOf);
-    return part->strips.of(strip);
+  std::span<const Span> spansOf(int strip) const { return partOf(strip).strips.of(strip); }
+
+  /// Whether these show something in every pixel of a strip of so many rows.
+  bool isFilled(int strip, int rows) const {
+    const FrameColumns& part = partOf(strip);
+    const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);
+    return part.strips.pixelsOf(strip) == columns * rows;
   }
 
   /// Calls `use(span)` for all of the last frame.
@@ -54,6 +54,14 @@ struct FrameScratch {
   void forEachSpan(Use&& use) const {
     for (const FrameColumns& part : parts)
       for (const Span& span : part.visibility.found.spans) use(span);
+  }
+
+ private:
+  const FrameColumns& partOf(int strip) const {
+    const auto isLeftOf = [](const FrameColumns& part, int column) {
+      return part.range.end <= column;
+    };
+    return *std::lower_bound(parts.begin(), parts.end(), strip * Strip::kColumns, isLeftOf);
   }
 };
 

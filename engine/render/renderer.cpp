@@ -91,16 +91,20 @@ void paintParts(FrameScratch& scratch, int strips, int threads, PaintPart&& pain
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
 
-/// Draws a picture strip by strip, with `paint(span, batch, strip, stats)` for each span.
+/// Draws a picture strip by strip, with `paint(span, batch, strip, stats)` for each span. Strips
+/// that spans fill begin as they happen to be, unless `paint` asks what was there.
 template <typename Picture, typename Paint>
 void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int threads,
-                 Paint&& paint) {
+                 bool paintAsks, Paint&& paint) {
   const int strips = Strip::countIn(squaresIn(widthOf(picture), pixelSize));
   const int rows = squaresIn(heightOf(picture), pixelSize);
   paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
     RowBatch batch{};
     for (int i = range.begin; i < range.end; ++i) {
-      strip.begin(i, rows, kHole);
+      if (!paintAsks && scratch.isFilled(i, rows))
+        strip.begin(i, rows);
+      else
+        strip.begin(i, rows, kHole);
       for (const Span& span : scratch.spansOf(i)) paint(span, batch, strip, stats);
       strip.copyTo(picture, pixelSize);
     }
@@ -192,7 +196,7 @@ void Renderer::paint(const Camera& camera, LightMode mode, FrameScratch& scratch
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(level_, camera, pixelSize);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, pixelSize, picture, threads,
+  paintStrips(scratch, pixelSize, picture, threads, false,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
                 painter.paint(span, mode, batch, strip, stats);
               });
@@ -212,7 +216,7 @@ Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(level_, camera);
   const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
-  paintStrips(scratch, 1, picture, threads,
+  paintStrips(scratch, 1, picture, threads, true,
               [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
                 paintChannel(painter, span, channel, scratch.climbs, strip);
               });
@@ -247,7 +251,7 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
   divideColumns(scratch.parts, squares.width, threads);
   const auto findPart = [&](std::size_t i) {
     auto& [range, visibility, strips] = scratch.parts[i];
-    strips.sort(findVisibleSpans(level_, squares, projection, range, visibility).spans, range);
+    strips.sort(findVisibleSpans(level_, squares, projection, range, visibility), range);
   };
   // By reference: a copy would take memory in every frame.
   workersOf(scratch, threads).run(scratch.parts.size(), std::cref(findPart));

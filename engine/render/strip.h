@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -19,11 +20,17 @@ class Strip {
   /// How many strips a picture has.
   static int countIn(int width) { return (width + kColumns - 1) / kColumns; }
 
-  /// Begins a strip of a picture, with all pixels of one colour. It keeps its memory.
-  void begin(int index, int height, Rgb color) {
+  /// Begins a strip of a picture, all of whose pixels are to be painted. It keeps its memory.
+  void begin(int index, int height) {
     firstColumn_ = index * kColumns;
     rowsPerColumn_ = static_cast<std::size_t>(height) + kSpareRows;
-    pixels_.assign(rowsPerColumn_ * kColumns, pixelOf(color));
+    pixels_.resize(rowsPerColumn_ * kColumns);
+  }
+
+  /// Begins one with all pixels of one colour.
+  void begin(int index, int height, Rgb color) {
+    begin(index, height);
+    std::ranges::fill(pixels_, pixelOf(color));
   }
 
   /// A pixel by its place in the picture; the one below it follows.

@@ -18,14 +18,25 @@ class StripSpans {
  public:
   /// Counts the spans of each strip, and puts them where those of the strips before end. `columns`
   /// begin with a strip.
-  void sort(std::span<const Span> spans, ColumnRange columns) {
+  void sort(const VisibleSpans& found, ColumnRange columns) {
+    const std::span spans(found.spans);
+    const auto strips = static_cast<std::size_t>(Strip::countIn(columns.end - columns.begin));
     firstStrip_ = columns.begin / Strip::kColumns;
-    begin_.assign(static_cast<std::size_t>(Strip::countIn(columns.end - columns.begin)) + 2, 0);
-    for (const Span& span : spans) ++begin_[stripOf(span) + 2];
+    begin_.assign(strips + 2, 0);
+    pixels_.assign(strips, 0);
+    const std::size_t withoutHoles = spans.size() - found.stats.middleSpans;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      const std::size_t strip = stripOf(spans[i]);
+      ++begin_[strip + 2];
+      if (i < withoutHoles) pixels_[strip] += spans[i].rowEnd - spans[i].rowBegin;
+    }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     sorted_.resize(spans.size());
     for (const Span& span : spans) sorted_[begin_[stripOf(span) + 1]++] = span;
   }
+
+  /// How many pixels of a strip show something that has no holes: no two such spans share a pixel.
+  int pixelsOf(int strip) const { return pixels_[static_cast<std::size_t>(strip - firstStrip_)]; }
 
   /// Those of one strip of the frame, in the order in which they were found.
   std::span<const Span> of(int strip) const {
@@ -41,6 +52,7 @@ class StripSpans {
   int firstStrip_ = 0;
   std::vector<Span> sorted_;
   std::vector<std::size_t> begin_;  ///< of the i-th are [begin_[i], begin_[i + 1])
+  std::vector<int> pixels_;         ///< by strip
 };
 
 }  // namespace hearth

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "level/locate.h"
 #include "load/load.h"
+#include "render/frame_scratch.h"
 #include "render/renderer.h"
 #include "support/level_text.h"
 
@@ -110,6 +112,34 @@ TEST_F(Coverage, isCompleteWithTheEyeOnFloorsAndCeilings) {
         expectCoveredOnce(camera);
       }
   }
+}
+
+/// What holes would show is painted only where spans leave a pixel open.
+TEST(FrameScratch, knowsWhichStripsSpansFill) {
+  constexpr int kRows = 10;
+  const SurfaceId wall(0);
+  FrameScratch scratch;
+  scratch.parts.resize(1);
+  scratch.parts[0].range = {0, 2 * Strip::kColumns + 3};  // the last strip is narrower
+  VisibleSpans found;
+  for (int column = 0; column < scratch.parts[0].range.end; ++column) {
+    found.spans.push_back({column, 4, kRows, wall, 1});
+    found.spans.push_back({column, 0, 4, wall, 1});
+  }
+  const auto filled = [&] {
+    scratch.parts[0].strips.sort(found, scratch.parts[0].range);
+    return std::vector{scratch.isFilled(0, kRows), scratch.isFilled(1, kRows),
+                       scratch.isFilled(2, kRows)};
+  };
+  EXPECT_EQ(filled(), (std::vector{true, true, true}));
+  found.spans[21].rowEnd = 3;
+  EXPECT_EQ(filled(), (std::vector{true, false, true}));
+  // A middle texture, which comes last, can have holes.
+  found.spans.push_back({10, 3, 4, wall, 1});
+  found.stats.middleSpans = 1;
+  EXPECT_EQ(filled(), (std::vector{true, false, true}));
+  found.stats.middleSpans = 0;
+  EXPECT_EQ(filled(), (std::vector{true, true, true}));
 }
 
 TEST(CoverageOfWedges, isCompleteWhereHeightsThatAreOffWouldPassTheFloor) {
