@@ -11,6 +11,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -29,6 +31,11 @@ using Floats = hn::Vec<decltype(kFloat)>;
 /// Whole numbers, as many and as large as Reals.
 template <typename Reals>
 using BitsOf = hn::Vec<hn::RebindToUnsigned<hn::DFromV<Reals>>>;
+
+constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
+using Integers = hn::Vec<decltype(kSigned)>;
+constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
+using Words = hn::Vec<decltype(kWord)>;
 
 /// In all lanes of Reals, which are Doubles or Floats: places are found in one or the other.
 template <typename Reals>
@@ -143,6 +150,84 @@ class RepeatingByBits {
   ImageAxis along_;
   std::uint32_t last_;
 };
+
+#if HWY_TARGET != HWY_SCALAR
+
+/// An axis of an image that repeats, in fixed point: a row's place on it in 2^-32 of a repeat, so
+/// that 32 bits forget the repeats before. That is found by two operations, and from then on twice
+/// as many rows at once. Texels are those of the axes above but where a row is so near to a whole
+/// texel that rounding could matter, and that is told.
+///
+/// How near: of all that is added up to a coordinate nothing is larger than 2^20 texels (`holds`),
+/// so that what rounding loses each time is less than 2^-33 of a texel on either way, eight times
+/// at most; and the two operations round to places, which are `size` of 2^-32 of a texel.
+template <bool kIsPowerOfTwo>
+class RepeatingInFixedPoint {
+ public:
+  RepeatingInFixedPoint(const ImageAxis& along, int size)
+      : RepeatingInFixedPoint(along, size, kPlaces / size) {}
+
+  /// Whether it can tell the texels at measures of up to `mostMeasure`.
+  static bool holds(const ImageAxis& along, int size, double mostMeasure) {
+    const double places = std::abs(along.place.atZero) + std::abs(along.place.per) * mostMeasure +
+                          std::abs(along.origin);
+    return 1 < size && size <= 0x10000 &&
+           places * std::abs(along.texelsPerPlace) + std::abs(along.offset) <= 0x1p20;
+  }
+
+  /// The texels at as many measures as there are words.
+  HWY_INLINE Words texel(Doubles lower, Doubles upper) {
+    const Words place = hn::ConcatEven(kWord, placeAt(upper), placeAt(lower));
+    if constexpr (kIsPowerOfTwo) {
+      note(hn::ShiftLeftSame(place, bits_));
+      return hn::ShiftRightSame(place, 32 - bits_);
+    }
+    // The texel is the upper half of the product, and how far the row is past it the lower half.
+    const auto even = hn::MulEven(place, hn::Set(kWord, size_));
+    const auto odd = hn::MulEven(hn::DupOdd(place), hn::Set(kWord, size_));
+    const Words evenHalves = hn::BitCast(kWord, even);
+    const Words oddHalves = hn::BitCast(kWord, odd);
+    note(hn::OddEven(hn::DupEven(oddHalves), evenHalves));
+    return hn::OddEven(oddHalves, hn::DupOdd(evenHalves));
+  }
+
+  /// Whether no row was too near to a whole texel.
+  bool isSure() const {
+    return hn::AllTrue(kWord, hn::Gt(least_, hn::Set(kWord, 2 * unsure_ - 1)));
+  }
+
+ private:
+  static constexpr double kPlaces = 0x1p32;
+
+  RepeatingInFixedPoint(const ImageAxis& along, int size, double placesPerTexel)
+      : per_(along.place.per * along.texelsPerPlace * placesPerTexel),
+        // Added to whole numbers of less than 2^51, they are the lowest bits of the sum, also those
+        // below zero.
+        atZero_(((along.place.atZero - along.origin) * along.texelsPerPlace - along.offset) *
+                    placesPerTexel +
+                0x1.8p52),
+        size_(static_cast<std::uint32_t>(size)),
+        bits_(std::countr_zero(size_)),
+        unsure_(2 * size_ + 16) {}
+
+  HWY_INLINE Words placeAt(Doubles measure) const {
+    return hn::BitCast(kWord, hn::Add(hn::Mul(measure, all<Doubles>(per_)), all<Doubles>(atZero_)));
+  }
+
+  /// How far rows are past a texel, in 2^-32 of it.
+  HWY_INLINE void note(Words past) {
+    least_ = hn::Min(least_, hn::Add(past, hn::Set(kWord, unsure_)));
+  }
+
+  double per_;
+  double atZero_;
+  std::uint32_t size_;
+  int bits_;
+  std::uint32_t unsure_;  ///< rows less than that before or past a whole texel
+  Words least_ = hn::Set(kWord, ~std::uint32_t{0});
+};
+
+#endif
 
 /// The rows of a sky, which do not repeat: beyond the image its edge goes on.
 class SkyRows {

@@ -8,10 +8,12 @@ namespace hearth {
 
 /// Some rows of a span, and all that is found of them on the way to their pixels: arrays, so that
 /// as many rows as a register holds are worked out at once, and short, so that the first cache
-/// holds them. Whole registers are read and written: what lies behind the last row means nothing.
+/// holds them. Rows are worked out by whole registers and read by whole eights: what is found of
+/// those behind the last one means nothing, but they are like the others.
 struct RowBatch {
   static constexpr std::size_t kRows = 128;      ///< a multiple of kMostLanes
   static constexpr std::size_t kMostLanes = 16;  ///< of single precision, in any register
+  static constexpr std::size_t kEight = 8;
 
   template <typename T>
   struct alignas(64) Rows : std::array<T, kRows> {};
@@ -31,10 +33,21 @@ struct RowBatch {
     Rows<float> down;
   };
 
+  /// The rows, and those behind the last of them, up to a whole eight.
+  std::size_t worked() const { return (count + kEight - 1) / kEight * kEight; }
+
+  /// Calls `read(k)` for these, eight after eight, as compilers unroll it.
+  template <typename Read>
+  void forEachWorked(Read&& read) const {
+    for (std::size_t first = 0; first < count; first += kEight)
+      for (std::size_t k = first; k < first + kEight; ++k) read(k);
+  }
+
   std::size_t count;
-  const double* measures;  ///< see SpanMapping; kMostLanes more than there are rows can be read
-  Rows<double> depths;     ///< of planes: what `measures` points at
-  Around texels;           ///< the upper left ones are all where nothing is mixed
+  /// See SpanMapping. They rise or fall all along; kMostLanes more than there are rows can be read.
+  const double* measures;
+  Rows<double> depths;  ///< of planes: what `measures` points at
+  Around texels;        ///< the upper left ones are all where nothing is mixed
   Between betweenTexels;
   Rows<std::uint64_t> lightTexels;  ///< of planes: the first byte of the upper left one of four
   /// Of what is upright: between which two columns of its lightmap all rows lie, and each of them

@@ -4,7 +4,9 @@
 
 #include "render/row_kernels.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -143,7 +145,7 @@ HWY_INLINE void storeBytes(Integers number, int bytes, std::uint64_t* to) {
 template <typename Reals>
 void findDepths(RowBatch& batch, const SpanMapping& mapping, const double* climbs) {
   const Reals farthest = all<Reals>(mapping.depth);
-  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
     const Reals climb = loaded<Reals>(climbs + k);
     const Reals found =
         hn::Div(all<Reals>(mapping.height), hn::Sub(climb, all<Reals>(mapping.rise)));
@@ -155,7 +157,7 @@ void findDepths(RowBatch& batch, const SpanMapping& mapping, const double* climb
 
 template <typename Reals, typename Columns, typename Rows>
 void findTexelsAlong(RowBatch& batch, int height, const Columns& columns, const Rows& rows) {
-  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
     const Reals measure = loaded<Reals>(batch.measures + k);
     store(numberOf(columns.texel(measure), rows.texel(measure), height),
           &batch.texels.upperLeft[k]);
@@ -172,8 +174,80 @@ void findRepeatingTexels(RowBatch& batch, const SpanMapping& mapping, const Text
 
 bool isPowerOfTwo(int size) { return std::has_single_bit(static_cast<unsigned>(size)); }
 
+#if HWY_TARGET != HWY_SCALAR
+
+/// `number(lower, upper)` for the measures of each half of a register.
+template <typename Number>
+void storeTexels(RowBatch& batch, const Number& number) {
+  for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kFloat)) {
+    const Doubles lower = hn::LoadU(kDouble, batch.measures + k);
+    const Doubles upper = hn::LoadU(kDouble, batch.measures + k + hn::Lanes(kDouble));
+    store(number(lower, upper), &batch.texels.upperLeft[k]);
+  }
+}
+
+/// Where all rows have one column.
+template <bool kIsPowerOfTwo>
+bool findTexelsInFixedPoint(RowBatch& batch, int height, std::uint32_t first,
+                            const ImageAxis& along) {
+  RepeatingInFixedPoint<kIsPowerOfTwo> rows(along, height);
+  storeTexels(batch, [&](Doubles lower, Doubles upper) {
+    return hn::Add(rows.texel(lower, upper), hn::Set(kWord, first));
+  });
+  return rows.isSure();
+}
+
+template <bool kIsPowerOfTwo>
+bool findTexelsInFixedPoint(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
+  RepeatingInFixedPoint<kIsPowerOfTwo> columns(mapping.u, image.width());
+  RepeatingInFixedPoint<kIsPowerOfTwo> rows(mapping.v, image.height());
+  const int height = image.height();
+  storeTexels(batch, [&](Doubles lower, Doubles upper) {
+    const Words column = columns.texel(lower, upper);
+    const Words row = rows.texel(lower, upper);
+    if constexpr (kIsPowerOfTwo) return numberOf(column, row, height);
+    return hn::Add(hn::Mul(column, hn::Set(kWord, static_cast<std::uint32_t>(height))), row);
+  });
+  return columns.isSure() && rows.isSure();
+}
+
+std::uint32_t columnOfAllRows(const ImageAxis& along, int width) {
+  const auto columnBy = [](const auto& axis) {
+    return static_cast<std::uint32_t>(hn::GetLane(axis.texel(all<Doubles>(0))));
+  };
+  if (isPowerOfTwo(width)) return columnBy(RepeatingByBits(along, width));
+  return columnBy(Repeating(along, width));
+}
+
+/// False where that cannot tell the texels: then they are to be found in another way.
+bool findTexelsInFixedPoint(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
+  using Axis = RepeatingInFixedPoint<false>;
+  const double most =
+      std::max(std::abs(batch.measures[0]), std::abs(batch.measures[batch.count - 1]));
+  const int height = image.height();
+  if (mapping.isSky || planted(PlantedBug::TruncatingRepeat) ||
+      !Axis::holds(mapping.v, height, most))
+    return false;
+  const bool byBits = isPowerOfTwo(height);
+  if (!mapping.isPlane) {
+    const std::uint32_t first =
+        columnOfAllRows(mapping.u, image.width()) * static_cast<std::uint32_t>(height);
+    return byBits ? findTexelsInFixedPoint<true>(batch, height, first, mapping.v)
+                  : findTexelsInFixedPoint<false>(batch, height, first, mapping.v);
+  }
+  if (!Axis::holds(mapping.u, image.width(), most)) return false;
+  return byBits && isPowerOfTwo(image.width())
+             ? findTexelsInFixedPoint<true>(batch, mapping, image)
+             : findTexelsInFixedPoint<false>(batch, mapping, image);
+}
+
+#endif
+
 template <typename Reals>
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
+#if HWY_TARGET != HWY_SCALAR
+  if (std::is_same_v<Reals, Doubles> && findTexelsInFixedPoint(batch, mapping, image)) return;
+#endif
   if (!mapping.isSky && isPowerOfTwo(image.width()) && isPowerOfTwo(image.height()))
     return findRepeatingTexels<Reals, RepeatingByBits>(batch, mapping, image);
   if (!mapping.isSky) return findRepeatingTexels<Reals, Repeating>(batch, mapping, image);
@@ -184,7 +258,7 @@ void findTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& imag
 template <typename Reals, typename Rows>
 void findTexelsAroundAlong(RowBatch& batch, int height, const Repeating& columns,
                            const Rows& rows) {
-  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
     const Reals measure = loaded<Reals>(batch.measures + k);
     const Between<Reals> across = columns.between(measure);
     const Between<Reals> down = rows.between(measure);
@@ -217,7 +291,7 @@ void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap
                      LightFilter filter) {
   const LightAxis columns(mapping.s, lightmap.rect.i0, lightmap.rect.width);
   const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
-  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
     const Reals measure = loaded<Reals>(batch.measures + k);
     const Between<Reals> across = columns.between(measure);
     const Between<Reals> down = rows.between(measure);
@@ -241,7 +315,7 @@ void findLightRows(RowBatch& batch, const SpanMapping& mapping, const Lightmap& 
                       static_cast<std::size_t>(lightmap.channels);
   batch.acrossLightColumns = static_cast<float>(hn::GetLane(filtered(across.share, filter)));
   const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
-  for (std::size_t k = 0; k < batch.count; k += lanes<Reals>()) {
+  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
     const Between<Reals> down = rows.between(loaded<Reals>(batch.measures + k));
     storeWhole(down.first, &batch.lightRows[k]);
     store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
@@ -301,8 +375,8 @@ void shadeColor(Pixel* pixels, const RowBatch& batch, Rgb color) {
 /// Texels read one by one, which takes no longer than gathering them.
 class TexelColors {
  public:
-  TexelColors(const Texture& image, const RowBatch::Texels& texels, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) colors_[k] = image.texels()[texels[k]];
+  TexelColors(const Texture& image, const RowBatch& batch, const RowBatch::Texels& texels) {
+    batch.forEachWorked([&](std::size_t k) { colors_[k] = image.texels()[texels[k]]; });
   }
 
   HWY_INLINE Channels at(std::size_t k) const { return channelsOf(hn::Load(kWord, &colors_[k])); }
@@ -312,16 +386,16 @@ class TexelColors {
 };
 
 void shadeTexels(Pixel* pixels, const RowBatch& batch, const Texture& image) {
-  shade(pixels, batch, TexelColors(image, batch.texels.upperLeft, batch.count));
+  shade(pixels, batch, TexelColors(image, batch, batch.texels.upperLeft));
 }
 
 class Mixtures {
  public:
   Mixtures(const Texture& image, const RowBatch& batch)
-      : upperLeft_(image, batch.texels.upperLeft, batch.count),
-        upperRight_(image, batch.texels.upperRight, batch.count),
-        lowerLeft_(image, batch.texels.lowerLeft, batch.count),
-        lowerRight_(image, batch.texels.lowerRight, batch.count),
+      : upperLeft_(image, batch, batch.texels.upperLeft),
+        upperRight_(image, batch, batch.texels.upperRight),
+        lowerLeft_(image, batch, batch.texels.lowerLeft),
+        lowerRight_(image, batch, batch.texels.lowerRight),
         between_(batch.betweenTexels) {}
 
   HWY_INLINE Channels at(std::size_t k) const {

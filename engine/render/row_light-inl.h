@@ -22,11 +22,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
 
-constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
-using Integers = hn::Vec<decltype(kSigned)>;
-constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
-using Words = hn::Vec<decltype(kWord)>;
-
 // Colours are made in single precision.
 
 struct Channels {
@@ -128,11 +123,11 @@ class LightAround {
  public:
   LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
       : batch_(batch) {
-    for (std::size_t k = 0; k < batch.count; ++k) {
+    batch.forEachWorked([&](std::size_t k) {
       const std::uint8_t* const upper = texels + batch.lightTexels[k];
       upper_.readAboveOther(k, upper);
       lower_.readBelowOther(k, upper + bytesPerRow);
-    }
+    });
   }
 
   HWY_INLINE Channels mixture(std::size_t k) const {
@@ -236,7 +231,7 @@ class LightColumn {
 /// Gives each row the texels around it, as if they lay on a plane.
 template <int kChannels>
 void spreadLightColumn(RowBatch& batch, const Lightmap& lightmap) {
-  for (std::size_t k = 0; k < batch.count; ++k)
+  for (std::size_t k = 0; k < batch.worked(); ++k)
     batch.lightTexels[k] = batch.lightColumn + static_cast<std::size_t>(batch.lightRows[k]) *
                                                    bytesPerRow<kChannels>(lightmap);
   batch.betweenLightTexels.across.fill(batch.acrossLightColumns);

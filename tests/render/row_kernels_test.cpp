@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "row_batches.h"
@@ -110,6 +112,11 @@ TEST(Repeated, staysInTheImageHoweverFarAway) {
     }
 }
 
+int modulo(double x, int size) {
+  const double rest = std::fmod(std::floor(x), size);
+  return static_cast<int>(rest < 0 ? rest + size : rest);
+}
+
 TEST(RowKernels, findTheTexelsThatAModuloOfEachRowGives) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> anywhere(-1e6, 1e6);
@@ -118,20 +125,56 @@ TEST(RowKernels, findTheTexelsThatAModuloOfEachRowGives) {
       std::vector<double> measures;
       for (std::size_t i = 0; i < RowBatch::kRows - 1; ++i)
         measures.push_back(i % 3 == 0 ? std::round(anywhere(random)) : anywhere(random));
+      std::ranges::sort(measures);
       RowBatch batch{};
       setRows(batch, measures);
       rowKernels().inDoubles.findTexels(
           batch, {.isPlane = true, .u = {.place = {0.25, 1}}, .v = {.place = {-3, 0.5}}},
           Texture(Image(width, height)));
-      const auto modulo = [](double x, int size) {
-        const double rest = std::fmod(std::floor(x), size);
-        return static_cast<int>(rest < 0 ? rest + size : rest);
-      };
       for (std::size_t k = 0; k < batch.count; ++k) {
         EXPECT_EQ(batch.texels.upperLeft[k] / height, modulo(0.25 + measures[k], width));
         EXPECT_EQ(batch.texels.upperLeft[k] % height, modulo(-3 + measures[k] * 0.5, height));
       }
     }
+}
+
+/// Measures at which a coordinate is a whole texel, but for roundings and 2^-20 to 2^-40 of one.
+std::vector<double> measuresNearTexels(const ImageAxis& along, std::mt19937& random) {
+  std::uniform_int_distribution<int> texels(-3000, 3000);
+  std::uniform_int_distribution<int> bits(20, 40);
+  std::vector<double> measures;
+  for (std::size_t i = 0; i < RowBatch::kRows; ++i) {
+    const double beside = std::ldexp(static_cast<double>(i % 3) - 1, -bits(random));
+    const double place =
+        (texels(random) + beside + along.offset) / along.texelsPerPlace + along.origin;
+    measures.push_back((place - along.place.atZero) / along.place.per);
+  }
+  std::ranges::sort(measures);
+  return measures;
+}
+
+TEST(RowKernels, findTheTexelsOfEachRowHoweverNearToTheNextTheyAre) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> places(-200, 200);
+  std::uniform_real_distribution<double> scales(0.1, 100);
+  const auto someAxis = [&] {
+    return ImageAxis{{places(random), scales(random)}, places(random), scales(random), 7.25};
+  };
+  for (int i = 0; i < 300; ++i)
+    for (const auto& [width, height] : {std::pair(64, 128), {1, 2}, {65536, 1}, {72, 100}, {3, 64}})
+      for (const bool isPlane : {false, true}) {
+        const SpanMapping mapping{.isPlane = isPlane, .u = someAxis(), .v = someAxis()};
+        RowBatch batch{};
+        setRows(batch, measuresNearTexels(i % 2 == 0 ? mapping.u : mapping.v, random));
+        const Texture image(Image(width, height));
+        rowKernels().inDoubles.findTexels(batch, mapping, image);
+        for (std::size_t k = 0; k < batch.count; ++k) {
+          const double u = mapping.u.at(isPlane ? batch.measures[k] : 0);
+          const double v = mapping.v.at(batch.measures[k]);
+          ASSERT_EQ(batch.texels.upperLeft[k], modulo(u, width) * height + modulo(v, height))
+              << u << ' ' << v << ' ' << width << 'x' << height;
+        }
+      }
 }
 
 TEST(RowKernels, findDepthsThatAreThoseOfEachRow) {
