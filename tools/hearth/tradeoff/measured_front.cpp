@@ -11,17 +11,16 @@ namespace {
 
 constexpr std::array kFrames = {
     MeasuredFrame{{}, 1, 0.066},
-    MeasuredFrame{{.precision = Precision::Single}, 0.92, 0.066},
-    MeasuredFrame{{.pixelSize = 2}, 0.44, 0.61},
-    MeasuredFrame{{.pixelSize = 3}, 0.27, 0.60},
-    MeasuredFrame{{.pixelSize = 4}, 0.20, 0.70},
+    MeasuredFrame{{.pixelSize = 2}, 0.47, 0.61},
+    MeasuredFrame{{.pixelSize = 3}, 0.33, 0.60},
+    MeasuredFrame{{.pixelSize = 4}, 0.21, 0.70},
 };
 
 constexpr std::array kBakes = {
-    MeasuredBake{{0.25, true, 64}, 26, 2.3},  MeasuredBake{{0.25, false, 64}, 12, 2.4},
-    MeasuredBake{{0.5, false, 16}, 2.3, 3.6}, MeasuredBake{{1, false, 16}, 0.86, 5.1},
-    MeasuredBake{{1, false, 0}, 0.53, 5.7},   MeasuredBake{{2, false, 0}, 0.28, 7.8},
-    MeasuredBake{{4, false, 0}, 0.16, 11.7},
+    MeasuredBake{{0.25, true, 64}, 28, 2.3},  MeasuredBake{{0.25, false, 64}, 12, 2.4},
+    MeasuredBake{{0.5, false, 16}, 2.1, 3.6}, MeasuredBake{{1, false, 16}, 0.77, 5.1},
+    MeasuredBake{{1, false, 0}, 0.29, 5.7},   MeasuredBake{{2, false, 0}, 0.19, 7.8},
+    MeasuredBake{{4, false, 0}, 0.15, 11.7},
 };
 
 template <typename Measured>
