@@ -159,8 +159,8 @@ class RepeatingByBits {
 /// texel that rounding could matter, and that is told.
 ///
 /// How near: of all that is added up to a coordinate nothing is larger than 2^20 texels (`holds`),
-/// so that what rounding loses each time is less than 2^-33 of a texel on either way, eight times
-/// at most; and the two operations round to places, which are `size` of 2^-32 of a texel.
+/// so that what rounding loses each time is at most 2^-33 of a texel, a dozen times on both ways
+/// together; and the two operations round to places, which are `size` of 2^-32 of a texel.
 template <bool kIsPowerOfTwo>
 class RepeatingInFixedPoint {
  public:
