@@ -63,6 +63,7 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
     const std::size_t i = id.index();
     if (isPlantedUnlit(level.surfaces[i].kind)) return;
     SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, id);
+    for (const std::size_t light : surface.facing()) sights.fine[light].findConesUnlessBegun();
     baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);
     const std::scoped_lock lock(addsLightCosts);
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};

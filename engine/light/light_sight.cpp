@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -294,6 +295,7 @@ struct LightSight::Cones {
   const Level& level;
   double reach;
   std::size_t mostBytes;
+  std::atomic_flag isBegun;
   std::once_flag isFound;
   std::optional<LightCones> found;
 };
@@ -308,9 +310,14 @@ void LightSight::useCones(const Level& level, double reach, std::size_t mostByte
 const LightCones* LightSight::cones() const {
   if (!cones_) return nullptr;
   std::call_once(cones_->isFound, [this] {
+    cones_->isBegun.test_and_set();
     cones_->found.emplace(cones_->level, middle_, cones_->reach, cones_->mostBytes);
   });
   return &*cones_->found;
+}
+
+void LightSight::findConesUnlessBegun() const {
+  if (cones_ && !cones_->isBegun.test_and_set()) cones();
 }
 
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {

@@ -70,6 +70,9 @@ class LightSight {
   void useCones(const Level& level, double reach, std::size_t mostBytes);
   /// None where they are not used. Any thread may ask.
   const LightCones* cones() const;
+  /// Has them found now, if they are used and no thread has begun: so threads that will need those
+  /// of the same lights each find some, instead of waiting for one another.
+  void findConesUnlessBegun() const;
   /// On which it depends what of the light shines: that of its middle, and all that lines from
   /// there to other points of it come into.
   std::span<const SectorId> sectors() const { return sectors_; }
