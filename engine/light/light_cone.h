@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <unordered_set>
 #include <vector>
 
 #include "level/level.h"
-#include "light/light_kernels.h"
 
 namespace hearth {
 
@@ -36,6 +37,60 @@ struct LightCone {
   bool isDoubtful;
 };
 
+/// A plane that bounds a cone, by ways from its light: a way is in front of it by
+/// dot(normal, way) - offset. Of points at most `reach` metres away, rounding decides about those
+/// within margin * perMargin + reach * perMetre of it, with the margin of rays to them.
+struct ConeBound {
+  Vec3 normal;
+  double offset;
+  double perMargin;
+  double perMetre;
+
+  double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
+};
+
+/// The bounds of a cone, for ways to points that lie `on` a wall, if that is given: of its begin,
+/// its end and its planes, then of the walls that it lies between, which ways to a point of the
+/// last of these do not come to. Each is made when it is asked for: that takes no longer than to
+/// read it from memory, of which all of them would take much.
+class ConeBounds {
+ public:
+  ConeBounds(const LightCone& cone, std::span<const HeightPlane> planes, Vec3 light,
+             const Segment* on)
+      : cone_(cone), planes_(planes), light_(light.xy()) {
+    if (on && cone.to == on) return;
+    for (const Segment* wall : {cone.from, cone.to})
+      if (wall) walls_[wallCount_++] = wall;
+  }
+
+  std::size_t size() const { return kSides + planes_.size() + wallCount_; }
+  ConeBound operator[](std::size_t index) const {
+    if (index == 0) return ofSide({-cone_.begin.y, cone_.begin.x});
+    if (index == 1) return ofSide({cone_.end.y, -cone_.end.x});
+    if (index - kSides < planes_.size()) return of(planes_[index - kSides]);
+    return of(*walls_[index - kSides - planes_.size()]);
+  }
+
+ private:
+  static constexpr std::size_t kSides = 2;
+
+  static ConeBound ofSide(Vec2 inward) { return {{inward.x, inward.y, 0}, 0, 1, 0}; }
+  static ConeBound of(const HeightPlane& plane) {
+    const double sign = plane.isBelow ? 1 : -1;
+    return {{-sign * plane.gradient.x, -sign * plane.gradient.y, sign}, 0, 1, plane.slackPerMetre};
+  }
+  ConeBound of(const Segment& wall) const {
+    const Vec2 along = wall.p1 - wall.p0;
+    return {{-along.y, along.x, 0}, cross(along, wall.p0 - light_), wall.length, 0};
+  }
+
+  const LightCone& cone_;
+  std::span<const HeightPlane> planes_;
+  Vec2 light_;
+  std::array<const Segment*, 2> walls_{};
+  std::size_t wallCount_ = 0;
+};
+
 /// All cones of a light.
 struct LightConeSet {
   std::vector<LightCone> cones;
@@ -48,9 +103,9 @@ struct LightConeSet {
   std::span<const HeightPlane> planesOf(const LightCone& cone) const {
     return std::span(planes).subspan(cone.firstPlane, cone.lastPlane - cone.firstPlane);
   }
-  /// With what LightCones keeps of each: half a dozen bounds, and its sides.
+  /// With what LightCones keeps of each: its sides.
   std::size_t bytes() const {
-    return cones.size() * (sizeof(LightCone) + 6 * sizeof(ConeBound) + 4 * sizeof(double)) +
+    return cones.size() * (sizeof(LightCone) + 4 * sizeof(double)) +
            planes.size() * sizeof(HeightPlane);
   }
 };

@@ -14,43 +14,20 @@ namespace hearth {
 LightCones::LightCones(const Level& level, const Raytracer::Source& light, double reach,
                        std::size_t mostBytes)
     : level_(level), light_(light), found_(findLightCones(level, light, reach, mostBytes)) {
-  for (std::size_t i = 0; i < found_.cones.size(); ++i) {
-    ++rangeOf_.try_emplace(found_.cones[i].sector.value, Range{i, i}).first->second.last;
-    addBoundsOf(found_.cones[i]);
+  const std::vector<LightCone>& cones = found_.cones;
+  for (auto* side : {&sides_.beginX, &sides_.beginY, &sides_.endX, &sides_.endY})
+    side->reserve(cones.size());
+  for (std::size_t i = 0; i < cones.size(); ++i) {
+    ++rangeOf_.try_emplace(cones[i].sector.value, Range{i, i}).first->second.last;
+    sides_.beginX.push_back(-cones[i].begin.y);
+    sides_.beginY.push_back(cones[i].begin.x);
+    sides_.endX.push_back(cones[i].end.y);
+    sides_.endY.push_back(-cones[i].end.x);
   }
 }
 
-void LightCones::addBoundsOf(const LightCone& cone) {
-  const auto count = [this] { return static_cast<std::uint32_t>(bounds_.size()); };
-  BoundsOfCone& bounds = boundsOf_.emplace_back();
-  bounds.first = count();
-  bounds_.push_back({{-cone.begin.y, cone.begin.x, 0}, 0, 1, 0});
-  bounds_.push_back({{cone.end.y, -cone.end.x, 0}, 0, 1, 0});
-  sides_.beginX.push_back(-cone.begin.y);
-  sides_.beginY.push_back(cone.begin.x);
-  sides_.endX.push_back(cone.end.y);
-  sides_.endY.push_back(-cone.end.x);
-  for (const HeightPlane& plane : found_.planesOf(cone)) {
-    const double sign = plane.isBelow ? 1 : -1;
-    const Vec3 normal{-sign * plane.gradient.x, -sign * plane.gradient.y, sign};
-    bounds_.push_back({normal, 0, 1, plane.slackPerMetre});
-  }
-  bounds.walls = count();
-  for (const Segment* wall : {cone.from, cone.to}) {
-    if (!wall) continue;
-    const Vec2 along = wall->p1 - wall->p0;
-    const Vec2 start = wall->p0 - light_.position.xy();
-    bounds_.push_back({{-along.y, along.x, 0}, cross(along, start), wall->length, 0});
-  }
-  bounds.last = count();
-}
-
-/// For ways to points `on` a wall, if that is given.
-std::span<const ConeBound> LightCones::boundsOf(const LightCone& cone, const Segment* on) const {
-  const BoundsOfCone& bounds = boundsOf_[static_cast<std::size_t>(&cone - found_.cones.data())];
-  const bool isOnLast = on && cone.to == on;
-  return std::span(bounds_).subspan(bounds.first,
-                                    (isOnLast ? bounds.walls : bounds.last) - bounds.first);
+ConeBounds LightCones::boundsOf(const LightCone& cone, const Segment* on) const {
+  return {cone, found_.planesOf(cone), light_.position, on};
 }
 
 LightCones::Points LightCones::seen(std::span<const Vec3> corners) const {
@@ -111,11 +88,12 @@ void LightCones::findSeen(const Points& points, const Segment* on, std::span<con
   cones.clear();
   for (const Doubt& doubt : doubts) {
     const std::size_t before = parts.size();
-    const std::span<const ConeBound> bounds = boundsOf(*doubt.cone, on);
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-      if ((doubt.parting >> std::min(i, kBoundBits - 1) & 1) != 0)
-        parts.push_back(
-            {bounds[i].normal, bounds[i].offset, bounds[i].slack(points.margin, points.reach)});
+    const ConeBounds bounds = boundsOf(*doubt.cone, on);
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      if ((doubt.parting >> std::min(i, kBoundBits - 1) & 1) == 0) continue;
+      const ConeBound bound = bounds[i];
+      parts.push_back({bound.normal, bound.offset, bound.slack(points.margin, points.reach)});
+    }
     cones.push_back({parts.size() - before, doubt.cone->isDoubtful});
   }
   for (std::size_t row = 0; row < samples.rows; ++row)

@@ -84,8 +84,7 @@ class LightCones {
   static constexpr std::uint32_t kAtBegin = 1;
   static constexpr std::uint32_t kAtEnd = 2;
 
-  void addBoundsOf(const LightCone& cone);
-  std::span<const ConeBound> boundsOf(const LightCone& cone, const Segment* on) const;
+  ConeBounds boundsOf(const LightCone& cone, const Segment* on) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   static bool isRow(std::span<const Doubt> doubts);
   bool add(const LightCone& cone, const Points& points, const Segment* on, std::uint32_t asked,
@@ -100,15 +99,6 @@ class LightCones {
   const Level& level_;
   Raytracer::Source light_;
   LightConeSet found_;
-  /// Of each cone those of its begin, its end and its planes, then those of the walls that it lies
-  /// between, which ways to a point of the last of these do not come to.
-  std::vector<ConeBound> bounds_;
-  struct BoundsOfCone {
-    std::uint32_t first;
-    std::uint32_t walls;  ///< the first of these
-    std::uint32_t last;
-  };
-  std::vector<BoundsOfCone> boundsOf_;  ///< by cone
   /// By cone: its first two bounds, for many cones at once.
   struct Sides {
     std::vector<double> beginX;

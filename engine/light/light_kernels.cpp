@@ -85,15 +85,15 @@ std::size_t findSpanning(const CornerWays& corners, const ConeSides& cones, std:
   return found;
 }
 
-std::uint32_t findParting(const CornerWays& corners, std::span<const ConeBound> bounds,
-                          std::uint32_t asked, double margin, double reach) {
+std::uint32_t findParting(const CornerWays& corners, const ConeBounds& bounds, std::uint32_t asked,
+                          double margin, double reach) {
   using Tag = hn::CappedTag<double, 8>;
   const Tag d;
   std::uint32_t parting = 0;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const std::uint32_t bit = std::uint32_t{1} << std::min(i, kBoundBits - 1);
     if ((asked & bit) == 0) continue;
-    const ConeBound& bound = bounds[i];
+    const ConeBound bound = bounds[i];
     const double slack = bound.slack(margin, reach);
     bool isAnyNear = false;
     bool areAllInFront = true;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "light/light_cone.h"
 #include "math/vec.h"
 
 /// What is done with many samples, as many at once as the registers of a processor hold. Whatever
@@ -26,18 +27,6 @@ struct CornerWays {
   double y[8];
   double z[8];
   std::size_t count = 8;
-};
-
-/// A plane, by ways from a light: a way is in front of it by dot(normal, way) - offset. Of points
-/// at most `reach` metres away, rounding decides about those within margin * perMargin +
-/// reach * perMetre of it, with the margin of rays to them.
-struct ConeBound {
-  Vec3 normal;
-  double offset;
-  double perMargin;
-  double perMetre;
-
-  double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
 };
 
 /// The upright planes between which cones lie, as findSpanning() takes them: their normals on the
@@ -78,9 +67,9 @@ struct LightKernels {
   /// how many they are; `spanning` has room for `count`. `margin` is that of rays to the corners.
   std::size_t (*findSpanning)(const CornerWays& corners, const ConeSides& cones, std::size_t count,
                               double margin, std::uint32_t* spanning);
-  /// A bit for each of the bounds of a cone that has some corners behind it, perhaps; or
-  /// kBehindBound. Of those alone that have a bit in `asked`.
-  std::uint32_t (*findParting)(const CornerWays& corners, std::span<const ConeBound> bounds,
+  /// Which of the bounds of a cone that are asked for have some corners behind them, perhaps; or
+  /// kBehindBound.
+  std::uint32_t (*findParting)(const CornerWays& corners, const ConeBounds& bounds,
                                std::uint32_t asked, double margin, double reach);
   /// For each of the samples 1 where one of the cones of a point of light holds it for sure, 0
   /// where none can, and else kUnknownShare. The bounds of the cones follow one another.

@@ -35,6 +35,15 @@ struct Samples {
   Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
+/// A wall of 10 m across the x axis, its front towards rising or falling x.
+Segment wallAt(double x, bool facesOn) {
+  Segment wall;
+  wall.p0 = {x, facesOn ? 5.0 : -5.0};
+  wall.p1 = {x, -wall.p0.y};
+  wall.length = 10;
+  return wall;
+}
+
 class LightKernelsTest : public testing::Test {
  protected:
   ~LightKernelsTest() override { use(0); }
@@ -186,7 +195,8 @@ TEST_F(LightKernelsTest, findConesBetweenWhoseSidesSomethingMayLie) {
   }
 }
 
-/// A bit for each bound that has a corner behind it, or nearer than its slack.
+/// A bit for each bound that has a corner behind it, or nearer than its slack: begin and end of the
+/// cone, its planes and its walls.
 TEST_F(LightKernelsTest, findBoundsThatPartABox) {
   CornerWays corners;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -194,26 +204,48 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
     corners.y[i] = (i & 2) != 0 ? -1 : 1;
     corners.z[i] = (i & 4) != 0 ? 0 : 2;
   }
-  const ConeBound before{{1, 0, 0}, 0, 1, 0};
-  const ConeBound across{{0, 2, 0}, 0, 1, 0};
-  const ConeBound behind{{-1, 0, 0}, 0, 1, 0};
-  const ConeBound close{{1, 0, 0}, 2.5, 1, 0.1};
+  LightCone cone{};
+  cone.begin = {0.6, -0.8};
+  cone.end = {0.6, 0.8};
+  LightCone narrow = cone;
+  narrow.end = {1, 0};
+  LightCone aside = cone;
+  aside.begin = {0, 1};
+  const HeightPlane below{{-1, 0}, true, 0};
+  const HeightPlane across{{0.2, 0}, true, 0};
+  const HeightPlane above{{-1, 0}, false, 0};
+  const HeightPlane blurred{{-1, 0}, true, 0.5};
   forEachInstructionSet([&](const LightKernels& kernels) {
-    const auto parting = [&](const std::vector<ConeBound>& bounds, double margin, double reach) {
-      return kernels.findParting(corners, bounds, kAllBounds, margin, reach);
+    const auto parting = [&](const LightCone& of, const std::vector<HeightPlane>& planes,
+                             double margin, double reach, std::uint32_t asked = kAllBounds,
+                             const Segment* on = nullptr) {
+      return kernels.findParting(corners, {of, planes, {0, 0, 0}, on}, asked, margin, reach);
     };
-    EXPECT_EQ(parting({}, 0.1, 0), 0U);
-    EXPECT_EQ(parting({before, across, before, across}, 0.1, 0), 0b1010U);
-    EXPECT_EQ(parting({across, behind}, 0.1, 0), kBehindBound);
-    EXPECT_EQ(parting({behind}, 4, 0), 1U) << "by less than its slack";
-    EXPECT_EQ(parting({close}, 0.4, 0.5), 0U);
-    EXPECT_EQ(parting({close}, 0.4, 1.5), 1U);
-    std::vector<ConeBound> many(40, before);
-    many[38] = across;
-    EXPECT_EQ(parting(many, 0.1, 0), std::uint32_t{1} << 30) << "the last bit has room for all";
-    EXPECT_EQ(kernels.findParting(corners, {&behind, 1}, 0, 0.1, 0), 0U) << "it is not asked for";
-    EXPECT_EQ(kernels.findParting(corners, many, std::uint32_t{1} << 30, 0.1, 0),
-              std::uint32_t{1} << 30);
+    EXPECT_EQ(parting(cone, {}, 0.1, 0), 0U);
+    EXPECT_EQ(parting(narrow, {below, across, below, across}, 0.1, 0), 0b101010U);
+    EXPECT_EQ(parting(aside, {}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(parting(cone, {across, above}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(parting(cone, {above}, 4, 0), 0b111U) << "by less than its slack";
+    EXPECT_EQ(parting(cone, {blurred}, 0.4, 5), 0U);
+    EXPECT_EQ(parting(cone, {blurred}, 0.4, 6), 0b100U);
+    std::vector<HeightPlane> many(40, below);
+    many[36] = across;
+    constexpr std::uint32_t kLastBit = std::uint32_t{1} << 30;
+    EXPECT_EQ(parting(cone, many, 0.1, 0), kLastBit) << "it has room for all that follow";
+    EXPECT_EQ(parting(cone, many, 0.1, 0, kLastBit), kLastBit);
+    EXPECT_EQ(parting(cone, {above}, 0.1, 0, 0), 0U) << "it is not asked for";
+
+    const Segment far = wallAt(4, false);
+    const Segment near = wallAt(2, true);
+    const Segment turned = wallAt(2, false);
+    LightCone between = cone;
+    between.to = &far;
+    EXPECT_EQ(parting(between, {below}, 0.1, 0), 0b1000U);
+    EXPECT_EQ(parting(between, {below}, 0.1, 0, kAllBounds, &far), 0U) << "they lie on it";
+    between.from = &near;
+    EXPECT_EQ(parting(between, {}, 0.1, 0), 0b1000U) << "that before them comes first";
+    between.to = &turned;
+    EXPECT_EQ(parting(between, {}, 0.1, 0), kBehindBound);
   });
 }
 
