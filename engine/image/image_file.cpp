@@ -1,6 +1,7 @@
 #include "image/image_file.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -33,13 +34,28 @@ void* boundedRealloc(void* old, std::size_t bytes) {
   return bytes <= kMaxDecoderBytes ? std::realloc(old, bytes) : nullptr;
 }
 
+/// What stb writes PNGs with: in half the time that its own packing takes, and into four fifths of
+/// the bytes. The memory is for std::free; none where there is not enough.
+unsigned char* packed(const unsigned char* bytes, int size, int* packedSize) {
+  constexpr int kLevel = 4;  // the next ones take twice the time for 3 % of the bytes
+  uLongf room = compressBound(static_cast<uLong>(size));
+  auto* const memory = static_cast<unsigned char*>(std::malloc(room));
+  if (!memory) return nullptr;
+  if (compress2(memory, &room, bytes, static_cast<uLong>(size), kLevel) != Z_OK) {
+    std::free(memory);
+    return nullptr;
+  }
+  *packedSize = static_cast<int>(room);
+  return memory;
+}
+
 /// Of its PNG: RGB, and alpha where there are holes.
 int channelsOf(const Image& image) { return image.hasHoles() ? 4 : 3; }
 
 /// What keeps a picture from being written as a PNG.
 std::optional<std::string> mistakeInSize(const std::filesystem::path& path, const Image& image) {
   CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
-  // The encoder counts bytes in `int`, and packs into a buffer up to twice as large.
+  // The encoder counts bytes in `int`, also those of a buffer for what hardly packs.
   const std::int64_t bytes = (std::int64_t{channelsOf(image)} * image.width() + 1) * image.height();
   if (bytes <= std::numeric_limits<int>::max() / 4) return std::nullopt;
   return fmt::format("{}: {} x {} pixels are too many for one PNG; write a smaller picture",
@@ -65,6 +81,8 @@ std::optional<std::string> mistakeInSize(const std::filesystem::path& path, cons
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
+#define STBIW_ZLIB_COMPRESS(bytes, size, packedSize, quality) \
+  hearth::packed(bytes, size, packedSize)
 // Static functions of stb that nothing here calls.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
