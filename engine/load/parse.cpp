@@ -6,6 +6,8 @@
 #include <cctype>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
 
 #include "load/indentation.h"
 
@@ -77,8 +79,8 @@ class TreeBuilder {
   /// An array or object that is being read.
   struct Open {
     std::uint32_t node;
-    std::uint32_t children = 0;  ///< elements or members so far
-    std::vector<std::uint32_t> keys;
+    std::uint32_t children;  ///< elements or members so far
+    std::size_t firstKey;    ///< index of `keys_`
   };
 
   std::size_t startOfToken() const;
@@ -105,17 +107,22 @@ class TreeBuilder {
   const std::size_t& consumed_;
   std::size_t cursor_ = 0;  ///< end of what has been understood
   std::vector<Open> stack_;
+  std::vector<std::uint32_t> keys_;  ///< of all that is open: nodes
   std::size_t depth_ = 0;
   bool skipNext_ = false;         ///< an ignored key was read, its value comes next
   std::size_t skippedDepth_ = 0;  ///< arrays and objects open inside an ignored value
 };
 
 std::size_t TreeBuilder::startOfToken() const {
-  const std::string& text = document_.text;
-  std::size_t start = text.find_first_not_of(" \t\r\n", cursor_);
-  if (start != std::string::npos && (text[start] == ',' || text[start] == ':'))
-    start = text.find_first_not_of(" \t\r\n", start + 1);
-  return std::min(start, text.size());
+  const std::string_view text = document_.text;
+  const auto afterBlanks = [text](std::size_t at) {
+    const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    while (at < text.size() && isBlank(text[at])) ++at;
+    return at;
+  };
+  const std::size_t start = afterBlanks(cursor_);
+  const bool isBetween = start < text.size() && (text[start] == ',' || text[start] == ':');
+  return isBetween ? afterBlanks(start + 1) : start;
 }
 
 std::uint32_t TreeBuilder::addNode(JsonKind kind, std::uint32_t content) {
@@ -163,7 +170,7 @@ bool TreeBuilder::addString(const std::string& value) {
 bool TreeBuilder::addKey(const std::string& value) {
   if (!isSkipping()) {
     skipNext_ = isIgnored(value);
-    if (!skipNext_) stack_.back().keys.push_back(addNode(JsonKind::Key, addText(value)));
+    if (!skipNext_) keys_.push_back(addNode(JsonKind::Key, addText(value)));
   }
   cursor_ = consumed_;
   return true;
@@ -179,7 +186,7 @@ bool TreeBuilder::open(JsonKind kind) {
   if (isSkipping())
     ++skippedDepth_;
   else
-    stack_.push_back({addNode(kind, 0), 0, {}});
+    stack_.push_back({addNode(kind, 0), 0, keys_.size()});
   finishValue();
   return true;
 }
@@ -193,15 +200,15 @@ bool TreeBuilder::close() {
   }
   document_.nodes[stack_.back().node].end = static_cast<std::uint32_t>(document_.nodes.size());
   reportDuplicates(stack_.back());
+  keys_.resize(stack_.back().firstKey);
   stack_.pop_back();
   return true;
 }
 
 void TreeBuilder::reportDuplicates(const Open& object) {
-  std::vector<std::uint32_t> keys = object.keys;
+  const std::span keys = std::span(keys_).subspan(object.firstKey);
   const auto text = [&](std::uint32_t key) { return document_.textOf(document_.nodes[key]); };
-  std::stable_sort(keys.begin(), keys.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return text(a) < text(b); });
+  std::ranges::sort(keys, {}, [&](std::uint32_t key) { return std::pair(text(key), key); });
   for (std::size_t i = 1; i < keys.size(); ++i) {
     if (text(keys[i - 1]) != text(keys[i])) continue;
     report_.error({documentIndex_, document_.nodes[keys[i]].offset},
