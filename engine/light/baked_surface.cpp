@@ -14,26 +14,6 @@ namespace hearth {
 
 namespace {
 
-/// Texels are baked in tiles of so many a side, so that the samples at hand take little memory.
-constexpr int kTile = 64;
-
-/// Samples of a tile of texels, side x side to each.
-SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side) {
-  const double reach = planted(PlantedBug::SamplesOutsideTexel) ? 2 : 1;
-  const auto along = [&](int texel0, int k) {
-    const int texel = texel0 + k / side;
-    return texel + (0.5 + reach * ((k % side + 0.5) / side - 0.5));
-  };
-  const int columns = tile.width * side;
-  const int rows = tile.height * side;
-  std::vector<double> inRow;
-  for (int i = 0; i < columns; ++i) inRow.push_back(along(tile.i0, i));
-  std::vector<SamplePoint> samples;
-  samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int j = 0; j < rows; ++j) surface.placeRow(inRow, along(tile.j0, j), samples);
-  return surface.inBlocks(std::move(samples), columns, rows);
-}
-
 /// Of a tile of a surface: its samples, and which lights to ask.
 struct Tile {
   TexelRect rect;
@@ -71,14 +51,13 @@ void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
 void addSampledLight(const TexelRect& rect, int side, std::span<const std::size_t> lights,
                      SurfaceLight& surface, const SumsOf& sumsOf, BakeProgress& progress,
                      const std::stop_token& stop) {
-  const auto tiles = [](int texels) { return std::int64_t{(texels + kTile - 1) / kTile}; };
-  SurfaceProgress done(progress, rect.count(), tiles(rect.width) * tiles(rect.height));
-  for (int j = 0; j < rect.height; j += kTile)
-    for (int i = 0; i < rect.width && !stop.stop_requested(); i += kTile, done.step()) {
-      const TexelRect part{rect.i0 + i, rect.j0 + j, std::min(kTile, rect.width - i),
-                           std::min(kTile, rect.height - j)};
-      addTile({part, side, lights}, surface, sumsOf);
-    }
+  const std::vector<TexelRect> tiles = tilesOf(rect);
+  SurfaceProgress done(progress, rect.count(), std::ssize(tiles));
+  for (const TexelRect& tile : tiles) {
+    if (stop.stop_requested()) return;
+    addTile({tile, side, lights}, surface, sumsOf);
+    done.step();
+  }
 }
 
 /// `rect` is what must be baked, see bakedWith.
@@ -93,6 +72,32 @@ void addLightsIn(const TexelRect& rect, SurfaceLight& surface, std::span<const s
 }
 
 }  // namespace
+
+std::vector<TexelRect> tilesOf(const TexelRect& texels) {
+  constexpr int kTile = 64;  // texels a side
+  std::vector<TexelRect> tiles;
+  for (int j = 0; j < texels.height; j += kTile)
+    for (int i = 0; i < texels.width; i += kTile)
+      tiles.push_back({texels.i0 + i, texels.j0 + j, std::min(kTile, texels.width - i),
+                       std::min(kTile, texels.height - j)});
+  return tiles;
+}
+
+SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side) {
+  const double reach = planted(PlantedBug::SamplesOutsideTexel) ? 2 : 1;
+  const auto along = [&](int texel0, int k) {
+    const int texel = texel0 + k / side;
+    return texel + (0.5 + reach * ((k % side + 0.5) / side - 0.5));
+  };
+  const int columns = tile.width * side;
+  const int rows = tile.height * side;
+  std::vector<double> inRow;
+  for (int i = 0; i < columns; ++i) inRow.push_back(along(tile.i0, i));
+  std::vector<SamplePoint> samples;
+  samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int j = 0; j < rows; ++j) surface.placeRow(inRow, along(tile.j0, j), samples);
+  return surface.inBlocks(std::move(samples), columns, rows);
+}
 
 void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,

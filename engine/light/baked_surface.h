@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "light/bake_progress.h"
 #include "light/lightmap.h"
@@ -14,6 +15,11 @@ namespace hearth {
 
 /// The sums to which the light of each light goes: one for all, or one for each.
 using SumsOf = std::function<TexelSums&(std::size_t light)>;
+
+/// Texels are baked in tiles, so that the samples at hand take little memory.
+std::vector<TexelRect> tilesOf(const TexelRect& texels);
+/// Samples of a tile, side x side to each texel.
+SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side);
 
 /// Adds what some of the surface's facing lights bring to its texels. Asked to stop, less of it.
 void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,

@@ -41,7 +41,9 @@ TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
   EXPECT_EQ(report.frames.back().threads, 3);
   EXPECT_EQ(report.frames.back().size, (PictureSize{1920, 1080}));
   for (const FrameBench& frame : report.frames) {
-    EXPECT_EQ(frame.milliseconds.median, 1000);
+    EXPECT_EQ(frame.milliseconds.median, 2000);
+    EXPECT_EQ(frame.findMilliseconds.median, 1000);
+    EXPECT_EQ(frame.colorMilliseconds.median, 1000);
     EXPECT_EQ(frame.writeMilliseconds.median, 1000);
     EXPECT_GE(mean(frame, "spans"), frame.size.width) << "at least one to a column";
     EXPECT_GE(mean(frame, "viewports"), 1);

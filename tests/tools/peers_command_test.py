@@ -63,6 +63,10 @@ class Rows(unittest.TestCase):
                     self.assertLessEqual(figure["min"], figure["median"])
                     self.assertLessEqual(figure["median"], figure["max"])
                 self.assertGreaterEqual(row["shortfall"], 0)
+                if row["shortfall"] == 0:
+                    self.assertNotIn("inTheWay", row)
+                elif row["name"].startswith(("doom", "embree", "frame", "start", "threads")):
+                    self.assertIn("inTheWay", row)
 
 
 if __name__ == "__main__":

@@ -2,15 +2,20 @@
 
 #include "hearth/bench/peers.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "hearth/bench/peer_inputs.h"
 #include "hearth/bench/peer_rows.h"
+#include "hearth/bench/peer_table.h"
 
 namespace hearth {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr Target kAtMostFour{Wanted::AtMost, 4};
 constexpr Target kAtLeastFour{Wanted::AtLeast, 4};
@@ -55,7 +60,7 @@ tl::expected<Measure, std::string> prepareFailure(PeerInputs& inputs) {
 }
 
 PeerRow rowOf(std::string_view name, decltype(PeerRow::prepare) prepare) {
-  return {name, "", "", kAtMostFour, {"tens"}, prepare};
+  return {name, "", "", kAtMostFour, {"tens"}, "the hills", prepare};
 }
 
 std::vector<PeerResult> measured(const std::vector<PeerRow>& rows, int repeats) {
@@ -85,6 +90,27 @@ TEST(MeasurePeers, saysWhatIsMissingAndMeasuresTheRest) {
   EXPECT_EQ(results[1].missing, "");
   EXPECT_EQ(results[1].figure.max, 3);
   EXPECT_EQ(results[2].missing, "the peer has crashed");
+}
+
+/// What is printed, and as JSON, of a row with such a figure.
+std::string wordsOn(double figure,
+                    std::string (*words)(std::span<const PeerResult>, const Machine&, int)) {
+  const PeerRow row = rowOf("a", prepareCount);
+  const PeerResult result{&row, "", {figure, figure, figure}, {{20, 10, 30}}};
+  return words({&result, 1}, {"abacus", 1, "none"}, 1);
+}
+
+TEST(PeerTable, saysWhatStandsInTheWayWhereATargetIsMissed) {
+  EXPECT_THAT(wordsOn(6, tableOf), HasSubstr("short by 50 %\n"));
+  EXPECT_THAT(wordsOn(6, tableOf), HasSubstr("in the way: the hills\n"));
+  EXPECT_THAT(wordsOn(6, tableOf), HasSubstr("tens: 20.0 (10.0..30.0)\n"));
+  EXPECT_THAT(wordsOn(6, jsonOf), HasSubstr(R"("inTheWay": "the hills")"));
+}
+
+TEST(PeerTable, saysNothingOfTheSortWhereItIsMet) {
+  EXPECT_THAT(wordsOn(4, tableOf), HasSubstr("met\n"));
+  EXPECT_THAT(wordsOn(4, tableOf), Not(HasSubstr("in the way")));
+  EXPECT_THAT(wordsOn(4, jsonOf), Not(HasSubstr("inTheWay")));
 }
 
 TEST(PeerInputs, areGoneAfterwards) {

@@ -5,6 +5,8 @@
 #include "hearth/bench/bake_rays.h"
 #include "hearth/bench/peer_inputs.h"
 #include "hearth/bench/peer_rows.h"
+#include "light/baked_surface.h"
+#include "math/parallel.h"
 
 namespace hearth {
 
@@ -22,6 +24,28 @@ double secondsOfBake(const Level& level, int threads, const Clock& clock) {
   const double begin = clock();
   (void)bake(level, settingsOfPairs(level), threads);
   return clock() - begin;
+}
+
+/// Seconds in which no sample is asked yet what it sees.
+struct Groundwork {
+  double placing;  ///< samples, and grouping them in blocks
+  double cones;    ///< finding what lights see
+};
+
+Groundwork groundworkOf(const Level& level, int threads, const Clock& clock) {
+  const BakeSettings settings = settingsOfPairs(level);
+  const LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
+  const LightSights sights(level, settings);
+  const double begin = clock();
+  parallelFor(surfaces.size(), threads, [&](std::size_t i) {
+    if (!surfaces[i]) return;
+    const SurfaceLight surface(level, surfaces, sights, settings.lambert, SurfaceId(i));
+    if (surface.facing().empty()) return;
+    for (const TexelRect& tile : tilesOf(surface.texels())) (void)samplesOf(surface, tile, 1);
+  });
+  const double placed = clock();
+  parallelFor(sights.fine.size(), threads, [&](std::size_t i) { (void)sights.fine[i].cones(); });
+  return {placed - begin, clock() - placed};
 }
 
 /// Embree with a level and the rays of its bake.
@@ -58,9 +82,15 @@ Prepared preparePairs(PeerInputs& inputs, const std::filesystem::path& file) {
     return [peer, &inputs] {
       const double ofBake = secondsOfBake(peer->level(), 1, inputs.clock());
       const BakeRays::Traced traced = peer->traced(1, inputs.clock());
+      const auto [placing, cones] = groundworkOf(peer->level(), 1, inputs.clock());
       const double millions = 1e-6 * static_cast<double>(traced.rays);
-      return Figures{traced.seconds / ofBake, millions / ofBake, millions / traced.seconds,
-                     millions};
+      return Figures{traced.seconds / ofBake,
+                     millions / ofBake,
+                     millions / traced.seconds,
+                     millions,
+                     ofBake,
+                     placing,
+                     cones};
     };
   });
 }
@@ -89,8 +119,13 @@ Prepared prepareLargestRays(PeerInputs& inputs) {
     return [peer, &inputs] {
       const double ofBake = secondsOfBake(peer->level(), kThreads, inputs.clock());
       const BakeRays::Traced traced = peer->traced(kThreads, inputs.clock());
-      return Figures{ofBake / traced.seconds, ofBake, traced.seconds,
-                     1e-6 * static_cast<double>(traced.rays)};
+      const auto [placing, cones] = groundworkOf(peer->level(), kThreads, inputs.clock());
+      return Figures{ofBake / traced.seconds,
+                     ofBake,
+                     traced.seconds,
+                     1e-6 * static_cast<double>(traced.rays),
+                     placing,
+                     cones};
     };
   });
 }

@@ -109,22 +109,22 @@ class TurningWalk {
   TurningWalk(const Scene& scene, WalkWindow window) : scene_(scene), window_(std::move(window)) {}
 
   /// User time of a frame.
-  double milliseconds() {
-    drawFrames(1);  // grows the memory
+  double milliseconds(LightMode mode) {
+    drawFrames(1, mode);  // grows the memory
     const double begin = ownUserSeconds();
-    drawFrames(kHearthFrames);
+    drawFrames(kHearthFrames, mode);
     return 1e3 * (ownUserSeconds() - begin) / kHearthFrames;
   }
 
  private:
-  void drawFrames(int frames) {
+  void drawFrames(int frames, LightMode mode) {
     const Player& player = *scene_.loaded.level.player;
     for (int i = 0; i < frames; ++i) {
       const double turned = i * (kTurnsPerTic * 360.0 / 256);
       const Camera camera{player.sector, player.eye,  player.angle - turned, 0,
                           kFov,          kSize.width, kSize.height};
       window_.show(kSize, [&](const PixelRows& rows) {
-        scene_.renderer.draw(camera, LightMode::Both, scratch_, rows);
+        scene_.renderer.draw(camera, mode, scratch_, rows);
       });
     }
   }
@@ -144,8 +144,8 @@ Prepared prepareDoomFrame(PeerInputs& inputs, const std::string& map) {
   const auto walk = std::make_shared<TurningWalk>(**scene, *std::move(window));
   return [doom = Doom(inputs.folder(), map), walk] {
     return doom.milliseconds().map([&](double ofDoom) {
-      const double ofHearth = walk->milliseconds();
-      return Figures{ofHearth / ofDoom, ofHearth, ofDoom};
+      const double ofHearth = walk->milliseconds(LightMode::Both);
+      return Figures{ofHearth / ofDoom, ofHearth, ofDoom, walk->milliseconds(LightMode::None)};
     });
   };
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace hearth {
 
@@ -46,15 +47,18 @@ std::vector<Camera> camerasOf(const Level& level) {
 }
 
 FrameTimes::FrameTimes(PictureSize size, int threads)
-    : bench_{size, threads, {}, {}, countersOf({}, {})},
+    : bench_{size, threads, {}, {}, {}, {}, countersOf({}, {})},
       memory_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
 
 void FrameTimes::draw(const Renderer& renderer, Camera camera, const Clock& clock) {
   camera.width = bench_.size.width;
   camera.height = bench_.size.height;
   const double begin = clock();
-  renderer.draw(camera, LightMode::Both, scratch_, picture_, bench_.threads);
-  milliseconds_.push_back(1e3 * (clock() - begin));
+  renderer.findSpans(camera, scratch_, picture_, bench_.threads);
+  const double found = clock();
+  renderer.paintSpans(camera, LightMode::Both, scratch_, picture_, bench_.threads);
+  findMilliseconds_.push_back(1e3 * (found - begin));
+  colorMilliseconds_.push_back(1e3 * (clock() - found));
   const FrameCounters ofFrame = countersOf(scratch_.found(), scratch_.painted);
   for (std::size_t i = 0; i < ofFrame.size(); ++i) bench_.counters[i].mean += ofFrame[i].mean;
   write(clock);
@@ -62,15 +66,21 @@ void FrameTimes::draw(const Renderer& renderer, Camera camera, const Clock& cloc
 
 void FrameTimes::begin() {
   bench_.counters = countersOf({}, {});
-  milliseconds_.clear();
+  findMilliseconds_.clear();
+  colorMilliseconds_.clear();
   writeMilliseconds_.clear();
 }
 
 FrameBench FrameTimes::result() const {
   FrameBench bench = bench_;
   for (FrameCounter& counter : bench.counters)
-    counter.mean /= static_cast<double>(milliseconds_.size());
-  bench.milliseconds = spreadOf(milliseconds_);
+    counter.mean /= static_cast<double>(writeMilliseconds_.size());
+  std::vector<double> milliseconds;
+  for (std::size_t i = 0; i < findMilliseconds_.size(); ++i)
+    milliseconds.push_back(findMilliseconds_[i] + colorMilliseconds_[i]);
+  bench.milliseconds = spreadOf(std::move(milliseconds));
+  bench.findMilliseconds = spreadOf(findMilliseconds_);
+  bench.colorMilliseconds = spreadOf(colorMilliseconds_);
   bench.writeMilliseconds = spreadOf(writeMilliseconds_);
   return bench;
 }

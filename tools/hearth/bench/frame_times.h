@@ -40,6 +40,9 @@ struct FrameBench {
   PictureSize size;
   int threads = 1;
   Spread milliseconds;  ///< a frame
+  // Of its two phases:
+  Spread findMilliseconds;  ///< until it is known which spans show what
+  Spread colorMilliseconds;
   /// One plain write of four bytes for each of its pixels, after each frame: what memory asks of
   /// whoever draws.
   Spread writeMilliseconds;
@@ -70,7 +73,8 @@ class FrameTimes {
   void write(const Clock& clock);
 
   FrameBench bench_;
-  std::vector<double> milliseconds_;
+  std::vector<double> findMilliseconds_;
+  std::vector<double> colorMilliseconds_;
   std::vector<double> writeMilliseconds_;
   std::vector<std::uint32_t> memory_;
   FrameScratch scratch_;

@@ -5,7 +5,6 @@
 #include "hearth/bench/kernel_frames.h"
 #include "hearth/bench/peer_inputs.h"
 #include "hearth/bench/peer_rows.h"
-#include "math/parallel.h"
 
 namespace hearth {
 
@@ -18,71 +17,28 @@ constexpr PictureSize kLarge{1920, 1080};
 constexpr int kSmallRounds = 20;
 constexpr int kLargeRounds = 2;
 
-/// Frames of one size on several numbers of threads, each shot with one after the other.
+/// Frames of all shots in one size, on one thread.
 class ShotFrames {
  public:
-  ShotFrames(const Scene& scene, PictureSize size, const std::vector<int>& threadCounts, int rounds)
-      : scene_(scene), cameras_(camerasOf(scene.loaded.level)), rounds_(rounds) {
-    for (const int threads : threadCounts) frames_.emplace_back(size, threads);
-  }
+  ShotFrames(const Scene& scene, PictureSize size, int rounds)
+      : scene_(scene), cameras_(camerasOf(scene.loaded.level)), rounds_(rounds), frames_(size, 1) {}
 
-  /// By the numbers of threads.
-  std::vector<FrameBench> measure(const Clock& clock) {
+  FrameBench measure(const Clock& clock) {
     drawAll(clock);  // caches that others have used are warm again
-    for (FrameTimes& frames : frames_) frames.begin();
+    frames_.begin();
     for (int i = 0; i < rounds_; ++i) drawAll(clock);
-    std::vector<FrameBench> results;
-    for (const FrameTimes& frames : frames_) results.push_back(frames.result());
-    return results;
+    return frames_.result();
   }
 
  private:
   void drawAll(const Clock& clock) {
-    for (const Camera& camera : cameras_)
-      for (FrameTimes& frames : frames_) frames.draw(scene_.renderer, camera, clock);
+    for (const Camera& camera : cameras_) frames_.draw(scene_.renderer, camera, clock);
   }
 
   const Scene& scene_;
   std::vector<Camera> cameras_;
   int rounds_;
-  std::vector<FrameTimes> frames_;
-};
-
-/// The second phase of large frames, on one thread and on two.
-class PaintTimes {
- public:
-  explicit PaintTimes(const Scene& scene)
-      : scene_(scene), cameras_(camerasOf(scene.loaded.level)) {}
-
-  /// One thread's milliseconds, and those of two.
-  std::pair<double, double> measure(const Clock& clock) {
-    std::vector<double> one;
-    std::vector<double> two;
-    for (int round = 0; round <= kLargeRounds; ++round)
-      for (const Camera& camera : cameras_) {
-        const double ofOne = paint(camera, 1, clock);
-        const double ofTwo = paint(camera, 2, clock);
-        if (round == 0) continue;  // warms the caches
-        one.push_back(ofOne);
-        two.push_back(ofTwo);
-      }
-    return {spreadOf(one).median, spreadOf(two).median};
-  }
-
- private:
-  double paint(Camera camera, int threads, const Clock& clock) {
-    camera.width = kLarge.width;
-    camera.height = kLarge.height;
-    scene_.renderer.findSpans(camera, scratch_, picture_);
-    const double begin = clock();
-    scene_.renderer.paintSpans(camera, LightMode::Both, scratch_, picture_, threads);
-    return 1e3 * (clock() - begin);
-  }
-
-  const Scene& scene_;
-  std::vector<Camera> cameras_;
-  FrameScratch scratch_;
-  Image picture_;
+  FrameTimes frames_;
 };
 
 /// Large frames, and what the kernel takes for their spans.
@@ -90,63 +46,57 @@ class KernelTimes {
  public:
   explicit KernelTimes(const Scene& scene) : scene_(scene), kernel_(scene, kLarge) {}
 
-  /// A frame's milliseconds, and the kernel's.
-  std::pair<double, double> measure(const Clock& clock) {
-    std::vector<double> ofFrames;
+  struct Times {
+    FrameBench frame;
+    double kernel;  ///< milliseconds
+  };
+  Times measure(const Clock& clock) {
     std::vector<double> ofKernel;
-    const std::vector<Camera> cameras = camerasOf(scene_.loaded.level);
-    for (int round = 0; round <= kLargeRounds; ++round)
-      for (std::size_t i = 0; i < cameras.size(); ++i) {
-        const double frame = drawFrame(cameras[i], clock);
-        const double begin = clock();
-        drawKernelFrame(kernel_.frames()[i], strip_, pixels_);
-        const double kernel = 1e3 * (clock() - begin);
-        if (round == 0) continue;  // warms the caches
-        ofFrames.push_back(frame);
-        ofKernel.push_back(kernel);
-      }
-    return {spreadOf(ofFrames).median, spreadOf(ofKernel).median};
+    drawAll(clock, ofKernel);  // warms the caches
+    frames_.begin();
+    ofKernel.clear();
+    for (int i = 0; i < kLargeRounds; ++i) drawAll(clock, ofKernel);
+    return {frames_.result(), spreadOf(ofKernel).median};
   }
 
  private:
-  double drawFrame(Camera camera, const Clock& clock) {
-    camera.width = kLarge.width;
-    camera.height = kLarge.height;
-    const double begin = clock();
-    scene_.renderer.draw(camera, LightMode::Both, scratch_, picture_);
-    return 1e3 * (clock() - begin);
+  void drawAll(const Clock& clock, std::vector<double>& ofKernel) {
+    const std::vector<Camera> cameras = camerasOf(scene_.loaded.level);
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      frames_.draw(scene_.renderer, cameras[i], clock);
+      const double begin = clock();
+      drawKernelFrame(kernel_.frames()[i], strip_, pixels_);
+      ofKernel.push_back(1e3 * (clock() - begin));
+    }
   }
 
   const Scene& scene_;
   KernelFrames kernel_;
-  FrameScratch scratch_;
-  Image picture_;
+  FrameTimes frames_{kLarge, 1};
   std::vector<Pixel> strip_;
   std::vector<Pixel> pixels_;
 };
-
-std::optional<std::string> missingThreads() {
-  if (availableThreads() >= 2) return std::nullopt;
-  return "this machine runs one thread at once";
-}
 
 }  // namespace
 
 Prepared prepareTutorialFrame(PeerInputs& inputs) {
   return inputs.scene(inputs.tutorialFile()).map([&](const Scene* scene) -> Measure {
-    const auto frames = std::make_shared<ShotFrames>(*scene, kSmall, std::vector{1}, kSmallRounds);
+    const auto frames = std::make_shared<ShotFrames>(*scene, kSmall, kSmallRounds);
     return [frames, &inputs] {
-      return Figures{frames->measure(inputs.clock()).front().milliseconds.median};
+      const FrameBench frame = frames->measure(inputs.clock());
+      return Figures{frame.milliseconds.median, frame.findMilliseconds.median,
+                     frame.colorMilliseconds.median};
     };
   });
 }
 
 Prepared prepareKeepWrites(PeerInputs& inputs) {
   return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
-    const auto frames = std::make_shared<ShotFrames>(*scene, kLarge, std::vector{1}, kLargeRounds);
+    const auto frames = std::make_shared<ShotFrames>(*scene, kLarge, kLargeRounds);
     return [frames, &inputs] {
-      const FrameBench frame = frames->measure(inputs.clock()).front();
-      return Figures{frame.writes(), frame.milliseconds.median, frame.writeMilliseconds.median};
+      const FrameBench frame = frames->measure(inputs.clock());
+      return Figures{frame.writes(), frame.milliseconds.median, frame.writeMilliseconds.median,
+                     frame.findMilliseconds.median, frame.colorMilliseconds.median};
     };
   });
 }
@@ -156,32 +106,8 @@ Prepared prepareKernel(PeerInputs& inputs) {
     const auto times = std::make_shared<KernelTimes>(*scene);
     return [times, &inputs] {
       const auto [frame, kernel] = times->measure(inputs.clock());
-      return Figures{frame / kernel, frame, kernel};
-    };
-  });
-}
-
-Prepared prepareFrameThreads(PeerInputs& inputs) {
-  if (const auto missing = missingThreads()) return tl::unexpected(*missing);
-  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
-    const auto frames =
-        std::make_shared<ShotFrames>(*scene, kLarge, std::vector{1, 2}, kLargeRounds);
-    return [frames, &inputs] {
-      const std::vector<FrameBench> found = frames->measure(inputs.clock());
-      const double one = found[0].milliseconds.median;
-      const double two = found[1].milliseconds.median;
-      return Figures{one / two, one, two};
-    };
-  });
-}
-
-Prepared preparePaintThreads(PeerInputs& inputs) {
-  if (const auto missing = missingThreads()) return tl::unexpected(*missing);
-  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
-    const auto times = std::make_shared<PaintTimes>(*scene);
-    return [times, &inputs] {
-      const auto [one, two] = times->measure(inputs.clock());
-      return Figures{one / two, one, two};
+      return Figures{frame.milliseconds.median / kernel, frame.milliseconds.median, kernel,
+                     frame.findMilliseconds.median, frame.colorMilliseconds.median};
     };
   });
 }

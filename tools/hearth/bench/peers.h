@@ -32,7 +32,7 @@ struct Range {
 /// Of at least one value.
 Range rangeOf(std::vector<double> values);
 
-/// What a row shows, and then the figures that this was made of, in the order of PeerRow::parts.
+/// What a row shows, and then the figures that stand below it, in the order of PeerRow::parts.
 using Figures = std::vector<double>;
 
 /// Measures once. The error is one sentence.
@@ -44,7 +44,9 @@ struct PeerRow {
   std::string_view what;
   std::string_view unit;  ///< empty of ratios
   Target target;
-  std::array<std::string_view, 3> parts;  ///< that the figure is made of, with their units
+  /// What the figure is made of, and what shows where the time goes; with their units.
+  std::array<std::string_view, 6> parts;
+  std::string_view inTheWay;  ///< of the target, where that is known
   /// Does once what is not measured. The error says what is missing, and what brings it.
   tl::expected<Measure, std::string> (*prepare)(PeerInputs& inputs);
 };
