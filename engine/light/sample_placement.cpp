@@ -149,17 +149,20 @@ SamplePoint SamplePlacement::at(SurfaceId id, const Outline& outline, Vec2 p, Ve
 }
 
 std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const {
-  std::vector<SurfaceId> joined = {id_};
-  for (std::size_t i = 0; i < joined.size(); ++i) {
-    const Vec2 there = onGridOf(joined[i], p);
-    for (const Continuation& next : surfaces_[joined[i].index()]->continuations)
-      if (std::ranges::find(joined, next.surface) == joined.end() &&
+  std::vector<SurfaceId> joined;
+  const auto addBeside = [&](SurfaceId id) {
+    const Vec2 there = onGridOf(id, p);
+    for (const Continuation& next : surfaces_[id.index()]->continuations)
+      if (next.surface != id_ && std::ranges::find(joined, next.surface) == joined.end() &&
           length(nearestOnSegment(next.edge0, next.edge1, there) - there) <= reach)
         joined.push_back(next.surface);
-  }
-  if (sought_)
+  };
+  addBeside(id_);
+  for (std::size_t i = 0; i < joined.size(); ++i) addBeside(joined[i]);
+  if (sought_) {
+    sought_->add(id_);
     for (const SurfaceId id : joined) sought_->add(id);
-  joined.erase(joined.begin());
+  }
   return joined;
 }
 
