@@ -77,6 +77,17 @@ class KernelTimes {
   std::vector<Pixel> pixels_;
 };
 
+Prepared prepareWrites(tl::expected<const Scene*, std::string> scene, const Clock& clock) {
+  return scene.map([&](const Scene* of) -> Measure {
+    const auto frames = std::make_shared<ShotFrames>(*of, kLarge, kLargeRounds);
+    return [frames, &clock] {
+      const FrameBench frame = frames->measure(clock);
+      return Figures{frame.writes(), frame.milliseconds.median, frame.writeMilliseconds.median,
+                     frame.findMilliseconds.median, frame.colorMilliseconds.median};
+    };
+  });
+}
+
 }  // namespace
 
 Prepared prepareTutorialFrame(PeerInputs& inputs) {
@@ -91,14 +102,11 @@ Prepared prepareTutorialFrame(PeerInputs& inputs) {
 }
 
 Prepared prepareKeepWrites(PeerInputs& inputs) {
-  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
-    const auto frames = std::make_shared<ShotFrames>(*scene, kLarge, kLargeRounds);
-    return [frames, &inputs] {
-      const FrameBench frame = frames->measure(inputs.clock());
-      return Figures{frame.writes(), frame.milliseconds.median, frame.writeMilliseconds.median,
-                     frame.findMilliseconds.median, frame.colorMilliseconds.median};
-    };
-  });
+  return prepareWrites(inputs.scene(inputs.keepFile()), inputs.clock());
+}
+
+Prepared prepareGreyKeepWrites(PeerInputs& inputs) {
+  return prepareWrites(inputs.greyScene(inputs.keepFile()), inputs.clock());
 }
 
 Prepared prepareKernel(PeerInputs& inputs) {

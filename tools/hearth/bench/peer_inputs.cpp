@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "hearth/import/import_map.h"
@@ -24,6 +25,12 @@ tl::expected<std::filesystem::path, std::string> imported(const std::string& map
   return doom::importMap({*wad, *pictures, *lights}, map,
                          {.folder = folder, .doors = doom::Doors::Closed})
       .map([](const doom::Imported& made) { return made.level; });
+}
+
+tl::expected<LoadedLevel, std::string> loaded(const std::filesystem::path& file) {
+  LoadResult result = loadLevel(file, kLimits);
+  if (!result.loaded) return tl::unexpected(format(result.diagnostics.front()));
+  return *std::move(result.loaded);
 }
 
 }  // namespace
@@ -53,10 +60,20 @@ tl::expected<std::filesystem::path, std::string> PeerInputs::freedoomFile(const 
 tl::expected<const Scene*, std::string> PeerInputs::scene(const std::filesystem::path& file) {
   std::unique_ptr<Scene>& scene = scenes_[file];
   if (scene) return scene.get();
-  LoadResult result = loadLevel(file, kLimits);
-  if (!result.loaded) return tl::unexpected(format(result.diagnostics.front()));
-  scene = std::make_unique<Scene>(*std::move(result.loaded));
-  return scene.get();
+  return loaded(file).map([&](LoadedLevel level) {
+    scene = std::make_unique<Scene>(std::move(level));
+    return scene.get();
+  });
+}
+
+tl::expected<const Scene*, std::string> PeerInputs::greyScene(const std::filesystem::path& file) {
+  std::unique_ptr<Scene>& scene = greyScenes_[file];
+  if (scene) return scene.get();
+  return loaded(file).map([&](LoadedLevel level) {
+    for (LightSource& light : level.level.lights) std::ranges::fill(light.color, 255);
+    scene = std::make_unique<Scene>(std::move(level));
+    return scene.get();
+  });
 }
 
 tl::expected<const Scene*, std::string> PeerInputs::freedoomScene(const std::string& map) {

@@ -50,13 +50,17 @@ class PeerInputs {
   /// The error is what is wrong with the file.
   tl::expected<const Scene*, std::string> scene(const std::filesystem::path& file);
   tl::expected<const Scene*, std::string> freedoomScene(const std::string& map);
+  /// With all its lights white: lightmaps have one channel.
+  tl::expected<const Scene*, std::string> greyScene(const std::filesystem::path& file);
 
  private:
   std::filesystem::path levels_;
   Clock clock_;
   TemporaryFolder folder_;
   std::map<std::string, std::filesystem::path> freedoomFiles_;  ///< by the name of the map
-  std::map<std::filesystem::path, std::unique_ptr<Scene>> scenes_;
+  using Scenes = std::map<std::filesystem::path, std::unique_ptr<Scene>>;
+  Scenes scenes_;
+  Scenes greyScenes_;
 };
 
 /// The map of Freedoom's 68 with the most texels of 1/8 m, 8.9 million: `hearth bake` prints them.

@@ -17,8 +17,10 @@ using Prepared = tl::expected<Measure, std::string>;
 
 /// Milliseconds of a frame of the tutorial in 320x200.
 Prepared prepareTutorialFrame(PeerInputs& inputs);
-/// A frame of the castle in 1920x1080 over a plain write of its memory; ms of both.
+/// A frame of the castle in 1920x1080 over a plain write of its memory; ms of both. The same with
+/// its lights white.
 Prepared prepareKeepWrites(PeerInputs& inputs);
+Prepared prepareGreyKeepWrites(PeerInputs& inputs);
 /// The same frame over the kernel that is given its geometry; ms of both.
 Prepared prepareKernel(PeerInputs& inputs);
 /// The same frame on one thread over two; ms of both.
