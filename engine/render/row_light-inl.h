@@ -142,6 +142,38 @@ class LightAround {
   LightPairs<kChannels> lower_;
 };
 
+/// Those of white light fit into a word: the upper two in its lower bytes.
+template <>
+class LightAround<1> {
+ public:
+  LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
+      : batch_(batch) {
+    batch.forEachWorked([&](std::size_t k) {
+      const std::uint8_t* const upper = texels + batch.lightTexels[k];
+      texels_[k] = pairAt(upper) | pairAt(upper + bytesPerRow) << 16;
+    });
+  }
+
+  HWY_INLINE Channels mixture(std::size_t k) const {
+    const Floats across = hn::Load(kFloat, &batch_.betweenLightTexels.across[k]);
+    const Floats down = hn::Load(kFloat, &batch_.betweenLightTexels.down[k]);
+    const Words texels = hn::Load(kWord, &texels_[k]);
+    const Floats level = mixed(mixed(channelOf<0>(texels), channelOf<8>(texels), across),
+                               mixed(channelOf<16>(texels), channelOf<24>(texels), across), down);
+    return {level, level, level};
+  }
+
+ private:
+  static HWY_INLINE std::uint32_t pairAt(const std::uint8_t* texels) {
+    std::uint16_t pair;
+    std::memcpy(&pair, texels, sizeof pair);
+    return pair;
+  }
+
+  const RowBatch& batch_;
+  RowBatch::Rows<std::uint32_t> texels_;
+};
+
 /// `share` of b added to a.
 HWY_INLINE Channels added(const Channels& a, const Channels& b, float share) {
   const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all<Floats>(share))); };
