@@ -67,8 +67,8 @@ struct LightKernels {
   /// how many they are; `spanning` has room for `count`. `margin` is that of rays to the corners.
   std::size_t (*findSpanning)(const CornerWays& corners, const ConeSides& cones, std::size_t count,
                               double margin, std::uint32_t* spanning);
-  /// Which of the bounds of a cone that are asked for have some corners behind them, perhaps; or
-  /// kBehindBound.
+  /// A bit for each of the bounds of a cone that has some corners behind it, perhaps; or
+  /// kBehindBound. Of those alone that have a bit in `asked`.
   std::uint32_t (*findParting)(const CornerWays& corners, const ConeBounds& bounds,
                                std::uint32_t asked, double margin, double reach);
   /// For each of the samples 1 where one of the cones of a point of light holds it for sure, 0
