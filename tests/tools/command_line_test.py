@@ -802,7 +802,7 @@ class Import(InFolder):
 
     def setUp(self):
         super().setUp()
-        self.assertTrue(self.WAD.exists(), "tools/setup installs the package freedoom")
+        self.assertTrue(self.WAD.exists(), "tools/setup test installs the package freedoom")
 
     def run_import(self, *arguments):
         return run("import", self.WAD, *arguments, "-o", self.folder / "maps")

@@ -37,7 +37,7 @@ class Freedoom : public testing::Test {
  protected:
   void SetUp() override {
     const fs::path path = "/usr/share/games/doom/freedoom2.wad";
-    ASSERT_TRUE(fs::exists(path)) << path << " is missing: tools/setup installs freedoom";
+    ASSERT_TRUE(fs::exists(path)) << path << " is missing: tools/setup test installs freedoom";
     const auto wad = doom::Wad::open(path, 1 << 26);
     ASSERT_TRUE(wad) << wad.error();
     findExit(doom::readMap(*wad, "MAP01").value());

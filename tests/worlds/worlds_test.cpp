@@ -24,7 +24,7 @@ TEST_P(Worlds, lookAsTruthHasThem) {
   const std::filesystem::path path =
       std::filesystem::path("/usr/share/games/doom") / GetParam().archive;
   ASSERT_TRUE(std::filesystem::exists(path))
-      << path << " is missing: tools/setup installs the package freedoom";
+      << path << " is missing: tools/setup test installs the package freedoom";
   const auto archive = Archive::open(path);
   ASSERT_TRUE(archive) << archive.error();
   const auto folder =

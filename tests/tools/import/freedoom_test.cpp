@@ -18,7 +18,7 @@ class Freedoom : public testing::TestWithParam<const char*> {
   void SetUp() override {
     const std::filesystem::path path = std::filesystem::path("/usr/share/games/doom") / GetParam();
     ASSERT_TRUE(std::filesystem::exists(path))
-        << path << " is missing: tools/setup installs the package freedoom";
+        << path << " is missing: tools/setup test installs the package freedoom";
     auto wad = Wad::open(path, 1 << 26);
     ASSERT_TRUE(wad) << wad.error();
     wad_.emplace(std::move(*wad));
