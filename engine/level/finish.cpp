@@ -7,7 +7,6 @@
 #include "level/openings.h"
 #include "level/twins.h"
 #include "math/check.h"
-#include "math/planted_bug.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -97,8 +96,8 @@ class PieceBuilder {
     const PortalHeights heights = portalHeights(
         range.zBottom, range.zTop, fitted(next.floor.z, range), fitted(next.ceiling.z, range));
     const bool bothSkyFloors = range.atFloor && sector_.floor.parallax && next.floor.parallax;
-    const bool bothSkyCeilings = range.atCeiling && sector_.ceiling.parallax &&
-                                 next.ceiling.parallax && !planted(PlantedBug::SkyStepAsWall);
+    const bool bothSkyCeilings =
+        range.atCeiling && sector_.ceiling.parallax && next.ceiling.parallax;
 
     if (bothSkyFloors)
       addSurface(SurfaceKind::SkyLowerStep, sector_.floor.texture, heights.zBottom,
@@ -153,10 +152,6 @@ class PieceBuilder {
     segment_.pieces.push_back({zBottom, zTop, newSurface(kind, *mapping, zBottom, zTop)});
     Surface& surface = level_.surfaces.back();
     if (!surface.mapping.zRef && !isSky(kind)) surface.mapping.zRef = defaultZRef;
-    if (planted(PlantedBug::UpperStepPeggedAtTop) && kind == SurfaceKind::UpperStep)
-      surface.mapping.zRef = zTop;
-    if (planted(PlantedBug::LowerStepPeggedAtBottom) && kind == SurfaceKind::LowerStep)
-      surface.mapping.zRef = zBottom;
   }
 
   SurfaceId newSurface(SurfaceKind kind, const TextureMapping& mapping, double zBottom,
@@ -203,8 +198,7 @@ class PieceBuilder {
     }
     const SurfaceId id = newSurface(kind, *slope.sidewall, zBottom, zTop);
     Surface& surface = level_.surfaces.back();
-    const bool followsEdge = slope.isRelative && !planted(PlantedBug::SidewallRelativeIgnored);
-    if (!surface.mapping.zRef && !followsEdge) surface.mapping.zRef = zFlat;
+    if (!surface.mapping.zRef && !slope.isRelative) surface.mapping.zRef = zFlat;
     return id;
   }
 

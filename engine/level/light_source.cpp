@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "math/planted_bug.h"
-
 namespace hearth {
 
 namespace {
@@ -15,8 +13,7 @@ double curveAt(const std::vector<CurvePoint>& curve, double distance) {
                        [](double d, const CurvePoint& point) { return d < point.distance; });
   if (after == curve.begin()) return curve.front().level;
   const CurvePoint a = *(after - 1);
-  if (after == curve.end())
-    return planted(PlantedBug::CurveExtrapolated) ? a.level / (1 + distance - a.distance) : a.level;
+  if (after == curve.end()) return a.level;
   const double share = (distance - a.distance) / (after->distance - a.distance);
   return a.level + share * (after->level - a.level);
 }

@@ -8,7 +8,6 @@
 
 #include "light/clipped_light.h"
 #include "light/texel_sums.h"
-#include "math/planted_bug.h"
 
 namespace hearth {
 
@@ -84,10 +83,9 @@ std::vector<TexelRect> tilesOf(const TexelRect& texels) {
 }
 
 SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side) {
-  const double reach = planted(PlantedBug::SamplesOutsideTexel) ? 2 : 1;
   const auto along = [&](int texel0, int k) {
     const int texel = texel0 + k / side;
-    return texel + (0.5 + reach * ((k % side + 0.5) / side - 0.5));
+    return texel + (k % side + 0.5) / side;
   };
   const int columns = tile.width * side;
   const int rows = tile.height * side;

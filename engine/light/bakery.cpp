@@ -10,16 +10,10 @@
 #include "light/baked_surface.h"
 #include "light/texel_limits.h"
 #include "math/parallel.h"
-#include "math/planted_bug.h"
 
 namespace hearth {
 
 namespace {
-
-bool isPlantedUnlit(SurfaceKind kind) {
-  return (planted(PlantedBug::SidewallsUnlit) && isSidewall(kind)) ||
-         (planted(PlantedBug::LowerStepsUnlit) && kind == SurfaceKind::LowerStep);
-}
 
 /// Largest first, so that no thread starts the longest job last.
 void sortByFallingSize(std::vector<SurfaceTexels>& jobs) {
@@ -61,7 +55,6 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
   parallelFor(jobs.size(), threads, [&](std::size_t job) {
     const auto& [id, texels] = jobs[job];
     const std::size_t i = id.index();
-    if (isPlantedUnlit(level.surfaces[i].kind)) return;
     SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, id);
     for (const std::size_t light : surface.facing()) sights.fine[light].findConesUnlessBegun();
     baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);

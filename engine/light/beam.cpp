@@ -9,7 +9,6 @@
 #include "light/slope_reach.h"
 #include "light/target_air.h"
 #include "math/check.h"
-#include "math/planted_bug.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -53,8 +52,6 @@ bool isSolid(const Flat& flat) { return !flat.parallax && !flat.interface; }
 /// What is beyond a flat portal has left the sector through it, and is nothing to the opening.
 void addHeights(const Sector& sector, const Segment& wall, const LightOpening& opening,
                 Passage& passage) {
-  if (planted(PlantedBug::BeamThroughSteps)) return;
-  if (planted(PlantedBug::BeamThroughStacks) && std::holds_alternative<Stack>(wall.kind)) return;
   if (sector.floor.interface && opening.zBottom <= sector.floor.z)
     passage.isShut |= passage.hull.isBelow(flatLine(opening.zBottom));
   else
@@ -78,16 +75,13 @@ void addSlopes(const Level& level, const Sector& sector, const Segment& wall,
   const Sector& next = level[opening.next];
   if (next.floorSlope || next.ceilingSlope) {
     const AirLines far = airAlong(level[opening.twin], 1 - from, 1 - to);
-    if (next.floorSlope && !planted(PlantedBug::BeamThroughWedges))
-      passage.letThroughAbove(far.bottom);
-    if (next.ceilingSlope && !planted(PlantedBug::BeamThroughHangingWedges))
-      passage.letThroughBelow(far.top);
+    if (next.floorSlope) passage.letThroughAbove(far.bottom);
+    if (next.ceilingSlope) passage.letThroughBelow(far.top);
   }
 }
 
 /// Some of what comes to a middle texture may meet a hole and some not.
 void addMiddles(const Level& level, const LightOpening& opening, Passage& passage) {
-  if (planted(PlantedBug::BeamThroughMiddles)) return;
   for (const SurfaceId id : opening.middles)
     passage.isOpen &= passage.hull.isAbove(flatLine(level[id].zTop)) ||
                       passage.hull.isBelow(flatLine(level[id].zBottom));
@@ -173,7 +167,6 @@ bool Beam::isHarmless(SectorId id, const Segment& wall, const BeamHull::Distance
 }
 
 void Beam::meetWall(const Sector& sector, SectorId id, const Segment& wall) {
-  if (planted(PlantedBug::BeamThroughPillars) && wall.loop > 0) return;
   const Vec2 normal = (1 / wall.length) * turned90(wall.p1 - wall.p0);
   const BeamHull::Distances d = hull_->distances(wall.p0, normal);
   if (isHarmless(id, wall, d)) return;
@@ -332,7 +325,6 @@ std::optional<Beam::Gate> Beam::gateOf(const Visit& way) {
 }
 
 void Beam::goThroughFlats(const Sector& sector) {
-  if (planted(PlantedBug::BeamPastFlatPortals)) return;
   // A slope may come through the plane of the portal, and stop rays there.
   const auto goTo = [&](const std::vector<SectorId>& members, double z) {
     isStopped_ |= hasSlopeAt(level_, sector, z);

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "light/open_stretches.h"
-#include "math/planted_bug.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -155,11 +154,7 @@ std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, doubl
     if (taken[seed.index()]) continue;
     const WallRun run(level, fan, taken, seed);
     const TexelGrid grid = run.grid(texel);
-    for (const SegmentId member : run.members()) {
-      grids[member.index()] = grid;
-      if (planted(PlantedBug::GridAnchoredToPiece))
-        grids[member.index()].origin = flatVector(level[member].p0);
-    }
+    for (const SegmentId member : run.members()) grids[member.index()] = grid;
   }
   return grids;
 }

@@ -9,7 +9,6 @@
 
 #include "light/cone_planes.h"
 #include "light/slope_reach.h"
-#include "math/planted_bug.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -150,7 +149,6 @@ class Finder {
     for (const Segment& wall : level_.segmentsOf(level_[window.sector])) {
       const Vec2 a = fromLight(wall.p0);
       const Vec2 b = fromLight(wall.p1);
-      if (planted(PlantedBug::ConeThroughPillars) && wall.loop > 0) continue;
       if (isNear(a, b)) {
         addBound(window, a);
         addBound(window, b);
@@ -312,13 +310,10 @@ class Finder {
     }
   }
 
-  static bool hasHoles(const LightOpening& opening) {
-    return !opening.middles.empty() && !planted(PlantedBug::ConeThroughMiddles);
-  }
+  static bool hasHoles(const LightOpening& opening) { return !opening.middles.empty(); }
 
   void goThroughFlats(const LightCone& cone, const Visible& visible) {
     const Sector& sector = level_[cone.sector];
-    if (planted(PlantedBug::ConePastFlatPortals)) return;
     if (sector.floor.interface && !sector.floor.parallax)
       goThroughFlat(cone, visible, {sector.floor.z, true, cone.from, cone.to},
                     level_[*sector.floor.interface].lower);
@@ -361,16 +356,14 @@ class Finder {
     const auto add = [&](double z0, double z1, bool isBelow) {
       planes_.add(cone, wall, {z0, z1, isBelow});
     };
-    if (std::isfinite(opening.zBottom) && !planted(PlantedBug::ConeThroughSteps))
-      add(opening.zBottom, opening.zBottom, true);
+    if (std::isfinite(opening.zBottom)) add(opening.zBottom, opening.zBottom, true);
     if (std::isfinite(opening.zTop)) add(opening.zTop, opening.zTop, false);
     const auto meets = [](const Flat& flat, const std::optional<Slope>& slope) {
       return !flat.parallax && (slope || flat.interface);
     };
     if (meets(sector.floor, sector.floorSlope)) add(wall.air0.zBottom, wall.air1.zBottom, true);
     if (meets(sector.ceiling, sector.ceilingSlope)) add(wall.air0.zTop, wall.air1.zTop, false);
-    if (next.floorSlope && !planted(PlantedBug::ConeThroughWedges))
-      add(twin.air1.zBottom, twin.air0.zBottom, true);
+    if (next.floorSlope) add(twin.air1.zBottom, twin.air0.zBottom, true);
     if (next.ceilingSlope) add(twin.air1.zTop, twin.air0.zTop, false);
   }
 

@@ -8,7 +8,6 @@
 #include <bit>
 
 #include "light/light_sum.h"
-#include "math/planted_bug.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "light/light_kernels.cpp"
@@ -177,8 +176,7 @@ void applySeen(const double* seen, const double* distances, std::size_t count, d
 
 void addToSums(const double* levels, std::size_t count, double share, double* sums) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Set(d, share));
-    if (planted(PlantedBug::EightBitSums)) level = hn::Floor(level);
+    const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Set(d, share));
     const auto most = hn::Min(level, hn::Set(d, LightSum::kMost));
     const auto units =
         hn::Floor(hn::Add(hn::Mul(most, hn::Set(d, LightSum::kUnit)), hn::Set(d, 0.5)));

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "light/lit_lattice.h"
-#include "math/planted_bug.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -177,7 +176,7 @@ LightSight::LightSight(const Level& level, const LightSource& light, int softSam
                        bool solidMiddles)
     : raytracer_(level, solidMiddles),
       middle_(Raytracer::sourceOf(level, light)),
-      radius_(softSamples == 0 || planted(PlantedBug::RadiusIgnored) ? 0 : light.radius),
+      radius_(softSamples == 0 ? 0 : light.radius),
       cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
       discCells_(radius_ > 0 ? cells_ : 0) {
   beamLight_ = {middle_.position, radius_, {middle_.sector}, false};

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "math/planted_bug.h"
-
 namespace hearth {
 
 /// Adds up light without regard to order: every contribution is rounded once to 2^-20 of a level,
@@ -20,10 +18,7 @@ class LightSum {
   explicit LightSum(double units = 0) : units_(units) {}
 
   /// `level` >= 0.
-  void add(double level) {
-    if (planted(PlantedBug::EightBitSums)) level = std::floor(level);
-    add(LightSum(std::floor(std::min(level, kMost) * kUnit + 0.5)));
-  }
+  void add(double level) { add(LightSum(std::floor(std::min(level, kMost) * kUnit + 0.5))); }
 
   void add(LightSum other) { units_ = std::min(units_ + other.units_, kFull); }
   double units() const { return units_; }

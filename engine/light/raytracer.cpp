@@ -8,7 +8,6 @@
 #include "level/locate.h"
 #include "level/middles.h"
 #include "level/openings.h"
-#include "math/planted_bug.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -155,11 +154,6 @@ class Walk {
   /// may come through one another; skies are none to light).
   std::optional<FlatHit> meetsFlat(double tEnd) const {
     const Sector& sector = level_[sector_];
-    if (planted(PlantedBug::LightThroughSlopes) && (sector.floorSlope || sector.ceilingSlope))
-      return std::nullopt;
-    if (planted(PlantedBug::LightStoppedBySky) && sector.ceiling.parallax &&
-        zAt(t_) > sector.ceiling.z)
-      return FlatHit{t_, false};
     std::optional<FlatHit> first;
     if (!sector.floor.parallax && (delta_.z < 0 || sector.floorSlope))
       if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return sector.airBottom(p); }))
@@ -244,9 +238,7 @@ class Walk {
   /// Whether the opening, and the slopes of the sector behind it, leave the ray's height free.
   bool isOpenAt(const LightOpening& opening, double t, double slack) const {
     const double z = zAt(t);
-    if (!planted(PlantedBug::LightThroughSteps) &&
-        (z < opening.zBottom - slack || z > opening.zTop + slack))
-      return false;
+    if (z < opening.zBottom - slack || z > opening.zTop + slack) return false;
     const Sector& next = level_[opening.next];
     if (!next.floorSlope && !next.ceilingSlope) return true;
     const Segment& twin = level_[opening.twin];

@@ -13,7 +13,6 @@
 #include "light/geometry_hash.h"
 #include "light/texel_limits.h"
 #include "math/check.h"
-#include "math/planted_bug.h"
 
 namespace hearth {
 
@@ -226,7 +225,6 @@ Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_
   if (const auto mistake = mistakeInTexel(level, header.texel))
     return fmt::format("has texels that cannot be: {}", *mistake);
   if (header.geometry == geometryHash(level, header.texel)) return std::nullopt;
-  if (planted(PlantedBug::StaleSavedBakeAccepted)) return std::nullopt;
   return fmt::format("was baked for other geometry than the level has now, with the settings {:?}",
                      settings);
 }

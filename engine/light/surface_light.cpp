@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "math/planted_bug.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -16,7 +15,6 @@ namespace {
 /// but none where its middle lies in the plane.
 bool isInFront(const LightSource& light, double radius, const LitSurface& surface) {
   const double distance = surface.distanceInFront(light.position);
-  if (planted(PlantedBug::LightInPlaneShines)) return distance > -kInPlane - radius;
   return std::abs(distance) > kInPlane && distance > -radius;
 }
 
@@ -46,12 +44,6 @@ void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block,
     for (int i = block.column; i < block.column + block.columns; ++i) visit(blocks.index(i, j));
 }
 
-/// Beams would hide these mistakes of rays.
-bool isRayPlanted() {
-  return planted(PlantedBug::LightThroughSteps) || planted(PlantedBug::LightStoppedBySky) ||
-         planted(PlantedBug::LightThroughSlopes);
-}
-
 }  // namespace
 
 SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
@@ -63,7 +55,7 @@ SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
       surface_(*surfaces[id.index()]),
       id_(id),
       lambert_(lambert),
-      seeing_(isRayPlanted() ? Seeing::ByRaysAlone : seeing),
+      seeing_(seeing),
       trail_(trail),
       placement_(surfaces, id, trail ? &trail->surfaces() : nullptr),
       costs_(level.lights.size()) {
@@ -345,10 +337,7 @@ bool SurfaceLight::isInReach(std::size_t light, const SamplePoint& at) const {
   return dot(way, way) < sights_.reach[light] * sights_.reach[light];
 }
 
-Vec3 SurfaceLight::normalOf(SurfaceId surface) const {
-  if (planted(PlantedBug::CosineOfWrongNormal)) return {0, 0, 1};
-  return surfaces_[surface.index()]->normal;
-}
+Vec3 SurfaceLight::normalOf(SurfaceId surface) const { return surfaces_[surface.index()]->normal; }
 
 double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {
   const Vec3 toLight = light(index).position - at.point;
@@ -378,9 +367,6 @@ const std::vector<double>& SurfaceLight::levels(std::size_t index, const SampleB
       kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,
                           normalOf(surface), &levels_[first]);
   kernels.applySeen(seen_.data(), distances_.data(), count, sights_.reach[index], levels_.data());
-  if (planted(PlantedBug::BorderTexelsBlack))
-    for (std::size_t i = 0; i < count; ++i)
-      if (blocks.samples()[i].point != blocks.samples()[i].target) levels_[i] = 0;
   return levels_;
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <variant>
 
-#include "math/planted_bug.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -43,8 +42,6 @@ UprightOutline uprightAir(const Level& level, const Surface& surface) {
       {0, surface.zBottom}, {1, surface.zBottom}, {1, surface.zTop}, {0, surface.zTop}};
   air = clipped(air, {segment.air0.zBottom, segment.air1.zBottom}, 1);
   air = clipped(air, {segment.air0.zTop, segment.air1.zTop}, -1);
-  if (planted(PlantedBug::StackPieceLitOverWholeWall) && surface.kind == SurfaceKind::StackSolid)
-    for (Vec2& p : air) p.y = p.y == surface.zTop ? level[surface.sector].ceiling.z : p.y;
   if (!isSidewall(surface.kind)) return air;
   for (const WallPiece& piece : segment.pieces) {
     const Opening* opening = std::get_if<Opening>(&piece.content);

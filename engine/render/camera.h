@@ -1,7 +1,6 @@
 #pragma once
 
 #include "level/level.h"
-#include "math/planted_bug.h"
 #include "math/trig.h"
 #include "math/vec.h"
 
@@ -42,9 +41,7 @@ class Projection {
         right_(turned90(direction_)),
         centerColumn_(camera.width / 2.0 / pixelSize),
         distancePx_(centerColumn_ / tanDegrees(camera.fov / 2)),
-        horizonRow_(
-            camera.height / 2.0 / pixelSize +
-            (planted(PlantedBug::PitchIgnored) ? 0 : distancePx_ * tanDegrees(camera.pitch))) {}
+        horizonRow_(camera.height / 2.0 / pixelSize + distancePx_ * tanDegrees(camera.pitch)) {}
 
   Vec3 eye() const { return eye_; }
   Vec2 direction() const { return direction_; }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "math/planted_bug.h"
-
 namespace hearth {
 
 namespace {
@@ -27,14 +25,13 @@ int firstColumnFrom(const Projection& projection, CameraPoint p, int width) {
 }  // namespace
 
 ColumnRange columnsOf(const Projection& projection, const Segment& segment, int width) {
-  const double nearPlane = planted(PlantedBug::NearPlaneAtOneCentimetre) ? 0.01 : 0;
   const CameraPoint p0 = projection.toCamera(segment.p0);
   const CameraPoint p1 = projection.toCamera(segment.p1);
   // Whether p0 is left of p1, but for rounding: in most cases that is known without a division.
   const double left = p0.lateral * p1.depth;
   const double right = p1.lateral * p0.depth;
-  const bool ahead0 = p0.depth > nearPlane;
-  const bool ahead1 = p1.depth > nearPlane;
+  const bool ahead0 = p0.depth > 0;
+  const bool ahead1 = p1.depth > 0;
   if (ahead0 && ahead1) {
     if (left - right > kClearly * (std::abs(left) + std::abs(right))) return {0, 0};
     const int begin = firstColumnFrom(projection, p0, width);

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "math/planted_bug.h"
 #include "render/span_mapping.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -70,8 +69,7 @@ HWY_INLINE Reals clamped(Reals x, double low, double high) {
 template <typename Reals>
 HWY_INLINE Reals wholeTexels(Reals x) {
   constexpr double kMost = sizeof(hn::TFromV<Reals>) == sizeof(double) ? 0x1p50 : 0x1p21;
-  const Reals kept = clamped(x, -kMost, kMost);
-  return hn::Floor(planted(PlantedBug::TruncatingRepeat) ? hn::Abs(kept) : kept);
+  return hn::Floor(clamped(x, -kMost, kMost));
 }
 
 /// Two neighbouring texels, and how far a row is from the centre of the first to that of the next.
@@ -255,10 +253,7 @@ class SkyRows {
 class LightAxis {
  public:
   LightAxis(const Affine& along, int first, int size)
-      : alongFromFirst_{along.atZero - (first + 0.5) +
-                            (planted(PlantedBug::LightmapHalfTexelOff) ? 0.5 : 0),
-                        along.per},
-        size_(size) {}
+      : alongFromFirst_{along.atZero - (first + 0.5), along.per}, size_(size) {}
 
   template <typename Reals>
   HWY_INLINE Between<Reals> between(Reals measure) const {

@@ -10,8 +10,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "math/planted_bug.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/row_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -225,9 +223,7 @@ bool findTexelsInFixedPoint(RowBatch& batch, const SpanMapping& mapping, const T
   const double most =
       std::max(std::abs(batch.measures[0]), std::abs(batch.measures[batch.count - 1]));
   const int height = image.height();
-  if (mapping.isSky || planted(PlantedBug::TruncatingRepeat) ||
-      !Axis::holds(mapping.v, height, most))
-    return false;
+  if (mapping.isSky || !Axis::holds(mapping.v, height, most)) return false;
   const bool byBits = isPowerOfTwo(height);
   if (!mapping.isPlane) {
     const std::uint32_t first =
@@ -300,10 +296,6 @@ void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap
     store(filtered(across.share, filter), &batch.betweenLightTexels.across[k]);
     store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
   }
-  if (planted(PlantedBug::FlatsUnfiltered)) {
-    batch.betweenLightTexels.across.fill(0);
-    batch.betweenLightTexels.down.fill(0);
-  }
 }
 
 template <typename Reals>
@@ -338,8 +330,7 @@ constexpr float kLostOfLevel = 0x1p-15F;
 /// (15 * 0.3); none may be lost by a hair. Added to 2^23 a level is its lowest bits; what else is
 /// set are the highest eight.
 HWY_INLINE Words shaded(Floats color, Floats shown) {
-  const float half = planted(PlantedBug::RoundingTruncates) ? 0 : 0.5F + kLostOfLevel;
-  const Floats level = hn::Floor(hn::Add(hn::Mul(color, shown), all<Floats>(half)));
+  const Floats level = hn::Floor(hn::Add(hn::Mul(color, shown), all<Floats>(0.5F + kLostOfLevel)));
   return hn::BitCast(kWord, hn::Add(level, all<Floats>(0x1p23F)));
 }
 

@@ -15,7 +15,6 @@
 #include <type_traits>
 
 #include "light/lightmap.h"
-#include "math/planted_bug.h"
 #include "render/row_axes-inl.h"
 #include "render/row_batch.h"
 
@@ -43,7 +42,6 @@ HWY_INLINE Channels channelsOf(Words texels) {
 
 /// `share` of the way from `a` to `b`.
 HWY_INLINE Floats mixed(Floats a, Floats b, Floats share) {
-  if (planted(PlantedBug::MultiplyAddFused)) return hn::MulAdd(share, hn::Sub(b, a), a);
   return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
 }
 
@@ -77,9 +75,7 @@ HWY_INLINE Channels lightOf<1>(Words texels) {
 
 template <>
 HWY_INLINE Channels lightOf<3>(Words texels) {
-  const Channels levels = channelsOf(texels);
-  if (planted(PlantedBug::ChannelLost)) return {levels.red, levels.green, levels.green};
-  return levels;
+  return channelsOf(texels);
 }
 
 /// Two texels of a lightmap that lie side by side, for each row: the left one in the lowest bytes.

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "math/planted_bug.h"
 #include "math/trig.h"
 
 namespace hearth {
@@ -32,16 +31,15 @@ SpanMapping uprightMapping(const Level& level, const Projection& projection, con
                            const Texture& image, const LitSurface* lit) {
   const TextureMapping& texture = level[span.surface].mapping;
   const LightAxes light = uprightLightAxes(level, projection, span, lit);
-  const double start = planted(PlantedBug::AlongIgnored) ? 0 : texture.along;
-  return {
-      .depth = span.depth,
-      .u = constant(image.width() * (span.s + start) / texture.repeat.x - texture.offsetTexels.x),
-      .v = {{projection.eye().z, span.depth},
-            span.zRef,
-            -image.height() / texture.repeat.y,
-            texture.offsetTexels.y},
-      .s = light.s,
-      .t = light.t};
+  return {.depth = span.depth,
+          .u = constant(image.width() * (span.s + texture.along) / texture.repeat.x -
+                        texture.offsetTexels.x),
+          .v = {{projection.eye().z, span.depth},
+                span.zRef,
+                -image.height() / texture.repeat.y,
+                texture.offsetTexels.y},
+          .s = light.s,
+          .t = light.t};
 }
 
 struct PlaneOverRay {
@@ -53,8 +51,7 @@ struct PlaneOverRay {
 PlaneOverRay planeOver(const Level& level, const Surface& surface, Vec2 eye, Vec2 ray) {
   const Sector& sector = level[surface.sector];
   const Flat& flat = isOverhead(surface.kind) ? sector.ceiling : sector.floor;
-  const Vec2 flatOrigin = planted(PlantedBug::RelativeFlatIgnored) ? Vec2{} : flat.textureOrigin;
-  if (!isSlope(surface.kind)) return {flat.z, 0, flatOrigin};
+  if (!isSlope(surface.kind)) return {flat.z, 0, flat.textureOrigin};
   const Slope& slope =
       surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
   return {slope.zAt(eye), dot(slope.gradient, ray), flat.textureOrigin};
@@ -93,7 +90,7 @@ SpanMapping skyMapping(const Level& level, const Projection& projection, const S
                        const Texture& image) {
   const Surface& surface = level[span.surface];
   const TextureMapping& texture = surface.mapping;
-  const Vec2 ray = projection.rayOf(planted(PlantedBug::SkyByScreenColumn) ? 0 : span.column + 0.5);
+  const Vec2 ray = projection.rayOf(span.column + 0.5);
   const bool below =
       surface.kind == SurfaceKind::SkyFloor || surface.kind == SurfaceKind::SkyLowerStep;
   const double tangentPerClimb = (below ? -1 : 1) / length(ray);

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "math/planted_bug.h"
 #include "render/footprint.h"
 
 namespace hearth {
@@ -190,9 +189,6 @@ Material SpanPainter::materialOf(SurfaceId id) const {
 }
 
 double SpanPainter::sectorLightOn(const Surface& surface) const {
-  const bool step =
-      surface.kind == SurfaceKind::LowerStep || surface.kind == SurfaceKind::UpperStep;
-  if (planted(PlantedBug::SectorLightForgottenOnSteps) && step) return 0;
   return isSky(surface.kind) ? 1 : level_[surface.sector].light;
 }
 

@@ -11,7 +11,6 @@
 
 #include "level/openings.h"
 #include "math/check.h"
-#include "math/planted_bug.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 #include "render/column_hits.h"
@@ -142,7 +141,6 @@ class Visibility {
   }
 
   bool isNearer(const ColumnHit& a, const ColumnHit& b) const {
-    if (planted(PlantedBug::NonConvexByFirstWall) && b.depth < kNoDepth) return false;
     if (a.depth < b.depth * (1 - kNearTie)) return true;
     if (a.depth > b.depth * (1 + kNearTie)) return false;
     return inOrder(a.segment, b.segment);
@@ -174,8 +172,7 @@ class Visibility {
 
   /// The first row of the window whose centre is not above height z.
   int rowIn(const Window& window, double z, double depth) const {
-    const double row =
-        projection_.rowOf(z, depth) - (planted(PlantedBug::RowsRoundedDown) ? 1 : 0.5);
+    const double row = projection_.rowOf(z, depth) - 0.5;
     return static_cast<int>(std::ceil(
         std::clamp(row, static_cast<double>(window.top), static_cast<double>(window.bottom))));
   }
@@ -237,8 +234,7 @@ class Visibility {
     if (isSidewall(surface.kind)) {
       // A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
       const Segment& far = level_[twinOf(segment, id)];
-      const double fromRight = planted(PlantedBug::SidewallMirrored) ? 1 - hit.share : hit.share;
-      span.s = far.sAfter + fromRight * far.length;
+      span.s = far.sAfter + hit.share * far.length;
       const AirColumn edge = airAt(far, 1 - hit.share);
       span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
     }
@@ -306,8 +302,7 @@ class Visibility {
   /// the ray leaves a member matters: where it came in, another stretch has ended.
   void findStretches(const std::vector<SectorId>& members, const std::vector<Window>& windows) {
     scratch_.stretches.clear();
-    const std::size_t count = planted(PlantedBug::FlatPortalByName) ? 1 : members.size();
-    for (std::size_t member = 0; member < count; ++member) addStretches(members[member], windows);
+    for (const SectorId member : members) addStretches(member, windows);
     groupByWindow(windows.size());
     for (std::size_t i = 0; i < windows.size(); ++i) sortByDepth(stretchesOf(i));
   }
