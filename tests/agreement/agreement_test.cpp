@@ -19,6 +19,7 @@ TEST(Agreement, isCompleteOnRandomLevels) {
   std::filesystem::remove_all(folder);
   EXPECT_EQ(tally.holes, 0) << tally.firstMiss;
   EXPECT_EQ(tally.missed(), 0) << tally.firstMiss << '\n' << table(tally);
+  EXPECT_EQ(beyond(kRandomLevels, fractionsOf(tally)), "") << table(tally);
 }
 
 TEST(Agreement, isCompleteOnTheTutorial) {
@@ -28,6 +29,7 @@ TEST(Agreement, isCompleteOnTheTutorial) {
   EXPECT_GE(tally.views, 20);
   EXPECT_EQ(tally.holes, 0) << tally.firstMiss;
   EXPECT_EQ(tally.missed(), 0) << tally.firstMiss << '\n' << table(tally);
+  EXPECT_EQ(beyond(kTutorial, fractionsOf(tally)), "") << table(tally);
 }
 
 TEST(Agreement, takesBallsForPointsAndAutoForOneSample) {

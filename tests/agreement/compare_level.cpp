@@ -40,6 +40,7 @@ constexpr double kInterpolation = kExactTolerance - kGridTolerance;
 constexpr double kInterpolationAtCurves = kInterpolation / 2;
 constexpr double kFineTexel = 0.125;  ///< metres: exact light is promised up to this texel
 constexpr int kLightStride = 7;       ///< light is compared on every so many pixels
+constexpr int kClearStride = 31;      ///< of every so many it is asked whether edges are near
 
 /// Levels that a channel may miss where it is not compared.
 constexpr double kAny = std::numeric_limits<double>::infinity();
@@ -109,8 +110,14 @@ class Comparison {
     const auto atEdge = [&] { return !view.truth.isClear(i + 0.5, j + 0.5, kEdgePx); };
     const bool same = view.textured.at(i, j) == pixel.color;
     count(kind.texture, same, atEdge, [&] { noteMiss(view, "texture", i, j); });
-    const bool chosen = (j * view.shot.width + i) % kLightStride == 0;
-    if (chosen && same && !isSky(pixel.hit.kind)) compareLight(view, pixel.hit, kind, i, j);
+    const int index = j * view.shot.width + i;
+    if (index % kClearStride == 0) {
+      ++tally_.asked;
+      tally_.clear += atEdge() ? 0 : 1;
+    }
+    if (index % kLightStride != 0) return;
+    ++tally_.lightAsked;
+    if (same && !isSky(pixel.hit.kind)) compareLight(view, pixel.hit, kind, i, j);
   }
 
   template <typename AtEdge, typename OnMiss>

@@ -27,6 +27,9 @@ Tally& Tally::operator+=(const Tally& other) {
   views += other.views;
   holes += other.holes;
   atJumps += other.atJumps;
+  asked += other.asked;
+  clear += other.clear;
+  lightAsked += other.lightAsked;
   if (firstMiss.empty()) firstMiss = other.firstMiss;
   return *this;
 }
@@ -58,7 +61,47 @@ std::string row(std::string_view name, const KindTally& kind) {
                      columns(kind.exactLight));
 }
 
+double fraction(std::int64_t part, std::int64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+struct FractionName {
+  std::string_view name;
+  double Fractions::*fraction;
+};
+constexpr std::array kTestedFractions = {
+    FractionName{"clear of edges", &Fractions::clear},
+    FractionName{"light at texels tested", &Fractions::gridTested},
+    FractionName{"exact light tested", &Fractions::exactTested}};
+constexpr std::array kExcusedFractions = {
+    FractionName{"texture excused", &Fractions::textureExcused},
+    FractionName{"light at texels excused", &Fractions::gridExcused},
+    FractionName{"exact light excused", &Fractions::exactExcused}};
+
 }  // namespace
+
+Fractions fractionsOf(const Tally& tally) {
+  const KindTally all = tally.sum();
+  return {.clear = fraction(tally.clear, tally.asked),
+          .gridTested = fraction(all.gridLight.tested, tally.lightAsked),
+          .exactTested = fraction(all.exactLight.tested, tally.lightAsked),
+          .textureExcused = fraction(all.texture.excused, all.texture.tested + all.texture.excused),
+          .gridExcused = fraction(all.gridLight.excused, tally.lightAsked),
+          .exactExcused = fraction(all.exactLight.excused, tally.lightAsked)};
+}
+
+std::string beyond(const Fractions& bounds, const Fractions& fractions) {
+  std::string text;
+  const auto add = [&](const FractionName& of, std::string_view wanted) {
+    text += fmt::format("{}: {:.6f}, but {} {} is wanted\n", of.name, fractions.*of.fraction,
+                        wanted, bounds.*of.fraction);
+  };
+  for (const FractionName& of : kTestedFractions)
+    if (fractions.*of.fraction < bounds.*of.fraction) add(of, "at least");
+  for (const FractionName& of : kExcusedFractions)
+    if (fractions.*of.fraction > bounds.*of.fraction) add(of, "at most");
+  return text;
+}
 
 std::string table(const Tally& tally) {
   std::string text = fmt::format("{:<17} | {:^29} | {:^29} | {:^29}\n", "", "texture, exact",
@@ -78,6 +121,10 @@ std::string table(const Tally& tally) {
       "{} steep light at an edge beyond which texels are centred\n",
       tally.leftOut[0], tally.leftOut[1], tally.leftOut[2], tally.leftOut[3], tally.leftOut[4],
       tally.leftOut[5]);
+  const Fractions fractions = fractionsOf(tally);
+  for (const auto& list : {kTestedFractions, kExcusedFractions})
+    for (const FractionName& of : list)
+      text += fmt::format("{}: {:.6f}\n", of.name, fractions.*of.fraction);
   text += fmt::format("at edge because of a jump of a curve: {}\n", tally.atJumps);
   text += fmt::format("{} levels, {} views, {} holes\n", tally.levels, tally.views, tally.holes);
   return text;
