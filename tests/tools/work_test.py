@@ -3,8 +3,8 @@
 usage: work_test.py HEARTH SOURCE_DIR [--update WHY]
 
 Neither chance nor the machine changes these counts. One that has grown by more than a twentieth
-fails; if the growth is meant, --update WHY keeps the new counts in work.json, with the reason in
-its "raised".
+fails, and one that is not kept, or kept and no longer counted; if that is meant, --update WHY keeps
+the new counts in work.json, with the reason in its "raised".
 """
 
 import argparse
@@ -39,10 +39,18 @@ def counts_of(hearth, source, level):
     return counts
 
 
-def grown(kept, counts):
-    return [f"{level}: {name}: {count}, was {kept[level][name]}"
-            for level, of_level in counts.items() for name, count in of_level.items()
-            if count > MORE * kept[level][name]]
+def flat(counts):
+    return {f"{level}: {name}": count for level, of_level in counts.items() for name, count in of_level.items()}
+
+
+def changes(kept, counts):
+    """What has grown, come or gone, in words."""
+    kept, counts = flat(kept), flat(counts)
+    grown = [f"{name}: {count}, was {kept[name]}" for name, count in counts.items()
+             if name in kept and count > MORE * kept[name]]
+    unlike = [f"{name}: is {'counted but not kept' if name in counts else 'kept but not counted'}"
+              for name in sorted(kept.keys() ^ counts.keys())]
+    return grown + unlike
 
 
 def main():
@@ -51,14 +59,15 @@ def main():
     parser.add_argument("source", type=Path)
     parser.add_argument("--update", metavar="WHY", help="keep the counts as they are, for a reason")
     arguments = parser.parse_args()
+    if not KEPT.exists() and arguments.update is None:
+        sys.exit(f"{KEPT}: error: there are no kept counts; restore the file, or write it with --update WHY")
+    kept = json.loads(KEPT.read_text()) if KEPT.exists() else {"counts": {}, "raised": []}
     counts = {level: counts_of(arguments.hearth, arguments.source, level) for level in LEVELS}
-    kept = json.loads(KEPT.read_text()) if KEPT.exists() else {"counts": counts, "raised": []}
     if arguments.update is not None:
-        changes = grown(kept["counts"], counts)
-        raised = kept["raised"] + [f"{change}: {arguments.update}" for change in changes]
+        raised = kept["raised"] + [f"{change}: {arguments.update}" for change in changes(kept["counts"], counts)]
         KEPT.write_text(json.dumps({"counts": counts, "raised": raised}, indent=1) + "\n")
         return 0
-    mistakes = grown(kept["counts"], counts)
+    mistakes = changes(kept["counts"], counts)
     for mistake in mistakes:
         print(f"{mistake}; if that is meant, give --update WHY")
     return 1 if mistakes else 0
