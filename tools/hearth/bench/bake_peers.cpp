@@ -90,7 +90,8 @@ Prepared preparePairs(PeerInputs& inputs, const std::filesystem::path& file) {
                      millions,
                      ofBake,
                      placing,
-                     cones};
+                     cones,
+                     ofBake - placing - cones};
     };
   });
 }
@@ -125,7 +126,8 @@ Prepared prepareLargestRays(PeerInputs& inputs) {
                      traced.seconds,
                      1e-6 * static_cast<double>(traced.rays),
                      placing,
-                     cones};
+                     cones,
+                     ofBake - placing - cones};
     };
   });
 }

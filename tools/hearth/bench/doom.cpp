@@ -145,7 +145,8 @@ Prepared prepareDoomFrame(PeerInputs& inputs, const std::string& map) {
   return [doom = Doom(inputs.folder(), map), walk] {
     return doom.milliseconds().map([&](double ofDoom) {
       const double ofHearth = walk->milliseconds(LightMode::Both);
-      return Figures{ofHearth / ofDoom, ofHearth, ofDoom, walk->milliseconds(LightMode::None)};
+      const double withoutLight = walk->milliseconds(LightMode::None);
+      return Figures{ofHearth / ofDoom, ofHearth, ofDoom, withoutLight, ofHearth - withoutLight};
     });
   };
 }

@@ -115,7 +115,7 @@ Prepared prepareKernel(PeerInputs& inputs) {
     return [times, &inputs] {
       const auto [frame, kernel] = times->measure(inputs.clock());
       return Figures{frame.milliseconds.median / kernel, frame.milliseconds.median, kernel,
-                     frame.findMilliseconds.median, frame.colorMilliseconds.median};
+                     frame.findMilliseconds.median, frame.colorMilliseconds.median - kernel};
     };
   });
 }

@@ -33,10 +33,6 @@ std::string verdictOn(const Target& target, double measured) {
   return missed == 0 ? "met" : fmt::format("short by {:.0f} %", std::ceil(100 * missed));
 }
 
-bool isShort(const PeerResult& result) {
-  return shortfall(result.row->target, result.figure.median) > 0;
-}
-
 std::string inWords(const PeerResult& result) {
   const PeerRow& row = *result.row;
   const std::string unit = row.unit.empty() ? "" : fmt::format(", {}", row.unit);
@@ -50,7 +46,8 @@ std::string inWords(const PeerResult& result) {
   }
   add(fmt::format("{:<32} {:<8} {}", inWords(result.figure), inWords(row.target),
                   verdictOn(row.target, result.figure.median)));
-  if (isShort(result) && !row.inTheWay.empty()) add(fmt::format("in the way: {}", row.inTheWay));
+  if (const auto part = inTheWay(result))
+    add(fmt::format("in the way: {}: {}", row.parts[*part], inWords(result.parts[*part])));
   for (std::size_t i = 0; i < result.parts.size(); ++i)
     add(fmt::format("  {}: {}", row.parts[i], inWords(result.parts[i])));
   return words;
@@ -74,7 +71,7 @@ Json toJson(const PeerResult& result) {
   }
   json["measured"] = toJson(result.figure);
   json["shortfall"] = shortfall(row.target, result.figure.median);
-  if (isShort(result) && !row.inTheWay.empty()) json["inTheWay"] = row.inTheWay;
+  if (const auto part = inTheWay(result)) json["inTheWay"] = row.parts[*part];
   json["parts"] = Json::object();
   for (std::size_t i = 0; i < result.parts.size(); ++i)
     json["parts"][std::string(row.parts[i])] = toJson(result.parts[i]);

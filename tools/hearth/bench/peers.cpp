@@ -58,6 +58,14 @@ Range rangeOf(std::vector<double> values) {
   return {values[(values.size() - 1) / 2], values.front(), values.back()};
 }
 
+std::optional<std::size_t> inTheWay(const PeerResult& result) {
+  const PeerRow& row = *result.row;
+  if (shortfall(row.target, result.figure.median) == 0 || !row.firstCost) return std::nullopt;
+  const auto costs = std::span(result.parts).subspan(*row.firstCost);
+  const auto largest = std::ranges::max_element(costs, {}, &Range::median);
+  return *row.firstCost + static_cast<std::size_t>(largest - costs.begin());
+}
+
 std::vector<PeerResult> measurePeers(std::span<const PeerRow> rows, PeerInputs& inputs, int repeats,
                                      const std::function<void(std::string_view)>& tell) {
   std::vector<RowInWork> inWork;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,8 +46,10 @@ struct PeerRow {
   std::string_view unit;  ///< empty of ratios
   Target target;
   /// What the figure is made of, and what shows where the time goes; with their units.
-  std::array<std::string_view, 6> parts;
-  std::string_view inTheWay;  ///< of the target, where that is known
+  std::array<std::string_view, 7> parts;
+  /// From this part on, all are what the figure comes from, in one unit: the largest stands in the
+  /// way of the target. None where nothing was taken apart.
+  std::optional<std::size_t> firstCost;
   /// Does once what is not measured. The error says what is missing, and what brings it.
   tl::expected<Measure, std::string> (*prepare)(PeerInputs& inputs);
 };
@@ -58,6 +61,9 @@ struct PeerResult {
   Range figure;
   std::vector<Range> parts;
 };
+
+/// The index of the part that stands in the way of a target that was missed, if that was measured.
+std::optional<std::size_t> inTheWay(const PeerResult& result);
 
 /// Measures all rows once, then all again, so often, so that what else the machine does strikes all
 /// alike. `tell` hears what is being done.

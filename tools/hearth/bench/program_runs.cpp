@@ -72,7 +72,12 @@ Prepared prepareStart(PeerInputs& inputs) {
   return [shot, &inputs] {
     return timesOf(shot).map([&](const ChildTimes& times) {
       Figures figures{times.seconds};
-      for (const double seconds : secondsOfFirstPicture(inputs)) figures.push_back(seconds);
+      double rest = times.seconds;
+      for (const double seconds : secondsOfFirstPicture(inputs)) {
+        figures.push_back(seconds);
+        rest -= seconds;
+      }
+      figures.push_back(rest);
       for (double& figure : figures) figure *= 1e3;
       return figures;
     });
