@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 
 #include "as_truth.h"
@@ -13,12 +12,6 @@ namespace hearth::extremes {
 namespace {
 
 using test::levelFrom;
-
-double seconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 TEST(Portals, ofAGridAreLookedThroughOnceEach) {
   const LoadedLevel grid = levelFrom(levelOf(gridOfRooms(30, 30)));
@@ -74,11 +67,8 @@ TEST(Portals, aThousandInOneLineOfSightAreAllLookedThrough) {
   const BakedLight light = noLightOf(row.level);
   FrameScratch scratch;
   Image picture;
-  const double took = seconds([&] {
-    Renderer(row.level, row.textures, light).draw(camera, LightMode::None, scratch, picture);
-  });
-  EXPECT_GE(scratch.found().viewports, 1000);
-  EXPECT_LT(took, 5) << "a frame of a thousand portals";
+  Renderer(row.level, row.textures, light).draw(camera, LightMode::None, scratch, picture);
+  EXPECT_EQ(scratch.found().viewports, 1000) << "each room is looked into once";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "light/baked_surface.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
 
@@ -115,19 +116,31 @@ TEST(BakeProgress, growsToAllTexelsForAnyNumberOfThreads) {
   }
 }
 
-TEST(BakeProgress, isSeenWithinASurface) {
+TEST(BakeProgress, countsEachTileOfASurfaceOnceItIsDone) {
   const LoadedLevel room = test::levelFrom(
       "{'light': 0.1, 'sectors': {" + test::sectorText("a", "0,0, 9,0, 9,9, 0,9", 0, 1) + "}}",
       "[{'x':1,'y':1,'z':0.5}]");
-  const BakeSettings settings{.texel = 0.02};
-  std::int64_t floor = 0;  // the largest surface, which one thread begins with
-  for (const auto& surface : makeLitSurfaces(room.level, settings.texel))
-    floor = std::max(floor, surface ? surface->texels.count() : 0);
-  const auto isWithinFloor = [&](std::int64_t done) { return 0 < done && done < floor; };
-  // The watcher may sleep through a bake, but hardly through as many.
-  for (int i = 0; i < 100; ++i)
-    if (std::ranges::any_of(watchedBake(room.level, settings, 1).done, isWithinFloor)) return;
-  FAIL() << "no bake was seen before its first surface was done";
+  const BakeSettings settings{.texel = 0.05};
+  const LitSurfaces surfaces = makeLitSurfaces(room.level, settings.texel);
+  const LightSights sights(room.level, settings);
+  SurfaceLight floor(room.level, surfaces, sights, settings.lambert,
+                     room.level.sectors[0].floorSurface.value());
+  TexelSums sums(floor.texels(), floor.channels());
+  BakeProgress progress;
+  // Sums are asked for before the lamp lights a tile.
+  std::vector<std::int64_t> done;
+  const auto sumsOf = [&](std::size_t) -> TexelSums& {
+    done.push_back(progress.texelsDone());
+    return sums;
+  };
+  addLights(floor, floor.facing(), settings, sumsOf, progress);
+  const std::int64_t texels = floor.texels().count();
+  const std::int64_t tiles = std::ssize(tilesOf(floor.texels()));
+  std::vector<std::int64_t> expected;
+  for (std::int64_t tile = 0; tile < tiles; ++tile) expected.push_back(texels * tile / tiles);
+  EXPECT_GT(tiles, 4);
+  EXPECT_EQ(done, expected);
+  EXPECT_EQ(progress.texelsDone(), texels);
 }
 
 }  // namespace

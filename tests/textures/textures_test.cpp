@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -64,10 +65,17 @@ TEST(Textures, AreThoseOfTheTexturesFolder) {
   }
 }
 
-TEST(Textures, AreAtLeastSixteenOf128PixelsOrMore) {
-  const std::vector<Texture> all = makeAll();
-  EXPECT_GE(all.size(), 16U);
-  for (const Texture& texture : all) {
+TEST(Textures, AreAllInTheTexturesFolder) {
+  std::set<std::string> made;
+  for (const Texture& texture : makeAll()) made.insert(texture.name + ".png");
+  std::set<std::string> kept;
+  for (const auto& file : std::filesystem::directory_iterator(HEARTH_SOURCE_DIR "/textures"))
+    if (file.path().extension() == ".png") kept.insert(file.path().filename());
+  EXPECT_EQ(made, kept);
+}
+
+TEST(Textures, AreOf128PixelsOrMore) {
+  for (const Texture& texture : makeAll()) {
     EXPECT_GE(texture.image.width(), 128) << texture.name;
     EXPECT_GE(texture.image.height(), 128) << texture.name;
   }

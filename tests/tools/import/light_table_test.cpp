@@ -44,10 +44,22 @@ TEST(LightTable, saysWhereItsMistakesAre) {
   EXPECT_TRUE(mistakeIn(R"({"flats": {"A": {"reach": "1"}}})").starts_with("/flats/A/reach: "));
 }
 
-TEST(LightTable, comesWithOneOfItsOwn) {
+// By their numbers in Doom: lamps, candles, torches, the burning barrel.
+TEST(LightTable, ofTheProgramHasAllLampsAndFires) {
   const auto table = parseLightTable(ownLightTable());
   ASSERT_TRUE(table) << table.error();
-  EXPECT_GE(table->things.size() + table->walls.size() + table->flats.size(), 30U);
+  for (const std::uint16_t thing :
+       std::initializer_list<std::uint16_t>{2028, 85, 86, 34, 35, 44, 45, 46, 55, 56, 57, 70})
+    EXPECT_TRUE(table->things.contains(thing)) << thing;
+}
+
+TEST(LightTable, ofTheProgramHasLitTexturesAndLava) {
+  const auto table = parseLightTable(ownLightTable());
+  ASSERT_TRUE(table) << table.error();
+  for (const char* wall : {"LITE3", "LITE5", "LITEBLU1", "FIREBLU1"})
+    EXPECT_TRUE(table->walls.contains(wall)) << wall;
+  for (const char* flat : {"LAVA1", "TLITE6_1", "FLAT22"})
+    EXPECT_TRUE(table->flats.contains(flat)) << flat;
 }
 
 }  // namespace
