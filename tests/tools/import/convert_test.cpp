@@ -37,7 +37,7 @@ class LevelOfAMap : public testing::Test, protected MapBuilder {
   Json level(double ambient = 0.5) {
     findings_.clear();
     materials_.emplace(pictures_, map.name, findings_);
-    const GroundPlan plan(map, Doors::Open, findings_);
+    const auto plan = GroundPlan::of(map, Doors::Open, findings_).value();
     return levelJson(plan, ambient, *materials_, findings_);
   }
   static Json wall(const Json& level, const char* sector, std::size_t i) {
@@ -214,6 +214,54 @@ TEST_F(LevelOfAMap, hasThePlayerOfDoomWhereTheFirstOneStarts) {
   EXPECT_EQ(player["height"], 1.75);
   EXPECT_EQ(player["step"], 0.75);
   EXPECT_EQ(player["radius"], 0.5);
+}
+
+TEST_F(LevelOfAMap, hasThePlayerInAnotherStartWhereItsOwnHasNoRoom) {
+  const auto low = sector(0, 55);
+  const auto high = sector(0, 56);
+  walls(low, square(0, 0, 64));
+  walls(high, square(128, 0, 64));
+  map.things.push_back({32, 32, 90, 1, 7});
+  map.things.push_back({160, 32, 0, 11, 7});
+  EXPECT_EQ(level()["player"]["sector"], "1");
+  const auto told = std::ranges::find(findings_, Part::Thing, &Finding::part);
+  ASSERT_NE(told, findings_.end());
+  EXPECT_EQ(told->number, 1U);
+  EXPECT_EQ(told->outcome, Outcome::Repaired);
+}
+
+TEST_F(LevelOfAMap, hasThePlayerInTheWidestSectorWithRoomWhereNoStartHas) {
+  walls(sector(0, 0), square(0, 0, 640));
+  walls(sector(0, 128), square(-64, 0, 40));
+  walls(sector(0, 128), square(1024, 0, 128));
+  map.things.push_back({32, 32, 90, 1, 7});
+  const Json player = level()["player"];
+  EXPECT_EQ(player["sector"], "2");
+  EXPECT_EQ(player["z"], 41.0 / 32);
+  const auto told = std::ranges::find(findings_, Part::Sector, &Finding::part);
+  ASSERT_NE(told, findings_.end());
+  EXPECT_EQ(told->number, 2U);
+}
+
+TEST_F(LevelOfAMap, hasNoPlayerWhereNoneHasRoom) {
+  walls(sector(0, 40), square(0, 0, 128));
+  map.things.push_back({32, 32, 90, 1, 7});
+  EXPECT_FALSE(level().contains("player"));
+  EXPECT_EQ(std::ranges::count(findings_, Outcome::Dropped, &Finding::outcome), 1);
+}
+
+TEST_F(LevelOfAMap, isGreyWhereItsImagesWouldHaveTooManyPixels) {
+  walls(sector(), square(0, 0, 64));
+  Findings findings;
+  Materials materials(pictures_, map.name, findings, 64 * 128 + 64 * 64);
+  EXPECT_EQ(materials.wall("WALL", {})["name"], "wall-wall");
+  EXPECT_EQ(materials.wall("UPPER", {}), "#606060");
+  EXPECT_EQ(materials.flat("FLOOR"), "flat-floor 2,2");
+  EXPECT_EQ(materials.flat("CEIL"), "#606060");
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].what,
+            "wall texture UPPER and the images before it have more pixels than a level's images "
+            "may: it is grey");
 }
 
 TEST(FileNames, areOfOneFolder) {

@@ -27,13 +27,12 @@ class Passage : public testing::Test, protected MapBuilder {
 
   Space spaceOf(std::uint32_t sector, Doors doors) {
     findings_.clear();
-    const GroundPlan plan(map, doors, findings_);
-    return plan.spaceOf(sector);
+    return GroundPlan::of(map, doors, findings_)->spaceOf(sector);
   }
 
   std::vector<ShownPart> partsBetween(std::uint32_t from, std::uint32_t to) {
     static std::optional<GroundPlan> plan;  // parts lead into it
-    plan.emplace(map, Doors::Closed, findings_);
+    plan = GroundPlan::of(map, Doors::Closed, findings_).value();
     for (const auto& loop : plan->regions()[from].loops)
       for (const std::uint32_t h : loop)
         if (plan->behind(h).region == to) return plan->shownParts(h);

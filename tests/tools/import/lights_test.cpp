@@ -20,7 +20,8 @@ class LightsOfAMap : public testing::Test, protected MapBuilder {
  protected:
   Json lights() {
     findings_.clear();
-    return lightsJson(GroundPlan(map, Doors::Open, findings_), table_, findings_)["lights"];
+    return lightsJson(GroundPlan::of(map, Doors::Open, findings_).value(), table_,
+                      findings_)["lights"];
   }
 
   LightTable table_;
@@ -113,7 +114,7 @@ TEST_F(LightsOfAMap, stayInSectorsThatAreHardlyWiderThanTheirDistance) {
   map.sides[0].middle = "LITE";
   table_.walls["LITE"] = {};
   Findings findings;
-  const GroundPlan plan(map, Doors::Open, findings);
+  const auto plan = GroundPlan::of(map, Doors::Open, findings).value();
   const Json made = lights();
   EXPECT_FALSE(made.empty());
   for (const Json& light : made) EXPECT_TRUE(plan.contains(0, {light["x"], light["y"]})) << light;

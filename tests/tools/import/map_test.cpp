@@ -99,6 +99,14 @@ TEST(MapOfAWad, isRefusedWhereItsLumpsAreCut) {
   EXPECT_EQ(mistakeOf(lumps.wad()), "MAP01: SIDEDEFS has 92 bytes, which is no multiple of 30");
 }
 
+TEST(MapOfAWad, isRefusedWhereItHasMoreThanNumbersReach) {
+  Lumps lumps;
+  lumps.things.repeat(0, std::size_t{10} * 65536);
+  EXPECT_EQ(mistakeOf(lumps.wad()), "MAP01: THINGS has 65537 records, more than 65536");
+}
+
+TEST(MapOfAWad, isNoneWithoutAName) { EXPECT_TRUE(mapNames(opened(Lumps().wad(""))).empty()); }
+
 TEST(MapOfAWad, isRefusedWhereItNamesWhatIsNotThere) {
   Lumps side;
   side.sides.int16(0).int16(0).name("-").name("-").name("-").int16(1);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,7 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint16_t kPlayerOne = 1;
+/// Things where players start, by type, in the order in which they are tried: the first player, the
+/// others, and all of them where they play against one another.
+constexpr std::array<std::uint16_t, 5> kStarts{1, 2, 3, 4, 11};
 
 // The player of Doom: 56 units high, 32 wide, eyes at 41, climbs 24.
 constexpr double kEye = 41 * kUnit;
@@ -161,22 +164,66 @@ class Converter {
   // --- Things ------------------------------------------------------------------------------------
 
   std::optional<Json> playerJson() {
-    for (const Thing& thing : map_.things) {
-      const Vec2 place = placeOf(thing.x, thing.y);
-      const auto region = plan_.regionAt(place);
-      if (thing.type != kPlayerOne || !region) continue;
-      return Json{{"sector", plan_.nameOf(*region)},
-                  {"x", place.x},
-                  {"y", place.y},
-                  {"z", plan_.spaceOf(*region).floor + kEye},
-                  {"angle", angleOf(thing.angle)},
-                  {"height", kBodyHeight},
-                  {"eye", kEye},
-                  {"radius", kRadius},
-                  {"step", kStep}};
+    bool isFirst = true;
+    for (const std::uint16_t type : kStarts)
+      for (std::size_t i = 0; i < map_.things.size(); ++i) {
+        if (map_.things[i].type != type) continue;
+        const Vec2 place = placeOf(map_.things[i].x, map_.things[i].y);
+        const auto region = plan_.regionAt(place);
+        if (region && hasRoom(*region)) {
+          if (!isFirst || type != kStarts.front()) tellOfStart(Part::Thing, i);
+          return bodyAt(*region, place, angleOf(map_.things[i].angle));
+        }
+        isFirst = false;
+      }
+    return movedPlayerJson();
+  }
+
+  /// In the widest place where the player can stand.
+  std::optional<Json> movedPlayerJson() {
+    std::optional<Json> player;
+    double widest = 0;
+    std::size_t sector = 0;
+    for (std::uint32_t region = 0; region < plan_.regions().size(); ++region) {
+      if (!hasRoom(region)) continue;
+      for (const std::uint32_t h : plan_.regions()[region].loops.front()) {
+        const Vec2 along = plan_.halfEdge(h).to - plan_.halfEdge(h).from;
+        const Vec2 place = lerp(plan_.halfEdge(h).from, plan_.halfEdge(h).to, 0.5) +
+                           (2 * kRadius / length(along)) * turned90(along);
+        if (length(along) <= widest || !plan_.contains(region, place)) continue;
+        widest = length(along);
+        sector = plan_.regions()[region].sector;
+        player = bodyAt(region, place, 0);
+      }
     }
-    findings_.push_back({Outcome::Dropped, Part::Thing, 0, "no player starts inside of the map"});
-    return std::nullopt;
+    if (player)
+      tellOfStart(Part::Sector, sector);
+    else
+      findings_.push_back(
+          {Outcome::Dropped, Part::Thing, 0, "no player starts, nor is there room for one"});
+    return player;
+  }
+
+  bool hasRoom(std::uint32_t region) const {
+    const Space space = plan_.spaceOf(region);
+    return space.ceiling - space.floor >= kBodyHeight;
+  }
+
+  Json bodyAt(std::uint32_t region, Vec2 place, int angle) const {
+    return {{"sector", plan_.nameOf(region)},
+            {"x", place.x},
+            {"y", place.y},
+            {"z", plan_.spaceOf(region).floor + kEye},
+            {"angle", angle},
+            {"height", kBodyHeight},
+            {"eye", kEye},
+            {"radius", kRadius},
+            {"step", kStep}};
+  }
+
+  void tellOfStart(Part part, std::size_t number) {
+    findings_.push_back({Outcome::Repaired, part, number,
+                         "the player starts here: it has no start of its own with room for it"});
   }
 
   /// What levels cannot show yet, for those who can.

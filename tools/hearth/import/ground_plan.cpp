@@ -3,11 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hearth::doom {
 
-GroundPlan::GroundPlan(const Map& map, Doors doors, Findings& findings)
-    : map_(&map), plane_(findRegions(map, findings)), heights_(heightsOf(map, doors)) {
+tl::expected<GroundPlan, std::string> GroundPlan::of(const Map& map, Doors doors,
+                                                     Findings& findings) {
+  auto plane = findRegions(map, findings);
+  if (!plane) return tl::unexpected(std::move(plane.error()));
+  if (plane->regions.empty())
+    return tl::unexpected(std::string("its lines enclose nothing: there is no level in it"));
+  return GroundPlan(map, *std::move(plane), heightsOf(map, doors), findings);
+}
+
+GroundPlan::GroundPlan(const Map& map, Regions plane, std::vector<Heights> heights,
+                       Findings& findings)
+    : map_(&map), plane_(std::move(plane)), heights_(std::move(heights)) {
   mendHeights(findings);
   nameRegions();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "hearth/import/findings.h"
@@ -36,7 +37,8 @@ struct ShownPart {
 /// A map as space that is enclosed, with heights and names.
 class GroundPlan {
  public:
-  GroundPlan(const Map& map, Doors doors, Findings& findings);
+  /// The map must stay alive. The error is one sentence.
+  static tl::expected<GroundPlan, std::string> of(const Map& map, Doors doors, Findings& findings);
 
   const Map& map() const { return *map_; }
   const std::vector<Region>& regions() const { return plane_.regions; }
@@ -58,6 +60,7 @@ class GroundPlan {
   std::vector<ShownPart> shownParts(std::uint32_t h) const;
 
  private:
+  GroundPlan(const Map& map, Regions plane, std::vector<Heights> heights, Findings& findings);
   void mendHeights(Findings& findings);
   void nameRegions();
   bool hasMiddle(std::uint32_t h) const;

@@ -5,14 +5,16 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
+#include "hearth/bench/temporary_folder.h"
 #include "hearth/import/convert.h"
 #include "hearth/import/ground_plan.h"
 #include "hearth/import/lights.h"
 #include "hearth/import/map.h"
-#include "hearth/import/materials.h"
 #include "hearth/layout.h"
 #include "image/replace_file.h"
+#include "load/load.h"
 
 namespace hearth::doom {
 
@@ -25,10 +27,13 @@ using Json = nlohmann::ordered_json;
 /// The level's file without its `.json`.
 fs::path stemFor(const fs::path& folder, const std::string& map) { return folder / fileName(map); }
 
-tl::expected<void, std::string> writeNew(const fs::path& file, const Json& json) {
-  const auto text = layOut(json.dump(), std::numeric_limits<std::uint64_t>::max());
+std::string textOf(const Json& json) {
+  return layOut(json.dump(), std::numeric_limits<std::uint64_t>::max()).value();
+}
+
+tl::expected<void, std::string> writeNew(const fs::path& file, const std::string& text) {
   const auto written = createFile(file, [&](std::ostream& stream) {
-    stream << *text;
+    stream << text;
     return stream.good();
   });
   if (!written) return tl::unexpected(written.error());
@@ -40,43 +45,63 @@ tl::expected<void, std::string> writeNew(const fs::path& file, const Json& json)
 
 /// The level comes last, so that it is there only where all is that it needs. Where there is one
 /// already, no lights are left beside it.
-tl::expected<void, std::string> write(const fs::path& stem, const Materials& materials,
-                                      const Json& lights, const Json& level) {
-  if (auto written = materials.write(stem.parent_path() / "textures"); !written) return written;
+tl::expected<void, std::string> write(const Converted& converted, const fs::path& stem) {
+  if (auto written = converted.materials.write(stem.parent_path() / "textures"); !written)
+    return written;
   const fs::path lightsFile = fs::path(stem) += ".lights.json";
-  if (auto written = writeNew(lightsFile, lights); !written) return written;
-  auto written = writeNew(fs::path(stem) += ".json", level);
+  if (auto written = writeNew(lightsFile, converted.lights); !written) return written;
+  auto written = writeNew(fs::path(stem) += ".json", converted.level);
   std::error_code ignored;
   if (!written) fs::remove(lightsFile, ignored);
   return written;
 }
 
+/// Converting leaves nothing that would be refused; a mistake in it must not cost the user what a
+/// level that does not load would. Limits of loading are told here, too.
+tl::expected<void, std::string> tryLoading(const Converted& converted, const std::string& name) {
+  const TemporaryFolder folder;
+  const fs::path stem = stemFor(folder.path(), name);
+  if (auto written = write(converted, stem); !written) return written;
+  for (const Diagnostic& diagnostic : loadLevel(fs::path(stem) += ".json").diagnostics)
+    if (diagnostic.isError)
+      return tl::unexpected(fmt::format("{}: its level would not load, and is not written: {}",
+                                        name, diagnostic.message));
+  return {};
+}
+
 }  // namespace
 
-tl::expected<Imported, std::string> importMap(const Source& source, const std::string& name,
-                                              const ImportSettings& settings) {
+tl::expected<Converted, std::string> convertMap(const Source& source, const std::string& name,
+                                                const ImportSettings& settings,
+                                                Imported& imported) {
   const auto map = readMap(source.wad, name);
   if (!map) return tl::unexpected(map.error());
-  const fs::path stem = stemFor(settings.folder, name);
-  Imported imported;
-  imported.map = name;
-  imported.level = fs::path(stem) += ".json";
-  const GroundPlan plan(*map, settings.doors, imported.findings);
-  if (plan.regions().empty())
-    return tl::unexpected(name + ": its lines enclose nothing: there is no level in it");
-  Materials materials(source.pictures, name, imported.findings);
-  const Json level = levelJson(plan, settings.ambient, materials, imported.findings);
-  const Json lights = lightsJson(plan, source.lights, imported.findings);
-  if (auto written = write(stem, materials, lights, level); !written)
-    return tl::unexpected(written.error());
+  const auto plan = GroundPlan::of(*map, settings.doors, imported.findings);
+  if (!plan) return tl::unexpected(fmt::format("{}: {}", name, plan.error()));
+  Materials materials(source.pictures, name, imported.findings, settings.imagePixels);
+  const Json level = levelJson(*plan, settings.ambient, materials, imported.findings);
+  const Json lights = lightsJson(*plan, source.lights, imported.findings);
 
+  imported.map = name;
+  imported.level = stemFor(settings.folder, name) += ".json";
   imported.mapSectors = map->sectors.size();
-  imported.sectors = plan.regions().size();
+  imported.sectors = plan->regions().size();
   imported.lines = map->lines.size();
-  for (const auto& region : plan.regions())
+  for (const auto& region : plan->regions())
     for (const auto& loop : region.loops) imported.walls += loop.size();
   imported.lights = lights["lights"].size();
   imported.textures = materials.count();
+  return Converted{textOf(level), textOf(lights), std::move(materials)};
+}
+
+tl::expected<Imported, std::string> importMap(const Source& source, const std::string& name,
+                                              const ImportSettings& settings) {
+  Imported imported;
+  const auto converted = convertMap(source, name, settings, imported);
+  if (!converted) return tl::unexpected(converted.error());
+  if (auto loaded = tryLoading(*converted, name); !loaded) return tl::unexpected(loaded.error());
+  if (auto written = write(*converted, stemFor(settings.folder, name)); !written)
+    return tl::unexpected(written.error());
   return imported;
 }
 

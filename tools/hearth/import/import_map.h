@@ -7,6 +7,7 @@
 #include "hearth/import/findings.h"
 #include "hearth/import/heights.h"
 #include "hearth/import/light_table.h"
+#include "hearth/import/materials.h"
 #include "hearth/import/pictures.h"
 #include "hearth/import/wad.h"
 
@@ -24,6 +25,7 @@ struct ImportSettings {
   Doors doors = Doors::Open;
   /// Of the light that a map gives its sectors: as much as lets that of lamps show.
   double ambient = 0.75;
+  std::size_t imagePixels = kMostPixels;  ///< of all its images together
 };
 
 /// What became of one map.
@@ -40,8 +42,19 @@ struct Imported {
   Findings findings;
 };
 
-/// Writes the level of a map with its lights and textures; never over a level that is there. The
-/// error is one sentence.
+/// A level before it is written.
+struct Converted {
+  std::string level;   ///< the text of its file
+  std::string lights;  ///< and of that of its lights
+  Materials materials;
+};
+
+/// Fills in `imported`, which must outlive the result. The error is one sentence.
+tl::expected<Converted, std::string> convertMap(const Source& source, const std::string& name,
+                                                const ImportSettings& settings, Imported& imported);
+
+/// Writes the level of a map with its lights and textures; never over a level that is there, and
+/// only one that loads. The error is one sentence.
 tl::expected<Imported, std::string> importMap(const Source& source, const std::string& name,
                                               const ImportSettings& settings);
 

@@ -10,14 +10,16 @@ namespace hearth::doom {
 namespace {
 
 constexpr std::uint16_t kNone = 0xFFFF;
-constexpr std::size_t kMostLumps = 11;  // that follow the one with the map's name
+constexpr std::size_t kMostLumps = 11;       // that follow the one with the map's name
+constexpr std::size_t kMostRecords = 65536;  // of a lump: as many have numbers of 16 bits
 
 std::uint16_t uint16At(Bytes bytes, std::size_t at) {
   return static_cast<std::uint16_t>(int16At(bytes, at));
 }
 
 bool isMarker(const Wad& wad, std::size_t lump) {
-  return lump + 1 < wad.lumps().size() && wad.lumps()[lump + 1].name == "THINGS";
+  return lump + 1 < wad.lumps().size() && wad.lumps()[lump + 1].name == "THINGS" &&
+         !wad.lumps()[lump].name.empty();
 }
 
 /// The lumps of one map, up to the name of the next.
@@ -60,6 +62,9 @@ class MapReader {
     if (bytes->size() % size != 0)
       return refuse(
           fmt::format("{} has {} bytes, which is no multiple of {}", name, bytes->size(), size));
+    if (bytes->size() / size > kMostRecords)
+      return refuse(
+          fmt::format("{} has {} records, more than {}", name, bytes->size() / size, kMostRecords));
     for (std::size_t at = 0; at < bytes->size(); at += size)
       records.push_back(recordAt(bytes->subspan(at, size)));
   }

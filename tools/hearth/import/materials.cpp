@@ -19,7 +19,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kPlain = "#606060";
 constexpr std::string_view kGrey = "it is grey";
 
-constexpr double kFlatSide = 64 * kUnit;
+constexpr int kFlatPixels = 64;
+constexpr double kFlatSide = kFlatPixels * kUnit;
 
 // The sky of Doom hangs so that 1024 columns go round and 160 rows up to 45 degrees, and has its
 // hundredth row at eye level.
@@ -66,17 +67,18 @@ std::string fileName(const std::string& name) {
   return result;
 }
 
-Materials::Materials(const Pictures& pictures, const std::string& map, Findings& findings)
-    : pictures_(pictures), skyName_(skyOf(map)), findings_(findings) {}
+Materials::Materials(const Pictures& pictures, const std::string& map, Findings& findings,
+                     std::size_t maxPixels)
+    : pictures_(pictures), skyName_(skyOf(map)), findings_(findings), pixelsLeft_(maxPixels) {}
 
 Json Materials::wall(const std::string& name, const Hanging& hanging) {
   const std::string file = "wall-" + fileName(name);
-  return draw(file, &Pictures::wall, name, kGrey) ? hung(file, hanging) : Json(kPlain);
+  return draw(file, Kind::Wall, name, kGrey) ? hung(file, hanging) : Json(kPlain);
 }
 
 std::optional<Json> Materials::middle(const std::string& name, const Hanging& hanging) {
   const std::string file = "wall-" + fileName(name);
-  if (!draw(file, &Pictures::wall, name, "it is left out")) return std::nullopt;
+  if (!draw(file, Kind::Wall, name, "it is left out")) return std::nullopt;
   return hung(file, hanging);
 }
 
@@ -92,14 +94,14 @@ Json Materials::hung(const std::string& file, const Hanging& hanging) const {
 
 Json Materials::flat(const std::string& name) {
   const std::string file = "flat-" + fileName(name);
-  if (!draw(file, &Pictures::flat, name, kGrey)) return kPlain;
+  if (!draw(file, Kind::Flat, name, kGrey)) return kPlain;
   return fmt::format("{} {:g},{:g}", file, kFlatSide, kFlatSide);
 }
 
 Json Materials::sky() {
   const std::string file = "sky-" + fileName(skyName_);
   const bool isFirst = !images_.contains(file);
-  if (!draw(file, &Pictures::wall, skyName_, kGrey)) return kPlain;
+  if (!draw(file, Kind::Wall, skyName_, kGrey)) return kPlain;
   Image& image = images_.at(file);
   if (isFirst) image = mirrored(image);  // Doom's columns of the sky go round to the left
   return Json{{"name", file},
@@ -121,15 +123,14 @@ tl::expected<void, std::string> Materials::write(const std::filesystem::path& fo
 }
 
 /// Whether there is an image for a file; what it misses is told once, with what is there instead.
-bool Materials::draw(const std::string& file,
-                     PictureOrMistake (Pictures::*drawn)(const std::string&) const,
-                     const std::string& name, std::string_view otherwise) {
+bool Materials::draw(const std::string& file, Kind kind, const std::string& name,
+                     std::string_view otherwise) {
   if (images_.contains(file)) return true;
   if (undrawn_.contains(file)) return false;
   const auto tell = [&](const std::string& what) {
     findings_.push_back({Outcome::Repaired, Part::Texture, 0, what});
   };
-  PictureOrMistake picture = (pictures_.*drawn)(name);
+  auto picture = decode(kind, name);
   if (!picture) {
     undrawn_.insert(file);
     tell(fmt::format("{}: {}", picture.error(), otherwise));
@@ -138,6 +139,20 @@ bool Materials::draw(const std::string& file,
   for (const std::string& mistake : picture->mistakes) tell(mistake);
   images_.emplace(file, withHoles(std::move(*picture)));
   return true;
+}
+
+/// Sizes are known before memory is taken: a small hostile WAD may define thousands of large
+/// images.
+tl::expected<Picture, std::string> Materials::decode(Kind kind, const std::string& name) {
+  const ImageSize size = kind == Kind::Wall ? pictures_.sizeOfWall(name).value_or(ImageSize{})
+                                            : ImageSize{kFlatPixels, kFlatPixels};
+  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  if (pixels > pixelsLeft_)
+    return tl::unexpected(
+        fmt::format("{} {} and the images before it have more pixels than a level's images may",
+                    kind == Kind::Wall ? "wall texture" : "flat", name));
+  pixelsLeft_ -= pixels;
+  return kind == Kind::Wall ? pictures_.wall(name) : pictures_.flat(name);
 }
 
 }  // namespace hearth::doom

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -28,11 +30,15 @@ struct Hanging {
       top;  ///< metres, where the image's first row begins; none: as Hearth has it
 };
 
+/// Of all images of one level together: sixteen times as many as the largest map of Freedoom needs.
+inline constexpr std::size_t kMostPixels = std::size_t{1} << 26;
+
 /// The textures of a level, made of the pictures that its map asks for.
 class Materials {
  public:
   /// `map` decides which sky it is.
-  Materials(const Pictures& pictures, const std::string& map, Findings& findings);
+  Materials(const Pictures& pictures, const std::string& map, Findings& findings,
+            std::size_t maxPixels = kMostPixels);
 
   /// As levels write them. Walls and flats that cannot be drawn are grey.
   nlohmann::ordered_json wall(const std::string& name, const Hanging& hanging);
@@ -48,14 +54,16 @@ class Materials {
   std::size_t count() const { return images_.size(); }
 
  private:
-  using PictureOrMistake = tl::expected<Picture, std::string>;
-  bool draw(const std::string& file, PictureOrMistake (Pictures::*drawn)(const std::string&) const,
-            const std::string& name, std::string_view otherwise);
+  enum class Kind : std::uint8_t { Wall, Flat };
+  bool draw(const std::string& file, Kind kind, const std::string& name,
+            std::string_view otherwise);
+  tl::expected<Picture, std::string> decode(Kind kind, const std::string& name);
   nlohmann::ordered_json hung(const std::string& file, const Hanging& hanging) const;
 
   const Pictures& pictures_;
   std::string skyName_;
   Findings& findings_;
+  std::size_t pixelsLeft_;
   std::map<std::string, Image> images_;  ///< by file, without its extension
   std::set<std::string> undrawn_;        ///< files
 };

@@ -3,43 +3,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numeric>
+#include <utility>
 
+#include "hearth/import/snap_rounding.h"
 #include "math/predicates.h"
 
 namespace hearth::doom {
 
 namespace {
 
-/// Metres, a power of two: places at which lines cross are rounded to multiples of it, so that
-/// areas are computed exactly from them, too. An eighth of a millimetre.
-constexpr double kGrid = 1.0 / 8192;
+/// Cells of the grid of points in a unit of a map, a power of two, so that areas are computed
+/// exactly from them. Half a cell is 4 mm: loops whose points are twice the loader's tolerance of 1
+/// mm off the walls that they do not end are sound to it, and enclose area.
+constexpr int kCells = 4;
+constexpr double kCell = kUnit / kCells;
 
-/// Places at which lines are cut, at most: without a bound a small hostile map would fill the
-/// memory. All maps of Freedoom together have eight.
-constexpr std::size_t kMostCuts = 100'000;
+/// Without a bound a small hostile map would fill the memory, and no level has as many walls. All
+/// maps of Freedoom together have eight crossings, the largest one 11,000 pieces.
+constexpr std::size_t kMostCrossings = 50'000;
+constexpr std::size_t kMostPieces = 250'000;
 
-Vec2 onGrid(Vec2 p) { return {std::round(p.x / kGrid) * kGrid, std::round(p.y / kGrid) * kGrid}; }
+GridPoint gridPointOf(const Vertex& vertex) { return {vertex.x * kCells, -vertex.y * kCells}; }
+Vec2 placeOf(GridPoint p) { return {p.x * kCell, p.y * kCell}; }
+std::string nameOf(GridPoint p) {
+  return fmt::format("({:g}, {:g})", double{1} * p.x / kCells, double{-1} * p.y / kCells);
+}
 
-/// A line with the places at which it is to be cut.
+/// A line with the places at which others cross it.
 struct Cuttable {
-  Vec2 from;
-  Vec2 to;
+  GridPoint from;
+  GridPoint to;
   std::uint32_t line;
-  std::vector<Vec2> cuts;
+  std::vector<GridPoint> crossings;
 
-  double minX() const { return std::min(from.x, to.x); }
-  double maxX() const { return std::max(from.x, to.x); }
+  int minX() const { return std::min(from.x, to.x); }
+  int maxX() const { return std::max(from.x, to.x); }
   bool overlapsInY(const Cuttable& other) const {
     return std::min(from.y, to.y) <= std::max(other.from.y, other.to.y) &&
            std::min(other.from.y, other.to.y) <= std::max(from.y, to.y);
-  }
-  /// Of a point that is in line with it.
-  bool hasWithin(Vec2 p) const {
-    const double t = dot(p - from, to - from);
-    return t > 0 && t < dot(to - from, to - from);
   }
 };
 
@@ -47,76 +49,89 @@ class Cutter {
  public:
   Cutter(const Map& map, Findings& findings) : map_(map), findings_(findings) {}
 
-  Pieces cut() {
+  tl::expected<Pieces, std::string> cut() {
     gather();
-    meetAll();
-    for (Cuttable& line : lines_) addPieces(line);
+    if (!findCrossings())
+      return tl::unexpected(
+          fmt::format("its lines cross in more than {} places: too many to cut "
+                      "them there",
+                      kMostCrossings));
+    const SnapRounding rounding(hotPoints());
+    for (const Cuttable& line : lines_) {
+      addPieces(line, rounding.pathOf(line.from, line.to));
+      if (result_.pieces.size() > kMostPieces)
+        return tl::unexpected(
+            fmt::format("its lines meet so often that they would have to be cut "
+                        "into more than {} pieces",
+                        kMostPieces));
+    }
     return std::move(result_);
   }
 
  private:
   void gather() {
     for (std::size_t i = 0; i < map_.lines.size(); ++i) {
-      const Vertex& a = map_.vertices[map_.lines[i].from];
-      const Vertex& b = map_.vertices[map_.lines[i].to];
-      if (a.x == b.x && a.y == b.y)
+      const GridPoint from = gridPointOf(map_.vertices[map_.lines[i].from]);
+      const GridPoint to = gridPointOf(map_.vertices[map_.lines[i].to]);
+      if (from == to)
         findings_.push_back({Outcome::Dropped, Part::Line, i, "it has no length"});
       else
-        lines_.push_back({placeOf(a.x, a.y), placeOf(b.x, b.y), static_cast<std::uint32_t>(i), {}});
+        lines_.push_back({from, to, static_cast<std::uint32_t>(i), {}});
     }
   }
 
-  void meetAll() {
+  /// False where there are too many.
+  bool findCrossings() {
     std::ranges::sort(lines_, {}, [](const Cuttable& c) { return std::pair(c.minX(), c.line); });
     for (std::size_t i = 0; i < lines_.size(); ++i)
       for (std::size_t j = i + 1; j < lines_.size() && lines_[j].minX() <= lines_[i].maxX(); ++j) {
-        if (lines_[i].overlapsInY(lines_[j])) meet(lines_[i], lines_[j]);
-        if (cuts_ < kMostCuts) continue;
-        findings_.push_back({Outcome::Dropped, Part::Line, lines_[i].line,
-                             fmt::format("lines have met in {} places before it and the next ones: "
-                                         "where these meet is not looked for",
-                                         cuts_)});
-        return;
+        if (lines_[i].overlapsInY(lines_[j])) cross(lines_[i], lines_[j]);
+        if (crossings_ > kMostCrossings) return false;
       }
+    return true;
   }
 
-  void meet(Cuttable& a, Cuttable& b) {
-    const int from = orientation(a.from, a.to, b.from);
-    const int to = orientation(a.from, a.to, b.to);
-    const int aFrom = orientation(b.from, b.to, a.from);
-    const int aTo = orientation(b.from, b.to, a.to);
-    if (from == 0 && a.hasWithin(b.from)) cutAt(a, b.from);
-    if (to == 0 && a.hasWithin(b.to)) cutAt(a, b.to);
-    if (aFrom == 0 && b.hasWithin(a.from)) cutAt(b, a.from);
-    if (aTo == 0 && b.hasWithin(a.to)) cutAt(b, a.to);
-    if (from * to >= 0 || aFrom * aTo >= 0) return;
-    const double c = cross(b.to - b.from, a.from - b.from);
-    const double d = cross(b.to - b.from, a.to - b.from);
-    const Vec2 p = onGrid(lerp(a.from, a.to, c / (c - d)));
-    cutAt(a, p);
-    cutAt(b, p);
+  void cross(Cuttable& a, Cuttable& b) {
+    const auto p = crossingOf(a.from, a.to, b.from, b.to);
+    if (!p) return;
+    ++crossings_;
+    a.crossings.push_back(*p);
+    b.crossings.push_back(*p);
     findings_.push_back({Outcome::Repaired, Part::Line, std::max(a.line, b.line),
-                         fmt::format("it crosses line {} at ({:g}, {:g}): both are cut there",
-                                     std::min(a.line, b.line), p.x / kUnit, -p.y / kUnit)});
+                         fmt::format("it crosses line {} at {}: both are cut there",
+                                     std::min(a.line, b.line), nameOf(*p))});
   }
 
-  void cutAt(Cuttable& line, Vec2 p) {
-    line.cuts.push_back(p);
-    ++cuts_;
+  std::vector<GridPoint> hotPoints() const {
+    std::vector<GridPoint> hot;
+    for (const Cuttable& line : lines_) {
+      hot.push_back(line.from);
+      hot.push_back(line.to);
+      hot.insert(hot.end(), line.crossings.begin(), line.crossings.end());
+    }
+    return hot;
   }
 
-  void addPieces(Cuttable& line) {
-    const Vec2 direction = line.to - line.from;
-    line.cuts.push_back(line.from);
-    line.cuts.push_back(line.to);
-    std::ranges::sort(line.cuts, {}, [&](Vec2 p) { return dot(p - line.from, direction); });
-    for (std::size_t i = 0; i + 1 < line.cuts.size(); ++i)
-      if (line.cuts[i] != line.cuts[i + 1]) addPiece(line, line.cuts[i], line.cuts[i + 1]);
+  void addPieces(const Cuttable& line, const std::vector<GridPoint>& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      if (i > 0) tellOfBend(line, path[i]);
+      addPiece(line, placeOf(path[i]), placeOf(path[i + 1]));
+    }
+  }
+
+  void tellOfBend(const Cuttable& line, GridPoint at) {
+    if (orientation(placeOf(line.from), placeOf(line.to), placeOf(at)) == 0) return;
+    if (std::ranges::find(line.crossings, at) != line.crossings.end()) return;  // told
+    findings_.push_back({Outcome::Repaired, Part::Line, line.line,
+                         fmt::format("it all but touches {}, where another line ends: it is bent "
+                                     "to it",
+                                     nameOf(at))});
   }
 
   void addPiece(const Cuttable& line, Vec2 from, Vec2 to) {
     const Line& of = map_.lines[line.line];
-    const std::array<double, 2> along{length(from - line.from), length(line.to - to)};
+    const std::array<double, 2> along{length(from - placeOf(line.from)),
+                                      length(placeOf(line.to) - to)};
     Piece piece{{pointAt(from), pointAt(to)}, {}};
     for (const std::size_t i : {0U, 1U})
       if (of.sides[i])
@@ -148,7 +163,7 @@ class Cutter {
   const Map& map_;
   Findings& findings_;
   std::vector<Cuttable> lines_;
-  std::size_t cuts_ = 0;
+  std::size_t crossings_ = 0;
   std::map<std::pair<double, double>, std::uint32_t> pointsAt_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known_;
   Pieces result_;
@@ -156,6 +171,8 @@ class Cutter {
 
 }  // namespace
 
-Pieces piecesOf(const Map& map, Findings& findings) { return Cutter(map, findings).cut(); }
+tl::expected<Pieces, std::string> piecesOf(const Map& map, Findings& findings) {
+  return Cutter(map, findings).cut();
+}
 
 }  // namespace hearth::doom

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "hearth/import/findings.h"
@@ -38,6 +40,8 @@ struct Pieces {
 };
 
 /// Cuts the lines of a map wherever one meets another. Lines between the same points become one.
-Pieces piecesOf(const Map& map, Findings& findings);
+/// One that misses a point by so little that levels could not tell is bent to it. The error is one
+/// sentence.
+tl::expected<Pieces, std::string> piecesOf(const Map& map, Findings& findings);
 
 }  // namespace hearth::doom

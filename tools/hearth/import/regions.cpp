@@ -304,36 +304,29 @@ class RegionFinder {
 }  // namespace
 
 std::optional<std::uint32_t> Regions::regionAt(Vec2 p) const {
-  // The nearest half-edge on a line through the point, towards -x.
-  std::optional<std::uint32_t> found;
-  double nearest = -std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < halfEdges.size(); ++i) {
-    const HalfEdge& h = halfEdges[i];
-    if (!(h.to.y <= p.y && p.y < h.from.y)) continue;
-    if (!h.region && !halfEdges[twinOf(i)].region) continue;
-    const double x = h.from.x + (h.to.x - h.from.x) * ((p.y - h.from.y) / (h.to.y - h.from.y));
-    if (x > p.x || x < nearest) continue;
-    nearest = x;
-    found = h.region;
-  }
-  return found;
+  for (std::uint32_t region = 0; region < regions.size(); ++region)
+    if (contains(region, p)) return region;
+  return std::nullopt;
 }
 
+/// By how many half-edges lie between the point and -x. Exact, and the same of both half-edges of a
+/// line, so that regions neither overlap nor leave gaps.
 bool Regions::contains(std::uint32_t region, Vec2 p) const {
   bool isInside = false;
   for (const auto& loop : regions[region].loops)
     for (const std::uint32_t i : loop) {
       const HalfEdge& h = halfEdges[i];
       if ((h.from.y <= p.y) == (h.to.y <= p.y)) continue;
-      const double x = h.from.x + (h.to.x - h.from.x) * ((p.y - h.from.y) / (h.to.y - h.from.y));
-      if (x <= p.x) isInside = !isInside;
+      const bool isDown = h.from.y < h.to.y;
+      if (orientation(isDown ? h.from : h.to, isDown ? h.to : h.from, p) <= 0) isInside = !isInside;
     }
   return isInside;
 }
 
-Regions findRegions(const Map& map, Findings& findings) {
-  const Pieces pieces = piecesOf(map, findings);
-  return RegionFinder(map, pieces, findings).find();
+tl::expected<Regions, std::string> findRegions(const Map& map, Findings& findings) {
+  const auto pieces = piecesOf(map, findings);
+  if (!pieces) return tl::unexpected(pieces.error());
+  return RegionFinder(map, *pieces, findings).find();
 }
 
 }  // namespace hearth::doom

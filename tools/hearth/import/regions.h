@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "hearth/import/findings.h"
@@ -31,14 +33,14 @@ struct Regions {
   std::vector<Region> regions;
 
   static constexpr std::uint32_t twinOf(std::uint32_t halfEdge) { return halfEdge ^ 1U; }
-  /// The region in which a point lies; on a line any that the line bounds.
+  /// The region in which a point lies. One on a line is in exactly one of the two beside it.
   std::optional<std::uint32_t> regionAt(Vec2 p) const;
   bool contains(std::uint32_t region, Vec2 p) const;
 };
 
 /// Finds out of which regions a map consists, whatever its sides say: sectors that are not closed,
 /// sides that name the wrong sector and lines that divide nothing are found by what encloses what.
-/// A region is of the sector that most of its outline's length names.
-Regions findRegions(const Map& map, Findings& findings);
+/// A region is of the sector that most of its outline's length names. The error is one sentence.
+tl::expected<Regions, std::string> findRegions(const Map& map, Findings& findings);
 
 }  // namespace hearth::doom
