@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures each setting by itself, and prints the rows of tools/hearth/tradeoff/measured_settings.cpp.
+"""Measures each setting by itself, and prints the rows of tools/measure/tradeoff/measured_settings.cpp.
 
 usage: tools/measure_settings.py [OPTION OF `hearth tradeoff`...]
 
@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-HEARTH = ROOT / "build/release/tools/hearth/hearth"
+HEARTH = ROOT / "build/release/hearth"
 LEVELS = ["tutorial", "keep"]
 LEVELS_OF = {"--middle-shadows": ["gaol"]}
 SAME = {"--texel 0.0625": "--quality high"}  # and named so

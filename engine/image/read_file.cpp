@@ -16,7 +16,7 @@ namespace {
 struct FileClose {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using File = std::unique_ptr<std::FILE, FileClose>;
+using OpenFile = std::unique_ptr<std::FILE, FileClose>;
 
 tl::unexpected<ReadFailure> failure(ReadFault fault, std::string what) {
   return tl::make_unexpected(ReadFailure{fault, std::move(what)});
@@ -41,7 +41,7 @@ tl::expected<std::string, ReadFailure> readFile(const std::filesystem::path& pat
   // Not to wait for the other end of a pipe.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return failed();
-  const File file(::fdopen(descriptor, "rb"));
+  const OpenFile file(::fdopen(descriptor, "rb"));
   if (!file) return failed();
   struct stat before {};
   if (::fstat(descriptor, &before) != 0) return failed();

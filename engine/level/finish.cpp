@@ -95,9 +95,8 @@ class PieceBuilder {
     const Sector& next = level_[portal.next];
     const PortalHeights heights = portalHeights(
         range.zBottom, range.zTop, fitted(next.floor.z, range), fitted(next.ceiling.z, range));
-    const bool bothSkyFloors = range.atFloor && sector_.floor.parallax && next.floor.parallax;
-    const bool bothSkyCeilings =
-        range.atCeiling && sector_.ceiling.parallax && next.ceiling.parallax;
+    const bool bothSkyFloors = range.atFloor && sector_.floor.isSky && next.floor.isSky;
+    const bool bothSkyCeilings = range.atCeiling && sector_.ceiling.isSky && next.ceiling.isSky;
 
     if (bothSkyFloors)
       addSurface(SurfaceKind::SkyLowerStep, sector_.floor.texture, heights.zBottom,
@@ -262,10 +261,10 @@ void addMiddlesOfTwins(Level& level) {
 
 std::optional<SurfaceId> addFlat(Level& level, SectorId sector, const Flat& flat, bool isFloor,
                                  bool hasSlope) {
-  if (flat.interface) return std::nullopt;
+  if (flat.flatPortal) return std::nullopt;
   SurfaceKind kind = isFloor ? SurfaceKind::Floor : SurfaceKind::Ceiling;
   if (hasSlope) kind = isFloor ? SurfaceKind::SlopeFloor : SurfaceKind::SlopeCeiling;
-  if (flat.parallax) kind = isFloor ? SurfaceKind::SkyFloor : SurfaceKind::SkyCeiling;
+  if (flat.isSky) kind = isFloor ? SurfaceKind::SkyFloor : SurfaceKind::SkyCeiling;
   CHECK(flat.texture, level[sector].name, name(kind));
   level.surfaces.push_back({kind, sector, std::nullopt, *flat.texture, flat.z, flat.z});
   return SurfaceId(level.surfaces.size() - 1);

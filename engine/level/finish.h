@@ -27,7 +27,7 @@ using LevelFault = std::variant<MissingTexture, MissingTwin>;
 /// returns are the author's mistakes that only show here; with any, the level is not to be used.
 ///
 /// Expects: segments split so that both sides of every portal have the same end points, slopes that
-/// are planes, flats with a texture (skies too) or an interface.
+/// are planes, flats with a texture (skies too) or a flat portal.
 std::vector<LevelFault> finishLevel(Level& level);
 
 }  // namespace hearth

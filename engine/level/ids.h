@@ -24,7 +24,7 @@ using SectorId = Id<struct SectorTag>;
 using SegmentId = Id<struct SegmentTag>;
 using SurfaceId = Id<struct SurfaceTag>;
 using TextureId = Id<struct TextureTag>;
-using InterfaceId = Id<struct InterfaceTag>;
+using FlatPortalId = Id<struct FlatPortalTag>;
 using LightId = Id<struct LightTag>;
 
 }  // namespace hearth

@@ -44,7 +44,7 @@ struct Level {
   std::vector<TexelHoles> holes;      ///< of middle textures; by TextureId, as far as there are any
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
-  std::vector<Interface> interfaces;
+  std::vector<FlatPortal> flatPortals;
   std::vector<LightSource> lights;
   BakeSettings bake;
   std::optional<Player> player;
@@ -58,7 +58,7 @@ struct Level {
   const Segment& operator[](SegmentId id) const { return segments[id.index()]; }
   Segment& operator[](SegmentId id) { return segments[id.index()]; }
   const Surface& operator[](SurfaceId id) const { return surfaces[id.index()]; }
-  const Interface& operator[](InterfaceId id) const { return interfaces[id.index()]; }
+  const FlatPortal& operator[](FlatPortalId id) const { return flatPortals[id.index()]; }
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {
     return {&segments[sector.firstSegment.index()], sector.segmentCount};

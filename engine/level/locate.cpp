@@ -158,9 +158,9 @@ Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {
   return {xy.x, xy.y, std::clamp(p.z, bottom + nudge, std::max(bottom + nudge, top - nudge))};
 }
 
-SectorId across(const Level& level, const Interface& interface, Side to, Vec2 p) {
-  const std::vector<SectorId>& members = to == Side::Upper ? interface.upper : interface.lower;
-  CHECK(!members.empty(), interface.name);
+SectorId across(const Level& level, const FlatPortal& flatPortal, Side to, Vec2 p) {
+  const std::vector<SectorId>& members = to == Side::Upper ? flatPortal.upper : flatPortal.lower;
+  CHECK(!members.empty(), flatPortal.name);
   SectorId best = members.front();
   double distance = std::numeric_limits<double>::infinity();
   for (const SectorId member : members) {

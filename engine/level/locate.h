@@ -20,6 +20,6 @@ enum class Side { Upper, Lower };
 
 /// The sector on one side of a flat portal that contains `p`; on a common border the first of
 /// them; where rounding leaves `p` in none, the nearest.
-SectorId across(const Level& level, const Interface& interface, Side to, Vec2 p);
+SectorId across(const Level& level, const FlatPortal& flatPortal, Side to, Vec2 p);
 
 }  // namespace hearth

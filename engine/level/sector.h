@@ -12,10 +12,10 @@ namespace hearth {
 
 struct Flat {
   double z = 0;
-  std::optional<TextureMapping> texture;  ///< none where nothing shows: a flat portal
-  Vec2 textureOrigin = {0, 0};            ///< (xr, yr): where u and v are 0
-  bool parallax = false;                  ///< sky
-  std::optional<InterfaceId> interface;   ///< a flat portal
+  std::optional<TextureMapping> texture;   ///< none where nothing shows: a flat portal
+  Vec2 textureOrigin = {0, 0};             ///< (xr, yr): where u and v are 0
+  bool isSky = false;                      ///< sky
+  std::optional<FlatPortalId> flatPortal;  ///< a flat portal
 };
 
 /// A wedge of solid standing on the floor (hanging from the ceiling) of its sector. Its surface is
@@ -58,7 +58,7 @@ struct Sector {
 };
 
 /// Flats at one height that open to each other: flat portals.
-struct Interface {
+struct FlatPortal {
   std::string name;
   double z = 0;
   std::vector<SectorId> upper;  ///< sectors whose floor it is

@@ -7,8 +7,8 @@
 #include <mutex>
 #include <utility>
 
-#include "light/baked_surface.h"
-#include "light/texel_limits.h"
+#include "light/baking/baked_surface.h"
+#include "light/grid/texel_limits.h"
 #include "math/parallel.h"
 
 namespace hearth {
@@ -56,7 +56,7 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
     const auto& [id, texels] = jobs[job];
     const std::size_t i = id.index();
     SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, id);
-    for (const std::size_t light : surface.facing()) sights.fine[light].findConesUnlessBegun();
+    for (const std::size_t light : surface.facing()) sights.fine[light].findBeamsUnlessBegun();
     baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);
     const std::scoped_lock lock(addsLightCosts);
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};

@@ -33,11 +33,11 @@ class GeometryHasher {
       hash_.addPoint(slope->origin);
       hash_.addReal(slope->zAt0);
       hash_.addPoint(slope->gradient);
-    } else if (flat.interface) {
+    } else if (flat.flatPortal) {
       hash_.addWhole(FlatPortal);
-      hash_.addWhole(numbers_.ofInterface(*flat.interface));
+      hash_.addWhole(numbers_.ofFlatPortal(*flat.flatPortal));
     } else {
-      hash_.addWhole(flat.parallax ? Sky : Plain);
+      hash_.addWhole(flat.isSky ? Sky : Plain);
     }
   }
 
@@ -79,7 +79,7 @@ class GeometryHasher {
 
 std::uint64_t geometryHash(const Level& level, double texel) {
   const PartNumbers ids{[](SectorId id) { return id.value; },
-                        [](InterfaceId id) { return id.value; },
+                        [](FlatPortalId id) { return id.value; },
                         [](TextureId id) { return id.value; }};
   Hash hash;
   hash.addReal(texel);

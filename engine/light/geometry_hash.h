@@ -18,7 +18,7 @@ std::uint64_t geometryHash(const Level& level, double texel);
 /// What stands for the parts of a level that a sector leads to.
 struct PartNumbers {
   std::function<std::uint64_t(SectorId)> ofSector;
-  std::function<std::uint64_t(InterfaceId)> ofInterface;
+  std::function<std::uint64_t(FlatPortalId)> ofFlatPortal;
   std::function<std::uint64_t(TextureId)> ofHoles;
 };
 

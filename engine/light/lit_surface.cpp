@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "light/continuations.h"
-#include "light/grids.h"
-#include "light/upright_air.h"
-#include "light/vertex_fan.h"
+#include "light/grid/continuations.h"
+#include "light/grid/grids.h"
+#include "light/grid/upright_air.h"
+#include "light/grid/vertex_fan.h"
 #include "math/check.h"
 #include "math/tolerance.h"
 
@@ -29,8 +29,10 @@ TexelRect texelsOf(const std::vector<Polygon>& outlines) {
     }
   // Bilinear filtering at p reads texels floor(p - 1/2) and the one after it. A whisker more, so
   // that a point on the edge may be rounded outwards.
-  const auto first = [](double p) { return static_cast<int>(std::floor(p - 0.5 - kWhisker)); };
-  const auto last = [](double p) { return static_cast<int>(std::floor(p - 0.5 + kWhisker)) + 1; };
+  const auto first = [](double p) { return static_cast<int>(std::floor(p - 0.5 - kFilterSlack)); };
+  const auto last = [](double p) {
+    return static_cast<int>(std::floor(p - 0.5 + kFilterSlack)) + 1;
+  };
   const int i0 = first(low.x);
   const int j0 = first(low.y);
   return {i0, j0, last(high.x) - i0 + 1, last(high.y) - j0 + 1};
@@ -149,7 +151,7 @@ std::vector<LitSurface::Texels> LitSurface::askedIn(int j) const {
   std::vector<Texels> asked;
   // See texelsOf: the middles of texels that are asked for are less than one texel off. Another
   // whisker, so that no rounding leaves a row of its texels without one.
-  for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + 2 * kWhisker)) {
+  for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + 2 * kFilterSlack)) {
     const Texels next{
         std::max(texels.i0, static_cast<int>(std::ceil(from - 0.5))),
         std::min(texels.i0 + texels.width - 1, static_cast<int>(std::floor(to - 0.5)))};

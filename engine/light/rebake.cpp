@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "light/baked_surface.h"
+#include "light/baking/baked_surface.h"
+#include "light/baking/surface_light.h"
+#include "light/baking/texel_sums.h"
 #include "light/geometry_hash.h"
-#include "light/light_prints.h"
-#include "light/light_sight.h"
-#include "light/surface_light.h"
-#include "light/texel_sums.h"
-#include "light/trail.h"
+#include "light/rebaking/light_dependencies.h"
+#include "light/rebaking/light_fingerprints.h"
+#include "light/sight/light_sight.h"
 #include "math/parallel.h"
 
 namespace hearth {
@@ -130,7 +130,7 @@ class Rebake::Baker {
   void findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                 const std::stop_token& stop) const;
   Share shareOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
-                Trail& trail) const;
+                LightDependencies& dependencies) const;
   TexelSums sumsFor(SurfaceId id) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
@@ -142,7 +142,7 @@ class Rebake::Baker {
   int threads_;
   std::shared_ptr<const LitSurfaces> made_;
   const LitSurfaces& surfaces_;
-  LightPrints prints_;
+  LightFingerprints prints_;
   LightSights sights_;
   std::vector<Number> sectorNumbers_;   ///< by SectorId
   std::vector<Number> surfaceNumbers_;  ///< by SurfaceId
@@ -174,7 +174,7 @@ Rebake::Baker::Baker(LightMemory::Kept& memory, const Level& level, const BakeSe
       threads_(threads),
       made_(memory.surfacesOf(level, settings.texel)),
       surfaces_(*made_),
-      prints_(lightPrints(level, surfaces_)),
+      prints_(lightFingerprints(level, surfaces_)),
       sights_(level, settings),
       plans_(surfaces_.size()) {
   if (memory.settings != settings) memory.clear();
@@ -293,8 +293,9 @@ TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
 /// The shares of the lights that are left.
 void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                              const std::stop_token& stop) const {
-  Trail trail;
-  SurfaceLight surface(level_, surfaces_, sights_, settings_.lambert, id, Seeing::ByBeams, &trail);
+  LightDependencies dependencies;
+  SurfaceLight surface(level_, surfaces_, sights_, settings_.lambert, id, Seeing::ByShafts,
+                       &dependencies);
   std::span<const std::size_t> left = plans_[id.index()].left;
   auto share = found.shares.begin();
   for (const std::size_t atOnce = lightsAtOnce(id); !left.empty();) {
@@ -308,10 +309,10 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
         progress, stop);
     for (const std::size_t light : lights) {
       share = std::find(share, found.shares.end(), nullptr);
-      *share = std::make_shared<const Share>(shareOf(light, surface, sums.at(light), trail));
+      *share = std::make_shared<const Share>(shareOf(light, surface, sums.at(light), dependencies));
     }
   }
-  for (const SurfaceId sought : trail.surfaces().sorted())
+  for (const SurfaceId sought : dependencies.surfaces().sorted())
     found.samplesOn.push_back(surfaceNumbers_[sought.index()]);
   std::ranges::sort(found.samplesOn);
   found.samplesOn.erase(std::unique(found.samplesOn.begin(), found.samplesOn.end()),
@@ -319,8 +320,9 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
 }
 
 Rebake::Baker::Share Rebake::Baker::shareOf(std::size_t light, const SurfaceLight& surface,
-                                            const TexelSums& sums, Trail& trail) const {
-  SectorSet& met = trail.sectorsOf(light);
+                                            const TexelSums& sums,
+                                            LightDependencies& dependencies) const {
+  SectorSet& met = dependencies.sectorsOf(light);
   for (const std::vector<LightSight>* sights : {&sights_.fine, &sights_.rough})
     for (const SectorId sector : (*sights)[light].sectors()) met.add(sector);
   Share share{sums.cropped(), surface.costs()[light], {}};

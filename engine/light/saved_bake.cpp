@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "light/geometry_hash.h"
-#include "light/texel_limits.h"
+#include "light/grid/texel_limits.h"
 #include "math/check.h"
 
 namespace hearth {

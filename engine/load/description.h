@@ -72,7 +72,7 @@ struct LoopDescription {
 };
 
 /// Names the two sides of a flat portal.
-struct InterfaceDescription {
+struct FlatPortalDescription {
   NameReference up;
   NameReference down;
   Place place;
@@ -84,8 +84,8 @@ struct FlatDescription {
   double z = 0;
   std::optional<TextureDescription> texture;
   bool isRelative = false;
-  bool parallax = false;
-  std::optional<InterfaceDescription> next;
+  bool isSky = false;
+  std::optional<FlatPortalDescription> next;
   bool isReadable = true;  ///< else a missing texture or height has been reported
 };
 

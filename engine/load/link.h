@@ -65,7 +65,7 @@ std::vector<SectorId> targetsOf(const Wall& wall);
 // The steps of linking, in this order. Each reports what it cannot link and puts a stand-in in its
 // place, so that the next ones and `finishLevel` find a level without holes.
 
-/// Heights, textures, interfaces and light of all sectors.
+/// Heights, textures, flat portals and light of all sectors.
 void linkFlats(Linking& linking);
 /// Names of walls to ids, sub-walls to absolute heights.
 void linkWalls(Linking& linking);
@@ -80,7 +80,7 @@ void linkSlopes(Linking& linking);
 /// One-way portals, pairs that open different heights: warnings. After `finishLevel`.
 void validatePortals(Linking& linking);
 /// Members of one side that overlap, sides that cover different areas.
-void validateInterfaces(Linking& linking);
+void validateFlatPortals(Linking& linking);
 /// Sectors without height whose flat portals lead round in a ring.
 void validateRings(Linking& linking);
 /// Coordinates beyond kPreciseReach: a warning, once.

@@ -12,69 +12,69 @@ namespace hearth {
 namespace {
 
 /// Collects the flats that name the same pair of sectors.
-class InterfaceLinker {
+class FlatPortalLinker {
  public:
-  explicit InterfaceLinker(Linking& linking) : linking_(linking) {}
+  explicit FlatPortalLinker(Linking& linking) : linking_(linking) {}
 
-  /// A flat of `sector` that leads `to` the other side; it takes the interface's height.
+  /// A flat of `sector` that leads `to` the other side; it takes the flat portal's height.
   void add(SectorId sector, const FlatDescription& described, bool isFloor, Flat& flat) {
-    const InterfaceDescription& next = *described.next;
-    const std::optional<InterfaceId> id = idOf(next, flat.z);
+    const FlatPortalDescription& next = *described.next;
+    const std::optional<FlatPortalId> id = idOf(next, flat.z);
     if (!id) {
       linking_.isDoubtful[sector.index()] = true;
       flat.texture = linking_.textures.standIn();
       return;
     }
-    Interface& interface = linking_.level.interfaces[id->index()];
-    if (std::abs(flat.z - interface.z) > kAuthorNoise)
+    FlatPortal& flatPortal = linking_.level.flatPortals[id->index()];
+    if (std::abs(flat.z - flatPortal.z) > kAuthorNoise)
       linking_.report.error(
           described.zPlace,
           fmt::format("flat portal at height {}, where the others of \"{}\" are at {}", flat.z,
-                      interface.name, interface.z),
+                      flatPortal.name, flatPortal.z),
           "give all flats with one \"next\" the same z");
-    flat.z = interface.z;
-    flat.interface = id;
-    (isFloor ? interface.upper : interface.lower).push_back(sector);
+    flat.z = flatPortal.z;
+    flat.flatPortal = id;
+    (isFloor ? flatPortal.upper : flatPortal.lower).push_back(sector);
   }
 
   /// The two named sectors must be members.
   void checkMembers() const {
     for (const auto& [names, known] : known_) {
-      const Interface& interface = linking_.level.interfaces[known.id.index()];
-      checkMember(known.next->up, known.up, interface.upper, "floor", interface.name);
-      checkMember(known.next->down, known.down, interface.lower, "ceiling", interface.name);
+      const FlatPortal& flatPortal = linking_.level.flatPortals[known.id.index()];
+      checkMember(known.next->up, known.up, flatPortal.upper, "floor", flatPortal.name);
+      checkMember(known.next->down, known.down, flatPortal.lower, "ceiling", flatPortal.name);
     }
   }
 
  private:
   struct Known {
-    InterfaceId id;
+    FlatPortalId id;
     SectorId up;
     SectorId down;
-    const InterfaceDescription* next;
+    const FlatPortalDescription* next;
   };
 
-  std::optional<InterfaceId> idOf(const InterfaceDescription& next, double z) {
+  std::optional<FlatPortalId> idOf(const FlatPortalDescription& next, double z) {
     const auto names = std::pair(next.up.name, next.down.name);
     if (const auto found = known_.find(names); found != known_.end()) return found->second.id;
     const std::optional<SectorId> up = linking_.names.link(linking_.report, next.up);
     const std::optional<SectorId> down = linking_.names.link(linking_.report, next.down);
     if (!up || !down) return std::nullopt;
-    std::vector<Interface>& interfaces = linking_.level.interfaces;
-    const InterfaceId id(interfaces.size());
-    interfaces.push_back({fmt::format("{}-{}", next.up.name, next.down.name), z, {}, {}});
+    std::vector<FlatPortal>& flatPortals = linking_.level.flatPortals;
+    const FlatPortalId id(flatPortals.size());
+    flatPortals.push_back({fmt::format("{}-{}", next.up.name, next.down.name), z, {}, {}});
     known_.emplace(names, Known{id, *up, *down, &next});
     return id;
   }
 
   void checkMember(const NameReference& name, SectorId id, const std::vector<SectorId>& members,
-                   std::string_view flat, const std::string& interface) const {
+                   std::string_view flat, const std::string& flatPortal) const {
     if (linking_.isDoubtful[id.index()] || std::binary_search(members.begin(), members.end(), id))
       return;
     linking_.report.error(
         name.place,
         fmt::format("the {} of sector \"{}\" is no part of the flat portal \"{}\"", flat, name.name,
-                    interface),
+                    flatPortal),
         fmt::format("give that {} the same \"next\"", flat));
   }
 
@@ -84,7 +84,7 @@ class InterfaceLinker {
 
 class FlatLinker {
  public:
-  explicit FlatLinker(Linking& linking) : linking_(linking), interfaces_(linking) {}
+  explicit FlatLinker(Linking& linking) : linking_(linking), flatPortals_(linking) {}
 
   void linkSector(std::size_t index) {
     const SectorDescription& described = linking_.description.sectors[index];
@@ -98,21 +98,21 @@ class FlatLinker {
     checkHeights(index);
   }
 
-  void finish() const { interfaces_.checkMembers(); }
+  void finish() const { flatPortals_.checkMembers(); }
 
  private:
   void linkFlat(SectorId sector, const FlatDescription& described,
                 const std::optional<SlopeDescription>& slope, bool isFloor, Flat& flat) {
     flat.z = described.z;
-    flat.parallax = described.parallax;
-    if (slope && (described.next || described.parallax))
+    flat.isSky = described.isSky;
+    if (slope && (described.next || described.isSky))
       linking_.report.error(
           slope->place,
           fmt::format("a slope on a flat that is {}", described.next ? "a flat portal" : "sky"),
           "remove one of them");
     if (described.next) {
-      flat.parallax = false;
-      return interfaces_.add(sector, described, isFloor, flat);
+      flat.isSky = false;
+      return flatPortals_.add(sector, described, isFloor, flat);
     }
     if (!described.texture && described.isReadable)
       linking_.report.error(described.place,
@@ -138,7 +138,7 @@ class FlatLinker {
   }
 
   Linking& linking_;
-  InterfaceLinker interfaces_;
+  FlatPortalLinker flatPortals_;
 };
 
 }  // namespace

@@ -26,11 +26,11 @@ class EdgePairer {
 
   /// The members of a flat portal need not be joined by walls, but their outlines cover the same
   /// area: edges running either way are paired.
-  void pairInterfaces() {
-    for (const Interface& interface : linking_.level.interfaces) {
+  void pairFlatPortals() {
+    for (const FlatPortal& flatPortal : linking_.level.flatPortals) {
       std::vector<std::uint32_t> edges;
-      for (const SectorId member : interface.upper) addEdgesOf(member, edges);
-      for (const SectorId member : interface.lower) addEdgesOf(member, edges);
+      for (const SectorId member : flatPortal.upper) addEdgesOf(member, edges);
+      for (const SectorId member : flatPortal.lower) addEdgesOf(member, edges);
       std::vector<Box> boxes;
       for (const std::uint32_t edge : edges) boxes.push_back(boxOfEdge(edge));
       const BoxTree tree(boxes);
@@ -231,7 +231,7 @@ void linkSegments(Linking& linking) {
   for (const Touch& touch : linking.outlines.touches) welder.addTouch(touch);
   EdgePairer pairer(linking, welder);
   pairer.pairPortals();
-  pairer.pairInterfaces();
+  pairer.pairFlatPortals();
   const Weld weld = welder.finish();
 
   std::vector<Vec2>& points = linking.outlines.points;

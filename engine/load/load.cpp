@@ -98,7 +98,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   linkWalls(linking);
   linkSegments(linking);
   linkSlopes(linking);
-  validateInterfaces(linking);
+  validateFlatPortals(linking);
   validateRings(linking);
   const bool isEmpty = linking.level.segments.empty();
   if (!isEmpty) reportFaults(linking, finishLevel(linking.level));

@@ -36,8 +36,8 @@ bool liesInOutline(const Level& level, const Sector& sector, Vec2 p) {
 
 /// Whether `z` is in the endless column above a sector's sky, or below its sky floor.
 bool liesInSky(const Sector& sector, double z) {
-  return (sector.ceiling.parallax && z > sector.ceiling.z) ||
-         (sector.floor.parallax && z < sector.floor.z);
+  return (sector.ceiling.isSky && z > sector.ceiling.z) ||
+         (sector.floor.isSky && z < sector.floor.z);
 }
 
 bool isMember(const std::vector<SectorId>& members, SectorId sector) {
@@ -52,9 +52,9 @@ bool opensTo(const Level& level, const Sector& sector, SectorId next, Vec3 p) {
           p.z <= opening.zTop + kPositionSlack && distanceToWall(segment, p.xy()) <= kPositionSlack)
         return true;
   for (const Flat* flat : {&sector.floor, &sector.ceiling}) {
-    if (!flat->interface || std::abs(flat->z - p.z) > kPositionSlack) continue;
-    const Interface& interface = level[*flat->interface];
-    if (isMember(flat == &sector.floor ? interface.lower : interface.upper, next)) return true;
+    if (!flat->flatPortal || std::abs(flat->z - p.z) > kPositionSlack) continue;
+    const FlatPortal& flatPortal = level[*flat->flatPortal];
+    if (isMember(flat == &sector.floor ? flatPortal.lower : flatPortal.upper, next)) return true;
   }
   return false;
 }

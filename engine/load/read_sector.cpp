@@ -32,7 +32,7 @@ std::vector<std::string_view> knownKeys(const std::array<std::string_view, count
   return known;
 }
 
-std::optional<InterfaceDescription> readInterfacePair(Report& report, JsonValue next) {
+std::optional<FlatPortalDescription> readFlatPortalPair(Report& report, JsonValue next) {
   constexpr std::array<std::string_view, 2> kKeys{"up", "down"};
   const Fields fields(report, next, kKeys);
   const auto up = fields.require("up", "name the sector above");
@@ -40,12 +40,12 @@ std::optional<InterfaceDescription> readInterfacePair(Report& report, JsonValue 
   const auto upName = up ? readReference(report, *up) : std::nullopt;
   const auto downName = down ? readReference(report, *down) : std::nullopt;
   if (!upName || !downName) return std::nullopt;
-  return InterfaceDescription{*upName, *downName, next.place()};
+  return FlatPortalDescription{*upName, *downName, next.place()};
 }
 
 /// `"up-down"` or `{"up": .., "down": ..}`.
-std::optional<InterfaceDescription> readInterface(Report& report, JsonValue next) {
-  if (next.isObject()) return readInterfacePair(report, next);
+std::optional<FlatPortalDescription> readFlatPortal(Report& report, JsonValue next) {
+  if (next.isObject()) return readFlatPortalPair(report, next);
   const std::string_view text = next.isString() ? next.text() : std::string_view();
   const std::size_t dash = text.find('-');
   if (dash == 0 || dash == std::string_view::npos || dash + 1 == text.size() ||
@@ -54,16 +54,16 @@ std::optional<InterfaceDescription> readInterface(Report& report, JsonValue next
                  "write \"up-down\", or {\"up\": .., \"down\": ..} when a name holds a \"-\"");
     return std::nullopt;
   }
-  return InterfaceDescription{{std::string(text.substr(0, dash)), next.place()},
-                              {std::string(text.substr(dash + 1)), next.place()},
-                              next.place()};
+  return FlatPortalDescription{{std::string(text.substr(0, dash)), next.place()},
+                               {std::string(text.substr(dash + 1)), next.place()},
+                               next.place()};
 }
 
 void refuseBesideNext(Report& report, const FlatDescription& flat, const Fields& fields) {
   if (flat.texture)
     report.error(fields.find("texture")->place(), "a texture on a flat portal",
                  "remove it or \"next\"");
-  if (flat.parallax)
+  if (flat.isSky)
     report.error(fields.find("parallax")->place(), "a flat portal that is sky",
                  "remove \"parallax\" or \"next\"");
 }
@@ -82,13 +82,13 @@ FlatDescription readFlat(Report& report, const Fields& sector, std::string_view 
   if (const auto z = fields.find("z")) flat.zPlace = z->place();
   flat.isReadable &= fields.read("z", kCoordinate, flat.z);
   fields.read("isRelative", flat.isRelative);
-  flat.isReadable &= fields.read("parallax", flat.parallax);
+  flat.isReadable &= fields.read("parallax", flat.isSky);
   if (const auto texture = fields.find("texture")) {
     flat.texture = readTexture(report, *texture, TextureUse::OnFlat);
     flat.isReadable &= flat.texture.has_value();
   }
   if (const auto next = fields.find("next")) {
-    flat.next = readInterface(report, *next);
+    flat.next = readFlatPortal(report, *next);
     flat.isReadable &= flat.next.has_value();
     refuseBesideNext(report, flat, fields);
   }

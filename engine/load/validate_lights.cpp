@@ -46,10 +46,10 @@ void validateLight(Report& report, const Level& level, Place place, const LightS
   const Sector& sector = level[light.sector];
   const Vec3 p = light.position;
   std::vector<std::string> planes = wallsAt(level, sector, p);
-  if (sector.floorSurface && !sector.floor.parallax &&
+  if (sector.floorSurface && !sector.floor.isSky &&
       std::abs(p.z - sector.airBottom(p.xy())) <= kInPlane)
     planes.push_back("the floor");
-  if (sector.ceilingSurface && !sector.ceiling.parallax &&
+  if (sector.ceilingSurface && !sector.ceiling.isSky &&
       std::abs(p.z - sector.airTop(p.xy())) <= kInPlane)
     planes.push_back("the ceiling");
   if (planes.empty()) return;

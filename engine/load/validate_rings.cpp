@@ -31,14 +31,15 @@ class ThinSectors {
  private:
   bool isThin(SectorId id) const {
     const Sector& sector = level_[id];
-    return sector.floor.interface && sector.ceiling.interface && sector.floor.z == sector.ceiling.z;
+    return sector.floor.flatPortal && sector.ceiling.flatPortal &&
+           sector.floor.z == sector.ceiling.z;
   }
 
   const std::vector<SectorId>& below(SectorId id) const {
-    return level_[*level_[id].floor.interface].lower;
+    return level_[*level_[id].floor.flatPortal].lower;
   }
   const std::vector<SectorId>& above(SectorId id) const {
-    return level_[*level_[id].ceiling.interface].upper;
+    return level_[*level_[id].ceiling.flatPortal].upper;
   }
 
   void countBelow(SectorId id) {

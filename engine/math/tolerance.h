@@ -36,13 +36,13 @@ inline constexpr double kNudge = 1e-9;
 inline constexpr double kHeightNoise = 1e-9;
 
 /// Metres before its target within which nothing stops a ray of light any more: the target lies on
-/// a surface, and which side of it rounding puts the crossing is chance. A tenth of kHair, so that
-/// a ray to the edge of a surface is still stopped by what stands beside that.
+/// a surface, and which side of it rounding puts the crossing is chance. A tenth of kEdgeInset, so
+/// that a ray to the edge of a surface is still stopped by what stands beside that.
 inline constexpr double kArrival = 1e-7;
 
 /// Metres. Rays of light arrive at least about this far off the edges of a surface: the slack that
 /// positions have. A shadow moves by no more.
-inline constexpr double kHair = 1e-6;
+inline constexpr double kEdgeInset = 1e-6;
 
 /// Of an angle at a light, as its sine: directions closer than this are one. Rounding turns none by
 /// as much, and at 1 km it is less than kArrival.
@@ -63,7 +63,7 @@ inline constexpr double kNearTie = 1e-9;
 
 /// Texels. So far outside its surface bilinear filtering may be asked for a point of it that
 /// rounding has moved: thousands of times the rounding of coordinates of 2^20 texels.
-inline constexpr double kWhisker = 1e-6;
+inline constexpr double kFilterSlack = 1e-6;
 
 /// Share of an area, of a sum of triangles: what rounding of its coordinates may change it by.
 inline constexpr double kAreaNoise = 1e-12;

@@ -10,10 +10,10 @@ namespace hearth {
 namespace {
 
 /// On which side of the nearer of two pixels the other one lies.
-enum class Side { Left, Right, AboveOrBelow };
+enum class Neighbour { Left, Right, AboveOrBelow };
 
 bool opensTo(const Flat& flat, const Flat& other) {
-  return flat.interface && flat.interface == other.interface;
+  return flat.flatPortal && flat.flatPortal == other.flatPortal;
 }
 
 bool partedByFlatPortal(const Sector& a, const Sector& b) {
@@ -21,17 +21,17 @@ bool partedByFlatPortal(const Sector& a, const Sector& b) {
 }
 
 /// Seen from the front the loop goes on to the right.
-const Segment& besideInLoop(const Level& level, SegmentId id, Side side) {
+const Segment& besideInLoop(const Level& level, SegmentId id, Neighbour side) {
   const Segment& segment = level[id];
   const Loop& loop = level[segment.sector].loops[segment.loop];
   const std::size_t place = id.index() - loop.first.index();
-  const std::size_t way = side == Side::Right ? 1 : loop.count - 1;
+  const std::size_t way = side == Neighbour::Right ? 1 : loop.count - 1;
   return level[SegmentId(loop.first.index() + (place + way) % loop.count)];
 }
 
 /// Of the edge of a wall. Where it ends at an opening, that is the opening's, too.
-Rgb colorOfEdge(const Level& level, SegmentId wall, Side side) {
-  if (leadsOn(level[wall]) || side == Side::AboveOrBelow) return colorOf(level[wall]);
+Rgb colorOfEdge(const Level& level, SegmentId wall, Neighbour side) {
+  if (leadsOn(level[wall]) || side == Neighbour::AboveOrBelow) return colorOf(level[wall]);
   return colorOf(besideInLoop(level, wall, side));
 }
 
@@ -41,7 +41,7 @@ bool isBorderInStack(const Level& level, const Surface& a, const Surface& b) {
 }
 
 /// Of the edge of the nearer surface, beyond which the farther one shows.
-Rgb colorOfEdge(const Level& level, const Surface& near, const Surface& far, Side side) {
+Rgb colorOfEdge(const Level& level, const Surface& near, const Surface& far, Neighbour side) {
   const bool isSameSector = near.sector == far.sector;
   if (!isSameSector && partedByFlatPortal(level[near.sector], level[far.sector]))
     return kFlatPortalColor;
@@ -61,7 +61,8 @@ std::optional<Rgb> colorBetween(const Level& level, const ShownSurface& a, const
   const Surface& near = level[isFirstNearer ? *a.surface : *b.surface];
   const Surface& far = level[isFirstNearer ? *b.surface : *a.surface];
   if (isSky(near.kind) && isSky(far.kind)) return std::nullopt;
-  const Side side = !areInRow ? Side::AboveOrBelow : (isFirstNearer ? Side::Right : Side::Left);
+  const Neighbour side =
+      !areInRow ? Neighbour::AboveOrBelow : (isFirstNearer ? Neighbour::Right : Neighbour::Left);
   return colorOfEdge(level, near, far, side);
 }
 

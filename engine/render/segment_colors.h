@@ -23,6 +23,6 @@ inline bool leadsOn(const Segment& segment) {
 inline Rgb colorOf(const Segment& segment) { return leadsOn(segment) ? kWayOnColor : kWallColor; }
 
 /// Of the line in which a floor or ceiling meets walls.
-inline Rgb colorOf(const Flat& flat) { return flat.interface ? kFlatPortalColor : kWallColor; }
+inline Rgb colorOf(const Flat& flat) { return flat.flatPortal ? kFlatPortalColor : kWallColor; }
 
 }  // namespace hearth

@@ -24,7 +24,7 @@ struct Span {
 /// Work of a frame's first phase, in the engine's own nouns.
 struct FrameStats {
   int viewports = 0;             ///< sectors seen through side portals, and the first
-  int flatPortals = 0;           ///< looks through an interface
+  int flatPortals = 0;           ///< looks through a flat portal
   std::size_t windows = 0;       ///< of both
   int segments = 0;              ///< projected
   std::size_t wallColumns = 0;   ///< columns of walls in view

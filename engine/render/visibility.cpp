@@ -184,7 +184,7 @@ class Visibility {
       found_.spans.push_back({window.column, window.top, window.bottom, *surface, window.depth});
       return;
     }
-    flatPortalView(*flat.interface, isFloor, firstNewFlat).windows.push_back(window);
+    flatPortalView(*flat.flatPortal, isFloor, firstNewFlat).windows.push_back(window);
   }
 
   void showWall(const Segment& segment, const Window& window, const ColumnHit& hit,
@@ -262,9 +262,9 @@ class Visibility {
 
   // --- sectors seen through flat portals --------------------------------------------------------
 
-  FlatPortalView& flatPortalView(InterfaceId id, bool down, std::size_t firstNew) {
+  FlatPortalView& flatPortalView(FlatPortalId id, bool down, std::size_t firstNew) {
     for (std::size_t i = flatPortals_.size(); i-- > firstNew;)
-      if (flatPortals_[i].interface == id && flatPortals_[i].down == down) return flatPortals_[i];
+      if (flatPortals_[i].flatPortal == id && flatPortals_[i].down == down) return flatPortals_[i];
     flatPortals_.push_back({id, down, noWindows()});
     return flatPortals_.back();
   }
@@ -274,10 +274,10 @@ class Visibility {
     found_.stats.windows += view.windows.size();
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
-    const Interface& interface = level_[view.interface];
-    findStretches(view.down ? interface.lower : interface.upper, view.windows);
+    const FlatPortal& flatPortal = level_[view.flatPortal];
+    findStretches(view.down ? flatPortal.lower : flatPortal.upper, view.windows);
     for (std::size_t i = 0; i < view.windows.size(); ++i)
-      lookThroughPlane(interface.z, view.down, view.windows[i], stretchesOf(i), firstNew,
+      lookThroughPlane(flatPortal.z, view.down, view.windows[i], stretchesOf(i), firstNew,
                        firstNewFlat);
   }
 

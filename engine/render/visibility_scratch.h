@@ -26,9 +26,9 @@ struct Viewport {
   std::vector<Window> windows;     ///< by rising column
 };
 
-/// The sectors of one side of an interface, seen through the windows that a flat portal leaves.
+/// The sectors of one side of a flat portal, seen through the windows that a flat portal leaves.
 struct FlatPortalView {
-  InterfaceId interface;
+  FlatPortalId flatPortal;
   bool down;
   std::vector<Window> windows;
 };
@@ -72,7 +72,7 @@ struct VisibilityScratch {
   SpareWindows spareWindows;
   std::vector<ColumnHit> closest;  ///< by window of the present viewport
 
-  /// Of the present look through an interface: as they are found, with their windows, ...
+  /// Of the present look through a flat portal: as they are found, with their windows, ...
   std::vector<std::pair<std::size_t, Stretch>> stretches;
   /// ... and by window: those of window i are [stretchesBegin[i], stretchesBegin[i + 1]).
   std::vector<Stretch> stretchesByWindow;

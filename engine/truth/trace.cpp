@@ -81,7 +81,7 @@ double crossingOf(const Ray& ray, const Segment& segment) {
 double meetFlat(const Ray& ray, const Sector& sector, bool isFloor) {
   const Flat& flat = isFloor ? sector.floor : sector.ceiling;
   const std::optional<Slope>& slope = isFloor ? sector.floorSlope : sector.ceilingSlope;
-  if (flat.parallax && ray.kind == RayKind::Light) return kNever;
+  if (flat.isSky && ray.kind == RayKind::Light) return kNever;
   const double sign = isFloor ? 1 : -1;
   const Vec2 gradient = slope ? slope->gradient : Vec2{};
   const double z = slope ? slope->zAt(ray.origin.xy()) : flat.z;
@@ -97,7 +97,7 @@ TruthHit flatHit(const Ray& ray, SectorId id, const Sector& sector, bool isFloor
   const double scale = (isFloor ? 1 : -1) / std::sqrt(1 + dot(gradient, gradient));
   SurfaceKind kind = isFloor ? SurfaceKind::Floor : SurfaceKind::Ceiling;
   if (slope) kind = isFloor ? SurfaceKind::SlopeFloor : SurfaceKind::SlopeCeiling;
-  if (flat.parallax) kind = isFloor ? SurfaceKind::SkyFloor : SurfaceKind::SkyCeiling;
+  if (flat.isSky) kind = isFloor ? SurfaceKind::SkyFloor : SurfaceKind::SkyCeiling;
 
   TruthHit found;
   found.kind = kind;
@@ -106,8 +106,8 @@ TruthHit flatHit(const Ray& ray, SectorId id, const Sector& sector, bool isFloor
   found.normal = scale * Vec3{-gradient.x, -gradient.y, 1};
   found.t = t;
   found.texture = flat.texture;
-  found.imageMetres = flat.parallax ? skyImageMetres(ray.direction, *flat.texture, isFloor)
-                                    : found.point.xy() - flat.textureOrigin;
+  found.imageMetres = flat.isSky ? skyImageMetres(ray.direction, *flat.texture, isFloor)
+                                 : found.point.xy() - flat.textureOrigin;
   return found;
 }
 
@@ -134,22 +134,22 @@ bool holds(const Level& level, const Ray& ray, SectorId sector, Vec2 place) {
 }
 
 /// The sector on the other side of a flat portal.
-SectorId sectorAcross(const Level& level, const Ray& ray, const Interface& interface, Side to,
+SectorId sectorAcross(const Level& level, const Ray& ray, const FlatPortal& flatPortal, Side to,
                       Vec2 place) {
-  for (const SectorId member : to == Side::Upper ? interface.upper : interface.lower)
+  for (const SectorId member : to == Side::Upper ? flatPortal.upper : flatPortal.lower)
     if (holds(level, ray, member, place)) return member;
   // Vertical rays, and gaps between sectors that the author's tolerance allows.
-  return across(level, interface, to, place);
+  return across(level, flatPortal, to, place);
 }
 
 std::variant<TruthHit, Stage> throughFlat(const Level& level, const Ray& ray, SectorId id,
                                           bool isFloor, double t) {
   const Sector& sector = level[id];
   const Flat& flat = isFloor ? sector.floor : sector.ceiling;
-  if (!flat.interface) return flatHit(ray, id, sector, isFloor, t);
+  if (!flat.flatPortal) return flatHit(ray, id, sector, isFloor, t);
   const Vec2 place = ray.at(t).xy();
   const Side to = isFloor ? Side::Lower : Side::Upper;
-  return Stage{sectorAcross(level, ray, level[*flat.interface], to, place), t, place};
+  return Stage{sectorAcross(level, ray, level[*flat.flatPortal], to, place), t, place};
 }
 
 /// The surface that the ray meets first, or the sector in which it is at `tEnd`: with kNever, the

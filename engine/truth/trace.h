@@ -38,7 +38,7 @@ enum class RayKind {
 /// or for light also above its sky ceiling or below its sky floor; `direction` is not null and of
 /// any length. None only for light that leaves the level through a sky.
 ///
-/// Works from what authors write (segments, flats, slopes, interfaces) and from nothing that is
+/// Works from what authors write (segments, flats, slopes, flat portals) and from nothing that is
 /// derived from it, so that it can be held against what is.
 std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                               RayKind kind);

@@ -15,8 +15,8 @@ Vec3 rayOrigin(const Level& level, const LightSource& light) {
   const Sector& sector = level[light.sector];
   const Vec3 p = light.position;
   Vec3 origin = nudgedInside(level, sector, p);
-  const bool isAboveSky = sector.ceiling.parallax && p.z > sector.ceiling.z;
-  const bool isBelowSky = sector.floor.parallax && p.z < sector.floor.z;
+  const bool isAboveSky = sector.ceiling.isSky && p.z > sector.ceiling.z;
+  const bool isBelowSky = sector.floor.isSky && p.z < sector.floor.z;
   if (isAboveSky || isBelowSky) origin.z = p.z;
   return origin;
 }

@@ -55,8 +55,8 @@ class Meeting {
     // Rounding may take the ray out of the air that it is in; only light is ever truly out of it.
     const double bottom = sector_.airBottom(point_.xy());
     const double top = sector_.airTop(point_.xy());
-    if (!(isLight() && sector_.floor.parallax)) point_.z = std::max(point_.z, bottom);
-    if (!(isLight() && sector_.ceiling.parallax)) point_.z = std::min(point_.z, top);
+    if (!(isLight() && sector_.floor.isSky)) point_.z = std::max(point_.z, bottom);
+    if (!(isLight() && sector_.ceiling.isSky)) point_.z = std::min(point_.z, top);
     part_ = partAt(segment_, sector_, point_.z);
   }
 
@@ -78,8 +78,8 @@ class Meeting {
     const bool isClosed = next.floor.z >= next.ceiling.z;
     const bool isBelow = z < std::max(sector_.floor.z, next.floor.z);
     const bool isAbove = z > std::min(sector_.ceiling.z, next.ceiling.z);
-    const bool isSkyBelow = part_.atFloor && sector_.floor.parallax && next.floor.parallax;
-    const bool isSkyAbove = part_.atCeiling && sector_.ceiling.parallax && next.ceiling.parallax;
+    const bool isSkyBelow = part_.atFloor && sector_.floor.isSky && next.floor.isSky;
+    const bool isSkyAbove = part_.atCeiling && sector_.ceiling.isSky && next.ceiling.isSky;
     // To light the opening between sky floors has no bottom. It still ends at the lower ceiling.
     if (isBelow && !(isSkyBelow && isLight())) {
       if (const auto step = isSkyBelow ? skyStep(false) : lowerStep(portal, next)) return *step;

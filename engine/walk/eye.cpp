@@ -12,8 +12,8 @@ Eye eyeOf(const Level& level, const Walker& walker) {
   Eye eye{walker.sector, walker.feet, walker.angle, walker.pitch};
   const Vec2 p = walker.feet.xy();
   eye.point.z += bodyOf(level, walker.crouch).eyeHeight;
-  while (level[eye.sector].ceiling.interface && eye.point.z > level[eye.sector].ceiling.z)
-    eye.sector = across(level, level[*level[eye.sector].ceiling.interface], Side::Upper, p);
+  while (level[eye.sector].ceiling.flatPortal && eye.point.z > level[eye.sector].ceiling.z)
+    eye.sector = across(level, level[*level[eye.sector].ceiling.flatPortal], Side::Upper, p);
   eye.point.z = std::min(eye.point.z, std::max(walker.feet.z, level[eye.sector].airTop(p)));
   return eye;
 }

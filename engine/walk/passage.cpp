@@ -21,8 +21,8 @@ bool areJoined(const Level& level, const Segment& segment, std::size_t lower, st
   const SectorId nextBelow = openingAt(segment, lower).next;
   const SectorId nextAbove = openingAt(segment, upper).next;
   if (nextBelow == nextAbove) return true;
-  const auto& ceiling = level[nextBelow].ceiling.interface;
-  return ceiling && ceiling == level[nextAbove].floor.interface;
+  const auto& ceiling = level[nextBelow].ceiling.flatPortal;
+  return ceiling && ceiling == level[nextAbove].floor.flatPortal;
 }
 
 /// Where along a line from `at0` to `at1` it is at most `limit`.
@@ -57,8 +57,8 @@ Passage::Passage(const Level& level, const Segment& segment, std::size_t first, 
   const WallPiece& lowest = segment.pieces[first];
   const Opening& below = openingAt(segment, first);
   const Flat& nextFloor = level[below.next].floor;
-  const bool isOpenBelow = sector.floor.interface && lowest.zBottom <= sector.floor.z &&
-                           (nextFloor.interface || nextFloor.z < lowest.zBottom);
+  const bool isOpenBelow = sector.floor.flatPortal && lowest.zBottom <= sector.floor.z &&
+                           (nextFloor.flatPortal || nextFloor.z < lowest.zBottom);
   bottoms_ = {{line(-kNowhere), line(-kNowhere), line(-kNowhere)}};
   if (!isOpenBelow) {
     const Segment& far = level[below.twin];
@@ -70,8 +70,8 @@ Passage::Passage(const Level& level, const Segment& segment, std::size_t first, 
   const WallPiece& highest = segment.pieces[last];
   const Opening& above = openingAt(segment, last);
   const Flat& nextCeiling = level[above.next].ceiling;
-  const bool isOpenAbove = sector.ceiling.interface && highest.zTop >= sector.ceiling.z &&
-                           (nextCeiling.interface || nextCeiling.z > highest.zTop);
+  const bool isOpenAbove = sector.ceiling.flatPortal && highest.zTop >= sector.ceiling.z &&
+                           (nextCeiling.flatPortal || nextCeiling.z > highest.zTop);
   tops_ = {{line(kNowhere), line(kNowhere), line(kNowhere)}};
   if (!isOpenAbove) {
     const Segment& far = level[above.twin];

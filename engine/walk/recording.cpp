@@ -242,7 +242,8 @@ RecordedState recordedState(const Level& level, const Walker& walker) {
 
 std::string writeRecording(const Recording& recording) {
   const RecordedStart& start = recording.start;
-  std::string text = std::string(kHeader) + "\nstart";
+  std::string text(kHeader);
+  text += "\nstart";
   text += join({start.eye.x, start.eye.y, start.eye.z, start.angle, start.pitch});
   text += ' ' + escaped(start.sector) + '\n';
   const std::vector<WalkInput>& inputs = recording.inputs;

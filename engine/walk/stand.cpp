@@ -18,17 +18,17 @@ bool isIn(const Level& level, SectorId sector, Vec3 p) {
 
 /// From a sector of the column of `p` to the one that holds its height, through flat portals.
 SectorId followColumn(const Level& level, SectorId sector, Vec3 p) {
-  while (level[sector].floor.interface && p.z < level[sector].floor.z)
-    sector = across(level, level[*level[sector].floor.interface], Side::Lower, p.xy());
-  while (level[sector].ceiling.interface && p.z > level[sector].ceiling.z)
-    sector = across(level, level[*level[sector].ceiling.interface], Side::Upper, p.xy());
+  while (level[sector].floor.flatPortal && p.z < level[sector].floor.z)
+    sector = across(level, level[*level[sector].floor.flatPortal], Side::Lower, p.xy());
+  while (level[sector].ceiling.flatPortal && p.z > level[sector].ceiling.z)
+    sector = across(level, level[*level[sector].ceiling.flatPortal], Side::Upper, p.xy());
   return sector;
 }
 
 /// Whether the sector contains `p`, or does once the feet are raised on its floor.
 bool mayStandIn(const Level& level, SectorId sector, Vec3 p, double zHighest) {
   const double zFloor = level[sector].airBottom(p.xy());
-  const bool isRaised = zFloor > p.z && zFloor <= zHighest && !level[sector].floor.interface;
+  const bool isRaised = zFloor > p.z && zFloor <= zHighest && !level[sector].floor.flatPortal;
   return isIn(level, sector, {p.x, p.y, isRaised ? zFloor : p.z});
 }
 

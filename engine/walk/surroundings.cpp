@@ -108,12 +108,12 @@ bool Surroundings::isOpenAt(const Segment& segment, double share) {
 
 /// The body is above the sector.
 bool Surroundings::isBelow(const Sector& sector) const {
-  return sector.ceiling.interface && sector.ceiling.z <= reach_.body.zClimb + kSkin;
+  return sector.ceiling.flatPortal && sector.ceiling.z <= reach_.body.zClimb + kSkin;
 }
 
 /// The body is below the sector.
 bool Surroundings::isAbove(const Sector& sector) const {
-  return sector.floor.interface && sector.floor.z >= reach_.body.zHead() - kSkin;
+  return sector.floor.flatPortal && sector.floor.z >= reach_.body.zHead() - kSkin;
 }
 
 void Surroundings::bear(double z) {
@@ -157,14 +157,14 @@ void Surroundings::block(const Segment& segment, Shares chord) {
 }
 
 void Surroundings::takeFlats(const Sector& sector) {
-  if (sector.floor.interface) {
-    if (sector.floor.z >= reach_.zLow) followFlat(*sector.floor.interface, Side::Lower);
+  if (sector.floor.flatPortal) {
+    if (sector.floor.z >= reach_.zLow) followFlat(*sector.floor.flatPortal, Side::Lower);
   } else {
     const double z = sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : sector.floor.z;
     bear(z);
   }
-  if (sector.ceiling.interface) {
-    if (sector.ceiling.z <= reach_.zHigh) followFlat(*sector.ceiling.interface, Side::Upper);
+  if (sector.ceiling.flatPortal) {
+    if (sector.ceiling.z <= reach_.zHigh) followFlat(*sector.ceiling.flatPortal, Side::Upper);
   } else {
     const double z =
         sector.ceilingSlope ? -highest(sector, *sector.ceilingSlope, -1) : sector.ceiling.z;
@@ -172,14 +172,14 @@ void Surroundings::takeFlats(const Sector& sector) {
   }
 }
 
-void Surroundings::followFlat(InterfaceId id, Side to) {
-  const Interface& interface = level_[id];
-  for (const SectorId member : to == Side::Upper ? interface.upper : interface.lower)
+void Surroundings::followFlat(FlatPortalId id, Side to) {
+  const FlatPortal& flatPortal = level_[id];
+  for (const SectorId member : to == Side::Upper ? flatPortal.upper : flatPortal.lower)
     if (touches(level_[member])) add(member);
   // His middle may miss its own column by the slack of positions, and a body with less breadth then
   // touches none of them.
-  const SectorId column = across(level_, interface, to, reach_.center);
-  const Vec3 middle{reach_.center.x, reach_.center.y, interface.z};
+  const SectorId column = across(level_, flatPortal, to, reach_.center);
+  const Vec3 middle{reach_.center.x, reach_.center.y, flatPortal.z};
   if (contains(level_, level_[column], middle, kPositionSlack)) add(column);
 }
 

@@ -63,7 +63,7 @@ class Surroundings {
   bool isBelow(const Sector& sector) const;
   bool isAbove(const Sector& sector) const;
   bool isOpenAt(const Segment& segment, double share);
-  void followFlat(InterfaceId id, Side to);
+  void followFlat(FlatPortalId id, Side to);
   bool touches(const Sector& sector) const;
   void bear(double z);
   void block(const Segment& segment, Shares chord);

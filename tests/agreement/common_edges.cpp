@@ -65,9 +65,10 @@ std::vector<SectorId> acrossStep(const Level& level, const Sector& sector, Vec3 
   const auto append = [&](const std::vector<SectorId>& members) {
     found.insert(found.end(), members.begin(), members.end());
   };
-  if (sector.floor.interface && to.z < sector.floor.z) append(level[*sector.floor.interface].lower);
-  if (sector.ceiling.interface && to.z > sector.ceiling.z)
-    append(level[*sector.ceiling.interface].upper);
+  if (sector.floor.flatPortal && to.z < sector.floor.z)
+    append(level[*sector.floor.flatPortal].lower);
+  if (sector.ceiling.flatPortal && to.z > sector.ceiling.z)
+    append(level[*sector.ceiling.flatPortal].upper);
   return found;
 }
 

@@ -3,13 +3,14 @@
 usage: architecture_test.py SOURCE_DIR ARCHIVE... [-- TEST...]
 """
 
+import json
 import re
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
-# What each folder of engine/ may include of the others: all of it, nothing is inherited.
+# What each folder of engine/ and tools/ may include of the others: all of it, nothing is inherited.
 LAYERS = {
     "math": [],
     "image": ["math"],
@@ -20,6 +21,23 @@ LAYERS = {
     "truth": ["level", "image", "math"],
     "walk": ["level", "math"],
 }
+ENGINE = list(LAYERS)
+LAYERS |= {
+    "textures": ["image", "math"],
+    "files": [],
+    "settings": ["image", "level", "light", "load", "math", "render"],
+    "text": ["image", "load", "math"],
+    "session": ["files", "settings", "image", "level", "light", "load", "math", "render"],
+    "lint": ["level", "light", "load", "math", "walk"],
+    "import": ["files", "text", "image", "level", "load", "math"],
+    "measure": ["settings", "text", "image", "level", "light", "load", "math", "render", "truth"],
+    "viewer": ["files", "measure", "session", "settings", "text", *ENGINE],
+    "desktop": ["files", "measure", "session", "settings", "viewer", *ENGINE],
+    "cli": ["desktop", "files", "import", "lint", "measure", "session", "settings", "text", "viewer", *ENGINE],
+    "peers": ["cli", "desktop", "files", "import", "measure", "session", "settings", *ENGINE],
+}
+# Of tools/, what is not a library of the program.
+PROGRAMS = ["package", "levels"]
 
 # Who may see the libraries that are not ours. A header passes on what it includes, so those named
 # *.cpp here are kept to the inside of their folder.
@@ -28,12 +46,12 @@ OUTSIDERS = {
     r"CLI/.*": ["tools/*/*.cpp", "tests/*/*.cpp"],
     r"nlohmann/json\.hpp": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
     r"nlohmann/json_fwd\.hpp": ["tools/*/*.h"],  # parts of a tool hand JSON to one another
-    r"imgui/.*": ["tools/hearth/overlay/*.cpp", "tests/*/*"],
+    r"imgui/.*": ["tools/viewer/overlay/*.cpp", "tools/viewer/overlay/imgui_values.h", "tests/*/*"],
     r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/image/*.cpp", "engine/light/*.cpp", "tests/*/*.cpp"],
-    r"hwy/.*": ["engine/light/light_kernels.cpp", "engine/render/*.cpp", "engine/render/*-inl.h",
-                "tools/hearth/bench/kernel.cpp", "tests/*/*.cpp"],
-    r"embree.*": ["tools/hearth/bench/embree.*", "tests/*/*"],
+    r"hwy/.*": ["engine/light/sight/light_kernels.cpp", "engine/render/*.cpp", "engine/render/*-inl.h",
+                "tools/peers/kernel.cpp", "tests/*/*.cpp"],
+    r"embree.*": ["tools/peers/embree.*", "tests/*/*"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
 }
 
@@ -75,18 +93,25 @@ class Architecture(unittest.TestCase):
     def expect_none(self, offences):
         self.assertEqual(len(offences), 0, "\n" + "\n".join(offences))
 
-    def test_every_folder_of_the_engine_is_in_the_table_of_layers(self):
-        folders = {path.name for path in (SOURCE / "engine").iterdir() if path.is_dir()}
-        self.assertEqual(folders, set(LAYERS))
+    def test_every_folder_is_in_the_table_of_layers(self):
+        folders = {path.name for root in ("engine", "tools") for path in (SOURCE / root).iterdir()
+                   if path.is_dir()}
+        self.assertEqual(folders - set(PROGRAMS), set(LAYERS))
+
+    def test_no_layer_includes_one_that_includes_it(self):
+        for folder, below in LAYERS.items():
+            for other in below:
+                self.assertNotIn(folder, LAYERS[other], other)
 
     def test_layers_include_only_what_lies_below_them(self):
         offences = []
-        for path in sources("engine"):
+        for path in sources("engine", "tools"):
             folder = path.parts[1]
+            if folder in PROGRAMS:
+                continue
             for number, name in includes(path):
                 target = name.split("/")[0]
-                is_ours = (SOURCE / "engine" / target).is_dir() or (SOURCE / "tools" / target).is_dir()
-                if is_ours and "/" in name and target not in [folder, *LAYERS[folder]]:
+                if target in LAYERS and "/" in name and target not in [folder, *LAYERS[folder]]:
                     offences.append(f"{path}:{number}: {folder} must not include {name}")
         self.expect_none(offences)
 
@@ -131,16 +156,29 @@ class Architecture(unittest.TestCase):
                         offences.append(f"{Path(archive).name}: {name} in {match[1]}")
         self.expect_none(offences)
 
+    def test_names_in_unnamed_namespaces_are_unique_within_a_library(self):
+        """Files of a library may be compiled as one (CMAKE_UNITY_BUILD)."""
+        offences = []
+        for library in sorted(path for root in ("engine", "tools")
+                              for path in (SOURCE / root).iterdir() if path.name in LAYERS):
+            if library.name == "textures":  # each image has parts of the same names; see its CMakeLists.txt
+                continue
+            places = {}
+            for tag in ctags([path for path in library.rglob("*.cpp") if path.name != "main.cpp"]):
+                if not tag.get("scope", "").split("::")[-1].startswith("__anon"):
+                    continue
+                if tag["kind"] == "alias" or tag["kind"] == "typedef":
+                    continue  # the same twice is no mistake, and another one does not compile
+                key = tag["name"] + (tag.get("signature", "") if tag["kind"] == "function" else "")
+                places.setdefault(key, set()).add(tag["path"])
+            offences += [f"{name}: {', '.join(sorted(paths))}"
+                         for name, paths in sorted(places.items()) if len(paths) > 1]
+        self.expect_none(offences)
+
     def test_functions_fit_on_a_page(self):
-        files = [str(SOURCE / path) for path in sources("engine", "tools")]
-        tags = subprocess.run(
-            ["ctags", "--language-force=C++", "--kinds-C++=f", "--fields=+ne", "-o", "-", *files],
-            capture_output=True, text=True, check=True).stdout
-        lengths = []
-        for line in tags.splitlines():
-            match = re.search(r"^(\S+)\t(\S+)\t.*\tline:(\d+).*\tend:(\d+)", line)
-            if match:
-                lengths.append((int(match[4]) - int(match[3]) + 1, f"{match[2]}:{match[3]}: {match[1]}"))
+        lengths = [(tag["end"] - tag["line"] + 1, f"{tag['path']}:{tag['line']}: {tag['name']}")
+                   for tag in ctags(SOURCE / path for path in sources("engine", "tools"))
+                   if tag["kind"] == "function" and "end" in tag]
         self.assertGreater(len(lengths), 100, "ctags must have found the functions")
         self.expect_none([f"{place} has {length} lines" for length, place in lengths
                           if length > MAX_FUNCTION_LINES])
@@ -148,6 +186,15 @@ class Architecture(unittest.TestCase):
     def test_files_stay_readable(self):
         self.expect_none([f"{path} has {length} lines" for path in sources("engine", "tools")
                           if (length := (SOURCE / path).read_text().count("\n")) > MAX_FILE_LINES])
+
+
+def ctags(paths):
+    """Functions, variables and types of C++ files, as ctags finds them."""
+    output = subprocess.run(
+        ["ctags", "--language-force=C++", "--kinds-C++=fvscgut", "--fields=+nesSK", "--extras=-q",
+         "--output-format=json", "-o", "-", *map(str, paths)],
+        capture_output=True, text=True, check=True).stdout
+    return [json.loads(line) for line in output.splitlines()]
 
 
 def is_writable(section):

@@ -293,7 +293,7 @@ void renameReference(Json& holder, const char* key, NewName&& newName) {
 }
 
 template <typename NewName>
-void renameInterface(Json& flat, NewName&& newName) {
+void renameFlatPortal(Json& flat, NewName&& newName) {
   if (!flat.contains("next")) return;
   Json& next = flat["next"];
   if (next.is_string()) {
@@ -428,7 +428,7 @@ LevelFiles renamed(const LevelFiles& original) {
     Json sectors = Json::array();
     forEachSector(files.level, [&](const std::string& name, Json& sector) {
       sector["name"] = newName(name);
-      forEachFlat(sector, [&](Json& flat) { renameInterface(flat, newName); });
+      forEachFlat(sector, [&](Json& flat) { renameFlatPortal(flat, newName); });
       forEachLoop(sector, [&](Json& loop) {
         forEachWall(loop, [&](Json& wall) { renameReference(wall, "next", newName); });
       });

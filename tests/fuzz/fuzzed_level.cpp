@@ -5,7 +5,7 @@
 
 #include "level/locate.h"
 #include "light/bakery.h"
-#include "light/texel_limits.h"
+#include "light/grid/texel_limits.h"
 #include "math/check.h"
 #include "math/tolerance.h"
 #include "render/renderer.h"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "light/geometry_hash.h"
-#include "light/texel_limits.h"
+#include "light/grid/texel_limits.h"
 #include "load/load.h"
 #include "math/check.h"
 #include "render/renderer.h"

@@ -1,15 +1,15 @@
 // Bytes of a fuzzer as a WAD: it is refused with a message, or each of its maps is, or becomes a
 // level that loads. All of its pictures are decoded.
 
-#include "hearth/import/wad.h"
+#include "import/doom/wad.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "hearth/import/import_map.h"
-#include "hearth/import/map.h"
+#include "import/doom/import_map.h"
+#include "import/doom/map.h"
 #include "load/load.h"
 #include "math/check.h"
 #include "scratch_folder.h"

@@ -219,7 +219,7 @@ class Package(unittest.TestCase):
         pictures = [self.folder / "packaged.png", self.folder / "built.png"]
         run(self.folder / "usr/bin/hearth", "shot", self.folder / "usr/share/hearth/levels/tutorial.json",
             "-o", pictures[0], cwd=self.folder)
-        run(BUILD / "tools/hearth/hearth", "shot", SOURCE / "levels/tutorial.json", "-o", pictures[1])
+        run(BUILD / "hearth", "shot", SOURCE / "levels/tutorial.json", "-o", pictures[1])
         self.assertEqual(*(picture.read_bytes() for picture in pictures))
 
 

@@ -18,7 +18,7 @@ os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = os.devnull
 
 SOURCE = Path()
 HEARTH = Path()
-BUILT = "build/release/tools/hearth/hearth "
+BUILT = "build/release/hearth "
 FILES = ["levels/rooms.json", "levels/rooms.lights.json"]
 
 

@@ -86,9 +86,9 @@ Ways waysOf(const Level& level, const Gait& gait) {
     for (const Segment& segment : level.segmentsOf(level.sectors[i]))
       doorways.pass(segment, ways[i]);
   }
-  for (const Interface& interface : level.interfaces)
-    for (const SectorId upper : interface.upper)
-      for (const SectorId lower : interface.lower) ways[upper.index()].insert(lower.index());
+  for (const FlatPortal& flatPortal : level.flatPortals)
+    for (const SectorId upper : flatPortal.upper)
+      for (const SectorId lower : flatPortal.lower) ways[upper.index()].insert(lower.index());
   return ways;
 }
 
@@ -112,7 +112,7 @@ std::set<std::size_t> reachableFrom(const Ways& ways, std::size_t start) {
 }
 
 bool hasRoom(const Level& level, const Sector& sector, const Gait& gait) {
-  if (sector.floor.parallax) return false;
+  if (sector.floor.isSky) return false;
   if (sector.floorSlope) {
     const Vec2 gradient = sector.floorSlope->gradient;
     if (std::sqrt(dot(gradient, gradient)) > gait.steepest) return false;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "light/baked_surface.h"
+#include "light/baking/baked_surface.h"
 #include "random_levels/random_level.h"
 
 namespace hearth::test {
@@ -22,8 +22,8 @@ void add(const LightCost& cost, LightCost& sum) {
 }
 
 void print(const char* what, const BothCosts& costs) {
-  fmt::print("{}: {} samples of lights, {} rays instead of {}\n", what, costs.byBeams.samples,
-             costs.byBeams.rays, costs.byRays.rays);
+  fmt::print("{}: {} samples of lights, {} rays instead of {}\n", what, costs.byShafts.samples,
+             costs.byShafts.rays, costs.byRays.rays);
 }
 
 }  // namespace
@@ -63,18 +63,18 @@ void expectSameBakes(const Level& level, const BakeSettings& settings, const std
       for (const LightCost& light : surface.costs()) add(light, cost);
       return map;
     };
-    LightCost byBeams;
+    LightCost byShafts;
     LightCost byRays;
-    const std::optional<Lightmap> withBeams = baked(Seeing::ByBeams, byBeams);
+    const std::optional<Lightmap> withShafts = baked(Seeing::ByShafts, byShafts);
     const std::optional<Lightmap> withRays = baked(Seeing::ByRaysAlone, byRays);
-    ASSERT_EQ(withBeams.has_value(), withRays.has_value());
-    if (withBeams) {
-      ASSERT_EQ(withBeams->channels, withRays->channels);
-      ASSERT_EQ(withBeams->levels, withRays->levels);
+    ASSERT_EQ(withShafts.has_value(), withRays.has_value());
+    if (withShafts) {
+      ASSERT_EQ(withShafts->channels, withRays->channels);
+      ASSERT_EQ(withShafts->levels, withRays->levels);
     }
-    ASSERT_EQ(byBeams.samples, byRays.samples);
-    ASSERT_EQ(byBeams.seenSamples, byRays.seenSamples);
-    add(byBeams, costs.byBeams);
+    ASSERT_EQ(byShafts.samples, byRays.samples);
+    ASSERT_EQ(byShafts.seenSamples, byRays.seenSamples);
+    add(byShafts, costs.byShafts);
     add(byRays, costs.byRays);
   }
 }
@@ -97,8 +97,8 @@ void expectSameRandomBakes(std::uint64_t first, std::uint64_t last) {
   }
   print("points", points);
   print("balls ", balls);
-  EXPECT_LT(2 * points.byBeams.rays, points.byRays.rays);
-  EXPECT_LT(3 * balls.byBeams.rays, 4 * balls.byRays.rays);
+  EXPECT_LT(2 * points.byShafts.rays, points.byRays.rays);
+  EXPECT_LT(3 * balls.byShafts.rays, 4 * balls.byRays.rays);
 }
 
 }  // namespace hearth::test

@@ -28,11 +28,11 @@ Level withBalls(Level level, std::uint64_t seed);
 
 /// What two bakes took.
 struct BothCosts {
-  LightCost byBeams;
+  LightCost byShafts;
   LightCost byRays;
 };
 
-/// Bakes every surface with beams and with rays alone, and expects the same bytes and counts.
+/// Bakes every surface with shafts and with rays alone, and expects the same bytes and counts.
 void expectSameBakes(const Level& level, const BakeSettings& settings, const std::string& what,
                      BothCosts& costs);
 

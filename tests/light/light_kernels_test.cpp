@@ -1,7 +1,7 @@
 // That light does not depend on the processor: it is found with each instruction set that this one
 // has, and as the formulas say that these are compiled from.
 
-#include "light/light_kernels.h"
+#include "light/sight/light_kernels.h"
 
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
@@ -13,7 +13,7 @@
 
 #include "level/light_source.h"
 #include "light/bakery.h"
-#include "light/light_sum.h"
+#include "light/baking/light_sum.h"
 #include "load/load.h"
 
 namespace hearth {
@@ -160,7 +160,7 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
   });
 }
 
-TEST_F(LightKernelsTest, findConesBetweenWhoseSidesSomethingMayLie) {
+TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
   CornerWays corners;
   for (const std::size_t count : {1, 3, 8}) {
     corners.count = count;
@@ -196,7 +196,7 @@ TEST_F(LightKernelsTest, findConesBetweenWhoseSidesSomethingMayLie) {
 }
 
 /// A bit for each bound that has a corner behind it, or nearer than its slack: begin and end of the
-/// cone, its planes and its walls.
+/// beam, its planes and its walls.
 TEST_F(LightKernelsTest, findBoundsThatPartABox) {
   CornerWays corners;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -204,41 +204,41 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
     corners.y[i] = (i & 2) != 0 ? -1 : 1;
     corners.z[i] = (i & 4) != 0 ? 0 : 2;
   }
-  LightCone cone{};
-  cone.begin = {0.6, -0.8};
-  cone.end = {0.6, 0.8};
-  LightCone narrow = cone;
+  Beam beam{};
+  beam.begin = {0.6, -0.8};
+  beam.end = {0.6, 0.8};
+  Beam narrow = beam;
   narrow.end = {1, 0};
-  LightCone aside = cone;
+  Beam aside = beam;
   aside.begin = {0, 1};
   const HeightPlane below{{-1, 0}, true, 0};
   const HeightPlane across{{0.2, 0}, true, 0};
   const HeightPlane above{{-1, 0}, false, 0};
   const HeightPlane blurred{{-1, 0}, true, 0.5};
   forEachInstructionSet([&](const LightKernels& kernels) {
-    const auto parting = [&](const LightCone& of, const std::vector<HeightPlane>& planes,
-                             double margin, double reach, std::uint32_t asked = kAllBounds,
+    const auto parting = [&](const Beam& of, const std::vector<HeightPlane>& planes, double margin,
+                             double reach, std::uint32_t asked = kAllBounds,
                              const Segment* on = nullptr) {
       return kernels.findParting(corners, {of, planes, {0, 0, 0}, on}, asked, margin, reach);
     };
-    EXPECT_EQ(parting(cone, {}, 0.1, 0), 0U);
+    EXPECT_EQ(parting(beam, {}, 0.1, 0), 0U);
     EXPECT_EQ(parting(narrow, {below, across, below, across}, 0.1, 0), 0b101010U);
     EXPECT_EQ(parting(aside, {}, 0.1, 0), kBehindBound);
-    EXPECT_EQ(parting(cone, {across, above}, 0.1, 0), kBehindBound);
-    EXPECT_EQ(parting(cone, {above}, 4, 0), 0b111U) << "by less than its slack";
-    EXPECT_EQ(parting(cone, {blurred}, 0.4, 5), 0U);
-    EXPECT_EQ(parting(cone, {blurred}, 0.4, 6), 0b100U);
+    EXPECT_EQ(parting(beam, {across, above}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(parting(beam, {above}, 4, 0), 0b111U) << "by less than its slack";
+    EXPECT_EQ(parting(beam, {blurred}, 0.4, 5), 0U);
+    EXPECT_EQ(parting(beam, {blurred}, 0.4, 6), 0b100U);
     std::vector<HeightPlane> many(40, below);
     many[36] = across;
     constexpr std::uint32_t kLastBit = std::uint32_t{1} << 30;
-    EXPECT_EQ(parting(cone, many, 0.1, 0), kLastBit) << "it has room for all that follow";
-    EXPECT_EQ(parting(cone, many, 0.1, 0, kLastBit), kLastBit);
-    EXPECT_EQ(parting(cone, {above}, 0.1, 0, 0), 0U) << "it is not asked for";
+    EXPECT_EQ(parting(beam, many, 0.1, 0), kLastBit) << "it has room for all that follow";
+    EXPECT_EQ(parting(beam, many, 0.1, 0, kLastBit), kLastBit);
+    EXPECT_EQ(parting(beam, {above}, 0.1, 0, 0), 0U) << "it is not asked for";
 
     const Segment far = wallAt(4, false);
     const Segment near = wallAt(2, true);
     const Segment turned = wallAt(2, false);
-    LightCone between = cone;
+    Beam between = beam;
     between.to = &far;
     EXPECT_EQ(parting(between, {below}, 0.1, 0), 0b1000U);
     EXPECT_EQ(parting(between, {below}, 0.1, 0, kAllBounds, &far), 0U) << "they lie on it";
@@ -249,17 +249,17 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
   });
 }
 
-/// Two cones side by side: whatever is in front of both bounds of one is lit.
-TEST_F(LightKernelsTest, findSeenWhatOneConeHoldsForSure) {
+/// Two beams side by side: whatever is in front of both bounds of one is lit.
+TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
   const std::vector<WayBound> bounds = {
       {{1, 0, 0}, 0, 2}, {{0, 1, 0}, -10, 2}, {{-1, 0.2, 0}, 3, 1}};
-  const std::vector<PartingBounds> cones = {{2, false}, {1, false}};
+  const std::vector<PartingBounds> beams = {{2, false}, {1, false}};
   const std::vector<PartingBounds> doubtful = {{2, true}, {1, true}};
   int unknown = 0;
   forEachInstructionSet([&](const LightKernels& kernels) {
     std::vector<double> seen(kCount);
     std::vector<double> inDoubt(kCount);
-    kernels.findSeen(samples_.arrays(), kCount, light_, cones, bounds.data(), seen.data());
+    kernels.findSeen(samples_.arrays(), kCount, light_, beams, bounds.data(), seen.data());
     kernels.findSeen(samples_.arrays(), kCount, light_, doubtful, bounds.data(), inDoubt.data());
     for (std::size_t i = 0; i < kCount; ++i) {
       const auto isIn = [&](const WayBound& bound, double slack) {

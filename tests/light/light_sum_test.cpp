@@ -1,4 +1,4 @@
-#include "light/light_sum.h"
+#include "light/baking/light_sum.h"
 
 #include <gtest/gtest.h>
 

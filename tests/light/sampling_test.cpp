@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "light/bakery.h"
-#include "light/sample_placement.h"
+#include "light/sampling/sample_placement.h"
 #include "math/tolerance.h"
 #include "math/trig.h"
 #include "support/baked_room.h"
@@ -82,7 +82,7 @@ TEST(SamplePlacement, keepsAHairOffBothEdgesOfASharpCorner) {
         const Vec3 target = SamplePlacement(surfaces, SurfaceId(i)).place(sample).target;
         const Vec2 found = floor.grid.toTexels(target);
         EXPECT_TRUE(floor.outline.contains(found)) << angle << ' ' << turn;
-        EXPECT_GT(0.25 * length(floor.outline.nearest(found) - found), 0.9 * kHair)
+        EXPECT_GT(0.25 * length(floor.outline.nearest(found) - found), 0.9 * kEdgeInset)
             << angle << ' ' << turn;
       }
     }

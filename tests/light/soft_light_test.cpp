@@ -8,8 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "light/light_sight.h"
-#include "light/sample_placement.h"
+#include "light/sampling/sample_placement.h"
+#include "light/sight/light_sight.h"
 #include "math/tolerance.h"
 #include "random_levels/random_level.h"
 #include "support/baked_room.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "light/baked_surface.h"
+#include "light/baking/baked_surface.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
 

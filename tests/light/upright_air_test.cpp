@@ -1,8 +1,8 @@
-#include "light/upright_air.h"
+#include "light/grid/upright_air.h"
 
 #include <gtest/gtest.h>
 
-#include "light/grids.h"
+#include "light/grid/grids.h"
 #include "support/level_text.h"
 
 namespace hearth {

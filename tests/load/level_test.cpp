@@ -185,9 +185,9 @@ TEST(Level, joinsFlatsOfBothSpellingsIntoOneInterface) {
           sectorText("down", kRoom, "{'texture': '#808080'}",
                      "'ceiling': {'z': 4, 'next': 'up-down'}"))
           .level;
-  ASSERT_EQ(level.interfaces.size(), 1U);
-  EXPECT_EQ(level.interfaces[0].upper, (std::vector{SectorId(0), SectorId(1)}));
-  EXPECT_EQ(level.interfaces[0].lower, (std::vector{SectorId(2)}));
+  ASSERT_EQ(level.flatPortals.size(), 1U);
+  EXPECT_EQ(level.flatPortals[0].upper, (std::vector{SectorId(0), SectorId(1)}));
+  EXPECT_EQ(level.flatPortals[0].lower, (std::vector{SectorId(2)}));
   EXPECT_FALSE(level.sectors[2].ceilingSurface);
 }
 
@@ -216,7 +216,7 @@ TEST(Level, takesNamesWithADashInTheObjectFormOfNext) {
                   sectorText("c-", kRoom, "{'texture': '#808080'}",
                              "'ceiling': {'z': 4, 'next': {'up': 'a-b', 'down': 'c-'}}"))
           .level;
-  EXPECT_EQ(level.interfaces.size(), 1U);
+  EXPECT_EQ(level.flatPortals.size(), 1U);
 }
 
 TEST(Level, fillsUnknownHeightsOfASlopeFromThePlaneOfTheOthers) {

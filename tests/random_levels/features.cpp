@@ -42,7 +42,7 @@ class FeatureFinder {
       for (const Piece& piece : wall.wall->pieces) findPiece(wall, piece);
     }
     findSharedVertices();
-    findInterfaces();
+    findFlatPortals();
     findOverlaps();
     findDeepChain();
     return features_;
@@ -240,14 +240,14 @@ class FeatureFinder {
     note(Feature::SkyCeiling, sector.ceiling.isSky);
     note(Feature::SkyFloor, sector.floor.isSky);
     for (const Flat* flat : {&sector.floor, &sector.ceiling}) {
-      if (flat->interface) {
-        note(flat->isInterfaceObject ? Feature::InterfaceAsObject : Feature::InterfaceAsString);
+      if (flat->flatPortal) {
+        note(flat->isFlatPortalObject ? Feature::FlatPortalAsObject : Feature::FlatPortalAsString);
         continue;
       }
       findTexture(flat->texture);
       note(Feature::RelativeFlat, flat->isRelative);
     }
-    note(Feature::InterfaceChain, sector.floor.interface && sector.ceiling.interface);
+    note(Feature::FlatPortalChain, sector.floor.flatPortal && sector.ceiling.flatPortal);
     for (const Loop& loop : sector.loops) {
       note(Feature::WrongWinding, loop.isWoundWrongly);
       note(Feature::OneWallForLoop, loop.hasOneWall);
@@ -256,17 +256,17 @@ class FeatureFinder {
 
   // ---- sectors above each other
 
-  void findInterfaces() {
-    for (InterfaceIndex i = 0; i < model_.interfaces.size(); ++i) {
+  void findFlatPortals() {
+    for (FlatPortalIndex i = 0; i < model_.flatPortals.size(); ++i) {
       std::set<std::vector<FaceId>> above;
       std::set<std::vector<FaceId>> below;
       for (const Sector& sector : model_.sectors) {
         std::vector<FaceId> faces = sector.faces;
         std::sort(faces.begin(), faces.end());
-        if (sector.floor.interface == i) above.insert(faces);
-        if (sector.ceiling.interface == i) below.insert(faces);
+        if (sector.floor.flatPortal == i) above.insert(faces);
+        if (sector.ceiling.flatPortal == i) below.insert(faces);
       }
-      note(Feature::InterfaceCutDifferently, above != below);
+      note(Feature::FlatPortalCutDifferently, above != below);
     }
   }
 

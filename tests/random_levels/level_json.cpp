@@ -77,8 +77,8 @@ class LevelWriter {
   Json flatJson(const Flat& flat, Um defaultZ) const {
     Json json = Json::object();
     if (!spelling_.omitsDefaults || flat.z != defaultZ) json["z"] = number(flat.z);
-    if (flat.interface) {
-      json["next"] = interfaceJson(flat);
+    if (flat.flatPortal) {
+      json["next"] = flatPortalJson(flat);
       return json;
     }
     json["texture"] = textureJson(flat.texture);
@@ -87,11 +87,11 @@ class LevelWriter {
     return json;
   }
 
-  Json interfaceJson(const Flat& flat) const {
-    const Interface& interface = model_.interfaces[*flat.interface];
-    const std::string& up = model_.sectors[interface.up].name;
-    const std::string& down = model_.sectors[interface.down].name;
-    if (flat.isInterfaceObject) return {{"up", up}, {"down", down}};
+  Json flatPortalJson(const Flat& flat) const {
+    const FlatPortal& flatPortal = model_.flatPortals[*flat.flatPortal];
+    const std::string& up = model_.sectors[flatPortal.up].name;
+    const std::string& down = model_.sectors[flatPortal.down].name;
+    if (flat.isFlatPortalObject) return {{"up", up}, {"down", down}};
     return up + "-" + down;
   }
 

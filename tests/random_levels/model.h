@@ -13,7 +13,7 @@
 namespace hearth::random_levels {
 
 using SectorIndex = std::size_t;
-using InterfaceIndex = std::size_t;
+using FlatPortalIndex = std::size_t;
 
 /// A texture as a level file spells it.
 struct TextureUse {
@@ -73,11 +73,11 @@ struct Flat {
   TextureUse texture;
   bool isRelative = false;
   bool isSky = false;
-  std::optional<InterfaceIndex> interface;
-  bool isInterfaceObject = false;  ///< `{"up":, "down":}`, else `"up-down"`
+  std::optional<FlatPortalIndex> flatPortal;
+  bool isFlatPortalObject = false;  ///< `{"up":, "down":}`, else `"up-down"`
   std::optional<Wedge> wedge;
 
-  bool isPlain() const { return !isSky && !interface && !wedge; }
+  bool isPlain() const { return !isSky && !flatPortal && !wedge; }
 };
 
 struct Sector {
@@ -94,7 +94,7 @@ struct Sector {
 };
 
 /// A flat portal: all floors above it and all ceilings below it.
-struct Interface {
+struct FlatPortal {
   SectorIndex up = 0;
   SectorIndex down = 0;
 };
@@ -102,7 +102,7 @@ struct Interface {
 struct Model {
   Mesh mesh;
   std::vector<Sector> sectors;
-  std::vector<Interface> interfaces;
+  std::vector<FlatPortal> flatPortals;
   std::vector<std::set<SectorIndex>> owners;  ///< per face, over all storeys
 
   double floorAt(const Sector& sector, Vec2 p) const;    ///< m, wedge included

@@ -144,18 +144,18 @@ class StoreyBuilder {
 
   void buildAbove(std::size_t storey) {
     const std::size_t groups = random_.chance(0.25) ? 2 : 1;
-    for (std::size_t i = 0; i < groups; ++i) addInterface(storey);
+    for (std::size_t i = 0; i < groups; ++i) addFlatPortal(storey);
     if (random_.chance(0.6)) addRoomsBeside(storey);
     if (random_.chance(0.5)) raiseOneBeside(storey);
   }
 
   /// One to three sectors below, joined to one to three above over the same faces.
-  void addInterface(std::size_t storey) {
+  void addFlatPortal(std::size_t storey) {
     std::vector<SectorIndex> lower;
     Um z = -100 * kMetre;
     for (SectorIndex s = 0; s < model_.sectors.size(); ++s) {
       const Sector& sector = model_.sectors[s];
-      const bool fits = sector.storey + 1 == storey && !sector.ceiling.interface;
+      const bool fits = sector.storey + 1 == storey && !sector.ceiling.flatPortal;
       if (fits && !sector.isChainLink) lower.push_back(s);
     }
     if (lower.empty()) return;
@@ -166,37 +166,38 @@ class StoreyBuilder {
       z = std::max(z, model_.sectors[s].ceiling.z);
       faces.insert(faces.end(), model_.sectors[s].faces.begin(), model_.sectors[s].faces.end());
     }
-    const InterfaceIndex index = model_.interfaces.size();
+    const FlatPortalIndex index = model_.flatPortals.size();
     const SectorIndex firstUpper = model_.sectors.size();
     for (Region& region : grow(faces, 1 + random_.below(3))) {
       Sector& upper = addSector(storey, std::move(region));
-      upper.floor = interfaceFlat(z, index);
+      upper.floor = flatPortalFlat(z, index);
       upper.ceiling.z = z + heights_.room();
     }
     const SectorIndex up = firstUpper + random_.below(model_.sectors.size() - firstUpper);
-    model_.interfaces.push_back({up, lower[random_.below(lower.size())]});
+    model_.flatPortals.push_back({up, lower[random_.below(lower.size())]});
     for (const SectorIndex s : lower) {
-      model_.sectors[s].ceiling = interfaceFlat(z, index);
+      model_.sectors[s].ceiling = flatPortalFlat(z, index);
     }
-    spellInterface(index);
+    spellFlatPortal(index);
   }
 
-  static Flat interfaceFlat(Um z, InterfaceIndex index) {
+  static Flat flatPortalFlat(Um z, FlatPortalIndex index) {
     Flat flat;
     flat.z = z;
-    flat.interface = index;
+    flat.flatPortal = index;
     return flat;
   }
 
-  void spellInterface(InterfaceIndex index) {
+  void spellFlatPortal(FlatPortalIndex index) {
     const auto hasHyphen = [&](SectorIndex s) {
       return model_.sectors[s].name.find('-') != std::string::npos;
     };
-    const Interface& interface = model_.interfaces[index];
-    const bool isObjectOnly = hasHyphen(interface.up) || hasHyphen(interface.down);
+    const FlatPortal& flatPortal = model_.flatPortals[index];
+    const bool isObjectOnly = hasHyphen(flatPortal.up) || hasHyphen(flatPortal.down);
     for (Sector& sector : model_.sectors) {
       for (Flat* flat : {&sector.floor, &sector.ceiling}) {
-        if (flat->interface == index) flat->isInterfaceObject = isObjectOnly || random_.chance(0.4);
+        if (flat->flatPortal == index)
+          flat->isFlatPortalObject = isObjectOnly || random_.chance(0.4);
       }
     }
   }
@@ -229,7 +230,7 @@ class StoreyBuilder {
     for (SectorIndex s = 0; s < model_.sectors.size(); ++s) {
       const Sector& sector = model_.sectors[s];
       if (sector.storey == storey) top = std::max(top, sector.ceiling.z);
-      if (sector.storey == 0 && !sector.ceiling.interface && !sector.isChainLink) low.push_back(s);
+      if (sector.storey == 0 && !sector.ceiling.flatPortal && !sector.isChainLink) low.push_back(s);
     }
     if (low.empty()) return;
     Sector& sector = model_.sectors[random_.pickFrom(low)];
@@ -238,11 +239,11 @@ class StoreyBuilder {
 
   // ---- doors and skies
 
-  std::vector<SectorIndex> roomsWithoutInterfaces() const {
+  std::vector<SectorIndex> roomsWithoutFlatPortals() const {
     std::vector<SectorIndex> rooms;
     for (SectorIndex s = 0; s < model_.sectors.size(); ++s) {
       const Sector& sector = model_.sectors[s];
-      if (!sector.floor.interface && !sector.ceiling.interface && !sector.isChainLink) {
+      if (!sector.floor.flatPortal && !sector.ceiling.flatPortal && !sector.isChainLink) {
         rooms.push_back(s);
       }
     }
@@ -251,7 +252,7 @@ class StoreyBuilder {
 
   /// A closed door, and a room whose floor is the ceiling of another.
   void makeDoors() {
-    std::vector<SectorIndex> rooms = roomsWithoutInterfaces();
+    std::vector<SectorIndex> rooms = roomsWithoutFlatPortals();
     random_.shuffle(rooms);
     if (rooms.size() < 3) return;
     if (random_.chance(0.6)) {
@@ -277,8 +278,8 @@ class StoreyBuilder {
 
   void makeSkies() {
     for (Sector& sector : model_.sectors) {
-      if (!sector.ceiling.interface) sector.ceiling.isSky = random_.chance(style_.skyShare);
-      if (!sector.floor.interface) sector.floor.isSky = random_.chance(style_.skyFloorShare);
+      if (!sector.ceiling.flatPortal) sector.ceiling.isSky = random_.chance(style_.skyShare);
+      if (!sector.floor.flatPortal) sector.floor.isSky = random_.chance(style_.skyFloorShare);
       for (Flat* flat : {&sector.floor, &sector.ceiling}) {
         if (flat->isSky) flat->isRelative = false;
       }

@@ -16,7 +16,7 @@ struct StoreyStyle {
 };
 
 /// Shares the faces of the mesh out among sectors, storey upon storey, and gives these their
-/// names, heights, interfaces and skies. Loops stay empty. No sectors where the mesh leaves room
+/// names, heights, flat portals and skies. Loops stay empty. No sectors where the mesh leaves room
 /// for none.
 Model makeStoreys(Random& random, Mesh mesh, const StoreyStyle& style);
 

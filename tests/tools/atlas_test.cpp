@@ -1,5 +1,3 @@
-#include "hearth/atlas.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,8 +5,9 @@
 #include <random>
 #include <tuple>
 
-#include "hearth/text_image.h"
+#include "cli/lightmap_atlas.h"
 #include "loaded.h"
+#include "text/drawn_text.h"
 
 namespace hearth {
 

@@ -1,6 +1,6 @@
 // Bakes are found again when nothing has changed that they depend on, and never otherwise.
 
-#include "hearth/bake_cache.h"
+#include "session/bake_cache.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

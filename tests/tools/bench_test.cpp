@@ -7,8 +7,8 @@
 #include <numeric>
 #include <string_view>
 
-#include "hearth/bench/measure.h"
 #include "loaded.h"
+#include "measure/level_bench.h"
 
 namespace hearth {
 namespace {

@@ -1,11 +1,11 @@
 // That settings which fit a time do, by a clock that is not the machine's.
 
-#include "hearth/budget.h"
+#include "measure/budget.h"
 
 #include <gtest/gtest.h>
 
-#include "hearth/tradeoff/measured_front.h"
 #include "loaded.h"
+#include "measure/tradeoff/measured_front.h"
 #include "support/level_text.h"
 
 namespace hearth {

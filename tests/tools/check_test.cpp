@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "hearth/base64.h"
-#include "hearth/golden_picture.h"
-#include "hearth/shell_text.h"
+#include "cli/check/golden_picture.h"
 #include "image/image_file.h"
+#include "settings/shell_text.h"
+#include "text/base64.h"
 
 namespace hearth {
 

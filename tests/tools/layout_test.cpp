@@ -1,5 +1,3 @@
-#include "hearth/layout.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,11 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "hearth/bake_cache.h"
-#include "hearth/plan.h"
+#include "cli/plan.h"
 #include "load/load.h"
 #include "load/parse.h"
 #include "random_levels/random_level.h"
+#include "session/bake_cache.h"
+#include "text/json_layout.h"
 
 namespace hearth {
 

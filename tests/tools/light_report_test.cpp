@@ -1,4 +1,4 @@
-#include "hearth/light_report.h"
+#include "cli/info/light_report.h"
 
 #include <gtest/gtest.h>
 

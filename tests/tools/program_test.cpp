@@ -3,10 +3,10 @@
 #include <array>
 #include <set>
 
-#include "hearth/command.h"
-#include "hearth/format_features.h"
-#include "hearth/options.h"
+#include "cli/command.h"
+#include "cli/info/format_features.h"
 #include "loaded.h"
+#include "settings/options.h"
 
 namespace hearth {
 

@@ -1,4 +1,4 @@
-#include "hearth/progress.h"
+#include "session/progress.h"
 
 #include <gtest/gtest.h>
 

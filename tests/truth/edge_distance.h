@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hearth/bench/level_mesh.h"
+#include "peers/level_mesh.h"
 
 namespace hearth {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "hearth/bench/level_mesh.h"
+#include "peers/level_mesh.h"
 
 namespace hearth {
 

@@ -9,8 +9,8 @@
 
 #include "edge_distance.h"
 #include "embree_scene.h"
-#include "hearth/bench/level_mesh.h"
 #include "load/load.h"
+#include "peers/level_mesh.h"
 #include "random_levels/random_level.h"
 #include "ray_source.h"
 #include "scenes.h"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "embree_scene.h"
-#include "hearth/bench/level_mesh.h"
 #include "level/locate.h"
 #include "math/predicates.h"
+#include "peers/level_mesh.h"
 
 namespace hearth {
 

@@ -99,7 +99,7 @@ Scene yardScene() {
   const SectorId ramp = level.addBox("ramp", {0, 12}, {10, 16}, {0, 4});
   const SectorId door = level.addBox("door", {10, 12}, {20, 14}, {0.5, 0.5});
   const SectorId vault = level.addBox("vault", {10, 14}, {20, 16}, {0, 3});
-  for (const SectorId id : {yard, pool, terrace}) level.sector(id).ceiling.parallax = true;
+  for (const SectorId id : {yard, pool, terrace}) level.sector(id).ceiling.isSky = true;
   for (const SectorId id : {pool, terrace, ramp}) level.link(yard, id);
   level.link(terrace, door);
   level.link(door, vault);
@@ -159,11 +159,11 @@ Scene gridScene(std::uint64_t seed) {
     if (random.chance(0.4))
       sector.floorSlope = slopeOver(outline, sector.floor.z, gradient(), low(), 1, made.level);
     else
-      sector.floor.parallax = random.chance(0.3);
+      sector.floor.isSky = random.chance(0.3);
     if (random.chance(0.3))
       sector.ceilingSlope = slopeOver(outline, sector.ceiling.z, gradient(), low(), -1, made.level);
     else
-      sector.ceiling.parallax = random.chance(0.4);
+      sector.ceiling.isSky = random.chance(0.4);
     if (random.chance(0.2)) makeStack(made.level, cells[i], random);
   }
   return made;

@@ -75,10 +75,10 @@ void TestLevel::link(SectorId a, SectorId b) {
 }
 
 void TestLevel::connect(const std::vector<SectorId>& upper, const std::vector<SectorId>& lower) {
-  const InterfaceId id(level_.interfaces.size());
-  level_.interfaces.push_back({"interface", level_[upper.front()].floor.z, upper, lower});
-  for (const SectorId sector : upper) level_[sector].floor.interface = id;
-  for (const SectorId sector : lower) level_[sector].ceiling.interface = id;
+  const FlatPortalId id(level_.flatPortals.size());
+  level_.flatPortals.push_back({"interface", level_[upper.front()].floor.z, upper, lower});
+  for (const SectorId sector : upper) level_[sector].floor.flatPortal = id;
+  for (const SectorId sector : lower) level_[sector].ceiling.flatPortal = id;
 }
 
 SegmentId TestLevel::wallId(SectorId sector, std::size_t index) const {
@@ -102,7 +102,7 @@ LightSource& TestLevel::addLight(SectorId sector, Vec3 position, double intensit
 const Level& TestLevel::finished() {
   for (Sector& sector : level_.sectors)
     for (Flat* flat : {&sector.floor, &sector.ceiling})
-      if (flat->interface) flat->texture.reset();
+      if (flat->flatPortal) flat->texture.reset();
   CHECK(finishLevel(level_).empty(), "test levels have no faults");
   return level_;
 }

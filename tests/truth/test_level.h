@@ -36,7 +36,7 @@ class TestLevel {
   /// Opens all pairs of walls of the two sectors that have the same end points.
   void link(SectorId a, SectorId b);
 
-  /// Makes one interface of the floors of `upper` and the ceilings of `lower`.
+  /// Makes one flat portal of the floors of `upper` and the ceilings of `lower`.
   void connect(const std::vector<SectorId>& upper, const std::vector<SectorId>& lower);
 
   Sector& sector(SectorId id) { return level_[id]; }

@@ -208,7 +208,7 @@ TEST(Trace, OnlyThePieceOfAStackThatReachesTheSkyShowsItOnItsStep) {
   TwoRooms rooms({1.5, 2.5});
   for (const SectorId id : {rooms.west, rooms.east})
     for (Flat* flat : {&rooms.level.sector(id).floor, &rooms.level.sector(id).ceiling})
-      flat->parallax = true;
+      flat->isSky = true;
   const TextureMapping texture = rooms.level.texture();
   const Portal portal{rooms.east, texture, texture};
   Stack stack;
@@ -326,7 +326,7 @@ TEST(Trace, OnlyLinksConnectSectorsThatOverlapInSpace) {
 
 TEST(Trace, ALookEndsAtSkiesAndAtTheStepBetweenThem) {
   TwoRooms rooms({0, 3});
-  for (const SectorId id : {rooms.west, rooms.east}) rooms.level.sector(id).ceiling.parallax = true;
+  for (const SectorId id : {rooms.west, rooms.east}) rooms.level.sector(id).ceiling.isSky = true;
   const Level& level = rooms.level.finished();
   EXPECT_EQ(look(level, rooms.west, {1, 1, 3}, {1, 0, 1}).kind, SurfaceKind::SkyCeiling);
   const TruthHit step = look(level, rooms.west, {3.5, 1, 3.2}, {0.5, 0.5, 0.1});
@@ -339,7 +339,7 @@ TEST(Trace, ALookEndsAtSkiesAndAtTheStepBetweenThem) {
 TEST(Trace, SkyFloorsMirrorTheTangent) {
   TestLevel test;
   const SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
-  test.sector(box).floor.parallax = true;
+  test.sector(box).floor.isSky = true;
   const TruthHit hit = look(test.finished(), box, {2, 2, 1}, {0, -1, -0.75});
   EXPECT_EQ(hit.kind, SurfaceKind::SkyFloor);
   expectNear(hit.imageMetres, {0.75, 0.25});

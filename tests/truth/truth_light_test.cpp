@@ -163,8 +163,8 @@ struct Yard {
 
   explicit Yard(bool isEastOpen) {
     test.link(yard, east);
-    test.sector(yard).ceiling.parallax = true;
-    test.sector(east).ceiling.parallax = isEastOpen;
+    test.sector(yard).ceiling.isSky = true;
+    test.sector(east).ceiling.isSky = isEastOpen;
   }
 };
 
@@ -190,7 +190,7 @@ TEST(TruthLight, PassesSkyFloorsFromBelow) {
   const SectorId west = test.addBox("west", {0, 0}, {4, 4}, {2, 5});
   const SectorId east = test.addBox("east", {4, 0}, {8, 4}, {1, 5});
   const SectorId room = test.addBox("room", {-4, 0}, {0, 4}, {1, 5});
-  for (const SectorId id : {west, east}) test.sector(id).floor.parallax = true;
+  for (const SectorId id : {west, east}) test.sector(id).floor.isSky = true;
   test.link(west, east);
   test.link(west, room);
   test.addLight(west, {2, 2, -10}, 100);
@@ -207,7 +207,7 @@ TEST(TruthLight, PassesBelowSkyFloorsOnlyUpToTheLowerCeiling) {
     TestLevel test;
     const SectorId high = test.addBox("high", {0, 0}, {4, 4}, {3, 5});
     const SectorId low = test.addBox("low", {4, 0}, {8, 4}, {0, 2});
-    for (const SectorId id : {high, low}) test.sector(id).floor.parallax = true;
+    for (const SectorId id : {high, low}) test.sector(id).floor.isSky = true;
     test.link(high, low);
     test.addLight(high, {3.9, 2, z}, 100);
     const TruthLight light(test.finished());
@@ -220,7 +220,7 @@ TEST(TruthLight, IsStoppedBesideASkyWhereNothingShowsAndNothingIsTextured) {
   const SectorId yard = test.addBox("yard", {0, 0}, {4, 4}, {0, 3});
   const SectorId room = test.addBox("room", {4, 0}, {8, 4}, {0, 3});
   test.link(yard, room);
-  test.sector(yard).ceiling.parallax = true;
+  test.sector(yard).ceiling.isSky = true;
   std::get<Portal>(test.wall(yard, 1).kind).upper.reset();
   test.addLight(yard, {2, 2, 10}, 100);
   EXPECT_EQ(whiteLevel(TruthLight(test.finished()), floorPoint(room, {6, 2, 0})), 0);
@@ -239,7 +239,7 @@ TEST(TruthLight, SidesOfASkySectorAreSolidWithoutEndAboveItsSky) {
   TestLevel test;
   const SectorId yard = test.addBox("yard", {0, 0}, {4, 4}, {0, 3});
   const SectorId next = test.addBox("next", {4, 0}, {8, 4}, {0, 3});
-  for (const SectorId id : {yard, next}) test.sector(id).ceiling.parallax = true;
+  for (const SectorId id : {yard, next}) test.sector(id).ceiling.isSky = true;
   test.addLight(yard, {2, 2, 1000}, 100);
   const TruthLight light(test.finished());
   EXPECT_EQ(whiteLevel(light, floorPoint(yard, {1, 1, 0})), 100);

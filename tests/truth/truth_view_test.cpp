@@ -105,7 +105,7 @@ TEST(TruthView, TexturesRepeatForNegativeCoordinatesToo) {
 
 TEST(TruthView, SkiesKeepTheirEdgeRowsAndTheirBrightness) {
   Box scene;
-  scene.test.sector(scene.box).ceiling.parallax = true;
+  scene.test.sector(scene.box).ceiling.isSky = true;
   scene.test.sector(scene.box).ceiling.texture->repeat = {1, 0.5};
   Shot camera = cameraAt(scene.box, {0.5, 2, 3.99});
   const Level& level = scene.test.finished();

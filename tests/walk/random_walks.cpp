@@ -24,7 +24,7 @@ namespace {
 
 using random_levels::Random;
 
-constexpr double kHair = 4 * kSkin;
+constexpr double kEdgeInset = 4 * kSkin;
 constexpr double kTick = 1.0 / kTicksPerSecond;
 
 /// Bodies of all sizes: a player's, a child's, one without breadth, a stout one without a step,
@@ -115,8 +115,8 @@ class Walk {
     const Sector& from = level_[before.sector];
     const Sector& to = level_[walker_.sector];
     report_.throughFlats +=
-        (from.floor.interface && from.floor.interface == to.ceiling.interface) ||
-        (from.ceiling.interface && from.ceiling.interface == to.floor.interface);
+        (from.floor.flatPortal && from.floor.flatPortal == to.ceiling.flatPortal) ||
+        (from.ceiling.flatPortal && from.ceiling.flatPortal == to.floor.flatPortal);
   }
 
   /// No farther than the greater of the speeds before and wanted takes him, plus what steps and
@@ -126,7 +126,7 @@ class Walk {
     const double wanted = walker_.isFlying ? (input.run ? 10 : 5) : (input.run ? 5 : 2.5);
     const double speed = std::max(length(before.velocity.xy()), wanted);
     const Vec3 moved = walker_.feet - before.feet;
-    const double reach = speed * kTick + kHair;
+    const double reach = speed * kTick + kEdgeInset;
     expect(length(moved.xy()) <= reach, "faster than physics allows");
     const double parts = std::clamp(std::ceil(2 * reach / std::max(body.radius, 1e-9)), 1.0, 16.0);
     const double lift = parts * body.step + reach;
@@ -147,13 +147,13 @@ class Walk {
     }
     for (int i = 0; i < lines_; ++i) {
       const double share = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : checks_.unit();
-      const double z = walker_.feet.z + kHair + share * (body.height - 2 * kHair);
+      const double z = walker_.feet.z + kEdgeInset + share * (body.height - 2 * kEdgeInset);
       const Vec3 axis{walker_.feet.x, walker_.feet.y, z};
       const SectorId sector = solids_.inColumn(walker_.sector, axis);
       expect(isIn(level_, sector, axis), "the axis is in solid");
       const SinCos turn = sinCosDegrees(checks_.real(0, 360));
       const double free = solids_.freeAlong(sector, axis, {turn.cos, turn.sin}, body.radius);
-      if (free < body.radius - kHair)
+      if (free < body.radius - kEdgeInset)
         fail(fmt::format(
             "in solid {:.3g} of {} m off the axis at height {:.6g} of {} towards {:.5g},{:.5g}",
             free, body.radius, z - walker_.feet.z, body.height, turn.cos, turn.sin));

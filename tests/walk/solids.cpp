@@ -15,7 +15,7 @@ namespace hearth::random_walks {
 
 namespace {
 
-constexpr double kHair = 3 * kSkin;
+constexpr double kEdgeInset = 3 * kSkin;
 
 /// Share of the radius, by which a wall without thickness that points to the axis is looked at from
 /// beside. What is within as much of the body's edge can be missed.
@@ -48,7 +48,7 @@ Exit exitOf(const Level& level, const Sector& sector, Vec2 eye, Vec2 direction, 
 double inAir(const Sector& sector, Vec3 eye, Vec2 direction, double from, double to) {
   double last = to;
   const auto cut = [&](double clearFrom, double clearTo) {
-    if (clearTo >= -kHair) return;
+    if (clearTo >= -kEdgeInset) return;
     if (clearFrom <= 0)
       last = std::min(last, from);
     else
@@ -99,8 +99,8 @@ std::vector<Vec2> placesBeside(Vec2 p, const std::vector<const Segment*>& walls,
 /// of these walls, which may all lie between two of the five.
 std::vector<double> heightsOf(const Body& body, double zFeet,
                               const std::vector<const Segment*>& walls) {
-  const double zLow = zFeet + kHair;
-  const double zHigh = zFeet + body.height - kHair;
+  const double zLow = zFeet + kEdgeInset;
+  const double zHigh = zFeet + body.height - kEdgeInset;
   std::vector<double> heights;
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
     heights.push_back(std::lerp(zLow, zHigh, share));
@@ -122,8 +122,9 @@ Solids::Solids(const Level& level) : level_(level) {
   const auto opens = [&](const Segment& back, SectorId next, const WallPiece& piece) {
     return std::ranges::any_of(back.pieces, [&](const WallPiece& other) {
       const Opening* opening = std::get_if<Opening>(&other.content);
-      return opening && opening->next == next && std::abs(other.zBottom - piece.zBottom) < kHair &&
-             std::abs(other.zTop - piece.zTop) < kHair;
+      return opening && opening->next == next &&
+             std::abs(other.zBottom - piece.zBottom) < kEdgeInset &&
+             std::abs(other.zTop - piece.zTop) < kEdgeInset;
     });
   };
   for (const Segment& segment : level.segments)
@@ -147,7 +148,7 @@ Solids::Line Solids::follow(SectorId sector, Vec3 from, Vec2 direction, double l
     visitWallColumn(
         level_, level_[exit.segment], exit.share, [](SurfaceId, double, double) {},
         [&](const Opening& opening, double zBottom, double zTop) {
-          if (from.z >= zBottom - kHair && from.z <= zTop + kHair) next = opening.next;
+          if (from.z >= zBottom - kEdgeInset && from.z <= zTop + kEdgeInset) next = opening.next;
         });
     if (!next) return {free, sector};
     sector = *next;
@@ -176,10 +177,10 @@ bool Solids::isBesideOneWay(Vec2 p, double radius) const {
 SectorId Solids::inColumn(SectorId sector, Vec3 p) const {
   for (int i = 0; i < 1000; ++i) {
     const Sector& here = level_[sector];
-    if (here.floor.interface && p.z < here.floor.z)
-      sector = across(level_, level_[*here.floor.interface], Side::Lower, p.xy());
-    else if (here.ceiling.interface && p.z > here.ceiling.z)
-      sector = across(level_, level_[*here.ceiling.interface], Side::Upper, p.xy());
+    if (here.floor.flatPortal && p.z < here.floor.z)
+      sector = across(level_, level_[*here.floor.flatPortal], Side::Lower, p.xy());
+    else if (here.ceiling.flatPortal && p.z > here.ceiling.z)
+      sector = across(level_, level_[*here.ceiling.flatPortal], Side::Upper, p.xy());
     else
       break;
   }

@@ -15,9 +15,9 @@
 #include <string>
 
 #include "explorer.h"
-#include "hearth/import/import_map.h"
-#include "hearth/import/map.h"
-#include "hearth/import/pieces.h"
+#include "import/doom/import_map.h"
+#include "import/doom/map.h"
+#include "import/doom/pieces.h"
 #include "load/load.h"
 #include "walk/recording.h"
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "hearth/import/map.h"
+#include "import/doom/map.h"
 #include "math/parallel.h"
 #include "worlds/world.h"
 

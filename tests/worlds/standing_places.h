@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "hearth/options.h"
 #include "level/level.h"
+#include "settings/options.h"
 
 namespace hearth::worlds {
 

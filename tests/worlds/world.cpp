@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "agreement/compare_level.h"
-#include "hearth/bench/measure.h"
-#include "hearth/import/import_map.h"
+#include "import/doom/import_map.h"
 #include "light/bakery.h"
 #include "load/load.h"
+#include "measure/level_bench.h"
 #include "render/renderer.h"
 #include "worlds/standing_places.h"
 

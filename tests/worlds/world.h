@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "agreement/tally.h"
-#include "hearth/import/light_table.h"
-#include "hearth/import/pictures.h"
-#include "hearth/import/wad.h"
-#include "hearth/options.h"
+#include "import/doom/light_table.h"
+#include "import/doom/pictures.h"
+#include "import/doom/wad.h"
+#include "settings/options.h"
 
 namespace hearth::worlds {
 

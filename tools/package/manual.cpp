@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hearth/command.h"
+#include "cli/command.h"
 
 namespace hearth {
 

@@ -1,6 +1,6 @@
 // Places that are kept, gone back to, and written as shots of the level.
 
-#include "hearth/comfort/bookmarks.h"
+#include "viewer/preferences/bookmarks.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "hearth/edit/shots_edit.h"
+#include "viewer/edit/shots_edit.h"
 
 namespace hearth {
 namespace {

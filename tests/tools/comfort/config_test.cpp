@@ -1,6 +1,6 @@
 // The user's file of settings: what of it holds, what is told, and how it is written.
 
-#include "hearth/comfort/config.h"
+#include "viewer/preferences/config.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class ConfigTest : public testing::Test {
 
 TEST_F(ConfigTest, IsAsByDefaultWithoutAFile) {
   const Config config = readConfig(file_);
-  EXPECT_EQ(config.comfort, Comfort{});
+  EXPECT_EQ(config.preferences, Preferences{});
   EXPECT_TRUE(config.warnings.empty());
 }
 
@@ -56,15 +56,15 @@ TEST_F(ConfigTest, SaysHowKeysAndMouseWork) {
     "keys": { "forward": ["e", "Left Ctrl"], "fly": [] },
     "mouse": { "degreesPerPixel": 0.3, "invert": true }, "viewBob": 25 })");
   EXPECT_EQ(told(config), std::vector<std::string>{});
-  EXPECT_EQ(config.comfort.keys.keysOf(Action::Forward),
+  EXPECT_EQ(config.preferences.keys.keysOf(Action::Forward),
             (std::vector{SDL_SCANCODE_E, SDL_SCANCODE_LCTRL}));
-  EXPECT_EQ(config.comfort.keys.keysOf(Action::Crouch),
+  EXPECT_EQ(config.preferences.keys.keysOf(Action::Crouch),
             (std::vector{SDL_SCANCODE_C, SDL_SCANCODE_RCTRL}))
       << "what the user says takes a key from where it is by default";
-  EXPECT_TRUE(config.comfort.keys.keysOf(Action::Fly).empty());
-  EXPECT_EQ(config.comfort.degreesPerPixel, 0.3);
-  EXPECT_TRUE(config.comfort.invertsPitch);
-  EXPECT_EQ(config.comfort.viewBob, 0.25);
+  EXPECT_TRUE(config.preferences.keys.keysOf(Action::Fly).empty());
+  EXPECT_EQ(config.preferences.degreesPerPixel, 0.3);
+  EXPECT_TRUE(config.preferences.invertsPitch);
+  EXPECT_EQ(config.preferences.viewBob, 0.25);
 }
 
 TEST_F(ConfigTest, TellsEachMistakeAndKeepsTheRest) {
@@ -88,48 +88,48 @@ TEST_F(ConfigTest, TellsEachMistakeAndKeepsTheRest) {
       R"(8:33: warning: 0 is out of range, at /mouse/degreesPerPixel, give a number from 0.01 to 10)",
       R"(8:46: warning: a number instead of true or false, at /mouse/invert, give true or false)"};
   EXPECT_EQ(told(config), expected);
-  Comfort comfort;
-  comfort.keys.bind(Action::Jump, {SDL_SCANCODE_J});
-  EXPECT_EQ(config.comfort, comfort);
+  Preferences preferences;
+  preferences.keys.bind(Action::Jump, {SDL_SCANCODE_J});
+  EXPECT_EQ(config.preferences, preferences);
 }
 
 TEST_F(ConfigTest, IsAsByDefaultWhereTheFileIsNoJson) {
   for (const char* text : {"", "{ \"keys\": ", "[]"}) {
     const Config config = read(text);
-    EXPECT_EQ(config.comfort, Comfort{}) << text;
+    EXPECT_EQ(config.preferences, Preferences{}) << text;
     EXPECT_EQ(config.warnings.size(), 1) << text;
   }
 }
 
 TEST_F(ConfigTest, IsWrittenWhereItDiffersAndKeepsTheRest) {
   write("{ \"//\": \"mine\",\n  \"keys\": { \"run\": [ \"R\" ], \"jump\": [\"J\"] } }\n");
-  const Comfort before = readConfig(file_).comfort;
-  Comfort after = before;
+  const Preferences before = readConfig(file_).preferences;
+  Preferences after = before;
   after.keys.bind(Action::Jump, {SDL_SCANCODE_BACKSLASH, SDL_SCANCODE_K});
   after.degreesPerPixel = 0.07;
   ASSERT_TRUE(writeConfig(file_, before, after));
   EXPECT_EQ(written(),
             "{ \"//\": \"mine\",\n  \"keys\": { \"run\": [ \"R\" ], \"jump\": [\"\\\\\", \"K\"] },"
             "\n  \"mouse\": { \"degreesPerPixel\": 0.07 } }\n");
-  EXPECT_EQ(readConfig(file_).comfort, after);
+  EXPECT_EQ(readConfig(file_).preferences, after);
 }
 
 TEST_F(ConfigTest, IsMadeWithItsFolder) {
-  Comfort comfort;
-  comfort.invertsPitch = true;
-  comfort.viewBob = 0.7;
-  comfort.keys.bind(Action::Fly, {SDL_SCANCODE_W});  // which walked forward
-  ASSERT_TRUE(writeConfig(file_, {}, comfort));
+  Preferences preferences;
+  preferences.invertsPitch = true;
+  preferences.viewBob = 0.7;
+  preferences.keys.bind(Action::Fly, {SDL_SCANCODE_W});  // which walked forward
+  ASSERT_TRUE(writeConfig(file_, {}, preferences));
   const Config config = readConfig(file_);
   EXPECT_EQ(told(config), std::vector<std::string>{});
-  EXPECT_EQ(config.comfort, comfort);
+  EXPECT_EQ(config.preferences, preferences);
 }
 
 TEST_F(ConfigTest, IsNotWrittenOverWhatIsNoJson) {
   write("mine");
-  Comfort comfort;
-  comfort.invertsPitch = true;
-  const auto result = writeConfig(file_, {}, comfort);
+  Preferences preferences;
+  preferences.invertsPitch = true;
+  const auto result = writeConfig(file_, {}, preferences);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error(),
             file_.string() + ": is not written, as it is no JSON object; mend or remove it");

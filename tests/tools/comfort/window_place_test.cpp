@@ -1,6 +1,6 @@
 // Where a window lies, from one walk to the next.
 
-#include "hearth/walk/window_place.h"
+#include "desktop/window_place.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Points of a curve that are added and taken out.
 
-#include "hearth/edit/curve_edit.h"
+#include "viewer/edit/curve_edit.h"
 
 #include <gtest/gtest.h>
 

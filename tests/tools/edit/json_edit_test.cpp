@@ -1,6 +1,6 @@
 // Edits of JSON that leave all the rest as it is spelled.
 
-#include "hearth/edit/json_edit.h"
+#include "text/json_edit.h"
 
 #include <gtest/gtest.h>
 

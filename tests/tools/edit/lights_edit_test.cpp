@@ -1,13 +1,13 @@
 // The text of a lights file as single edits change it, to the byte.
 
-#include "hearth/edit/lights_edit.h"
+#include "viewer/edit/lights_edit.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <string_view>
 
-#include "hearth/edit/light_name.h"
+#include "viewer/edit/light_name.h"
 
 namespace hearth {
 namespace {

@@ -12,8 +12,8 @@
 #include <tuple>
 #include <vector>
 
-#include "hearth/edit/curve_edit.h"
-#include "hearth/edit/lights_edit.h"
+#include "viewer/edit/curve_edit.h"
+#include "viewer/edit/lights_edit.h"
 
 namespace hearth {
 namespace {

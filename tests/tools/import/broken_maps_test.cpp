@@ -8,9 +8,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "hearth/import/ground_plan.h"
-#include "hearth/import/import_map.h"
-#include "hearth/import/materials.h"
+#include "import/doom/ground_plan.h"
+#include "import/doom/import_map.h"
+#include "import/doom/materials.h"
 #include "load/load.h"
 #include "map_builder.h"
 #include "map_lumps.h"

@@ -1,4 +1,4 @@
-#include "hearth/import/convert.h"
+#include "import/doom/convert.h"
 
 #include <gtest/gtest.h>
 

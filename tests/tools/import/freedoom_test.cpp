@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "hearth/import/pictures.h"
+#include "import/doom/pictures.h"
 
 namespace hearth::doom {
 namespace {

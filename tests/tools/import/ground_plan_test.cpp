@@ -1,4 +1,4 @@
-#include "hearth/import/ground_plan.h"
+#include "import/doom/ground_plan.h"
 
 #include <gtest/gtest.h>
 

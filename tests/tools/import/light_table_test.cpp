@@ -1,4 +1,4 @@
-#include "hearth/import/light_table.h"
+#include "import/doom/light_table.h"
 
 #include <gtest/gtest.h>
 

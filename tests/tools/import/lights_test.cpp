@@ -1,4 +1,4 @@
-#include "hearth/import/lights.h"
+#include "import/doom/lights.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hearth/import/map.h"
+#include "import/doom/map.h"
 
 namespace hearth::doom {
 

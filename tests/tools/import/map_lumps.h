@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hearth/import/map.h"
+#include "import/doom/map.h"
 #include "wad_builder.h"
 
 namespace hearth::doom {

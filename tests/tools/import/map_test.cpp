@@ -1,4 +1,4 @@
-#include "hearth/import/map.h"
+#include "import/doom/map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hearth/import/patch.h"
+#include "import/doom/patch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hearth/import/pictures.h"
+#include "import/doom/pictures.h"
 
 #include <gtest/gtest.h>
 

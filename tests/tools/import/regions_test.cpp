@@ -1,4 +1,4 @@
-#include "hearth/import/regions.h"
+#include "import/doom/regions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hearth/import/snap_rounding.h"
+#include "import/doom/snap_rounding.h"
 
 #include <gtest/gtest.h>
 

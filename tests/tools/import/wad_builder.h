@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "hearth/import/wad.h"
+#include "import/doom/wad.h"
 
 namespace hearth::doom {
 

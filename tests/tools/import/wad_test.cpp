@@ -1,4 +1,4 @@
-#include "hearth/import/wad.h"
+#include "import/doom/wad.h"
 
 #include <gtest/gtest.h>
 

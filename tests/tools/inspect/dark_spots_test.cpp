@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "hearth/inspect/remedy.h"
-#include "hearth/inspect/words.h"
 #include "loaded.h"
 #include "render/renderer.h"
+#include "viewer/inspect/remedy.h"
+#include "viewer/inspect/words.h"
 
 namespace hearth {
 namespace {

@@ -1,17 +1,17 @@
 // What is said of a place: held against the definition of light, and against pictures.
 
-#include "hearth/inspect/inspect.h"
+#include "viewer/inspect/inspect.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "hearth/inspect/words.h"
 #include "loaded.h"
 #include "render/renderer.h"
 #include "support/level_text.h"
 #include "truth/truth_light.h"
+#include "viewer/inspect/words.h"
 
 namespace hearth {
 namespace {

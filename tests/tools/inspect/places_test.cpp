@@ -1,6 +1,6 @@
 // Where the files have what is pointed at.
 
-#include "hearth/inspect/places.h"
+#include "viewer/inspect/places.h"
 
 #include <gtest/gtest.h>
 

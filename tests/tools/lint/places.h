@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hearth/lint/lint.h"
+#include "lint/lint.h"
 
 namespace hearth::test {
 

@@ -1,11 +1,11 @@
 // A section that is brought into view when it is called.
 
-#include "hearth/overlay/called_section.h"
+#include "viewer/overlay/called_section.h"
 
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 
-#include "hearth/overlay/overlay.h"
+#include "viewer/overlay/overlay.h"
 
 namespace hearth {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "hearth/overlay/bookmarks_section.h"
-#include "hearth/overlay/comfort_section.h"
-#include "hearth/overlay/overlay.h"
+#include "viewer/overlay/bookmarks_section.h"
+#include "viewer/overlay/overlay.h"
+#include "viewer/overlay/preferences_section.h"
 #include "walk/stage.h"
 
 namespace hearth {
@@ -53,55 +53,55 @@ class SectionTest : public testing::Test {
 class ComfortSectionTest : public SectionTest {
  protected:
   ComfortSectionTest() { open(); }
-  void show() override { wasWritten_ |= section_.show(comfort_); }
+  void show() override { wasWritten_ |= section_.show(preferences_); }
 
   /// Clicks down the second column until a key is waited for, and presses it.
   bool give(SDL_Scancode key) {
     for (int y = 88; y < 378; y += 6) {
       click(left_ + 242, y);
-      if (section_.take(down(key), comfort_)) return true;
+      if (section_.take(down(key), preferences_)) return true;
     }
     return false;
   }
 
-  ComfortSection section_;
-  Comfort comfort_;
+  PreferencesSection section_;
+  Preferences preferences_;
   bool wasWritten_ = false;
 };
 
 TEST_F(ComfortSectionTest, GivesAnActionTheKeyThatIsPressed) {
-  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F9), comfort_)) << "no key is waited for yet";
+  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F9), preferences_)) << "no key is waited for yet";
   ASSERT_TRUE(give(SDL_SCANCODE_F9));
-  EXPECT_TRUE(comfort_.keys.actionOf(SDL_SCANCODE_F9));
+  EXPECT_TRUE(preferences_.keys.actionOf(SDL_SCANCODE_F9));
   frame();
   EXPECT_TRUE(wasWritten_);
-  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F8), comfort_)) << "only one";
+  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F8), preferences_)) << "only one";
 }
 
 TEST_F(ComfortSectionTest, TakesAKeyFromTheActionThatHadIt) {
-  ASSERT_EQ(comfort_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
+  ASSERT_EQ(preferences_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
   ASSERT_TRUE(give(SDL_SCANCODE_H));
-  EXPECT_NE(comfort_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
-  EXPECT_TRUE(comfort_.keys.keysOf(Action::Keys).empty());
+  EXPECT_NE(preferences_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
+  EXPECT_TRUE(preferences_.keys.keysOf(Action::Keys).empty());
 }
 
 TEST_F(ComfortSectionTest, LeavesAllAsItWasWithEsc) {
   ASSERT_TRUE(give(SDL_SCANCODE_ESCAPE));
-  EXPECT_EQ(comfort_, Comfort{});
+  EXPECT_EQ(preferences_, Preferences{});
   frame();
   EXPECT_FALSE(wasWritten_);
 }
 
 TEST_F(ComfortSectionTest, ChangesNothingByItself) {
-  comfort_.degreesPerPixel = 3.456;
+  preferences_.degreesPerPixel = 3.456;
   for (int i = 0; i < 4; ++i) frame();
-  EXPECT_EQ(comfort_.degreesPerPixel, 3.456);
+  EXPECT_EQ(preferences_.degreesPerPixel, 3.456);
   EXPECT_FALSE(wasWritten_);
 }
 
 TEST_F(ComfortSectionTest, HasASliderForTheMouse) {
   click(left_ + 250, kFirstRow);
-  EXPECT_GT(comfort_.degreesPerPixel, 0.3);
+  EXPECT_GT(preferences_.degreesPerPixel, 0.3);
   EXPECT_TRUE(wasWritten_);
 }
 

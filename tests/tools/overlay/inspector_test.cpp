@@ -1,15 +1,15 @@
 // The inspector in the panel: what the pointer is at, and what a click pins.
 
-#include "hearth/overlay/inspector.h"
+#include "viewer/overlay/inspector.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
-#include "hearth/inspect/places.h"
-#include "hearth/inspect/words.h"
-#include "hearth/overlay/overlay.h"
+#include "viewer/inspect/places.h"
+#include "viewer/inspect/words.h"
+#include "viewer/overlay/overlay.h"
 #include "walk/stage.h"
 
 namespace hearth {

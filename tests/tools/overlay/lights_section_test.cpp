@@ -1,6 +1,6 @@
 // The section that edits lights: its list, its fields, its buttons.
 
-#include "hearth/overlay/lights_section.h"
+#include "viewer/overlay/lights_section.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "hearth/overlay/overlay.h"
 #include "loaded.h"
+#include "viewer/overlay/overlay.h"
 
 namespace hearth {
 namespace {

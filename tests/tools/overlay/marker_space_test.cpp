@@ -1,6 +1,6 @@
 // Pixels of the view and of the map, and the points of the world that are dragged there.
 
-#include "hearth/overlay/marker_space.h"
+#include "viewer/overlay/marker_space.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The panel over a picture: how it takes events, and what it shows.
 
-#include "hearth/overlay/overlay.h"
+#include "viewer/overlay/overlay.h"
 
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "hearth/channels.h"
-#include "hearth/options.h"
-#include "hearth/overlay/figures_section.h"
-#include "hearth/overlay/view_section.h"
+#include "settings/channels.h"
+#include "settings/options.h"
+#include "viewer/overlay/figures_section.h"
+#include "viewer/overlay/view_section.h"
 #include "walk/stage.h"
 
 namespace hearth {

@@ -1,6 +1,6 @@
 // The pages of a panel, and their tabs.
 
-#include "hearth/overlay/pages.h"
+#include "viewer/overlay/pages.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "hearth/overlay/overlay.h"
+#include "viewer/overlay/overlay.h"
 #include "walk/stage.h"
 
 namespace hearth {

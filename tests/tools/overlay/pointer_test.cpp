@@ -1,6 +1,6 @@
 // Whose the mouse is: the picture's or the panel's.
 
-#include "hearth/overlay/pointer.h"
+#include "viewer/overlay/pointer.h"
 
 #include <SDL_keyboard.h>
 #include <gtest/gtest.h>

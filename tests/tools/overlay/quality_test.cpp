@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "hearth/overlay/overlay.h"
-#include "hearth/overlay/quality_section.h"
-#include "hearth/settings.h"
-#include "hearth/tradeoff/approximations.h"
+#include "measure/tradeoff/approximations.h"
+#include "settings/settings.h"
+#include "viewer/overlay/overlay.h"
+#include "viewer/overlay/quality_section.h"
 
 namespace hearth {
 namespace {

@@ -1,6 +1,6 @@
 // Triangles on the CPU, held against a plain look at every pixel of the picture.
 
-#include "hearth/overlay/triangle_painter.h"
+#include "viewer/overlay/triangle_painter.h"
 
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "hearth/options.h"
+#include "settings/options.h"
 
 namespace hearth {
 namespace {

@@ -1,10 +1,10 @@
 // What sections are made of.
 
-#include "hearth/overlay/widgets.h"
+#include "viewer/overlay/widgets.h"
 
 #include <gtest/gtest.h>
 
-#include "hearth/overlay/overlay.h"
+#include "viewer/overlay/overlay.h"
 
 namespace hearth {
 namespace {

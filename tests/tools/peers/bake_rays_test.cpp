@@ -1,6 +1,6 @@
 // That another ray tracer is given the rays of the bake.
 
-#include "hearth/bench/bake_rays.h"
+#include "peers/bake_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hearth/tradeoff/approximations.h"
+#include "measure/tradeoff/approximations.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "../loaded.h"
-#include "hearth/command.h"
-#include "hearth/settings.h"
-#include "hearth/tradeoff/measured_settings.h"
+#include "cli/command.h"
+#include "measure/tradeoff/measured_settings.h"
 #include "render/renderer.h"
+#include "settings/settings.h"
 
 namespace hearth {
 namespace {

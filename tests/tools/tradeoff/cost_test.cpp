@@ -1,6 +1,6 @@
 // What settings cost, by clocks that are not the machine's.
 
-#include "hearth/tradeoff/cost.h"
+#include "measure/tradeoff/cost.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "../loaded.h"
-#include "hearth/tradeoff/measure_trials.h"
+#include "measure/tradeoff/measure_trials.h"
 
 namespace hearth {
 namespace {

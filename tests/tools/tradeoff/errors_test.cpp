@@ -1,4 +1,4 @@
-#include "hearth/tradeoff/errors.h"
+#include "measure/tradeoff/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hearth/tradeoff/front.h"
+#include "measure/tradeoff/front.h"
 
 #include <gtest/gtest.h>
 

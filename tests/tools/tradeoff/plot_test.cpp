@@ -1,4 +1,4 @@
-#include "hearth/tradeoff/plot.h"
+#include "measure/tradeoff/plot.h"
 
 #include <gtest/gtest.h>
 

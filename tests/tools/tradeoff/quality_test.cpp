@@ -1,6 +1,6 @@
 // That the qualities are what their names say, by errors and by work, never by seconds.
 
-#include "hearth/quality.h"
+#include "settings/quality.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "../loaded.h"
-#include "hearth/tradeoff/measure_trials.h"
-#include "hearth/tradeoff/measured_front.h"
-#include "hearth/tradeoff/measured_settings.h"
+#include "measure/tradeoff/measure_trials.h"
+#include "measure/tradeoff/measured_front.h"
+#include "measure/tradeoff/measured_settings.h"
 
 namespace hearth {
 namespace {

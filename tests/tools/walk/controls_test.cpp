@@ -1,6 +1,6 @@
 // From events to what is asked of the walker in a tick.
 
-#include "hearth/walk/controls.h"
+#include "viewer/walk/controls.h"
 
 #include <gtest/gtest.h>
 
@@ -148,17 +148,17 @@ TEST_F(ControlsTest, TheMouseLooksOnlyWhileItIsCaptured) {
 }
 
 TEST_F(ControlsTest, TheMouseMovesAsFarAndTheWayThatTheUserLikes) {
-  controls_.setComfort({.degreesPerPixel = 0.04, .invertsPitch = true});
+  controls_.setPreferences({.degreesPerPixel = 0.04, .invertsPitch = true});
   controls_.captureMouse(true);
   controls_.take(motion(10, -4));
   EXPECT_EQ(tick(), (WalkInput{.turn = 400, .pitch = -160}));
 }
 
 TEST_F(ControlsTest, KeysDoWhatTheUserSays) {
-  Comfort comfort;
-  comfort.keys.bind(Action::Forward, {SDL_SCANCODE_E});
+  Preferences preferences;
+  preferences.keys.bind(Action::Forward, {SDL_SCANCODE_E});
   controls_.take(down(SDL_SCANCODE_S));
-  controls_.setComfort(comfort);
+  controls_.setPreferences(preferences);
   EXPECT_EQ(tick(), WalkInput{}) << "what was held is let go of";
   controls_.take(down(SDL_SCANCODE_W));
   EXPECT_EQ(tick(), WalkInput{});

@@ -252,7 +252,7 @@ TEST_F(LiveWalk, LiftsTheWalkerWithTheFloor) {
   begin();
   writeRoom("room", 0.5);
   ASSERT_TRUE(isTold(": shown"));
-  EXPECT_EQ(journey_->walker().feet, (Vec3{1, 2, 0.5}));
+  EXPECT_EQ(session_->walker().feet, (Vec3{1, 2, 0.5}));
   EXPECT_TRUE(comesToShowFresh());
 }
 
@@ -261,18 +261,18 @@ TEST_F(LiveWalk, GoesOnWhereTheWalkerStandsUnderAnotherName) {
   begin();
   writeRoom("chamber", 0);
   ASSERT_TRUE(isTold(": shown"));
-  EXPECT_EQ(journey_->walker().feet, (Vec3{1, 2, 0}));
-  EXPECT_EQ(load().level[journey_->walker().sector].name, "chamber");
+  EXPECT_EQ(session_->walker().feet, (Vec3{1, 2, 0}));
+  EXPECT_EQ(load().level[session_->walker().sector].name, "chamber");
 }
 
 TEST_F(LiveWalk, GoesBackToTheStartWhereThereIsNoRoomAnyMore) {
   begin();
   const LoadedLevel loaded = load();
-  Walker walker = journey_->walker();
+  Walker walker = session_->walker();
   walker.feet = walker.feet + Vec3{1000, 0, 0};
   const auto carried = carriedOver(loaded.level, walker, loaded.level);
   ASSERT_TRUE(carried);
-  EXPECT_EQ(carried->feet, journey_->walker().feet);
+  EXPECT_EQ(carried->feet, session_->walker().feet);
 }
 
 }  // namespace

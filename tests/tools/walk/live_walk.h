@@ -13,8 +13,8 @@
 #include <string>
 #include <thread>
 
-#include "hearth/settings.h"
-#include "hearth/walk/live_level.h"
+#include "desktop/live_level.h"
+#include "settings/settings.h"
 #include "stage.h"
 
 namespace hearth::test {
@@ -41,7 +41,7 @@ class LiveWalk : public testing::Test {
   fs::path levelFile() const { return folder_ / "rooms.json"; }
   fs::path lightsFile() const { return folder_ / "rooms.lights.json"; }
 
-  void begin(std::chrono::milliseconds nextFile = Workshop::kNextFile) {
+  void begin(std::chrono::milliseconds nextFile = BackgroundBaker::kNextFile) {
     SourcedResult opened = loadLevelWithSource(levelFile());
     ASSERT_TRUE(opened.result.loaded);
     auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
@@ -50,12 +50,12 @@ class LiveWalk : public testing::Test {
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
     const Player& player = *loaded->level.player;
-    journey_ = std::make_unique<Journey>(
+    session_ = std::make_unique<WalkSession>(
         loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
-        Journey::Memory::None);
+        WalkSession::Memory::None);
     screenshots_ = std::make_unique<Screenshots>(folder_, "live");
     const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
-    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *journey_, *screenshots_,
+    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *session_, *screenshots_,
                                        stage_, settings);
     loop_->round();
   }
@@ -63,7 +63,7 @@ class LiveWalk : public testing::Test {
   void round() {
     stage_.now += 1.0 / 64;
     loop_->round();
-    live_->update(*loop_, *journey_, stage_);
+    live_->update(*loop_, *session_, stage_);
   }
 
   /// Rounds until something is so, or for too long.
@@ -102,7 +102,7 @@ class LiveWalk : public testing::Test {
   Image fresh(const OptionValues& values) const {
     const LoadedLevel loaded = load();
     const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values), 2);
-    const Eye eye = journey_->eye(1);
+    const Eye eye = session_->eye(1);
     return Renderer(loaded.level, loaded.textures, light, drawSettingsFrom(values))
         .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
                stage_.window->height},
@@ -118,7 +118,7 @@ class LiveWalk : public testing::Test {
   OptionValues values_;
   Stage stage_;
   std::unique_ptr<LiveLevel> live_;
-  std::unique_ptr<Journey> journey_;
+  std::unique_ptr<WalkSession> session_;
   std::unique_ptr<Screenshots> screenshots_;
   std::unique_ptr<WalkLoop> loop_;
 };

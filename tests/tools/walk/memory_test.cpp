@@ -12,7 +12,7 @@ INSTANTIATE_TEST_SUITE_P(OfThreads, WalkMemory, testing::Values(1, 2));
 TEST_P(WalkMemory, ASecondAt1920x1080TakesNone) {
   const test::Place tutorial("levels/tutorial.json");
   test::StagedWalk walk({.size = PictureSize{1920, 1080}, .threads = GetParam()}, tutorial,
-                        Journey::Memory::None);
+                        WalkSession::Memory::None);
   walk.stage.title.reserve(100);
   walk.now(test::down(SDL_SCANCODE_TAB));  // the map is drawn, too
   const auto turnThereAndBack = [&] {

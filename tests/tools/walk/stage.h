@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "hearth/walk/outside.h"
+#include "viewer/walk/window_host.h"
 
 namespace hearth::test {
 
 /// A world outside that stands still unless a test moves it: its clock, its events, its window.
-class Stage : public Outside {
+class Stage : public WindowHost {
  public:
   double seconds() override { return now; }
   bool poll(SDL_Event& event) override {

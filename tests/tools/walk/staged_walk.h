@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "hearth/walk/walk_loop.h"
 #include "light/bakery.h"
 #include "loaded.h"
 #include "stage.h"
+#include "viewer/walk/walk_loop.h"
 
 namespace hearth::test {
 
@@ -30,15 +30,15 @@ inline const Place& rooms() {
 class StagedWalk {
  public:
   explicit StagedWalk(const WalkSettings& settings = {}, const Place& place = rooms(),
-                      Journey::Memory memory = Journey::Memory::Inputs)
+                      WalkSession::Memory memory = WalkSession::Memory::Inputs)
       : place_(place),
         renderer_(place.loaded.level, place.loaded.textures, place.light),
         start_(walkerAt(level(), level().player->sector, level().player->eye, level().player->angle,
                         0)),
-        journey_(level(), start_, memory),
+        session_(level(), start_, memory),
         screenshots_(testing::TempDir(), "walk"),
         settings_(settings),
-        loop_(level(), renderer_, journey_, screenshots_, stage, settings) {
+        loop_(level(), renderer_, session_, screenshots_, stage, settings) {
     isOn = loop_.round();  // starts the clock
   }
 
@@ -60,7 +60,7 @@ class StagedWalk {
 
   /// What `hearth shot` would draw where the walker was a tick ago.
   Image drawn(LightMode mode, PictureSize size) const {
-    const Eye eye = journey_.eye(0);
+    const Eye eye = session_.eye(0);
     return renderer_.draw(
         {eye.sector, eye.point, eye.angle, eye.pitch, settings_.fov, size.width, size.height},
         mode);
@@ -68,8 +68,8 @@ class StagedWalk {
 
   const Level& level() const { return place_.loaded.level; }
   const Walker& start() const { return start_; }
-  const Walker& walker() const { return journey_.walker(); }
-  const std::vector<WalkInput>& inputs() const { return journey_.inputs(); }
+  const Walker& walker() const { return session_.walker(); }
+  const std::vector<WalkInput>& inputs() const { return session_.inputs(); }
   WalkLoop& loop() { return loop_; }
   Screenshots& screenshots() { return screenshots_; }
 
@@ -80,7 +80,7 @@ class StagedWalk {
   const Place& place_;
   Renderer renderer_;
   Walker start_;
-  Journey journey_;
+  WalkSession session_;
   Screenshots screenshots_;
   WalkSettings settings_;
   WalkLoop loop_;

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hearth/walk/captions.h"
-#include "hearth/walk/frame_rate.h"
-#include "hearth/walk/placement.h"
-#include "hearth/walk/screenshots.h"
 #include "image/image_file.h"
+#include "viewer/walk/captions.h"
+#include "viewer/walk/frame_rate.h"
+#include "viewer/walk/placement.h"
+#include "viewer/walk/screenshots.h"
 
 namespace hearth {
 namespace {

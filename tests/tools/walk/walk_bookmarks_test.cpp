@@ -17,7 +17,7 @@ void walkOff(test::StagedWalk& walk) {
 }
 
 TEST(WalkBookmarks, AKeyKeepsAPlaceAndAnotherGoesThereByTurns) {
-  test::StagedWalk walk({}, test::rooms(), Journey::Memory::None);
+  test::StagedWalk walk({}, test::rooms(), WalkSession::Memory::None);
   const Vec3 first = walk.walker().feet;
   walk.now(down(SDL_SCANCODE_B));
   walkOff(walk);
@@ -40,7 +40,7 @@ TEST(WalkBookmarks, ARecordedWalkHasNoJumps) {
 }
 
 TEST(WalkBookmarks, ThereMayBeNone) {
-  test::StagedWalk walk({}, test::rooms(), Journey::Memory::None);
+  test::StagedWalk walk({}, test::rooms(), WalkSession::Memory::None);
   const Walker before = walk.walker();
   walk.now(down(SDL_SCANCODE_G));
   EXPECT_EQ(walk.walker(), before);

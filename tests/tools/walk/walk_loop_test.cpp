@@ -166,11 +166,11 @@ TEST(WalkInputs, ARecordedWalkIsReplayedToTheBitAtAnyFrameRate) {
 }
 
 TEST(WalkInputs, ARecordedWalkIsReplayedWhateverTheUsersSettings) {
-  Comfort comfort;
-  comfort.keys.bind(Action::Forward, {SDL_SCANCODE_E});
-  comfort.degreesPerPixel = 0.02;
-  comfort.viewBob = 1;
-  Walk walk({.comfort = comfort});
+  Preferences preferences;
+  preferences.keys.bind(Action::Forward, {SDL_SCANCODE_E});
+  preferences.degreesPerPixel = 0.02;
+  preferences.viewBob = 1;
+  Walk walk({.preferences = preferences});
   walk.now(click());
   walk.now(down(SDL_SCANCODE_E));
   walk.now(motion(100, 20));
@@ -206,7 +206,7 @@ TEST(WalkPictures, FollowTheWindow) {
 
 TEST(WalkPictures, GoUpAndDownWithTheStepsWhereTheUserLikesThat) {
   Walk still;
-  Walk bobbing({.comfort = {.viewBob = 1}});
+  Walk bobbing({.preferences = {.viewBob = 1}});
   EXPECT_EQ(bobbing.stage.shown, still.stage.shown);
   for (Walk* walk : {&still, &bobbing}) {
     walk->now(down(SDL_SCANCODE_W));

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "hearth/channels.h"
+#include "settings/channels.h"
 #include "staged_walk.h"
 
 namespace hearth {

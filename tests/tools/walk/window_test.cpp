@@ -1,6 +1,6 @@
 // The window with SDL's own events, on a video driver that shows nothing.
 
-#include "hearth/walk/window.h"
+#include "desktop/window.h"
 
 #include <SDL.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "hearth/walk/controls.h"
+#include "viewer/walk/controls.h"
 
 namespace hearth {
 namespace {

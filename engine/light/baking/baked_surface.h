@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "light/bake_progress.h"
+#include "light/baking/surface_light.h"
+#include "light/baking/texel_sums.h"
+#include "light/lightmap.h"
+
+namespace hearth {
+
+/// The sums to which the light of each light goes: one for all, or one for each.
+using SumsOf = std::function<TexelSums&(std::size_t light)>;
+
+/// Texels are baked in tiles, so that the samples at hand take little memory.
+std::vector<TexelRect> tilesOf(const TexelRect& texels);
+/// Samples of a tile, side x side to each texel.
+SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side);
+
+/// Adds what some of the surface's facing lights bring to its texels. Asked to stop, less of it.
+void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+               const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
+               const std::stop_token& stop = {});
+
+/// The same, in haste: one sample to kDraftSide x kDraftSide texels.
+inline constexpr int kDraftSide = 4;
+void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+                      const BakeSettings& settings, const SumsOf& sumsOf);
+
+/// What of a surface must be baked for some of its texels: these alone, or all where texels share
+/// what they ask of lights.
+TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
+                    const BakeSettings& settings);
+
+/// The lightmap of a surface, or of what of it must be baked; none where no light reaches that.
+std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& baked,
+                                    const BakeSettings& settings, BakeProgress& progress);
+
+/// Of the sums of all its lights.
+std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings);
+
+}  // namespace hearth

@@ -1,0 +1,117 @@
+#include "light/baking/texel_sums.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "light/baking/light_sum.h"
+#include "light/sight/light_kernels.h"
+
+namespace hearth {
+
+namespace {
+
+using Texels = std::vector<std::uint8_t>;
+
+bool isGrey(const Texels& texels) {
+  for (std::size_t i = 0; i < texels.size(); i += 3)
+    if (texels[i] != texels[i + 1] || texels[i + 1] != texels[i + 2]) return false;
+  return true;
+}
+
+Texels everyThird(const Texels& texels) {
+  Texels kept;
+  kept.reserve(texels.size() / 3);
+  for (std::size_t i = 0; i < texels.size(); i += 3) kept.push_back(texels[i]);
+  return kept;
+}
+
+bool isDark(const Texels& texels) {
+  return std::ranges::all_of(texels, [](std::uint8_t byte) { return byte == 0; });
+}
+
+}  // namespace
+
+TexelSums::TexelSums(TexelRect rect, int channels)
+    : rect_(rect),
+      channels_(channels),
+      sums_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height) *
+            static_cast<std::size_t>(channels)) {}
+
+void TexelSums::add(int i, int j, const LightSource& light, double level) {
+  for (int channel = 0; channel < channels_; ++channel) {
+    double& units = sums_[index(i, j, channel)];
+    LightSum sum(units);
+    sum.add(level * light.share(channel));
+    units = sum.units();
+  }
+}
+
+void TexelSums::addRow(int i, int j, const LightSource& light, std::span<const double> levels) {
+  for (int channel = 0; channel < channels_; ++channel)
+    lightKernels().addToSums(levels.data(), levels.size(), light.share(channel),
+                             &sums_[index(i, j, channel)]);
+}
+
+void TexelSums::add(const TexelSums& other) {
+  for (int channel = 0; channel < channels_; ++channel)
+    for (int j = other.rect_.j0; j < other.rect_.j0 + other.rect_.height; ++j)
+      for (int i = other.rect_.i0; i < other.rect_.i0 + other.rect_.width; ++i) {
+        double& units = sums_[index(i, j, channel)];
+        LightSum sum(units);
+        sum.add(LightSum(other.sums_[other.index(i, j, other.channels_ == 1 ? 0 : channel)]));
+        units = sum.units();
+      }
+}
+
+bool TexelSums::isTexelDark(int i, int j) const {
+  for (int channel = 0; channel < channels_; ++channel)
+    if (sums_[index(i, j, channel)] > 0) return false;
+  return true;
+}
+
+TexelSums TexelSums::cropped() const {
+  int left = rect_.i0 + rect_.width;
+  int right = rect_.i0;
+  int top = rect_.j0 + rect_.height;
+  int bottom = rect_.j0;
+  for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j)
+    for (int i = rect_.i0; i < rect_.i0 + rect_.width; ++i) {
+      if (isTexelDark(i, j)) continue;
+      left = std::min(left, i);
+      right = std::max(right, i + 1);
+      top = std::min(top, j);
+      bottom = std::max(bottom, j + 1);
+    }
+  if (right <= left) return {{rect_.i0, rect_.j0, 0, 0}, channels_};
+  TexelSums part({left, top, right - left, bottom - top}, channels_);
+  for (int channel = 0; channel < channels_; ++channel)
+    for (int j = top; j < bottom; ++j)
+      std::copy_n(&sums_[index(left, j, channel)], part.rect_.width,
+                  &part.sums_[part.index(left, j, channel)]);
+  return part;
+}
+
+std::optional<Lightmap> TexelSums::toLightmap(int samples, int bits) const {
+  Lightmap map{rect_, Texels(sums_.size()), channels_};
+  if (bits != 8) map.fractions.resize(sums_.size());
+  const auto channels = static_cast<std::size_t>(channels_);
+  const std::size_t texels = sums_.size() / channels;
+  for (std::size_t channel = 0; channel < channels; ++channel)
+    for (std::size_t i = 0; i < texels; ++i) {
+      const LightSum sum(sums_[channel * texels + i]);
+      const std::size_t to = i * channels + channel;
+      if (bits == 8) {
+        map.levels[to] = sum.mean(samples);
+      } else {
+        const std::uint16_t level = sum.fineMean(samples);
+        map.levels[to] = static_cast<std::uint8_t>(level >> 8);
+        map.fractions[to] = static_cast<std::uint8_t>(level);
+      }
+    }
+  if (isDark(map.levels) && isDark(map.fractions)) return std::nullopt;
+  if (channels_ == 3 && isGrey(map.levels) && isGrey(map.fractions))
+    map = {rect_, everyThird(map.levels), 1, everyThird(map.fractions)};
+  return asKept(std::move(map));
+}
+
+}  // namespace hearth

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// What a beam is bounded by above or below: the plane through the light and a straight edge of an
+/// opening.
+struct HeightPlane {
+  Vec2 gradient;         ///< metres of height for each metre from the light, along x and y
+  bool isBelow;          ///< whether the beam lies above it
+  double slackPerMetre;  ///< by which rounding may move it, metres for each metre from the light
+};
+
+/// What a light sees of a sector through a row of openings, up to one wall of it. All of its bounds
+/// are planes, most of them through the light; lines on the map are given as directions of length 1
+/// from there.
+struct Beam {
+  SectorId sector;
+  const Segment* from;  ///< beyond this wall; null where none is before it
+  const Segment* to;    ///< up to this one
+  Vec2 begin;           ///< it lies clockwise of this, as seen on the map,
+  Vec2 end;             ///< and not of this; less than 180 degrees
+  Vec2 beginsAt;        ///< from the light to the vertices that say so
+  Vec2 endsAt;
+  std::uint32_t firstPlane;
+  std::uint32_t lastPlane;
+  /// Whether it may be dark in there: behind textures with holes, and where a beam is so narrow
+  /// that rounding decides what it meets (`begin` is `end` then).
+  bool isDoubtful;
+};
+
+/// A plane that bounds a beam, by ways from its light: a way is in front of it by
+/// dot(normal, way) - offset. Of points at most `reach` metres away, rounding decides about those
+/// within margin * perMargin + reach * perMetre of it, with the margin of rays to them.
+struct BeamBound {
+  Vec3 normal;
+  double offset;
+  double perMargin;
+  double perMetre;
+
+  double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
+};
+
+/// The bounds of a beam, for ways to points that lie `on` a wall, if that is given: of its begin,
+/// its end and its planes, then of the walls that it lies between, which ways to a point of the
+/// last of these do not come to. Each is made when it is asked for: that takes no longer than to
+/// read it from memory, of which all of them would take much.
+class BeamBounds {
+ public:
+  BeamBounds(const Beam& beam, std::span<const HeightPlane> planes, Vec3 light, const Segment* on)
+      : beam_(beam), planes_(planes), light_(light.xy()) {
+    if (on && beam.to == on) return;
+    for (const Segment* wall : {beam.from, beam.to})
+      if (wall) walls_[wallCount_++] = wall;
+  }
+
+  std::size_t size() const { return kSides + planes_.size() + wallCount_; }
+  BeamBound operator[](std::size_t index) const {
+    if (index == 0) return ofSide({-beam_.begin.y, beam_.begin.x});
+    if (index == 1) return ofSide({beam_.end.y, -beam_.end.x});
+    if (index - kSides < planes_.size()) return of(planes_[index - kSides]);
+    return of(*walls_[index - kSides - planes_.size()]);
+  }
+
+ private:
+  static constexpr std::size_t kSides = 2;
+
+  static BeamBound ofSide(Vec2 inward) { return {{inward.x, inward.y, 0}, 0, 1, 0}; }
+  static BeamBound of(const HeightPlane& plane) {
+    const double sign = plane.isBelow ? 1 : -1;
+    return {{-sign * plane.gradient.x, -sign * plane.gradient.y, sign}, 0, 1, plane.slackPerMetre};
+  }
+  BeamBound of(const Segment& wall) const {
+    const Vec2 along = wall.p1 - wall.p0;
+    return {{-along.y, along.x, 0}, cross(along, wall.p0 - light_), wall.length, 0};
+  }
+
+  const Beam& beam_;
+  std::span<const HeightPlane> planes_;
+  Vec2 light_;
+  std::array<const Segment*, 2> walls_{};
+  std::size_t wallCount_ = 0;
+};
+
+/// All beams of a light.
+struct BeamSet {
+  std::vector<Beam> beams;
+  std::vector<HeightPlane> planes;
+  /// Sectors that light may come to in ways that no beam describes.
+  std::unordered_set<std::uint32_t> unknown;
+  /// Whether there are not too many of them to be found.
+  bool isComplete = false;
+
+  std::span<const HeightPlane> planesOf(const Beam& beam) const {
+    return std::span(planes).subspan(beam.firstPlane, beam.lastPlane - beam.firstPlane);
+  }
+  /// With what BeamTree keeps of each: its sides.
+  std::size_t bytes() const {
+    return beams.size() * (sizeof(Beam) + 4 * sizeof(double)) + planes.size() * sizeof(HeightPlane);
+  }
+};
+
+}  // namespace hearth

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "level/level.h"
+#include "light/beam_tree/beam.h"
+#include "light/grid/plane.h"
+#include "light/sight/light_kernels.h"
+#include "light/sight/raytracer.h"
+
+namespace hearth {
+
+/// What a point of light sees: one beam for each wall and each row of openings through which it
+/// sees some of that. Whether a point is lit, then, takes a few products, and no ray: a level is
+/// flat on the map, so walls bound light by upright planes, and the heights of openings bound it by
+/// planes that lean on the light.
+///
+/// What it says holds for rays, as the ray tracer would say: near the bounds of beams, where
+/// rounding decides, it says nothing. Nor does it of what lies behind flat portals that are slopes,
+/// too.
+class BeamTree {
+ public:
+  /// Of what is no farther than `reach` metres; farther away it may find less. Where all beams take
+  /// about `mostBytes` or more it says nothing. Keeps a reference to the level.
+  BeamTree(const Level& level, const Raytracer::Source& light, double reach, std::size_t mostBytes);
+
+  /// Points, as they are seen from the light: all that lie between some corners.
+  struct Points {
+    std::span<const Vec3> corners;
+    CornerWays ways;
+    double reach = 0;   ///< metres, at least those to the farthest
+    double noise = 0;   ///< metres by which rounding moves a crossing at the most
+    double margin = 0;  ///< metres from the bounds of a beam within which nothing is said
+  };
+  /// One to eight corners, which must outlive what they are made into.
+  Points seen(std::span<const Vec3> corners) const;
+
+  /// Whether it says anything of points on a plane that bounds the air of a sector. It does not
+  /// where they, or the light, are so near to a plane of its that rounding could stop rays there.
+  bool knows(SectorId sector, const Plane& plane, const Points& points) const;
+
+  /// A beam that may hold points, and which of its bounds may part them: see findParting().
+  struct Doubt {
+    const Beam* beam;
+    std::uint32_t parting;
+
+    bool atBegin() const { return (parting & kAtBegin) != 0; }
+    bool atEnd() const { return (parting & kAtEnd) != 0; }
+    bool elsewhere() const { return beam->isDoubtful || (parting & ~(kAtBegin | kAtEnd)) != 0; }
+  };
+  using Found = std::vector<Doubt>;
+  /// Whether the points, which lie in the air of `sector`, and `on` a wall of it if that is given,
+  /// are lit: one beam holds all of them, or a row of beams does. If not, all beams that hold some
+  /// of them, perhaps, are added to `found`: if there are none, the points are dark.
+  bool find(SectorId sector, const Segment* on, const Points& points, Found& found) const;
+  /// The same of points among those before; `found` has the beams for these from `first` to `last`.
+  bool narrow(const Points& points, const Segment* on, Found& found, std::size_t first,
+              std::size_t last) const;
+
+  /// Rows of samples.
+  struct Samples {
+    SampleArrays arrays;
+    std::size_t columns;
+    std::size_t rows;
+    std::size_t stride;  ///< from a row to the next
+  };
+  /// Memory of findSeen(), to be kept from call to call.
+  struct Parting {
+    std::vector<WayBound> bounds;
+    std::vector<PartingBounds> beams;
+  };
+  /// What is seen by each of some samples among `points`, by the same beams: kUnknownShare where
+  /// only narrow() can tell.
+  void findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
+                const Samples& samples, Parting& parting, double* seen) const;
+
+ private:
+  /// The first two bounds of a beam.
+  static constexpr std::uint32_t kAtBegin = 1;
+  static constexpr std::uint32_t kAtEnd = 2;
+
+  BeamBounds boundsOf(const Beam& beam, const Segment* on) const;
+  bool comesToEndOf(const Segment& wall, const Points& points) const;
+  static bool isRow(std::span<const Doubt> doubts);
+  bool add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
+           Found& found) const;
+  /// Some of the beams, by index.
+  struct Range {
+    std::size_t first;
+    std::size_t last;
+  };
+  bool addSpanning(Range beams, const Points& points, const Segment* on, Found& found) const;
+
+  const Level& level_;
+  Raytracer::Source light_;
+  BeamSet found_;
+  /// By beam: its first two bounds, for many beams at once.
+  struct Sides {
+    std::vector<double> beginX;
+    std::vector<double> beginY;
+    std::vector<double> endX;
+    std::vector<double> endY;
+  } sides_;
+  std::unordered_map<std::uint32_t, Range> rangeOf_;  ///< of a sector
+};
+
+}  // namespace hearth

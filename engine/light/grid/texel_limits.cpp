@@ -1,0 +1,66 @@
+#include "light/grid/texel_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "light/lit_surface.h"
+
+namespace hearth {
+
+namespace {
+
+/// Texels of one bake. More than that is a slip of the pen in `texel`: 4 GiB of light.
+constexpr double kMostTexels = 4294967296.0;
+
+/// Texels from the origin of their grid; beyond, whole numbers of 32 bits would not count them.
+constexpr double kFarthestTexel = 1 << 30;
+
+/// Metres. No coordinate of the level is greater.
+double reachOf(const Level& level) {
+  double reach = 0;
+  for (const Sector& sector : level.sectors)
+    for (const double coordinate : {sector.boxMin.x, sector.boxMin.y, sector.boxMax.x,
+                                    sector.boxMax.y, sector.floor.z, sector.ceiling.z})
+      reach = std::max(reach, std::abs(coordinate));
+  return reach;
+}
+
+/// At least as many texels as a bake computes: every wall and flat as a rectangle.
+double texelBound(const Level& level, double texel) {
+  const auto cells = [texel](double metres) { return metres / texel + 3; };
+  double sum = 0;
+  for (const Sector& sector : level.sectors) {
+    const Vec2 size = sector.boxMax - sector.boxMin;
+    sum += 2 * cells(size.x) * cells(size.y);
+    for (const Segment& segment : level.segmentsOf(sector))
+      sum += cells(segment.length) * cells(sector.ceiling.z - sector.floor.z);
+  }
+  return sum;
+}
+
+/// As many as a bake computes. Takes long to count, and a reach within limits.
+double texelsOf(const Level& level, double texel) {
+  double sum = 0;
+  for (const auto& surface : makeLitSurfaces(level, texel))
+    if (surface) sum += static_cast<double>(surface->texels.count());
+  return sum;
+}
+
+}  // namespace
+
+std::optional<std::string> mistakeInTexel(const Level& level, double texel) {
+  if (!std::isfinite(texel) || texel <= 0) return fmt::format("{} m is no size", texel);
+  if (const double reach = reachOf(level); reach / texel > kFarthestTexel)
+    return fmt::format(
+        "a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least", reach,
+        reach / kFarthestTexel);
+  if (texelBound(level, texel) <= kMostTexels) return std::nullopt;
+  if (const double texels = texelsOf(level, texel); texels > kMostTexels)
+    return fmt::format("{} m would take {:.3g} texels, more than {:.3g}: use larger ones", texel,
+                       texels, kMostTexels);
+  return std::nullopt;
+}
+
+}  // namespace hearth

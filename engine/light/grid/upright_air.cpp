@@ -1,0 +1,89 @@
+#include "light/grid/upright_air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// z over a segment: one height at p0 and one at p1.
+struct Line {
+  double at0;
+  double at1;
+};
+
+/// The part of a convex polygon in (share, z) that lies above the line (below it for `sign` -1).
+UprightOutline clipped(const UprightOutline& polygon, Line line, double sign) {
+  const auto height = [&](Vec2 p) { return sign * (p.y - std::lerp(line.at0, line.at1, p.x)); };
+  UprightOutline kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i];
+    const Vec2 b = polygon[(i + 1) % polygon.size()];
+    const double ha = height(a);
+    const double hb = height(b);
+    if (ha >= 0) kept.push_back(a);
+    if ((ha > 0 && hb < 0) || (ha < 0 && hb > 0)) kept.push_back(lerp(a, b, ha / (ha - hb)));
+  }
+  return kept;
+}
+
+}  // namespace
+
+// Convex, because what limits it from below is a maximum of lines and from above a minimum.
+UprightOutline uprightAir(const Level& level, const Surface& surface) {
+  const Segment& segment = level[*surface.segment];
+  UprightOutline air = {
+      {0, surface.zBottom}, {1, surface.zBottom}, {1, surface.zTop}, {0, surface.zTop}};
+  air = clipped(air, {segment.air0.zBottom, segment.air1.zBottom}, 1);
+  air = clipped(air, {segment.air0.zTop, segment.air1.zTop}, -1);
+  if (!isSidewall(surface.kind)) return air;
+  for (const WallPiece& piece : segment.pieces) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (!opening || piece.zBottom != surface.zBottom) continue;
+    const Segment& twin = level[opening->twin];
+    if (surface.kind == SurfaceKind::FloorSidewall)
+      return clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, -1);
+    // Wedges may pass each other by an author's noise. Then the lower one shows, as in openingSpan.
+    air = clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, 1);
+    return clipped(air, {twin.air1.zTop, twin.air0.zTop}, 1);
+  }
+  return air;
+}
+
+std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b,
+                                                double segmentLength) {
+  const auto metres = [&](Vec2 p) { return Vec2{p.x * segmentLength, p.y}; };
+  UprightOutline common;
+  const auto gather = [&](const UprightOutline& from, const UprightOutline& to) {
+    for (const Vec2 p : from)
+      for (std::size_t i = 0; i < to.size(); ++i) {
+        const Vec2 end0 = metres(to[i]);
+        const Vec2 end1 = metres(to[(i + 1) % to.size()]);
+        if (length(nearestOnSegment(end0, end1, metres(p)) - metres(p)) <= kHeightNoise)
+          common.push_back(p);
+      }
+  };
+  gather(a, b);
+  gather(b, a);
+  if (common.empty()) return std::nullopt;
+  const auto [low, high] = std::ranges::minmax_element(common, lessXY);
+  if (length(metres(*high) - metres(*low)) <= kHeightNoise) return std::nullopt;
+  return std::pair(*low, *high);
+}
+
+std::pair<double, double> heightsAt(const UprightOutline& air, double share, double segmentLength) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Vec2 p : air)
+    if (std::abs(p.x - share) * segmentLength <= kHeightNoise)
+      low = std::min(low, p.y), high = std::max(high, p.y);
+  return {low, high};
+}
+
+}  // namespace hearth

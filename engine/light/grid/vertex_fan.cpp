@@ -1,0 +1,105 @@
+#include "light/grid/vertex_fan.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "level/openings.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// Whether a segment from `vertex` to `end` leaves the wall's plane to its front by more than an
+/// author cannot mean.
+bool standsBefore(const Segment& wall, Vec2 vertex, Vec2 end) {
+  return cross(wall.p1 - wall.p0, end - vertex) >
+         kAuthorNoiseOfEdge * wall.length * length(end - vertex);
+}
+
+}  // namespace
+
+VertexFan::VertexFan(const Level& level) : level_(level) {
+  spokes_.reserve(2 * level.segments.size());
+  for (std::size_t i = 0; i < level.segments.size(); ++i) {
+    spokes_.push_back({level.segments[i].p0, SegmentId(i), true});
+    spokes_.push_back({level.segments[i].p1, SegmentId(i), false});
+  }
+  std::stable_sort(spokes_.begin(), spokes_.end(),
+                   [](const Spoke& a, const Spoke& b) { return lessXY(a.vertex, b.vertex); });
+}
+
+std::span<const VertexFan::Spoke> VertexFan::at(Vec2 vertex) const {
+  const auto first =
+      std::lower_bound(spokes_.begin(), spokes_.end(), vertex,
+                       [](const Spoke& spoke, Vec2 v) { return lessXY(spoke.vertex, v); });
+  auto last = first;
+  while (last != spokes_.end() && last->vertex == vertex) ++last;
+  return {first, last};
+}
+
+std::vector<SegmentId> VertexFan::acrossFlatPortals(SegmentId id) const {
+  const Segment& segment = level_[id];
+  const Sector& sector = level_[segment.sector];
+  std::vector<SegmentId> found;
+  if (!sector.floor.flatPortal && !sector.ceiling.flatPortal) return found;
+  for (const Spoke& spoke : at(segment.p0)) {
+    const Segment& other = level_[spoke.segment];
+    if (!spoke.startsHere || other.p1 != segment.p1) continue;
+    const Sector& beyond = level_[other.sector];
+    const bool below =
+        sector.floor.flatPortal && beyond.ceiling.flatPortal == sector.floor.flatPortal;
+    const bool above =
+        sector.ceiling.flatPortal && beyond.floor.flatPortal == sector.ceiling.flatPortal;
+    if (below || above) found.push_back(spoke.segment);
+  }
+  return found;
+}
+
+std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 vertex, SectorId to,
+                                                     Heights within) const {
+  if (wall.sector == to) return {within};
+  const bool isAfter = wall.p1 == vertex;
+  const auto turnsOn = [&](Vec2 from, Vec2 towards) {
+    const int turn = orientation(vertex, from, towards);
+    return (isAfter ? turn < 0 : turn > 0) && standsBefore(wall, vertex, towards);
+  };
+  std::vector<Heights> ways;
+  std::vector<Air> reached = {{wall.sector, within, isAfter ? wall.p0 : wall.p1}};
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Air here = reached[i];
+    if (here.sector == to) ways.push_back(here.heights);
+    for (const Spoke& spoke : at(vertex)) {
+      if (level_[spoke.segment].sector != here.sector) continue;
+      if (!turnsOn(here.from, farEnd(spoke))) continue;
+      for (const Air& air : beyond(spoke, here.heights))
+        if (std::ranges::none_of(reached, [&](const Air& known) { return known.holds(air); }))
+          reached.push_back(air);
+    }
+  }
+  return ways;
+}
+
+Vec2 VertexFan::farEnd(const Spoke& spoke) const {
+  const Segment& segment = level_[spoke.segment];
+  return spoke.startsHere ? segment.p1 : segment.p0;
+}
+
+std::vector<VertexFan::Air> VertexFan::beyond(const Spoke& spoke, Heights near) const {
+  const Segment& segment = level_[spoke.segment];
+  const double share = spoke.startsHere ? 0 : 1;
+  std::vector<Air> found;
+  for (const WallPiece& piece : segment.pieces) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (!opening) continue;
+    const OpeningSpan span =
+        openingSpan(piece, airAt(segment, share), airAt(level_[opening->twin], 1 - share));
+    const Heights open = {std::max(near.zBottom, span.zBottom), std::min(near.zTop, span.zTop)};
+    if (open.zTop - open.zBottom > kHeightNoise)
+      found.push_back({opening->next, open, farEnd(spoke)});
+  }
+  return found;
+}
+
+}  // namespace hearth

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <stop_token>
+
+#include "light/baking/baked_surface.h"
+
+namespace hearth {
+
+/// Adds the light of a surface with as many rays as its shadows need: one to each corner of a
+/// texel, which four texels share, and some more to each edge between corners of which one is lit.
+/// The polygon that these make of a texel's lit part is as exact as the shadow's edge is straight;
+/// a texel that no edge crosses costs one ray for each light.
+void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
+                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop);
+
+}  // namespace hearth

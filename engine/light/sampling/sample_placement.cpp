@@ -1,0 +1,200 @@
+#include "light/sampling/sample_placement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::array<Vec2, 16> kWays = {{{1, 0},
+                                         {0, 1},
+                                         {-1, 0},
+                                         {0, -1},
+                                         {0.7, 0.7},
+                                         {-0.7, 0.7},
+                                         {0.7, -0.7},
+                                         {-0.7, -0.7},
+                                         {0.9, 0.4},
+                                         {0.4, 0.9},
+                                         {-0.4, 0.9},
+                                         {-0.9, 0.4},
+                                         {-0.9, -0.4},
+                                         {-0.4, -0.9},
+                                         {0.4, -0.9},
+                                         {0.9, -0.4}}};
+
+double distanceTo(const std::vector<Outline::Edge>& edges, Vec2 p) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : edges)
+    distance = std::min(distance, length(nearestOnSegment(a, b, p) - p));
+  return distance;
+}
+
+/// Between two edges that meet, the point that is `margin` from both. Clipping can leave an edge
+/// between them that is all rounding.
+std::optional<Vec2> insideCorner(const Outline::Edge& before, const Outline::Edge& after,
+                                 double margin) {
+  if (length(before.b - after.a) > margin) return std::nullopt;
+  if (length(before.b - before.a) <= margin || length(after.b - after.a) <= margin)
+    return std::nullopt;
+  const Vec2 back = (1 / length(before.a - before.b)) * (before.a - before.b);
+  const Vec2 on = (1 / length(after.b - after.a)) * (after.b - after.a);
+  const double sine = std::abs(cross(back, on)) / length(back + on);  // of half the angle
+  if (!(sine > 0)) return std::nullopt;
+  return after.a + margin / (sine * length(back + on)) * (back + on);
+}
+
+}  // namespace
+
+SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought)
+    : surfaces_(surfaces),
+      id_(id),
+      hair_(kEdgeInset / surfaces[id.index()]->grid.texel),
+      besideEdge_(2.5 * hair_),
+      sought_(sought) {}
+
+/// Texels. Samples of texels that are asked for are no farther from their surface.
+constexpr double kRowReach = 3;
+
+class SamplePlacement::Row {
+ public:
+  Row(const SamplePlacement& placement, double row)
+      : placement_(placement),
+        surface_(*placement.surfaces_[placement.id_.index()]),
+        row_(row),
+        outline_(surface_.outline.aroundRow(row, kRowReach)),
+        inside_(outline_.insideAlong(row, placement.besideEdge_)) {}
+
+  /// At columns in rising order.
+  SamplePoint place(double column) {
+    const Vec2 p{column, row_};
+    while (nextInside_ < inside_.size() && inside_[nextInside_].to < column) ++nextInside_;
+    if (nextInside_ == inside_.size() || inside_[nextInside_].from > column)
+      return placement_.place(p, outline_);
+    const Vec3 point = surface_.toWorld(p);
+    return {point, placement_.id_, point, false};
+  }
+
+ private:
+  const SamplePlacement& placement_;
+  const LitSurface& surface_;
+  double row_;
+  Outline outline_;
+  std::vector<Outline::Stretch> inside_;
+  std::size_t nextInside_ = 0;
+};
+
+void SamplePlacement::placeRow(std::span<const double> columns, double row,
+                               std::vector<SamplePoint>& places) const {
+  Row inRow(*this, row);
+  AskedRow askedRow(*surfaces_[id_.index()], static_cast<int>(std::floor(row)));
+  const auto texelOf = [&](std::size_t i) { return static_cast<int>(std::floor(columns[i])); };
+  std::optional<int> placed;  // the texel whose places are the last ones
+  for (std::size_t i = 0, next = 0; i < columns.size(); i = next) {
+    while (next < columns.size() && texelOf(next) == texelOf(i)) ++next;
+    const int asked = askedRow.nearest(texelOf(i));
+    for (std::size_t k = i; k < next; ++k)
+      places.push_back(asked == placed ? places[places.size() - (next - i)]
+                                       : inRow.place(columns[k] + (asked - texelOf(i))));
+    placed = asked;
+  }
+}
+
+SamplePoint SamplePlacement::place(Vec2 p) const {
+  return place(p, surfaces_[id_.index()]->outline);
+}
+
+SamplePoint SamplePlacement::place(Vec2 p, const Outline& own) const {
+  if (own.contains(p)) return at(id_, own, p, p);
+  const Vec2 nearest = own.nearest(p);
+  const double distance = length(nearest - p);
+  if (distance < hair_) return at(id_, own, p, p);
+  const std::vector<SurfaceId> others = joinedWithin(distance + hair_, p);
+  const auto outlineOf = [this](SurfaceId id) -> const Outline& {
+    return surfaces_[id.index()]->outline;
+  };
+  for (const SurfaceId id : others)
+    if (const Vec2 there = onGridOf(id, p); holds(outlineOf(id), there))
+      return at(id, outlineOf(id), there, there);
+  SurfaceId surface = id_;
+  Vec2 from = p;
+  Vec2 best = nearest;
+  for (const SurfaceId id : others) {
+    const Vec2 there = onGridOf(id, p);
+    const Vec2 q = outlineOf(id).nearest(there);
+    if (length(q - there) < length(best - from) - hair_) surface = id, from = there, best = q;
+  }
+  return at(surface, surface == id_ ? own : outlineOf(surface), best, from);
+}
+
+/// A flat and a level wedge that continue one another have texels of their own each.
+Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
+  const TexelGrid& own = surfaces_[id_.index()]->grid;
+  const TexelGrid& other = surfaces_[id.index()]->grid;
+  return other == own ? p : other.toTexels(own.toWorld(p));
+}
+
+SamplePoint SamplePlacement::at(SurfaceId id, const Outline& outline, Vec2 p, Vec2 from) const {
+  const LitSurface& surface = *surfaces_[id.index()];
+  const std::vector<Outline::Edge> edges = outline.edgesWithin(p, besideEdge_);
+  const bool isOnEdge = distanceTo(edges, p) < hair_;
+  return {surface.toWorld(p), id,
+          surface.toWorld(isOnEdge ? movedInside(outline, edges, p, from) : p), p != from};
+}
+
+std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const {
+  std::vector<SurfaceId> joined;
+  const auto addBeside = [&](SurfaceId id) {
+    const Vec2 there = onGridOf(id, p);
+    for (const Continuation& next : surfaces_[id.index()]->continuations)
+      if (next.surface != id_ && std::ranges::find(joined, next.surface) == joined.end() &&
+          length(nearestOnSegment(next.edge0, next.edge1, there) - there) <= reach)
+        joined.push_back(next.surface);
+  };
+  addBeside(id_);
+  for (std::size_t i = 0; i < joined.size(); ++i) addBeside(joined[i]);
+  if (sought_) {
+    sought_->add(id_);
+    for (const SurfaceId id : joined) sought_->add(id);
+  }
+  return joined;
+}
+
+/// On the very edge it is not left to rounding.
+bool SamplePlacement::holds(const Outline& outline, Vec2 p) const {
+  return outline.contains(p) || length(outline.nearest(p) - p) < hair_;
+}
+
+/// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
+/// a corner, where that may run along the other edge, the way that leads farthest inside; in a
+/// sharp one to where its edges are a hair away.
+Vec2 SamplePlacement::movedInside(const Outline& outline, const std::vector<Outline::Edge>& edges,
+                                  Vec2 edgePoint, Vec2 from) const {
+  Vec2 best = edgePoint;
+  double clearance = 0;
+  const auto isGood = [&](Vec2 way) {
+    const Vec2 candidate = edgePoint + hair_ * way;
+    const double found = distanceTo(edges, candidate);
+    if (found <= clearance || !outline.contains(candidate)) return false;
+    best = candidate;
+    clearance = found;
+    return clearance > 0.9 * hair_;
+  };
+  if (edgePoint != from && isGood((1 / length(edgePoint - from)) * (edgePoint - from))) return best;
+  if (std::ranges::any_of(kWays, isGood) || clearance > 0.5 * hair_) return best;
+  // A sharp corner, into which none of the ways leads, or not far from its edges.
+  for (const Outline::Edge& before : edges)
+    for (const Outline::Edge& after : edges) {
+      const std::optional<Vec2> inside = insideCorner(before, after, hair_);
+      if (inside && outline.contains(*inside)) return *inside;
+    }
+  return best;
+}
+
+}  // namespace hearth

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "level/level.h"
+#include "light/shaft/shaft_hull.h"
+#include "light/sight/id_set.h"
+
+namespace hearth {
+
+/// Where the rays of a light start.
+struct ShaftLight {
+  Vec3 middle;
+  double radius = 0;              ///< metres
+  std::vector<SectorId> sectors;  ///< in which rays start
+  /// Whether no ray starts behind a wall of its sector that comes into the ball.
+  bool isCutByWalls = false;
+};
+
+/// Where rays go.
+struct ShaftTargets {
+  TargetBox box;
+  std::span<const SectorId> sectors;  ///< whose air the targets bound
+};
+
+/// Follows all rays from a light to a box of targets at once, through the openings that their hull
+/// meets. What it says of the rays holds for each of them, as the ray tracer would say; where they
+/// differ, or may, it says nothing. It notes which walls the hull meets: no ray meets another.
+///
+/// In a sector, walls side by side that the hull meets can be a screen: it goes across all of the
+/// hull, between light and targets. Whatever they are, rays that have come into the sector before
+/// the screen leave the sector through it or end there.
+class Shaft {
+ public:
+  explicit Shaft(const Level& level) : level_(level) {}
+
+  enum class Outcome { Dark, Lit, Unknown };
+
+  /// `within`, if any, is a shaft of the same light to a box that holds this one.
+  Outcome follow(const ShaftLight& light, const ShaftTargets& targets, const Shaft* within);
+
+  /// Adds the sectors that rays can come into.
+  void addSectorsTo(SectorSet& sectors) const {
+    for (const MetSector& sector : sectors_) sectors.add(sector.id);
+  }
+
+  /// Whether rays can come into a sector; and its walls that they can meet then.
+  bool meets(SectorId sector) const;
+  std::span<const Segment* const> wallsIn(SectorId sector) const;
+
+  /// A wall, and an opening of it, through which all rays go; and which they go through nothing but
+  /// such walls before.
+  struct Gate {
+    const Segment* wall;
+    const LightOpening* opening;
+  };
+  /// The last one.
+  const std::optional<Gate>& gate() const { return gate_; }
+
+ private:
+  /// A wall that the hull meets.
+  struct Met {
+    const Segment* wall;
+    Vec2 normal;  ///< unit, to its front
+    Vec2 start;   ///< what of it the hull meets
+    Vec2 end;
+    bool startsInside;  ///< the wall's p0 lies in the hull
+    bool endsInside;
+    double leastOfLight;   ///< metres in front of the wall
+    double mostOfTargets;  ///< likewise
+    bool stops;            ///< some rays, perhaps
+    std::uint32_t firstExit;
+    std::uint32_t lastExit;
+    std::uint32_t screen;  ///< 0: none
+
+    double inFront(Vec2 p) const { return dot(normal, p - wall->p0); }
+  };
+  struct MetSector {
+    SectorId id;
+    std::uint32_t begin;
+    std::uint32_t end;
+    std::uint32_t screens;
+  };
+  enum class Way { FromLight, ThroughWall, ThroughFlat };
+  /// A way into a sector.
+  struct Visit {
+    SectorId sector;
+    Way way;
+    const LightOpening* through;  ///< for ThroughWall
+    Vec2 start;
+    Vec2 end;
+  };
+
+  const MetSector& meet(SectorId id);
+  void meetWall(const Sector& sector, SectorId id, const Segment& wall);
+  bool isHarmless(SectorId id, const Segment& wall, const ShaftHull::Distances& distances) const;
+  void meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Met& met);
+  void findScreens(MetSector& sector);
+  void findScreenFrom(MetSector& sector, Met& first);
+  Met* nextInLoop(const MetSector& sector, const Met& met);
+  std::span<Met> wallsOf(const MetSector& sector) {
+    return std::span(mets_).subspan(sector.begin, sector.end - sector.begin);
+  }
+
+  void visit(const Visit& visit);
+  bool isScreen(const MetSector& sector, std::uint32_t screen, const Visit& visit);
+  bool isHidden(const MetSector& sector, const Met& met);
+  bool isBehind(const MetSector& sector, std::uint32_t screen, const Met& met);
+  std::optional<Gate> gateOf(const Visit& way);
+  void go(const Visit& visit);
+  void goThroughGate();
+  void goThroughFlats(const Sector& sector);
+  bool endsOutside(const Sector& sector) const;
+  bool isTarget(SectorId id) const;
+  bool areTargetsClear() const;
+
+  const Level& level_;
+  const Shaft* within_ = nullptr;
+  const ShaftLight* light_ = nullptr;
+  const ShaftTargets* targets_ = nullptr;
+  std::optional<ShaftHull> hull_;
+  double leastInFront_ = 0;
+
+  std::vector<Met> mets_;
+  std::vector<const Segment*> walls_;  ///< of `mets_`
+  std::vector<const LightOpening*> exits_;
+  std::vector<MetSector> sectors_;
+  std::vector<Visit> visits_;
+  std::vector<std::uint32_t> chain_;    ///< of `mets_`: a screen that may be
+  std::vector<std::uint32_t> screens_;  ///< before the way of the visit at hand
+  std::optional<Gate> gate_;
+  bool arrives_ = false;    ///< some ray, perhaps, at its target
+  bool isStopped_ = false;  ///< some ray, perhaps, elsewhere
+};
+
+}  // namespace hearth

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "level/level.h"
+#include "light/shaft/shaft.h"
+#include "light/sight/id_set.h"
+
+namespace hearth {
+
+/// Answers whether a light sees a point: follows the straight line from the light through the
+/// openings of the sectors. It only ever enters a sector through a link, so that no light can leak
+/// through a joint of walls, and what merely overlaps in space is never met.
+class Raytracer {
+ public:
+  /// `solidMiddles`: see BakeSettings.
+  explicit Raytracer(const Level& level, bool solidMiddles = false)
+      : level_(level), solidMiddles_(solidMiddles) {}
+
+  /// Where the line from a light to a point starts.
+  struct Source {
+    Vec3 position;  ///< inside `sector` (above or below it where that is sky), off its walls
+    SectorId sector;
+  };
+  static Source sourceOf(const Level& level, const LightSource& light);
+
+  /// True when the line from the source first meets a surface at `target`, a point on the border of
+  /// the air of `sector`. The caller has made sure that the surface there faces the source.
+  /// `met`, if any, is told where the line comes.
+  bool sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met = nullptr) const;
+  /// The same, of a ray of a shaft: only what the shaft meets is looked at.
+  bool sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const;
+
+  /// The sector in which the line from the source arrives at a point of the air; none where it
+  /// meets a surface before.
+  std::optional<SectorId> sectorAt(const Source& source, Vec3 point, SectorSet& met) const;
+
+ private:
+  const Level& level_;
+  bool solidMiddles_;
+};
+
+}  // namespace hearth

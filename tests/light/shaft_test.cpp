@@ -1,0 +1,104 @@
+// Whether shafts know what rays would say.
+
+#include "light/shaft/shaft.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "both_bakes.h"
+#include "support/level_text.h"
+
+namespace hearth {
+namespace {
+
+using test::BothCosts;
+
+TEST(Shafts, giveTheBytesOfRaysInRandomLevels) { test::expectSameRandomBakes(1, 13); }
+
+TEST(Shafts, giveTheBytesOfRaysInTheLevelsOfTheTree) {
+  for (const auto& [name, texel] :
+       {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/gaol.json", 0.25},
+        std::pair{"levels/keep.json", 1.0}}) {
+    const LoadResult result = loadLevel(std::filesystem::path(HEARTH_SOURCE_DIR) / name);
+    ASSERT_TRUE(result.loaded);
+    BakeSettings settings = result.loaded->level.bake;
+    settings.texel = texel;
+    BothCosts costs;
+    test::expectSameBakes(result.loaded->level, settings, name, costs);
+    EXPECT_LT(4 * costs.byShafts.rays, costs.byRays.rays) << name;
+  }
+}
+
+TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
+  const std::string solid = "{'texture':'#808080'}";
+  const auto wallsWith = [&](const std::string& west, const std::string& east) {
+    return "[" + solid + "," + east + "," + solid + "," + west + "]";
+  };
+  LoadedLevel loaded = test::levelFrom(
+      "{'light':0,'sectors':{" +
+          test::sectorText("cell", "0,0, 4,0, 4,4, 0,4", 0, 3,
+                           wallsWith(solid, "{'next':'hall','middle':'#808080 0.5,2'}")) +
+          "," +
+          test::sectorText("hall", "4,0, 8,0, 8,4, 4,4", 0, 3,
+                           wallsWith("{'next':'cell','middle':'#808080 0.7,1'}", solid)) +
+          "}}",
+      "[{'x':6,'y':2,'z':1.5,'falloff':0.1},{'x':7,'y':1,'z':2,'radius':0.2}]");
+  TexelHoles holes(2, 2);
+  for (const int i : {0, 1}) holes.make(i, 1 - i);
+  loaded.level.holes.assign(loaded.level.textures.size(), holes);
+  BakeSettings settings = loaded.level.bake;
+  for (const bool areSolid : {false, true}) {
+    settings.solidMiddles = areSolid;
+    BothCosts costs;
+    test::expectSameBakes(loaded.level, settings, "grille", costs);
+  }
+}
+
+/// A square on the floor of a room, seen from a light at `from`.
+Shaft::Outcome outcomeOf(const Level& level, Vec3 from, double radius, Vec2 least, Vec2 most) {
+  ShaftTargets targets;
+  targets.box.normal = {0, 0, 1};
+  for (const Vec2 p : {least, Vec2{most.x, least.y}, most, Vec2{least.x, most.y}})
+    targets.box.storage[targets.box.count++] = {p.x, p.y, 0};
+  const SectorId room(0);
+  targets.sectors = {&room, 1};
+  return Shaft(level).follow({from, radius, {room}, true}, targets, nullptr);
+}
+
+/// A room of 10 x 10 m with a square pillar in its middle.
+LoadedLevel pillarRoom() {
+  return test::levelFrom(
+      "{'light': 0, 'sectors': {'room': {'floor': {'z': 0, 'texture': '#808080'},"
+      "'ceiling': {'z': 3, 'texture': '#808080'}, 'loops': {"
+      "'border': {'v': [0,0, 10,0, 10,10, 0,10], 'walls': {'texture': '#808080'}},"
+      "'pillar': {'v': [4,4, 4,6, 6,6, 6,4], 'walls': {'texture': '#808080'}}}}}}");
+}
+
+TEST(Shaft, isLitBesideAPillarDarkBehindItAndUnknownAtTheShadowsEdge) {
+  const LoadedLevel loaded = pillarRoom();
+  for (const double radius : {0.0, 0.2}) {
+    const auto outcome = [&](Vec2 least, Vec2 most) {
+      return outcomeOf(loaded.level, {1, 5, 2}, radius, least, most);
+    };
+    EXPECT_EQ(outcome({1, 1}, {3, 2}), Shaft::Outcome::Lit);
+    EXPECT_EQ(outcome({7, 1e-6}, {9, 0.5}), Shaft::Outcome::Lit) << "up to the wall";
+    EXPECT_EQ(outcome({7, 4.5}, {8, 5.5}), Shaft::Outcome::Dark);
+    EXPECT_EQ(outcome({7, 2}, {8, 5}), Shaft::Outcome::Unknown);
+  }
+}
+
+TEST(Shaft, isDarkBehindTheEdgeOfAPillarThatTwoOfItsSidesHide) {
+  const LoadedLevel loaded = pillarRoom();
+  EXPECT_EQ(outcomeOf(loaded.level, {1, 1, 2}, 0.1, {6.5, 6.5}, {7, 7}), Shaft::Outcome::Dark);
+}
+
+TEST(Shaft, isUnknownWhereALightIsInTheWayOfRounding) {
+  const LoadedLevel loaded = pillarRoom();
+  EXPECT_EQ(outcomeOf(loaded.level, {1, 5, 2e-6}, 0, {1, 1}, {9, 3}), Shaft::Outcome::Unknown)
+      << "rays along the floor";
+}
+
+}  // namespace
+}  // namespace hearth

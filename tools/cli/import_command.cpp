@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "cli/command.h"
+#include "image/read_file.h"
+#include "import/doom/import_map.h"
+#include "import/doom/map.h"
+#include "session/session.h"
+
+namespace hearth {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using doom::Finding;
+using doom::Imported;
+
+constexpr std::string_view kAdviceOnMapsAlone =
+    "; where it has maps alone, give the game's WAD with --iwad";
+
+tl::expected<doom::LightTable, std::string> lightTableFrom(const OptionValues& values) {
+  const auto file = values.text(Option::LightTable);
+  if (!file) return doom::parseLightTable(doom::ownLightTable());
+  const auto text = readFile(*file, limitsFrom(values).fileBytes);
+  if (!text) return tl::unexpected(fmt::format("{}: {}", *file, text.error().what));
+  auto table = doom::parseLightTable(*text);
+  if (!table) return tl::unexpected(fmt::format("{}: {}", *file, table.error()));
+  return table;
+}
+
+std::size_t countOf(const doom::Findings& findings, doom::Outcome outcome) {
+  return static_cast<std::size_t>(std::ranges::count(findings, outcome, &Finding::outcome));
+}
+
+std::string_view nameOf(doom::Part part) {
+  constexpr std::array<std::string_view, 4> kNames{"line", "sector", "thing", "texture"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+std::string_view nameOf(doom::Outcome outcome) {
+  return outcome == doom::Outcome::Repaired ? "repaired" : "dropped";
+}
+
+void print(const Imported& imported) {
+  fmt::print(
+      "{}: {} sectors of {}, {} walls of {} lines, {} lights, {} textures; {} repaired, {} "
+      "dropped\n",
+      imported.level.string(), imported.sectors, imported.mapSectors, imported.walls,
+      imported.lines, imported.lights, imported.textures,
+      countOf(imported.findings, doom::Outcome::Repaired),
+      countOf(imported.findings, doom::Outcome::Dropped));
+  for (const Finding& finding : imported.findings)
+    fmt::print("  {}{}: {}: {}\n", nameOf(finding.part),
+               finding.part == doom::Part::Texture ? "" : fmt::format(" {}", finding.number),
+               nameOf(finding.outcome), finding.what);
+}
+
+Json jsonOf(const Imported& imported) {
+  Json findings = Json::array();
+  for (const Finding& finding : imported.findings) {
+    Json json{{"outcome", nameOf(finding.outcome)}, {"part", nameOf(finding.part)}};
+    if (finding.part != doom::Part::Texture) json["number"] = finding.number;
+    json["what"] = finding.what;
+    findings.push_back(std::move(json));
+  }
+  return {{"map", imported.map},
+          {"level", imported.level.string()},
+          {"of", {{"sectors", imported.mapSectors}, {"lines", imported.lines}}},
+          {"sectors", imported.sectors},
+          {"walls", imported.walls},
+          {"lights", imported.lights},
+          {"textures", imported.textures},
+          {"findings", std::move(findings)}};
+}
+
+doom::ImportSettings settingsFrom(const OptionValues& values) {
+  doom::ImportSettings settings;
+  settings.folder = *values.text(Option::Output);
+  if (values.text(Option::Doors) == "closed") settings.doors = doom::Doors::Closed;
+  settings.ambient = values.number(Option::Ambient).value_or(settings.ambient);
+  return settings;
+}
+
+/// The WAD with the maps, over that of the game if one is given.
+tl::expected<doom::Wad, std::string> openWads(const OptionValues& values) {
+  const std::uint64_t maxBytes = limitsFrom(values).fileBytes;
+  auto wad = doom::Wad::open(values.levels.front(), maxBytes);
+  const auto iwad = values.text(Option::Iwad);
+  if (!wad || !iwad) return wad;
+  auto base = doom::Wad::open(*iwad, maxBytes);
+  if (!base) return base;
+  wad->layOver(*std::move(base));
+  return wad;
+}
+
+ExitStatus runImport(const OptionValues& values) {
+  const std::string& file = values.levels.front();
+  const auto wad = openWads(values);
+  if (!wad) return fail(wad.error());
+  const std::vector<std::string> maps(values.levels.begin() + 1, values.levels.end());
+  if (maps.empty())
+    return fail(
+        fmt::format("{}: name a map of it: {}", file, fmt::join(doom::mapNames(*wad), ", ")));
+  const auto pictures = doom::Pictures::read(*wad);
+  if (!pictures)
+    return fail(fmt::format("{}: {}{}", file, pictures.error(),
+                            values.has(Option::Iwad) ? "" : kAdviceOnMapsAlone));
+  const auto lights = lightTableFrom(values);
+  if (!lights) return fail(lights.error());
+  const doom::ImportSettings settings = settingsFrom(values);
+  Json all = Json::array();
+  for (const std::string& name : maps) {
+    const auto imported = doom::importMap({*wad, *pictures, *lights}, name, settings);
+    if (!imported) return fail(fmt::format("{}: {}", file, imported.error()));
+    if (values.has(Option::Json))
+      all.push_back(jsonOf(*imported));
+    else
+      print(*imported);
+  }
+  if (values.has(Option::Json)) fmt::print("{}\n", all.dump(2));
+  return ExitStatus::Done;
+}
+
+}  // namespace
+
+Command importCommand() {
+  return {"import",
+          "turns maps of a WAD of Doom into levels with their textures",
+          {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::LightTable,
+           Option::Json, Option::MaxFileBytes},
+          {Option::Output},
+          runImport,
+          LevelFiles::Several,
+          "The first argument is the WAD, the others are the names of its maps.",
+          "FILE.wad MAP"};
+}
+
+}  // namespace hearth

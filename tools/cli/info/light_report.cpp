@@ -1,0 +1,136 @@
+#include "cli/info/light_report.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace hearth {
+
+namespace {
+
+SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
+  SurfaceReport report;
+  report.rays = light.surfaceCosts[i].rays;
+  if (!light.surfaces[i]) {
+    report.bare = 1;
+    return report;
+  }
+  const std::int64_t texels = light.surfaces[i]->texels.count();
+  if (const auto& map = light.lightmaps[i]) {
+    const bool isWhite = map->channels == 1;
+    (isWhite ? report.white : report.colored) = 1;
+    (isWhite ? report.whiteTexels : report.coloredTexels) = texels;
+    report.even = map->isEven() ? 1 : 0;
+    report.bytes = static_cast<std::int64_t>(map->bytes());
+  } else {
+    (light.surfaceCosts[i].facingLights == 0 ? report.unfaced : report.unreached) = 1;
+    report.skippedTexels = texels;
+  }
+  return report;
+}
+
+void addLights(const Level& level, const BakedLight& baked, LightReport& report) {
+  for (std::size_t i = 0; i < level.lights.size(); ++i) {
+    const LightSource& light = level.lights[i];
+    const LightCost& cost = baked.lightCosts[i];
+    LightKindReport& kind = light.radius > 0 ? report.balls : report.points;
+    ++kind.lights;
+    kind.samples += cost.samples;
+    kind.rays += cost.rays;
+    report.coloredLights += light.isColored() ? 1 : 0;
+    report.uselessLights += light.reach(0) == 0 || cost.seenSamples == 0 ? 1 : 0;
+  }
+}
+
+/// Of authored walls, which linking may have cut.
+struct WallCounts {
+  std::int64_t all = 0;
+  std::int64_t stacks = 0;
+};
+
+WallCounts countWalls(const Level& level) {
+  std::set<std::pair<const Sector*, std::pair<std::uint32_t, std::uint32_t>>> seen;
+  WallCounts counts;
+  for (const Segment& segment : level.segments) {
+    if (!seen.insert({&level[segment.sector], {segment.loop, segment.wall}}).second) continue;
+    ++counts.all;
+    counts.stacks += std::holds_alternative<Stack>(segment.kind) ? 1 : 0;
+  }
+  return counts;
+}
+
+}  // namespace
+
+SurfaceReport& SurfaceReport::operator+=(const SurfaceReport& other) {
+  bare += other.bare;
+  unfaced += other.unfaced;
+  unreached += other.unreached;
+  white += other.white;
+  colored += other.colored;
+  even += other.even;
+  whiteTexels += other.whiteTexels;
+  coloredTexels += other.coloredTexels;
+  skippedTexels += other.skippedTexels;
+  bytes += other.bytes;
+  rays += other.rays;
+  return *this;
+}
+
+double LightKindReport::raysPerSample() const {
+  return samples == 0 ? 0 : static_cast<double>(rays) / static_cast<double>(samples);
+}
+
+LightReport lightReport(const Level& level, const BakedLight& light) {
+  LightReport report;
+  for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
+    const SurfaceReport surface = reportOf(light, i);
+    report.kinds[static_cast<std::size_t>(level.surfaces[i].kind)] += surface;
+    report.all += surface;
+  }
+  addLights(level, light, report);
+  return report;
+}
+
+std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport& light) {
+  const Level& level = loaded.level;
+  const auto count = [](const auto& range, auto&& isUsed) {
+    return static_cast<std::int64_t>(std::ranges::count_if(range, isUsed));
+  };
+  const auto sectorsWith = [&](auto&& isUsed) { return count(level.sectors, isUsed); };
+  const std::int64_t sectors = std::ssize(level.sectors);
+  const WallCounts walls = countWalls(level);
+  return {
+      {"sectors with a slope",
+       sectorsWith([](const Sector& s) { return s.floorSlope || s.ceilingSlope; }), sectors,
+       "are level: no heights to work out along their walls"},
+      {"sectors with a sky",
+       sectorsWith([](const Sector& s) { return s.floor.isSky || s.ceiling.isSky; }), sectors,
+       "have no sky to turn with the view"},
+      {"sectors with a flat portal",
+       sectorsWith([](const Sector& s) { return s.floor.flatPortal || s.ceiling.flatPortal; }),
+       sectors, "are seen through walls alone"},
+      {"walls that are stacks", walls.stacks, walls.all,
+       "are one piece from floor to ceiling: none to look for in their columns"},
+      {"surfaces that are sidewalls",
+       count(level.surfaces, [](const Surface& s) { return isSidewall(s.kind); }),
+       std::ssize(level.surfaces), "are of walls and planes: no slope shows its side there"},
+      {"surfaces that are middle textures",
+       count(level.surfaces, [](const Surface& s) { return s.kind == SurfaceKind::Middle; }),
+       std::ssize(level.surfaces), "have nothing behind them to be drawn before them"},
+      {"images that a surface wears", static_cast<std::int64_t>(loaded.decodedImages),
+       count(level.textures, [](const std::string& name) { return !name.starts_with('#'); }),
+       "show nowhere, and are not read"},
+      {"surfaces with a lightmap", light.all.white + light.all.colored, std::ssize(level.surfaces),
+       "take no light (the table says why), and no bytes"},
+      {"lightmaps of three channels", light.all.colored, light.all.white + light.all.colored,
+       "take white light alone, in one channel"},
+      {"lightmaps of more than one value", light.all.white + light.all.colored - light.all.even,
+       light.all.white + light.all.colored, "are the same all over, and one texel"},
+      {"lights with a colour", light.coloredLights, std::ssize(level.lights),
+       "are white, and one number"},
+      {"lights with a radius", light.balls.lights, std::ssize(level.lights),
+       "are points: a ray to a sample at most"},
+  };
+}
+
+}  // namespace hearth

@@ -1,0 +1,139 @@
+#include "cli/lightmap_atlas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "settings/options.h"
+#include "text/drawn_text.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::int64_t kGap = 8;           // pixels between lightmaps
+constexpr int kLineHeight = 11;            // pixels of one line of a label and the air below it
+constexpr std::int64_t kGoodWidth = 1500;  // pixels; as much as a screen shows
+constexpr int kMostPixelsPerTexel = 16;
+constexpr std::size_t kMostLetters = 24;   // in a line of a label
+constexpr Rgb kBackground = {24, 24, 64};  // no greys, so that no white light has them
+constexpr Rgb kLabel = {255, 208, 112};
+
+/// A lightmap with its label.
+struct Entry {
+  const Lightmap& map;
+  bool isTurned;  ///< its rows rise
+  std::vector<std::string> label;
+
+  std::int64_t labelHeight() const { return kLineHeight * std::ssize(label); }
+  AtlasSize size(int pixelsPerTexel) const {
+    std::int64_t width = std::int64_t{pixelsPerTexel} * map.rect.width;
+    for (const std::string& line : label) width = std::max<std::int64_t>(width, textWidth(line));
+    return {width, labelHeight() + std::int64_t{pixelsPerTexel} * map.rect.height};
+  }
+};
+
+std::vector<Entry> entriesOf(const Level& level, const BakedLight& light) {
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < light.lightmaps.size(); ++i)
+    if (light.lightmaps[i])
+      entries.push_back(
+          {*light.lightmaps[i], light.surfaces[i]->grid.axisT.z > 0, labelOf(level, SurfaceId(i))});
+  return entries;
+}
+
+Shelves place(const std::vector<Entry>& entries, int pixelsPerTexel) {
+  std::vector<AtlasSize> sizes;
+  for (const Entry& entry : entries) sizes.push_back(entry.size(pixelsPerTexel));
+  return placeOnShelves(sizes);
+}
+
+bool fits(const Shelves& shelves, std::int64_t side) {
+  return shelves.size.width <= side && shelves.size.height <= side;
+}
+
+/// The texels of a lightmap, each as a square of so many pixels.
+void drawMap(Image& image, int x, int y, const Entry& entry, int pixelsPerTexel) {
+  const auto& [map, isTurned, label] = entry;
+  for (int row = 0; row < map.rect.height * pixelsPerTexel; ++row)
+    for (int column = 0; column < map.rect.width * pixelsPerTexel; ++column) {
+      const int fromTop = row / pixelsPerTexel;
+      const int i = map.rect.i0 + column / pixelsPerTexel;
+      const int j = map.rect.j0 + (isTurned ? map.rect.height - 1 - fromTop : fromTop);
+      image.at(x + column, y + row) = {map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)};
+    }
+}
+
+void draw(Image& image, const AtlasPlace& place, const Entry& entry, int pixelsPerTexel) {
+  const int x = static_cast<int>(place.x);
+  int y = static_cast<int>(place.y);
+  for (const std::string& line : entry.label) {
+    drawText(image, x, y, line, kLabel);
+    y += kLineHeight;
+  }
+  drawMap(image, x, y, entry, pixelsPerTexel);
+}
+
+std::string shortened(std::string text) {
+  if (text.size() > kMostLetters) text.replace(kMostLetters - 2, std::string::npos, "..");
+  return text;
+}
+
+}  // namespace
+
+Shelves placeOnShelves(std::span<const AtlasSize> rectangles) {
+  std::vector<std::size_t> order(rectangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](auto i) { return rectangles[i].height; });
+  double area = 0;
+  std::int64_t width = 1;
+  for (const AtlasSize& size : rectangles) {
+    area += static_cast<double>(size.width + kGap) * static_cast<double>(size.height + kGap);
+    width = std::max(width, size.width);
+  }
+  width = std::max(width, static_cast<std::int64_t>(std::sqrt(area)));
+
+  Shelves shelves{std::vector<AtlasPlace>(rectangles.size()), {kGap, kGap}};
+  AtlasPlace next{kGap, kGap};
+  for (const std::size_t i : order) {
+    if (next.x > kGap && next.x + rectangles[i].width > width) next = {kGap, shelves.size.height};
+    shelves.places[i] = next;
+    shelves.size.width = std::max(shelves.size.width, next.x + rectangles[i].width + kGap);
+    shelves.size.height = std::max(shelves.size.height, next.y + rectangles[i].height + kGap);
+    next.x += rectangles[i].width + kGap;
+  }
+  return shelves;
+}
+
+std::vector<std::string> labelOf(const Level& level, SurfaceId id) {
+  const Surface& surface = level[id];
+  const Sector& sector = level[surface.sector];
+  const std::string kind(name(surface.kind));
+  if (!surface.segment) return {kind, shortened(sector.name)};
+  const Segment& segment = level[*surface.segment];
+  std::string where = sector.name;
+  if (segment.loop > 0) where += "/" + sector.loops[segment.loop].name;
+  return {kind, fmt::format("{} {}", shortened(where), segment.wall)};
+}
+
+tl::expected<Image, std::string> lightmapAtlas(const Level& level, const BakedLight& light) {
+  const std::vector<Entry> entries = entriesOf(level, light);
+  int pixelsPerTexel = kMostPixelsPerTexel;
+  Shelves shelves = place(entries, pixelsPerTexel);
+  while (!fits(shelves, kGoodWidth) && pixelsPerTexel > 1)
+    shelves = place(entries, --pixelsPerTexel);
+  if (!fits(shelves, kMaxPictureSide))
+    return tl::unexpected(
+        fmt::format("-o: the lightmaps fill a picture of {}x{}, more than {} pixels a side: larger "
+                    "--texel makes it smaller",
+                    shelves.size.width, shelves.size.height, kMaxPictureSide));
+  Image image(static_cast<int>(shelves.size.width), static_cast<int>(shelves.size.height),
+              kBackground);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    draw(image, shelves.places[i], entries[i], pixelsPerTexel);
+  return image;
+}
+
+}  // namespace hearth

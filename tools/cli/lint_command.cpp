@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "lint/lint.h"
+#include "session/session.h"
+
+namespace hearth {
+
+namespace {
+
+void print(std::span<const Diagnostic> findings) {
+  for (const Diagnostic& finding : findings) fmt::print("{}\n", format(finding));
+}
+
+std::string kindsInWords() {
+  std::string text = "Each line ends with the kind of what was found:\n";
+  for (const LoaderKindRow& row : kLoaderKinds)
+    text += fmt::format("  {:<15} {}\n", row.name, row.help);
+  for (const FindingKindRow& row : kFindingKinds)
+    text += fmt::format("  {:<15} {}\n", row.name, row.help);
+  return text;
+}
+
+/// No finding, as windows and roofs are seen and not entered; but who has built a stair shall see
+/// that nobody can go up.
+void tellWhereNobodyComes(const Level& level) {
+  constexpr std::size_t kNamed = 3;
+  const std::vector<SectorId> sectors = outOfReach(level);
+  if (sectors.empty()) return;
+  std::vector<std::string> names;
+  for (const SectorId sector : std::span(sectors).first(std::min(kNamed, sectors.size())))
+    names.push_back(fmt::format("\"{}\"", level[sector].name));
+  if (sectors.size() > kNamed) names.push_back(fmt::format("{} others", sectors.size() - kNamed));
+  fmt::print(stderr, "on foot the player comes to {} of {} sectors, not to {}\n",
+             level.sectors.size() - sectors.size(), level.sectors.size(), fmt::join(names, ", "));
+}
+
+ExitStatus runLint(const OptionValues& values) {
+  const SourcedResult opened = loadLevelOf(values);
+  const std::vector<Diagnostic>& ofLoader = opened.result.diagnostics;
+  if (!opened.result.loaded) {
+    tell(ofLoader);
+    return ExitStatus::BadInput;
+  }
+  const LintedLevel linted{*opened.result.loaded, opened.source};
+  const auto settings = bakeSettingsFor(linted.level(), values);
+  if (!settings) return fail(settings.error());
+
+  print(ofLoader);
+  const std::vector<Diagnostic> ofGeometry = lintGeometry(linted);
+  print(ofGeometry);
+  const auto light = lightFor(dimmed(linted.level()), values);
+  if (!light) return fail(light.error());
+  const std::vector<Diagnostic> ofLight = lintLight(linted, *light, *settings, threadsFrom(values));
+  print(ofLight);
+  const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
+  if (!values.has(Option::Quiet)) {
+    if (isClean) fmt::print(stderr, "no findings\n");
+    tellWhereNobodyComes(linted.level());
+  }
+  return isClean ? ExitStatus::Done : ExitStatus::Differs;
+}
+
+}  // namespace
+
+Command lintCommand() {
+  return {"lint",
+          "finds what the loader takes, and the author hardly meant",
+          std::vector<Option>{Option::NoCache, Option::Quiet, Option::Threads} + limitOptions(),
+          {},
+          runLint,
+          LevelFiles::One,
+          kindsInWords()};
+}
+
+}  // namespace hearth

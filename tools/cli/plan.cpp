@@ -1,0 +1,371 @@
+#include "cli/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "image/image.h"
+#include "level/locate.h"
+#include "level/plan_frame.h"
+#include "math/predicates.h"
+#include "math/trig.h"
+#include "text/html.h"
+
+namespace hearth {
+
+namespace {
+
+// In units of the SVG; browsers fit it to the page.
+constexpr double kLongerSide = 1600;
+constexpr double kMargin = 40;
+constexpr double kLegendRow = 28;
+constexpr double kLegend = 3 * kLegendRow + 4;
+constexpr double kLargestText = 20;
+constexpr double kSmallestText = 4;  ///< smaller names are only told when pointed at
+constexpr double kShotText = 12;
+constexpr double kEyeRadius = 3;
+constexpr double kPlayersFov = 60;  ///< of the sign; degrees
+/// Of a letter, by its height: a rough mean of sans-serif type.
+constexpr double kLetterWidth = 0.56;
+
+constexpr Rgb kLowest = {54, 74, 98};
+constexpr Rgb kHighest = {242, 228, 196};
+
+constexpr std::string_view kPlanStyle =
+    "text{font-family:sans-serif;text-anchor:middle;fill:#141414}"
+    "path{fill:none;stroke-linecap:round}"
+    ".sector{fill-rule:evenodd;stroke:none}.portalled{fill:url(#flat)}"
+    ".solid{stroke:#141414;stroke-width:2.5}.step{stroke:#b4541e;stroke-width:1.5}"
+    ".opening{stroke:#141414;stroke-width:.7;stroke-dasharray:3 4}"
+    ".oneway{stroke:#c4006e;stroke-width:2.5;stroke-dasharray:7 4}"
+    ".light{stroke:#141414;stroke-width:.7}.key{text-anchor:start;font-size:14px}"
+    ".shot,.player{stroke:#0a5a2c;stroke-width:1.5}.player{stroke-width:3}"
+    ".shot circle,.player circle{fill:#0a5a2c;stroke:none}"
+    ".shotname{fill:#0a5a2c;stroke:#fff;stroke-opacity:.85;stroke-width:3;"
+    "paint-order:stroke}";
+
+enum class Line { Opening, Step, OneWay, Solid };
+
+struct LineStyle {
+  Line line;
+  std::string_view style;
+  std::string_view words;
+};
+
+/// In the order in which they are drawn.
+constexpr std::array kLines = {LineStyle{Line::Opening, "opening", "opening"},
+                               LineStyle{Line::Step, "step", "step, sill or window"},
+                               LineStyle{Line::OneWay, "oneway", "one-way portal"},
+                               LineStyle{Line::Solid, "solid", "wall"}};
+
+bool leadsBack(const Level& level, SectorId to, SegmentId twin) {
+  return std::ranges::any_of(level[twin].pieces, [&](const WallPiece& piece) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    return opening && opening->next == to;
+  });
+}
+
+Line lineOf(const Level& level, const Segment& segment) {
+  bool isOpen = false;
+  bool shows = false;
+  for (const WallPiece& piece : segment.pieces) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (opening && !leadsBack(level, segment.sector, opening->twin)) return Line::OneWay;
+    (opening ? isOpen : shows) = true;
+  }
+  if (!isOpen) return Line::Solid;
+  return shows ? Line::Step : Line::Opening;
+}
+
+/// A place inside a sector with much room around it.
+struct PlanPlace {
+  Vec2 point;
+  double room = 0;  ///< metres to the nearest wall
+};
+
+PlanPlace roomiestPlace(const Level& level, const Sector& sector, const PlanBox& frame) {
+  constexpr int kTried = 24;  // to a side
+  const PlanBox tried = frame.common({sector.boxMin, sector.boxMax});
+  PlanPlace best{tried.low};
+  for (int j = 0; j < kTried; ++j)
+    for (int i = 0; i < kTried; ++i) {
+      const Vec2 size = tried.high - tried.low;
+      const Vec2 p = tried.low + Vec2{size.x * (i + 0.5) / kTried, size.y * (j + 0.5) / kTried};
+      double room = std::numeric_limits<double>::infinity();
+      for (const Segment& wall : level.segmentsOf(sector))
+        room = std::min(room, length(nearestOnSegment(wall.p0, wall.p1, p) - p));
+      if (room > best.room && contains(level, sector, p)) best = {p, room};
+    }
+  return best;
+}
+
+std::string hex(Rgb color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b); }
+
+class PlanDrawing {
+ public:
+  explicit PlanDrawing(const Level& level)
+      : level_(level),
+        frame_(planFrame(level)),
+        size_(frame_.high - frame_.low),
+        scale_(kLongerSide / std::max(size_.x, size_.y)) {}
+
+  std::string svg() {
+    begin();
+    drawSectors();
+    for (const LineStyle& style : kLines) drawLines(style);
+    drawLights();
+    drawCameras();
+    drawNames();
+    drawShotNames();
+    drawLegend();
+    out_ += "</svg>\n";
+    return std::move(out_);
+  }
+
+ private:
+  template <typename... Values>
+  void add(fmt::format_string<Values...> text, Values&&... values) {
+    fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
+  }
+
+  double width() const { return scale_ * size_.x + 2 * kMargin; }
+  double height() const { return scale_ * size_.y + 2 * kMargin + kLegend; }
+  Vec2 toPaper(Vec2 p) const { return scale_ * (p - frame_.low) + Vec2{kMargin, kMargin}; }
+  std::string point(Vec2 p) const {
+    const Vec2 at = toPaper(p);
+    return fmt::format("{:.2f},{:.2f}", at.x, at.y);
+  }
+
+  void begin() {
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\">\n"
+        "<title>{}</title>\n<style>{}</style>\n"
+        "<defs><pattern id=\"flat\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\" "
+        "patternTransform=\"rotate(45)\"><rect width=\"2\" height=\"9\" fill=\"#1e6ec8\" "
+        "fill-opacity=\".55\"/></pattern></defs>\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+        width(), height(), escaped(level_.name), kPlanStyle);
+  }
+
+  std::string outline(const Sector& sector) const {
+    std::string path;
+    for (const Loop& loop : sector.loops) {
+      for (std::size_t i = 0; i < loop.count; ++i)
+        path += (i == 0 ? "M" : "L") + point(level_.segments[loop.first.index() + i].p0);
+      path += "Z";
+    }
+    return path;
+  }
+
+  static std::string words(const Sector& sector) {
+    return fmt::format("{}: floor {:g}, ceiling {:g}, light {:g}", escaped(sector.name),
+                       sector.floor.z, sector.ceiling.z, sector.light);
+  }
+
+  /// Between those of the lowest and of the highest floor.
+  Rgb colorAt(double z) const {
+    const auto [low, high] = std::ranges::minmax(
+        level_.sectors, {}, [](const Sector& sector) { return sector.floor.z; });
+    const double range = high.floor.z - low.floor.z;
+    const double share = range > 0 ? (z - low.floor.z) / range : 1;
+    const auto mixed = [share](std::uint8_t a, std::uint8_t b) {
+      return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
+    };
+    return {mixed(kLowest.r, kHighest.r), mixed(kLowest.g, kHighest.g),
+            mixed(kLowest.b, kHighest.b)};
+  }
+
+  void drawSectors() {
+    std::vector<const Sector*> sectors;
+    for (const Sector& sector : level_.sectors) sectors.push_back(&sector);
+    std::ranges::stable_sort(sectors, {}, [](const Sector* sector) { return sector->floor.z; });
+    for (const Sector* sector : sectors) {
+      const std::string path = outline(*sector);
+      add("<path class=\"sector\" fill-opacity=\".85\" style=\"fill:{}\" d=\"{}\">"
+          "<title>{}</title></path>\n",
+          hex(colorAt(sector->floor.z)), path, words(*sector));
+      if (sector->floor.flatPortal || sector->ceiling.flatPortal)
+        add("<path class=\"sector portalled\" d=\"{}\"><title>{}, flat portal</title></path>\n",
+            path, words(*sector));
+    }
+  }
+
+  void drawLines(const LineStyle& style) {
+    std::string path;
+    for (const Segment& segment : level_.segments)
+      if (lineOf(level_, segment) == style.line)
+        path += fmt::format("M{}L{}", point(segment.p0), point(segment.p1));
+    if (!path.empty()) add("<path class=\"{}\" d=\"{}\"/>\n", style.style, path);
+  }
+
+  /// Further down where another name or mark is in the way; not at all where there is no room.
+  void drawNames() {
+    for (const Sector& sector : level_.sectors) {
+      if (!frame_.meets({sector.boxMin, sector.boxMax})) continue;
+      const PlanPlace place = roomiestPlace(level_, sector, frame_);
+      const std::string heights = fmt::format("{:g} to {:g}", sector.floor.z, sector.ceiling.z);
+      const auto letters = static_cast<double>(std::max(sector.name.size(), heights.size()));
+      const double room = scale_ * place.room;
+      const double size = std::min(kLargestText, 2 * room / (kLetterWidth * letters));
+      if (size < kSmallestText) continue;
+      const Vec2 half{kLetterWidth * letters * size / 2, size};
+      const Vec2 middle = toPaper(place.point);
+      for (double down = 0; down < std::max(room, size); down += size / 2)
+        if (takes(middle + Vec2{0, down}, half)) {
+          drawName(sector.name, heights, middle + Vec2{0, down}, size);
+          break;
+        }
+    }
+  }
+
+  bool takes(Vec2 middle, Vec2 half) {
+    const PlanBox box{middle - half, middle + half};
+    const auto isInTheWay = [&](const PlanBox& other) { return box.meets(other); };
+    if (std::ranges::any_of(taken_, isInTheWay)) return false;
+    taken_.push_back(box);
+    return true;
+  }
+
+  void drawName(std::string_view name, std::string_view heights, Vec2 at, double size) {
+    add("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\">{}<tspan x=\"{:.2f}\" "
+        "dy=\"1.1em\" font-size=\"70%\">{}</tspan></text>\n",
+        at.x, at.y, size, escaped(name), at.x, heights);
+  }
+
+  void drawLights() {
+    for (const LightSource& light : level_.lights) {
+      const Vec2 at = toPaper(light.position.xy());
+      const double radius = std::max(5.0, scale_ * light.radius);
+      taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
+      const std::string color = hex({light.color[0], light.color[1], light.color[2]});
+      add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\">"
+          "<title>light at z {:g}, {}, radius {:g}</title></circle>\n",
+          at.x, at.y, radius, color, light.position.z,
+          light.curve.empty()
+              ? fmt::format("intensity {:g}, falloff {:g}", light.intensity, light.falloff)
+              : std::string("with a curve"),
+          light.radius);
+    }
+  }
+
+  /// Where one looks from, a dot, and the two sides of what is in view; the box around these.
+  PlanBox drawEye(std::string_view style, Vec2 eye, double angle, double fov,
+                  std::string_view title) {
+    constexpr double kLength = 18;
+    const auto end = [&](double turned) {
+      const auto [sin, cos] = sinCosDegrees(angle + turned);
+      return eye + kLength * Vec2{cos, sin};
+    };
+    const double half = std::min(fov / 2, 80.0);
+    const Vec2 left = end(-half);
+    const Vec2 right = end(half);
+    add("<g class=\"{}\">{}<path d=\"M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}\"/>"
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/></g>\n",
+        style, title, left.x, left.y, eye.x, eye.y, right.x, right.y, eye.x, eye.y, kEyeRadius);
+    PlanBox box;
+    for (const Vec2 corner : {left, eye, right}) box.add(corner);
+    return box;
+  }
+
+  PlanBox drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
+                     double fov) {
+    const std::string title = fmt::format("<title>{} at z {:g}</title>", escaped(name), eye.z);
+    return taken_.emplace_back(drawEye(style, toPaper(eye.xy()), angle, fov, title));
+  }
+
+  void drawCameras() {
+    for (const Shot& shot : level_.shots)
+      shots_.push_back(drawCamera("shot", "shot " + shot.name, shot.eye, shot.angle, shot.fov));
+    if (level_.player)
+      drawCamera("player", "player", level_.player->eye, level_.player->angle, kPlayersFov);
+  }
+
+  /// Beside its sign, where nothing is in the way; else further off, and at last not at all.
+  void drawShotName(std::string_view name, const PlanBox& sign) {
+    constexpr std::array kSides = {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1},  Vec2{0, -1},
+                                   Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}};
+    const Vec2 half{kLetterWidth * static_cast<double>(name.size()) * kShotText / 2, kShotText / 2};
+    const Vec2 middle = 0.5 * (sign.low + sign.high);
+    for (const double gap : {kEyeRadius + 1, kShotText, 2 * kShotText})
+      for (const Vec2 side : kSides) {
+        const Vec2 away = 0.5 * (sign.high - sign.low) + half + Vec2{gap, gap};
+        const Vec2 at = middle + Vec2{side.x * away.x, side.y * away.y};
+        if (!isOnPaper(at, half) || !takes(at, half)) continue;
+        // Letters without descenders reach up to 0.7 of the size from the line they stand on.
+        add("<text class=\"shotname\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\">{}</text>\n", at.x,
+            at.y + 0.35 * kShotText, kShotText, escaped(name));
+        return;
+      }
+  }
+
+  bool isOnPaper(Vec2 middle, Vec2 half) const {
+    return middle.x > half.x && middle.x + half.x < width() && middle.y > half.y &&
+           middle.y + half.y < height() - kLegend - 10;
+  }
+
+  void drawShotNames() {
+    for (std::size_t i = 0; i < shots_.size(); ++i) drawShotName(level_.shots[i].name, shots_[i]);
+  }
+
+  /// The words of an entry of the key; the column of the next one.
+  double explain(std::string_view words, double column, double row) {
+    add("<text class=\"key\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", column, row + 5, words);
+    return column + 20 + 8 * static_cast<double>(words.size());
+  }
+
+  void drawKeyOfLines(double row) {
+    double column = kMargin;
+    for (const LineStyle& style : kLines) {
+      add("<path class=\"{}\" d=\"M{:.2f},{:.2f}h36\"/>\n", style.style, column, row);
+      column = explain(style.words, column + 44, row);
+    }
+    add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"36\" height=\"16\" fill=\"url(#flat)\"/>\n",
+        column, row - 8);
+    explain("flat portal", column + 44, row);
+  }
+
+  void drawKeyOfSigns(double row) {
+    add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"#ffe8c8\"/>\n",
+        kMargin + 18, row);
+    double column = explain("light", kMargin + 44, row);
+    drawEye("player", {column + 10, row}, 0, kPlayersFov, "");
+    column = explain("player", column + 44, row);
+    drawEye("shot", {column + 10, row}, 0, kPlayersFov, "");
+    explain("shot: from the dot, into the angle", column + 44, row);
+  }
+
+  void drawScale(double row) {
+    const double metres = std::pow(10, std::floor(std::log10(kLongerSide / 4 / scale_)));
+    add("<path class=\"solid\" d=\"M{:.2f},{:.2f}h{:.2f}\"/>\n", kMargin, row, scale_ * metres);
+    explain(fmt::format("{:g} m", metres), kMargin + scale_ * metres + 8, row);
+  }
+
+  void drawLegend() {
+    const double row = height() - kLegend + 10;
+    add("<rect y=\"{:.2f}\" width=\"100%\" height=\"{}\" fill=\"#fff\"/>\n",
+        height() - kLegend - 10, kLegend + 10);
+    drawKeyOfLines(row);
+    drawKeyOfSigns(row + kLegendRow);
+    drawScale(row + 2 * kLegendRow);
+  }
+
+  const Level& level_;
+  PlanBox frame_;
+  Vec2 size_;
+  double scale_;                ///< units per metre
+  std::vector<PlanBox> taken_;  ///< on the paper, by what names must not cover
+  std::vector<PlanBox> shots_;  ///< on the paper: the signs of the level's shots
+  std::string out_;
+};
+
+}  // namespace
+
+std::string planOf(const Level& level) { return PlanDrawing(level).svg(); }
+
+}  // namespace hearth

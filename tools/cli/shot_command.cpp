@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/command.h"
+#include "image/image_file.h"
+#include "render/renderer.h"
+#include "session/session.h"
+#include "settings/channels.h"
+
+namespace hearth {
+
+namespace {
+
+/// The picture that the options ask for. Light is baked only where it shows.
+tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera& camera,
+                                         const OptionValues& values) {
+  const std::optional<std::string> channel = values.text(Option::Channel);
+  if (channel)
+    if (auto geometry = drawGeometry(loaded.level, camera, *channel)) return *std::move(geometry);
+  const auto light = lightInView(loaded.level, camera, values);
+  if (!light) return tl::unexpected(light.error());
+  const Renderer renderer(loaded.level, loaded.textures, *light, drawSettingsFrom(values));
+  if (channel) return drawChannel(loaded.level, renderer, camera, *channel, threadsFrom(values));
+  return renderer.draw(camera, lightModeFrom(values));
+}
+
+/// A name that promises a picture of another kind. Any other name is the user's business.
+std::optional<std::string> mistakeInName(const std::filesystem::path& output) {
+  constexpr std::array<std::string_view, 6> kOthers{".jpg", ".jpeg", ".bmp",
+                                                    ".tga", ".gif",  ".webp"};
+  std::string ending = output.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (std::ranges::find(kOthers, ending) == kOthers.end()) return std::nullopt;
+  return fmt::format("-o: {}: pictures are written as PNG: name it {}", output.string(),
+                     std::filesystem::path(output).replace_extension(".png").string());
+}
+
+std::optional<std::string> mistakeInShotOptions(const OptionValues& values) {
+  if (values.has(Option::Channel) && values.has(Option::Light))
+    return "give --light or --channel, not both";
+  return mistakeInName(*values.text(Option::Output));
+}
+
+ExitStatus runShot(const OptionValues& values) {
+  if (const auto mistake = mistakeInShotOptions(values)) return fail(*mistake);
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const auto camera = cameraFor(loaded->level, values, {320, 200});
+  if (!camera) return fail(camera.error());
+  const auto image = picture(*loaded, *camera, values);
+  if (!image) return fail(image.error());
+  const auto written = writePng(*values.text(Option::Output), *image);
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+}  // namespace
+
+Command shotCommand() {
+  return {"shot",
+          "bakes and draws one picture; needs no display",
+          std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
+                              Option::Size, Option::Fov, Option::Light, Option::Channel,
+                              Option::Quiet} +
+              drawOptions() + lightOptions(),
+          {Option::Output},
+          runShot};
+}
+
+}  // namespace hearth

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "measure/tradeoff/approximations.h"
+#include "measure/tradeoff/page.h"
+#include "measure/tradeoff/report.h"
+#include "measure/tradeoff/trials.h"
+#include "session/session.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr PictureSize kTruthSize{160, 100};
+constexpr int kTrialRepeats = 3;
+
+constexpr std::string_view kMore =
+    R"(Bakes and frames of each setting are timed in turn with those of the level's
+own. What it costs, x, is the median of the ratios of neighbours in time, so a
+machine that gets slower meanwhile changes it little; seconds are that times
+what the level's own took, as a median over the whole run. What takes longer
+than the level's own is repeated less often, but once at least.)";
+
+void printList() {
+  for (const Approximation& approximation : approximations()) {
+    const OptionRow& setting = row(approximation.setting);
+    fmt::print("{} {}\n  {}\n", setting.name, setting.value, helpOf(setting));
+    fmt::print("  makes {}; error: {}\n  {}\n",
+               approximation.of == Approximation::Of::Bake ? "bakes shorter or longer"
+                                                           : "frames faster or slower",
+               approximation.bound, approximation.code);
+  }
+}
+
+/// Tells how far a long measurement is.
+class Told {
+ public:
+  explicit Told(bool isQuiet) : isQuiet_(isQuiet) {}
+  void tell(std::string_view what, std::size_t done, std::size_t of) const {
+    if (!isQuiet_) fmt::print(stderr, "{} {} of {}\n", what, done, of);
+  }
+
+ private:
+  bool isQuiet_;
+};
+
+tl::expected<TradeoffReport, std::string> measured(const LoadedLevel& loaded,
+                                                   const OptionValues& values) {
+  if (loaded.level.shots.empty())
+    return tl::unexpected(fmt::format(
+        "{}: what errors are seen is measured in the level's shots: give it some", values.level));
+  auto trials = trialsFor(loaded.level, values);
+  if (!trials) return tl::unexpected(trials.error());
+
+  TradeoffReport report;
+  report.level = values.level;
+  report.machine = thisMachine();
+  report.truthSize = parseSize(values.text(Option::Size).value_or("")).value_or(kTruthSize);
+  TrialBench bench;
+  bench.threads = threadsFrom(values);
+  bench.repeats = static_cast<int>(values.number(Option::Repeats).value_or(kTrialRepeats));
+  bench.clock = steadySeconds;
+  const Told told(values.has(Option::Quiet));
+  bench.done = [&](std::size_t done) { told.tell("settings", done, trials->size()); };
+  report.bakeThreads = bench.threads;
+  report.frameSize = bench.frameSize;
+  const auto truth = truthOf(loaded, report.truthSize, bench.threads, [&](std::size_t done) {
+    told.tell("truth of shot", done, loaded.level.shots.size());
+  });
+  report.trials = measureTrials(loaded, *trials, truth, bench);
+  return reportOf(std::move(report));
+}
+
+ExitStatus runTradeoff(const OptionValues& values) {
+  if (values.has(Option::List)) {
+    printList();
+    return ExitStatus::Done;
+  }
+  if (values.level.empty())
+    return fail(
+        fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
+  const std::optional<LoadedLevel> loaded = openLevel(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const auto report = measured(*loaded, values);
+  if (!report) return fail(report.error());
+  fmt::print("{}", values.has(Option::Csv) ? csvOf(*report) : tableOf(*report));
+  const std::optional<std::string> page = values.text(Option::Report);
+  if (!page) return ExitStatus::Done;
+  const auto written = writeTradeoffPage(*page, *report);
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+}  // namespace
+
+Command tradeoffCommand() {
+  return {.name = "tradeoff",
+          .help = "measures what settings cost on a level, and how far off they are",
+          .options = std::vector<Option>{Option::List, Option::Csv, Option::Report, Option::Size,
+                                         Option::Repeats, Option::Quiet} +
+                     drawOptions() + bakeOptions(),
+          .required = {},
+          .run = runTradeoff,
+          .levels = LevelFiles::OneOrNone,
+          .more = std::string(kMore)};
+}
+
+}  // namespace hearth

@@ -1,0 +1,263 @@
+#include <SDL_events.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "cli/command.h"
+#include "cli/recording_file.h"
+#include "desktop/live_level.h"
+#include "desktop/window.h"
+#include "desktop/window_place.h"
+#include "files/user_folders.h"
+#include "measure/budget.h"
+#include "render/renderer.h"
+#include "session/session.h"
+#include "viewer/edit/shots_edit.h"
+#include "viewer/preferences/config.h"
+#include "viewer/walk/keys.h"
+#include "viewer/walk/walk_loop.h"
+
+namespace hearth {
+
+namespace {
+
+/// A walk that is about to begin: from where, how it is shown, and whose input it takes.
+struct Plan {
+  RecordedStart start;
+  WalkSettings settings;
+  std::optional<Recording> replay;
+};
+
+/// Recordings are of one version of a level, and saved light is of one geometry.
+bool isLive(const OptionValues& values) {
+  return !values.has(Option::Record) && !values.has(Option::Replay) &&
+         !values.has(Option::LightFrom);
+}
+
+tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& values) {
+  Plan plan;
+  if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
+  plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
+  plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
+  plan.settings.threads = threadsFrom(values);
+  plan.settings.view.mode = lightModeFrom(values);
+  plan.settings.options = values;
+  plan.settings.canBake = isLive(values);
+  if (values.has(Option::Replay)) {
+    auto recording = readReplay(values);
+    if (!recording) return tl::unexpected(recording.error());
+    plan.start = recording->start;
+    plan.replay = std::move(*recording);
+    return plan;
+  }
+  const auto camera = cameraFor(level, values, kFirstWindowSize);
+  if (!camera) return tl::unexpected(camera.error());
+  plan.start = {level[camera->sector].name, camera->eye, camera->angle, camera->pitch};
+  plan.settings.fov = camera->fov;
+  return plan;
+}
+
+std::optional<std::string> mistakeInWalkOptions(const OptionValues& values) {
+  if (values.has(Option::TargetMs))
+    for (const Option option : std::vector<Option>{Option::Quality} + drawOptions())
+      if (values.has(option))
+        return fmt::format("give --target-ms or {}, not both", row(option).name);
+  if (values.has(Option::Headless) && !values.has(Option::Replay))
+    return "--headless: give --replay, which alone needs no window";
+  if (!values.has(Option::Replay)) return std::nullopt;
+  for (const Option option :
+       {Option::Start, Option::Camera, Option::Sector, Option::Shot, Option::Record})
+    if (values.has(option)) return fmt::format("give --replay or {}, not both", row(option).name);
+  return std::nullopt;
+}
+
+std::string words(const RecordedState& state) {
+  const Walker& walker = state.walker;
+  return fmt::format("sector {}, feet {},{},{}, angle {}, pitch {}", state.sector, walker.feet.x,
+                     walker.feet.y, walker.feet.z, walker.angle, walker.pitch);
+}
+
+/// Where a replay has ended, and whether that is where it was recorded to end.
+ExitStatus judge(const Level& level, const WalkSession& session, const Recording& recording) {
+  const RecordedState end = recordedState(level, session.walker());
+  fmt::print("{} ticks, end: {}\n", recording.inputs.size(), words(end));
+  if (end == recording.end) {
+    fmt::print("as recorded, to the bit\n");
+    return ExitStatus::Done;
+  }
+  fmt::print("not as recorded: {}\n", words(recording.end));
+  return ExitStatus::Differs;
+}
+
+ExitStatus replayHeadless(const Level& level, WalkSession& session, const Recording& recording) {
+  for (const WalkInput& input : recording.inputs) session.tick(input);
+  return judge(level, session, recording);
+}
+
+using SharedLevel = std::shared_ptr<const LoadedLevel>;
+using SharedSource = std::shared_ptr<const LevelSource>;
+using SharedLitLevel = std::shared_ptr<const LitLevel>;
+
+void answerDesktop() {
+  SDL_PumpEvents();
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+/// Bakes while the window answers to the desktop.
+tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
+                                                    const SharedSource& source,
+                                                    const OptionValues& values) {
+  auto light = std::async(std::launch::async, [&] { return lightFor(loaded->level, values); });
+  while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready) answerDesktop();
+  return light.get().map([&](BakedLight baked) {
+    return std::make_shared<const LitLevel>(loaded, source,
+                                            std::make_shared<const BakedLight>(std::move(baked)),
+                                            drawSettingsFrom(values));
+  });
+}
+
+/// Where the place of the window is kept. Pictures of a size of their own have windows that fit.
+std::optional<std::filesystem::path> windowFile(const Plan& plan) {
+  const auto folder = stateFolder();
+  if (!folder || plan.settings.size) return std::nullopt;
+  return *folder / "window.json";
+}
+
+WindowSettings windowSettings(const Plan& plan, const OptionValues& values) {
+  WindowSettings settings;
+  settings.pictureSize = plan.settings.size;
+  if (values.text(Option::Scale) == "integer") settings.scaling = Scaling::Integer;
+  if (const auto file = windowFile(plan)) settings.place = readWindowPlace(*file);
+  settings.waitsForDisplay = values.text(Option::Vsync) != "off";
+  return settings;
+}
+
+/// Writes the walk so far where `--record` says.
+ExitStatus keepWalk(const Level& level, const RecordedStart& start, const WalkSession& session,
+                    const OptionValues& values) {
+  const std::optional<std::string> path = values.text(Option::Record);
+  if (!path) return ExitStatus::Done;
+  const auto written =
+      writeRecordingFile(*path, {start, session.inputs(), recordedState(level, session.walker())});
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+/// Adds options with which a frame fits the time.
+void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, const Plan& plan,
+               WalkWindow& window, OptionValues& options) {
+  const auto [width, height] =
+      plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
+  const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
+                      plan.settings.fov, width,     height};
+  const int threads = threadsFor({width, height}, plan.settings.threads);
+  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds, threads, steadySeconds);
+  fmt::print("picked {}\n", words(fitting));
+  std::fflush(stdout);  // before the walk, not after it
+  for (const Option option : notStandard(fitting.draw))
+    options.set(option, valueOf(fitting.draw, option));
+}
+
+/// What the user has set. Of mistakes there he is told, and walks.
+Config configOfUser() {
+  const auto file = configFile();
+  return file ? readConfig(*file) : Config{};
+}
+
+void addConfig(const Config& config, WalkSettings& settings) {
+  settings.preferences = config.preferences;
+  for (const Diagnostic& warning : config.warnings) settings.notes.push_back(format(warning));
+  tell(config.warnings);
+}
+
+ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, const Plan& plan,
+                        WalkSession& session, const OptionValues& values) {
+  const Level& level = loaded->level;
+  auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
+  if (!window)
+    return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
+                            window.error(), values.program));
+  std::optional<LiveLevel> live;
+  if (isLive(values)) live.emplace(values, loaded, source);
+  auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, source, values);
+  if (!lit) return fail(lit.error());
+  WalkSettings settings = plan.settings;
+  if (live) settings.lightsFile = loaded->lights;
+  addConfig(configOfUser(), settings);
+  settings.config = configFile().value_or("");
+  if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(*file);
+  settings.writeShot = [&live, &loaded](const Bookmark& bookmark) {
+    return writeShot(live ? *live->shown()->loaded : *loaded, bookmark);
+  };
+  if (const auto target = values.number(Option::TargetMs)) {
+    fitFrames(*target, (*lit)->renderer, eyeOf(level, session.walker()), plan, *window,
+              settings.options);
+    if (live) live->setOptions(settings.options);
+    *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
+  }
+
+  Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
+  WalkLoop loop(level, (*lit)->renderer, session, screenshots, *window, settings, source);
+  if (plan.replay) loop.replay(plan.replay->inputs);
+  // A recording that cannot be written is refused before the walk, not after it.
+  if (keepWalk(level, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;
+  while (loop.round()) {
+    if (live) {
+      live->update(loop, session, *window);
+    } else if (const auto options = loop.takeChoice()) {
+      const auto next = redrawn(**lit, drawSettingsFrom(*options));
+      loop.goOnIn(level, next->renderer, source);
+      *lit = next;
+    }
+  }
+  if (const auto file = windowFile(plan)) keepWindowPlace(*file, window->place());
+  loop.awaitScreenshots();
+  if (!plan.replay) return keepWalk(level, plan.start, session, values);
+  if (!loop.isReplayOver()) return fail("--replay: left before its end");
+  return judge(level, session, *plan.replay);
+}
+
+ExitStatus runWalk(const OptionValues& values) {
+  if (const auto mistake = mistakeInWalkOptions(values)) return fail(*mistake);
+  SourcedResult opened = openLevelWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
+  const Level& level = loaded->level;
+  const auto plan = planFor(level, values);
+  if (!plan) return fail(plan.error());
+  const auto walker = startOf(level, plan->start);
+  if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
+  WalkSession session(
+      level, *walker,
+      values.has(Option::Record) ? WalkSession::Memory::Inputs : WalkSession::Memory::None);
+  if (values.has(Option::Headless)) return replayHeadless(level, session, *plan->replay);
+  const auto source = std::make_shared<const LevelSource>(std::move(opened.source));
+  return walkInWindow(loaded, source, *plan, session, values);
+}
+
+}  // namespace
+
+Command walkCommand() {
+  return {"walk",
+          "opens a window and walks the level: H in it shows the keys, F1 figures and settings",
+          std::vector<Option>{Option::Start, Option::Camera, Option::Sector, Option::Shot,
+                              Option::Size, Option::Scale, Option::Fov, Option::FrameCap,
+                              Option::TargetMs, Option::Vsync, Option::Light, Option::Record,
+                              Option::Replay, Option::Headless, Option::Quiet} +
+              drawOptions() + lightOptions(),
+          {},
+          runWalk,
+          LevelFiles::One,
+          "Keys:\n" + keyHelp({}),
+          "LEVEL",
+          [] { return "Keys:\n" + keyHelp(configOfUser().preferences.keys); }};
+}
+
+}  // namespace hearth

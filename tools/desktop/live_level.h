@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "desktop/file_watch.h"
+#include "load/source.h"
+#include "settings/options.h"
+#include "viewer/walk/background_baker.h"
+#include "viewer/walk/walk_loop.h"
+#include "viewer/walk/walk_session.h"
+#include "viewer/walk/window_host.h"
+
+namespace hearth {
+
+/// Lets a walk go on in its level as its files are edited: each time one of them is saved the level
+/// is loaded anew, and shown once it is lit. A level with mistakes is not shown: they stand over
+/// the last good one until they are mended.
+class LiveLevel {
+ public:
+  /// Lights `loaded`, meanwhile.
+  LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
+            std::shared_ptr<const LevelSource> source,
+            std::chrono::milliseconds nextFile = BackgroundBaker::kNextFile);
+
+  /// The light of the level as it was given, perhaps a draft. `wait` is called again and again.
+  tl::expected<std::shared_ptr<const LitLevel>, std::string> awaitFirst(
+      const std::function<void()>& wait);
+  /// From now on bakes and draws by other options. What is shown is drawn by them at once, and
+  /// baked by them once that is done.
+  void setOptions(const OptionValues& values);
+  /// The last that was given out.
+  const std::shared_ptr<const LitLevel>& shown() const { return shown_; }
+
+  /// Looks what has happened, between two frames.
+  void update(WalkLoop& loop, WalkSession& session, WindowHost& outside);
+
+ private:
+  void reload(const FileWatch::Changes& changes, LightsEditor* lights);
+  bool hasOtherLights(LightsEditor& lights);
+  void take(const LevelNews& news, WalkLoop& loop, WalkSession& session);
+  bool goOnIn(const LitLevel& next, WalkSession& session) const;
+  void watch(const LoadedLevel& loaded);
+
+  FileWatch watch_;
+  std::vector<std::filesystem::path> watched_;  ///< files
+  std::size_t lightsFile_ = 0;                  ///< among them
+  BackgroundBaker baker_;
+  DrawSettings draw_;
+  std::shared_ptr<const LitLevel> shown_;
+  std::vector<std::string> mistakes_;           ///< of the version that was saved last
+  std::optional<std::filesystem::path> saved_;  ///< and is not shown yet
+  std::string report_;                          ///< to be printed once the next frame is shown
+};
+
+/// Where a walker of one version of a level is in another: where he is, if that lies in a sector
+/// still, the one of the same name before others; else where the player starts. None where there is
+/// no such place.
+std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const Level& to);
+
+}  // namespace hearth

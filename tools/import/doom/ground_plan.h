@@ -1,0 +1,75 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "import/doom/findings.h"
+#include "import/doom/heights.h"
+#include "import/doom/map.h"
+#include "import/doom/regions.h"
+
+namespace hearth::doom {
+
+/// The flat that stands for the sky.
+inline constexpr const char* kSkyFlat = "F_SKY1";
+
+/// The air of a region.
+struct Space {
+  double floor;    ///< metres
+  double ceiling;  ///< metres
+  bool isUnderSky;
+  bool isOverSky;
+};
+
+/// What of a half-edge shows a texture: all of it, what a portal leaves closed above and below, or
+/// what hangs in its opening.
+enum class WallPart : std::uint8_t { Solid, Upper, Lower, Middle };
+
+struct ShownPart {
+  WallPart part;
+  double bottom;        ///< metres
+  double top;           ///< metres
+  const Face* face;     ///< whose line it is: of the side behind where this one has none
+  std::string texture;  ///< kNoTexture: the map has none for it
+};
+
+/// A map as space that is enclosed, with heights and names.
+class GroundPlan {
+ public:
+  /// The map must stay alive. The error is one sentence.
+  static tl::expected<GroundPlan, std::string> of(const Map& map, Doors doors, Findings& findings);
+
+  const Map& map() const { return *map_; }
+  const std::vector<Region>& regions() const { return plane_.regions; }
+  const HalfEdge& halfEdge(std::uint32_t h) const { return plane_.halfEdges[h]; }
+  const HalfEdge& behind(std::uint32_t h) const { return plane_.halfEdges[Regions::twinOf(h)]; }
+  std::optional<std::uint32_t> regionAt(Vec2 p) const { return plane_.regionAt(p); }
+  bool contains(std::uint32_t region, Vec2 p) const { return plane_.contains(region, p); }
+
+  const Sector& sectorOf(std::uint32_t region) const {
+    return map_->sectors[plane_.regions[region].sector];
+  }
+  /// The sector's number; of a sector in several parts `N`, `N.2`, `N.3` ...
+  const std::string& nameOf(std::uint32_t region) const { return names_[region]; }
+  Space spaceOf(std::uint32_t region) const;
+
+  /// Whether one looks through a half-edge, which has a region before it.
+  bool isPortal(std::uint32_t h) const;
+  /// From the bottom to the top.
+  std::vector<ShownPart> shownParts(std::uint32_t h) const;
+
+ private:
+  GroundPlan(const Map& map, Regions plane, std::vector<Heights> heights, Findings& findings);
+  void mendHeights(Findings& findings);
+  void nameRegions();
+  bool hasMiddle(std::uint32_t h) const;
+  ShownPart solidPart(std::uint32_t h, const Face& face) const;
+
+  const Map* map_;
+  Regions plane_;
+  std::vector<Heights> heights_;    ///< by sector of the map
+  std::vector<std::string> names_;  ///< by region
+};
+
+}  // namespace hearth::doom

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "import/doom/map.h"
+
+namespace hearth::doom {
+
+/// How what moves in a map is to stand.
+enum class Doors : std::uint8_t {
+  Open,   ///< doors are open, lifts are down
+  Closed  ///< as the map begins
+};
+
+struct Heights {
+  int floor;    ///< map units
+  int ceiling;  ///< map units
+};
+
+/// By sector of the map.
+std::vector<Heights> heightsOf(const Map& map, Doors doors);
+
+}  // namespace hearth::doom

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "import/doom/findings.h"
+#include "import/doom/heights.h"
+#include "import/doom/light_table.h"
+#include "import/doom/materials.h"
+#include "import/doom/pictures.h"
+#include "import/doom/wad.h"
+
+namespace hearth::doom {
+
+/// All that an import takes, but the map.
+struct Source {
+  const Wad& wad;
+  const Pictures& pictures;
+  const LightTable& lights;
+};
+
+struct ImportSettings {
+  std::filesystem::path folder;  ///< where the level goes; it need not be there
+  Doors doors = Doors::Open;
+  /// Of the light that a map gives its sectors: as much as lets that of lamps show.
+  double ambient = 0.75;
+  std::size_t imagePixels = kMostPixels;  ///< of all its images together
+};
+
+/// What became of one map.
+struct Imported {
+  std::string map;
+  std::filesystem::path level;
+  /// Of the map, and of the level.
+  std::size_t mapSectors = 0;
+  std::size_t sectors = 0;
+  std::size_t lines = 0;
+  std::size_t walls = 0;
+  std::size_t lights = 0;
+  std::size_t textures = 0;
+  Findings findings;
+};
+
+/// A level before it is written.
+struct Converted {
+  std::string level;   ///< the text of its file
+  std::string lights;  ///< and of that of its lights
+  Materials materials;
+};
+
+/// Fills in `imported`, which must outlive the result. The error is one sentence.
+tl::expected<Converted, std::string> convertMap(const Source& source, const std::string& name,
+                                                const ImportSettings& settings, Imported& imported);
+
+/// Writes the level of a map with its lights and textures; never over a level that is there, and
+/// only one that loads. The error is one sentence.
+tl::expected<Imported, std::string> importMap(const Source& source, const std::string& name,
+                                              const ImportSettings& settings);
+
+}  // namespace hearth::doom

@@ -1,0 +1,196 @@
+#include "import/doom/lights.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "load/limits.h"
+
+namespace hearth::doom {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Metres from a surface that shines to the light that stands for it.
+constexpr double kBefore = 0.25;
+
+/// Metres. A light lights no wall in whose plane it lies, and walls of maps lie at whole units: so
+/// it is put about a centimetre beside, where there is room for that.
+constexpr std::array<Vec2, 4> kBeside{
+    {{0.011, 0.007}, {-0.011, -0.007}, {0.011, -0.007}, {-0.011, 0.007}}};
+
+/// More are refused where levels are loaded.
+constexpr std::size_t kMostLights = LoadLimits{}.lights;
+
+/// A thing that is there only where several play.
+constexpr std::uint16_t kNotAlone = 0x10;
+
+double rounded(double metres) { return std::round(metres * 1000) / 1000; }
+
+/// intensity / (falloff * d + 1), less what that is at the reach and made as bright as before at
+/// the beginning: intensity * (1 - d / reach) / (falloff * d + 1). Straight in between.
+Json curveOf(const Glow& glow) {
+  Json curve = Json::array();
+  for (const double share : {0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
+    const double d = share * glow.reach;
+    const double level = glow.intensity * (1 - share) / (glow.falloff * d + 1);
+    curve.push_back({rounded(d), std::round(level * 10) / 10});
+  }
+  return curve;
+}
+
+struct Box {
+  Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 max{-min.x, -min.y};
+
+  void include(Vec2 p) {
+    min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+    max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+  }
+};
+
+class Illuminator {
+ public:
+  Illuminator(const GroundPlan& plan, const LightTable& table, Findings& findings)
+      : plan_(plan), table_(table), findings_(findings) {}
+
+  Json lights() {
+    for (const Thing& thing : plan_.map().things) lightThing(thing);
+    for (std::uint32_t region = 0; region < plan_.regions().size(); ++region) {
+      const Space space = plan_.spaceOf(region);
+      if (space.floor == space.ceiling) continue;
+      for (const auto& loop : plan_.regions()[region].loops)
+        for (const std::uint32_t h : loop) lightWall(region, h);
+      lightFlats(region, space);
+    }
+    return std::move(lights_);
+  }
+
+ private:
+  template <typename Key>
+  static const Glow* find(const std::map<Key, Glow>& glows, const Key& key) {
+    const auto found = glows.find(key);
+    return found == glows.end() ? nullptr : &found->second;
+  }
+
+  void lightThing(const Thing& thing) {
+    const Glow* glow = find(table_.things, thing.type);
+    const Vec2 place = placeOf(thing.x, thing.y);
+    const auto region = plan_.regionAt(place);
+    if (!glow || !region || (thing.flags & kNotAlone) != 0) return;
+    const Space space = plan_.spaceOf(*region);
+    if (space.floor == space.ceiling) return;
+    const double highest = std::max(space.ceiling - kBefore, (space.floor + space.ceiling) / 2);
+    add(*glow, *region, place, std::min(space.floor + glow->height, highest));
+  }
+
+  /// A light before the middle of each part of a wall that shines.
+  void lightWall(std::uint32_t region, std::uint32_t h) {
+    const HalfEdge& edge = plan_.halfEdge(h);
+    const double metres = length(edge.to - edge.from);
+    const Vec2 inwards = (1 / metres) * turned90(edge.to - edge.from);
+    for (const ShownPart& part : plan_.shownParts(h)) {
+      const Glow* glow = find(table_.walls, part.texture);
+      if (!glow || part.bottom == part.top) continue;
+      const int across = partsOf(metres, glow->every);
+      const int up = partsOf(part.top - part.bottom, glow->every);
+      for (int i = 0; i < across; ++i) {
+        const auto place = before(region, lerp(edge.from, edge.to, (i + 0.5) / across), inwards);
+        for (int k = 0; place && k < up; ++k)
+          add(*glow, region, *place, part.bottom + (part.top - part.bottom) * (k + 0.5) / up);
+      }
+    }
+  }
+
+  static int partsOf(double metres, double every) {
+    return std::max(1, static_cast<int>(std::lround(metres / every)));
+  }
+
+  /// As far before a wall as there is room.
+  std::optional<Vec2> before(std::uint32_t region, Vec2 onWall, Vec2 inwards) const {
+    for (const double distance : {kBefore, kBefore / 2, kBefore / 8})
+      if (const Vec2 place = onWall + distance * inwards; plan_.contains(region, place))
+        return place;
+    return std::nullopt;
+  }
+
+  void lightFlats(std::uint32_t region, const Space& space) {
+    const double gap = std::min(kBefore, (space.ceiling - space.floor) / 2);
+    const Sector& sector = plan_.sectorOf(region);
+    if (const Glow* glow = find(table_.flats, sector.ceilingFlat))
+      for (const Vec2 place : placesOn(region, glow->every))
+        add(*glow, region, place, space.ceiling - gap);
+    if (const Glow* glow = find(table_.flats, sector.floorFlat))
+      for (const Vec2 place : placesOn(region, glow->every))
+        add(*glow, region, place, space.floor + gap);
+  }
+
+  /// The middles of the squares of a region; its own where it is hardly more than one.
+  std::vector<Vec2> placesOn(std::uint32_t region, double every) const {
+    Box box;
+    for (const std::uint32_t h : plan_.regions()[region].loops.front())
+      box.include(plan_.halfEdge(h).from);
+    const Vec2 middle = lerp(box.min, box.max, 0.5);
+    if (std::max(box.max.x - box.min.x, box.max.y - box.min.y) <= 1.5 * every)
+      return plan_.contains(region, middle) ? std::vector<Vec2>{middle} : placeAtBorder(region);
+    std::vector<Vec2> places;
+    for (double y = std::floor(box.min.y / every); y * every < box.max.y; ++y)
+      for (double x = std::floor(box.min.x / every); x * every < box.max.x; ++x)
+        if (const Vec2 p{(x + 0.5) * every, (y + 0.5) * every}; plan_.contains(region, p))
+          places.push_back(p);
+    return places.empty() ? placeAtBorder(region) : places;
+  }
+
+  std::vector<Vec2> placeAtBorder(std::uint32_t region) const {
+    for (const std::uint32_t h : plan_.regions()[region].loops.front()) {
+      const HalfEdge& edge = plan_.halfEdge(h);
+      const Vec2 along = edge.to - edge.from;
+      if (const auto place =
+              before(region, lerp(edge.from, edge.to, 0.5), (1 / length(along)) * turned90(along)))
+        return {*place};
+    }
+    return {};
+  }
+
+  void add(const Glow& glow, std::uint32_t region, Vec2 place, double z) {
+    if (lights_.size() == kMostLights) return tellOfTooMany(region);
+    for (const Vec2 beside : kBeside) {
+      const Vec2 p{rounded(place.x + beside.x), rounded(place.y + beside.y)};
+      if (!plan_.contains(region, p)) continue;
+      lights_.push_back({{"x", p.x},
+                         {"y", p.y},
+                         {"z", rounded(z)},
+                         {"sector", plan_.nameOf(region)},
+                         {"color", glow.color},
+                         {"curve", curveOf(glow)}});
+      return;
+    }
+  }
+
+  void tellOfTooMany(std::uint32_t region) {
+    if (!std::exchange(hasTooMany_, true))
+      findings_.push_back(
+          {Outcome::Dropped, Part::Sector, plan_.regions()[region].sector,
+           fmt::format("its lights and those of what follows, after {} others", kMostLights)});
+  }
+
+  const GroundPlan& plan_;
+  const LightTable& table_;
+  Findings& findings_;
+  bool hasTooMany_ = false;
+  Json lights_ = Json::array();
+};
+
+}  // namespace
+
+Json lightsJson(const GroundPlan& plan, const LightTable& table, Findings& findings) {
+  return {{"version", 1}, {"lights", Illuminator(plan, table, findings).lights()}};
+}
+
+}  // namespace hearth::doom

@@ -1,0 +1,178 @@
+#include "import/doom/pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "import/doom/snap_rounding.h"
+#include "math/predicates.h"
+
+namespace hearth::doom {
+
+namespace {
+
+/// Cells of the grid of points in a unit of a map, a power of two, so that areas are computed
+/// exactly from them. Half a cell is 4 mm: loops whose points are twice the loader's tolerance of 1
+/// mm off the walls that they do not end are sound to it, and enclose area.
+constexpr int kCells = 4;
+constexpr double kCell = kUnit / kCells;
+
+/// Without a bound a small hostile map would fill the memory, and no level has as many walls. All
+/// maps of Freedoom together have eight crossings, the largest one 11,000 pieces.
+constexpr std::size_t kMostCrossings = 50'000;
+constexpr std::size_t kMostPieces = 250'000;
+
+GridPoint gridPointOf(const Vertex& vertex) { return {vertex.x * kCells, -vertex.y * kCells}; }
+Vec2 placeOf(GridPoint p) { return {p.x * kCell, p.y * kCell}; }
+std::string nameOf(GridPoint p) {
+  return fmt::format("({:g}, {:g})", double{1} * p.x / kCells, double{-1} * p.y / kCells);
+}
+
+/// A line with the places at which others cross it.
+struct Cuttable {
+  GridPoint from;
+  GridPoint to;
+  std::uint32_t line;
+  std::vector<GridPoint> crossings;
+
+  int minX() const { return std::min(from.x, to.x); }
+  int maxX() const { return std::max(from.x, to.x); }
+  bool overlapsInY(const Cuttable& other) const {
+    return std::min(from.y, to.y) <= std::max(other.from.y, other.to.y) &&
+           std::min(other.from.y, other.to.y) <= std::max(from.y, to.y);
+  }
+};
+
+class Cutter {
+ public:
+  Cutter(const Map& map, Findings& findings) : map_(map), findings_(findings) {}
+
+  tl::expected<Pieces, std::string> cut() {
+    gather();
+    if (!findCrossings())
+      return tl::unexpected(
+          fmt::format("its lines cross in more than {} places: too many to cut "
+                      "them there",
+                      kMostCrossings));
+    const SnapRounding rounding(hotPoints());
+    for (const Cuttable& line : lines_) {
+      addPieces(line, rounding.pathOf(line.from, line.to));
+      if (result_.pieces.size() > kMostPieces)
+        return tl::unexpected(
+            fmt::format("its lines meet so often that they would have to be cut "
+                        "into more than {} pieces",
+                        kMostPieces));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void gather() {
+    for (std::size_t i = 0; i < map_.lines.size(); ++i) {
+      const GridPoint from = gridPointOf(map_.vertices[map_.lines[i].from]);
+      const GridPoint to = gridPointOf(map_.vertices[map_.lines[i].to]);
+      if (from == to)
+        findings_.push_back({Outcome::Dropped, Part::Line, i, "it has no length"});
+      else
+        lines_.push_back({from, to, static_cast<std::uint32_t>(i), {}});
+    }
+  }
+
+  /// False where there are too many.
+  bool findCrossings() {
+    std::ranges::sort(lines_, {}, [](const Cuttable& c) { return std::pair(c.minX(), c.line); });
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      for (std::size_t j = i + 1; j < lines_.size() && lines_[j].minX() <= lines_[i].maxX(); ++j) {
+        if (lines_[i].overlapsInY(lines_[j])) cross(lines_[i], lines_[j]);
+        if (crossings_ > kMostCrossings) return false;
+      }
+    return true;
+  }
+
+  void cross(Cuttable& a, Cuttable& b) {
+    const auto p = crossingOf(a.from, a.to, b.from, b.to);
+    if (!p) return;
+    ++crossings_;
+    a.crossings.push_back(*p);
+    b.crossings.push_back(*p);
+    findings_.push_back({Outcome::Repaired, Part::Line, std::max(a.line, b.line),
+                         fmt::format("it crosses line {} at {}: both are cut there",
+                                     std::min(a.line, b.line), nameOf(*p))});
+  }
+
+  std::vector<GridPoint> hotPoints() const {
+    std::vector<GridPoint> hot;
+    for (const Cuttable& line : lines_) {
+      hot.push_back(line.from);
+      hot.push_back(line.to);
+      hot.insert(hot.end(), line.crossings.begin(), line.crossings.end());
+    }
+    return hot;
+  }
+
+  void addPieces(const Cuttable& line, const std::vector<GridPoint>& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      if (i > 0) tellOfBend(line, path[i]);
+      addPiece(line, placeOf(path[i]), placeOf(path[i + 1]));
+    }
+  }
+
+  void tellOfBend(const Cuttable& line, GridPoint at) {
+    if (orientation(placeOf(line.from), placeOf(line.to), placeOf(at)) == 0) return;
+    if (std::ranges::find(line.crossings, at) != line.crossings.end()) return;  // told
+    findings_.push_back({Outcome::Repaired, Part::Line, line.line,
+                         fmt::format("it all but touches {}, where another line ends: it is bent "
+                                     "to it",
+                                     nameOf(at))});
+  }
+
+  void addPiece(const Cuttable& line, Vec2 from, Vec2 to) {
+    const Line& of = map_.lines[line.line];
+    const std::array<double, 2> along{length(from - placeOf(line.from)),
+                                      length(placeOf(line.to) - to)};
+    Piece piece{{pointAt(from), pointAt(to)}, {}};
+    for (const std::size_t i : {0U, 1U})
+      if (of.sides[i])
+        piece.faces[i] = Face{*of.sides[i], line.line, along[i], of.sides[0] && of.sides[1]};
+    const auto [min, max] = std::minmax(piece.points[0], piece.points[1]);
+    const auto [found, isNew] = known_.try_emplace({min, max}, result_.pieces.size());
+    if (isNew)
+      result_.pieces.push_back(piece);
+    else
+      merge(result_.pieces[found->second], piece, line.line);
+  }
+
+  /// Of two lines between the same points each side is the one of the first that has it.
+  void merge(Piece& kept, const Piece& other, std::uint32_t line) {
+    const bool isTurned = kept.points[0] != other.points[0];
+    for (const std::size_t i : {0U, 1U})
+      if (!kept.faces[i]) kept.faces[i] = other.faces[isTurned ? 1 - i : i];
+    findings_.push_back({Outcome::Repaired, Part::Line, line,
+                         "another line lies in the same place: the first one's sides are taken"});
+  }
+
+  std::uint32_t pointAt(Vec2 p) {
+    const auto [found, isNew] =
+        pointsAt_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(result_.points.size()));
+    if (isNew) result_.points.push_back(p);
+    return found->second;
+  }
+
+  const Map& map_;
+  Findings& findings_;
+  std::vector<Cuttable> lines_;
+  std::size_t crossings_ = 0;
+  std::map<std::pair<double, double>, std::uint32_t> pointsAt_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known_;
+  Pieces result_;
+};
+
+}  // namespace
+
+tl::expected<Pieces, std::string> piecesOf(const Map& map, Findings& findings) {
+  return Cutter(map, findings).cut();
+}
+
+}  // namespace hearth::doom

@@ -1,0 +1,361 @@
+#include "walk/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory_resource>
+#include <optional>
+#include <set>
+
+#include "level/locate.h"
+#include "lint/described.h"
+#include "lint/links.h"
+#include "math/tolerance.h"
+#include "walk/passage.h"
+
+namespace hearth {
+
+namespace {
+
+/// Of the step that the player climbs: no higher ones are taken for a stair. Sills, parapets and
+/// tables are, and need not be climbed.
+constexpr double kHighestMeant = 1.5;
+
+/// Of the player's height, from where he stands: no lower ones are taken for a way. Niches,
+/// fireplaces and shafts are.
+constexpr double kLowestMeant = 0.85;
+
+/// Of the player's width, likewise: slits are not.
+constexpr double kNarrowestMeant = 0.5;
+
+/// Square metres that must be gained, or nobody meant to go there: benches, plinths and beds have
+/// less.
+constexpr double kRoom = 4;
+
+/// Where along a wall heights are compared: enough for wedges, which change them evenly.
+constexpr std::array kShares = {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
+
+/// What is asked of a body that passes a wall.
+struct Demand {
+  double rise;   ///< metres that it must climb
+  double clear;  ///< metres between what it stands on there and what is above
+};
+
+/// The height that feet come to in a column of air: below flat portals, too.
+double feetAt(const Level& level, SectorId id, Vec2 p) {
+  while (level[id].floor.flatPortal)
+    id = across(level, level[*level[id].floor.flatPortal], Side::Lower, p);
+  return level[id].airBottom(p);
+}
+
+/// Likewise where a head comes to: above flat portals, too.
+double ceilingAt(const Level& level, SectorId id, Vec2 p) {
+  while (level[id].ceiling.flatPortal)
+    id = across(level, level[*level[id].ceiling.flatPortal], Side::Upper, p);
+  return level[id].airTop(p);
+}
+
+Demand demandAt(const Level& level, const Segment& segment, const Passage& passage, SectorId next,
+                double share) {
+  const Vec2 p = lerp(segment.p0, segment.p1, share);
+  const double feet = feetAt(level, segment.sector, p);
+  double bottom = passage.zBottom({share, share});
+  if (bottom == -kNowhere) bottom = feetAt(level, next, p);
+  return {bottom - feet, passage.zTop({share, share}) - std::max(bottom, feet)};
+}
+
+/// A way that a body just cannot take.
+struct Hindrance {
+  FindingKind kind;
+  SegmentId segment;
+  SectorId next;
+  double zBottom;  ///< of the opening
+  Demand demand;
+  double width = kNowhere;  ///< metres of the gap that the opening is a part of
+};
+
+/// Where a body can go on foot. It counts too much rather than too little: slopes are taken for
+/// walkable, and gaps for wide enough unless walls end them on both sides, so that what it cannot
+/// reach nobody can.
+class Walks {
+ public:
+  Walks(const Level& level, const Body& body) : level_(level), body_(body) {
+    links_.resize(level.sectors.size());
+    for (Links& links : linksIfMended_) links.resize(level.sectors.size());
+    open_.resize(level.segments.size());
+    for (std::size_t i = 0; i < level.segments.size(); ++i) lookAtWall(SegmentId(i));
+    for (const Sector& sector : level.sectors)
+      for (const Loop& loop : sector.loops)
+        for (std::uint32_t i = 0; i < loop.count; ++i) lookAtGap(loop, i);
+    for (const FlatPortal& flatPortal : level.flatPortals) lookAtFlat(flatPortal);
+    for (Links& links : linksIfMended_)
+      for (std::size_t i = 0; i < links.size(); ++i)
+        links[i].insert(links[i].end(), links_[i].begin(), links_[i].end());
+  }
+
+  const std::vector<Hindrance>& hindrances() const { return hindrances_; }
+
+  const std::vector<bool>& reachedFrom(SectorId sector) {
+    const auto [found, isNew] = reached_.try_emplace(sector);
+    if (isNew) found->second = hearth::reachedFrom(links_, sector);
+    return found->second;
+  }
+
+  /// What would be gained behind a hindrance if all of its kind were mended: a doorway has two
+  /// sides that are too narrow, and a stair many steps that are too high, or too low to walk.
+  std::vector<SectorId> gainedBehind(const Hindrance& hindrance) {
+    const SectorId from = level_[hindrance.segment].sector;
+    return gainedFrom(linksIfMended_[indexOf(hindrance.kind)], hindrance.next, reachedFrom(from));
+  }
+
+ private:
+  using Links = std::vector<std::vector<SectorId>>;
+
+  static constexpr std::array kHindranceKinds{FindingKind::HighStep, FindingKind::LowPassage,
+                                              FindingKind::NarrowPassage};
+  static std::size_t indexOf(FindingKind kind) {
+    return static_cast<std::size_t>(std::ranges::find(kHindranceKinds, kind) -
+                                    kHindranceKinds.begin());
+  }
+
+  void lookAtWall(SegmentId id) {
+    const Segment& segment = level_[id];
+    std::pmr::vector<Passage> passages;
+    findPassages(level_, segment, passages);
+    for (const Passage& passage : passages)
+      for (std::size_t i = passage.first(); i <= passage.last(); ++i) {
+        const WallPiece& piece = segment.pieces[i];
+        const SectorId next = std::get<Opening>(piece.content).next;
+        lookAtWay({{}, id, next, piece.zBottom, {}}, passage);
+      }
+  }
+
+  void lookAtWay(Hindrance way, const Passage& passage) {
+    std::optional<Hindrance> easiest;
+    for (const double share : kShares) {
+      way.demand = demandAt(level_, level_[way.segment], passage, way.next, share);
+      if (!isHigh(way.demand) && !isLow(way.demand))
+        return open_[way.segment.index()].push_back(way);
+      const std::optional<FindingKind> kind = kindOf(way.demand);
+      if (!kind) continue;
+      way.kind = *kind;
+      if (!easiest || isEasier(way, *easiest)) easiest = way;
+    }
+    // Of what goes on below the wall, the walls down there tell.
+    const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
+    const bool isWide = level_[way.segment].length >= 2 * body_.radius;
+    if (easiest && hasBottom && isWide) add(*easiest);
+  }
+
+  /// What is neither too high nor too low is a way unless the gap is too narrow.
+  void lookAtGap(const Loop& loop, std::uint32_t i) {
+    const std::size_t segment = loop.first.index() + i;
+    if (open_[segment].empty()) return;
+    const double width = widthOfGap(loop, i);
+    const bool isNarrow = width < 2 * body_.radius - kSkin;
+    for (Hindrance way : open_[segment]) {
+      if (!isNarrow) links_[level_.segments[segment].sector.index()].push_back(way.next);
+      if (!isNarrow || width < kNarrowestMeant * 2 * body_.radius) continue;
+      way.kind = FindingKind::NarrowPassage;
+      way.width = width;
+      add(way);
+    }
+  }
+
+  void add(const Hindrance& hindrance) {
+    const SectorId from = level_[hindrance.segment].sector;
+    linksIfMended_[indexOf(hindrance.kind)][from.index()].push_back(hindrance.next);
+    hindrances_.push_back(hindrance);
+  }
+
+  /// Metres from wall to wall along the line of a segment that is open; endless where it is open
+  /// round a corner, too.
+  double widthOfGap(const Loop& loop, std::uint32_t i) const {
+    const Segment& segment = level_.segments[loop.first.index() + i];
+    double width = segment.length;
+    for (const std::uint32_t step : {1U, loop.count - 1})
+      for (std::uint32_t j = (i + step) % loop.count; j != i; j = (j + step) % loop.count) {
+        if (open_[loop.first.index() + j].empty()) break;
+        const Segment& next = level_.segments[loop.first.index() + j];
+        if (!areInLine(segment, next)) return kNowhere;
+        width += next.length;
+      }
+    return width;
+  }
+
+  static bool areInLine(const Segment& a, const Segment& b) {
+    const Vec2 along = a.p1 - a.p0;
+    return dot(along, b.p1 - b.p0) > 0 &&
+           std::abs(cross(along, b.p1 - b.p0)) / a.length <= noiseOf(std::min(a.length, b.length));
+  }
+
+  bool isHigh(const Demand& demand) const { return demand.rise > body_.step + kSkin; }
+  bool isLow(const Demand& demand) const { return demand.clear < body_.height - kSkin; }
+
+  /// What it just fails in, and in nothing else.
+  std::optional<FindingKind> kindOf(const Demand& demand) const {
+    if (!isLow(demand) && demand.rise <= kHighestMeant * body_.step + kSkin)
+      return FindingKind::HighStep;
+    const double aboveFeet = demand.clear + std::max(0.0, demand.rise);
+    if (!isHigh(demand) && aboveFeet >= kLowestMeant * body_.height - kSkin)
+      return FindingKind::LowPassage;
+    return std::nullopt;
+  }
+
+  static bool isEasier(const Hindrance& a, const Hindrance& b) {
+    if (a.kind != b.kind) return false;
+    return a.kind == FindingKind::HighStep ? a.demand.rise < b.demand.rise
+                                           : a.demand.clear > b.demand.clear;
+  }
+
+  /// Down he falls; up he is in both where he is taller than what is below.
+  void lookAtFlat(const FlatPortal& flatPortal) {
+    for (const SectorId upper : flatPortal.upper)
+      for (const SectorId lower : flatPortal.lower) {
+        links_[upper.index()].push_back(lower);
+        if (leastHeight(level_[lower]) < body_.height) links_[lower.index()].push_back(upper);
+      }
+  }
+
+  double leastHeight(const Sector& sector) const {
+    double least = kNowhere;
+    for (const Segment& segment : level_.segmentsOf(sector))
+      least = std::min(least, segment.air0.zTop - segment.air0.zBottom);
+    return least;
+  }
+
+  const Level& level_;
+  const Body& body_;
+  std::vector<std::vector<Hindrance>> open_;  ///< by segment: what is high enough to walk through
+  Links links_;
+  std::array<Links, kHindranceKinds.size()> linksIfMended_;  ///< these, and those of hindrances
+  std::vector<Hindrance> hindrances_;
+  std::map<SectorId, std::vector<bool>> reached_;
+};
+
+/// On the map.
+double areaOf(const Level& level, const Sector& sector) {
+  double twice = 0;
+  for (const Segment& segment : level.segmentsOf(sector))
+    twice += cross(segment.p0 - sector.boxMin, segment.p1 - sector.boxMin);
+  return twice / 2;
+}
+
+class HindranceFinder {
+ public:
+  HindranceFinder(const LintedLevel& linted, Findings& findings)
+      : linted_(linted), level_(linted.level()), findings_(findings) {}
+
+  void look(const Body& body, bool isCrouching) {
+    Walks walks(level_, body);
+    const std::vector<bool> isVisited = walks.reachedFrom(level_.player->sector);
+    for (const Hindrance& hindrance : walks.hindrances()) {
+      const SectorId from = level_[hindrance.segment].sector;
+      // Who crouches climbs no more than who stands, and is as wide.
+      if (isCrouching && hindrance.kind != FindingKind::LowPassage) continue;
+      if (!isVisited[from.index()]) continue;
+      if (told_.contains(hindrance.next)) continue;
+      const std::vector<SectorId> gained = walks.gainedBehind(hindrance);
+      if (areaOf(gained) < kRoom) continue;
+      told_.insert(gained.begin(), gained.end());
+      report(hindrance, body, isCrouching);
+    }
+  }
+
+ private:
+  double areaOf(const std::vector<SectorId>& sectors) const {
+    double area = 0;
+    for (const SectorId sector : sectors) area += hearth::areaOf(level_, level_[sector]);
+    return area;
+  }
+
+  void report(const Hindrance& hindrance, const Body& body, bool isCrouching) {
+    const Place place = describedPart(linted_, hindrance.segment, hindrance.zBottom).place;
+    const std::string& name = level_[hindrance.next].name;
+    if (hindrance.kind == FindingKind::HighStep)
+      findings_.add(hindrance.kind, place,
+                    fmt::format("the step to sector \"{}\" is {:.3g} m high, the player climbs "
+                                "{:.3g} m, and nothing else leads there",
+                                name, hindrance.demand.rise, body.step),
+                    "make it lower, or make two of it");
+    else if (hindrance.kind == FindingKind::NarrowPassage)
+      findings_.add(
+          hindrance.kind, place,
+          fmt::format("the way to sector \"{}\" is {:.3g} m wide, the player {:.3g} m, and "
+                      "nothing else leads there",
+                      name, hindrance.width, 2 * body.radius),
+          "make it wider");
+    else
+      findings_.add(hindrance.kind, place,
+                    fmt::format("the way to sector \"{}\" is {:.3g} m high, the player {:.3g} m{}, "
+                                "and nothing else leads there",
+                                name, hindrance.demand.clear, body.height,
+                                isCrouching ? " when he crouches" : ""),
+                    "make it higher");
+  }
+
+  const LintedLevel& linted_;
+  const Level& level_;
+  Findings& findings_;
+  std::set<SectorId> told_;  ///< sectors that a finding has spoken of
+};
+
+/// Less is mended by the step with which a walk begins.
+void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings) {
+  const Player& player = *linted.level().player;
+  const double floor = feetAt(linted.level(), player.sector, player.eye.xy());
+  const double depth = floor - (player.eye.z - body.eyeHeight);
+  if (depth <= body.step + kSkin) return;
+  findings.add(
+      FindingKind::SunkenPlayer, linted.source.level.player->place,
+      fmt::format("the player's feet are {:.3g} m below the floor: \"z\" is his eye's, not "
+                  "theirs",
+                  depth),
+      fmt::format("write \"z\": {:.6g}, which is {:.3g} m above the floor", floor + body.eyeHeight,
+                  body.eyeHeight));
+}
+
+/// Where there is not room enough he begins crouching; where not even for that, he is stuck.
+void lookAtHead(const LintedLevel& linted, const Body& crouching, double eyeHeight,
+                Findings& findings) {
+  const Player& player = *linted.level().player;
+  const double ceiling = ceilingAt(linted.level(), player.sector, player.eye.xy());
+  const double above = player.eye.z - crouching.eyeHeight + crouching.height - ceiling;
+  if (above <= kSkin) return;
+  const double floor = feetAt(linted.level(), player.sector, player.eye.xy());
+  findings.add(FindingKind::StuckPlayer, linted.source.level.player->place,
+               fmt::format("the player's head is {:.3g} m inside the ceiling, crouching", above),
+               fmt::format("write \"z\": {:.6g}, which is {:.3g} m above the floor",
+                           floor + eyeHeight, eyeHeight));
+}
+
+}  // namespace
+
+void findImpassable(const LintedLevel& linted, Findings& findings) {
+  if (!linted.level().player) return;
+  HindranceFinder finder(linted, findings);
+  for (const bool isCrouching : {false, true})
+    finder.look(bodyOf(linted.level(), isCrouching ? 1 : 0), isCrouching);
+}
+
+std::vector<SectorId> outOfReach(const Level& level) {
+  if (!level.player) return {};
+  const std::vector<bool> isReached =
+      Walks(level, bodyOf(level, 1)).reachedFrom(level.player->sector);
+  std::vector<SectorId> unreached;
+  for (std::size_t i = 0; i < isReached.size(); ++i)
+    if (!isReached[i]) unreached.emplace_back(i);
+  return unreached;
+}
+
+void findMisplacedPlayer(const LintedLevel& linted, Findings& findings) {
+  if (!linted.level().player) return;
+  const Body standing = bodyOf(linted.level(), 0);
+  lookAtFeet(linted, standing, findings);
+  lookAtHead(linted, bodyOf(linted.level(), 1), standing.eyeHeight, findings);
+}
+
+}  // namespace hearth

@@ -1,0 +1,269 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "light/sight/raytracer.h"
+#include "lint/described.h"
+
+namespace hearth {
+
+namespace {
+
+/// Texels of a first, quick bake are so many times as wide: what sees a light in it, sees it.
+constexpr double kCoarser = 8;
+
+/// By which lights are multiplied for the bake that is looked at, so that lightmaps, which end at
+/// full brightness, have up to four times as much.
+constexpr double kDimmed = 0.25;
+
+/// Levels. What brings no surface more than that is hardly seen, and was meant to be: its author
+/// took an intensity of 1 for full light, which is 255.
+constexpr double kWeak = 4;
+
+/// Levels. Up to 255 all light shows, and somewhat more does no harm: full brightness is a texture
+/// as it is. From twice as much on nothing is left of what light was to model.
+constexpr double kLost = 2 * 255;
+
+/// Share of a surface whose light may be lost: the neighbourhood of a lamp.
+constexpr double kMostLost = 0.25;
+
+/// Square metres. Smaller surfaces may be black in a sector that is not: in the shadow of a pier,
+/// or of a step, where light was to be scarce.
+constexpr double kShadow = 4;
+
+/// The lights of which no sample sees anything, of those given by their indices.
+std::vector<std::size_t> unseenOf(const Level& level, const std::vector<std::size_t>& lights,
+                                  const BakeSettings& settings, int threads) {
+  if (lights.empty()) return {};
+  Level only = level;
+  only.lights.clear();
+  for (const std::size_t light : lights) only.lights.push_back(level.lights[light]);
+  const BakedLight baked = bake(only, settings, threads);
+  std::vector<std::size_t> unseen;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (baked.lightCosts[i].seenSamples == 0) unseen.push_back(lights[i]);
+  return unseen;
+}
+
+/// Likewise, with a coarse bake first, in which most of them are seen.
+std::vector<std::size_t> dimOf(const Level& level, const std::vector<std::size_t>& lights,
+                               const BakeSettings& settings, int threads) {
+  BakeSettings coarse = settings;
+  coarse.texel *= kCoarser;
+  return unseenOf(level, unseenOf(level, lights, coarse, threads), settings, threads);
+}
+
+/// Of the texels of a surface that lie on it, those that `isSuch(i, j)`.
+template <typename IsSuch>
+std::int64_t countTexels(const LitSurface& surface, IsSuch&& isSuch) {
+  std::int64_t count = 0;
+  const TexelRect& rect = surface.texels;
+  for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+    for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
+      count += surface.outline.contains({i + 0.5, j + 0.5}) && isSuch(i, j) ? 1 : 0;
+  return count;
+}
+
+std::int64_t countTexels(const LitSurface& surface) {
+  return countTexels(surface, [](int, int) { return true; });
+}
+
+/// Square metres, to a texel.
+double areaOf(const LitSurface& surface) {
+  return static_cast<double>(countTexels(surface)) * surface.grid.texel * surface.grid.texel;
+}
+
+/// Share of the surface. `sectorLevel`: 0 to 255, beside the dimmed light of the map.
+double lostShare(const LitSurface& surface, const Lightmap& map, double sectorLevel) {
+  const std::int64_t lost = countTexels(surface, [&](int i, int j) {
+    for (int channel = 0; channel < map.channels; ++channel)
+      if (map.levelAt(i, j, channel) / kDimmed + sectorLevel > kLost) return true;
+    return false;
+  });
+  return lost == 0 ? 0 : static_cast<double>(lost) / static_cast<double>(countTexels(surface));
+}
+
+/// The point of the surface that has the most light of any channel.
+Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
+  double most = -1;
+  Vec2 brightest;
+  countTexels(surface, [&](int i, int j) {
+    for (int channel = 0; channel < map.channels; ++channel)
+      if (map.levelAt(i, j, channel) > most) {
+        most = map.levelAt(i, j, channel);
+        brightest = {i + 0.5, j + 0.5};
+      }
+    return true;
+  });
+  return surface.toWorld(brightest);
+}
+
+/// The light that brings most to a point of a surface, of those that it sees. Balls of light are
+/// taken for points.
+std::size_t mostAt(const Level& level, Vec3 p, SectorId sector) {
+  const Raytracer raytracer(level);
+  std::size_t best = 0;
+  std::pair most(false, 0.0);
+  for (std::size_t i = 0; i < level.lights.size(); ++i) {
+    const LightSource& light = level.lights[i];
+    const double brought = light.levelAt(length(p - light.position));
+    if (most.first && brought <= most.second) continue;
+    const std::pair here(raytracer.sees(Raytracer::sourceOf(level, light), p, sector), brought);
+    if (here > most) best = i, most = here;
+  }
+  return best;
+}
+
+bool isDark(const BakedLight& light, std::size_t surface) {
+  const std::optional<Lightmap>& map = light.lightmaps[surface];
+  const auto isZero = [](std::uint8_t level) { return level == 0; };
+  return !map ||
+         (std::ranges::all_of(map->levels, isZero) && std::ranges::all_of(map->fractions, isZero));
+}
+
+class BadLightFinder {
+ public:
+  BadLightFinder(const LintedLevel& linted, const BakedLight& light, Findings& findings)
+      : linted_(linted), level_(linted.level()), light_(light), findings_(findings) {}
+
+  void look() {
+    const std::vector<Counts> sectors = countSectors();
+    for (std::size_t i = 0; i < sectors.size(); ++i)
+      if (sectors[i].isBlack()) reportBlackSector(i);
+    for (std::size_t i = 0; i < level_.surfaces.size(); ++i) {
+      if (!light_.surfaces[i]) continue;
+      const SectorId sector = level_.surfaces[i].sector;
+      if (isBlack(i) && !sectors[sector.index()].isBlack() &&
+          areaOf(*light_.surfaces[i]) >= kShadow)
+        reportBlack(i);
+      // Who gives a sector all light there is wants its textures as they are.
+      if (light_.lightmaps[i] && level_[sector].light < 1) lookAtExposure(i);
+    }
+    for (const auto& [light, glare] : glaring_) reportGlare(light, glare);
+  }
+
+ private:
+  /// Of a sector's surfaces that can be lit.
+  struct Counts {
+    int all = 0;
+    int black = 0;
+    bool isBlack() const { return all > 0 && black == all; }
+  };
+
+  std::vector<Counts> countSectors() const {
+    std::vector<Counts> counts(level_.sectors.size());
+    for (std::size_t i = 0; i < level_.surfaces.size(); ++i) {
+      if (!light_.surfaces[i]) continue;
+      Counts& sector = counts[level_.surfaces[i].sector.index()];
+      ++sector.all;
+      sector.black += isBlack(i) ? 1 : 0;
+    }
+    return counts;
+  }
+
+  bool isBlack(std::size_t surface) const {
+    return level_[level_.surfaces[surface].sector].light == 0 && isDark(light_, surface);
+  }
+
+  std::string nameOf(const Surface& surface) const {
+    return fmt::format("{} of sector \"{}\"", name(surface.kind), level_[surface.sector].name);
+  }
+
+  void reportBlackSector(std::size_t sector) {
+    findings_.add(FindingKind::Black, linted_.source.level.sectors[sector].place,
+                  fmt::format("all of sector \"{}\" is black: no light reaches it, and it has none",
+                              level_.sectors[sector].name),
+                  "give it a \"light\", or hang a lamp there");
+  }
+
+  void reportBlack(std::size_t surface) {
+    findings_.add(FindingKind::Black, placeOf(linted_, level_.surfaces[surface]),
+                  fmt::format("{} is black: no light reaches it, and its sector has none",
+                              nameOf(level_.surfaces[surface])),
+                  "give the sector a \"light\", or move a lamp");
+  }
+
+  /// What one light overexposes, or most of it.
+  struct Glare {
+    int surfaces = 0;
+    std::size_t worst = 0;  ///< surface
+    double share = 0;       ///< of that
+  };
+
+  void lookAtExposure(std::size_t surface) {
+    const SectorId sector = level_.surfaces[surface].sector;
+    const LitSurface& lit = *light_.surfaces[surface];
+    const Lightmap& map = *light_.lightmaps[surface];
+    const double share = lostShare(lit, map, 255 * level_[sector].light);
+    if (share <= kMostLost) return;
+    Glare& glare = glaring_[mostAt(level_, brightestOf(lit, map), sector)];
+    ++glare.surfaces;
+    if (share <= glare.share) return;
+    glare.worst = surface;
+    glare.share = share;
+  }
+
+  void reportGlare(std::size_t light, const Glare& glare) {
+    const int others = glare.surfaces - 1;
+    findings_.add(
+        FindingKind::Overexposed, linted_.source.lights.lights[light].place,
+        fmt::format("with this light {:.0f} % of {}{} has more than twice the light that can be "
+                    "shown",
+                    100 * glare.share, nameOf(level_.surfaces[glare.worst]),
+                    others == 0 ? "" : fmt::format(", and much of {} more,", others)),
+        "lower its \"intensity\", or raise its \"falloff\"");
+  }
+
+  const LintedLevel& linted_;
+  const Level& level_;
+  const BakedLight& light_;
+  Findings& findings_;
+  std::map<std::size_t, Glare> glaring_;  ///< by light
+};
+
+}  // namespace
+
+Level dimmed(Level level) {
+  for (LightSource& light : level.lights) {
+    light.intensity *= kDimmed;
+    for (CurvePoint& point : light.curve) point.level *= kDimmed;
+  }
+  level.bake.bits = 16;
+  return level;
+}
+
+/// Bakes by itself, since light from a cache does not say which lamps it came from.
+void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
+                       Findings& findings) {
+  const Level& level = linted.level();
+  std::vector<std::size_t> all(level.lights.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  BakeSettings strong = settings;
+  strong.cutOff = std::max(settings.cutOff, kWeak);
+  const std::vector<std::size_t> dim = dimOf(level, all, strong, threads);
+  const std::vector<std::size_t> useless = dimOf(level, dim, settings, threads);
+  for (const std::size_t light : dim) {
+    const bool isUseless = std::ranges::binary_search(useless, light);
+    const std::string& sector = level[level.lights[light].sector].name;
+    findings.add(
+        isUseless ? FindingKind::UselessLight : FindingKind::WeakLight,
+        linted.source.lights.lights[light].place,
+        isUseless ? fmt::format("the light in sector \"{}\" reaches no surface", sector)
+                  : fmt::format("the light in sector \"{}\" brings no surface more than {} of 255 "
+                                "levels",
+                                sector, kWeak),
+        isUseless ? "raise its intensity, move it or remove it"
+                  : "raise its \"intensity\", of which 255 is full light");
+  }
+}
+
+void findBadlyLit(const LintedLevel& linted, const BakedLight& light, Findings& findings) {
+  BadLightFinder(linted, light, findings).look();
+}
+
+}  // namespace hearth

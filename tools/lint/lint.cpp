@@ -1,0 +1,25 @@
+#include "lint/lint.h"
+
+namespace hearth {
+
+std::vector<Diagnostic> lintGeometry(const LintedLevel& linted) {
+  Findings findings;
+  findOneWayPortals(linted, findings);
+  findUnreachable(linted, findings);
+  findNearMisses(linted, findings);
+  findTextureJumps(linted, findings);
+  findUnseenTextures(linted, findings);
+  findImpassable(linted, findings);
+  findMisplacedPlayer(linted, findings);
+  return findings.resolve(linted.source.documents);
+}
+
+std::vector<Diagnostic> lintLight(const LintedLevel& linted, const BakedLight& light,
+                                  const BakeSettings& settings, int threads) {
+  Findings findings;
+  findUselessLights(linted, settings, threads, findings);
+  findBadlyLit(linted, light, findings);
+  return findings.resolve(linted.source.documents);
+}
+
+}  // namespace hearth

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "light/bakery.h"
+#include "lint/findings.h"
+#include "load/source.h"
+
+namespace hearth {
+
+/// A loaded level, and the way back to its files.
+struct LintedLevel {
+  const LoadedLevel& loaded;
+  const LevelSource& source;
+
+  const Level& level() const { return loaded.level; }
+};
+
+// What needs no bake.
+
+/// Parts of portals that lead nowhere back. The loader warns of those of which no part does.
+void findOneWayPortals(const LintedLevel& linted, Findings& findings);
+/// Sectors to which no links lead from the player or, without one, from the most of the others.
+void findUnreachable(const LintedLevel& linted, Findings& findings);
+/// Vertices that lie beside others, or beside walls, by more than is welded and less than is meant.
+void findNearMisses(const LintedLevel& linted, Findings& findings);
+/// Images that do not run on along a plane.
+void findTextureJumps(const LintedLevel& linted, Findings& findings);
+/// Textures of steps that show nowhere.
+void findUnseenTextures(const LintedLevel& linted, Findings& findings);
+/// Steps that the player just cannot climb, and ways that are just too low or narrow for him.
+void findImpassable(const LintedLevel& linted, Findings& findings);
+/// The sectors that the player cannot come to on foot, in order: fewer than there are rather than
+/// more. None without a player.
+std::vector<SectorId> outOfReach(const Level& level);
+/// A player who begins with his feet below the floor, or his head above the ceiling.
+void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
+
+// What needs one.
+
+/// The level with a part of its light, so that lightmaps do not end where more cannot be shown.
+Level dimmed(Level level);
+
+/// Lights that no surface sees, and those that bring next to nothing. `settings` are those of the
+/// bake.
+void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
+                       Findings& findings);
+/// Surfaces that are black, and those that are far brighter than can be shown. `light` is that of
+/// the dimmed level.
+void findBadlyLit(const LintedLevel& linted, const BakedLight& light, Findings& findings);
+
+/// All of the first, and all of the second.
+std::vector<Diagnostic> lintGeometry(const LintedLevel& linted);
+std::vector<Diagnostic> lintLight(const LintedLevel& linted, const BakedLight& light,
+                                  const BakeSettings& settings, int threads);
+
+}  // namespace hearth

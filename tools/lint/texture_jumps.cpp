@@ -1,0 +1,210 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+
+#include "lint/described.h"
+#include "lint/hanging.h"
+#include "lint/links.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// Levels by which the image must differ on the mean from itself, moved by the jump. Bricks and
+/// boards do; plaster and grass do not, nor does what comes again within the image.
+constexpr double kSeen = 8;
+
+/// Pixels of the image, along and down, that are looked at for that: enough for a mean.
+constexpr int kLookedAt = 128;
+
+/// Where a surface of a wall begins or ends: what of its image lies there.
+struct ImageEnd {
+  double u;  ///< in repeats
+  double v;  ///< where z is 0, likewise
+};
+
+ImageEnd imageAt(const TextureMapping& mapping, const Hanging& hanging, double s,
+                 const Image& image) {
+  return {(s + hanging.along) / mapping.repeat.x - mapping.offsetTexels.x / image.width(),
+          hanging.z / mapping.repeat.y - mapping.offsetTexels.y / image.height()};
+}
+
+/// Pixels from a whole number of repeats.
+double pixelsOff(double repeats, int pixels) {
+  return std::abs(repeats - std::round(repeats)) * pixels;
+}
+
+/// From 0 to 1: the part of a jump that is no whole number of repeats.
+double partOf(double repeats) { return repeats - std::floor(repeats); }
+
+/// Mean difference in levels between the image and itself, moved by these parts of it.
+double differenceMoved(const Image& image, double u, double v) {
+  const int right = static_cast<int>(std::round(u * image.width()));
+  const int down = static_cast<int>(std::round(v * image.height()));
+  const int stepX = std::max(1, image.width() / kLookedAt);
+  const int stepY = std::max(1, image.height() / kLookedAt);
+  std::int64_t sum = 0;
+  std::int64_t count = 0;
+  for (int y = 0; y < image.height(); y += stepY)
+    for (int x = 0; x < image.width(); x += stepX) {
+      const Rgb p = image.at(x, y);
+      const Rgb q = image.at((x + right) % image.width(), (y + down) % image.height());
+      sum += std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b);
+      count += 3;
+    }
+  return static_cast<double>(sum) / static_cast<double>(count);
+}
+
+class JumpFinder {
+ public:
+  JumpFinder(const LintedLevel& linted, Findings& findings)
+      : linted_(linted),
+        level_(linted.level()),
+        findings_(findings),
+        linked_(bothWays(linksOf(level_))) {
+    for (const Surface& surface : level_.surfaces)
+      if (isOfWall(surface)) starting_.emplace(segmentOf(surface).p0, &surface);
+  }
+
+  void look() {
+    for (const Surface* surface : fromLeftToRight()) {
+      const auto [first, last] = starting_.equal_range(segmentOf(*surface).p1);
+      for (auto next = first; next != last; ++next) lookAtJoint(*surface, *next->second);
+    }
+  }
+
+ private:
+  static bool isOfWall(const Surface& surface) {
+    return isUpright(surface.kind) && !isSidewall(surface.kind) &&
+           surface.kind != SurfaceKind::Middle;
+  }
+
+  /// So that along a row of walls, whatever the order of their sectors, each is mended before the
+  /// next one is held against it.
+  std::vector<const Surface*> fromLeftToRight() const {
+    std::vector<std::pair<double, const Surface*>> ordered;  // by metres along the own line
+    for (const Surface& surface : level_.surfaces) {
+      if (!isOfWall(surface)) continue;
+      const Segment& segment = segmentOf(surface);
+      ordered.emplace_back(dot(segment.p0, segment.p1 - segment.p0) / segment.length, &surface);
+    }
+    std::ranges::stable_sort(ordered, {}, &std::pair<double, const Surface*>::first);
+    std::vector<const Surface*> surfaces;
+    for (const auto& [along, surface] : ordered) surfaces.push_back(surface);
+    return surfaces;
+  }
+
+  const Segment& segmentOf(const Surface& surface) const { return level_[*surface.segment]; }
+  const Image& imageOf(const Surface& surface) const {
+    return linted_.loaded.textures[surface.mapping.texture.index()];
+  }
+
+  void lookAtJoint(const Surface& left, const Surface& right) {
+    if (!areAlike(left.mapping, right.mapping) || !areInOnePlane(left, right)) return;
+    if (!touch(left, right) || !areSeenTogether(left.sector, right.sector)) return;
+    const ImageEnd jump = jumpAt(left, hangingOf(linted_, left), right, hangingOf(linted_, right));
+    if (!isSeen(jump, imageOf(left))) return;
+    // What was told before mends walls together: a row of them, or all pieces of one.
+    const ImageEnd rest = jumpAt(left, mendedHangingOf(left), right, mendedHangingOf(right));
+    if (isSeen(rest, imageOf(left))) report(left, right, jump, rest);
+  }
+
+  /// From where the image of the left surface ends to where that of the right one begins.
+  ImageEnd jumpAt(const Surface& left, const Hanging& hangingLeft, const Surface& right,
+                  const Hanging& hangingRight) const {
+    const Image& image = imageOf(left);
+    const Segment& before = segmentOf(left);
+    const ImageEnd end = imageAt(left.mapping, hangingLeft, before.sBefore + before.length, image);
+    const ImageEnd start = imageAt(right.mapping, hangingRight, segmentOf(right).sBefore, image);
+    // Two heights that were both written down are meant: beams and ribs have stones of their own.
+    const bool areMeant = hangingLeft.hasZRef && hangingRight.hasZRef;
+    return {start.u - end.u, areMeant ? 0 : start.v - end.v};
+  }
+
+  static bool isSeen(const ImageEnd& jump, const Image& image) {
+    return differenceMoved(image, partOf(jump.u), partOf(jump.v)) > kSeen;
+  }
+
+  /// One for all pieces of a wall, even where one wall of the file stands for all of a loop.
+  using TextureOnWall = std::pair<std::uint32_t, Place>;
+  TextureOnWall onWall(const Surface& surface) const {
+    return {linted_.source.edgeOf[surface.segment->index()],
+            textureOf(linted_, surface).described->name.place};
+  }
+
+  /// As it would be with what has been told.
+  Hanging mendedHangingOf(const Surface& surface) const {
+    Hanging hanging = hangingOf(linted_, surface);
+    const auto mended = mended_.find(onWall(surface));
+    if (mended == mended_.end()) return hanging;
+    hanging.along = mended->second.along;
+    if (mended->second.hasZRef) hanging.z = mended->second.z;
+    hanging.hasZRef |= mended->second.hasZRef;
+    return hanging;
+  }
+
+  static bool areAlike(const TextureMapping& a, const TextureMapping& b) {
+    return a.texture == b.texture && a.repeat == b.repeat;
+  }
+
+  bool areInOnePlane(const Surface& left, const Surface& right) const {
+    const Segment& a = segmentOf(left);
+    const Segment& b = segmentOf(right);
+    const Vec2 along = a.p1 - a.p0;
+    return dot(along, b.p1 - b.p0) > 0 &&
+           std::abs(cross(along, b.p1 - b.p0)) / a.length <= noiseOf(std::min(a.length, b.length));
+  }
+
+  static bool touch(const Surface& left, const Surface& right) {
+    return std::min(left.zTop, right.zTop) - std::max(left.zBottom, right.zBottom) > kAuthorNoise;
+  }
+
+  bool areSeenTogether(SectorId a, SectorId b) const {
+    return a == b || std::ranges::binary_search(linked_[a.index()], b);
+  }
+
+  void report(const Surface& left, const Surface& right, const ImageEnd& jump,
+              const ImageEnd& rest) {
+    const Image& image = imageOf(right);
+    const Vec2 joint = segmentOf(right).p0;
+    const bool isLevel = pixelsOff(rest.v, image.height()) < 0.5;
+    const Hanging mended =
+        movedBack(mendedHangingOf(right), right.mapping.repeat, rest.u, isLevel ? 0 : rest.v);
+    mended_.insert_or_assign(onWall(right), mended);
+    findings_.add(
+        FindingKind::TextureJump, placeOf(linted_, right),
+        fmt::format("\"{}\" jumps by {:.0f} pixels along and {:.0f} up at ({}, {}), where it meets "
+                    "the {} of sector \"{}\"",
+                    level_.textures[right.mapping.texture.index()],
+                    pixelsOff(jump.u, image.width()), pixelsOff(jump.v, image.height()), joint.x,
+                    joint.y, name(left.kind), level_[left.sector].name),
+        fmt::format("{} {}", standsForAll(right) ? "give each wall its own, and this one" : "write",
+                    written(textureOf(linted_, right), mended)));
+  }
+
+  /// Whether the file has one wall for all of the loop.
+  bool standsForAll(const Surface& surface) const {
+    const Edge& edge = linted_.source.edge(*surface.segment);
+    return describedLoop(linted_.source.level, linted_.source.outlines, edge).walls.size() == 1;
+  }
+
+  const LintedLevel& linted_;
+  const Level& level_;
+  Findings& findings_;
+  std::vector<std::vector<SectorId>> linked_;
+  std::multimap<Vec2, const Surface*, decltype(&lessXY)> starting_{&lessXY};  ///< by p0
+  std::map<TextureOnWall, Hanging> mended_;                                   ///< as told
+};
+
+}  // namespace
+
+void findTextureJumps(const LintedLevel& linted, Findings& findings) {
+  JumpFinder(linted, findings).look();
+}
+
+}  // namespace hearth

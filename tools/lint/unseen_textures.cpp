@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "lint/described.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::string_view kAdvice = "leave it out, or give the sectors the heights that show it";
+
+bool isLowerStep(SurfaceKind kind) {
+  return kind == SurfaceKind::LowerStep || kind == SurfaceKind::StackLowerStep;
+}
+
+bool isUpperStep(SurfaceKind kind) {
+  return kind == SurfaceKind::UpperStep || kind == SurfaceKind::StackUpperStep;
+}
+
+/// Asks for each texture of a step or opening whether some surface wears it. One may be given to
+/// many walls, as the `upper` of a wall that stands for all of a loop, or to both steps of a wall.
+class UnseenFinder {
+ public:
+  UnseenFinder(const LintedLevel& linted, Findings& findings)
+      : linted_(linted), findings_(findings) {
+    for (const Surface& surface : linted.level().surfaces) wear(surface);
+  }
+
+  void lookAtWall(const Segment& segment, const WallDescription& wall) {
+    const Sector& sector = linted_.level()[segment.sector];
+    if (isClosed(sector)) return;
+    if (const auto* portal = std::get_if<PortalDescription>(&wall.kind))
+      lookAtPortal(sector, *portal);
+    if (const auto* stack = std::get_if<StackDescription>(&wall.kind))
+      for (const SubWallDescription& part : stack->subWalls)
+        if (const auto* portal = std::get_if<PortalDescription>(&part.kind))
+          lookAtPortal(sector, *portal);
+  }
+
+ private:
+  void wear(const Surface& surface) {
+    const bool isMiddle = surface.kind == SurfaceKind::Middle;
+    if (!isMiddle && !isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
+    const PortalDescription& portal =
+        *describedPart(linted_, *surface.segment, surface.zBottom).portal;
+    const auto& worn =
+        isMiddle ? portal.middle : (isLowerStep(surface.kind) ? portal.lower : portal.upper);
+    worn_.insert(worn->name.place);
+  }
+
+  /// A door, which may be meant to open.
+  static bool isClosed(const Sector& sector) {
+    return sector.ceiling.z - sector.floor.z <= kAuthorNoise;
+  }
+
+  /// A wedge of the sector hides steps that are there.
+  void lookAtPortal(const Sector& sector, const PortalDescription& portal) {
+    if (portal.middle && !sector.ceilingSlope && !sector.floorSlope)
+      lookAtPart(*portal.middle, "middle",
+                 fmt::format("none of it hangs in an opening to sector \"{}\"", portal.next.name));
+    const bool isOne =
+        portal.upper && portal.lower && portal.upper->name.place == portal.lower->name.place;
+    if (isOne && !sector.floorSlope && !sector.ceilingSlope)
+      return lookAtPart(*portal.upper, "texture",
+                        fmt::format("there is no step to sector \"{}\"", portal.next.name));
+    if (isOne) return;
+    if (portal.upper && !sector.ceilingSlope)
+      lookAtPart(*portal.upper, "upper",
+                 fmt::format("the ceiling of sector \"{}\" is not lower", portal.next.name));
+    if (portal.lower && !sector.floorSlope)
+      lookAtPart(*portal.lower, "lower",
+                 fmt::format("the floor of sector \"{}\" is not higher", portal.next.name));
+  }
+
+  void lookAtPart(const TextureDescription& texture, std::string_view key,
+                  const std::string& reason) {
+    if (worn_.contains(texture.name.place)) return;
+    findings_.add(FindingKind::UnseenTexture, texture.name.place,
+                  fmt::format("this \"{}\" never shows: {}", key, reason), kAdvice);
+  }
+
+  const LintedLevel& linted_;
+  Findings& findings_;
+  std::set<Place> worn_;
+};
+
+}  // namespace
+
+void findUnseenTextures(const LintedLevel& linted, Findings& findings) {
+  UnseenFinder finder(linted, findings);
+  const Level& level = linted.level();
+  for (std::size_t i = 0; i < level.segments.size(); ++i)
+    finder.lookAtWall(level.segments[i], linted.source.wall(SegmentId(i)));
+}
+
+}  // namespace hearth

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "render/renderer.h"
+#include "settings/options.h"
+
+namespace hearth {
+
+/// In seconds, from any beginning.
+using Clock = std::function<double()>;
+/// One that nobody sets.
+double steadySeconds();
+
+struct Spread {
+  double median = 0;
+  double p95 = 0;  ///< which 95 of 100 do not exceed
+};
+
+/// Of at least one value.
+Spread spreadOf(std::vector<double> values);
+
+/// Of the work of a frame, mean over the shots, which neither size of machine nor chance changes.
+struct FrameCounter {
+  std::string_view name;  ///< stable: scripts read it
+  double mean = 0;
+
+  friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
+};
+using FrameCounters = std::array<FrameCounter, 14>;
+/// Those of one frame.
+FrameCounters countersOf(const FrameStats& found, const PaintStats& painted);
+
+/// Frames of one size, of all shots of a level.
+struct FrameBench {
+  PictureSize size;
+  int threads = 1;
+  Spread milliseconds;  ///< a frame
+  // Of its two phases:
+  Spread findMilliseconds;  ///< until it is known which spans show what
+  Spread colorMilliseconds;
+  /// One plain write of four bytes for each of its pixels, after each frame: what memory asks of
+  /// whoever draws.
+  Spread writeMilliseconds;
+  FrameCounters counters;
+
+  /// How many times its memory could be written in the time of a frame.
+  double writes() const { return milliseconds.median / writeMilliseconds.median; }
+};
+
+/// Those of a level's shots; of a level without shots what its player sees.
+std::vector<Camera> camerasOf(const Level& level);
+
+/// Frames of one size on so many threads, with all times that were taken.
+class FrameTimes {
+ public:
+  FrameTimes(PictureSize size, int threads);
+
+  /// Draws a frame, and then writes memory of its size.
+  void draw(const Renderer& renderer, Camera camera, const Clock& clock);
+
+  /// Forgets the times and the work so far, but not the memory.
+  void begin();
+
+  /// Of at least one frame.
+  FrameBench result() const;
+
+ private:
+  void write(const Clock& clock);
+
+  FrameBench bench_;
+  std::vector<double> findMilliseconds_;
+  std::vector<double> colorMilliseconds_;
+  std::vector<double> writeMilliseconds_;
+  std::vector<std::uint32_t> memory_;
+  FrameScratch scratch_;
+  Image picture_;
+};
+
+}  // namespace hearth

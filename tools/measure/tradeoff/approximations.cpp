@@ -1,0 +1,68 @@
+#include "measure/tradeoff/approximations.h"
+
+#include <array>
+
+namespace hearth {
+
+namespace {
+
+using Of = Approximation::Of;
+
+constexpr std::array kApproximations = {
+    Approximation{
+        Option::Texel, Of::Bake, "1|0.5|0.25|0.125|0.0625|0.03125",
+        "light is interpolated over a texel: edges of shadows are blurred and moved by up "
+        "to one; elsewhere an eighth of its side, squared, by how fast light bends",
+        "engine/light/lit_surface.h"},
+    Approximation{
+        Option::Samples, Of::Bake, "1|4|16|64|auto",
+        "what a texel sees is known to 1/samples of it, but near edges that run along its "
+        "grid to 1/sqrt(samples); auto: straight edges exactly",
+        "engine/light/baking/baked_surface.h"},
+    Approximation{
+        Option::SoftSamples, Of::Bake, "0|4|16|36|64|256",
+        "the share of a ball that is seen: less than a level of 255 with 36 at straight edges, "
+        "falling at the rate of 1/sqrt(soft samples) at least",
+        "engine/light/sight/light_sight.h"},
+    Approximation{Option::CutOff, Of::Bake, "1|4|16",
+                  "as many levels as it says, of each light that is left out",
+                  "engine/level/light_source.h"},
+    Approximation{Option::MiddleShadows, Of::Bake, "holes|solid",
+                  "solid: all the light that comes through holes of middle textures",
+                  "engine/light/sight/raytracer.cpp"},
+    Approximation{Option::LightBits, Of::Bake, "8|16", "8: half a level; 16: a 512th",
+                  "engine/light/light_sum.h"},
+    Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear|mipmapped",
+                  "none of the nearest texel, which is what levels are defined to show; mixtures "
+                  "and means differ by up to the contrast of neighbouring texels",
+                  "engine/render/row_kernels.cpp"},
+    Approximation{Option::LightFilter, Of::Frame, "nearest|bilinear",
+                  "nearest: half of the difference of neighbouring texels, and steps that are seen",
+                  "engine/render/row_kernels.cpp"},
+    Approximation{Option::LightEvery, Of::Frame, "1|2|4|8|16",
+                  "an eighth of the rows, squared, by how fast light bends; the edges of shadows "
+                  "are blurred over as many rows",
+                  "engine/render/span_painter.cpp"},
+    Approximation{
+        Option::Precision, Of::Frame, "single|double",
+        "single: of places a 10-millionth of the largest coordinate, and of depth as much "
+        "of (depth / height above the plane): edges of texels are moved by that",
+        "engine/render/row_kernels.cpp"},
+    Approximation{Option::PixelSize, Of::Frame, "1|2|3|4",
+                  "all edges are moved by up to half of a square; what is smaller comes and goes",
+                  "engine/render/renderer.cpp"},
+    Approximation{Option::DepthEvery, Of::Frame, "1|2|4|8|16",
+                  "of the depth a quarter of (rows / rows below the horizon), squared: near the "
+                  "horizon textures are bent",
+                  "engine/render/span_painter.cpp"},
+};
+
+}  // namespace
+
+std::span<const Approximation> approximations() { return kApproximations; }
+
+std::vector<std::string_view> triedOf(const Approximation& approximation) {
+  return split(approximation.tried, '|');
+}
+
+}  // namespace hearth

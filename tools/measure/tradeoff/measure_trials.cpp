@@ -1,0 +1,183 @@
+#include "measure/tradeoff/measure_trials.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "measure/tradeoff/cost.h"
+#include "render/renderer.h"
+
+namespace hearth {
+
+namespace {
+
+/// Bakes a level and draws its shots, by a clock.
+class Stopwatch {
+ public:
+  Stopwatch(const LoadedLevel& loaded, std::span<const TruthPicture> truth, const TrialBench& bench)
+      : loaded_(loaded), bench_(bench) {
+    for (const TruthPicture& of : truth) {
+      Camera camera = of.camera;
+      camera.width = bench.frameSize.width;
+      camera.height = bench.frameSize.height;
+      cameras_.push_back(camera);
+    }
+  }
+
+  std::span<const Camera> cameras() const { return cameras_; }
+
+  double secondsToBake(const BakeSettings& settings, BakedLight& light) const {
+    light = {};
+    const double begin = bench_.clock();
+    light = bake(loaded_.level, settings, bench_.threads);
+    return bench_.clock() - begin;
+  }
+
+  /// Draws the frame twice: what the first of them waits for, memory and caches, is no work of the
+  /// settings.
+  double secondsToDraw(const Renderer& renderer, const Camera& camera) {
+    draw(renderer, camera);
+    const double begin = bench_.clock();
+    draw(renderer, camera);
+    return bench_.clock() - begin;
+  }
+
+  const PaintStats& draw(const Renderer& renderer, const Camera& camera) {
+    renderer.draw(camera, LightMode::Both, scratch_, picture_);
+    return scratch_.painted;
+  }
+
+ private:
+  const LoadedLevel& loaded_;
+  const TrialBench& bench_;
+  std::vector<Camera> cameras_;
+  FrameScratch scratch_;
+  Image picture_;
+};
+
+/// Trials, each held against the base.
+class Measurement {
+ public:
+  Measurement(const LoadedLevel& loaded, const Trial& base, std::span<const TruthPicture> truth,
+              const TrialBench& bench)
+      : loaded_(loaded),
+        base_(base),
+        truth_(truth),
+        bench_(bench),
+        watch_(loaded, truth, bench),
+        bakeSeconds_{watch_.secondsToBake(base.bake, light_)},
+        renderer_(loaded.level, loaded.textures, light_, base.draw) {
+    for (const Camera& camera : watch_.cameras()) drawBase(camera);
+  }
+
+  /// Trials of one bake.
+  void measure(std::span<Measured*> trials) {
+    const BakeSettings& settings = trials.front()->trial.bake;
+    BakedLight baked;
+    const bool isBaseBake = settings == base_.bake;
+    const double bakeCost = isBaseBake ? 1 : costOfBake(settings, baked);
+    const BakedLight& light = isBaseBake ? light_ : baked;
+    for (Measured* trial : trials) {
+      trial->bakeCost = bakeCost;
+      trial->texels = light.stats.texels;
+      trial->rays = light.stats.rays;
+      trial->bytes = light.stats.bytes;
+      const Renderer renderer(loaded_.level, loaded_.textures, light, trial->trial.draw);
+      if (!isBaseBake || trial->trial.draw != base_.draw) trial->frameCost = costOfFrame(renderer);
+      countWork(renderer, *trial);
+      trial->errors = errorsOf(renderer);
+    }
+  }
+
+  /// Of all trials, in seconds, once the base was timed beside each.
+  void giveSeconds(std::span<Measured> trials) const {
+    for (Measured& trial : trials) {
+      trial.bakeSeconds = trial.bakeCost * spreadOf(bakeSeconds_).median;
+      trial.frameMilliseconds = trial.frameCost * 1e3 * spreadOf(frameSeconds_).median;
+    }
+  }
+
+ private:
+  double bakeBase() {
+    BakedLight again;
+    return bakeSeconds_.emplace_back(watch_.secondsToBake(base_.bake, again));
+  }
+  double drawBase(const Camera& camera) {
+    return frameSeconds_.emplace_back(watch_.secondsToDraw(renderer_, camera));
+  }
+
+  double costOfBake(const BakeSettings& settings, BakedLight& light) {
+    const TurnTimes times =
+        timedInTurn([&] { return bakeBase(); },
+                    [&] { return watch_.secondsToBake(settings, light); }, bench_.repeats);
+    return costOf(ratiosOf(times));
+  }
+
+  double costOfFrame(const Renderer& renderer) {
+    std::vector<double> ratios;
+    for (const Camera& camera : watch_.cameras()) {
+      const TurnTimes times =
+          timedInTurn([&] { return drawBase(camera); },
+                      [&] { return watch_.secondsToDraw(renderer, camera); }, bench_.repeats);
+      std::ranges::copy(ratiosOf(times), std::back_inserter(ratios));
+    }
+    return costOf(std::move(ratios));
+  }
+
+  void countWork(const Renderer& renderer, Measured& trial) {
+    PaintStats sum;
+    for (const Camera& camera : watch_.cameras()) sum += watch_.draw(renderer, camera);
+    const auto frames = static_cast<double>(watch_.cameras().size());
+    trial.pixels = static_cast<double>(sum.pixels) / frames;
+    trial.lightLookups = static_cast<double>(sum.lightLookups) / frames;
+  }
+
+  Errors errorsOf(const Renderer& renderer) const {
+    ErrorSums sums;
+    for (const TruthPicture& of : truth_)
+      sums.add(of, renderer.draw(of.camera, LightMode::Both),
+               renderer.draw(of.camera, LightMode::Only));
+    return sums.errors();
+  }
+
+  const LoadedLevel& loaded_;
+  const Trial& base_;
+  std::span<const TruthPicture> truth_;
+  const TrialBench& bench_;
+  Stopwatch watch_;
+  BakedLight light_;                  ///< of the base
+  std::vector<double> bakeSeconds_;   ///< ... each time that it was baked
+  std::vector<double> frameSeconds_;  ///< ... and drawn
+  Renderer renderer_;
+};
+
+/// Those that have the same bake.
+std::vector<Measured*> withBake(std::span<Measured> trials, const BakeSettings& bake) {
+  std::vector<Measured*> same;
+  for (Measured& trial : trials)
+    if (trial.trial.bake == bake) same.push_back(&trial);
+  return same;
+}
+
+}  // namespace
+
+std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
+                                    std::span<const TruthPicture> truth, const TrialBench& bench) {
+  std::vector<Measured> measured;
+  for (Trial& trial : trials) measured.emplace_back().trial = std::move(trial);
+  Measurement measurement(loaded, measured.front().trial, truth, bench);
+  std::vector<BakeSettings> bakes;
+  std::size_t count = 0;
+  for (const Measured& trial : measured) {
+    const BakeSettings& settings = trial.trial.bake;
+    if (std::ranges::find(bakes, settings) != bakes.end()) continue;
+    bakes.push_back(settings);
+    std::vector<Measured*> same = withBake(measured, settings);
+    measurement.measure(same);
+    bench.done(count += same.size());
+  }
+  measurement.giveSeconds(measured);
+  return measured;
+}
+
+}  // namespace hearth

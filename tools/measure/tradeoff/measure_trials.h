@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "measure/level_bench.h"
+#include "measure/tradeoff/errors.h"
+#include "measure/tradeoff/trials.h"
+
+namespace hearth {
+
+/// What a trial takes, in time, which differs from run to run, and in work, which does not; and
+/// how far off it is.
+struct Measured {
+  Trial trial;
+  // Medians of ratios to the first trial, the base, each within a moment; of the base 1. A frame's
+  // are of the level's shots, on one thread.
+  double bakeCost = 1;
+  double frameCost = 1;
+  // The same times what the base took in the whole run, as a median.
+  double bakeSeconds = 0;
+  double frameMilliseconds = 0;
+  std::int64_t texels = 0;
+  std::int64_t rays = 0;
+  std::int64_t bytes = 0;   ///< of lightmaps
+  double pixels = 0;        ///< that a frame colours, and ...
+  double lightLookups = 0;  ///< ... those at which it looks light up; mean over the shots
+  Errors errors;
+};
+
+/// How trials are measured.
+struct TrialBench {
+  PictureSize frameSize{640, 400};        ///< that is timed
+  int threads = 1;                        ///< of bakes
+  int repeats = 3;                        ///< of bakes, and of frames of each shot
+  Clock clock;                            ///< never stands still
+  std::function<void(std::size_t)> done;  ///< called with the number of trials that are measured
+};
+
+/// Measures each trial in turn with the first, the base, as a machine under load gets slower. What
+/// has the same bake is baked only once, again and again. `truth` is of the level's shots; none may
+/// be empty.
+std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
+                                    std::span<const TruthPicture> truth, const TrialBench& bench);
+
+}  // namespace hearth

@@ -1,0 +1,159 @@
+#include "peers/bake_rays.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "light/sampling/sample_placement.h"
+#include "light/sight/raytracer.h"
+#include "math/parallel.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::size_t kLanes = 8;
+/// Packets that are traced at once: what is timed takes much longer than to read a clock, and the
+/// second cache still holds them (196 KB).
+constexpr std::size_t kPackets = 512;
+/// Of the lightmaps' rows, those that are asked which light comes where.
+constexpr std::size_t kRowsApart = 8;
+/// Of the way from the light to the surface: what lies on the surface itself is not met.
+constexpr float kWay = 0.9999F;
+
+std::vector<std::size_t> lightsBefore(const Level& level, const LitSurface& surface) {
+  std::vector<std::size_t> lights;
+  for (std::size_t i = 0; i < level.lights.size(); ++i)
+    if (surface.distanceInFront(level.lights[i].position) > kInPlane) lights.push_back(i);
+  return lights;
+}
+
+void setRay(RayPacket& packet, std::size_t lane, Vec3 from, Vec3 to) {
+  RTCRay8& rays = packet.rays;
+  rays.org_x[lane] = static_cast<float>(from.x);
+  rays.org_y[lane] = static_cast<float>(from.y);
+  rays.org_z[lane] = static_cast<float>(from.z);
+  rays.dir_x[lane] = static_cast<float>(to.x - from.x);
+  rays.dir_y[lane] = static_cast<float>(to.y - from.y);
+  rays.dir_z[lane] = static_cast<float>(to.z - from.z);
+  rays.tnear[lane] = 0;
+  rays.tfar[lane] = kWay;
+  rays.time[lane] = 0;
+  rays.mask[lane] = ~0U;
+  rays.flags[lane] = 0;
+}
+
+std::int64_t raysIn(const RayPacket& packet) {
+  return std::int64_t{kLanes} - std::ranges::count(packet.valid, 0);
+}
+
+}  // namespace
+
+BakeRays::BakeRays(const Level& level, double texel, const EmbreeTracer& tracer)
+    : level_(level), reached_(level.lights.size() * level.sectors.size(), true) {
+  for (const LightSource& light : level.lights) reach_.push_back(light.reach(0));
+  const LitSurfaces surfaces = makeLitSurfaces(level, texel);
+  surfaces_.resize(surfaces.size());
+  parallelFor(surfaces.size(), availableThreads(), [&](std::size_t i) {
+    if (surfaces[i]) surfaces_[i] = samplesOf(surfaces, SurfaceId(i));
+  });
+  findReached(tracer);
+}
+
+BakeRays::SurfaceSamples BakeRays::samplesOf(const LitSurfaces& surfaces, SurfaceId id) const {
+  const LitSurface& surface = *surfaces[id.index()];
+  const SamplePlacement placement(surfaces, id);
+  SurfaceSamples samples;
+  samples.lights = lightsBefore(level_, surface);
+  if (samples.lights.empty()) return samples;
+  const TexelRect& rect = surface.texels;
+  for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
+    std::vector<Sample>& row = samples.rows.emplace_back();
+    for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
+      const SamplePoint at = placement.place({i + 0.5, j + 0.5});
+      row.push_back({at.target, level_[at.surface].sector});
+    }
+  }
+  return samples;
+}
+
+/// At first all sectors count. Rays that `tracer` lets pass are asked for again in the level
+/// itself: over walls beneath a sky, for one, there is nothing else to stop them.
+void BakeRays::findReached(const EmbreeTracer& tracer) {
+  const Raytracer raytracer(level_);
+  std::vector<std::atomic<bool>> found(reached_.size());
+  parallelFor(surfaces_.size(), availableThreads(), [&](std::size_t i) {
+    forEachPacket(surfaces_[i], kRowsApart,
+                  [&](std::size_t light, const std::vector<Sample>& row, std::size_t first,
+                      RayPacket& packet) {
+                    tracer.trace({&packet, 1});
+                    const auto source = Raytracer::sourceOf(level_, level_.lights[light]);
+                    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                      if (!packet.isFree(lane)) continue;
+                      const Sample& sample = row[first + lane];
+                      std::atomic<bool>& isFound = found[indexOf(light, sample.sector)];
+                      if (!isFound && raytracer.sees(source, sample.target, sample.sector))
+                        isFound = true;
+                    }
+                  });
+  });
+  std::copy(found.begin(), found.end(), reached_.begin());
+}
+
+template <typename Use>
+void BakeRays::forEachPacket(const SurfaceSamples& surface, std::size_t everyRow, Use&& use) const {
+  RayPacket packet{};
+  for (const std::size_t light : surface.lights)
+    for (std::size_t j = 0; j < surface.rows.size(); j += everyRow) {
+      const std::vector<Sample>& row = surface.rows[j];
+      for (std::size_t first = 0; first < row.size(); first += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          const bool isThere = first + lane < row.size() && takes(light, row[first + lane]);
+          packet.valid[lane] = isThere ? -1 : 0;
+          const Sample& sample = row[std::min(first + lane, row.size() - 1)];
+          setRay(packet, lane, level_.lights[light].position, sample.target);
+        }
+        if (raysIn(packet) > 0) use(light, row, first, packet);
+      }
+    }
+}
+
+bool BakeRays::takes(std::size_t light, const Sample& sample) const {
+  const Vec3 way = level_.lights[light].position - sample.target;
+  return reached_[indexOf(light, sample.sector)] && length(way) < reach_[light];
+}
+
+BakeRays::Traced BakeRays::traceAll(const EmbreeTracer& tracer, int threads,
+                                    const Clock& clock) const {
+  std::vector<Traced> bySurface(surfaces_.size());
+  parallelFor(surfaces_.size(), threads, [&](std::size_t i) {
+    Traced& traced = bySurface[i];
+    std::vector<RayPacket> packets;
+    const auto traceThem = [&] {
+      const double begin = clock();
+      tracer.trace(packets);
+      traced.seconds += clock() - begin;
+      for (const RayPacket& packet : packets)
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+          traced.free += packet.isFree(lane) ? 1 : 0;
+      packets.clear();
+    };
+    forEachPacket(
+        surfaces_[i], 1,
+        [&](std::size_t, const std::vector<Sample>&, std::size_t, const RayPacket& packet) {
+          traced.rays += raysIn(packet);
+          packets.push_back(packet);
+          if (packets.size() == kPackets) traceThem();
+        });
+    traceThem();
+  });
+  Traced sum;
+  for (const Traced& traced : bySurface) {
+    sum.rays += traced.rays;
+    sum.free += traced.free;
+    sum.seconds += traced.seconds / threads;
+  }
+  return sum;
+}
+
+}  // namespace hearth

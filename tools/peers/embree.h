@@ -1,0 +1,41 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "peers/level_mesh.h"
+
+namespace hearth {
+
+/// Eight rays that are traced together, in single precision. `valid` is -1 of those that count.
+struct RayPacket {
+  RTCRay8 rays;
+  alignas(32) int valid[8];
+
+  /// Once it is traced: whether such a ray met nothing.
+  bool isFree(std::size_t i) const { return valid[i] != 0 && rays.tfar[i] >= 0; }
+};
+
+/// Triangles in Embree, which is loaded when the program runs: it need not be installed.
+class EmbreeTracer {
+ public:
+  /// The error says that Embree is missing, and what brings it.
+  static tl::expected<EmbreeTracer, std::string> of(std::span<const MeshTriangle> mesh);
+
+  /// Finds which of the rays meet anything, on this thread alone.
+  void trace(std::span<RayPacket> packets) const;
+
+ private:
+  EmbreeTracer() = default;
+
+  // Destroyed in reverse order: the device last.
+  std::shared_ptr<RTCDeviceTy> device_;
+  std::shared_ptr<RTCSceneTy> scene_;
+  decltype(&rtcOccluded8) occluded8_ = nullptr;
+};
+
+}  // namespace hearth

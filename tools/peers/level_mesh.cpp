@@ -1,0 +1,170 @@
+#include "peers/level_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "level/openings.h"
+
+namespace hearth {
+
+namespace {
+
+double xAt(const Segment& edge, double y) {
+  if (y == edge.p0.y) return edge.p0.x;
+  if (y == edge.p1.y) return edge.p1.x;
+  return edge.p0.x + (edge.p1.x - edge.p0.x) * (y - edge.p0.y) / (edge.p1.y - edge.p0.y);
+}
+
+/// A point of a wall: its share of the way from p0 to p1, and its height.
+struct WallPoint {
+  double share;
+  double z;
+};
+using WallPolygon = std::vector<WallPoint>;
+
+/// The part of a convex polygon on which `sign * (z - line)` is not negative; the line runs from
+/// height z0 at share 0 to z1 at share 1 (Sutherland and Hodgman).
+WallPolygon clipped(const WallPolygon& polygon, double z0, double z1, double sign) {
+  const auto side = [&](WallPoint p) { return sign * (p.z - std::lerp(z0, z1, p.share)); };
+  WallPolygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const WallPoint a = polygon[i];
+    const WallPoint b = polygon[(i + 1) % polygon.size()];
+    if (side(a) >= 0) kept.push_back(a);
+    if ((side(a) > 0 && side(b) < 0) || (side(a) < 0 && side(b) > 0)) {
+      const double k = side(a) / (side(a) - side(b));
+      kept.push_back({std::lerp(a.share, b.share, k), std::lerp(a.z, b.z, k)});
+    }
+  }
+  return kept;
+}
+
+class Mesher {
+ public:
+  explicit Mesher(const Level& level) : level_(level) {}
+
+  std::vector<MeshTriangle> mesh() {
+    // A closed sector has no air from which its flats could be seen.
+    for (const Sector& sector : level_.sectors)
+      if (sector.floor.z < sector.ceiling.z) addFlats(sector);
+    for (const Segment& segment : level_.segments) addWall(segment);
+    return std::move(triangles_);
+  }
+
+ private:
+  void addFlats(const Sector& sector) {
+    for (const auto& triangle : trianglesOf(level_, sector)) {
+      if (sector.floorSurface)
+        addFlat(triangle, *sector.floorSurface, {0, 0, 1},
+                [&](Vec2 p) { return sector.airBottom(p); });
+      if (sector.ceilingSurface)
+        addFlat(triangle, *sector.ceilingSurface, {0, 0, -1},
+                [&](Vec2 p) { return sector.airTop(p); });
+    }
+  }
+
+  template <typename HeightAt>
+  void addFlat(const std::array<Vec2, 3>& at, SurfaceId surface, Vec3 side, HeightAt zAt) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = {at[i].x, at[i].y, zAt(at[i])};
+    add(corners, surface, side);
+  }
+
+  void addWall(const Segment& segment) {
+    for (const WallPiece& piece : segment.pieces) {
+      WallPolygon polygon{{0, piece.zBottom}, {1, piece.zBottom}, {1, piece.zTop}, {0, piece.zTop}};
+      polygon = clipped(polygon, segment.air0.zBottom, segment.air1.zBottom, 1);
+      polygon = clipped(polygon, segment.air0.zTop, segment.air1.zTop, -1);
+      if (const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content)) {
+        addPolygon(segment, *surface, polygon);
+        continue;
+      }
+      const Opening& opening = std::get<Opening>(piece.content);
+      const Segment& twin = level_[opening.twin];
+      if (opening.floorSidewall)
+        addPolygon(segment, *opening.floorSidewall,
+                   clipped(polygon, twin.air1.zBottom, twin.air0.zBottom, -1));
+      if (opening.ceilingSidewall)
+        addPolygon(segment, *opening.ceilingSidewall,
+                   clipped(polygon, twin.air1.zTop, twin.air0.zTop, 1));
+      if (opening.middle) addMiddle(segment, opening, polygon);
+    }
+  }
+
+  /// As if it had no holes, before which the next sector's wedges stand.
+  void addMiddle(const Segment& segment, const Opening& opening, WallPolygon polygon) {
+    const Surface& middle = level_[*opening.middle];
+    const Segment& twin = level_[opening.twin];
+    polygon = clipped(polygon, middle.zBottom, middle.zBottom, 1);
+    polygon = clipped(polygon, middle.zTop, middle.zTop, -1);
+    if (opening.floorSidewall) polygon = clipped(polygon, twin.air1.zBottom, twin.air0.zBottom, 1);
+    if (opening.ceilingSidewall) polygon = clipped(polygon, twin.air1.zTop, twin.air0.zTop, -1);
+    addPolygon(segment, *opening.middle, polygon);
+  }
+
+  void addPolygon(const Segment& segment, SurfaceId surface, const WallPolygon& polygon) {
+    const Vec2 front = turned90(segment.p1 - segment.p0);
+    const auto corner = [&](WallPoint p) {
+      const Vec2 xy = lerp(segment.p0, segment.p1, p.share);
+      return Vec3{xy.x, xy.y, p.z};
+    };
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      add({corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])}, surface,
+          {front.x, front.y, 0});
+  }
+
+  void add(const std::array<Vec3, 3>& c, SurfaceId surface, Vec3 side) {
+    const Vec3 a = c[1] - c[0];
+    const Vec3 b = c[2] - c[0];
+    const Vec3 normal{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    const double towardsSide = dot(normal, side);
+    if (towardsSide != 0)
+      triangles_.push_back({c, surface, (towardsSide > 0 ? 1.0 : -1.0) * normal});
+  }
+
+  const Level& level_;
+  std::vector<MeshTriangle> triangles_;
+};
+
+}  // namespace
+
+std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& sector) {
+  std::vector<double> ys;
+  for (const Segment& segment : level.segmentsOf(sector)) ys.push_back(segment.p0.y);
+  std::ranges::sort(ys);
+  ys.erase(std::unique(ys.begin(), ys.end()), ys.end());
+
+  // Between two successive heights of vertices, walls do not end: pairs of them bound trapezoids.
+  std::vector<std::array<Vec2, 3>> triangles;
+  for (std::size_t i = 1; i < ys.size(); ++i) {
+    const double y0 = ys[i - 1];
+    const double y1 = ys[i];
+    std::vector<const Segment*> edges;
+    for (const Segment& edge : level.segmentsOf(sector))
+      if (std::min(edge.p0.y, edge.p1.y) <= y0 && std::max(edge.p0.y, edge.p1.y) >= y1)
+        edges.push_back(&edge);
+    std::ranges::sort(edges, {}, [&](const Segment* e) { return xAt(*e, y0) + xAt(*e, y1); });
+    for (std::size_t k = 1; k < edges.size(); k += 2) {
+      const Vec2 a{xAt(*edges[k - 1], y0), y0};
+      const Vec2 b{xAt(*edges[k], y0), y0};
+      const Vec2 c{xAt(*edges[k], y1), y1};
+      const Vec2 d{xAt(*edges[k - 1], y1), y1};
+      if (a.x < b.x) triangles.push_back({a, b, c});
+      if (d.x < c.x) triangles.push_back({a, c, d});
+    }
+  }
+  return triangles;
+}
+
+std::vector<MeshTriangle> meshOf(const Level& level) { return Mesher(level).mesh(); }
+
+std::vector<MeshTriangle> meshInLight(const Level& level) {
+  std::vector<MeshTriangle> mesh = meshOf(level);
+  std::erase_if(mesh, [&](const MeshTriangle& triangle) {
+    const SurfaceKind kind = level[triangle.surface].kind;
+    return isSky(kind) || kind == SurfaceKind::Middle;
+  });
+  return mesh;
+}
+
+}  // namespace hearth

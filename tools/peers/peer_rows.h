@@ -1,0 +1,61 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "peers/peers.h"
+
+namespace hearth {
+
+/// All rows of the table, with their targets.
+std::span<const PeerRow> peerRows();
+
+// How each is measured. tools/README.md says what is compared, and what is subtracted.
+
+using Prepared = tl::expected<Measure, std::string>;
+
+/// Milliseconds of a frame of the tutorial in 320x200.
+Prepared prepareTutorialFrame(PeerInputs& inputs);
+/// A frame of the castle in 1920x1080 over a plain write of its memory; ms of both. The same with
+/// its lights white.
+Prepared prepareKeepWrites(PeerInputs& inputs);
+Prepared prepareGreyKeepWrites(PeerInputs& inputs);
+/// The same frame over the kernel that is given its geometry; ms of both.
+Prepared prepareKernel(PeerInputs& inputs);
+/// The same frame on one thread over two; ms of both.
+Prepared prepareFrameThreads(PeerInputs& inputs);
+/// Of it, the second phase alone.
+Prepared preparePaintThreads(PeerInputs& inputs);
+/// Processor time of a frame of a map of Freedoom in 1920x1080, shown in a window, over that of
+/// dsda-doom; ms of both.
+Prepared prepareMap01Frame(PeerInputs& inputs);
+Prepared prepareMap15Frame(PeerInputs& inputs);
+/// Pairs of a sample and a light that a bake answers in a second, on one thread with lamps as
+/// points, over the rays that Embree traces; millions of both, and of pairs.
+Prepared prepareKeepPairs(PeerInputs& inputs);
+Prepared prepareTutorialPairs(PeerInputs& inputs);
+/// Seconds of a bake of Freedoom's largest map on two threads.
+Prepared prepareLargestBake(PeerInputs& inputs);
+/// The same over those of Embree; seconds of both, and millions of rays.
+Prepared prepareLargestRays(PeerInputs& inputs);
+/// Milliseconds from the start of the program to a picture of the castle.
+Prepared prepareStart(PeerInputs& inputs);
+/// Bytes of saved light over texels that light reaches and channels, of maps of Freedoom; millions
+/// of both.
+Prepared prepareMap01Saved(PeerInputs& inputs);
+Prepared prepareMap15Saved(PeerInputs& inputs);
+Prepared prepareLargestSaved(PeerInputs& inputs);
+/// The same of lightmaps in memory.
+Prepared prepareMap01Kept(PeerInputs& inputs);
+Prepared prepareMap15Kept(PeerInputs& inputs);
+Prepared prepareLargestKept(PeerInputs& inputs);
+/// A frame of a level of 100,000 rooms, in a row or on a grid, over one of 100, of which the same
+/// is seen; ms of both.
+Prepared prepareStripGrowth(PeerInputs& inputs);
+Prepared prepareGridGrowth(PeerInputs& inputs);
+/// Memory of a bake over what it may take; MB of both.
+Prepared prepareKeepPeak(PeerInputs& inputs);
+Prepared prepareLargestPeak(PeerInputs& inputs);
+
+}  // namespace hearth

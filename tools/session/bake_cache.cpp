@@ -1,0 +1,151 @@
+#include "session/bake_cache.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <system_error>
+#include <vector>
+
+#include "files/user_folders.h"
+#include "image/read_file.h"
+#include "light/geometry_hash.h"
+#include "light/saved_bake.h"
+#include "math/hash.h"
+#include "settings/settings.h"
+
+namespace hearth {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kBakeExtension = ".bake";
+/// Of files that are being written, or that a program left when it was stopped.
+constexpr std::string_view kPartExtension = ".part";
+constexpr std::chrono::hours kPartsOld{1};
+
+/// Of the very file that runs.
+std::optional<std::uint64_t> hashOfProgram() {
+  const auto program = readFile("/proc/self/exe", std::numeric_limits<std::uint64_t>::max());
+  if (!program || program->empty()) return std::nullopt;
+  Hash hash;
+  for (std::size_t i = 0; i < program->size(); i += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &(*program)[i], std::min(sizeof word, program->size() - i));
+    hash.addWhole(word);
+  }
+  return hash.value();
+}
+
+void add(Hash& hash, const BakeSettings& settings) {
+  // By name, so that no new member is forgotten.
+  const auto& [texel, samples, softSamples, cutOff, bits, lambert, bounces, solidMiddles] =
+      settings;
+  hash.addReal(texel);
+  hash.addReal(cutOff);
+  for (const int number :
+       {samples.value_or(0), softSamples, bits, lambert ? 1 : 0, bounces, solidMiddles ? 1 : 0})
+    hash.addWhole(static_cast<std::uint64_t>(number));
+}
+
+bool writeAll(const fs::path& path, const std::string& bytes) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(bytes.data(), std::ssize(bytes));
+  out.close();
+  return out.good();
+}
+
+struct Entry {
+  fs::path path;
+  std::uint64_t bytes;
+  fs::file_time_type used;
+};
+
+/// What the folder holds. Files that vanish meanwhile are left out.
+std::vector<Entry> entriesIn(const fs::path& folder, std::string_view extension) {
+  std::vector<Entry> entries;
+  std::error_code error;
+  for (fs::directory_iterator file(folder, error); !error && file != fs::directory_iterator();
+       file.increment(error)) {
+    if (file->path().extension() != extension) continue;
+    std::error_code noFile;
+    std::error_code noSize;
+    std::error_code noTime;
+    const bool isFile = file->is_regular_file(noFile);
+    const Entry entry{file->path(), file->file_size(noSize), file->last_write_time(noTime)};
+    if (isFile && !noSize && !noTime) entries.push_back(entry);
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::uint64_t lightHash(const Level& level, const BakeSettings& settings) {
+  Hash hash;
+  hash.addWhole(geometryHash(level, settings.texel));
+  hash.addWhole(level.lights.size());
+  for (const LightSource& light : level.lights) addLight(hash, light, light.sector.value);
+  add(hash, settings);
+  return hash.value();
+}
+
+std::optional<BakeCache> BakeCache::ofUser() {
+  const auto folder = cacheFolder();
+  const auto program = hashOfProgram();
+  if (!folder || !program) return std::nullopt;
+  return BakeCache(*folder, *program);
+}
+
+fs::path BakeCache::fileOf(const Level& level, const BakeSettings& settings) const {
+  return folder_ /
+         fmt::format("{:016x}{:016x}{}", program_, lightHash(level, settings), kBakeExtension);
+}
+
+std::optional<BakedLight> BakeCache::find(const Level& level, const BakeSettings& settings) const {
+  const fs::path file = fileOf(level, settings);
+  const auto bytes = readFile(file, mostBytes_);
+  if (!bytes) return std::nullopt;
+  // However much light it is: baking it would take as much memory.
+  auto light = decodeBake(level, *bytes, std::numeric_limits<std::uint64_t>::max());
+  if (!light) return std::nullopt;
+  std::error_code error;
+  fs::last_write_time(file, fs::file_time_type::clock::now(), error);
+  return std::move(*light);
+}
+
+void BakeCache::keep(const Level& level, const BakeSettings& settings,
+                     const BakedLight& light) const {
+  const std::string bytes = encodeBake(level, light, settings.texel, optionsOf(settings));
+  if (bytes.size() > mostBytes_) return;
+  std::error_code error;
+  if (fs::create_directories(folder_, error)) fs::permissions(folder_, fs::perms::owner_all, error);
+  const fs::path file = fileOf(level, settings);
+  // Of a name of its own, as another program may be writing the same bake.
+  fs::path part = file;
+  part += fmt::format(".{}{}", ::getpid(), kPartExtension);
+  if (writeAll(part, bytes)) fs::rename(part, file, error);
+  fs::remove(part, error);
+  makeRoom();
+}
+
+void BakeCache::makeRoom() const {
+  std::error_code error;
+  std::vector<Entry> bakes = entriesIn(folder_, kBakeExtension);
+  std::ranges::sort(bakes, std::ranges::greater(), &Entry::used);
+  std::uint64_t bytes = 0;
+  for (const Entry& bake : bakes) {
+    bytes += bake.bytes;
+    if (bytes > mostBytes_) fs::remove(bake.path, error);
+  }
+  const fs::file_time_type old = fs::file_time_type::clock::now() - kPartsOld;
+  for (const Entry& part : entriesIn(folder_, kPartExtension))
+    if (part.used < old) fs::remove(part.path, error);
+}
+
+}  // namespace hearth

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "level/level.h"
+#include "light/bakery.h"
+#include "session/session.h"
+#include "settings/options.h"
+
+/// Saved bakes as files; engine/light/saved_bake.md says what is in them.
+namespace hearth {
+
+/// Writes the bake of a level to `path`: beside it first and then renamed, so that the old file or
+/// none stays when that fails. The error begins with the path.
+tl::expected<void, std::string> writeBake(const std::string& path, const Level& level,
+                                          const Bake& bake);
+
+/// The light of the file that `--light-from` names, which must have been baked for the geometry of
+/// the level. The error begins with the path and ends with what to do.
+tl::expected<BakedLight, std::string> readBake(const Level& level, const OptionValues& values);
+
+}  // namespace hearth

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "light/bake_progress.h"
+#include "settings/options.h"
+
+/// Lets whoever waits for a command see how far it is.
+namespace hearth {
+
+enum class Stage { Loading, Surfaces, Baking, Writing };
+
+/// How far a stage is.
+struct StageProgress {
+  Stage stage;
+  std::int64_t done = 0;   ///< texels
+  std::int64_t total = 0;  ///< 0 in stages that count nothing
+  double seconds = 0;      ///< since the stage began
+};
+
+/// Whole percents; 100 only when all is done.
+int percentOf(const StageProgress& progress);
+
+/// `baking    42 %  1.24 M texels/s  31 s left`, without what cannot be known yet. Never longer
+/// than a narrow terminal.
+std::string progressText(const StageProgress& progress);
+
+enum class ProgressStyle {
+  None,
+  Line,   ///< for a terminal: one line, drawn anew again and again, and wiped out at the end
+  Lines,  ///< for a file: a line for every tenth of a counted stage, at most one a second
+};
+
+/// What the command line and stderr ask for; `inFile` where stderr is no terminal.
+ProgressStyle progressStyle(const OptionValues& values, ProgressStyle inFile = ProgressStyle::None);
+
+/// Turns progress into what to write. Nothing is shown of what takes less than a second.
+class ProgressWriter {
+ public:
+  explicit ProgressWriter(ProgressStyle style) : style_(style) {}
+
+  /// Empty where there is nothing new to say. `progress` never goes back.
+  std::string update(const StageProgress& progress);
+  /// Leaves the terminal's line as if nothing had been there.
+  std::string finish();
+
+ private:
+  std::string redraw(const std::string& text);
+  std::string nextTenth(const StageProgress& progress);
+
+  ProgressStyle style_;
+  std::size_t shownWidth_ = 0;  ///< of the text on the terminal's line
+  int tenths_ = 0;              ///< that have been told
+  double told_ = 0;             ///< at this time, in seconds
+};
+
+/// Shows a stage while it lasts, from a thread of its own.
+class ProgressDisplay {
+ public:
+  using Clock = std::function<double()>;                 ///< seconds since any moment
+  using Output = std::function<void(std::string_view)>;  ///< called from the display's thread
+
+  ProgressDisplay(ProgressStyle style, Stage stage);
+  /// Of a bake: its surfaces, and then its light. Keeps a reference to `bake`.
+  ProgressDisplay(ProgressStyle style, const BakeProgress& bake);
+  ProgressDisplay(ProgressStyle style, Stage stage, const BakeProgress* bake, Clock clock,
+                  Output output);
+
+ private:
+  void run(const std::stop_token& stop);
+  StageProgress look();
+
+  ProgressWriter writer_;
+  Stage stage_;
+  const BakeProgress* bake_;
+  Clock clock_;
+  Output output_;
+  double start_;  ///< of the stage, by the clock
+  std::mutex mutex_;
+  std::condition_variable_any wakeUp_;
+  std::jthread thread_;  ///< last, so that it ends first
+};
+
+}  // namespace hearth

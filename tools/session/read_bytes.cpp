@@ -1,0 +1,25 @@
+#include "session/read_bytes.h"
+
+#include <fmt/format.h>
+
+#include "image/read_file.h"
+#include "load/limits.h"
+
+namespace hearth {
+
+std::uint64_t maxFileBytes(const OptionValues& values) {
+  return static_cast<std::uint64_t>(
+      values.number(Option::MaxFileBytes).value_or(static_cast<double>(LoadLimits{}.fileBytes)));
+}
+
+tl::expected<std::string, std::string> readBytes(const std::filesystem::path& path,
+                                                 const OptionValues& values) {
+  return readFile(path, maxFileBytes(values)).map_error([&](const ReadFailure& failure) {
+    const bool isTooLong = failure.fault == ReadFault::TooLong;
+    return fmt::format(
+        "{}: {}{}", path.string(), failure.what,
+        isTooLong ? fmt::format(": raise the limit with {}", row(Option::MaxFileBytes).name) : "");
+  });
+}
+
+}  // namespace hearth

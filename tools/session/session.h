@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "light/bakery.h"
+#include "load/source.h"
+#include "render/camera.h"
+#include "render/renderer.h"
+#include "session/progress.h"
+#include "settings/options.h"
+#include "settings/settings.h"
+
+/// What the commands have in common: from options to a level, a bake and a camera.
+namespace hearth {
+
+/// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
+/// stderr, one per line; nothing after errors.
+std::optional<LoadedLevel> openLevel(const OptionValues& values);
+
+/// The same, with the way back to the level's files.
+SourcedResult openLevelWithSource(const OptionValues& values);
+
+/// The same, its diagnostics still to be told.
+SourcedResult loadLevelOf(const OptionValues& values);
+
+/// To stderr, a line each.
+void tell(std::span<const Diagnostic> diagnostics);
+
+/// What the command line says of how much input is taken.
+LoadLimits limitsFrom(const OptionValues& values);
+
+/// Of a level in which nothing is lit.
+std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
+                                         const OptionValues& values);
+
+/// What `--light` asks for.
+LightMode lightModeFrom(const OptionValues& values);
+
+struct Bake {
+  BakedLight light;
+  BakeSettings settings;
+  int threads;
+  double seconds;
+};
+
+/// Bakes with the settings above. A terminal shows the progress of a long bake; where stderr is no
+/// terminal, it is told in the style that is given.
+tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
+                                        ProgressStyle inFile = ProgressStyle::None);
+
+/// The same with other settings.
+Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValues& values,
+              ProgressStyle inFile);
+
+/// The threads that bake.
+int threadsFrom(const OptionValues& values);
+
+/// The light to draw with: from the file that `--light-from` names, from the user's cache or, if it
+/// is not there, baked and kept there.
+tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);
+
+/// The same for one picture: where no cache keeps the light for others, only what the camera sees
+/// is baked.
+tl::expected<BakedLight, std::string> lightInView(const Level& level, const Camera& camera,
+                                                  const OptionValues& values);
+
+/// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
+tl::expected<Camera, std::string> cameraFor(const Level& level, const OptionValues& values,
+                                            PictureSize standardSize);
+
+}  // namespace hearth

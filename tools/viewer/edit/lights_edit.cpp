@@ -1,0 +1,210 @@
+#include "viewer/edit/lights_edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "load/read.h"
+#include "load/read_document.h"
+#include "text/json_text.h"
+#include "viewer/edit/light_name.h"
+
+namespace hearth {
+
+namespace {
+
+/// In the order in which a light has them.
+constexpr std::array<std::string_view, 9> kLightKeys{
+    "x", "y", "z", "sector", "radius", "intensity", "falloff", "curve", "color"};
+
+/// The shortest that reads as the same number.
+std::string spelled(double number) { return fmt::format("{}", number + 0.0); }  // not -0
+
+std::string spelled(const std::uint8_t (&color)[3]) {
+  return fmt::format("\"#{:02x}{:02x}{:02x}\"", color[0], color[1], color[2]);
+}
+
+std::string spelled(const std::vector<CurvePoint>& curve) {
+  std::string text;
+  for (const CurvePoint& point : curve)
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", spelled(point.distance),
+                        spelled(point.level));
+  return fmt::format("[{}]", text);
+}
+
+/// Bytes that are no UTF-8 are not kept.
+std::string spelled(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+struct Member {
+  std::string_view key;
+  std::optional<std::string> value;  ///< spelled; none: the light has no such key
+};
+
+/// What differs, key by key.
+std::vector<Member> changes(const LightDescription& from, const LightDescription& to) {
+  std::vector<Member> members;
+  const auto add = [&members](std::string_view key, const auto& before, const auto& after) {
+    if (before != after) members.push_back({key, spelled(after)});
+  };
+  add("x", from.source.position.x, to.source.position.x);
+  add("y", from.source.position.y, to.source.position.y);
+  add("z", from.source.position.z, to.source.position.z);
+  const auto nameOf = [](const LightDescription& light) {
+    return light.sector ? std::optional(light.sector->name) : std::nullopt;
+  };
+  if (nameOf(from) != nameOf(to))
+    members.push_back(
+        {"sector", to.sector ? std::optional(spelled(to.sector->name)) : std::nullopt});
+  add("radius", from.source.radius, to.source.radius);
+  if (to.source.curve.empty()) {
+    if (!from.source.curve.empty()) members.push_back({"curve", std::nullopt});
+    add("intensity", from.source.intensity, to.source.intensity);
+    add("falloff", from.source.falloff, to.source.falloff);
+  } else {  // beside which there are neither
+    if (from.source.curve.empty())
+      for (const std::string_view key : {"intensity", "falloff"})
+        members.push_back({key, std::nullopt});
+    add("curve", from.source.curve, to.source.curve);
+  }
+  if (!std::ranges::equal(from.source.color, to.source.color))
+    members.push_back({"color", spelled(to.source.color)});
+  return members;
+}
+
+std::vector<std::string_view> keysBefore(std::string_view key) {
+  return {kLightKeys.begin(), std::ranges::find(kLightKeys, key)};
+}
+
+bool hasMember(std::string_view json, std::size_t light, std::string_view key) {
+  const std::vector<MemberRange> members = membersAt(json, light);
+  return std::ranges::find(members, key, &MemberRange::name) != members.end();
+}
+
+/// Of what has no such member it takes nothing out.
+Replacement with(std::string_view json, std::size_t light, const Member& member) {
+  if (!member.value)
+    return hasMember(json, light, member.key) ? withoutMember(json, light, member.key)
+                                              : Replacement{light, "", ""};
+  return withMember(json, light, {std::string(member.key), *member.value}, keysBefore(member.key));
+}
+
+/// Where the array of lights begins.
+std::size_t listIn(const Document& document) {
+  const JsonValue root(document, 0, 0);
+  if (root.isArray()) return root.place().offset;
+  const std::vector<JsonValue::Member> members = root.members();
+  const auto found = std::ranges::find_if(
+      members, [](const JsonValue::Member& member) { return member.key.text() == "lights"; });
+  return found->value.place().offset;
+}
+
+}  // namespace
+
+tl::expected<LightsEdit, std::string> LightsEdit::open(std::string_view bytes, std::string file,
+                                                       const LoadLimits& limits) {
+  const bool hasMark = bytes.starts_with(kByteOrderMark);
+  if (hasMark) bytes.remove_prefix(kByteOrderMark.size());
+  LightsEdit edit(std::string(bytes), std::move(file), limits, hasMark);
+  if (auto mistake = edit.read()) return tl::unexpected(*std::move(mistake));
+  return edit;
+}
+
+std::string LightsEdit::bytes() const {
+  return std::string(hasByteOrderMark_ ? kByteOrderMark : "") + history_.text();
+}
+
+std::string LightsEdit::commentOf(std::size_t light) const {
+  return commentAt(history_.text(), offsetOf(light));
+}
+
+/// Reads the text; what is wrong with it, if anything.
+std::optional<std::string> LightsEdit::read() {
+  Report report;
+  std::array<Document, 1> documents;
+  documents[0].file = file_;
+  LightsDescription lights;
+  if (readText(history_.text(), documents[0], 0, report))
+    lights = readLights(report, JsonValue(documents[0], 0, 0), limits_);
+  if (report.hasErrors()) return format(report.resolve(documents).front());
+  lights_ = std::move(lights);
+  list_ = listIn(documents[0]);
+  return std::nullopt;
+}
+
+/// `change` replaces in the text; in a drag from what it was before.
+template <typename Change>
+std::optional<std::string> LightsEdit::edit(Change&& change) {
+  const bool isInDrag = isDragging();
+  if (isInDrag) {
+    history_.takeBackStep();
+    read();
+  } else {
+    history_.beginStep();
+  }
+  change();
+  std::optional<std::string> mistake = read();
+  if (mistake) {
+    history_.takeBackStep();
+    read();
+  }
+  if (!isInDrag) history_.endStep();
+  return mistake;
+}
+
+std::optional<std::string> LightsEdit::set(std::size_t light, const LightDescription& to) {
+  return edit([&] {
+    for (const Member& member : changes(lights_.lights[light], to))
+      history_.replace(with(history_.text(), offsetOf(light), member));
+  });
+}
+
+std::optional<std::string> LightsEdit::setComment(std::size_t light, const std::string& comment) {
+  return edit([&] {
+    if (commentOf(light) == comment) return;
+    history_.replace(comment.empty()
+                         ? withoutComment(history_.text(), offsetOf(light))
+                         : withComment(history_.text(), offsetOf(light), spelled(comment)));
+  });
+}
+
+std::optional<std::string> LightsEdit::add(const LightDescription& light,
+                                           const std::string& comment) {
+  return edit([&] {
+    std::vector<SpelledMember> members;
+    if (!comment.empty()) members.push_back({"//", spelled(comment)});
+    for (const auto& [key, value] :
+         {std::pair("x", light.source.position.x), std::pair("y", light.source.position.y),
+          std::pair("z", light.source.position.z)})
+      members.push_back({key, spelled(value)});
+    LightDescription plain;
+    plain.source.position = light.source.position;
+    for (const Member& member : changes(plain, light))
+      if (member.value) members.push_back({std::string(member.key), *member.value});
+    history_.replace(withObject(history_.text(), list_, members));
+  });
+}
+
+std::optional<std::string> LightsEdit::remove(std::size_t light) {
+  return edit([&] { history_.replace(withoutElement(history_.text(), list_, light)); });
+}
+
+void LightsEdit::undo() {
+  history_.undo();
+  read();
+}
+
+void LightsEdit::redo() {
+  history_.redo();
+  read();
+}
+
+double toMillimetres(double metres) { return std::round(1000 * metres) / 1000; }
+
+}  // namespace hearth

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <utility>
+
+#include "load/description.h"
+#include "load/limits.h"
+#include "viewer/edit/edit_history.h"
+
+namespace hearth {
+
+/// The text of a lights file as it is edited: what an edit does not change keeps its order, its
+/// spelling and its blanks. At any time the text is one that loads, but for where the lights are:
+/// only a level can tell whether there is air.
+class LightsEdit {
+ public:
+  /// Of a file's bytes; `file` is how messages name it. They have a mistake, if any, for an error.
+  static tl::expected<LightsEdit, std::string> open(std::string_view bytes, std::string file,
+                                                    const LoadLimits& limits = {});
+
+  /// For the file.
+  std::string bytes() const;
+  const LightsDescription& lights() const { return lights_; }
+  /// The first comment of a light; empty without one.
+  std::string commentOf(std::size_t light) const;
+
+  // Edits, each an undo step by itself. They change nothing where the text would not load any more,
+  // and then say why.
+
+  /// Writes what of `to` is not as it was.
+  std::optional<std::string> set(std::size_t light, const LightDescription& to);
+  /// What `commentOf` gives; an empty one is taken out.
+  std::optional<std::string> setComment(std::size_t light, const std::string& comment);
+  /// At the end: the comment, if any, the position, and what else is not by default.
+  std::optional<std::string> add(const LightDescription& light, const std::string& comment = "");
+  std::optional<std::string> remove(std::size_t light);
+
+  /// Until the drag ends each edit takes the place of the one before, so that all are one step.
+  void beginDrag() { history_.beginStep(); }
+  void endDrag() { history_.endStep(); }
+  bool isDragging() const { return history_.isInStep(); }
+
+  bool canUndo() const { return history_.canUndo(); }
+  bool canRedo() const { return history_.canRedo(); }
+  void undo();  ///< expects that it can
+  void redo();
+
+ private:
+  LightsEdit(std::string text, std::string file, const LoadLimits& limits, bool hasByteOrderMark)
+      : file_(std::move(file)),
+        limits_(limits),
+        hasByteOrderMark_(hasByteOrderMark),
+        history_(std::move(text)) {}
+
+  template <typename Change>
+  std::optional<std::string> edit(Change&& change);
+  std::optional<std::string> read();
+  std::size_t offsetOf(std::size_t light) const { return lights_.lights[light].place.offset; }
+
+  std::string file_;
+  LoadLimits limits_;
+  bool hasByteOrderMark_;
+  EditHistory history_;
+  LightsDescription lights_;  ///< as the text has them
+  std::size_t list_ = 0;      ///< where the array of lights begins
+};
+
+/// A coordinate as a drag gives it, in whole millimetres.
+double toMillimetres(double metres);
+
+}  // namespace hearth

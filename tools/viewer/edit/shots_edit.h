@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "load/load.h"
+#include "viewer/preferences/bookmarks.h"
+
+namespace hearth {
+
+/// Writes a bookmark as the last shot of its level, into the level's file, of which all the rest
+/// stays as it is to the byte. Refuses a name that a shot has, and a file that is not what was
+/// loaded. Errors are one sentence that begins with the path.
+tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookmark& bookmark);
+
+}  // namespace hearth

@@ -1,0 +1,197 @@
+#include "viewer/inspect/inspect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "level/locate.h"
+#include "math/tolerance.h"
+#include "truth/truth_light.h"
+#include "viewer/inspect/outlook.h"
+
+namespace hearth {
+
+namespace {
+
+/// Of light, for one place: as many as are followed within some tens of milliseconds.
+constexpr int kMostRays = 10'000;
+
+/// How far up and down a light is tried: in steps of so many metres.
+constexpr double kLiftStep = 0.1;
+constexpr int kLifts = 30;
+
+/// Of a ball: to its points, and from there.
+int raysOf(const LightSource& light) { return light.radius > 0 ? 2 * kInspectedBallPoints : 1; }
+
+/// Metres by which a height is off a range; 0 in it.
+double missedBy(double z, double zBottom, double zTop) {
+  return std::max({zBottom - z, z - zTop, 0.0});
+}
+
+/// The surface of that kind which the piece has, if any.
+std::optional<SurfaceId> surfaceIn(const Level& level, const WallPiece& piece, SurfaceKind kind) {
+  if (const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content))
+    return level[*surface].kind == kind ? std::optional(*surface) : std::nullopt;
+  const Opening& opening = std::get<Opening>(piece.content);
+  if (kind == SurfaceKind::FloorSidewall) return opening.floorSidewall;
+  if (kind == SurfaceKind::CeilingSidewall) return opening.ceilingSidewall;
+  return kind == SurfaceKind::Middle ? opening.middle : std::nullopt;
+}
+
+/// Which of the level's surfaces a ray has hit. Of several of a kind one above the other that which
+/// is nearest to the height: rounding may put the hit beside it.
+std::optional<SurfaceId> surfaceOf(const Level& level, const TruthHit& hit) {
+  const Sector& sector = level[hit.sector];
+  if (!hit.segment) return isOverhead(hit.kind) ? sector.ceilingSurface : sector.floorSurface;
+  std::optional<SurfaceId> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const WallPiece& piece : level[*hit.segment].pieces) {
+    const auto surface = surfaceIn(level, piece, hit.kind);
+    const double miss = missedBy(hit.point.z, piece.zBottom, piece.zTop);
+    if (!surface || miss >= least) continue;
+    nearest = surface;
+    least = miss;
+  }
+  return nearest;
+}
+
+std::optional<LightmapFinding> lightmapAt(const Level& level, const BakedLight& light,
+                                          const TruthHit& hit) {
+  const auto id = surfaceOf(level, hit);
+  if (!id || !light.surfaces[id->index()]) return std::nullopt;
+  const LitSurface& surface = *light.surfaces[id->index()];
+  const TexelRect& rect = surface.texels;
+  const Vec2 texel = surface.grid.toTexels(hit.point);
+  const auto within = [](double at, int first, int count) {
+    return std::clamp(static_cast<int>(std::floor(at)) - first, 0, count - 1);
+  };
+  LightmapFinding found{within(texel.x, rect.i0, rect.width),
+                        within(texel.y, rect.j0, rect.height),
+                        rect.width,
+                        rect.height,
+                        surface.grid.texel,
+                        {},
+                        {}};
+  const std::optional<Lightmap>& map = light.lightmaps[id->index()];
+  if (!map) return found;
+  const auto levels = [](const auto& of) { return Vec3{of(0), of(1), of(2)}; };
+  found.texel = levels([&](int channel) {
+    return map->levelAt(rect.i0 + found.column, rect.j0 + found.row, channel);
+  });
+  found.shown = levels([&](int channel) { return map->sample(texel.x, texel.y, channel); });
+  return found;
+}
+
+/// The lights of a level, as one place of a surface has them.
+class Follower {
+ public:
+  Follower(const Level& level, const BakeSettings& settings, const SurfacePoint& place)
+      : level_(level), settings_(settings), place_(place), outlook_(level, place) {}
+
+  /// What is known of a light without following it.
+  LightFinding glance(std::size_t index) const {
+    const LightSource& light = level_.lights[index];
+    const double distance = length(light.position - place_.point);
+    return {index, LightReason::NotReached, distance, light.levelAt(distance),
+            TruthSource::unshaded(light, place_, settings_.lambert)};
+  }
+
+  /// Returns how many rays that took, at most.
+  int follow(LightFinding& finding) const {
+    const LightSource& light = level_.lights[finding.light];
+    followToPlace(finding);
+    finding.comesNear = finding.seenShare > 0 && finding.level > 0;
+    if (finding.comesNear || finding.level * brightestShare(light) < kVisibleLevel)
+      return raysOf(light);
+    finding.comesNear = outlook_.isLitBy(light);
+    if (!finding.comesNear || finding.reason != LightReason::Blocked)
+      return raysOf(light) + kOutlookRays;
+    finding.lift = liftToSee(light);
+    return raysOf(light) + kOutlookRays + 2 * kLifts;
+  }
+
+ private:
+  /// The least that is enough, of some.
+  std::optional<double> liftToSee(const LightSource& light) const {
+    for (int i = 1; i <= kLifts; ++i)
+      for (const double lift : {i * kLiftStep, -i * kLiftStep})
+        if (seesIfLifted(light, lift)) return lift;
+    return std::nullopt;
+  }
+
+  bool seesIfLifted(const LightSource& light, double lift) const {
+    LightSource lifted = light;
+    lifted.radius = 0;
+    lifted.position.z += lift;
+    return contains(level_, level_[light.sector], lifted.position, 0) &&
+           TruthSource(level_, lifted, 1).seenShare(place_) > 0;
+  }
+
+  void followToPlace(LightFinding& finding) const {
+    const LightSource& light = level_.lights[finding.light];
+    const double front = dot(place_.normal, light.position - place_.point);
+    finding.reason = LightReason::InPlane;
+    if (std::abs(front) <= kInPlane) return;
+    finding.reason = LightReason::FacesAway;
+    if (front + light.radius <= kInPlane) return;
+
+    const TruthSource source(level_, light, kInspectedBallPoints);
+    finding.seenShare = source.seenShare(place_);
+    if (finding.seenShare == 0 && front < 0) return;
+    const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
+    const double level = isCutOff ? 0 : finding.unshaded * finding.seenShare;
+    finding.adds = level * Vec3{light.share(0), light.share(1), light.share(2)};
+    finding.reason = LightReason::TooWeak;
+    if (isCutOff || finding.unshaded * brightestShare(light) < kVisibleLevel) return;
+    finding.reason = LightReason::Lights;
+    if (finding.seenShare > 0) return;
+    finding.blocker = source.firstMet(place_);
+    const bool isBefore = finding.blocker && (finding.blocker->t - 1) * finding.distance < kArrival;
+    finding.reason = isBefore ? LightReason::Blocked : LightReason::NotReached;
+    if (!isBefore) finding.blocker.reset();
+  }
+
+  const Level& level_;
+  const BakeSettings& settings_;
+  const SurfacePoint& place_;
+  Outlook outlook_;
+};
+
+double total(Vec3 levels) { return levels.x + levels.y + levels.z; }
+
+void findLights(const Level& level, const BakeSettings& settings, Inspection& found) {
+  const Follower follower(level, settings, found.place);
+  for (std::size_t i = 0; i < level.lights.size(); ++i) found.lights.push_back(follower.glance(i));
+  std::ranges::stable_sort(found.lights, std::greater{}, &LightFinding::level);
+  std::size_t followed = 0;
+  for (int rays = 0; followed < found.lights.size() && rays < kMostRays; ++followed) {
+    LightFinding& finding = found.lights[followed];
+    rays += follower.follow(finding);
+    found.sum = found.sum + finding.adds;
+  }
+  found.notFollowed = found.lights.size() - followed;
+  found.lights.erase(found.lights.begin() + static_cast<std::ptrdiff_t>(followed),
+                     found.lights.end());
+  std::ranges::stable_sort(found.lights, std::greater{}, [](const LightFinding& finding) {
+    return std::pair(total(finding.adds), finding.comesNear);
+  });
+}
+
+}  // namespace
+
+double brightestShare(const LightSource& light) {
+  return std::max({light.share(0), light.share(1), light.share(2)});
+}
+
+Inspection inspect(const Level& level, const BakedLight& light, const BakeSettings& settings,
+                   const TruthHit& place) {
+  Inspection found{place, std::nullopt, {}, 0, {}};
+  if (isSky(place.kind)) return found;
+  found.lightmap = lightmapAt(level, light, place);
+  findLights(level, settings, found);
+  return found;
+}
+
+}  // namespace hearth

@@ -1,0 +1,36 @@
+#include "viewer/inspect/remedy.h"
+
+#include <cmath>
+
+namespace hearth {
+
+namespace {
+
+/// Per metre. A light that fell off by less would light all of the level.
+constexpr double kLeastFalloff = 0.01;
+
+/// The unit of a number's second digit.
+double secondDigit(double number) { return std::pow(10, std::floor(std::log10(number)) - 1); }
+
+double roundedUp(double number) {
+  return std::ceil(number / secondDigit(number)) * secondDigit(number);
+}
+double roundedDown(double number) {
+  return std::floor(number / secondDigit(number)) * secondDigit(number);
+}
+
+}  // namespace
+
+std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& finding) {
+  const double share = brightestShare(light);
+  if (share == 0) return std::nullopt;
+  const double cosine = finding.level > 0 ? finding.unshaded / finding.level : 1;
+  const double needed = kClearLevel / (share * cosine);
+  if (!light.curve.empty()) return Remedy{.curveLevel = roundedUp(needed)};
+  // What makes `levelAt` the level that is needed.
+  const double falloff = (light.intensity / needed - 1) / finding.distance;
+  if (falloff >= kLeastFalloff) return Remedy{.falloff = roundedDown(falloff)};
+  return Remedy{.intensity = roundedUp(needed * (finding.distance * light.falloff + 1))};
+}
+
+}  // namespace hearth

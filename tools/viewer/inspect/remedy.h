@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "viewer/inspect/inspect.h"
+
+namespace hearth {
+
+/// Levels that show clearly: a quarter of full light.
+inline constexpr double kClearLevel = 64;
+
+/// What of a light that is too weak would bring `kClearLevel`, in its brightest channel, to the
+/// place, if nothing stands between. Rounded to two digits, to what is a little more.
+struct Remedy {
+  /// Of one without a curve, the first of these that is enough. Not both.
+  std::optional<double> falloff = {};
+  std::optional<double> intensity = {};
+  /// That a curve must have at the light's distance.
+  std::optional<double> curveLevel = {};
+};
+
+/// None for a light that is black.
+std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& finding);
+
+}  // namespace hearth

@@ -1,0 +1,155 @@
+#include "viewer/inspect/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <variant>
+
+#include "viewer/inspect/remedy.h"
+
+namespace hearth {
+
+namespace {
+
+/// Levels from which on light is more than next to nothing.
+constexpr double kFaintLevel = 16;
+
+/// To so many decimals and without zeros at the end.
+std::string rounded(double value, int decimals) {
+  const double unit = std::pow(10, decimals);
+  return fmt::format("{:g}", std::round(value * unit) / unit + 0.0);  // no -0
+}
+
+std::string metres(double value) { return fmt::format("{}", std::round(value * 1e3) / 1e3 + 0.0); }
+
+std::string wallWords(const Level& level, const TruthHit& place) {
+  const Segment& segment = level[*place.segment];
+  const Sector& sector = level[segment.sector];
+  const bool isStack = std::holds_alternative<Stack>(segment.kind);
+  const std::string part = isStack ? fmt::format(" part {}", place.subWall) : "";
+  const std::string loop = segment.loop > 0 ? "/" + sector.loops[segment.loop].name : "";
+  return fmt::format("wall {}{} of {}{}", segment.wall, part, sector.name, loop);
+}
+
+std::string sidewallWords(const Level& level, const TruthHit& place) {
+  const std::string_view flat = isOverhead(place.kind) ? "ceiling" : "floor";
+  return fmt::format("sidewall of the sloped {} of {}, at {}", flat,
+                     level[wedgeOf(level, place)].name, wallWords(level, place));
+}
+
+std::string remedyWords(const LightSource& light, const LightFinding& finding) {
+  const std::optional<Remedy> remedy = remedyFor(light, finding);
+  if (!remedy) return "its color is black";
+  if (remedy->falloff)
+    return fmt::format("falloff {:g} instead of {:g} would give {}", *remedy->falloff,
+                       light.falloff, kClearLevel);
+  if (remedy->intensity)
+    return fmt::format("intensity {:g} instead of {:g} would give {}", *remedy->intensity,
+                       light.intensity, kClearLevel);
+  return fmt::format("raise its curve to {:g} at {} m", *remedy->curveLevel,
+                     rounded(finding.distance, 1));
+}
+
+std::string weakWords(const LightSource& light, const LightFinding& finding) {
+  const std::string_view cosine = finding.unshaded < finding.level ? ", grazing the surface" : "";
+  return fmt::format("too weak here: {} of 255 at {} m{}; {}", rounded(finding.level, 2),
+                     rounded(finding.distance, 2), cosine, remedyWords(light, finding));
+}
+
+/// The way to the front of a surface, along the axis that is nearest to it.
+std::string_view sideWords(Vec3 normal) {
+  const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+  if (size.z > std::max(size.x, size.y)) return normal.z > 0 ? "up" : "down";
+  if (size.x > size.y) return normal.x > 0 ? "to larger x" : "to smaller x";
+  return normal.y > 0 ? "to larger y" : "to smaller y";
+}
+
+std::string facesAwayWords(const LightSource& light, const SurfacePoint& place) {
+  const double behind = dot(place.normal, place.point - light.position);
+  return fmt::format("faces away: it is {} m behind this surface; move it to this side, {}",
+                     rounded(behind, 2), sideWords(place.normal));
+}
+
+std::string blockedWords(const Level& level, const LightFinding& finding) {
+  const std::string advice =
+      finding.lift ? fmt::format("{} it {} m or more", *finding.lift > 0 ? "raise" : "lower",
+                                 rounded(std::abs(*finding.lift), 1))
+                   : "move it to where nothing is between";
+  return fmt::format("blocked by {} ({}): {}", surfaceWords(level, *finding.blocker),
+                     pointWords(finding.blocker->point, ", "), advice);
+}
+
+std::string_view brightnessWord(double level) {
+  if (level < kClearLevel) return "dark";
+  return level < 2 * kClearLevel ? "dim" : "lit";
+}
+
+std::string lightsWords(const Level& level, double sum) {
+  if (level.lights.empty()) return "the level has no lights";
+  if (sum == 0) return "no light gives it anything";
+  return fmt::format("lights give {}{}", levelWords(sum),
+                     sum < kFaintLevel ? ", next to nothing" : "");
+}
+
+}  // namespace
+
+std::string surfaceWords(const Level& level, const TruthHit& place) {
+  if (!place.segment) return fmt::format("{} of {}", name(place.kind), level[place.sector].name);
+  if (isSidewall(place.kind)) return sidewallWords(level, place);
+  if (place.kind == SurfaceKind::Solid || place.kind == SurfaceKind::StackSolid)
+    return wallWords(level, place);
+  return fmt::format("{} at {}", name(place.kind), wallWords(level, place));
+}
+
+SectorId wedgeOf(const Level& level, const TruthHit& sidewall) {
+  const Segment& segment = level[*sidewall.segment];
+  const auto nextOf = [](const auto& kind) { return std::get<Portal>(kind).next; };
+  if (const Stack* stack = std::get_if<Stack>(&segment.kind))
+    return nextOf(stack->subWalls[sidewall.subWall].kind);
+  return nextOf(segment.kind);
+}
+
+std::string pointWords(Vec3 point, std::string_view separator) {
+  return fmt::format("{}{}{}{}{}", metres(point.x), separator, metres(point.y), separator,
+                     metres(point.z));
+}
+
+std::string levelWords(double level) { return rounded(level, level < 10 ? 1 : 0); }
+
+double brightest(Vec3 levels) { return std::max({levels.x, levels.y, levels.z}); }
+
+std::string brightnessWords(const Level& level, const Inspection& found) {
+  if (!found.lightmap) return "sky: always fully bright";
+  const double lights = brightest(found.sum);
+  const double own = 255 * level[found.place.sector].light;
+  std::string words = fmt::format("{}, {} of 255: {}", brightnessWord(lights + own),
+                                  levelWords(lights + own), lightsWords(level, lights));
+  if (own > 0) words += fmt::format("; the sector's own light gives {}", levelWords(own));
+  return words;
+}
+
+std::string reasonWords(const Level& level, const SurfacePoint& place,
+                        const LightFinding& finding) {
+  switch (finding.reason) {
+    case LightReason::Lights:
+      if (finding.seenShare < 1) return fmt::format("{:.0f} % of it seen", 100 * finding.seenShare);
+      return brightest(finding.adds) < kFaintLevel ? weakWords(level.lights[finding.light], finding)
+                                                   : "";
+    case LightReason::TooWeak:
+      return weakWords(level.lights[finding.light], finding);
+    case LightReason::FacesAway:
+      return facesAwayWords(level.lights[finding.light], place);
+    case LightReason::InPlane:
+      return fmt::format("in the plane of this surface: move it off the plane, {}",
+                         sideWords(place.normal));
+    case LightReason::Blocked:
+      return blockedWords(level, finding);
+    case LightReason::NotReached:
+      return "not reached: it shines in a part of the level from which no straight way leads here";
+  }
+  return "";
+}
+
+}  // namespace hearth

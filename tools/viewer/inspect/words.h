@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "viewer/inspect/inspect.h"
+
+/// What an inspection has found, in words.
+namespace hearth {
+
+/// `wall 3 of hall`, `lower step at wall 3 of hall`; in an inner loop `of hall/pier`, of a stack
+/// `wall 3 part 1`, counted from 0 as in the file. A sidewall is named by the sector whose slope it
+/// belongs to, too.
+std::string surfaceWords(const Level& level, const TruthHit& place);
+
+/// The sector whose wedge a sidewall belongs to.
+SectorId wedgeOf(const Level& level, const TruthHit& sidewall);
+
+/// `1.25,3,0.4`, as files have it: metres, to a millimetre.
+std::string pointWords(Vec3 point, std::string_view separator = ",");
+
+/// Of 255: to whole levels, or to a tenth where they are fewer than ten.
+std::string levelWords(double level);
+/// The most of three channels.
+double brightest(Vec3 levels);
+
+/// How bright the place is, and how much of that comes from lights.
+std::string brightnessWords(const Level& level, const Inspection& found);
+
+/// Why a light gives the place nothing, or next to nothing, and what to do about it; or what share
+/// of a ball sees it. Empty for all of a light.
+std::string reasonWords(const Level& level, const SurfacePoint& place, const LightFinding& finding);
+
+}  // namespace hearth

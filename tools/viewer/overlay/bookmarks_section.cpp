@@ -1,0 +1,51 @@
+#include "viewer/overlay/bookmarks_section.h"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hearth {
+
+namespace {
+
+constexpr std::size_t kLongestBookmarkName = 64;
+
+bool showButton(const char* label, bool canBePressed) {
+  ImGui::BeginDisabled(!canBePressed);
+  const bool isPressed = ImGui::SmallButton(label);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  return isPressed;
+}
+
+}  // namespace
+
+std::optional<BookmarkWish> BookmarksSection::show(const Bookmarks& bookmarks,
+                                                   const BookmarkRights& rights) {
+  using What = BookmarkWish::What;
+  std::optional<BookmarkWish> wish;
+  std::array<char, kLongestBookmarkName + 1> typed{};
+  name_.copy(typed.data(), kLongestBookmarkName);
+  const std::string standard = bookmarks.freeName();
+  const bool isEntered = ImGui::InputTextWithHint(
+      "##name", standard.data(), typed.data(), typed.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  name_ = typed.data();
+  ImGui::SameLine();
+  if (ImGui::Button("keep this place") || isEntered) {
+    wish = {What::Add, name_.empty() ? standard : name_};
+    name_.clear();
+  }
+  for (const Bookmark& bookmark : bookmarks.all()) {
+    ImGui::PushID(bookmark.name.data());
+    if (showButton("go", rights.canJump)) wish = {What::GoTo, bookmark.name};
+    if (showButton("write as a shot", rights.canWriteShots))
+      wish = {What::WriteShot, bookmark.name};
+    if (showButton("forget", true)) wish = {What::Remove, bookmark.name};
+    ImGui::TextUnformatted(bookmark.name.data());
+    ImGui::PopID();
+  }
+  return wish;
+}
+
+}  // namespace hearth

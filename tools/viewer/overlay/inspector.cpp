@@ -1,0 +1,76 @@
+#include "viewer/overlay/inspector.h"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "level/locate.h"
+#include "load/positions.h"
+#include "math/tolerance.h"
+#include "viewer/overlay/inspector_section.h"
+#include "viewer/overlay/light_rays.h"
+
+namespace hearth {
+
+void Inspector::take(const SDL_Event& event, int width) {
+  const auto over = [width](int x, int y) {
+    return x < width ? std::optional(Pixel{x, y}) : std::nullopt;
+  };
+  if (event.type == SDL_MOUSEMOTION) mouse_ = over(event.motion.x, event.motion.y);
+  if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE) mouse_.reset();
+  if (event.type != SDL_MOUSEBUTTONDOWN || event.button.button != SDL_BUTTON_LEFT) return;
+  mouse_ = over(event.button.x, event.button.y);
+  isClicked_ |= mouse_.has_value();
+}
+
+bool Inspector::letGo() { return std::exchange(pinned_, std::nullopt).has_value(); }
+
+Inspector::Look Inspector::lookThrough(Pixel pixel, const InspectedLevel& in,
+                                       const Camera& camera) const {
+  const Projection projection = projectionFor(in.level, camera);
+  const Vec2 ray = projection.rayOf(pixel.x + 0.5);
+  return {in.level[camera.sector].name,
+          projection.eye(),
+          {ray.x, ray.y, projection.climbOf(pixel.y + 0.5)}};
+}
+
+/// Where the eye is in no sector of that name any more, nothing is found.
+void Inspector::find(const Look& look, const InspectedLevel& in) {
+  if (found_ && look_ == look) return;
+  look_ = look;
+  found_.reset();
+  const auto sector = findSector(in.level, look.sector);
+  if (!sector || !contains(in.level, in.level[*sector], look.eye, kPositionSlack)) return;
+  const Vec3 eye = nudgedInside(in.level, in.level[*sector], look.eye);
+  if (const auto hit = trace(in.level, *sector, eye, look.direction, RayKind::Look))
+    found_ = inspect(in.level, in.renderer.light(), in.settings, *hit);
+}
+
+std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
+  const bool isClicked = std::exchange(isClicked_, false) && mouse_;
+  if (isClicked) pinned_ = lookThrough(*mouse_, in, camera);
+  if (isClicked) section_.call();
+  const bool isOpen = section_.show("Inspector");
+  if (!isOpen || (!pinned_ && !mouse_)) forget();
+  if (!isOpen) return std::nullopt;
+  if (!pinned_ && !mouse_) {
+    ImGui::TextUnformatted("Point at a surface in the picture. A click pins the place.");
+    return std::nullopt;
+  }
+  find(pinned_ ? *pinned_ : lookThrough(*mouse_, in, camera), in);
+  if (!found_) return std::nullopt;
+  const Texture& texture = in.renderer.texture(found_->place.texture->texture);
+  LightsTool* const lights = in.lights && in.lights->editor().isOpen() ? in.lights : nullptr;
+  const InspectorRequest asked = showInspection(*found_,
+                                                {in.level, texture, in.source, lights != nullptr,
+                                                 lights ? lights->editor().picked() : std::nullopt},
+                                                pinned_.has_value());
+  if (in.isInPicture) drawLightRays(*found_, asked.light, in.level, camera);
+  if (lights && asked.picked) lights->pick(*asked.picked);
+  if (lights && asked.addsLight) lights->addBefore(in.level, found_->place);
+  if (asked.letsGo) letGo();
+  return asked.copied;
+}
+
+}  // namespace hearth

@@ -1,0 +1,315 @@
+#include "viewer/overlay/lights_section.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "viewer/edit/curve_edit.h"
+#include "viewer/edit/light_name.h"
+#include "viewer/overlay/widgets.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr int kRows = 6;               // of the list that show at once
+constexpr float kLightNameWidth = 11;  // of a field, in letters
+constexpr float kGap = 3;
+constexpr double kLargest = 1e9;                 // of all fields; the loader takes no more
+constexpr std::size_t kLongestLightName = 1000;  // bytes
+
+bool showButton(const char* name, bool isEnabled) {
+  ImGui::BeginDisabled(!isEnabled);
+  const bool isPressed = ImGui::Button(name);
+  ImGui::EndDisabled();
+  return isPressed;
+}
+
+void showButtons(LightsTool& tool, const Level& level, const Camera& camera) {
+  LightsEditor& editor = tool.editor();
+  if (showButton("add", true)) tool.addBefore(level, camera);
+  showTip("Before the eye. Inspector adds one before a surface that is clicked on.");
+  ImGui::SameLine();
+  if (showButton("delete", editor.picked().has_value())) {
+    tool.release();
+    editor.removePicked();
+  }
+  ImGui::SameLine();
+  if (showButton("undo", editor.canUndo())) editor.undo();
+  showTip("Ctrl+Z");
+  ImGui::SameLine();
+  if (showButton("redo", editor.canRedo())) editor.redo();
+  showTip("Ctrl+Y, or Ctrl+Shift+Z");
+  ImGui::SameLine();
+  if (showButton("save", editor.isUnsaved())) tool.save(level);
+  showTip("Ctrl+S");
+  ImGui::SameLine();
+  bool areShown = tool.areMarksShown();
+  if (ImGui::Checkbox("marks", &areShown)) tool.showMarks(areShown);
+  showTip("Of lights, in the picture. Behind walls they are hollow.");
+  ImGui::SameLine(0, letters(kGap));
+  showText(editor.isUnsaved() ? "(not saved)" : "");
+}
+
+// --- The list ------------------------------------------------------------------------------------
+
+ImVec4 swatchOf(const LightSource& light) {
+  return {static_cast<float>(light.share(0)), static_cast<float>(light.share(1)),
+          static_cast<float>(light.share(2)), 1};
+}
+
+void showRow(LightsTool& tool, std::size_t i) {
+  LightsEditor& editor = tool.editor();
+  const float height = ImGui::GetTextLineHeight();
+  ImGui::PushID(static_cast<int>(i));
+  ImGui::ColorButton("##color", swatchOf(editor.lights().lights[i].source),
+                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                     {height, height});
+  ImGui::SameLine();
+  const ImVec2 begin = ImGui::GetCursorPos();
+  if (ImGui::Selectable("##light", editor.picked() == i)) {
+    tool.release();
+    editor.pick(i);
+  }
+  ImGui::SetCursorPos(begin);
+  showText(lightName(i, editor.commentOf(i)));
+  ImGui::PopID();
+}
+
+void showList(LightsTool& tool, bool scrollsToPicked) {
+  LightsEditor& editor = tool.editor();
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  if (ImGui::BeginChild("list", {0, kRows * line + 2 * ImGui::GetStyle().WindowPadding.y}, true)) {
+    if (scrollsToPicked)
+      ImGui::SetScrollY(line * static_cast<float>(*editor.picked()) +
+                        ImGui::GetStyle().WindowPadding.y);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(editor.lights().lights.size()));
+    while (clipper.Step())
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        showRow(tool, static_cast<std::size_t>(i));
+  }
+  ImGui::EndChild();
+}
+
+// --- Fields of the light that is picked ----------------------------------------------------------
+
+void showLabel(const char* name) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name);
+  ImGui::SameLine(letters(kLightNameWidth));
+  ImGui::SetNextItemWidth(-1);
+}
+
+/// Of a field. It is dragged so far for each pixel of the mouse; farther where its number is large,
+/// by a share of it.
+struct FieldRange {
+  double least;
+  double most;
+  double perPixel;
+  double sharePerPixel;
+  const char* format;
+  const char* tip;
+};
+constexpr FieldRange kPosition{
+    -kLargest, kLargest, 0.02, 0, "%.3f m", "x to the right on the map, y down on it, z up."};
+constexpr FieldRange kRadius{
+    0, kLargest, 0.005, 0.01, "%.3f m", "Of a ball of light, which has soft shadows. 0: a point."};
+constexpr FieldRange kIntensity{0, kLargest, 1, 0.01, "%.1f of 255", "Levels of light at 0 m."};
+constexpr FieldRange kFalloff{0,
+                              kLargest,
+                              0.004,
+                              0.02,
+                              "%.3f per m",
+                              "At d metres there is intensity / (d x falloff + 1): 0.3 for a lamp "
+                              "that fills a hall, 0.8 for a pool of light."};
+
+/// As wide as was asked for.
+bool showNumber(const char* id, double& value, const FieldRange& range) {
+  const double speed = std::max(range.perPixel, range.sharePerPixel * std::abs(value));
+  const bool isChanged =
+      ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &range.least,
+                        &range.most, range.format, ImGuiSliderFlags_AlwaysClamp);
+  if (!ImGui::IsItemActive())
+    showTip(fmt::format("{}\nDrag it, or click to type a number.", range.tip));
+  return isChanged;
+}
+
+bool showField(const char* name, double& value, const FieldRange& range) {
+  showLabel(name);
+  ImGui::PushID(name);
+  const bool isChanged = showNumber("##field", value, range);
+  ImGui::PopID();
+  return isChanged;
+}
+
+/// `count` fields side by side, with room for `right` pixels behind them.
+float widthOfEach(int count, float right = 0) {
+  const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemInnerSpacing.x;
+  return (ImGui::GetContentRegionAvail().x - gaps - right) / static_cast<float>(count);
+}
+
+bool showPosition(Vec3& position) {
+  showLabel("x, y, z");
+  const float width = widthOfEach(3);
+  bool isChanged = false;
+  const auto show = [&](const char* id, double& value) {
+    ImGui::SetNextItemWidth(width);
+    isChanged |= showNumber(id, value, kPosition);
+  };
+  show("##x", position.x);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  show("##y", position.y);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  show("##z", position.z);
+  return isChanged;
+}
+
+bool showColor(LightSource& light) {
+  showLabel("color");
+  std::array<float, 3> shares{};
+  for (int i = 0; i < 3; ++i)
+    shares.at(static_cast<std::size_t>(i)) = static_cast<float>(light.share(i));
+  if (!ImGui::ColorEdit3("##color", shares.data(),
+                         ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar))
+    return false;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    light.color[i] = static_cast<std::uint8_t>(std::lround(255 * shares.at(i)));
+  return true;
+}
+
+// --- A curve -------------------------------------------------------------------------------------
+
+/// Its distance stays between those of its neighbours.
+bool showPoint(std::vector<CurvePoint>& curve, std::size_t i, float width) {
+  const FieldRange distance{i > 0 ? curve[i - 1].distance : 0,
+                            i + 1 < curve.size() ? curve[i + 1].distance : kLargest,
+                            0.02,
+                            0,
+                            "at %.2f m",
+                            "Of this point of the curve, between those beside it."};
+  const FieldRange level{
+      0, kLargest,      1,
+      0, "%.1f of 255", "Levels of light there. Between two points they change evenly."};
+  ImGui::SetNextItemWidth(width);
+  const bool isMoved = showNumber("##distance", curve[i].distance, distance);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(width);
+  return showNumber("##level", curve[i].level, level) || isMoved;
+}
+
+/// Two buttons behind a point, square ones, add another and take it out.
+bool showPointButtons(std::vector<CurvePoint>& curve, std::size_t i) {
+  const ImVec2 square{ImGui::GetFrameHeight(), ImGui::GetFrameHeight()};
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool isAdded = ImGui::Button("+", square);
+  showTip("Adds a point behind this one, which changes nothing yet.");
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::BeginDisabled(curve.size() == 1);
+  const bool isTakenOut = ImGui::Button("-", square);
+  ImGui::EndDisabled();
+  showTip("Takes this point out.");
+  if (isAdded) curve = withPointBehind(curve, i);
+  if (isTakenOut) curve = withoutPoint(curve, i);
+  return isAdded || isTakenOut;
+}
+
+bool showCurve(std::vector<CurvePoint>& curve) {
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    showLabel(i == 0 ? "curve" : "");
+    const float buttons = 2 * (ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::PushID(static_cast<int>(i));
+    bool isChanged = showPoint(curve, i, widthOfEach(2, buttons));
+    isChanged |= showPointButtons(curve, i);
+    ImGui::PopID();
+    if (isChanged) return true;  // the rest in the next frame
+  }
+  return false;
+}
+
+bool showStrength(LightSource& light) {
+  if (!light.curve.empty()) return showCurve(light.curve);
+  const bool isBrighter = showField("intensity", light.intensity, kIntensity);
+  return showField("falloff", light.falloff, kFalloff) || isBrighter;
+}
+
+/// The sector is of use only where sectors overlap.
+bool showSector(LightDescription& light) {
+  if (!light.sector) return false;
+  showLabel("sector");
+  showText(light.sector->name);
+  ImGui::SameLine();
+  if (!ImGui::Button("find by position")) return false;
+  light.sector.reset();
+  return true;
+}
+
+bool showFields(LightDescription& light) {
+  LightSource& source = light.source;
+  bool isChanged = showPosition(source.position);
+  isChanged |= showSector(light);
+  isChanged |= showField("radius", source.radius, kRadius);
+  isChanged |= showStrength(source);
+  isChanged |= showColor(source);
+  return isChanged;
+}
+
+/// The comment of a light. Returns whether it has been changed.
+bool showName(std::string& comment) {
+  showLabel("name");
+  std::array<char, kLongestLightName + 1> typed{};
+  comment.copy(typed.data(), kLongestLightName);
+  const bool isChanged = ImGui::InputTextWithHint("##name", "none", typed.data(), typed.size());
+  showTip("Its comment in the file.");
+  if (isChanged) comment = typed.data();
+  return isChanged;
+}
+
+/// As long as a field is held, what it changes is one step.
+void editPicked(LightsEditor& editor) {
+  LightDescription light = editor.pickedLight();
+  std::string comment = editor.commentOf(*editor.picked());
+  const bool isRenamed = showName(comment);
+  const bool isChanged = showFields(light);
+  if ((isRenamed || isChanged) && !editor.isDragging() && ImGui::IsAnyItemActive())
+    editor.beginDrag();
+  if (isRenamed) editor.setComment(comment);
+  if (isChanged) editor.set(light);
+  if (editor.isDragging() && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) editor.endDrag();
+}
+
+void showNews(LightsEditor& editor) {
+  if (!editor.message().empty()) showWrapped(editor.message());
+  if (editor.hasConflict() && ImGui::Button("read the file, and drop what is edited here"))
+    editor.openAgain();
+}
+
+}  // namespace
+
+void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
+  CalledSection none;
+  CalledSection& section = tool ? tool->section() : none;
+  const bool isCalled = section.isCalled();
+  if (!section.show("Lights")) return;
+  if (!tool)
+    return showWrapped(
+        "This walk is recorded or replayed, or takes its light from a file: lights "
+        "cannot be edited.");
+  LightsEditor& editor = tool->editor();
+  if (!editor.isOpen()) return showNews(editor);
+  showButtons(*tool, level, camera);
+  showList(*tool, isCalled && editor.picked());
+  if (editor.picked()) editPicked(editor);
+  showNews(editor);
+  showWrapped(
+      "Drag a mark in the picture, or on the map (Tab); with x, y or z held it moves along that "
+      "axis alone. Drag a number, or click to type one.");
+}
+
+}  // namespace hearth

@@ -1,0 +1,271 @@
+#include "viewer/overlay/lights_tool.h"
+
+#include <SDL_keycode.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "level/locate.h"
+#include "light/sight/raytracer.h"
+#include "load/positions.h"
+#include "viewer/overlay/light_rays.h"
+#include "viewer/overlay/overlay.h"
+
+namespace hearth {
+
+namespace {
+
+// Of a mark, in pixels of letters: a diamond, and how far from its middle it can be picked.
+constexpr int kHalfDiagonal = 5;
+constexpr int kReach = 8;
+
+/// Metres before the eye at which a light is put, the first that nothing hides.
+constexpr std::array kAhead = {1.5, 1.0, 0.5, 0.25};
+
+/// Enough to see what is near, and not all that is far.
+constexpr double kFirstFalloff = 0.5;
+
+/// And before a surface.
+constexpr double kMostBefore = 1;
+
+/// The sector of a point that the eye sees.
+std::optional<SectorId> seenAt(const Level& level, const Camera& camera, Vec3 point) {
+  const Vec3 eye = nudgedInside(level, level[camera.sector], camera.eye);
+  SectorSet met;
+  return Raytracer(level).sectorAt({eye, camera.sector}, point, met);
+}
+
+/// A drag along both sides of a map goes where the mouse has gone farther.
+Axis fartherAxis(Vec2 way) { return std::abs(way.x) >= std::abs(way.y) ? Axis::X : Axis::Y; }
+
+Rgb mixed(Rgb a, Rgb b) {
+  const auto mean = [](std::uint8_t x, std::uint8_t y) {
+    return static_cast<std::uint8_t>((x + y) / 2);
+  };
+  return {mean(a.r, b.r), mean(a.g, b.g), mean(a.b, b.b)};
+}
+
+struct Mark {
+  Rgb color;
+  Rgb rim;
+  bool isHidden;  ///< then it is hollow
+};
+
+void drawMark(Image& picture, Vec2 pixel, const Mark& mark) {
+  const int scale = letterScale(picture.height());
+  const int half = scale * kHalfDiagonal;
+  const int left = static_cast<int>(std::lround(pixel.x));
+  const int top = static_cast<int>(std::lround(pixel.y));
+  for (int y = std::max(0, top - half); y <= std::min(picture.height() - 1, top + half); ++y)
+    for (int x = std::max(0, left - half); x <= std::min(picture.width() - 1, left + half); ++x) {
+      const int fromMiddle = std::abs(x - left) + std::abs(y - top);
+      if (fromMiddle > half) continue;
+      const bool isRim = fromMiddle > half - 2 * scale;
+      Rgb& shown = picture.at(x, y);
+      if (!mark.isHidden)
+        shown = isRim ? mark.rim : mark.color;
+      else if (isRim)
+        shown = mixed(mark.rim, shown);
+    }
+}
+
+/// What the loader will say of the first light that it has no sector for.
+std::optional<std::string> mistakeInPlaces(const Level& level, const LightsDescription& described) {
+  const Locator locator(level);
+  for (std::size_t i = 0; i < described.lights.size(); ++i) {
+    const LightDescription& light = described.lights[i];
+    std::optional<SectorId> sector;
+    if (light.sector) sector = findSector(level, light.sector->name);
+    if (light.sector && !sector)
+      return fmt::format("light {}: there is no sector \"{}\"", i, light.sector->name);
+    const auto found = locator.locate(light.source.position, sector, PositionOf::Light);
+    if (!found)
+      return fmt::format("light {}: {}; {}", i, found.error().message, found.error().advice);
+  }
+  return std::nullopt;
+}
+
+bool isNear(Vec2 pixel, const Image& picture) {
+  return pixel.x > -kReach && pixel.y > -kReach && pixel.x < picture.width() + kReach &&
+         pixel.y < picture.height() + kReach;
+}
+
+}  // namespace
+
+// --- Events --------------------------------------------------------------------------------------
+
+std::optional<std::size_t> LightsTool::lightAt(Vec2 pixel, const MarkerSpace& space,
+                                               int pictureHeight) const {
+  if (!areMarksShown_) return std::nullopt;
+  std::optional<std::size_t> nearest;
+  double least = kReach * letterScale(pictureHeight);
+  for (std::size_t i = 0; i < editor_.lights().lights.size(); ++i) {
+    const auto mark = space.pixelOf(editor_.lights().lights[i].source.position);
+    if (!mark || length(*mark - pixel) > least) continue;
+    least = length(*mark - pixel);
+    nearest = i;
+  }
+  return nearest;
+}
+
+bool LightsTool::take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight) {
+  if (!editor_.isDragging()) grip_.reset();  // the file may have been read anew
+  if (!editor_.isOpen()) return false;
+  switch (event.kind) {
+    case PointerEvent::Kind::Press: {
+      const auto light = lightAt(event.pixel, space, pictureHeight);
+      if (!light) return false;
+      release();
+      editor_.pick(light);
+      editor_.beginDrag();
+      const LightDescription& picked = editor_.pickedLight();
+      grip_ = Grip{picked, *space.pixelOf(picked.source.position) - event.pixel};
+      section_.call();
+      return true;
+    }
+    case PointerEvent::Kind::Move:
+      if (!grip_) return false;
+      dragTo(event, space);
+      return true;
+    case PointerEvent::Kind::Release:
+      if (!grip_) return false;
+      release();
+      return true;
+  }
+  return false;
+}
+
+void LightsTool::dragTo(const PointerEvent& event, const MarkerSpace& space) {
+  LightDescription light = grip_->light;
+  Vec3& position = light.source.position;
+  const auto mark = space.pixelOf(position);
+  if (!mark) return;  // the eye has turned away from it
+  const Vec2 pixel = event.pixel + grip_->toMark;
+  grip_->axis = event.axis;
+  if (event.isShifted && !event.axis)
+    grip_->axis = space.isMap() ? fartherAxis(pixel - *mark) : Axis::Z;
+  position = space.dragged(position, pixel, grip_->axis);
+  editor_.set(light);
+}
+
+std::optional<LightsTool::Drag> LightsTool::drag() const {
+  if (!grip_ || !editor_.isDragging() || !editor_.picked()) return std::nullopt;
+  return Drag{editor_.pickedLight().source.position, grip_->axis};
+}
+
+bool LightsTool::take(const SDL_KeyboardEvent& key, const Level& level) {
+  if (grip_ && axisOf(key)) return true;
+  if ((key.keysym.mod & KMOD_CTRL) == 0 || !editor_.isOpen()) return false;
+  const bool isShifted = (key.keysym.mod & KMOD_SHIFT) != 0;
+  switch (key.keysym.sym) {
+    case SDLK_z:
+      if (isShifted)
+        editor_.redo();
+      else
+        editor_.undo();
+      return true;
+    case SDLK_y:
+      editor_.redo();
+      return true;
+    case SDLK_s:
+      save(level);
+      return true;
+    default:
+      return key.keysym.sym == SDLK_LCTRL || key.keysym.sym == SDLK_RCTRL;
+  }
+}
+
+bool LightsTool::isSave(const SDL_KeyboardEvent& key) {
+  return (key.keysym.mod & KMOD_CTRL) != 0 && key.keysym.sym == SDLK_s;
+}
+
+void LightsTool::release() {
+  if (editor_.isDragging()) editor_.endDrag();
+  grip_.reset();
+}
+
+void LightsTool::showMarks(bool areShown) {
+  release();
+  areMarksShown_ = areShown;
+}
+
+void LightsTool::pick(std::size_t light) {
+  release();
+  if (light >= editor_.lights().lights.size()) return;
+  editor_.pick(light);
+  section_.call();
+}
+
+// --- The file ------------------------------------------------------------------------------------
+
+void LightsTool::save(const Level& level) {
+  release();
+  if (const auto mistake = mistakeInPlaces(level, editor_.lights()))
+    editor_.refuse("not saved: " + *mistake);
+  else
+    editor_.save();
+}
+
+// --- New lights ----------------------------------------------------------------------------------
+
+void LightsTool::addBefore(const Level& level, const Camera& camera) {
+  const Projection view(camera, camera.eye);
+  Vec3 position;
+  std::optional<SectorId> sector;
+  for (std::size_t i = 0; i < kAhead.size() && !sector; ++i) {
+    const Vec2 plan = camera.eye.xy() + kAhead.at(i) * view.direction();
+    position = {plan.x, plan.y, camera.eye.z};
+    sector = seenAt(level, camera, position);
+  }
+  add(level, position, sector);
+}
+
+void LightsTool::addBefore(const Level& level, const SurfacePoint& place) {
+  const Vec3 begin = nudgedInside(level, level[place.sector], place.point);
+  const auto met = trace(level, place.sector, begin, place.normal, RayKind::Look);
+  const double free = met ? met->t : kMostBefore;  // the normal is a unit
+  const Vec3 position = place.point + std::min(kMostBefore, free / 2) * place.normal;
+  add(level, position, sectorAt(level, place.sector, begin, position));
+}
+
+/// Names the sector where a position alone does not say which.
+void LightsTool::add(const Level& level, Vec3 position, std::optional<SectorId> sector) {
+  release();
+  LightDescription light;
+  light.source.falloff = kFirstFalloff;
+  light.source.position = {toMillimetres(position.x), toMillimetres(position.y),
+                           toMillimetres(position.z)};
+  const std::string name = sector ? level[*sector].name : "";
+  const Locator locator(level);
+  if (sector && !locator.locate(light.source.position, std::nullopt, PositionOf::Light))
+    light.sector = NameReference{name, {}};
+  editor_.add(light, sector ? "in " + name : "");
+  section_.call();
+}
+
+// --- Marks ---------------------------------------------------------------------------------------
+
+void LightsTool::draw(const Level& level, const Camera& camera, const MarkerSpace& space,
+                      Image& picture) const {
+  if (!editor_.isOpen() || !areMarksShown_) return;
+  constexpr Rgb kRim = {0, 0, 0};
+  constexpr Rgb kPickedRim = {255, 255, 255};
+  const auto drawLight = [&](std::size_t i) {
+    const LightSource& light = editor_.lights().lights[i].source;
+    const auto pixel = space.pixelOf(light.position);
+    if (!pixel || !isNear(*pixel, picture)) return;
+    const bool isHidden = !space.isMap() && !seenAt(level, camera, light.position);
+    const bool isPicked = editor_.picked() == i;
+    const Rgb rim = isHidden ? colorOf(light) : kRim;
+    drawMark(picture, *pixel, {colorOf(light), isPicked ? kPickedRim : rim, isHidden});
+  };
+  for (std::size_t i = 0; i < editor_.lights().lights.size(); ++i) drawLight(i);
+  if (editor_.picked()) drawLight(*editor_.picked());  // over all others
+}
+
+}  // namespace hearth

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <SDL_events.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "image/image.h"
+#include "level/level.h"
+#include "load/limits.h"
+#include "render/camera.h"
+#include "truth/trace.h"
+#include "viewer/edit/lights_editor.h"
+#include "viewer/overlay/called_section.h"
+#include "viewer/overlay/marker_space.h"
+#include "viewer/overlay/pointer.h"
+
+namespace hearth {
+
+/// Lights as they are picked, dragged and marked in a walk's picture.
+class LightsTool {
+ public:
+  LightsTool(std::filesystem::path file, const LoadLimits& limits)
+      : editor_(std::move(file), limits) {}
+
+  LightsEditor& editor() { return editor_; }
+  const LightsEditor& editor() const { return editor_; }
+  /// In which lights are edited: called when one is picked outside of it.
+  CalledSection& section() { return section_; }
+
+  /// Whether lights have marks, which can be picked.
+  bool areMarksShown() const { return areMarksShown_; }
+  void showMarks(bool areShown);
+
+  /// Picks and drags. Returns whether the event is about a light.
+  bool take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
+  /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
+  /// is one of these, or Ctrl by itself, or an axis of a drag.
+  bool take(const SDL_KeyboardEvent& key, const Level& level);
+  /// Of these Ctrl+S, which no field of text is to keep for itself.
+  static bool isSave(const SDL_KeyboardEvent& key);
+  /// Ends a drag.
+  void release();
+
+  /// What is being dragged.
+  struct Drag {
+    Vec3 position;
+    std::optional<Axis> axis;  ///< along which alone
+  };
+  std::optional<Drag> drag() const;
+
+  /// A mark for each light: hollow and dim where `level` hides it from the camera, but on the map.
+  void draw(const Level& level, const Camera& camera, const MarkerSpace& space,
+            Image& picture) const;
+
+  /// Writes the file, unless a light lies where `level` has no air for it: it could not be opened
+  /// again.
+  void save(const Level& level);
+
+  /// As by a click on its mark. Nothing where there is no such light any more.
+  void pick(std::size_t light);
+  /// Puts a light before the eye.
+  void addBefore(const Level& level, const Camera& camera);
+  /// Puts a light a metre before a surface, or half as far as there is air.
+  void addBefore(const Level& level, const SurfacePoint& place);
+
+ private:
+  std::optional<std::size_t> lightAt(Vec2 pixel, const MarkerSpace& space, int pictureHeight) const;
+  void dragTo(const PointerEvent& event, const MarkerSpace& space);
+  void add(const Level& level, Vec3 position, std::optional<SectorId> sector);
+
+  /// What holds the light that is dragged.
+  struct Grip {
+    LightDescription light;  ///< as it was
+    Vec2 toMark;             ///< from the pointer, in pixels
+    std::optional<Axis> axis = {};
+  };
+
+  LightsEditor editor_;
+  CalledSection section_;
+  bool areMarksShown_ = true;
+  std::optional<Grip> grip_;
+};
+
+}  // namespace hearth

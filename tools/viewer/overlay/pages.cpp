@@ -1,0 +1,25 @@
+#include "viewer/overlay/pages.h"
+
+#include <imgui/imgui.h>
+
+#include <utility>
+
+namespace hearth {
+
+void Pages::show(std::span<const Page> pages) {
+  // A panel that has been made anew, as for other letters, knows of no page that was shown.
+  if (ImGui::GetFrameCount() <= std::exchange(frame_, ImGui::GetFrameCount())) turnTo(shown_);
+  const std::optional<std::size_t> asked = std::exchange(asked_, std::nullopt);
+  if (!ImGui::BeginTabBar("pages")) return;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const ImGuiTabItemFlags flags = asked == i ? ImGuiTabItemFlags_SetSelected : 0;
+    if (!ImGui::BeginTabItem(pages[i].name, nullptr, flags)) continue;
+    shown_ = i;
+    if (ImGui::BeginChild(pages[i].name)) pages[i].show();
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+  }
+  ImGui::EndTabBar();
+}
+
+}  // namespace hearth

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "level/level.h"
+#include "render/draw_settings.h"
+#include "settings/options.h"
+
+namespace hearth {
+
+/// How a walk is lit and drawn, as the overlay lets choose it.
+struct QualityChoice {
+  OptionValues options = {};  ///< of the command line, of which those of bakes and frames change
+  double fov = 90;            ///< degrees, horizontal
+  double frameCap = 0;        ///< frames per second; 0: none
+};
+
+/// What the choice has come to in the level at hand.
+struct QualityInLevel {
+  BakeSettings ofLevel;  ///< the file's own
+  BakeSettings bake;
+  DrawSettings draw;
+  bool canBake = false;  ///< else the light is as it is
+};
+
+/// Asks for settings that go together, and for none by itself.
+void chooseQuality(OptionValues& options, std::string_view name);
+
+/// A section of the overlay. Returns whether options have been chosen anew.
+bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice);
+
+}  // namespace hearth

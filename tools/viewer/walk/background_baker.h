@@ -1,0 +1,141 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "light/bake_progress.h"
+#include "light/bakery.h"
+#include "light/rebake.h"
+#include "load/source.h"
+#include "render/renderer.h"
+#include "session/bake_cache.h"
+#include "session/progress.h"
+#include "settings/options.h"
+
+namespace hearth {
+
+/// A version of a level with its light, as it is drawn.
+struct LitLevel {
+  LitLevel(std::shared_ptr<const LoadedLevel> level, std::shared_ptr<const LevelSource> itsSource,
+           std::shared_ptr<const BakedLight> baked, const DrawSettings& settings)
+      : loaded(std::move(level)),
+        source(std::move(itsSource)),
+        light(std::move(baked)),
+        renderer(loaded->level, loaded->textures, *light, settings) {}
+  LitLevel(const LitLevel&) = delete;
+  LitLevel& operator=(const LitLevel&) = delete;
+
+  std::shared_ptr<const LoadedLevel> loaded;
+  std::shared_ptr<const LevelSource> source;
+  std::shared_ptr<const BakedLight> light;
+  Renderer renderer;
+};
+
+/// The same, drawn otherwise.
+std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings);
+
+/// What has become of a version of a level.
+struct LevelNews {
+  std::vector<std::string> warnings = {};
+  /// For which the files cannot be shown as they are now. Then `level`, if any, is of before.
+  std::vector<std::string> mistakes = {};
+  std::shared_ptr<const LitLevel> level = nullptr;
+  bool isDraft = false;  ///< better light is to come
+};
+
+/// Loads and bakes a level whenever it is asked to, in a thread of its own that gives way to all
+/// others. What was asked for before is given up then.
+class BackgroundBaker {
+ public:
+  /// In which the next file of one save follows: until its lights have come, too, a level that was
+  /// copied over another may be wrong.
+  static constexpr std::chrono::milliseconds kNextFile{50};
+
+  /// Bakes `loaded` first, with the settings of the command line above those of the file. Mistakes
+  /// are told unless another file comes within `nextFile`.
+  BackgroundBaker(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
+                  std::shared_ptr<const LevelSource> source, std::chrono::milliseconds nextFile);
+  ~BackgroundBaker();
+  BackgroundBaker(const BackgroundBaker&) = delete;
+  BackgroundBaker& operator=(const BackgroundBaker&) = delete;
+
+  enum class Changed { Lights, Anything };
+  /// Loads the level anew: all of it, or just its lights where only their file has changed.
+  void reload(Changed changed);
+  /// From now on the lights file is taken to hold this text, which is not saved yet. Lights that
+  /// come in quick succession show: a bake of which nothing has shown yet is not given up for them.
+  void setLights(std::string unsaved);
+  /// Takes lights from their file again, from the next reload on.
+  void forgetLights();
+  /// Bakes and draws by other options from now on. The level at hand is baked anew where they ask
+  /// for that; who only wants it drawn otherwise has `redrawn`.
+  void setOptions(const OptionValues& values);
+
+  /// The oldest that has not been given out.
+  std::optional<LevelNews> news();
+  /// Of a bake, while there is one that shows.
+  std::optional<StageProgress> progress() const;
+
+ private:
+  struct Job {
+    std::optional<Changed> changed;
+    bool hasOtherOptions;
+    std::stop_token stop;
+  };
+  void run(const std::stop_token& stopOfFirst);
+  void attempt(const std::function<void()>& work);
+  std::optional<Job> nextJob();
+  void load(Changed changed);
+  LoadResult loaded(Changed changed);
+  /// Whether there is another job, or the end, before the time is over.
+  bool isAskedWithin(std::chrono::milliseconds time);
+  bool isOvertaken() const;
+  std::optional<std::string> unsavedLights() const;
+  void refuse(std::string mistake);
+  void light(bool isFirst, const std::stop_token& stop);
+  bool isAsked() const { return asked_ || areOptionsNew_ || isOver_; }
+  OptionValues options() const;
+  bool showKept(const BakeCache& cache, const BakeSettings& settings);
+  std::shared_ptr<const LitLevel> show(BakedLight light, bool isDraft);
+  void setProgress(std::shared_ptr<const BakeProgress> progress);
+  void tell(LevelNews news);
+
+  const std::chrono::milliseconds nextFile_;
+
+  mutable std::mutex mutex_;  ///< of what follows
+  std::condition_variable wakeUp_;
+  std::optional<Changed> asked_;
+  std::optional<std::string> unsavedLights_;
+  bool isOver_ = false;
+  OptionValues values_;
+  bool areOptionsNew_ = false;  ///< and have not been baked by
+  std::stop_source stop_;       ///< of the job at hand
+  bool hasShownDraft_ = false;  ///< of that job
+  std::deque<LevelNews> news_;
+  std::shared_ptr<const BakeProgress> progress_;
+  double bakeBegin_ = 0;
+
+  // The thread's own:
+  std::shared_ptr<const LoadedLevel> current_;
+  std::shared_ptr<const LevelSource> source_;
+  bool isOfFiles_ = true;               ///< the current level; else they have mistakes
+  bool isLit_ = false;                  ///< with its own light, not a draft
+  BakeSettings litBy_;                  ///< if it is
+  std::vector<std::string> mistakes_;   ///< of the files as they were read last
+  std::optional<std::string> refusal_;  ///< why the level is not lit
+  LightMemory memory_;
+
+  std::jthread thread_;  ///< last, so that it ends first
+};
+
+}  // namespace hearth

@@ -1,0 +1,176 @@
+#include "viewer/walk/controls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hearth {
+
+namespace {
+
+// In 1/1000 degree: by keys, 128 degrees a second to the side and 64 up; by a stick, at most 192
+// and 96.
+constexpr int kKeyTurn = 128000 / kTicksPerSecond;
+constexpr int kKeyPitch = 64000 / kTicksPerSecond;
+constexpr double kStickTurn = 192000.0 / kTicksPerSecond;
+constexpr double kStickPitch = 96000.0 / kTicksPerSecond;
+
+/// What sticks and triggers report at their end, and what resting ones may.
+constexpr double kAxisEnd = 32767;
+constexpr double kDeadZone = 8000;
+
+/// Motions of the mouse that no hand makes, in pixels and in 1/1000 degree: keep sums in an int.
+constexpr int kMostPixels = 1 << 14;
+constexpr int kMostMotion = 1000000000;
+
+struct ButtonBinding {
+  SDL_GameControllerButton button;
+  Action action;
+};
+constexpr std::array kButtons = {
+    ButtonBinding{SDL_CONTROLLER_BUTTON_A, Action::Jump},
+    ButtonBinding{SDL_CONTROLLER_BUTTON_B, Action::Crouch},
+    ButtonBinding{SDL_CONTROLLER_BUTTON_Y, Action::Fly},
+};
+
+std::size_t indexOf(Action action) { return static_cast<std::size_t>(action); }
+
+void add(int& pending, int motion) {
+  pending = std::clamp(pending + motion, -kMostMotion, kMostMotion);
+}
+
+/// Takes this tick's part of what is to be spread over all that are due.
+int takePart(int& pending, int ticksDue) {
+  const int part = pending / ticksDue;
+  pending -= part;
+  return part;
+}
+
+int share(double stick, int keys) {
+  const int sum = keys + static_cast<int>(std::lround(kFullShare * stick));
+  return std::clamp(sum, -kFullShare, kFullShare);
+}
+
+}  // namespace
+
+void Controls::setPreferences(const Preferences& preferences) {
+  preferences_ = preferences;
+  release();
+}
+
+std::optional<Action> Controls::take(const SDL_Event& event) {
+  switch (event.type) {
+    case SDL_KEYDOWN:
+      return press(event.key);
+    case SDL_KEYUP:
+      keys_.reset(event.key.keysym.scancode);
+      break;
+    case SDL_MOUSEMOTION:
+      if (!isMouseCaptured_) break;
+      add(mouse_.turn, motionOf(event.motion.xrel));
+      add(mouse_.pitch, (preferences_.invertsPitch ? 1 : -1) * motionOf(event.motion.yrel));
+      break;
+    case SDL_CONTROLLERAXISMOTION:
+      axes_.at(event.caxis.axis) = event.caxis.value;
+      break;
+    case SDL_CONTROLLERBUTTONDOWN:
+      return press(static_cast<SDL_GameControllerButton>(event.cbutton.button));
+    case SDL_CONTROLLERBUTTONUP:
+      buttons_.reset(event.cbutton.button);
+      break;
+    case SDL_CONTROLLERDEVICEREMOVED:
+      axes_.fill(0);
+      buttons_.reset();
+      break;
+    default:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Action> Controls::press(const SDL_KeyboardEvent& key) {
+  const std::optional<Action> action = preferences_.keys.actionOf(key.keysym.scancode);
+  const bool isForTheDesktop = (key.keysym.mod & KMOD_ALT) != 0;
+  if (!action || isForTheDesktop) return std::nullopt;
+  keys_.set(key.keysym.scancode);
+  const bool canRepeat = *action == Action::ZoomIn || *action == Action::ZoomOut;
+  if (key.repeat != 0 && !canRepeat) return std::nullopt;
+  pressed_.set(indexOf(*action));
+  return action;
+}
+
+std::optional<Action> Controls::press(SDL_GameControllerButton button) {
+  buttons_.set(static_cast<std::size_t>(button));
+  const auto found = std::ranges::find(kButtons, button, &ButtonBinding::button);
+  if (found == kButtons.end()) return std::nullopt;
+  pressed_.set(indexOf(found->action));
+  return found->action;
+}
+
+void Controls::release() {
+  keys_.reset();
+  buttons_.reset();
+  axes_.fill(0);
+  pressed_.reset();
+  mouse_ = {};
+}
+
+WalkInput Controls::nextTick(int ticksDue, double pitch) {
+  const Vec2 walk = stick(SDL_CONTROLLER_AXIS_LEFTX, SDL_CONTROLLER_AXIS_LEFTY);
+  const Vec2 look = stick(SDL_CONTROLLER_AXIS_RIGHTX, SDL_CONTROLLER_AXIS_RIGHTY);
+  const auto rate = [](double full, double stick) {
+    return static_cast<int>(std::lround(full * stick));
+  };
+  WalkInput input;
+  input.forward = share(-walk.y, kFullShare * direction(Action::Backward, Action::Forward));
+  input.right = share(walk.x, kFullShare * direction(Action::StepLeft, Action::StepRight));
+  input.up = kFullShare * direction(Action::Crouch, Action::Jump);
+  input.turn = kKeyTurn * direction(Action::TurnLeft, Action::TurnRight) +
+               rate(kStickTurn, look.x) + takePart(mouse_.turn, ticksDue);
+  input.pitch = kKeyPitch * direction(Action::LookDown, Action::LookUp) +
+                rate(kStickPitch, -look.y) + takePart(mouse_.pitch, ticksDue);
+  if (wants(Action::LookAhead)) input.pitch = static_cast<int>(std::lround(-1000 * pitch));
+  input.run = wants(Action::Run) || isTriggerHeld();
+  input.jump = wants(Action::Jump);
+  input.crouch = wants(Action::Crouch);
+  input.toggleFlight = pressed_[indexOf(Action::Fly)];
+  pressed_.reset();
+  return input;
+}
+
+/// In 1/1000 degree.
+int Controls::motionOf(int pixels) const {
+  const auto perPixel = static_cast<int>(std::lround(1000 * preferences_.degreesPerPixel));
+  return perPixel * std::clamp(pixels, -kMostPixels, kMostPixels);
+}
+
+bool Controls::wants(Action action) const {
+  if (pressed_[indexOf(action)]) return true;
+  for (const SDL_Scancode key : preferences_.keys.keysOf(action))
+    if (keys_[key]) return true;
+  return std::ranges::any_of(kButtons, [&](const ButtonBinding& binding) {
+    return binding.action == action && buttons_[static_cast<std::size_t>(binding.button)];
+  });
+}
+
+int Controls::direction(Action less, Action more) const {
+  return static_cast<int>(wants(more)) - static_cast<int>(wants(less));
+}
+
+/// From where it rests, to the right and down, no longer than 1. Both axes share a dead zone, so
+/// that a stick works alike in all directions.
+Vec2 Controls::stick(SDL_GameControllerAxis horizontal, SDL_GameControllerAxis vertical) const {
+  const auto axis = [this](SDL_GameControllerAxis id) {
+    return static_cast<double>(axes_[static_cast<std::size_t>(id)]);
+  };
+  const Vec2 at{axis(horizontal), axis(vertical)};
+  const double tilt = length(at);
+  if (tilt <= kDeadZone) return {};
+  return std::min(1.0, (tilt - kDeadZone) / (kAxisEnd - kDeadZone)) / tilt * at;
+}
+
+bool Controls::isTriggerHeld() const {
+  return std::max(axes_[SDL_CONTROLLER_AXIS_TRIGGERLEFT], axes_[SDL_CONTROLLER_AXIS_TRIGGERRIGHT]) >
+         kAxisEnd / 2;
+}
+
+}  // namespace hearth

@@ -1,0 +1,464 @@
+#include "viewer/walk/walk_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "session/session.h"
+#include "settings/channels.h"
+#include "settings/shell_text.h"
+#include "viewer/preferences/config.h"
+#include "viewer/walk/captions.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr double kMessageSeconds = 3;
+constexpr double kFirstNotesSeconds = 15;
+/// The longest rest: ticks that are due must not wait for a frame.
+constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
+
+std::string_view nameOf(LightMode mode) {
+  switch (mode) {
+    case LightMode::Both:
+      return "both";
+    case LightMode::None:
+      return "none";
+    case LightMode::Only:
+      return "only";
+  }
+  return "";
+}
+
+/// With black at the right.
+void widen(Image& picture, int width) {
+  if (picture.width() == width) return;
+  Image wide(width, picture.height());
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) wide.at(x, y) = picture.at(x, y);
+  picture = std::move(wide);
+}
+
+}  // namespace
+
+WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, WalkSession& session,
+                   Screenshots& screenshots, WindowHost& outside, const WalkSettings& settings,
+                   std::shared_ptr<const LevelSource> source)
+    : level_(&level),
+      renderer_(&renderer),
+      source_(std::move(source)),
+      session_(session),
+      screenshots_(screenshots),
+      outside_(outside),
+      settings_(settings),
+      seen_(level),
+      panel_(bakeSettingsFrom(level, settings.options)) {
+  scene_.view = settings.view;
+  if (settings.lightsFile) editLights(*settings.lightsFile);
+  controls_.setPreferences(settings.preferences);
+  written_ = settings.preferences;
+  title_.reserve(level.name.size() + 64);  // so that no frame has to
+  outside_.setTitle(level.name);
+}
+
+void WalkLoop::goOnIn(const Level& level, const Renderer& renderer,
+                      std::shared_ptr<const LevelSource> source) {
+  level_ = &level;
+  renderer_ = &renderer;
+  source_ = std::move(source);
+  seen_ = SeenSectors(level, seen_);
+  panel_.forget();
+  shown_.reset();
+}
+
+void WalkLoop::choose(const OptionValues& options) {
+  settings_.options = options;
+  isChoiceNew_ = true;
+}
+
+std::optional<OptionValues> WalkLoop::takeChoice() {
+  if (!std::exchange(isChoiceNew_, false)) return std::nullopt;
+  return settings_.options;
+}
+
+void WalkLoop::editLights(const std::filesystem::path& file) {
+  panel_.editLights(file, limitsFrom(settings_.options));
+}
+
+void WalkLoop::setNotes(std::vector<std::string> mistakes,
+                        const std::optional<StageProgress>& bake) {
+  notes_ = std::move(mistakes);
+  if (bake) notes_.push_back(progressText(*bake));
+  figures_.bake = bake;
+}
+
+bool WalkLoop::round() {
+  for (SDL_Event event; outside_.poll(event);) take(event);
+  const double now = outside_.seconds();
+  passTime(now);
+  updateMessage(now);
+  updateNotes(now);
+  if (!hasLeft_) drawOrRest(now);
+  return !hasLeft_;
+}
+
+// --- Events --------------------------------------------------------------------------------------
+
+void WalkLoop::take(const SDL_Event& event) {
+  if (event.type == SDL_QUIT) leave();
+  if (event.type == SDL_WINDOWEVENT) take(event.window);
+  if (panel_.take(event, panelScene(), settings_.preferences)) return;
+  if (event.type == SDL_MOUSEBUTTONDOWN) captureMouse(true);
+  if (const std::optional<Action> action = controls_.take(event)) act(*action);
+}
+
+void WalkLoop::take(const SDL_WindowEvent& event) {
+  shown_.reset();
+  if (event.event != SDL_WINDOWEVENT_FOCUS_LOST) return;
+  controls_.release();
+  panel_.releasePointer();
+  captureMouse(false);
+  capturesMouseAgain_ = false;
+}
+
+void WalkLoop::act(Action action) {
+  WalkView& view = scene_.view;
+  switch (action) {
+    case Action::ShowBoth:
+      show(LightMode::Both);
+      break;
+    case Action::ShowTextures:
+      show(LightMode::None);
+      break;
+    case Action::ShowLight:
+      show(LightMode::Only);
+      break;
+    case Action::Map:
+      view.isMapShown = !view.isMapShown;
+      break;
+    case Action::ZoomIn:
+      view.mapMetres = zoomedIn(view.mapMetres);
+      break;
+    case Action::ZoomOut:
+      view.mapMetres = zoomedOut(view.mapMetres);
+      break;
+    case Action::Keys:
+      view.areKeysShown = !view.areKeysShown;
+      break;
+    case Action::FullScreen:
+      outside_.toggleFullScreen();
+      break;
+    case Action::Screenshot:
+      wantsScreenshot_ = true;
+      shown_.reset();
+      break;
+    case Action::Overlay:
+      togglePanel();
+      break;
+    case Action::Bookmark:
+      bookmark(settings_.bookmarks.freeName());
+      break;
+    case Action::NextBookmark:
+      goToNextBookmark();
+      break;
+    case Action::Leave:
+      if (panel_.letGo()) break;
+      if (panel_.isOpen()) return togglePanel();
+      if (!controls_.isMouseCaptured()) leave();
+      captureMouse(false);
+      break;
+    default:  // what the next tick does
+      break;
+  }
+}
+
+/// Asks once where that loses edits.
+void WalkLoop::leave() {
+  hasLeft_ = hasAskedToSave_ || !panel_.hasUnsavedLights();
+  if (hasLeft_) return;
+  hasAskedToSave_ = true;
+  say("lights are not saved: F1 and Ctrl+S save them, leaving again drops them",
+      outside_.seconds());
+}
+
+void WalkLoop::show(LightMode mode) {
+  scene_.view.mode = mode;
+  scene_.view.channel = {};
+}
+
+void WalkLoop::captureMouse(bool isCaptured) {
+  if (controls_.isMouseCaptured() == isCaptured) return;
+  controls_.captureMouse(isCaptured);
+  outside_.captureMouse(isCaptured);
+}
+
+/// The panel needs the mouse; the walk gets it back where it had it.
+void WalkLoop::togglePanel() {
+  panel_.toggle();
+  if (!panel_.isOpen() && panel_.hasUnsavedLights())
+    say("lights are not saved: F1 and Ctrl+S save them");
+  hasAskedToSave_ = false;
+  shown_.reset();
+  if (panel_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
+  captureMouse(!panel_.isOpen() && capturesMouseAgain_);
+}
+
+// --- Bookmarks ---------------------------------------------------------------------------------
+
+void WalkLoop::bookmark(const std::string& name) {
+  const auto added =
+      settings_.bookmarks.add(bookmarkOf(*level_, session_.walker(), settings_.fov, name));
+  say(added ? fmt::format("bookmarked as {}", name) : added.error());
+}
+
+void WalkLoop::goToNextBookmark() {
+  const std::vector<Bookmark>& all = settings_.bookmarks.all();
+  if (all.empty()) return say("there are no bookmarks yet");
+  const std::size_t next = nextBookmark_ % all.size();
+  nextBookmark_ = next + 1;
+  goTo(all[next]);
+}
+
+/// A recording has no jumps: it would not lead where it led.
+void WalkLoop::goTo(const Bookmark& bookmark) {
+  if (!canJump()) return say("no jumps in a walk that is recorded or replayed");
+  const auto walker = walkerAt(*level_, bookmark);
+  if (!walker) return say(walker.error());
+  session_.goOnIn(*level_, *walker);
+  settings_.fov = bookmark.fov;
+  say(bookmark.name);
+}
+
+// --- Time ----------------------------------------------------------------------------------------
+
+void WalkLoop::passTime(double now) {
+  const auto [ticks, share] = clock_.advance(now);
+  for (int ticksDue = ticks; ticksDue > 0 && !hasLeft_; --ticksDue) {
+    if (isReplayOver() || session_.isFull())
+      hasLeft_ = true;
+    else
+      session_.tick(nextInput(ticksDue));
+  }
+  shareOfTick_ = share;
+}
+
+WalkInput WalkLoop::nextInput(int ticksDue) {
+  if (!replay_) return controls_.nextTick(ticksDue, session_.walker().pitch);
+  const WalkInput input = replay_->front();
+  replay_ = replay_->subspan(1);
+  return input;
+}
+
+void WalkLoop::say(std::string message, double now) {
+  scene_.message = std::move(message);
+  messageBegin_ = now;
+}
+
+void WalkLoop::updateMessage(double now) {
+  if (now < messageBegin_ || now >= messageBegin_ + kMessageSeconds) scene_.message.clear();
+  if (const auto news = screenshots_.news()) {
+    tell(*news);
+    say(news->text, now);
+  }
+}
+
+/// Those of the beginning for a while, then only those of the level.
+void WalkLoop::updateNotes(double now) {
+  if (!begin_) begin_ = now;
+  if (now >= *begin_ + kFirstNotesSeconds) settings_.notes.clear();
+  scene_.notes = settings_.notes;
+  scene_.notes.insert(scene_.notes.end(), notes_.begin(), notes_.end());
+}
+
+void WalkLoop::tell(const Screenshots::News& news) {
+  outside_.print(news.isSaved ? fmt::format("{}: {}", news.text, news.note) : news.text);
+}
+
+void WalkLoop::awaitScreenshots() {
+  while (const auto news = screenshots_.awaitNews()) tell(*news);
+}
+
+// --- Pictures ------------------------------------------------------------------------------------
+
+/// Of geometry the panel covers nothing, if it leaves any room.
+Camera WalkLoop::cameraIn(PictureSize picture) const {
+  const Eye eye = session_.eye(shareOfTick_, settings_.preferences.viewBob);
+  const int beside = isGeometry(scene_.view.channel) ? panel_.leaves(picture.width) : 0;
+  return {eye.sector,    eye.point,     eye.angle,
+          eye.pitch,     settings_.fov, beside > 0 ? beside : picture.width,
+          picture.height};
+}
+
+void WalkLoop::drawOrRest(double now) {
+  const std::optional<PictureSize> window = outside_.windowSize();
+  if (window) {
+    scene_.size = settings_.size.value_or(*window);
+    scene_.camera = cameraIn(scene_.size);
+  }
+  if (!window || (shown_ == scene_ && !panel_.isStale(now))) return outside_.rest(kTickSeconds);
+  const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
+  const double wait = nextFrame_ - now;
+  if (wait > 0 && wait <= period) return outside_.rest(std::min(wait, kTickSeconds));
+  // Frames keep to their beat; one that is late, or a clock that was set, begins a new one.
+  nextFrame_ = (std::abs(wait) < period ? nextFrame_ : now) + period;
+  draw(now);
+}
+
+void WalkLoop::draw(double now) {
+  const Scene drawn = scene_;  // which the overlay may change
+  if (isCovered())
+    drawImage(now);
+  else
+    drawRows(now);
+  shown_ = drawn;
+}
+
+void WalkLoop::drawImage(double now) {
+  FrameParts parts;
+  double begin = outside_.seconds();
+  const auto lap = [&] {
+    const double end = outside_.seconds();
+    return end - std::exchange(begin, end);
+  };
+  const int threads = threadsFor(scene_.size, settings_.threads);
+  renderer_->findSpans(scene_.camera, scratch_, picture_, threads);
+  parts.find = lap();
+  if (scene_.view.channel.empty())
+    renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_, threads);
+  else
+    picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel, threads);
+  parts.paint = lap();
+  if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
+  widen(picture_, scene_.size.width);
+  seeWhatIsDrawn();
+  drawCaptions();
+  drawPanel(now);
+  parts.cover = lap();
+  count(now, begin);
+  outside_.show(picture_);
+  parts.show = lap();
+  figures_.frames.add(parts);
+}
+
+void WalkLoop::drawRows(double now) {
+  const PictureSize size{scene_.camera.width, scene_.camera.height};
+  outside_.show(size, [&](const PixelRows& rows) {
+    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows,
+                    threadsFor(size, settings_.threads));
+    seeWhatIsDrawn();
+    count(now, outside_.seconds());
+  });
+}
+
+void WalkLoop::seeWhatIsDrawn() {
+  seen_.add(scene_.camera.sector);
+  seen_.add(session_.walker().sector);
+  scratch_.forEachSpan([this](const Span& span) { seen_.add(span); });
+}
+
+void WalkLoop::count(double begin, double end) {
+  const auto mean = rate_.count(begin, end);
+  if (!mean) return;
+  title_.clear();
+  fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
+                 1e3 * mean->drawSeconds, mean->framesPerSecond);
+  outside_.setTitle(title_);
+}
+
+/// Whether a frame is kept as a picture, or something is drawn over it.
+bool WalkLoop::isCovered() const {
+  const WalkView& view = scene_.view;
+  return wantsScreenshot_ || panel_.isOpen() || view.isMapShown || view.areKeysShown ||
+         !view.channel.empty() || !scene_.notes.empty() || !scene_.message.empty();
+}
+
+/// The list of keys and the panel would be in each other's way.
+void WalkLoop::drawCaptions() {
+  if (scene_.view.isMapShown)
+    drawAutomap(picture_, *level_, seen_, session_.eye(shareOfTick_), scene_.view.mapMetres);
+  panel_.drawMarks(panelScene(), picture_);
+  if (scene_.view.areKeysShown && !panel_.isOpen())
+    drawKeys(picture_, keyList(settings_.preferences.keys));
+  const int width = panel_.leaves(picture_.width());
+  if (!scene_.notes.empty() && width > 0) drawNotes(picture_, scene_.notes, width);
+  if (!scene_.message.empty()) drawMessage(picture_, scene_.message);
+}
+
+// --- The panel -----------------------------------------------------------------------------------
+
+void WalkLoop::drawPanel(double now) {
+  if (!panel_.isOpen()) return;
+  const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
+  figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
+  figures_.lightmapBytes = renderer_->light().stats.bytes;
+  grant(panel_.draw(now, panelScene(), figures_, settings_, scene_.view, picture_), now);
+}
+
+PanelScene WalkLoop::panelScene() const {
+  return {*level_,
+          *renderer_,
+          source_.get(),
+          scene_.camera,
+          scene_.size,
+          markerSpace(),
+          !scene_.view.isMapShown && isOfCamera(scene_.view.channel),
+          {canJump(), settings_.writeShot != nullptr}};
+}
+
+/// None while the picture shows neither what the camera sees nor the map.
+std::optional<MarkerSpace> WalkLoop::markerSpace() const {
+  const WalkView& view = scene_.view;
+  if (view.isMapShown)
+    return MarkerSpace(mapScale(scene_.size.width, scene_.size.height, session_.eye(shareOfTick_),
+                                view.mapMetres));
+  return isOfCamera(view.channel) ? std::optional(MarkerSpace(scene_.camera)) : std::nullopt;
+}
+
+void WalkLoop::grant(const PanelWishes& wishes, double now) {
+  isChoiceNew_ |= wishes.areOptionsNew;
+  if (wishes.copied) {
+    outside_.copy(*wishes.copied);
+    say("copied " + *wishes.copied, now);
+  }
+  if (settings_.preferences != controls_.preferences())
+    controls_.setPreferences(settings_.preferences);
+  if (wishes.arePreferencesNew) writePreferences();
+  if (wishes.bookmark) grant(*wishes.bookmark);
+}
+
+void WalkLoop::grant(const BookmarkWish& wish) {
+  using What = BookmarkWish::What;
+  if (wish.what == What::Add) return bookmark(wish.name);
+  const Bookmark mark = *settings_.bookmarks.find(wish.name);
+  if (wish.what == What::GoTo) return goTo(mark);
+  const bool isRemoved = wish.what == What::Remove;
+  const auto done = isRemoved ? settings_.bookmarks.remove(wish.name) : settings_.writeShot(mark);
+  if (!done) return say(done.error());
+  say(fmt::format("{} {}", isRemoved ? "forgot" : "wrote the shot", wish.name));
+}
+
+void WalkLoop::writePreferences() {
+  if (settings_.config.empty()) return;
+  const auto written = writeConfig(settings_.config, written_, settings_.preferences);
+  if (!written) return say(written.error());
+  written_ = settings_.preferences;
+}
+
+/// The options with which `hearth shot` draws this picture.
+std::string WalkLoop::cameraText() const {
+  const Camera& camera = scene_.camera;
+  const std::string drawOptions = optionsOf(renderer_->settings());
+  const std::string what = scene_.view.channel.empty()
+                               ? fmt::format("--light {}", nameOf(scene_.view.mode))
+                               : fmt::format("--channel {}", scene_.view.channel);
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}", camera.eye.x,
+                     camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
+                     shellWord((*level_)[camera.sector].name), camera.fov, camera.width,
+                     camera.height, what, drawOptions.empty() ? "" : " " + drawOptions);
+}
+
+}  // namespace hearth

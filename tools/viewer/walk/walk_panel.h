@@ -1,0 +1,97 @@
+#pragma once
+
+#include <SDL_events.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/image.h"
+#include "load/limits.h"
+#include "load/source.h"
+#include "render/renderer.h"
+#include "viewer/edit/lights_editor.h"
+#include "viewer/overlay/bookmarks_section.h"
+#include "viewer/overlay/figures_section.h"
+#include "viewer/overlay/inspector.h"
+#include "viewer/overlay/lights_tool.h"
+#include "viewer/overlay/marker_space.h"
+#include "viewer/overlay/overlay.h"
+#include "viewer/overlay/pages.h"
+#include "viewer/overlay/pointer.h"
+#include "viewer/overlay/preferences_section.h"
+#include "viewer/walk/walk_settings.h"
+
+namespace hearth {
+
+/// What the panel is about, and the picture that it lies over.
+struct PanelScene {
+  const Level& level;
+  const Renderer& renderer;
+  const LevelSource* source;  ///< the way back to the level's files, if there is one
+  const Camera& camera;
+  PictureSize size;                  ///< of the picture, the panel included
+  std::optional<MarkerSpace> space;  ///< where lights can be marked, if anywhere
+  bool isLevelShown;                 ///< as the camera sees it, rather than a map or a drawing
+  BookmarkRights bookmarks;
+};
+
+/// What is asked in the panel that only the walk can do.
+struct PanelWishes {
+  bool areOptionsNew = false;              ///< those of the settings
+  bool arePreferencesNew = false;          ///< and can be written
+  std::optional<std::string> copied = {};  ///< for the clipboard
+  std::optional<BookmarkWish> bookmark = {};
+};
+
+/// The overlay of a walk, with its pages, and what the mouse does in the picture beside it.
+class WalkPanel {
+ public:
+  /// `bake`: by which the level has been lit.
+  explicit WalkPanel(const BakeSettings& bake) : bake_(bake) {}
+
+  bool isOpen() const { return overlay_.isOpen(); }
+  void toggle();
+  bool isStale(double now) const { return overlay_.isStale(now); }
+  /// How many pixels of a picture's width are left of it.
+  int leaves(int pictureWidth) const { return overlay_.leaves(pictureWidth); }
+
+  /// Returns whether the event was for the panel alone. Keys are chosen in `preferences`.
+  bool take(const SDL_Event& event, const PanelScene& scene, Preferences& preferences);
+  /// Ends what the mouse holds.
+  void releasePointer();
+  /// Lets go of the place that is inspected. Returns whether there was one.
+  bool letGo() { return isOpen() && inspector_.letGo(); }
+  /// From now on the level is another, or lit otherwise.
+  void forget() { inspector_.forget(); }
+
+  /// The lights as they are edited, if they can be.
+  LightsEditor* lights() { return lights_ ? &lights_->editor() : nullptr; }
+  /// From now on the lights of this file, unless there are edits of the one before.
+  void editLights(const std::filesystem::path& file, const LoadLimits& limits);
+  /// Whether closing the walk would lose edits.
+  bool hasUnsavedLights() { return lights_ && lights()->isUnsaved(); }
+
+  /// Marks the lights while the panel is open.
+  void drawMarks(const PanelScene& scene, Image& picture) const;
+  /// Draws the panel, if it is open, and changes the settings and the view by what is chosen in it.
+  /// `now` in seconds.
+  PanelWishes draw(double now, const PanelScene& scene, const Figures& figures,
+                   WalkSettings& settings, WalkView& view, Image& picture);
+
+ private:
+  void point(const SDL_Event& event, const PanelScene& scene);
+  std::optional<std::string> showLightPage(const PanelScene& scene);
+  bool showQualityOf(const PanelScene& scene, WalkSettings& settings);
+
+  Overlay overlay_;
+  Pages pages_;
+  Inspector inspector_;
+  Pointer pointer_;
+  std::optional<LightsTool> lights_;
+  PreferencesSection preferencesSection_;
+  BookmarksSection bookmarksSection_;
+  BakeSettings bake_;  ///< of the level at hand, by the options
+};
+
+}  // namespace hearth

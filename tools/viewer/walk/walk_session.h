@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "level/level.h"
+#include "walk/bob.h"
+#include "walk/recording.h"
+#include "walk/walker.h"
+
+namespace hearth {
+
+/// A walk as it goes: the walker of the last two ticks, between which the view lies, and all that
+/// was asked for on the way where it is to be kept.
+class WalkSession {
+ public:
+  enum class Memory { None, Inputs };
+
+  WalkSession(const Level& level, const Walker& start, Memory memory)
+      : level_(&level), memory_(memory), before_(start), after_(start) {}
+
+  void tick(const WalkInput& input) {
+    before_ = after_;
+    gaitBefore_ = gait_;
+    after_ = walked(*level_, after_, input);
+    gait_ = walkedOn(gait_, before_, after_);
+    if (memory_ == Memory::Inputs) inputs_.push_back(input);
+  }
+
+  /// Goes on in another level from where `walker` stands in it.
+  void goOnIn(const Level& level, const Walker& walker) {
+    level_ = &level;
+    before_ = after_ = walker;
+    gaitBefore_ = gait_ = {};
+  }
+
+  bool isKept() const { return memory_ == Memory::Inputs; }
+  /// No more can be kept.
+  bool isFull() const { return inputs_.size() >= kMostRecordedTicks; }
+
+  const Walker& walker() const { return after_; }
+  /// `share` of a tick after the tick before the last. So the view lags by a tick at most, and
+  /// moves evenly at any rate of frames.
+  Eye eye(double share) const { return eyeBetween(*level_, before_, after_, share); }
+  /// The same with so much (0..1) of what steps move the head.
+  Eye eye(double share, double bob) const {
+    if (bob == 0) return eye(share);
+    const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, share),
+                    std::lerp(gaitBefore_.swing, gait_.swing, share)};
+    return bobbed(*level_, eye(share), gait, bob);
+  }
+  const std::vector<WalkInput>& inputs() const { return inputs_; }
+
+ private:
+  const Level* level_;
+  Memory memory_;
+  Walker before_;
+  Walker after_;
+  Gait gaitBefore_;
+  Gait gait_;
+  std::vector<WalkInput> inputs_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "render/draw_settings.h"
+#include "settings/options.h"
+#include "viewer/preferences/bookmarks.h"
+#include "viewer/preferences/preferences.h"
+#include "viewer/walk/automap.h"
+
+namespace hearth {
+
+/// How many of `most` threads draw a picture. A tenth of a millisecond goes by before all of them
+/// are at work; less than three times that is not worth their while.
+inline int threadsFor(PictureSize picture, int most) {
+  constexpr std::int64_t kPixelsForEach = 64'000;  // drawn in some 0.6 ms
+  const std::int64_t pixels = std::int64_t{picture.width} * picture.height;
+  return static_cast<int>(std::clamp<std::int64_t>(pixels / kPixelsForEach, 1, most));
+}
+
+/// What shows over and of the picture, as keys change it.
+struct WalkView {
+  LightMode mode = LightMode::Both;
+  std::string_view channel = {};  ///< the name of one to show instead; else empty
+  bool isMapShown = false;
+  double mapMetres = kFirstMapMetres;
+  bool areKeysShown = false;
+
+  friend bool operator==(const WalkView&, const WalkView&) = default;
+};
+
+struct WalkSettings {
+  std::optional<PictureSize> size = {};  ///< of the picture; without it that of the window
+  double fov = 90;                       ///< degrees, horizontal
+  double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
+  int threads = 1;                       ///< that may draw
+  WalkView view = {};
+  OptionValues options = {};                             ///< by which the level is lit and drawn
+  std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
+  bool canBake = false;  ///< by others, if the overlay asks for them
+  Preferences preferences = {};
+  std::filesystem::path config = {};  ///< that the overlay's preferences is written into; or none
+  Bookmarks bookmarks = {};
+  /// Writes a bookmark into the level's file; none where there is none to be written.
+  std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
+  std::vector<std::string> notes = {};  ///< that stand over the picture at first
+};
+
+}  // namespace hearth
