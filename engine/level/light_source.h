@@ -48,7 +48,6 @@ struct BakeSettings {
   int softSamples = 36;
   /// Levels. From where on a light has no more than so many, it is left out.
   double cutOff = 0;
-  int bits = 8;          ///< of a texel and channel, or 16
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
   /// No light passes through the holes of middle textures, and no texel is asked for one.

@@ -94,8 +94,6 @@ std::optional<std::string> mistakeInSettings(const Level& level, const BakeSetti
   if (settings.softSamples != 0)
     if (const auto mistake = mistakeInSquare(settings.softSamples))
       return fmt::format("soft-samples: {}", *mistake);
-  if (settings.bits != 8 && settings.bits != 16)
-    return fmt::format("light-bits: {} is neither 8 nor 16", settings.bits);
   if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
   if (settings.bounces != 0)
     return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);

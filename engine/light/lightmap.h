@@ -10,25 +10,18 @@
 
 namespace hearth {
 
-/// The light on one surface: 8 or 16 bits a texel and channel, row by row, the channels of a texel
+/// The light on one surface: a byte for each texel and channel, row by row, the channels of a texel
 /// side by side. White light has one channel, which answers for all.
 struct Lightmap {
   TexelRect rect;
   std::vector<std::uint8_t> levels;  ///< of all texels, or of one that stands for all
   int channels = 1;                  ///< or 3: red, green, blue
-  /// Of 16 bits, what is left of each: 256ths of a level.
-  std::vector<std::uint8_t> fractions = {};
 
   /// True where one texel stands for all.
   bool isEven() const { return levels.size() == static_cast<std::size_t>(channels); }
-  std::size_t bytes() const { return levels.size() + fractions.size(); }
+  std::size_t bytes() const { return levels.size(); }
 
-  /// Whole levels.
   std::uint8_t at(int i, int j, int channel = 0) const { return levels[indexOf(i, j, channel)]; }
-  double levelAt(int i, int j, int channel = 0) const {
-    const std::size_t index = indexOf(i, j, channel);
-    return levels[index] + (fractions.empty() ? 0 : fractions[index] / 256.0);
-  }
 
   /// Light of a channel in levels (0..255) at texel coordinates, interpolated between texel
   /// centres. The lightmap's `rect` has all texels around points of its surface; what rounding puts
@@ -38,8 +31,8 @@ struct Lightmap {
     const double down = std::clamp(t - (rect.j0 + 0.5), 0.0, rect.height - 1.0);
     const int i = std::min(static_cast<int>(across), rect.width - 2);
     const int j = std::min(static_cast<int>(down), rect.height - 2);
-    const auto level = [&](int texel, int row) {
-      return levelAt(rect.i0 + texel, rect.j0 + row, channel);
+    const auto level = [&](int texel, int row) -> double {
+      return at(rect.i0 + texel, rect.j0 + row, channel);
     };
     const double above = std::lerp(level(i, j), level(i + 1, j), across - i);
     const double below = std::lerp(level(i, j + 1), level(i + 1, j + 1), across - i);

@@ -21,9 +21,9 @@ namespace {
 // The layout, of which saved_bake.md has the table. Numbers are little-endian.
 constexpr std::string_view kMagic = "\x89HEARTH\n";
 /// To be raised with the layout, and with the rules of surfaces, their order and texel grids.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::size_t kVersionEnd = 12;
-constexpr std::size_t kHeaderBytes = 56;
+constexpr std::size_t kHeaderBytes = 52;
 /// Surface, i0, j0, width, height and channels, before the texels of each lightmap.
 constexpr std::size_t kMapNumbers = 6;
 constexpr std::size_t kShortBytes = 5;  ///< at most
@@ -154,12 +154,12 @@ void visitDifferences(const TexelRect& rect, std::size_t channels, std::size_t b
 }
 
 /// As differences, which are small numbers where light is smooth, and pack well.
-void putTexels(std::string& bytes, const Lightmap& map, const std::vector<std::uint8_t>& texels) {
+void putTexels(std::string& bytes, const Lightmap& map) {
   const auto channels = static_cast<std::size_t>(map.channels);
   const std::size_t begin = bytes.size();
-  bytes.append(texels.begin(), texels.end());
-  visitDifferences(map.rect, channels, texels.size(), [&](std::size_t i, std::size_t from) {
-    bytes[begin + i] = static_cast<char>(texels[i] - texels[from]);
+  bytes.append(map.levels.begin(), map.levels.end());
+  visitDifferences(map.rect, channels, map.levels.size(), [&](std::size_t i, std::size_t from) {
+    bytes[begin + i] = static_cast<char>(map.levels[i] - map.levels[from]);
   });
   // Of even light there is the first texel, from which no other differs.
   if (map.isEven()) bytes.append(channels * (texelsIn(map.rect) - 1), '\0');
@@ -171,8 +171,7 @@ void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
        {surface, folded(rect.i0), folded(rect.j0), static_cast<std::uint32_t>(rect.width),
         static_cast<std::uint32_t>(rect.height), static_cast<std::uint32_t>(map.channels)})
     putShort(bytes, number);
-  putTexels(bytes, map, map.levels);
-  if (!map.fractions.empty()) putTexels(bytes, map, map.fractions);
+  putTexels(bytes, map);
 }
 
 struct Header {
@@ -181,10 +180,7 @@ struct Header {
   std::uint64_t geometry;
   double texel;
   std::uint32_t lightmaps;
-  std::uint32_t bits;
   std::uint64_t lightmapBytes;  ///< unpacked
-
-  bool isFine() const { return bits == 16; }
 };
 
 Header takeHeader(Reader& in) {
@@ -194,7 +190,6 @@ Header takeHeader(Reader& in) {
   header.geometry = in.take64();
   header.texel = std::bit_cast<double>(in.take64());
   header.lightmaps = in.take32();
-  header.bits = in.take32();
   header.lightmapBytes = in.take64();
   return header;
 }
@@ -230,20 +225,18 @@ Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_
 }
 
 /// As many bytes as the lightmaps of all surfaces can have.
-std::uint64_t mostLightmapBytes(const LitSurfaces& surfaces, bool isFine) {
-  const std::uint64_t bytesPerTexel = isFine ? 6 : 3;
+std::uint64_t mostLightmapBytes(const LitSurfaces& surfaces) {
+  constexpr std::uint64_t kBytesPerTexel = 3;
   std::uint64_t bytes = 0;
   for (const auto& surface : surfaces)
-    if (surface) bytes += kMapNumbers * kShortBytes + bytesPerTexel * texelsIn(surface->texels);
+    if (surface) bytes += kMapNumbers * kShortBytes + kBytesPerTexel * texelsIn(surface->texels);
   return bytes;
 }
 
 /// That no more memory is needed for the lightmaps than there is light in the level, and allowed.
 std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces& surfaces,
                                          std::uint64_t maxLightBytes) {
-  if (header.bits != 8 && header.bits != 16)
-    return BakeMistake{fmt::format("has light in {} bits instead of 8 or 16", header.bits)};
-  const std::uint64_t most = mostLightmapBytes(surfaces, header.isFine());
+  const std::uint64_t most = mostLightmapBytes(surfaces);
   if (header.lightmapBytes > most)
     return BakeMistake{fmt::format("has lightmaps of {} bytes, where at most {} can be",
                                    header.lightmapBytes, most)};
@@ -257,8 +250,8 @@ std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces
 /// Takes the lightmaps of a file whose frame and geometry are right.
 class LightmapReader {
  public:
-  LightmapReader(const Level& level, BakedLight& light, std::string_view bytes, bool isFine)
-      : level_(level), light_(light), in_(bytes), isFine_(isFine) {}
+  LightmapReader(const Level& level, BakedLight& light, std::string_view bytes)
+      : level_(level), light_(light), in_(bytes) {}
 
   Mistake readAll(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -293,12 +286,8 @@ class LightmapReader {
                    fmt::format("with texels {} instead of {}", words(rect), words(lit->texels)));
     if (channels != 1 && channels != 3)
       return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
-    const std::size_t planes = isFine_ ? 2 : 1;
-    if (in_.left() / (planes * channels) < texelsIn(rect))
-      return wrong(surface, "that is cut short");
-    Lightmap read{rect, takeTexels(rect, channels), static_cast<int>(channels)};
-    if (isFine_) read.fractions = takeTexels(rect, channels);
-    map = asKept(std::move(read));
+    if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
+    map = asKept({rect, takeTexels(rect, channels), static_cast<int>(channels)});
     return std::nullopt;
   }
 
@@ -323,7 +312,6 @@ class LightmapReader {
   const Level& level_;
   BakedLight& light_;
   Reader in_;
-  bool isFine_;  ///< levels are followed by their fractions
 };
 
 }  // namespace
@@ -333,11 +321,9 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
   CHECK(settings.size() <= kMostSettingsBytes, settings);
   std::string lightmaps;
   std::uint32_t count = 0;
-  bool isFine = false;
   for (std::size_t i = 0; i < light.lightmaps.size(); ++i) {
     if (!light.lightmaps[i]) continue;
     put(lightmaps, static_cast<std::uint32_t>(i), *light.lightmaps[i]);
-    isFine |= !light.lightmaps[i]->fractions.empty();
     ++count;
   }
   const std::string body = packed(lightmaps);
@@ -348,7 +334,6 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
   put(bytes, geometryHash(level, texel));
   put(bytes, std::bit_cast<std::uint64_t>(texel));
   put(bytes, count);
-  put(bytes, std::uint32_t{isFine ? 16U : 8U});
   put(bytes, std::uint64_t{lightmaps.size()});
   bytes += settings;
   bytes += body;
@@ -378,8 +363,7 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Level& level, std::string
     return tl::unexpected(std::move(*mistake));
   const auto lightmaps = unpacked(in.take(in.left()), header.lightmapBytes);
   if (!lightmaps) return refused(lightmaps.error());
-  if (auto mistake =
-          LightmapReader(level, light, *lightmaps, header.isFine()).readAll(header.lightmaps))
+  if (auto mistake = LightmapReader(level, light, *lightmaps).readAll(header.lightmaps))
     return refused(std::move(*mistake));
   light.stats = statsOf(light);
   return light;

@@ -20,17 +20,11 @@ enum class LightFilter {
   Bilinear,  ///< a mixture of the four texels around it
 };
 
-enum class Precision { Double, Single };
-
 /// What frames may be less accurate in, to be drawn sooner. By default they are as levels/README.md
 /// says.
 struct DrawSettings {
   TextureFilter textureFilter = TextureFilter::Nearest;
   LightFilter lightFilter = LightFilter::Bilinear;
-  int lightEvery = 1;  ///< rows; in between, light is interpolated. At least 1
-  int depthEvery = 1;  ///< rows of flats and slopes; in between, depth is interpolated. At least 1
-  /// Of where rows lie on textures and lightmaps. What shows where is always found in double.
-  Precision precision = Precision::Double;
   /// Squares of so many pixels a side show what the middle of them sees. At least 1
   int pixelSize = 1;
 

@@ -27,30 +27,28 @@ constexpr hn::ScalableTag<double> kDouble;
 constexpr hn::ScalableTag<float> kFloat;
 using Doubles = hn::Vec<decltype(kDouble)>;
 using Floats = hn::Vec<decltype(kFloat)>;
-/// Whole numbers, as many and as large as Reals.
-template <typename Reals>
-using BitsOf = hn::Vec<hn::RebindToUnsigned<hn::DFromV<Reals>>>;
+constexpr hn::RebindToUnsigned<decltype(kDouble)> kLongWord;
+using LongWords = hn::Vec<decltype(kLongWord)>;
 
 constexpr hn::RebindToSigned<decltype(kFloat)> kSigned;
 using Integers = hn::Vec<decltype(kSigned)>;
 constexpr hn::RebindToUnsigned<decltype(kFloat)> kWord;
 using Words = hn::Vec<decltype(kWord)>;
 
-/// In all lanes of Reals, which are Doubles or Floats: places are found in one or the other.
+/// In all lanes of Reals: Doubles, in which places are found, or Floats, in which colours are made.
 template <typename Reals>
 HWY_INLINE Reals all(double value) {
   return hn::Set(hn::DFromV<Reals>(), static_cast<hn::TFromV<Reals>>(value));
 }
 
-template <typename Reals>
-HWY_INLINE Reals at(const Affine& along, Reals measure) {
-  return hn::Add(all<Reals>(along.atZero), hn::Mul(measure, all<Reals>(along.per)));
+HWY_INLINE Doubles at(const Affine& along, Doubles measure) {
+  return hn::Add(all<Doubles>(along.atZero), hn::Mul(measure, all<Doubles>(along.per)));
 }
 
-template <typename Reals>
-HWY_INLINE Reals at(const ImageAxis& along, Reals measure) {
-  const Reals fromOrigin = hn::Sub(at(along.place, measure), all<Reals>(along.origin));
-  return hn::Sub(hn::Mul(fromOrigin, all<Reals>(along.texelsPerPlace)), all<Reals>(along.offset));
+HWY_INLINE Doubles at(const ImageAxis& along, Doubles measure) {
+  const Doubles fromOrigin = hn::Sub(at(along.place, measure), all<Doubles>(along.origin));
+  return hn::Sub(hn::Mul(fromOrigin, all<Doubles>(along.texelsPerPlace)),
+                 all<Doubles>(along.offset));
 }
 
 /// In texels from the centre of the first one, not from its edge.
@@ -59,25 +57,19 @@ HWY_INLINE ImageAxis fromFirst(ImageAxis along) {
   return along;
 }
 
-template <typename Reals>
-HWY_INLINE Reals clamped(Reals x, double low, double high) {
-  return hn::Max(hn::Min(x, all<Reals>(high)), all<Reals>(low));
+HWY_INLINE Doubles clamped(Doubles x, double low, double high) {
+  return hn::Max(hn::Min(x, all<Doubles>(high)), all<Doubles>(low));
 }
 
-/// Texel coordinates as whole numbers; past 2^50 (of floats 2^21), where nothing is left behind the
-/// point, those of 2^50.
-template <typename Reals>
-HWY_INLINE Reals wholeTexels(Reals x) {
-  constexpr double kMost = sizeof(hn::TFromV<Reals>) == sizeof(double) ? 0x1p50 : 0x1p21;
-  return hn::Floor(clamped(x, -kMost, kMost));
-}
+/// Texel coordinates as whole numbers; past 2^50, where nothing is left behind the point, those of
+/// 2^50.
+HWY_INLINE Doubles wholeTexels(Doubles x) { return hn::Floor(clamped(x, -0x1p50, 0x1p50)); }
 
 /// Two neighbouring texels, and how far a row is from the centre of the first to that of the next.
-template <typename Reals>
 struct Between {
-  Reals first;
-  Reals next;
-  Reals share;
+  Doubles first;
+  Doubles next;
+  Doubles share;
 };
 
 /// An axis of an image that repeats.
@@ -86,29 +78,27 @@ class Repeating {
   Repeating(const ImageAxis& along, int size)
       : along_(along), alongFromFirst_(fromFirst(along)), size_(size), perTexel_(1.0 / size) {}
 
-  template <typename Reals>
-  HWY_INLINE Reals texel(Reals measure) const {
+  HWY_INLINE Doubles texel(Doubles measure) const {
     return repeated(wholeTexels(at(along_, measure)));
   }
 
-  template <typename Reals>
-  HWY_INLINE Between<Reals> between(Reals measure) const {
-    const Reals x = at(alongFromFirst_, measure);
-    const Reals whole = wholeTexels(x);
-    const Reals first = repeated(whole);
-    const Reals after = hn::Add(first, all<Reals>(1));
-    return {first, hn::IfThenElseZero(hn::Lt(after, all<Reals>(size_)), after), hn::Sub(x, whole)};
+  HWY_INLINE Between between(Doubles measure) const {
+    const Doubles x = at(alongFromFirst_, measure);
+    const Doubles whole = wholeTexels(x);
+    const Doubles first = repeated(whole);
+    const Doubles after = hn::Add(first, all<Doubles>(1));
+    return {first, hn::IfThenElseZero(hn::Lt(after, all<Doubles>(size_)), after),
+            hn::Sub(x, whole)};
   }
 
  private:
   /// The remainder of a division that rounds down. Of the middle of a texel, so that rounding
-  /// cannot miss a multiple of the size: below 2^50 (of floats 2^21) it moves the quotient by less
-  /// than half a texel.
-  template <typename Reals>
-  HWY_INLINE Reals repeated(Reals whole) const {
-    const Reals middle = hn::Add(whole, all<Reals>(0.5));
-    const Reals repeats = hn::Floor(hn::Mul(middle, all<Reals>(perTexel_)));
-    return hn::Sub(whole, hn::Mul(repeats, all<Reals>(size_)));
+  /// cannot miss a multiple of the size: below 2^50 it moves the quotient by less than half a
+  /// texel.
+  HWY_INLINE Doubles repeated(Doubles whole) const {
+    const Doubles middle = hn::Add(whole, all<Doubles>(0.5));
+    const Doubles repeats = hn::Floor(hn::Mul(middle, all<Doubles>(perTexel_)));
+    return hn::Sub(whole, hn::Mul(repeats, all<Doubles>(size_)));
   }
 
   ImageAxis along_;
@@ -119,12 +109,11 @@ class Repeating {
 
 /// `x`, taken back to the centres of the first and the last of so many texels. The texel before the
 /// last is the last to have a next one.
-template <typename Reals>
-HWY_INLINE Between<Reals> betweenKept(Reals x, double size) {
-  const Reals last = all<Reals>(size - 1);
-  const Reals kept = hn::Max(hn::Min(x, last), all<Reals>(0));
-  const Reals first = hn::Floor(hn::Min(kept, all<Reals>(std::max(0.0, size - 2))));
-  return {first, hn::Min(hn::Add(first, all<Reals>(1)), last), hn::Sub(kept, first)};
+HWY_INLINE Between betweenKept(Doubles x, double size) {
+  const Doubles last = all<Doubles>(size - 1);
+  const Doubles kept = hn::Max(hn::Min(x, last), all<Doubles>(0));
+  const Doubles first = hn::Floor(hn::Min(kept, all<Doubles>(std::max(0.0, size - 2))));
+  return {first, hn::Min(hn::Add(first, all<Doubles>(1)), last), hn::Sub(kept, first)};
 }
 
 /// An axis of an image that repeats, whose size is a power of two: then the lowest bits of a whole
@@ -134,14 +123,10 @@ class RepeatingByBits {
   RepeatingByBits(const ImageAxis& along, int size)
       : along_(along), last_(static_cast<std::uint32_t>(size - 1)) {}
 
-  template <typename Reals>
-  HWY_INLINE BitsOf<Reals> texel(Reals measure) const {
-    // Of less than 2^51 (of floats 2^22): added to it, they are the lowest bits of the sum, also
-    // those below zero.
-    constexpr double kMiddle = sizeof(hn::TFromV<Reals>) == sizeof(double) ? 0x1.8p52 : 0x1.8p23;
-    constexpr hn::DFromV<BitsOf<Reals>> kTag;
-    const Reals sum = hn::Add(wholeTexels(at(along_, measure)), all<Reals>(kMiddle));
-    return hn::And(hn::BitCast(kTag, sum), hn::Set(kTag, last_));
+  HWY_INLINE LongWords texel(Doubles measure) const {
+    // Of less than 2^51: added to it, they are the lowest bits of the sum, also those below zero.
+    const Doubles sum = hn::Add(wholeTexels(at(along_, measure)), all<Doubles>(0x1.8p52));
+    return hn::And(hn::BitCast(kLongWord, sum), hn::Set(kLongWord, last_));
   }
 
  private:
@@ -233,13 +218,11 @@ class SkyRows {
   SkyRows(const ImageAxis& along, int size)
       : along_(along), alongFromFirst_(fromFirst(along)), size_(size) {}
 
-  template <typename Reals>
-  HWY_INLINE Reals texel(Reals measure) const {
+  HWY_INLINE Doubles texel(Doubles measure) const {
     return hn::Floor(clamped(at(along_, measure), 0.5, size_ - 0.5));
   }
 
-  template <typename Reals>
-  HWY_INLINE Between<Reals> between(Reals measure) const {
+  HWY_INLINE Between between(Doubles measure) const {
     return betweenKept(at(alongFromFirst_, measure), size_);
   }
 
@@ -255,8 +238,7 @@ class LightAxis {
   LightAxis(const Affine& along, int first, int size)
       : alongFromFirst_{along.atZero - (first + 0.5), along.per}, size_(size) {}
 
-  template <typename Reals>
-  HWY_INLINE Between<Reals> between(Reals measure) const {
+  HWY_INLINE Between between(Doubles measure) const {
     return betweenKept(at(alongFromFirst_, measure), size_);
   }
 
@@ -266,15 +248,15 @@ class LightAxis {
 };
 
 /// An axis along which nothing changes from row to row.
-template <typename Reals, typename Axis>
+template <typename Axis>
 class SameTexel {
  public:
-  explicit SameTexel(const Axis& axis) : texel_(axis.texel(all<Reals>(0))) {}
+  explicit SameTexel(const Axis& axis) : texel_(axis.texel(all<Doubles>(0))) {}
 
-  HWY_INLINE auto texel(Reals) const { return texel_; }
+  HWY_INLINE auto texel(Doubles) const { return texel_; }
 
  private:
-  decltype(std::declval<Axis>().texel(std::declval<Reals>())) texel_;
+  decltype(std::declval<Axis>().texel(std::declval<Doubles>())) texel_;
 };
 
 }  // namespace hearth::HWY_NAMESPACE

@@ -8,7 +8,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/row_kernels.cpp"
@@ -22,85 +21,23 @@ HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
 namespace {
 
-// Places are found in double precision or, where that is asked for, in single: Reals are Doubles or
-// Floats.
-
-#if HWY_TARGET == HWY_SCALAR
-
-HWY_INLINE Floats singlesFrom(const double* from) {
-  return hn::DemoteTo(kFloat, hn::LoadU(kDouble, from));
-}
-
-template <typename Wide, typename Narrow, typename T>
-HWY_INLINE void widen(Wide wide, Narrow narrow, T* to) {
-  hn::Store(hn::PromoteTo(wide, narrow), wide, to);
-}
-
-#else
-
-/// As many doubles as there are floats in a register.
-HWY_INLINE Floats singlesFrom(const double* from) {
-  const hn::Half<decltype(kFloat)> half;
-  const auto lower = hn::DemoteTo(half, hn::LoadU(kDouble, from));
-  const auto upper = hn::DemoteTo(half, hn::LoadU(kDouble, from + hn::Lanes(kDouble)));
-  return hn::Combine(kFloat, upper, lower);
-}
-
-/// Stores as lanes of twice the size.
-template <typename Wide, typename Narrow, typename T>
-HWY_INLINE void widen(Wide wide, Narrow narrow, T* to) {
-  const hn::Half<hn::DFromV<Narrow>> half;
-  hn::Store(hn::PromoteTo(wide, hn::LowerHalf(half, narrow)), wide, to);
-  hn::Store(hn::PromoteTo(wide, hn::UpperHalf(half, narrow)), wide, to + hn::Lanes(wide));
-}
-
-#endif
-
-HWY_INLINE void load(const double* from, Doubles& reals) { reals = hn::LoadU(kDouble, from); }
-HWY_INLINE void load(const double* from, Floats& reals) { reals = singlesFrom(from); }
-
-/// Measures or climbs.
-template <typename Reals>
-HWY_INLINE Reals loaded(const double* from) {
-  Reals reals;
-  load(from, reals);
-  return reals;
-}
-
-template <typename Reals>
-constexpr std::size_t lanes() {
-  return hn::Lanes(hn::DFromV<Reals>());
-}
-
 /// The number of a texel of which `size` lie one behind the other.
 HWY_INLINE Doubles numberOf(Doubles line, Doubles place, int size) {
   return hn::Add(hn::Mul(line, all<Doubles>(size)), place);
 }
 
-/// As integers, since floats have no room for the numbers of large images.
-HWY_INLINE Integers numberOf(Floats line, Floats place, int size) {
-  return hn::Add(hn::Mul(hn::ConvertTo(kSigned, line), hn::Set(kSigned, size)),
-                 hn::ConvertTo(kSigned, place));
-}
-
+/// The same where `size` is a power of two.
 template <typename Bits>
-HWY_INLINE Bits numberOfBits(Bits line, Bits place, int size) {
+HWY_INLINE Bits numberOf(Bits line, Bits place, int size) {
   return hn::Or(hn::ShiftLeftSame(line, std::countr_zero(static_cast<unsigned>(size))), place);
 }
 
-HWY_INLINE BitsOf<Doubles> numberOf(BitsOf<Doubles> line, BitsOf<Doubles> place, int size) {
-  return numberOfBits(line, place, size);
-}
-HWY_INLINE BitsOf<Floats> numberOf(BitsOf<Floats> line, BitsOf<Floats> place, int size) {
-  return numberOfBits(line, place, size);
-}
-
-HWY_INLINE void store(BitsOf<Floats> number, std::int32_t* to) {
+HWY_INLINE void store(Words number, std::int32_t* to) {
   hn::Store(number, kWord, reinterpret_cast<std::uint32_t*>(to));
 }
 
-HWY_INLINE void store(BitsOf<Doubles> number, std::int32_t* to) {
-  const hn::Rebind<std::uint32_t, hn::DFromV<BitsOf<Doubles>>> tag;
+HWY_INLINE void store(LongWords number, std::int32_t* to) {
+  const hn::Rebind<std::uint32_t, decltype(kLongWord)> tag;
   hn::Store(hn::TruncateTo(tag, number), tag, reinterpret_cast<std::uint32_t*>(to));
 }
 
@@ -109,65 +46,46 @@ HWY_INLINE void store(Doubles number, std::int32_t* to) {
   hn::Store(hn::DemoteTo(tag, number), tag, to);
 }
 
-HWY_INLINE void storeWhole(Doubles number, std::int32_t* to) { store(number, to); }
-HWY_INLINE void storeWhole(Floats number, std::int32_t* to) {
-  hn::Store(hn::ConvertTo(kSigned, number), kSigned, to);
-}
-
-HWY_INLINE void store(Integers number, std::int32_t* to) { hn::Store(number, kSigned, to); }
-
 HWY_INLINE void store(Doubles share, float* to) {
   const hn::Rebind<float, decltype(kDouble)> tag;
   hn::Store(hn::DemoteTo(tag, share), tag, to);
 }
 
-HWY_INLINE void store(Floats share, float* to) { hn::Store(share, kFloat, to); }
-
-HWY_INLINE void storeDepths(Doubles depths, double* to) { hn::Store(depths, kDouble, to); }
-HWY_INLINE void storeDepths(Floats depths, double* to) { widen(kDouble, depths, to); }
-
 /// The first bytes of texels, of which each has so many.
 HWY_INLINE void storeBytes(Doubles number, int bytes, std::uint64_t* to) {
   // Whole numbers of less than 2^52: added to it, they are its lowest bits.
-  const hn::RebindToUnsigned<decltype(kDouble)> tag;
   const Doubles byte = hn::Mul(number, all<Doubles>(bytes));
-  const auto bits = hn::BitCast(tag, hn::Add(byte, all<Doubles>(0x1p52)));
-  hn::Store(hn::Xor(bits, hn::BitCast(tag, all<Doubles>(0x1p52))), tag, to);
+  const LongWords bits = hn::BitCast(kLongWord, hn::Add(byte, all<Doubles>(0x1p52)));
+  hn::Store(hn::Xor(bits, hn::BitCast(kLongWord, all<Doubles>(0x1p52))), kLongWord, to);
 }
 
-HWY_INLINE void storeBytes(Integers number, int bytes, std::uint64_t* to) {
-  const Integers byte = hn::Mul(number, hn::Set(kSigned, bytes));
-  widen(hn::RebindToUnsigned<decltype(kDouble)>(), hn::BitCast(kWord, byte), to);
-}
-
-template <typename Reals>
 void findDepths(RowBatch& batch, const SpanMapping& mapping, const double* climbs) {
-  const Reals farthest = all<Reals>(mapping.depth);
-  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
-    const Reals climb = loaded<Reals>(climbs + k);
-    const Reals found =
-        hn::Div(all<Reals>(mapping.height), hn::Sub(climb, all<Reals>(mapping.rise)));
-    const auto isInside = hn::And(hn::Ge(found, all<Reals>(0)), hn::Lt(found, farthest));
-    storeDepths(hn::IfThenElse(isInside, found, farthest), &batch.depths[k]);
+  const Doubles farthest = all<Doubles>(mapping.depth);
+  for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
+    const Doubles climb = hn::LoadU(kDouble, climbs + k);
+    const Doubles found =
+        hn::Div(all<Doubles>(mapping.height), hn::Sub(climb, all<Doubles>(mapping.rise)));
+    const auto isInside = hn::And(hn::Ge(found, all<Doubles>(0)), hn::Lt(found, farthest));
+    hn::Store(hn::IfThenElse(isInside, found, farthest), kDouble, &batch.depths[k]);
   }
   batch.measures = batch.depths.data();
 }
 
-template <typename Reals, typename Columns, typename Rows>
+template <typename Columns, typename Rows>
 void findTexelsAlong(RowBatch& batch, int height, const Columns& columns, const Rows& rows) {
-  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
-    const Reals measure = loaded<Reals>(batch.measures + k);
+  for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
+    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
     store(numberOf(columns.texel(measure), rows.texel(measure), height),
           &batch.texels.upperLeft[k]);
   }
 }
 
-template <typename Reals, typename Axis>
+template <typename Axis>
 void findRepeatingTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
   const Axis columns(mapping.u, image.width());
   const Axis rows(mapping.v, image.height());
-  if (mapping.isPlane) return findTexelsAlong<Reals>(batch, image.height(), columns, rows);
-  findTexelsAlong<Reals>(batch, image.height(), SameTexel<Reals, Axis>(columns), rows);
+  if (mapping.isPlane) return findTexelsAlong(batch, image.height(), columns, rows);
+  findTexelsAlong(batch, image.height(), SameTexel(columns), rows);
 }
 
 bool isPowerOfTwo(int size) { return std::has_single_bit(static_cast<unsigned>(size)); }
@@ -239,25 +157,24 @@ bool findTexelsInFixedPoint(RowBatch& batch, const SpanMapping& mapping, const T
 
 #endif
 
-template <typename Reals>
 void findTexels(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
 #if HWY_TARGET != HWY_SCALAR
-  if (std::is_same_v<Reals, Doubles> && findTexelsInFixedPoint(batch, mapping, image)) return;
+  if (findTexelsInFixedPoint(batch, mapping, image)) return;
 #endif
   if (!mapping.isSky && isPowerOfTwo(image.width()) && isPowerOfTwo(image.height()))
-    return findRepeatingTexels<Reals, RepeatingByBits>(batch, mapping, image);
-  if (!mapping.isSky) return findRepeatingTexels<Reals, Repeating>(batch, mapping, image);
-  const SameTexel<Reals, Repeating> column(Repeating(mapping.u, image.width()));
-  findTexelsAlong<Reals>(batch, image.height(), column, SkyRows(mapping.v, image.height()));
+    return findRepeatingTexels<RepeatingByBits>(batch, mapping, image);
+  if (!mapping.isSky) return findRepeatingTexels<Repeating>(batch, mapping, image);
+  const SameTexel column(Repeating(mapping.u, image.width()));
+  findTexelsAlong(batch, image.height(), column, SkyRows(mapping.v, image.height()));
 }
 
-template <typename Reals, typename Rows>
+template <typename Rows>
 void findTexelsAroundAlong(RowBatch& batch, int height, const Repeating& columns,
                            const Rows& rows) {
-  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
-    const Reals measure = loaded<Reals>(batch.measures + k);
-    const Between<Reals> across = columns.between(measure);
-    const Between<Reals> down = rows.between(measure);
+  for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
+    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
+    const Between across = columns.between(measure);
+    const Between down = rows.between(measure);
     store(numberOf(across.first, down.first, height), &batch.texels.upperLeft[k]);
     store(numberOf(across.next, down.first, height), &batch.texels.upperRight[k]);
     store(numberOf(across.first, down.next, height), &batch.texels.lowerLeft[k]);
@@ -267,30 +184,27 @@ void findTexelsAroundAlong(RowBatch& batch, int height, const Repeating& columns
   }
 }
 
-template <typename Reals>
 void findTexelsAround(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
   const int height = image.height();
   const Repeating columns(mapping.u, image.width());
   if (!mapping.isSky)
-    return findTexelsAroundAlong<Reals>(batch, height, columns, Repeating(mapping.v, height));
-  findTexelsAroundAlong<Reals>(batch, height, columns, SkyRows(mapping.v, height));
+    return findTexelsAroundAlong(batch, height, columns, Repeating(mapping.v, height));
+  findTexelsAroundAlong(batch, height, columns, SkyRows(mapping.v, height));
 }
 
 /// All of the nearer texel where nothing is to be mixed.
-template <typename Reals>
-HWY_INLINE Reals filtered(Reals share, LightFilter filter) {
-  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(share, all<Reals>(0.5))) : share;
+HWY_INLINE Doubles filtered(Doubles share, LightFilter filter) {
+  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(share, all<Doubles>(0.5))) : share;
 }
 
-template <typename Reals>
 void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
                      LightFilter filter) {
   const LightAxis columns(mapping.s, lightmap.rect.i0, lightmap.rect.width);
   const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
-  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
-    const Reals measure = loaded<Reals>(batch.measures + k);
-    const Between<Reals> across = columns.between(measure);
-    const Between<Reals> down = rows.between(measure);
+  for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
+    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
+    const Between across = columns.between(measure);
+    const Between down = rows.between(measure);
     storeBytes(numberOf(down.first, across.first, lightmap.rect.width), lightmap.channels,
                &batch.lightTexels[k]);
     store(filtered(across.share, filter), &batch.betweenLightTexels.across[k]);
@@ -298,29 +212,19 @@ void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap
   }
 }
 
-template <typename Reals>
 void findLightRows(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
                    LightFilter filter) {
   const LightAxis columns(mapping.s, lightmap.rect.i0, lightmap.rect.width);
-  const Between<Reals> across = columns.between(all<Reals>(0));
+  const Between across = columns.between(all<Doubles>(0));
   batch.lightColumn = static_cast<std::size_t>(hn::GetLane(across.first)) *
                       static_cast<std::size_t>(lightmap.channels);
   batch.acrossLightColumns = static_cast<float>(hn::GetLane(filtered(across.share, filter)));
   const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
-  for (std::size_t k = 0; k < batch.worked(); k += lanes<Reals>()) {
-    const Between<Reals> down = rows.between(loaded<Reals>(batch.measures + k));
-    storeWhole(down.first, &batch.lightRows[k]);
+  for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
+    const Between down = rows.between(hn::LoadU(kDouble, batch.measures + k));
+    store(down.first, &batch.lightRows[k]);
     store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
   }
-}
-
-template <typename Reals>
-constexpr PlaceKernels placeKernels() {
-  return {.findDepths = findDepths<Reals>,
-          .findTexels = findTexels<Reals>,
-          .findTexelsAround = findTexelsAround<Reals>,
-          .findLightTexels = findLightTexels<Reals>,
-          .findLightRows = findLightRows<Reals>};
 }
 
 /// More than single precision can lose of a level where light is a number that an author wrote.
@@ -410,8 +314,11 @@ void shadeMixtures(Pixel* pixels, const RowBatch& batch, const Texture& image) {
 
 const RowKernels& kernels() {
   static constexpr RowKernels kKernels{
-      .inDoubles = placeKernels<Doubles>(),
-      .inSingles = placeKernels<Floats>(),
+      .findDepths = findDepths,
+      .findTexels = findTexels,
+      .findTexelsAround = findTexelsAround,
+      .findLightTexels = findLightTexels,
+      .findLightRows = findLightRows,
       .findShown = findShown,
       .findShownUpright = findShownUpright,
       .showEvenly = showEvenly,

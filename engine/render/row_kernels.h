@@ -8,8 +8,9 @@
 
 namespace hearth {
 
-/// Where the rows of a batch lie, on a plane and on what covers it.
-struct PlaceKernels {
+/// What is done with batches of rows, as many rows at once as the registers of a processor hold.
+/// Whatever the processor, the results are the same to the bit.
+struct RowKernels {
   /// The depths on a plane at climbs, as measures. As many climbs can be read as measures.
   void (*findDepths)(RowBatch& batch, const SpanMapping& mapping, const double* climbs);
   /// The texels of the image that the rows fall into.
@@ -22,13 +23,6 @@ struct PlaceKernels {
   /// The same of what is upright, where they lie in two columns of the lightmap.
   void (*findLightRows)(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
                         LightFilter filter);
-};
-
-/// What is done with batches of rows, as many rows at once as the registers of a processor hold.
-/// Whatever the processor, the results are the same to the bit.
-struct RowKernels {
-  PlaceKernels inDoubles;  ///< in double precision
-  PlaceKernels inSingles;
 
   /// What is shown in the light of these, on planes and on what is upright.
   void (*findShown)(RowBatch& batch, const Lightmap& lightmap, double sectorLight);

@@ -113,16 +113,22 @@ class LightPairs {
   RowBatch::Rows<std::uint64_t> texels_;
 };
 
+template <int kChannels>
+std::size_t bytesPerRow(const Lightmap& lightmap) {
+  return static_cast<std::size_t>(lightmap.rect.width) * kChannels;
+}
+
 /// The four texels of a lightmap around rows.
 template <int kChannels>
 class LightAround {
  public:
-  LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
-      : batch_(batch) {
+  LightAround(const RowBatch& batch, const Lightmap& lightmap) : batch_(batch) {
+    const std::uint8_t* const texels = lightmap.levels.data();
+    const std::size_t rowBytes = bytesPerRow<kChannels>(lightmap);
     batch.forEachWorked([&](std::size_t k) {
       const std::uint8_t* const upper = texels + batch.lightTexels[k];
       upper_.readAboveOther(k, upper);
-      lower_.readBelowOther(k, upper + bytesPerRow);
+      lower_.readBelowOther(k, upper + rowBytes);
     });
   }
 
@@ -142,11 +148,12 @@ class LightAround {
 template <>
 class LightAround<1> {
  public:
-  LightAround(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow)
-      : batch_(batch) {
+  LightAround(const RowBatch& batch, const Lightmap& lightmap) : batch_(batch) {
+    const std::uint8_t* const texels = lightmap.levels.data();
+    const std::size_t rowBytes = bytesPerRow<1>(lightmap);
     batch.forEachWorked([&](std::size_t k) {
       const std::uint8_t* const upper = texels + batch.lightTexels[k];
-      texels_[k] = pairAt(upper) | pairAt(upper + bytesPerRow) << 16;
+      texels_[k] = pairAt(upper) | pairAt(upper + rowBytes) << 16;
     });
   }
 
@@ -170,37 +177,16 @@ class LightAround<1> {
   RowBatch::Rows<std::uint32_t> texels_;
 };
 
-/// `share` of b added to a.
-HWY_INLINE Channels added(const Channels& a, const Channels& b, float share) {
-  const auto sum = [&](Floats x, Floats y) { return hn::Add(x, hn::Mul(y, all<Floats>(share))); };
-  return {sum(a.red, b.red), sum(a.green, b.green), sum(a.blue, b.blue)};
-}
-
-/// `around(texels)` are the mixtures of a lightmap's levels or fractions around each row.
-template <typename Around>
-void findShownOf(RowBatch& batch, const Lightmap& lightmap, double sectorLight,
-                 const Around& around) {
-  const auto levels = around(lightmap.levels.data());
-  if (lightmap.fractions.empty()) {
-    for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
-      storeShown(levels.mixture(k), sectorLight, batch, k);
-    return;
-  }
-  const auto fractions = around(lightmap.fractions.data());
+/// What is shown in the light of rows, which `light.mixture(k)` is of those from k on.
+template <typename Light>
+void storeShownIn(const Light& light, double sectorLight, RowBatch& batch) {
   for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat))
-    storeShown(added(levels.mixture(k), fractions.mixture(k), 1 / 256.0F), sectorLight, batch, k);
-}
-
-template <int kChannels>
-std::size_t bytesPerRow(const Lightmap& lightmap) {
-  return static_cast<std::size_t>(lightmap.rect.width) * kChannels;
+    storeShown(light.mixture(k), sectorLight, batch, k);
 }
 
 template <int kChannels>
 void findShownIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
-  findShownOf(batch, lightmap, sectorLight, [&](const std::uint8_t* texels) {
-    return LightAround<kChannels>(batch, texels, bytesPerRow<kChannels>(lightmap));
-  });
+  storeShownIn(LightAround<kChannels>(batch, lightmap), sectorLight, batch);
 }
 
 inline void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
@@ -216,14 +202,14 @@ inline void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLi
 template <int kChannels, int kRegisters>
 class LightColumn {
  public:
-  LightColumn(const RowBatch& batch, const std::uint8_t* texels, std::size_t bytesPerRow, int first,
-              std::size_t rows)
+  LightColumn(const RowBatch& batch, const Lightmap& lightmap, int first, std::size_t rows)
       : batch_(batch), first_(hn::Set(kSigned, first)) {
+    const std::size_t rowBytes = bytesPerRow<kChannels>(lightmap);
     const std::uint8_t* const upper =
-        texels + batch.lightColumn + static_cast<std::size_t>(first) * bytesPerRow;
+        lightmap.levels.data() + batch.lightColumn + static_cast<std::size_t>(first) * rowBytes;
     LightPairs<kChannels> pairs;
     pairs.readAboveOther(0, upper);
-    for (std::size_t k = 1; k < rows; ++k) pairs.readBelowOther(k, upper + k * bytesPerRow);
+    for (std::size_t k = 1; k < rows; ++k) pairs.readBelowOther(k, upper + k * rowBytes);
     const Floats across = hn::Set(kFloat, batch.acrossLightColumns);
     for (std::size_t i = 0; i < kRegisters; ++i)
       rows_[i] = pairs.mixedAcross(i * hn::Lanes(kFloat), across);
@@ -272,10 +258,8 @@ void findShownUprightIn(RowBatch& batch, const Lightmap& lightmap, double sector
   const int first = ends.first;
   const auto rows = static_cast<std::size_t>(ends.second - first) + 2;
   const auto showColumn = [&]<int kRegisters>(std::integral_constant<int, kRegisters>) {
-    findShownOf(batch, lightmap, sectorLight, [&](const std::uint8_t* texels) {
-      return LightColumn<kChannels, kRegisters>(batch, texels, bytesPerRow<kChannels>(lightmap),
-                                                first, rows);
-    });
+    storeShownIn(LightColumn<kChannels, kRegisters>(batch, lightmap, first, rows), sectorLight,
+                 batch);
   };
   if (rows <= hn::Lanes(kFloat)) return showColumn(std::integral_constant<int, 1>());
   if (rows <= 2 * hn::Lanes(kFloat)) return showColumn(std::integral_constant<int, 2>());
@@ -298,8 +282,7 @@ HWY_INLINE Channels allOf(Rgb color) {
 /// The one texel of a lightmap.
 HWY_INLINE Channels evenLight(const Lightmap& lightmap) {
   const auto channel = [&](int number) {
-    return all<Floats>(
-        static_cast<float>(lightmap.levelAt(lightmap.rect.i0, lightmap.rect.j0, number)));
+    return all<Floats>(static_cast<float>(lightmap.at(lightmap.rect.i0, lightmap.rect.j0, number)));
   };
   return {channel(0), channel(1), channel(2)};
 }

@@ -54,7 +54,6 @@ struct PaintStats {
   std::size_t lightmapSpans = 0;  ///< with light that differs from pixel to pixel ...
   std::size_t coloredSpans = 0;   ///< ... in each channel
   std::size_t lightmapPixels = 0;
-  std::size_t lightLookups = 0;  ///< of those pixels, at which the lightmap was read
   std::size_t pixels = 0;
 
   PaintStats& operator+=(const PaintStats& other) {
@@ -62,7 +61,6 @@ struct PaintStats {
     lightmapSpans += other.lightmapSpans;
     coloredSpans += other.coloredSpans;
     lightmapPixels += other.lightmapPixels;
-    lightLookups += other.lightLookups;
     pixels += other.pixels;
     return *this;
   }

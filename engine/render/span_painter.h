@@ -28,10 +28,6 @@ struct Material {
   bool hasUnevenLight() const { return lightmap && !lightmap->isEven(); }
 };
 
-/// The depths of a batch on a plane: at every so many rows, and between them what lies evenly
-/// between.
-void findDepthsEvery(int every, RowBatch& batch, const SpanMapping& mapping, const double* climbs);
-
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint
 /// with one painter, each its own columns.
 class SpanPainter {
@@ -63,13 +59,7 @@ class SpanPainter {
   /// Of the image, which is the full texture or a size of it, on which `mapping` is.
   void findTexels(TextureFilter filter, const Texture& full, const Texture& image,
                   const SpanMapping& mapping, RowBatch& batch) const;
-  /// How often these read the lightmap.
-  std::size_t findShown(const Material& material, const SpanMapping& mapping,
-                        RowBatch& batch) const;
-  std::size_t findShownEvery(const Material& material, const SpanMapping& mapping,
-                             RowBatch& batch) const;
-  void findShownInEachRow(const Material& material, const SpanMapping& mapping,
-                          RowBatch& batch) const;
+  void findShown(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
   void shade(TextureFilter filter, const Texture& image, LightMode mode, const RowBatch& batch,
              Pixel* pixels) const;
   /// All but the pixels of holes.
@@ -83,8 +73,6 @@ class SpanPainter {
   const Projection& projection_;
   std::span<const double> climbs_;
   const RowKernels& kernels_ = rowKernels();
-  const PlaceKernels& places_ =
-      settings_.precision == Precision::Single ? kernels_.inSingles : kernels_.inDoubles;
 };
 
 }  // namespace hearth

@@ -68,11 +68,8 @@ std::vector<SurfaceTexels> texelsInView(const Level& level, const LitSurfaces& s
       addEnds(lightMappingOf(level, projection, span, *lit), projection, span, reads);
 
   std::vector<SurfaceTexels> seen;
-  for (const auto& [id, read] : reads) {
-    const TexelRect& all = surfaces[id.index()]->texels;
-    // Single precision finds places that are off by more, the farther they are from the origin.
-    seen.push_back({id, settings.precision == Precision::Single ? all : readIn(read, all)});
-  }
+  for (const auto& [id, read] : reads)
+    seen.push_back({id, readIn(read, surfaces[id.index()]->texels)});
   return seen;
 }
 

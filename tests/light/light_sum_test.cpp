@@ -38,20 +38,6 @@ TEST(LightSum, roundsHalfUpOnce) {
   EXPECT_EQ(meanOf({1, 0, 0, 0}, 4), 0);
 }
 
-TEST(LightSum, hasSixteenBitsWhereTheyAreAskedFor) {
-  const auto fine = [](const std::vector<double>& levels, int samples) {
-    LightSum sum;
-    for (const double level : levels) sum.add(level);
-    return sum.fineMean(samples);
-  };
-  EXPECT_EQ(fine({1.5}, 1), 384);
-  EXPECT_EQ(fine({0.5 / 256}, 1), 1) << "half up";
-  EXPECT_EQ(fine({0.499 / 256}, 1), 0);
-  EXPECT_EQ(fine({1, 0, 0, 0}, 4), 64);
-  EXPECT_EQ(fine({254.999}, 1), 255 * 256);
-  EXPECT_EQ(fine(std::vector<double>(10'000, 1e38), 1), 255 * 256);
-}
-
 TEST(LightSum, clampsTheMeanAndNotTheSamples) {
   EXPECT_EQ(meanOf({510, 0}, 2), 255) << "half of the texel at twice full light";
   EXPECT_EQ(meanOf({1000}, 1), 255);

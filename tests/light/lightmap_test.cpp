@@ -46,22 +46,5 @@ TEST(Lightmap, isKeptWholeWhereOneTexelDiffers) {
 
 TEST(Lightmap, ofWhiteLightAnswersForEveryChannel) { EXPECT_EQ(kMap.sample(0.0, 4.5, 2), 50); }
 
-TEST(Lightmap, ofSixteenBitsHasFractionsOfLevels) {
-  const Lightmap map{{0, 0, 2, 2}, {10, 10, 20, 20}, 1, {0, 128, 0, 64}};
-  EXPECT_EQ(map.at(1, 0), 10);
-  EXPECT_EQ(map.levelAt(1, 0), 10.5);
-  EXPECT_EQ(map.levelAt(1, 1), 20.25);
-  EXPECT_EQ(map.sample(1, 0.5), 10.25);
-  EXPECT_EQ(map.bytes(), 8U);
-}
-
-TEST(Lightmap, ofSixteenBitsIsKeptAsOneTexelWhereFractionsAreTheSameToo) {
-  const Lightmap even = asKept({{0, 0, 2, 2}, {7, 7, 7, 7}, 1, {9, 9, 9, 9}});
-  EXPECT_TRUE(even.isEven());
-  EXPECT_EQ(even.fractions, std::vector<std::uint8_t>{9});
-  EXPECT_EQ(even.levelAt(1, 1), 7 + 9 / 256.0);
-  EXPECT_FALSE(asKept({{0, 0, 2, 2}, {7, 7, 7, 7}, 1, {9, 9, 9, 8}}).isEven());
-}
-
 }  // namespace
 }  // namespace hearth

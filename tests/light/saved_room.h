@@ -18,9 +18,8 @@ inline constexpr std::size_t kFileBytesAt = 16;
 inline constexpr std::size_t kGeometryAt = 24;
 inline constexpr std::size_t kTexelAt = 32;
 inline constexpr std::size_t kLightmapsAt = 40;
-inline constexpr std::size_t kBitsAt = 44;
-inline constexpr std::size_t kLightmapBytesAt = 48;
-inline constexpr std::size_t kHeaderBytes = 56;
+inline constexpr std::size_t kLightmapBytesAt = 44;
+inline constexpr std::size_t kHeaderBytes = 52;
 inline constexpr std::size_t kChecksumBytes = 4;
 
 inline constexpr std::string_view kSettings = "--samples 4";

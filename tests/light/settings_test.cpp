@@ -29,11 +29,6 @@ TEST(BakeSettings, takeSquareNumbersOfSoftSamples) {
   EXPECT_EQ(mistakeIn({.softSamples = 60}), "soft-samples: 60 is no square number, try 64");
 }
 
-TEST(BakeSettings, takeEightBitsOrSixteen) {
-  EXPECT_EQ(mistakeIn({.bits = 16}), "");
-  EXPECT_EQ(mistakeIn({.bits = 12}), "light-bits: 12 is neither 8 nor 16");
-}
-
 TEST(BakeSettings, takeCutOffsFromNothingOn) {
   EXPECT_EQ(mistakeIn({.cutOff = 4}), "");
   for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()})

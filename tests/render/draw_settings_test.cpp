@@ -2,14 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
-#include "image/compare.h"
 #include "load/load.h"
 #include "render/renderer.h"
 #include "render/row_kernels.h"
-#include "render/span_painter.h"
 #include "row_batches.h"
 #include "support/level_text.h"
 
@@ -60,51 +57,18 @@ Drawn room() {
                       "[{'x':2,'y':3,'z':3,'falloff':0.5,'color':'#ffc080'}]"));
 }
 
-constexpr DrawSettings kCoarseDepth{.depthEvery = 8};
-constexpr DrawSettings kCoarseLight{.lightEvery = 8};
-
 TEST(DrawSettings, EachChangesAShotOfTheTutorial) {
   const Drawn tutorial(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value());
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Bilinear}));
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Mipmapped}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightFilter = LightFilter::Nearest}));
-  EXPECT_TRUE(tutorial.changesAnyShot({.precision = Precision::Single}));
-  EXPECT_TRUE(tutorial.changesAnyShot({.lightEvery = 2}));
-  EXPECT_TRUE(tutorial.changesAnyShot({.depthEvery = 2}));
   EXPECT_TRUE(tutorial.changesAnyShot({.pixelSize = 2}));
-}
-
-TEST(DrawSettings, OfDepthConcernPlanesAlone) {
-  const Drawn drawn = room();
-  const Camera wall = cameraAt({4, 4, 2}, 90, 0);  // 4 m off, from row 20 to 180
-  const Image exact = drawn.with({}, wall);
-  const Image coarse = drawn.with(kCoarseDepth, wall);
-  for (int row = 20; row < 180; ++row) EXPECT_EQ(coarse.at(160, row), exact.at(160, row)) << row;
-  EXPECT_FALSE(coarse == exact);
-}
-
-/// Where rounding puts a pixel on the other side of an edge between texels.
-TEST(DrawSettings, OfPrecisionMissSingleTexels) {
-  const Level level = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value().level;
-  const Drawn tutorial(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value());
-  std::int64_t wrong = 0;
-  std::int64_t pixels = 0;
-  for (const Shot& shot : level.shots) {
-    const PictureDifference difference =
-        compare(tutorial.with({}, cameraOf(shot)),
-                tutorial.with({.precision = Precision::Single}, cameraOf(shot)));
-    wrong += difference.over2;
-    pixels += std::int64_t{shot.width} * shot.height;
-    EXPECT_LE(difference.largestBlob, 8) << shot.name;
-  }
-  EXPECT_LT(wrong * 1000, pixels);
 }
 
 TEST(DrawSettings, OfLightLeaveTexturesAsTheyAre) {
   const Drawn drawn = room();
   const Camera camera = cameraAt({1, 1, 2}, 45, -20);
-  EXPECT_TRUE(drawn.isSame({.lightFilter = LightFilter::Nearest, .lightEvery = 8}, camera,
-                           LightMode::None));
+  EXPECT_TRUE(drawn.isSame({.lightFilter = LightFilter::Nearest}, camera, LightMode::None));
 }
 
 TEST(DrawSettings, OfTexturesLeavePlainColoursAsTheyAre) {
@@ -139,43 +103,11 @@ TEST(DrawSettings, MipmappedShowsMeansOfWhatIsFarAndTexelsOfWhatIsNear) {
   }
 }
 
-TEST(DrawSettings, OfLightMissAFewLevelsWhereItChangesEvenly) {
-  const Drawn drawn = room();
-  const Camera camera = cameraAt({6, 6, 2}, 225, 0);  // far from the lamp: texels of many rows
-  const PictureDifference difference =
-      compare(drawn.with({}, camera), drawn.with(kCoarseLight, camera));
-  EXPECT_GT(difference.differing, 0);
-  EXPECT_LE(difference.largest, 4);
-}
-
-TEST(DrawSettings, OfDepthMissByNoMoreThanTheyPromise) {
-  const SpanMapping floor{.isPlane = true, .height = -1, .depth = 1e6};
-  const double distancePx = 160;
-  std::vector<double> climbs;
-  for (int row = 0; row < 64; ++row) climbs.push_back(-(row + 0.5 + 8) / distancePx);
-  for (const int every : {2, 4, 8, 16}) {
-    RowBatch batch{};
-    setRows(batch, climbs);
-    findDepthsEvery(every, batch, floor, climbs.data());
-    bool misses = false;
-    for (std::size_t k = 0; k < batch.count; ++k) {
-      const double exact = floor.depthAt(climbs[k]);
-      // n^2 / 8 of the second derivative of 1 / r is n^2 / 4 r^3; where rows lie r below the
-      // horizon.
-      const double nearest = static_cast<double>(k / every * every) + 8.5;
-      const double bound = every * every / (4.0 * nearest * nearest * nearest) * distancePx;
-      EXPECT_LE(std::abs(batch.measures[k] - exact), bound + 1e-9) << every << ' ' << k;
-      misses = misses || batch.measures[k] != exact;
-    }
-    EXPECT_TRUE(misses);
-  }
-}
-
 TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
   RowBatch batch{};
   setRows(batch, {0.5, 1.0, 7.75, -0.25});
-  rowKernels().inDoubles.findTexelsAround(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}},
-                                          Texture(Image(8, 1)));
+  rowKernels().findTexelsAround(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}},
+                                Texture(Image(8, 1)));
   const int left[] = {0, 0, 7, 7};
   const int right[] = {1, 1, 0, 0};
   const float shares[] = {0, 0.5, 0.25, 0.25};
@@ -193,8 +125,8 @@ TEST(DrawSettings, KeepSkiesWithinTheirImage) {
   RowBatch batch{};
   setRows(batch, {-5.0, 1.25, 50.0});
   for (const int height : {1, 4}) {
-    rowKernels().inDoubles.findTexelsAround(batch, {.isSky = true, .v = {.place = {0, 1}}},
-                                            Texture(Image(1, height)));
+    rowKernels().findTexelsAround(batch, {.isSky = true, .v = {.place = {0, 1}}},
+                                  Texture(Image(1, height)));
     for (std::size_t k = 0; k < batch.count; ++k) {
       EXPECT_GE(batch.texels.upperLeft[k], 0);
       EXPECT_GE(batch.texels.lowerLeft[k], batch.texels.upperLeft[k]);
@@ -223,17 +155,11 @@ TEST(DrawSettings, SquaresOfPixelsShowWhatTheirMiddlesSee) {
   EXPECT_LE(differing, camera.width * camera.height / 1000);
 }
 
-TEST(DrawSettings, CountThePixelsAndTheLightThatAreSaved) {
+TEST(DrawSettings, CountThePixelsThatAreSaved) {
   const Drawn drawn = room();
   const Camera camera = cameraAt({6, 6, 2}, 225, 0);
-  const PaintStats all = drawn.workOf({}, camera);
-  EXPECT_EQ(all.pixels, 320U * 200);
-  EXPECT_EQ(all.lightLookups, all.lightmapPixels);
+  EXPECT_EQ(drawn.workOf({}, camera).pixels, 320U * 200);
   EXPECT_EQ(drawn.workOf({.pixelSize = 2}, camera).pixels, 160U * 100);
-  const PaintStats fewer = drawn.workOf({.lightEvery = 8}, camera);
-  EXPECT_EQ(fewer.lightmapPixels, all.lightmapPixels);
-  EXPECT_LT(fewer.lightLookups, all.lightLookups / 6);
-  EXPECT_GE(fewer.lightLookups, all.lightLookups / 8);
 }
 
 }  // namespace

@@ -39,15 +39,12 @@ BakeSettings bakeOf(const Level& level, std::uint64_t seed) {
   BakeSettings settings = level.bake;
   settings.texel = 0.25;
   settings.samples = kSamples[seed % kSamples.size()];
-  settings.bits = seed % 3 == 0 ? 16 : 8;
   return settings;
 }
 
 constexpr std::array kFrames = {
     DrawSettings{},
     DrawSettings{.lightFilter = LightFilter::Nearest},
-    DrawSettings{.lightEvery = 7, .depthEvery = 5},
-    DrawSettings{.precision = Precision::Single},
     DrawSettings{.pixelSize = 3},
 };
 

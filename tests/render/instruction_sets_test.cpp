@@ -29,13 +29,12 @@ class InstructionSets : public testing::Test {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   }
 
-  void expectTheSamePictures(const std::string& name, const DrawSettings& settings, LightMode mode,
-                             int lightBits = 8) {
+  void expectTheSamePictures(const std::string& name, const DrawSettings& settings,
+                             LightMode mode) {
     const LoadedLevel loaded =
         loadLevel(HEARTH_SOURCE_DIR "/levels/" + name + ".json").loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
-    coarse.bits = lightBits;
     const BakedLight light = bake(loaded.level, coarse, 2);
     const Renderer renderer(loaded.level, loaded.textures, light, settings);
     for (const Shot& shot : loaded.level.shots) {
@@ -61,16 +60,14 @@ TEST_F(InstructionSets, drawTheSamePictures) {
     expectTheSamePictures("tutorial", {}, mode);
 }
 
-/// Random light, as fine as that of 16 bits.
+/// Random light.
 Lightmap someLight(int channels) {
   Lightmap lightmap;
   lightmap.rect = {3, -2, 4, 70};
   lightmap.channels = channels;
   std::mt19937 random(1);
-  for (int i = 0; i < 4 * 70 * channels; ++i) {
+  for (int i = 0; i < 4 * 70 * channels; ++i)
     lightmap.levels.push_back(static_cast<std::uint8_t>(random()));
-    lightmap.fractions.push_back(static_cast<std::uint8_t>(random()));
-  }
   return lightmap;
 }
 
@@ -82,8 +79,8 @@ std::vector<float> shownDownTo(double lowest, const Lightmap& lightmap, bool isP
   RowBatch batch{};
   test::setRows(batch, rows);
   const RowKernels& kernels = rowKernels();
-  (isPlane ? kernels.inDoubles.findLightTexels : kernels.inDoubles.findLightRows)(
-      batch, down, lightmap, LightFilter::Bilinear);
+  (isPlane ? kernels.findLightTexels : kernels.findLightRows)(batch, down, lightmap,
+                                                              LightFilter::Bilinear);
   (isPlane ? kernels.findShown : kernels.findShownUpright)(batch, lightmap, 0.125);
   std::vector<float> shown;
   for (const RowBatch::Rows<float>& channel : batch.shown)
@@ -95,29 +92,19 @@ std::vector<float> shownDownTo(double lowest, const Lightmap& lightmap, bool isP
 TEST_F(InstructionSets, lightWallsLikePlanes) {
   for (const std::int64_t set : instructionSets()) {
     use(set);
-    for (const int channels : {1, 3})
-      for (const double lowest : {0.4, -3.0, 5.0, 13.0, 15.0, 29.0, 31.0, 66.0, 90.0}) {
-        Lightmap lightmap = someLight(channels);
-        for (const char* bits : {"16 bits", "8 bits"}) {
-          EXPECT_EQ(shownDownTo(lowest, lightmap, false), shownDownTo(lowest, lightmap, true))
-              << hwy::TargetName(set) << ' ' << channels << ' ' << lowest << ' ' << bits;
-          lightmap.fractions.clear();
-        }
-      }
+    for (const int channels : {1, 3}) {
+      const Lightmap lightmap = someLight(channels);
+      for (const double lowest : {0.4, -3.0, 5.0, 13.0, 15.0, 29.0, 31.0, 66.0, 90.0})
+        EXPECT_EQ(shownDownTo(lowest, lightmap, false), shownDownTo(lowest, lightmap, true))
+            << hwy::TargetName(set) << ' ' << channels << ' ' << lowest;
+    }
   }
 }
 
 TEST_F(InstructionSets, mixTexelsTheSame) {
-  expectTheSamePictures(
-      "tutorial", {.textureFilter = TextureFilter::Bilinear, .lightEvery = 3, .depthEvery = 2},
-      LightMode::Both);
+  expectTheSamePictures("tutorial", {.textureFilter = TextureFilter::Bilinear}, LightMode::Both);
   expectTheSamePictures("tutorial", {.textureFilter = TextureFilter::Mipmapped}, LightMode::Both);
-  expectTheSamePictures("tutorial", {.precision = Precision::Single}, LightMode::Both);
-  expectTheSamePictures("tutorial",
-                        {.textureFilter = TextureFilter::Bilinear, .precision = Precision::Single},
-                        LightMode::Both);
   expectTheSamePictures("keep", {.lightFilter = LightFilter::Nearest}, LightMode::Both);
-  expectTheSamePictures("tutorial", {}, LightMode::Both, 16);
 }
 
 }  // namespace

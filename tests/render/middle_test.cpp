@@ -91,10 +91,9 @@ TEST(MiddleTextures, areSeenFromBothSidesWhereBothHaveOne) {
 TEST(MiddleTextures, haveTheSameHolesWithAllSettings) {
   const LoadedLevel loaded = rooms(kNearMiddle, kFarMiddle);
   const Image exact = drawn(loaded, 10, 1);
-  for (const DrawSettings settings :
-       {DrawSettings{.textureFilter = TextureFilter::Bilinear},
-        DrawSettings{.textureFilter = TextureFilter::Mipmapped}, DrawSettings{.lightEvery = 8},
-        DrawSettings{.precision = Precision::Single}})
+  for (const DrawSettings settings : {DrawSettings{.textureFilter = TextureFilter::Bilinear},
+                                      DrawSettings{.textureFilter = TextureFilter::Mipmapped},
+                                      DrawSettings{.lightFilter = LightFilter::Nearest}})
     EXPECT_EQ(drawn(loaded, 10, 1, settings), exact);
 }
 

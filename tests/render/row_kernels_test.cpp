@@ -18,10 +18,10 @@ namespace {
 using test::setRows;
 
 /// The column of an image of so many that texel coordinate `x` falls into.
-int repeated(double x, int size, const PlaceKernels& kernels = rowKernels().inDoubles) {
+int repeated(double x, int size) {
   RowBatch batch{};
   setRows(batch, {0});
-  kernels.findTexels(batch, {.u = {.place = {x, 0}}}, Texture(Image(size, 1)));
+  rowKernels().findTexels(batch, {.u = {.place = {x, 0}}}, Texture(Image(size, 1)));
   return batch.texels.upperLeft[0];
 }
 
@@ -61,43 +61,15 @@ TEST(Repeated, missesNoMultipleOfTheSize) {
   }
 }
 
-TEST(Repeated, missesNoMultipleOfTheSizeInSinglesUpToTwoMillion) {
-  std::mt19937_64 random(1);
-  for (int i = 0; i < 10'000; ++i) {
-    const int size = std::uniform_int_distribution(1, 3000)(random);
-    const int most = (1 << 21) / size;
-    const double x = size * std::uniform_int_distribution(-most + 1, most)(random);
-    ASSERT_EQ(repeated(x, size, rowKernels().inSingles), 0) << x << ' ' << size;
-    ASSERT_EQ(repeated(x - 1, size, rowKernels().inSingles), size - 1) << x << ' ' << size;
-  }
-}
-
-TEST(Singles, findTheDepthsOfDoublesToTheirPrecision) {
-  const SpanMapping slope{.isPlane = true, .height = -1.5, .rise = 0.125, .depth = 20};
-  RowBatch exact{};
-  RowBatch singles{};
-  std::vector<double> climbs;
-  for (int row = 0; row < 100; ++row) climbs.push_back(0.1 - 0.01 * row);
-  setRows(exact, climbs);
-  setRows(singles, climbs);
-  rowKernels().inDoubles.findDepths(exact, slope, climbs.data());
-  rowKernels().inSingles.findDepths(singles, slope, climbs.data());
-  for (std::size_t k = 0; k < climbs.size(); ++k) {
-    const double nearing = exact.depths[k] / std::abs(slope.height);  // to the horizon
-    EXPECT_NEAR(singles.depths[k], exact.depths[k],
-                0x1p-22 * exact.depths[k] * std::max(1.0, nearing));
-  }
-}
-
 /// The number of a texel in a large lightmap is no float.
-TEST(Singles, findTexelsOfLargeLightmaps) {
+TEST(RowKernels, findTexelsOfLargeLightmaps) {
   Lightmap lightmap;
   lightmap.rect = {0, 0, 5001, 4001};
   lightmap.channels = 3;
   RowBatch batch{};
   setRows(batch, {4000.25, 3999.75});
-  rowKernels().inSingles.findLightTexels(batch, {.isPlane = true, .s = {4800.5, 0}, .t = {0.5, 1}},
-                                         lightmap, LightFilter::Bilinear);
+  rowKernels().findLightTexels(batch, {.isPlane = true, .s = {4800.5, 0}, .t = {0.5, 1}}, lightmap,
+                               LightFilter::Bilinear);
   EXPECT_EQ(batch.lightTexels[0], 3U * (3999 * 5001 + 4800));
   EXPECT_EQ(batch.lightTexels[1], 3U * (3999 * 5001 + 4800));
   EXPECT_EQ(batch.betweenLightTexels.down[0], 1);
@@ -128,7 +100,7 @@ TEST(RowKernels, findTheTexelsThatAModuloOfEachRowGives) {
       std::ranges::sort(measures);
       RowBatch batch{};
       setRows(batch, measures);
-      rowKernels().inDoubles.findTexels(
+      rowKernels().findTexels(
           batch, {.isPlane = true, .u = {.place = {0.25, 1}}, .v = {.place = {-3, 0.5}}},
           Texture(Image(width, height)));
       for (std::size_t k = 0; k < batch.count; ++k) {
@@ -167,7 +139,7 @@ TEST(RowKernels, findTheTexelsOfEachRowHoweverNearToTheNextTheyAre) {
         RowBatch batch{};
         setRows(batch, measuresNearTexels(i % 2 == 0 ? mapping.u : mapping.v, random));
         const Texture image(Image(width, height));
-        rowKernels().inDoubles.findTexels(batch, mapping, image);
+        rowKernels().findTexels(batch, mapping, image);
         for (std::size_t k = 0; k < batch.count; ++k) {
           const double u = mapping.u.at(isPlane ? batch.measures[k] : 0);
           const double v = mapping.v.at(batch.measures[k]);
@@ -183,7 +155,7 @@ TEST(RowKernels, findDepthsThatAreThoseOfEachRow) {
   for (int row = 0; row < 100; ++row) climbs.push_back((50 - row) / 160.0);
   RowBatch batch{};
   setRows(batch, climbs);
-  rowKernels().inDoubles.findDepths(batch, slope, batch.measures);
+  rowKernels().findDepths(batch, slope, batch.measures);
   for (std::size_t k = 0; k < batch.count; ++k)
     EXPECT_EQ(batch.measures[k], slope.depthAt(climbs[k])) << k;
 }
@@ -192,8 +164,8 @@ TEST(RowKernels, findPlacesInALightmapAndKeepThemThere) {
   const Lightmap lightmap{.rect = {-2, 5, 4, 3}, .levels = std::vector<std::uint8_t>(12)};
   RowBatch batch{};
   setRows(batch, {-100, -1.5, -1.25, 1.5, 100});
-  rowKernels().inDoubles.findLightTexels(batch, {.isPlane = true, .s = {0, 1}, .t = {6.75, 0}},
-                                         lightmap, LightFilter::Bilinear);
+  rowKernels().findLightTexels(batch, {.isPlane = true, .s = {0, 1}, .t = {6.75, 0}}, lightmap,
+                               LightFilter::Bilinear);
   const std::vector<std::size_t> columns{0, 0, 0, 2, 2};
   const std::vector<double> shares{0, 0, 0.25, 1, 1};
   for (std::size_t k = 0; k < batch.count; ++k) {
@@ -210,8 +182,8 @@ std::vector<Rgb> levelsShown(const Lightmap& lightmap) {
     for (int column = 0; column < lightmap.rect.width; ++column) {
       RowBatch batch{};
       setRows(batch, {0});
-      rowKernels().inDoubles.findLightTexels(batch, {.s = {column + 0.5, 0}, .t = {row + 0.5, 0}},
-                                             lightmap, LightFilter::Bilinear);
+      rowKernels().findLightTexels(batch, {.s = {column + 0.5, 0}, .t = {row + 0.5, 0}}, lightmap,
+                                   LightFilter::Bilinear);
       rowKernels().findShown(batch, lightmap, 0);
       Pixel pixel = 0;
       rowKernels().shadeColor(&pixel, batch, {255, 255, 255});

@@ -41,12 +41,9 @@ std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
 BakedLight withAllTexels(BakedLight light) {
   for (auto& map : light.lightmaps) {
     if (!map || !map->isEven()) continue;
-    for (std::vector<std::uint8_t>* texels : {&map->levels, &map->fractions}) {
-      const std::vector<std::uint8_t> one = std::move(*texels);
-      texels->clear();
-      for (std::int64_t i = 0; i < map->rect.count(); ++i)
-        texels->insert(texels->end(), one.begin(), one.end());
-    }
+    const std::vector<std::uint8_t> one = std::exchange(map->levels, {});
+    for (std::int64_t i = 0; i < map->rect.count(); ++i)
+      map->levels.insert(map->levels.end(), one.begin(), one.end());
   }
   return light;
 }

@@ -74,7 +74,7 @@ class BakeCacheTest : public testing::Test {
 TEST_F(BakeCacheTest, hasWhatWasKept) {
   const Level level = room();
   for (const BakeSettings& settings :
-       {level.bake, BakeSettings{.texel = 0.5}, BakeSettings{.texel = 0.5, .bits = 16}}) {
+       {level.bake, BakeSettings{.texel = 0.5}, BakeSettings{.texel = 0.5, .samples = 4}}) {
     EXPECT_FALSE(cache_.find(level, settings));
     const BakedLight baked = bake(level, settings, 2);
     cache_.keep(level, settings, baked);
@@ -213,7 +213,7 @@ TEST(LightHash, isAnotherWithEverySettingAndWithTheGeometry) {
   for (const BakeSettings& settings :
        {BakeSettings{}, BakeSettings{.texel = 0.25}, BakeSettings{.samples = 4},
         BakeSettings{.samples = std::nullopt}, BakeSettings{.softSamples = 64},
-        BakeSettings{.cutOff = 1}, BakeSettings{.bits = 16}, BakeSettings{.lambert = true},
+        BakeSettings{.cutOff = 1}, BakeSettings{.lambert = true},
         BakeSettings{.solidMiddles = true}, BakeSettings{.bounces = 1}})
     hashes.push_back(lightHash(level, settings));
   std::ranges::sort(hashes);

@@ -47,6 +47,7 @@ TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
     EXPECT_EQ(frame.writeMilliseconds.median, 1000);
     EXPECT_GE(mean(frame, "spans"), frame.size.width) << "at least one to a column";
     EXPECT_GE(mean(frame, "viewports"), 1);
+    for (const FrameCounter& counter : frame.counters) EXPECT_NE(counter.name, "");
   }
   for (const BakeBench& bake : report.bakes) EXPECT_EQ(bake.seconds.p95, 1);
 }

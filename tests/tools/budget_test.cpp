@@ -88,9 +88,8 @@ TEST(Budget, saysWhatItHasPickedAndWhatToExpect) {
   BakeSettings settings;
   settings.texel = 0.25;
   EXPECT_EQ(words(FittingBake{settings, 1.23, 7.8}),
-            "--texel 0.25 --samples 1 --soft-samples 36 --cut-off 0 --light-bits 8 --bounces 0 "
-            "--no-lambert: about "
-            "1.2 s, light off by about 7.8 levels (RMS)");
+            "--texel 0.25 --samples 1 --soft-samples 36 --cut-off 0 --bounces 0 --no-lambert: "
+            "about 1.2 s, light off by about 7.8 levels (RMS)");
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ class Shot(InFolder):
 
     def test_every_setting_of_drawing_draws_something_else(self):
         pictures = set()
-        for options in [(), ("--texture-filter", "bilinear"), ("--light-filter", "nearest"),
-                        ("--light-every", "8"), ("--depth-every", "8")]:
+        for options in [(), ("--texture-filter", "bilinear"), ("--texture-filter", "mipmapped"),
+                        ("--light-filter", "nearest"), ("--pixel-size", "2")]:
             result = run("shot", SOURCE / "levels/tutorial.json", "-o", self.out, "--texel", "1",
                          "--size", "80x50", *options)
             self.assertEqual(result.returncode, 0, result.stderr)
@@ -125,8 +125,8 @@ class Mistakes(InFolder):
                 (("--threads", "0"), "--threads"),
                 (("--light", "some"), "--light.*both.none.only"),
                 (("--channel", "heat"), "--channel"),
-                (("--light-every", "0"), "--light-every.*1..64"),
-                (("--depth-every", "65"), "--depth-every.*1..64"),
+                (("--pixel-size", "0"), "--pixel-size.*1..64"),
+                (("--pixel-size", "65"), "--pixel-size.*1..64"),
                 (("--light", "none", "--channel", "uv"), "not both"),
                 (("--lambert", "--no-lambert"), "not both"),
                 (("--camera", "1,2,3"), "--camera.*X,Y,Z,ANGLE"),
@@ -442,7 +442,7 @@ class SavedBake(InFolder):
         # By so little that no texel moves.
         self.level = self.copy_level('"v": [0,4, 4,4, 4,8, 0,8]', '"v": [0,4, 4,4, 4,7.9999, 0,7.9999]')
         self.refuse_bake(r"rooms\.bake was baked for other geometry than the level has now, with the "
-                         r'settings "--texel 0\.5 --samples 1 --soft-samples 36 --cut-off 0 --light-bits 8 '
+                         r'settings "--texel 0\.5 --samples 1 --soft-samples 36 --cut-off 0 '
                          r'--bounces 0 --no-lambert": '
                          r"bake again with `\S*hearth bake \S*copy\.json -o \S*rooms\.bake`")
         self.bake_again()
@@ -564,15 +564,15 @@ def write_bake(bake, texels_of):
     settings = b"a test"
     packed = zlib.compress(maps)
     whole = b"\x89HEARTH\n" + struct.pack(
-        "<IIQQdIIQ", 3, len(settings), 56 + len(settings) + len(packed) + 4, int(bake["geometry"], 16),
-        bake["texelMetres"], len(bake["surfaces"]), 8, len(maps)) + settings + packed
+        "<IIQQdIQ", 4, len(settings), 52 + len(settings) + len(packed) + 4, int(bake["geometry"], 16),
+        bake["texelMetres"], len(bake["surfaces"]), len(maps)) + settings + packed
     return whole + struct.pack("<I", zlib.crc32(whole))
 
 
 def read_bake(data):
     """The texels of a saved bake by the number of their surface."""
     settings_bytes, = struct.unpack_from("<I", data, 12)
-    maps = zlib.decompress(data[56 + settings_bytes:-4])
+    maps = zlib.decompress(data[52 + settings_bytes:-4])
     at = 0
 
     def take_short():
@@ -608,7 +608,7 @@ class KeptBakes(InFolder):
         return self.out.read_bytes()
 
     def test_show_what_is_baked_for_one_picture_alone(self):
-        for options in [(), ("--pixel-size", "5"), ("--precision", "single"), ("--samples", "auto"),
+        for options in [(), ("--pixel-size", "5"), ("--light-filter", "nearest"), ("--samples", "auto"),
                         ("--channel", "light"), ("--channel", "light", "--pixel-size", "50")]:
             self.assertEqual(self.draw("--no-cache", *options), self.draw(*options), options)
 
@@ -1221,7 +1221,8 @@ class Lint(InFolder):
         lights.write_text(lights.read_text().replace('"intensity": 230', '"intensity": 2300'))
         environment = {**os.environ, "XDG_CACHE_HOME": str(self.folder)}
         first = run("lint", level, env=environment)
-        self.assertEqual(len(list(self.folder.glob("hearth/*.bake"))), 1)
+        # The level's own light, and the same dimmed, in which brightness beyond 255 can be told.
+        self.assertEqual(len(list(self.folder.glob("hearth/*.bake"))), 2)
         self.assertIn("[overexposed]", first.stdout)
         self.assertEqual(run("lint", level, env=environment).stdout, first.stdout)
 

@@ -433,9 +433,8 @@ def main():
         display = Display(name)
         try:
             # A picture's options bring the settings that it was drawn with, too.
-            walk = Walk(display, hearth, level, folder, "--record", "walk.txt", "--light-every", "4",
-                        "--depth-every", "2", "--light-filter", "nearest",
-                        "--texture-filter", "bilinear")
+            walk = Walk(display, hearth, level, folder, "--record", "walk.txt",
+                        "--light-filter", "nearest", "--texture-filter", "bilinear")
             try:
                 moves(display, walk)
                 loses_focus(display, walk)

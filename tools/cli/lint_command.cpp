@@ -56,9 +56,12 @@ ExitStatus runLint(const OptionValues& values) {
   print(ofLoader);
   const std::vector<Diagnostic> ofGeometry = lintGeometry(linted);
   print(ofGeometry);
-  const auto light = lightFor(dimmed(linted.level()), values);
+  const auto light = lightFor(linted.level(), values);
   if (!light) return fail(light.error());
-  const std::vector<Diagnostic> ofLight = lintLight(linted, *light, *settings, threadsFrom(values));
+  const auto dimmedLight = lightFor(dimmed(linted.level()), values);
+  if (!dimmedLight) return fail(dimmedLight.error());
+  const std::vector<Diagnostic> ofLight =
+      lintLight(linted, *light, *dimmedLight, *settings, threadsFrom(values));
   print(ofLight);
   const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
   if (!values.has(Option::Quiet)) {

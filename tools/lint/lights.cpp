@@ -82,7 +82,7 @@ double areaOf(const LitSurface& surface) {
 double lostShare(const LitSurface& surface, const Lightmap& map, double sectorLevel) {
   const std::int64_t lost = countTexels(surface, [&](int i, int j) {
     for (int channel = 0; channel < map.channels; ++channel)
-      if (map.levelAt(i, j, channel) / kDimmed + sectorLevel > kLost) return true;
+      if (map.at(i, j, channel) / kDimmed + sectorLevel > kLost) return true;
     return false;
   });
   return lost == 0 ? 0 : static_cast<double>(lost) / static_cast<double>(countTexels(surface));
@@ -90,12 +90,12 @@ double lostShare(const LitSurface& surface, const Lightmap& map, double sectorLe
 
 /// The point of the surface that has the most light of any channel.
 Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
-  double most = -1;
+  int most = -1;
   Vec2 brightest;
   countTexels(surface, [&](int i, int j) {
     for (int channel = 0; channel < map.channels; ++channel)
-      if (map.levelAt(i, j, channel) > most) {
-        most = map.levelAt(i, j, channel);
+      if (map.at(i, j, channel) > most) {
+        most = map.at(i, j, channel);
         brightest = {i + 0.5, j + 0.5};
       }
     return true;
@@ -122,29 +122,27 @@ std::size_t mostAt(const Level& level, Vec3 p, SectorId sector) {
 bool isDark(const BakedLight& light, std::size_t surface) {
   const std::optional<Lightmap>& map = light.lightmaps[surface];
   const auto isZero = [](std::uint8_t level) { return level == 0; };
-  return !map ||
-         (std::ranges::all_of(map->levels, isZero) && std::ranges::all_of(map->fractions, isZero));
+  return !map || std::ranges::all_of(map->levels, isZero);
 }
 
-class BadLightFinder {
+std::string nameOf(const Level& level, const Surface& surface) {
+  return fmt::format("{} of sector \"{}\"", name(surface.kind), level[surface.sector].name);
+}
+
+class BlackFinder {
  public:
-  BadLightFinder(const LintedLevel& linted, const BakedLight& light, Findings& findings)
+  BlackFinder(const LintedLevel& linted, const BakedLight& light, Findings& findings)
       : linted_(linted), level_(linted.level()), light_(light), findings_(findings) {}
 
   void look() {
     const std::vector<Counts> sectors = countSectors();
     for (std::size_t i = 0; i < sectors.size(); ++i)
-      if (sectors[i].isBlack()) reportBlackSector(i);
-    for (std::size_t i = 0; i < level_.surfaces.size(); ++i) {
-      if (!light_.surfaces[i]) continue;
-      const SectorId sector = level_.surfaces[i].sector;
-      if (isBlack(i) && !sectors[sector.index()].isBlack() &&
+      if (sectors[i].isBlack()) reportSector(i);
+    for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
+      if (light_.surfaces[i] && isBlack(i) &&
+          !sectors[level_.surfaces[i].sector.index()].isBlack() &&
           areaOf(*light_.surfaces[i]) >= kShadow)
-        reportBlack(i);
-      // Who gives a sector all light there is wants its textures as they are.
-      if (light_.lightmaps[i] && level_[sector].light < 1) lookAtExposure(i);
-    }
-    for (const auto& [light, glare] : glaring_) reportGlare(light, glare);
+        report(i);
   }
 
  private:
@@ -170,24 +168,39 @@ class BadLightFinder {
     return level_[level_.surfaces[surface].sector].light == 0 && isDark(light_, surface);
   }
 
-  std::string nameOf(const Surface& surface) const {
-    return fmt::format("{} of sector \"{}\"", name(surface.kind), level_[surface.sector].name);
-  }
-
-  void reportBlackSector(std::size_t sector) {
+  void reportSector(std::size_t sector) {
     findings_.add(FindingKind::Black, linted_.source.level.sectors[sector].place,
                   fmt::format("all of sector \"{}\" is black: no light reaches it, and it has none",
                               level_.sectors[sector].name),
                   "give it a \"light\", or hang a lamp there");
   }
 
-  void reportBlack(std::size_t surface) {
+  void report(std::size_t surface) {
     findings_.add(FindingKind::Black, placeOf(linted_, level_.surfaces[surface]),
                   fmt::format("{} is black: no light reaches it, and its sector has none",
-                              nameOf(level_.surfaces[surface])),
+                              nameOf(level_, level_.surfaces[surface])),
                   "give the sector a \"light\", or move a lamp");
   }
 
+  const LintedLevel& linted_;
+  const Level& level_;
+  const BakedLight& light_;
+  Findings& findings_;
+};
+
+class OverexposedFinder {
+ public:
+  OverexposedFinder(const LintedLevel& linted, const BakedLight& dimmed, Findings& findings)
+      : linted_(linted), level_(linted.level()), dimmed_(dimmed), findings_(findings) {}
+
+  void look() {
+    for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
+      // Who gives a sector all light there is wants its textures as they are.
+      if (dimmed_.lightmaps[i] && level_[level_.surfaces[i].sector].light < 1) lookAt(i);
+    for (const auto& [light, glare] : glaring_) report(light, glare);
+  }
+
+ private:
   /// What one light overexposes, or most of it.
   struct Glare {
     int surfaces = 0;
@@ -195,10 +208,10 @@ class BadLightFinder {
     double share = 0;       ///< of that
   };
 
-  void lookAtExposure(std::size_t surface) {
+  void lookAt(std::size_t surface) {
     const SectorId sector = level_.surfaces[surface].sector;
-    const LitSurface& lit = *light_.surfaces[surface];
-    const Lightmap& map = *light_.lightmaps[surface];
+    const LitSurface& lit = *dimmed_.surfaces[surface];
+    const Lightmap& map = *dimmed_.lightmaps[surface];
     const double share = lostShare(lit, map, 255 * level_[sector].light);
     if (share <= kMostLost) return;
     Glare& glare = glaring_[mostAt(level_, brightestOf(lit, map), sector)];
@@ -208,20 +221,20 @@ class BadLightFinder {
     glare.share = share;
   }
 
-  void reportGlare(std::size_t light, const Glare& glare) {
+  void report(std::size_t light, const Glare& glare) {
     const int others = glare.surfaces - 1;
     findings_.add(
         FindingKind::Overexposed, linted_.source.lights.lights[light].place,
         fmt::format("with this light {:.0f} % of {}{} has more than twice the light that can be "
                     "shown",
-                    100 * glare.share, nameOf(level_.surfaces[glare.worst]),
+                    100 * glare.share, nameOf(level_, level_.surfaces[glare.worst]),
                     others == 0 ? "" : fmt::format(", and much of {} more,", others)),
         "lower its \"intensity\", or raise its \"falloff\"");
   }
 
   const LintedLevel& linted_;
   const Level& level_;
-  const BakedLight& light_;
+  const BakedLight& dimmed_;
   Findings& findings_;
   std::map<std::size_t, Glare> glaring_;  ///< by light
 };
@@ -233,7 +246,6 @@ Level dimmed(Level level) {
     light.intensity *= kDimmed;
     for (CurvePoint& point : light.curve) point.level *= kDimmed;
   }
-  level.bake.bits = 16;
   return level;
 }
 
@@ -262,8 +274,12 @@ void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, 
   }
 }
 
-void findBadlyLit(const LintedLevel& linted, const BakedLight& light, Findings& findings) {
-  BadLightFinder(linted, light, findings).look();
+void findBlack(const LintedLevel& linted, const BakedLight& light, Findings& findings) {
+  BlackFinder(linted, light, findings).look();
+}
+
+void findOverexposed(const LintedLevel& linted, const BakedLight& dimmed, Findings& findings) {
+  OverexposedFinder(linted, dimmed, findings).look();
 }
 
 }  // namespace hearth

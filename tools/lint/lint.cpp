@@ -15,10 +15,12 @@ std::vector<Diagnostic> lintGeometry(const LintedLevel& linted) {
 }
 
 std::vector<Diagnostic> lintLight(const LintedLevel& linted, const BakedLight& light,
-                                  const BakeSettings& settings, int threads) {
+                                  const BakedLight& dimmed, const BakeSettings& settings,
+                                  int threads) {
   Findings findings;
   findUselessLights(linted, settings, threads, findings);
-  findBadlyLit(linted, light, findings);
+  findBlack(linted, light, findings);
+  findOverexposed(linted, dimmed, findings);
   return findings.resolve(linted.source.documents);
 }
 

@@ -43,13 +43,15 @@ Level dimmed(Level level);
 /// bake.
 void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
                        Findings& findings);
-/// Surfaces that are black, and those that are far brighter than can be shown. `light` is that of
-/// the dimmed level.
-void findBadlyLit(const LintedLevel& linted, const BakedLight& light, Findings& findings);
+/// Surfaces that are black in the level's light.
+void findBlack(const LintedLevel& linted, const BakedLight& light, Findings& findings);
+/// Surfaces that are far brighter than can be shown, by the light of the dimmed level.
+void findOverexposed(const LintedLevel& linted, const BakedLight& dimmed, Findings& findings);
 
 /// All of the first, and all of the second.
 std::vector<Diagnostic> lintGeometry(const LintedLevel& linted);
 std::vector<Diagnostic> lintLight(const LintedLevel& linted, const BakedLight& light,
-                                  const BakeSettings& settings, int threads);
+                                  const BakedLight& dimmed, const BakeSettings& settings,
+                                  int threads);
 
 }  // namespace hearth

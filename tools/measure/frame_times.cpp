@@ -21,7 +21,6 @@ FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
            {"lightmapSpans", mean(painted.lightmapSpans)},
            {"coloredSpans", mean(painted.coloredSpans)},
            {"lightmapPixels", mean(painted.lightmapPixels)},
-           {"lightLookups", mean(painted.lightLookups)},
            {"pixels", mean(painted.pixels)}}};
 }
 

@@ -31,7 +31,7 @@ struct FrameCounter {
 
   friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
 };
-using FrameCounters = std::array<FrameCounter, 14>;
+using FrameCounters = std::array<FrameCounter, 13>;
 /// Those of one frame.
 FrameCounters countersOf(const FrameStats& found, const PaintStats& painted);
 

@@ -72,7 +72,7 @@ void setEvenLight(const Material& material, KernelSpan& kernel) {
   kernel.kind = KernelLight::Even;
   for (int channel = 0; channel < 3; ++channel) {
     const Lightmap* map = material.lightmap;
-    const double level = map ? map->levelAt(map->rect.i0, map->rect.j0, channel) : 0;
+    const double level = map ? map->at(map->rect.i0, map->rect.j0, channel) : 0;
     kernel.shown[channel] = static_cast<float>(std::min(1.0, level / 255 + material.sectorLight));
   }
 }

@@ -45,12 +45,11 @@ std::optional<std::uint64_t> hashOfProgram() {
 
 void add(Hash& hash, const BakeSettings& settings) {
   // By name, so that no new member is forgotten.
-  const auto& [texel, samples, softSamples, cutOff, bits, lambert, bounces, solidMiddles] =
-      settings;
+  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, solidMiddles] = settings;
   hash.addReal(texel);
   hash.addReal(cutOff);
   for (const int number :
-       {samples.value_or(0), softSamples, bits, lambert ? 1 : 0, bounces, solidMiddles ? 1 : 0})
+       {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMiddles ? 1 : 0})
     hash.addWhole(static_cast<std::uint64_t>(number));
 }
 

@@ -7,14 +7,13 @@ std::vector<Option> limitOptions() {
 }
 
 std::vector<Option> settingOptions() {
-  return {Option::Texel,         Option::Samples,   Option::SoftSamples, Option::CutOff,
-          Option::MiddleShadows, Option::LightBits, Option::Bounces,     Option::Lambert,
-          Option::NoLambert,     Option::Threads};
+  return {Option::Texel,   Option::Samples,       Option::SoftSamples,
+          Option::CutOff,  Option::MiddleShadows, Option::Bounces,
+          Option::Lambert, Option::NoLambert,     Option::Threads};
 }
 
 std::vector<Option> drawOptions() {
-  return {Option::TextureFilter, Option::LightFilter, Option::LightEvery,
-          Option::DepthEvery,    Option::Precision,   Option::PixelSize};
+  return {Option::TextureFilter, Option::LightFilter, Option::PixelSize};
 }
 
 std::vector<Option> bakeOptions() {

@@ -46,7 +46,6 @@ BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values) {
     settings.samples.reset();  // "auto"
   if (const auto softSamples = values.number(Option::SoftSamples))
     settings.softSamples = static_cast<int>(*softSamples);
-  if (const auto bits = values.text(Option::LightBits)) settings.bits = *bits == "16" ? 16 : 8;
   settings.cutOff = values.number(Option::CutOff).value_or(settings.cutOff);
   if (const auto shadows = values.text(Option::MiddleShadows))
     settings.solidMiddles = *shadows == "solid" && hasMiddles(level);
@@ -77,8 +76,6 @@ std::string valueOf(const BakeSettings& settings, Option option) {
       return fmt::to_string(settings.softSamples);
     case Option::CutOff:
       return fmt::to_string(settings.cutOff);
-    case Option::LightBits:
-      return fmt::to_string(settings.bits);
     case Option::Bounces:
       return fmt::to_string(settings.bounces);
     case Option::MiddleShadows:
@@ -91,8 +88,8 @@ std::string valueOf(const BakeSettings& settings, Option option) {
 
 std::string optionsOf(const BakeSettings& settings) {
   std::string options;
-  for (const Option option : {Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff,
-                              Option::LightBits, Option::Bounces})
+  for (const Option option :
+       {Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff, Option::Bounces})
     options += fmt::format("{} {} ", row(option).name, valueOf(settings, option));
   options += settings.lambert ? "--lambert" : "--no-lambert";
   return options + (settings.solidMiddles ? " --middle-shadows solid" : "");
@@ -109,14 +106,8 @@ DrawSettings drawSettingsFrom(const OptionValues& values) {
     settings.textureFilter = std::ranges::find(kTextureFilters, *name, &NamedFilter::name)->filter;
   if (const auto filter = values.text(Option::LightFilter))
     settings.lightFilter = *filter == "nearest" ? LightFilter::Nearest : LightFilter::Bilinear;
-  if (const auto precision = values.text(Option::Precision))
-    settings.precision = *precision == "single" ? Precision::Single : Precision::Double;
-  const auto take = [&](Option option, int& setting) {
-    if (const auto given = values.number(option)) setting = static_cast<int>(*given);
-  };
-  take(Option::LightEvery, settings.lightEvery);
-  take(Option::DepthEvery, settings.depthEvery);
-  take(Option::PixelSize, settings.pixelSize);
+  if (const auto size = values.number(Option::PixelSize))
+    settings.pixelSize = static_cast<int>(*size);
   return settings;
 }
 
@@ -127,12 +118,6 @@ std::string valueOf(const DrawSettings& settings, Option option) {
           std::ranges::find(kTextureFilters, settings.textureFilter, &NamedFilter::filter)->name);
     case Option::LightFilter:
       return settings.lightFilter == LightFilter::Nearest ? "nearest" : "bilinear";
-    case Option::Precision:
-      return settings.precision == Precision::Single ? "single" : "double";
-    case Option::LightEvery:
-      return fmt::to_string(settings.lightEvery);
-    case Option::DepthEvery:
-      return fmt::to_string(settings.depthEvery);
     case Option::PixelSize:
       return fmt::to_string(settings.pixelSize);
     default:
@@ -143,8 +128,7 @@ std::string valueOf(const DrawSettings& settings, Option option) {
 
 std::vector<Option> notStandard(const DrawSettings& settings) {
   std::vector<Option> options;
-  for (const Option option : {Option::TextureFilter, Option::LightFilter, Option::Precision,
-                              Option::LightEvery, Option::DepthEvery, Option::PixelSize})
+  for (const Option option : {Option::TextureFilter, Option::LightFilter, Option::PixelSize})
     if (valueOf(settings, option) != valueOf(DrawSettings{}, option)) options.push_back(option);
   return options;
 }

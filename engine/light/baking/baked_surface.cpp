@@ -150,7 +150,7 @@ std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& bake
 }
 
 std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings) {
-  return sums.toLightmap(settings.samples.value_or(1), settings.bits);
+  return sums.toLightmap(settings.samples.value_or(1));
 }
 
 }  // namespace hearth

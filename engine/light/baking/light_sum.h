@@ -25,19 +25,12 @@ class LightSum {
 
   /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
   std::uint8_t mean(int samples) const {
-    return static_cast<std::uint8_t>(rounded(samples * kUnit, 255));
-  }
-  /// The same in 256ths of a level.
-  std::uint16_t fineMean(int samples) const {
-    return static_cast<std::uint16_t>(rounded(samples * (kUnit / 256), 255 * 256));
+    const double one = samples * kUnit;
+    // The quotient of whole numbers is nowhere so near below another that it is rounded to that.
+    return static_cast<std::uint8_t>(std::min(std::floor((units_ + one / 2) / one), 255.0));
   }
 
  private:
-  /// The quotient of whole numbers is nowhere so near below another that it is rounded to that.
-  double rounded(double one, double most) const {
-    return std::min(std::floor((units_ + one / 2) / one), most);
-  }
-
   double units_;
 };
 

@@ -91,26 +91,15 @@ TexelSums TexelSums::cropped() const {
   return part;
 }
 
-std::optional<Lightmap> TexelSums::toLightmap(int samples, int bits) const {
+std::optional<Lightmap> TexelSums::toLightmap(int samples) const {
   Lightmap map{rect_, Texels(sums_.size()), channels_};
-  if (bits != 8) map.fractions.resize(sums_.size());
   const auto channels = static_cast<std::size_t>(channels_);
   const std::size_t texels = sums_.size() / channels;
   for (std::size_t channel = 0; channel < channels; ++channel)
-    for (std::size_t i = 0; i < texels; ++i) {
-      const LightSum sum(sums_[channel * texels + i]);
-      const std::size_t to = i * channels + channel;
-      if (bits == 8) {
-        map.levels[to] = sum.mean(samples);
-      } else {
-        const std::uint16_t level = sum.fineMean(samples);
-        map.levels[to] = static_cast<std::uint8_t>(level >> 8);
-        map.fractions[to] = static_cast<std::uint8_t>(level);
-      }
-    }
-  if (isDark(map.levels) && isDark(map.fractions)) return std::nullopt;
-  if (channels_ == 3 && isGrey(map.levels) && isGrey(map.fractions))
-    map = {rect_, everyThird(map.levels), 1, everyThird(map.fractions)};
+    for (std::size_t i = 0; i < texels; ++i)
+      map.levels[i * channels + channel] = LightSum(sums_[channel * texels + i]).mean(samples);
+  if (isDark(map.levels)) return std::nullopt;
+  if (channels_ == 3 && isGrey(map.levels)) map = {rect_, everyThird(map.levels), 1};
   return asKept(std::move(map));
 }
 

@@ -27,9 +27,9 @@ class TexelSums {
   TexelSums cropped() const;
   std::size_t bytes() const { return sums_.size() * sizeof(double); }
 
-  /// The means of so many samples a texel, in 8 or 16 bits. None where all is dark; one channel
-  /// where no coloured light has arrived.
-  std::optional<Lightmap> toLightmap(int samples, int bits) const;
+  /// The means of so many samples a texel. None where all is dark; one channel where no coloured
+  /// light has arrived.
+  std::optional<Lightmap> toLightmap(int samples) const;
 
  private:
   bool isTexelDark(int i, int j) const;

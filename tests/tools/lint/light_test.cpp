@@ -28,6 +28,12 @@ TEST(BlackSurfaces, AreNoneWithALampOrLightOfTheSector) {
   EXPECT_EQ(placesInLight(with(kRooms, "'light': 0,", "'light': 0.1,"), kLamp), Places{});
 }
 
+TEST(BlackSurfaces, AreNoneInLightHoweverFaintThatShows) {
+  const std::string lit = with(kRooms, "'dark': {", "'dark': { 'light': 0.1, ");
+  EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'intensity': 1 }]"),
+            (Places{"1:2 /0 [weak-light]"}));
+}
+
 /// The lamp stands in the plane of the floor, which it does not light.
 TEST(BlackSurfaces, AreToldOneByOneInASectorThatHasOthers) {
   const std::string lit = with(kRooms, "'dark': {", "'dark': { 'light': 0.1, ");

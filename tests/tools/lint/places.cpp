@@ -37,8 +37,10 @@ std::vector<std::string> placesOf(GeometryLint lint, std::string_view levelText)
 std::vector<std::string> placesInLight(std::string_view levelText, std::string_view lightsText) {
   const SourcedResult sourced = levelWithSourceFrom(levelText, lightsText);
   const LintedLevel linted{*sourced.result.loaded, sourced.source};
-  const Level dim = dimmed(linted.level());
-  return placesOf(lintLight(linted, bake(dim, dim.bake, kThreads), linted.level().bake, kThreads));
+  const BakeSettings& settings = linted.level().bake;
+  const auto baked = [&](const Level& level) { return bake(level, settings, kThreads); };
+  return placesOf(
+      lintLight(linted, baked(linted.level()), baked(dimmed(linted.level())), settings, kThreads));
 }
 
 std::string firstMessage(GeometryLint lint, std::string_view levelText) {

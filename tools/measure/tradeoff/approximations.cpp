@@ -30,8 +30,6 @@ constexpr std::array kApproximations = {
     Approximation{Option::MiddleShadows, Of::Bake, "holes|solid",
                   "solid: all the light that comes through holes of middle textures",
                   "engine/light/sight/raytracer.cpp"},
-    Approximation{Option::LightBits, Of::Bake, "8|16", "8: half a level; 16: a 512th",
-                  "engine/light/light_sum.h"},
     Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear|mipmapped",
                   "none of the nearest texel, which is what levels are defined to show; mixtures "
                   "and means differ by up to the contrast of neighbouring texels",
@@ -39,22 +37,9 @@ constexpr std::array kApproximations = {
     Approximation{Option::LightFilter, Of::Frame, "nearest|bilinear",
                   "nearest: half of the difference of neighbouring texels, and steps that are seen",
                   "engine/render/row_kernels.cpp"},
-    Approximation{Option::LightEvery, Of::Frame, "1|2|4|8|16",
-                  "an eighth of the rows, squared, by how fast light bends; the edges of shadows "
-                  "are blurred over as many rows",
-                  "engine/render/span_painter.cpp"},
-    Approximation{
-        Option::Precision, Of::Frame, "single|double",
-        "single: of places a 10-millionth of the largest coordinate, and of depth as much "
-        "of (depth / height above the plane): edges of texels are moved by that",
-        "engine/render/row_kernels.cpp"},
     Approximation{Option::PixelSize, Of::Frame, "1|2|3|4",
                   "all edges are moved by up to half of a square; what is smaller comes and goes",
                   "engine/render/renderer.cpp"},
-    Approximation{Option::DepthEvery, Of::Frame, "1|2|4|8|16",
-                  "of the depth a quarter of (rows / rows below the horizon), squared: near the "
-                  "horizon textures are bent",
-                  "engine/render/span_painter.cpp"},
 };
 
 }  // namespace

@@ -129,7 +129,6 @@ class Measurement {
     for (const Camera& camera : watch_.cameras()) sum += watch_.draw(renderer, camera);
     const auto frames = static_cast<double>(watch_.cameras().size());
     trial.pixels = static_cast<double>(sum.pixels) / frames;
-    trial.lightLookups = static_cast<double>(sum.lightLookups) / frames;
   }
 
   Errors errorsOf(const Renderer& renderer) const {

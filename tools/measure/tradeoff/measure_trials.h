@@ -24,9 +24,8 @@ struct Measured {
   double frameMilliseconds = 0;
   std::int64_t texels = 0;
   std::int64_t rays = 0;
-  std::int64_t bytes = 0;   ///< of lightmaps
-  double pixels = 0;        ///< that a frame colours, and ...
-  double lightLookups = 0;  ///< ... those at which it looks light up; mean over the shots
+  std::int64_t bytes = 0;  ///< of lightmaps
+  double pixels = 0;       ///< that a frame colours, mean over the shots
   Errors errors;
 };
 

@@ -77,17 +77,16 @@ std::string tableOf(const TradeoffReport& report) {
 std::string csvOf(const TradeoffReport& report) {
   std::string text =
       "settings,front,bake_cost,bake_seconds,frame_cost,frame_ms,texels,rays,lightmap_bytes,frame_"
-      "pixels,light_lookups,"
-      "light_max,light_rms,light_p99,picture_rms,over2_share,over8_share,largest_blob,psnr,"
+      "pixels,light_max,light_rms,light_p99,picture_rms,over2_share,over8_share,largest_blob,psnr,"
       "ssim\r\n";
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
     const Measured& of = report.trials[i];
     const auto& [light, picture] = of.errors;
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", of.trial.options,
-        frontName(report, i), of.bakeCost, of.bakeSeconds, of.frameCost, of.frameMilliseconds,
-        of.texels, of.rays, of.bytes, of.pixels, of.lightLookups, light.max, light.rms, light.p99,
-        picture.rms, picture.over2, picture.over8, picture.largestBlob, picture.psnr, picture.ssim);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+                        of.trial.options, frontName(report, i), of.bakeCost, of.bakeSeconds,
+                        of.frameCost, of.frameMilliseconds, of.texels, of.rays, of.bytes, of.pixels,
+                        light.max, light.rms, light.p99, picture.rms, picture.over2, picture.over8,
+                        picture.largestBlob, picture.psnr, picture.ssim);
   }
   return text;
 }

@@ -77,8 +77,8 @@ std::optional<LightmapFinding> lightmapAt(const Level& level, const BakedLight& 
   const std::optional<Lightmap>& map = light.lightmaps[id->index()];
   if (!map) return found;
   const auto levels = [](const auto& of) { return Vec3{of(0), of(1), of(2)}; };
-  found.texel = levels([&](int channel) {
-    return map->levelAt(rect.i0 + found.column, rect.j0 + found.row, channel);
+  found.texel = levels([&](int channel) -> double {
+    return map->at(rect.i0 + found.column, rect.j0 + found.row, channel);
   });
   found.shown = levels([&](int channel) { return map->sample(texel.x, texel.y, channel); });
   return found;
