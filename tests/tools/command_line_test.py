@@ -814,6 +814,31 @@ class Import(InFolder):
         drawn = run("shot", self.folder / "maps/map01.json", "-o", self.out)
         self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
 
+    def test_lists_the_maps_of_a_wad(self):
+        result = run("import", self.WAD)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        lines = result.stdout.splitlines()
+        self.assertEqual([line.split(":")[0] for line in lines], [f"MAP{i:02}" for i in range(1, 33)])
+        self.assertRegex(lines[0], r"^MAP01: 198 sectors, 1069 lines, \d+ things$")
+        listed = json.loads(run("import", self.WAD, "--json").stdout)
+        self.assertEqual([f"{map['map']}: {map['sectors']} sectors, {map['lines']} lines, "
+                          f"{map['things']} things" for map in listed], lines)
+
+    def test_lists_maps_that_it_cannot_read_with_the_reason(self):
+        maps = self.folder / "broken.wad"
+        directory = b"".join(struct.pack("<ii8s", 0, 0, name) for name in (b"MAP07", b"THINGS"))
+        maps.write_bytes(b"PWAD" + struct.pack("<ii", 2, 12) + directory)
+        result = run("import", maps)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(result.stdout, "MAP07: there is no VERTEXES\n")
+        [listed] = json.loads(run("import", maps, "--json").stdout)
+        self.assertEqual(listed, {"map": "MAP07", "error": "MAP07: there is no VERTEXES"})
+
+    def test_lists_nothing_of_a_wad_without_maps(self):
+        maps = self.folder / "empty.wad"
+        maps.write_bytes(b"PWAD" + struct.pack("<ii", 0, 12))
+        self.refuse(run("import", maps), "empty.wad: there are no maps of Doom's own format in it")
+
     def test_reports_as_json_what_it_reports_as_text(self):
         text = self.run_import("MAP20").stdout
         for file in (self.folder / "maps").glob("*.json"):
@@ -883,7 +908,7 @@ class Import(InFolder):
         table.write_text('{"things": {"1": {"colour": 1}}}')
         self.refuse(self.run_import("MAP99"), "freedoom2.wad: there is no map MAP99; those of the WAD"
                                               ": MAP01, MAP02, ")
-        self.refuse(self.run_import(), "freedoom2.wad: name a map of it: MAP01, ")
+        self.refuse(run("import", self.WAD, "MAP01"), "-o is required with the name of a map")
         self.refuse(self.run_import("MAP01", "--light-table", table),
                     "table.json: /things/1/colour: there is no such key")
         self.refuse(run("import", self.level, "MAP01", "-o", self.folder), "not a WAD")

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -79,6 +79,38 @@ Json jsonOf(const Imported& imported) {
           {"findings", std::move(findings)}};
 }
 
+/// How large a map is, or why it cannot be imported.
+Json entryOf(const doom::Wad& wad, const std::string& name) {
+  const auto map = doom::readMap(wad, name);
+  if (!map) return {{"map", name}, {"error", map.error()}};
+  return {{"map", name},
+          {"sectors", map->sectors.size()},
+          {"lines", map->lines.size()},
+          {"things", map->things.size()}};
+}
+
+std::string textOf(const Json& entry) {
+  if (entry.contains("error")) return entry["error"].get<std::string>();
+  return fmt::format("{}: {} sectors, {} lines, {} things", entry["map"].get<std::string>(),
+                     entry["sectors"].get<std::size_t>(), entry["lines"].get<std::size_t>(),
+                     entry["things"].get<std::size_t>());
+}
+
+/// Prints which maps there are. Of several of one name the last one counts.
+ExitStatus list(const std::string& file, const doom::Wad& wad, bool isJson) {
+  Json entries = Json::array();
+  std::set<std::string> listed;
+  for (const std::string& name : doom::mapNames(wad))
+    if (listed.insert(name).second) entries.push_back(entryOf(wad, name));
+  if (entries.empty())
+    return fail(fmt::format("{}: there are no maps of Doom's own format in it", file));
+  if (isJson)
+    fmt::print("{}\n", entries.dump(2));
+  else
+    for (const Json& entry : entries) fmt::print("{}\n", textOf(entry));
+  return ExitStatus::Done;
+}
+
 doom::ImportSettings settingsFrom(const OptionValues& values) {
   doom::ImportSettings settings;
   settings.folder = *values.text(Option::Output);
@@ -104,9 +136,9 @@ ExitStatus runImport(const OptionValues& values) {
   const auto wad = openWads(values);
   if (!wad) return fail(wad.error());
   const std::vector<std::string> maps(values.levels.begin() + 1, values.levels.end());
-  if (maps.empty())
-    return fail(
-        fmt::format("{}: name a map of it: {}", file, fmt::join(doom::mapNames(*wad), ", ")));
+  if (maps.empty()) return list(file, *wad, values.has(Option::Json));
+  if (!values.has(Option::Output))
+    return fail("-o is required with the name of a map: the folder where the level goes");
   const auto pictures = doom::Pictures::read(*wad);
   if (!pictures)
     return fail(fmt::format("{}: {}{}", file, pictures.error(),
@@ -130,15 +162,17 @@ ExitStatus runImport(const OptionValues& values) {
 }  // namespace
 
 Command importCommand() {
-  return {"import",
-          "turns maps of a WAD of Doom into levels with their textures",
-          {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::LightTable,
-           Option::Json, Option::MaxFileBytes},
-          {Option::Output},
-          runImport,
-          LevelFiles::Several,
-          "The first argument is the WAD, the others are the names of its maps.",
-          "FILE.wad MAP"};
+  return {
+      "import",
+      "turns maps of a WAD of Doom into levels with their textures",
+      {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::LightTable,
+       Option::Json, Option::MaxFileBytes},
+      {},
+      runImport,
+      LevelFiles::Several,
+      "The first argument is the WAD, the others are the names of its maps, which need -o. Without "
+      "a name the maps of the WAD are listed.",
+      "FILE.wad [MAP]"};
 }
 
 }  // namespace hearth
