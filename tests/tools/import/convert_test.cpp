@@ -230,7 +230,7 @@ TEST_F(LevelOfAMap, hasThePlayerInAnotherStartWhereItsOwnHasNoRoom) {
   EXPECT_EQ(told->outcome, Outcome::Repaired);
 }
 
-TEST_F(LevelOfAMap, hasThePlayerInTheWidestSectorWithRoomWhereNoStartHas) {
+TEST_F(LevelOfAMap, hasThePlayerBeforeTheLongestWallWithRoomWhereNoStartHas) {
   walls(sector(0, 0), square(0, 0, 640));
   walls(sector(0, 128), square(-64, 0, 40));
   walls(sector(0, 128), square(1024, 0, 128));

@@ -260,6 +260,16 @@ TEST_F(RegionsOfAMap, aGridOfManyLinesIsNotCutWithoutEnd) {
   EXPECT_EQ(found.error(), "its lines cross in more than 50000 places: too many to cut them there");
 }
 
+TEST_F(RegionsOfAMap, linesOnOneAnotherAreNotCutWithoutEnd) {
+  const auto room = sector();
+  for (int i = 0; i < 800; ++i) line({i, 0}, {2000 - i, 0}, room);
+  const auto found = findRegions(map, findings_);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error(),
+            "its lines meet so often that they would have to be cut into more than 250000 pieces");
+  EXPECT_LT(findings_.size(), 250'000U);
+}
+
 TEST_F(RegionsOfAMap, aPieceOfALineKnowsHowFarItsLeftEndIs) {
   const auto a = sector();
   const auto b = sector();

@@ -179,10 +179,10 @@ class Converter {
     return movedPlayerJson();
   }
 
-  /// In the widest place where the player can stand.
+  /// Before the longest wall of all sectors with room.
   std::optional<Json> movedPlayerJson() {
     std::optional<Json> player;
-    double widest = 0;
+    double longest = 0;
     std::size_t sector = 0;
     for (std::uint32_t region = 0; region < plan_.regions().size(); ++region) {
       if (!hasRoom(region)) continue;
@@ -190,8 +190,8 @@ class Converter {
         const Vec2 along = plan_.halfEdge(h).to - plan_.halfEdge(h).from;
         const Vec2 place = lerp(plan_.halfEdge(h).from, plan_.halfEdge(h).to, 0.5) +
                            (2 * kRadius / length(along)) * turned90(along);
-        if (length(along) <= widest || !plan_.contains(region, place)) continue;
-        widest = length(along);
+        if (length(along) <= longest || !plan_.contains(region, place)) continue;
+        longest = length(along);
         sector = plan_.regions()[region].sector;
         player = bodyAt(region, place, 0);
       }

@@ -19,8 +19,8 @@ namespace {
 constexpr int kCells = 4;
 constexpr double kCell = kUnit / kCells;
 
-/// Without a bound a small hostile map would fill the memory, and no level has as many walls. All
-/// maps of Freedoom together have eight crossings, the largest one 11,000 pieces.
+/// Without a bound a small hostile map would fill the memory, and a level of as many walls would
+/// not load. All maps of Freedoom together have four crossings, the largest one 17,000 walls.
 constexpr std::size_t kMostCrossings = 50'000;
 constexpr std::size_t kMostPieces = 250'000;
 
@@ -57,13 +57,16 @@ class Cutter {
                       "them there",
                       kMostCrossings));
     const SnapRounding rounding(hotPoints());
+    std::size_t pieces = 0;  // before those in one place become one
     for (const Cuttable& line : lines_) {
-      addPieces(line, rounding.pathOf(line.from, line.to));
-      if (result_.pieces.size() > kMostPieces)
+      const std::vector<GridPoint> path = rounding.pathOf(line.from, line.to);
+      pieces += path.size() - 1;
+      if (pieces > kMostPieces)
         return tl::unexpected(
             fmt::format("its lines meet so often that they would have to be cut "
                         "into more than {} pieces",
                         kMostPieces));
+      addPieces(line, path);
     }
     return std::move(result_);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 namespace hearth::doom {
 
@@ -55,8 +56,7 @@ std::optional<GridPoint> crossingOf(GridPoint a, GridPoint b, GridPoint c, GridP
 
 SnapRounding::SnapRounding(std::vector<GridPoint> hot) : hot_(std::move(hot)) {
   std::ranges::sort(hot_);
-  const auto repeated = std::ranges::unique(hot_);
-  hot_.erase(repeated.begin(), repeated.end());
+  hot_.erase(std::unique(hot_.begin(), hot_.end()), hot_.end());
 }
 
 /// Ends: what leads to a point lies in a box that shrinks.
@@ -77,8 +77,9 @@ std::vector<GridPoint> SnapRounding::pathOf(GridPoint from, GridPoint to) const 
 std::vector<GridPoint> SnapRounding::passedOnTheWay(GridPoint from, GridPoint to) const {
   std::vector<GridPoint> passed;
   const auto [minX, maxX] = std::minmax(from.x, to.x);
-  for (auto p = std::ranges::lower_bound(hot_, minX, {}, &GridPoint::x);
-       p != hot_.end() && p->x <= maxX; ++p)
+  const auto [minY, maxY] = std::minmax(from.y, to.y);
+  const auto end = std::ranges::upper_bound(hot_, GridPoint{maxX, maxY});
+  for (auto p = std::ranges::lower_bound(hot_, GridPoint{minX, minY}); p < end; ++p)
     if (*p != from && *p != to && passes(from, to, *p)) passed.push_back(*p);
   std::ranges::sort(passed, {},
                     [&](GridPoint p) { return std::abs(p.x - from.x) + std::abs(p.y - from.y); });
