@@ -20,6 +20,7 @@ namespace {
 constexpr std::uint64_t kMaxBytes = 1 << 20;
 constexpr std::size_t kMaps = 4;               ///< of a WAD; more only take longer
 constexpr std::size_t kImagePixels = 1 << 16;  ///< of a level, the same
+constexpr std::size_t kLights = 300;           ///< and again
 
 const fuzz::ScratchFolder& folder() {
   static const fuzz::ScratchFolder folder;
@@ -64,8 +65,9 @@ void tryOut(const Wad& wad, Doors doors) {
   if (names.size() > kMaps) names.resize(kMaps);
   for (const std::string& name : names) {
     Imported imported;
-    const auto converted = convertMap({wad, *pictures, lights}, name,
-                                      {.doors = doors, .imagePixels = kImagePixels}, imported);
+    const auto converted =
+        convertMap({wad, *pictures, lights}, name,
+                   {.doors = doors, .imagePixels = kImagePixels, .lights = kLights}, imported);
     if (converted)
       expectLoads(*converted);
     else

@@ -86,6 +86,22 @@ TEST_F(LightsOfAMap, areNoMoreThanALevelMayHave) {
   EXPECT_EQ(std::ranges::count(findings_, Outcome::Dropped, &Finding::outcome), 1);
 }
 
+TEST_F(LightsOfAMap, areFoundQuicklyOnTheLargestFloor) {
+  walls(sector(0, 32767), square(-32767, -32767, 65534));
+  table_.flats["FLOOR"].every = 0.25;  // 67 million squares
+  EXPECT_EQ(lights().size(), 100'000U);
+  EXPECT_EQ(std::ranges::count(findings_, Outcome::Dropped, &Finding::outcome), 1);
+}
+
+TEST_F(LightsOfAMap, areOnFloorsBetweenPillars) {
+  const auto room = sector();
+  walls(room, square(0, 0, 512));
+  for (auto corners = square(128, 128, 256); const std::size_t i : {3U, 2U, 1U, 0U})
+    line(corners[i], corners[(i + 3) % 4], room);
+  table_.flats["FLOOR"] = {};
+  EXPECT_EQ(lights().size(), 64U - 16U) << "one for each square of 2 m that is no pillar";
+}
+
 TEST_F(LightsOfAMap, areEvenlyBeforeWallsThatShine) {
   walls(sector(0, 64), {{0, 0}, {0, 256}, {128, 256}, {128, 0}});
   map.sides[0].middle = "LITE";  // on the left, 8 m

@@ -11,9 +11,7 @@
 #include "image/replace_file.h"
 #include "import/doom/convert.h"
 #include "import/doom/ground_plan.h"
-#include "import/doom/lights.h"
 #include "import/doom/map.h"
-#include "import/doom/materials.h"
 #include "load/load.h"
 #include "text/json_layout.h"
 
@@ -81,7 +79,7 @@ tl::expected<Converted, std::string> convertMap(const Source& source, const std:
   if (!plan) return tl::unexpected(fmt::format("{}: {}", name, plan.error()));
   Materials materials(source.pictures, name, imported.findings, settings.imagePixels);
   const Json level = levelJson(*plan, settings.ambient, materials, imported.findings);
-  const Json lights = lightsJson(*plan, source.lights, imported.findings);
+  const Json lights = lightsJson(*plan, source.lights, imported.findings, settings.lights);
 
   imported.map = name;
   imported.level = stemFor(settings.folder, name) += ".json";

@@ -7,6 +7,7 @@
 #include "import/doom/findings.h"
 #include "import/doom/heights.h"
 #include "import/doom/light_table.h"
+#include "import/doom/lights.h"
 #include "import/doom/materials.h"
 #include "import/doom/pictures.h"
 #include "import/doom/wad.h"
@@ -26,6 +27,7 @@ struct ImportSettings {
   /// Of the light that a map gives its sectors: as much as lets that of lamps show.
   double ambient = 0.75;
   std::size_t imagePixels = kMostPixels;  ///< of all its images together
+  std::size_t lights = kMostLights;       ///< at most
 };
 
 /// What became of one map.

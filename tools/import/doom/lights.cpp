@@ -9,8 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "load/limits.h"
-
 namespace hearth::doom {
 
 namespace {
@@ -24,9 +22,6 @@ constexpr double kBefore = 0.25;
 /// it is put about a centimetre beside, where there is room for that.
 constexpr std::array<Vec2, 4> kBeside{
     {{0.011, 0.007}, {-0.011, -0.007}, {0.011, -0.007}, {-0.011, 0.007}}};
-
-/// More are refused where levels are loaded.
-constexpr std::size_t kMostLights = LoadLimits{}.lights;
 
 /// A thing that is there only where several play.
 constexpr std::uint16_t kNotAlone = 0x10;
@@ -57,8 +52,9 @@ struct Box {
 
 class Illuminator {
  public:
-  Illuminator(const GroundPlan& plan, const LightTable& table, Findings& findings)
-      : plan_(plan), table_(table), findings_(findings) {}
+  Illuminator(const GroundPlan& plan, const LightTable& table, std::size_t maxLights,
+              Findings& findings)
+      : plan_(plan), table_(table), maxLights_(maxLights), findings_(findings) {}
 
   Json lights() {
     for (const Thing& thing : plan_.map().things) lightThing(thing);
@@ -140,11 +136,35 @@ class Illuminator {
     if (std::max(box.max.x - box.min.x, box.max.y - box.min.y) <= 1.5 * every)
       return plan_.contains(region, middle) ? std::vector<Vec2>{middle} : placeAtBorder(region);
     std::vector<Vec2> places;
-    for (double y = std::floor(box.min.y / every); y * every < box.max.y; ++y)
-      for (double x = std::floor(box.min.x / every); x * every < box.max.x; ++x)
-        if (const Vec2 p{(x + 0.5) * every, (y + 0.5) * every}; plan_.contains(region, p))
-          places.push_back(p);
+    for (double row = std::floor(box.min.y / every); row * every < box.max.y; ++row)
+      addPlacesInRow(region, every, (row + 0.5) * every, places);
     return places.empty() ? placeAtBorder(region) : places;
+  }
+
+  /// Between walls, not square by square: a huge region has few walls and millions of squares.
+  void addPlacesInRow(std::uint32_t region, double every, double y,
+                      std::vector<Vec2>& places) const {
+    const std::vector<double> walls = wallsInRow(region, y);
+    for (std::size_t i = 0; i + 1 < walls.size(); i += 2)
+      for (double column = std::ceil(walls[i] / every - 0.5); (column + 0.5) * every < walls[i + 1];
+           ++column) {
+        if (places.size() > maxLights_) return;
+        places.push_back({(column + 0.5) * every, y});
+      }
+  }
+
+  /// Where they cross it, from left to right: the region lies between the first and the second, the
+  /// third and the fourth, and so on.
+  std::vector<double> wallsInRow(std::uint32_t region, double y) const {
+    std::vector<double> walls;
+    for (const auto& loop : plan_.regions()[region].loops)
+      for (const std::uint32_t h : loop) {
+        const auto& [from, to] = std::pair(plan_.halfEdge(h).from, plan_.halfEdge(h).to);
+        if ((from.y <= y) != (to.y <= y))
+          walls.push_back(from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)));
+      }
+    std::ranges::sort(walls);
+    return walls;
   }
 
   std::vector<Vec2> placeAtBorder(std::uint32_t region) const {
@@ -159,7 +179,7 @@ class Illuminator {
   }
 
   void add(const Glow& glow, std::uint32_t region, Vec2 place, double z) {
-    if (lights_.size() == kMostLights) return tellOfTooMany(region);
+    if (lights_.size() == maxLights_) return tellOfTooMany(region);
     for (const Vec2 beside : kBeside) {
       const Vec2 p{rounded(place.x + beside.x), rounded(place.y + beside.y)};
       if (!plan_.contains(region, p)) continue;
@@ -177,11 +197,12 @@ class Illuminator {
     if (!std::exchange(hasTooMany_, true))
       findings_.push_back(
           {Outcome::Dropped, Part::Sector, plan_.regions()[region].sector,
-           fmt::format("its lights and those of what follows, after {} others", kMostLights)});
+           fmt::format("its lights and those of what follows, after {} others", maxLights_)});
   }
 
   const GroundPlan& plan_;
   const LightTable& table_;
+  std::size_t maxLights_;
   Findings& findings_;
   bool hasTooMany_ = false;
   Json lights_ = Json::array();
@@ -189,8 +210,9 @@ class Illuminator {
 
 }  // namespace
 
-Json lightsJson(const GroundPlan& plan, const LightTable& table, Findings& findings) {
-  return {{"version", 1}, {"lights", Illuminator(plan, table, findings).lights()}};
+Json lightsJson(const GroundPlan& plan, const LightTable& table, Findings& findings,
+                std::size_t maxLights) {
+  return {{"version", 1}, {"lights", Illuminator(plan, table, maxLights, findings).lights()}};
 }
 
 }  // namespace hearth::doom

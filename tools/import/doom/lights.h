@@ -1,15 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 
 #include "import/doom/ground_plan.h"
 #include "import/doom/light_table.h"
+#include "load/limits.h"
 
 namespace hearth::doom {
+
+/// More are refused where levels are loaded.
+inline constexpr std::size_t kMostLights = LoadLimits{}.lights;
 
 /// The lights of a map as a lights file holds them: where its things shine, and before the walls,
 /// floors and ceilings that do.
 nlohmann::ordered_json lightsJson(const GroundPlan& plan, const LightTable& table,
-                                  Findings& findings);
+                                  Findings& findings, std::size_t maxLights = kMostLights);
 
 }  // namespace hearth::doom
