@@ -65,9 +65,9 @@ void tryOut(const Wad& wad, Doors doors) {
   if (names.size() > kMaps) names.resize(kMaps);
   for (const std::string& name : names) {
     Imported imported;
-    const auto converted =
-        convertMap({wad, *pictures, lights}, name,
-                   {.doors = doors, .imagePixels = kImagePixels, .lights = kLights}, imported);
+    const auto converted = convertMap(
+        {wad, *pictures, lights}, name,
+        {.folder = {}, .doors = doors, .imagePixels = kImagePixels, .lights = kLights}, imported);
     if (converted)
       expectLoads(*converted);
     else
