@@ -157,7 +157,7 @@ class PlanDrawing {
     std::string path;
     for (const Loop& loop : sector.loops) {
       for (std::size_t i = 0; i < loop.count; ++i)
-        path += (i == 0 ? "M" : "L") + point(level_.segments[loop.first.index() + i].p0);
+        (path += i == 0 ? "M" : "L") += point(level_.segments[loop.first.index() + i].p0);
       path += "Z";
     }
     return path;

@@ -50,8 +50,7 @@ AirLines airAlong(const Segment& wall, double from, double to) {
 bool isSolid(const Flat& flat) { return !flat.isSky && !flat.flatPortal; }
 
 /// What is beyond a flat portal has left the sector through it, and is nothing to the opening.
-void addHeights(const Sector& sector, const Segment& wall, const LightOpening& opening,
-                Passage& passage) {
+void addHeights(const Sector& sector, const LightOpening& opening, Passage& passage) {
   if (sector.floor.flatPortal && opening.zBottom <= sector.floor.z)
     passage.isShut |= passage.hull.isBelow(flatLine(opening.zBottom));
   else
@@ -201,7 +200,7 @@ void Shaft::meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Me
   met.stops = true;
   for (const LightOpening& opening : met.wall->lightOpenings) {
     Passage passage{slice};
-    addHeights(sector, *met.wall, opening, passage);
+    addHeights(sector, opening, passage);
     addSlopes(level_, sector, *met.wall, opening, passage);
     addMiddles(level_, opening, passage);
     if (!passage.isShut) exits_.push_back(&opening);

@@ -89,54 +89,54 @@ nlohmann::ordered_json toJson(const LightKindReport& report) {
 }
 
 nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightReport& report) {
-  nlohmann::ordered_json json;
-  json["texelMetres"] = settings.texel;
+  nlohmann::ordered_json object;
+  object["texelMetres"] = settings.texel;
   if (settings.samples)
-    json["samples"] = *settings.samples;
+    object["samples"] = *settings.samples;
   else
-    json["samples"] = "auto";
-  json["lambert"] = settings.lambert;
-  json["all"] = toJson(report.all);
+    object["samples"] = "auto";
+  object["lambert"] = settings.lambert;
+  object["all"] = toJson(report.all);
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)
-    json["kinds"][std::string(name(static_cast<SurfaceKind>(i)))] = toJson(report.kinds[i]);
-  json["points"] = toJson(report.points);
-  json["balls"] = toJson(report.balls);
-  json["coloredLights"] = report.coloredLights;
-  json["uselessLights"] = report.uselessLights;
-  return json;
+    object["kinds"][std::string(name(static_cast<SurfaceKind>(i)))] = toJson(report.kinds[i]);
+  object["points"] = toJson(report.points);
+  object["balls"] = toJson(report.balls);
+  object["coloredLights"] = report.coloredLights;
+  object["uselessLights"] = report.uselessLights;
+  return object;
 }
 
 /// The counts of what there is; in an order that does not change.
 nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& contents) {
   const Level& level = loaded.level;
-  nlohmann::ordered_json json;
-  json["name"] = level.name;
-  json["sectors"] = level.sectors.size();
-  json["loops"] = contents.loops;
-  json["segments"] = level.segments.size();
-  json["interfaces"] = level.flatPortals.size();
-  json["lights"] = level.lights.size();
-  json["shots"] = level.shots.size();
+  nlohmann::ordered_json object;
+  object["name"] = level.name;
+  object["sectors"] = level.sectors.size();
+  object["loops"] = contents.loops;
+  object["segments"] = level.segments.size();
+  object["interfaces"] = level.flatPortals.size();
+  object["lights"] = level.lights.size();
+  object["shots"] = level.shots.size();
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)
-    json["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] =
+    object["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] =
         contents.light.kinds[i].surfaces();
-  json["textures"] = nlohmann::ordered_json::array();
+  object["textures"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < level.textures.size(); ++i)
-    json["textures"].push_back({{"name", level.textures[i]},
-                                {"width", loaded.textures[i].width()},
-                                {"height", loaded.textures[i].height()}});
-  json["requires"] = {{"textureBytes", contents.textureBytes},
-                      {"lightmapBytes", contents.light.all.bytes},
-                      {"rays", contents.light.all.rays}};
-  json["light"] = lightToJson(contents.settings, contents.light);
+    object["textures"].push_back({{"name", level.textures[i]},
+                                  {"width", loaded.textures[i].width()},
+                                  {"height", loaded.textures[i].height()}});
+  object["requires"] = {{"textureBytes", contents.textureBytes},
+                        {"lightmapBytes", contents.light.all.bytes},
+                        {"rays", contents.light.all.rays}};
+  object["light"] = lightToJson(contents.settings, contents.light);
   for (const auto& [name, used, of, rest] : featureUses(loaded, contents.light))
-    json["models"][std::string(name)] = {{"used", used}, {"of", of}, {"rest", rest}};
-  json["bake"] = {
+    object["models"][std::string(name)] = {{"used", used}, {"of", of}, {"rest", rest}};
+  object["bake"] = {
       {"texelMetres", contents.settings.texel},
       {"geometry", fmt::format("{:016x}", geometryHash(level, contents.settings.texel))}};
   for (const auto& [feature, name] : kFormatFeatures)
-    json["features"][std::string(name)] = contents.features[feature];
-  return json;
+    object["features"][std::string(name)] = contents.features[feature];
+  return object;
 }
 
 void printLine(std::string_view what, std::int64_t count) {
@@ -215,10 +215,10 @@ ExitStatus runInfo(const OptionValues& values) {
     print(*loaded, contents);
     return ExitStatus::Done;
   }
-  nlohmann::ordered_json json = toJson(*loaded, contents);
+  nlohmann::ordered_json object = toJson(*loaded, contents);
   if (values.has(Option::Surfaces))
-    json["bake"]["surfaces"] = toJson(loaded->level, bake->light.surfaces);
-  fmt::print("{}\n", json.dump(2));
+    object["bake"]["surfaces"] = toJson(loaded->level, bake->light.surfaces);
+  fmt::print("{}\n", object.dump(2));
   return ExitStatus::Done;
 }
 
