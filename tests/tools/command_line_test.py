@@ -767,7 +767,7 @@ class New(InFolder):
         level = json.loads((self.folder / "castle.json").read_text())
         sizes = "0.6 m wide and 1.8 m high, 0.9 m when crouching, and climbs steps of 0.4 m"
         self.assertIn(sizes, level["player"]["//"])
-        self.assertIn(sizes, " ".join((SOURCE / "README.md").read_text().split()))
+        self.assertIn(sizes, " ".join((SOURCE / "levels/TUTORIAL.md").read_text().split()))
 
     def test_says_how_to_walk_it(self):
         result = run("new", self.folder / "two words")

@@ -1,7 +1,7 @@
-"""Follows "Your own level" of README.md word for word, in a tree that has its textures only: every
-command, every change of a file, and every message that comes of them.
+"""Follows levels/TUTORIAL.md word for word, in a tree that has nothing but the textures: runs every
+command, makes every change of a file, and compares every message.
 
-usage: front_page_test.py SOURCE_DIR HEARTH
+usage: tutorial_test.py SOURCE_DIR HEARTH
 """
 
 import os
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-# No bakes of other runs are found, and none are left.
+# Finds no bakes of other runs, and leaves none.
 os.environ["XDG_CACHE_HOME"] = os.devnull
 os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = os.devnull
 
@@ -22,32 +22,29 @@ BUILT = "build/release/hearth "
 FILES = ["levels/rooms.json", "levels/rooms.lights.json"]
 
 
-def section():
-    readme = (SOURCE / "README.md").read_text()
-    return re.search(r"^## Your own level\n(.*?)^## ", readme, re.S | re.M)[1]
-
-
-def parts():
-    """In their order: changes of files, as diffs, and lines that stand apart: commands and messages."""
-    for change, line in re.findall(r"^```diff\n(.*?)^```|^    (\S[^\n]*)$", section(),
-                                   re.S | re.M):
+def steps():
+    """In the order of the page: the changes of files, as diffs, and the indented lines, which are
+    commands and messages. The last section needs an editor with a window."""
+    page, drawn, _ = (SOURCE / "levels/TUTORIAL.md").read_text().partition("\n## Draw a level in a Doom")
+    assert drawn
+    for change, line in re.findall(r"^```diff\n(.*?)^```|^    (\S[^\n]*)$", page, re.S | re.M):
         yield ("change", change) if change else ("line", line)
 
 
-class FrontPage(unittest.TestCase):
+class Tutorial(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.tree = Path(folder.name)
         (self.tree / "levels").mkdir()
         (self.tree / "textures").symlink_to(SOURCE / "textures")
-        self.messages = []  # that the program has given, and the page has not shown yet
+        self.messages = []  # printed by the program, and not yet found on the page
 
     def run_hearth(self, *arguments):
         return subprocess.run([HEARTH, *arguments], cwd=self.tree, capture_output=True, text=True)
 
     def show(self):
-        """What a window would have to say of the level."""
+        """Keeps the messages that a window would show over the level."""
         shot = self.run_hearth("shot", FILES[0], "-o", "rooms.png", "--quiet")
         self.messages = shot.stderr.splitlines()
 
@@ -72,8 +69,8 @@ class FrontPage(unittest.TestCase):
         self.messages = result.stdout.splitlines()
         self.assertNotEqual(self.messages, [])
 
-    def test_leads_to_three_rooms_and_every_message_on_the_way_is_on_the_page(self):
-        for kind, text in parts():
+    def test_leads_to_three_rooms_and_quotes_every_message(self):
+        for kind, text in steps():
             if kind == "line" and text.startswith("levels/"):
                 self.assertEqual(text, self.messages.pop(0))
                 continue
@@ -89,11 +86,11 @@ class FrontPage(unittest.TestCase):
         kept = {picture.name for picture in (self.tree / "levels/rooms.golden").iterdir()}
         self.assertEqual(kept, {"hall.png", "stair.png"})
 
-    def test_the_guide_to_lint_shows_a_line_of_the_page(self):
+    def test_the_guide_to_lint_quotes_a_message_of_the_tutorial(self):
         guide = (SOURCE / "tools/README.md").read_text()
         shown = re.findall(r"^    (levels/rooms\.json:.*)$", guide, re.M)
         self.assertEqual(len(shown), 1)
-        self.assertIn(("line", shown[0]), list(parts()))
+        self.assertIn(("line", shown[0]), list(steps()))
 
 
 if __name__ == "__main__":
