@@ -14,8 +14,8 @@ struct Rgb {
   friend constexpr bool operator==(Rgb, Rgb) = default;
 };
 
-/// A picture of 8-bit RGB pixels, row by row, row 0 on top. Pixels can be holes, which only those
-/// heed who hang it where something lies behind; they have a colour all the same.
+/// A picture of 8-bit RGB pixels, row by row, row 0 on top. A pixel can be a hole, through
+/// which masked textures show what lies behind; it has a colour all the same.
 class Image {
  public:
   Image() = default;

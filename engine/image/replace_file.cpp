@@ -64,7 +64,7 @@ class Part {
   }
 
  private:
-  /// The one who held the lock has renamed or removed the file.
+  /// Another process held the lock, and has renamed or removed the file.
   bool isTakenAway() const {
     struct stat opened {};
     struct stat named {};

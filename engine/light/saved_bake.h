@@ -23,10 +23,10 @@ struct BakeMistake {
   bool isTooLarge = false;  ///< more light than was allowed, and nothing else that is known
 };
 
-/// The light of such bytes, whoever wrote them. They must belong to the level's geometry; its
-/// textures, lights and sector light may be others. `maxLightBytes`: of all lightmaps, unpacked.
-/// More are refused before memory is taken, and no more is taken than twice that and what the
-/// level's surfaces do.
+/// The light of such bytes, which any program may have written. They must belong to the level's
+/// geometry; its textures, lights and sector light may be others. `maxLightBytes`: of all
+/// lightmaps, unpacked. More are refused before memory is taken, and no more is taken than twice
+/// that and what the level's surfaces do.
 tl::expected<BakedLight, BakeMistake> decodeBake(const Level& level, std::string_view bytes,
                                                  std::uint64_t maxLightBytes);
 

@@ -95,7 +95,7 @@ std::optional<std::vector<double>> readNumbers(Report& report, JsonValue value, 
 
 namespace {
 
-/// The `name` of an element; the other keys are the business of whoever reads the element.
+/// The `name` of an element; the reader of the element reads the other keys.
 std::optional<JsonValue> nameOf(Report& report, JsonValue element) {
   if (!element.isObject()) {
     reportWrongType(report, element, "an object");

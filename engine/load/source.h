@@ -32,7 +32,7 @@ struct SourcedResult {
   LevelSource source;  ///< incomplete where no level was loaded
 };
 
-/// `loadLevel`, for who has something to say of the level's files, too. Holds all of their text.
+/// `loadLevel`, for a caller that reports on the level's files as well. Holds all of their text.
 /// With `unsavedLights` the lights file is taken to hold this text, even if there is none yet.
 SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadLimits& limits = {},
                                   const std::optional<std::string>& unsavedLights = {});

@@ -15,7 +15,7 @@ namespace hearth {
 /// All cores of the machine.
 int availableThreads();
 
-/// Threads that wait for work, for who has pieces of a millisecond: what comes again and again
+/// Threads that wait for work in pieces of a millisecond: what comes again and again
 /// starts no threads and takes no memory. One thread at a time may give them work.
 class Workers {
  public:

@@ -36,7 +36,7 @@ class Renderer {
   /// The same pixels, straight into rows of the camera's size.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, const PixelRows& picture,
             int threads = 1) const;
-  /// The two phases of `draw`, for who times them: what shows where, into the scratch and a picture
+  /// The two phases of `draw`, to be timed apart: what shows where, into the scratch and a picture
   /// of the camera's size; and, once that is found for the same camera, the pixels.
   void findSpans(const Camera& camera, FrameScratch& scratch, Image& picture,
                  int threads = 1) const;

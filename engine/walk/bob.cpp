@@ -14,7 +14,7 @@ namespace {
 /// long as the eye is high, and running lifts it by a 25th of that, 6 cm of 1.6 m.
 constexpr double kLiftOfEyeHeight = 1.0 / 25;
 
-constexpr double kFullSwing = 5;   // m/s, of one who runs
+constexpr double kFullSwing = 5;   // m/s, running
 constexpr double kGrip = 1.0 / 8;  // share of what the swing lacks that a tick makes up for
 
 double eyeHeight(const Level& level) { return bodyOf(level, 0).eyeHeight; }

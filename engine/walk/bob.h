@@ -4,8 +4,8 @@
 
 namespace hearth {
 
-/// How a walker's head goes up and down with his steps. It moves what is seen and nothing else: no
-/// walk depends on it.
+/// How the head of a walker goes up and down with the steps. It moves the view alone: no walk
+/// depends on it.
 struct Gait {
   double stride = 0;  ///< metres walked on the ground
   double swing = 0;   ///< 0 at rest .. 1 running; follows the walker in an eighth of a second

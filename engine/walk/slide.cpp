@@ -72,7 +72,7 @@ std::optional<Contact> touch(const Blocker& blocker, Vec2 q, Vec2 motion, double
   const Vec2 normal = (1 / size) * turned90(along);
   const double approach = dot(motion, normal);
   if (approach >= -tolerance) return first;
-  // Rounding may put him within the radius here and not above.
+  // Rounding may put the body within the radius here and not above.
   const double share = std::max(0.0, (radius - side / size) / approach);
   const double at = dot(q + share * motion - blocker.a, along);
   if (share <= 1 && at >= 0 && at <= size * size) first = earlier(first, Contact{share, normal});

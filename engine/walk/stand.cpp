@@ -47,7 +47,7 @@ std::optional<Move> tryMove(const Level& level, const Body& body, const Stand& f
   const Surroundings around(level, from.sector, reach);
   const Slide slide = slideAlong(around.blockers(), motion, body.radius + kSkin);
   const Vec2 p = from.feet.xy() + slide.moved;
-  // Slopes lift him as he goes, steps at once.
+  // Slopes lift the body as it goes, steps lift it at once.
   const double zHighest = std::max(zClimb, from.feet.z + kSteepestWalk * travel) + kSkin;
   for (const SectorId sector : around.sectors()) {
     if (!mayStandIn(level, sector, {p.x, p.y, from.feet.z}, zHighest)) continue;

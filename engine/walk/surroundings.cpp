@@ -80,8 +80,8 @@ void Surroundings::lookAtWall(const Segment& segment) {
 }
 
 /// Where only one of two walls stops the body, it may see the vertex between them from round the
-/// corner, behind that wall: past the other one, which is open. Who is behind both does not see it.
-/// To him it may be a joint of one-way portals.
+/// corner, behind that wall: past the other one, which is open. From behind both walls the vertex
+/// is not seen: there it may be a joint of one-way portals.
 void Surroundings::lookAtVertex(const Segment& before, const Segment& after) {
   const Vec2 vertex = after.p0 - reach_.center;
   if (!(length(vertex) < radius_)) return;

@@ -16,9 +16,9 @@ namespace hearth {
 struct Blocker {
   Vec2 a;
   Vec2 b;
-  /// Then it is `a` alone, and stops who is behind a -> b. Where sectors overlap, more than 360
+  /// Then it is `a` alone, and stops a body behind a -> b. Where sectors overlap, more than 360
   /// degrees of air can meet in a vertex, and from some of them no wall there is seen from its
-  /// front: not before he is past it, and in it.
+  /// front: not before the body is past it, and in it.
   bool isCorner = false;
 };
 
@@ -34,7 +34,7 @@ struct Reach {
 
 /// What a body at `center` meets within reach: found by following links from its sector, through
 /// what the body fits through. So sectors that merely overlap in space are not in it, and a wall
-/// stops only those who are in front of it.
+/// stops only a body in front of it.
 class Surroundings {
  public:
   Surroundings(const Level& level, SectorId from, const Reach& reach);
@@ -47,7 +47,7 @@ class Surroundings {
   /// The highest that the feet can stand on of all that is within reach, and no higher than they
   /// can step up to; -infinity for nothing.
   double zSupport() const { return zSupport_; }
-  /// Something that would bear him is higher than that.
+  /// Something that would bear the body is higher than that.
   bool isBuried() const { return isBuried_; }
   /// The lowest that is above the head.
   double zCap() const { return zCap_; }

@@ -22,8 +22,8 @@ constexpr double kGravity = 9.81;    // m/s^2
 constexpr double kJumpSpeed = 3.3;   // m/s: v^2 / 2g = 0.555 m high
 constexpr double kFastestFall = 50;  // m/s, about that of a falling body in air
 
-/// Share of what his speed lacks to the one that he wants, made up for in each tick: to a hundredth
-/// in a quarter of a second on the ground, in two seconds in the air.
+/// Fraction of the difference to the wanted speed that a tick makes up for: a hundredth is left
+/// after a quarter of a second on the ground, after two seconds in the air.
 constexpr double kGripOnGround = 0.25;
 constexpr double kGripInAir = 1.0 / 32;
 
@@ -81,7 +81,7 @@ void accelerate(Walker& walker, const WalkInput& input) {
   const bool hasGrip = walker.isOnGround || walker.isFlying;
   const double grip = hasGrip ? kGripOnGround : kGripInAir;
   Vec3& v = walker.velocity;
-  // Who asks for nothing in the air keeps his speed.
+  // Without input, a walker in the air keeps its speed.
   if (hasGrip || wanted != Vec3{}) {
     v.x = nearer(v.x, wanted.x, grip);
     v.y = nearer(v.y, wanted.y, grip);
@@ -97,7 +97,7 @@ void crouch(const Level& level, Walker& walker, const Stand& stand, bool wantsCr
     walker.crouch = wanted;
 }
 
-/// The walker's place, known as far up and down as he can rise, fall and straighten up in a tick.
+/// The walker's place, known as far up and down as a tick can rise, fall and straighten up.
 std::optional<Stand> standOf(const Level& level, const Walker& walker, const Body& body) {
   const double fall = std::max(0.0, -walker.velocity.z) * kTick + kGravity * kTick * kTick;
   const double rise = std::max(0.0, walker.velocity.z) * kTick;
@@ -106,7 +106,7 @@ std::optional<Stand> standOf(const Level& level, const Walker& walker, const Bod
                  std::max({body.step, rise, bend}));
 }
 
-/// Over the ground, which he does not leave where it falls by a step or a walkable slope.
+/// Over the ground, which the walker does not leave where it falls by a step or a walkable slope.
 Stand moveOverGround(const Level& level, const Body& body, Walker& walker, Stand stand) {
   const Vec2 motion = kTick * walker.velocity.xy();
   const double distance = length(motion);
@@ -132,7 +132,7 @@ Stand moveOverGround(const Level& level, const Body& body, Walker& walker, Stand
   return stand;
 }
 
-/// Up or down, by his own will or by weight.
+/// Up or down, by input or by weight.
 Stand moveUpright(const Level& level, const Body& body, Walker& walker, const Stand& stand) {
   double& speed = walker.velocity.z;
   const double gravity = walker.isFlying ? 0 : kGravity;

@@ -19,9 +19,9 @@ struct Walker {
   friend bool operator==(const Walker&, const Walker&) = default;
 };
 
-/// Stands the player where his eye is, which the sector contains. Where the floor is in the way he
-/// is raised, where there is no head room he crouches; where he does not fit even so, he is stuck.
-/// In the air he starts to fall.
+/// Stands the player where the eye is, which the sector contains. A floor above the feet raises the
+/// player, and a ceiling below the head makes the player crouch; without room even so, the player
+/// is stuck. In the air the player starts to fall.
 Walker walkerAt(const Level& level, SectorId sector, Vec3 eye, double angle, double pitch);
 
 /// The walker one tick later. Depends on nothing but its arguments, to the bit.

@@ -14,7 +14,7 @@ from pathlib import Path
 from walk_window_test import Display, Walk, expect_change, hold, settled, turn_to, wait_for
 
 # The player of `rooms` looks at the first light from 2 m: it is a quarter of the picture's half to
-# the left of the middle, at the height of his eye. Spelled as nobody would, to be kept so.
+# the left of the middle, at the height of the eye. The odd spelling must be kept.
 LIGHTS = b"""\xef\xbb\xbf[
  {"//": "first", "x" : 3.0, "y":1.50, "z": 16e-1,
   "intensity": 220, "falloff": 4e-1},

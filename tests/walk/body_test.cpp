@@ -88,7 +88,7 @@ TEST(Body, StandsOnTheHighestFloorUnderItsFootprint) {
   Walker walker = standing(loaded.level, "r0", {3.5, 2, 1});
   while (walker.feet.x < 4.05) walker = walked(loaded.level, walker, kForward);
   walker = after(loaded.level, walker, {}, 64);
-  EXPECT_EQ(loaded.level[walker.sector].name, "r1") << "his middle is beyond the edge";
+  EXPECT_EQ(loaded.level[walker.sector].name, "r1") << "the body's axis is beyond the edge";
   EXPECT_LT(walker.feet.x, 4.3);
   EXPECT_EQ(walker.feet.z, 1);
   EXPECT_TRUE(walker.isOnGround);
@@ -157,7 +157,7 @@ TEST(Body, ComesToRestInCornersOfAnyAngle) {
         EXPECT_LT(length(next.feet - walker.feet), 1e-9) << angle << ' ' << off << ' ' << i;
         walker = next;
       }
-      // At rest against what he pushes into, and nowhere nearer to it than he is thick.
+      // At rest against what the body pushes into, and nowhere nearer to it than its radius.
       EXPECT_GE(walker.feet.y, 0.3 - 1e-9);
     }
   }
@@ -191,8 +191,8 @@ TEST(Body, KeepsItsRadiusOffAVertexThatItSeesNoWallOfFromTheFront) {
     }
     EXPECT_GE(nearest, 0.3) << way.sector << ' ' << way.angle;
     // A tick's way along the tangent of the body takes it off again by (5/64)^2 / (2 * 0.3) m.
-    EXPECT_LT(nearest, 0.3102) << "he does touch it";
-    EXPECT_GT(walker.feet.x, 0.3) << "he slides past";
+    EXPECT_LT(nearest, 0.3102) << "the body does touch it";
+    EXPECT_GT(walker.feet.x, 0.3) << "the body slides past";
   }
 }
 
@@ -266,7 +266,7 @@ TEST(Body, StopsWhereASlopeComesDownToItsHead) {
   walker = after(loaded.level, walker, kForward, 300);
   const double room = loaded.level.sectors[1].airTop({walker.feet.x + 0.3, 2});
   EXPECT_NEAR(room, 1.8, 1e-4);
-  EXPECT_NEAR(walker.feet.y, 3.7, 1e-4) << "he slides along the slope to the wall";
+  EXPECT_NEAR(walker.feet.y, 3.7, 1e-4) << "the body slides along the slope to the wall";
 }
 
 TEST(Body, FallsThroughAFlatPortalAndFliesBackUp) {

@@ -119,8 +119,8 @@ class Walk {
         (from.ceiling.flatPortal && from.ceiling.flatPortal == to.floor.flatPortal);
   }
 
-  /// No farther than the greater of the speeds before and wanted takes him, plus what steps and
-  /// slopes lift or lower him by.
+  /// No farther than the greater of the speeds before and wanted takes the walker, plus what
+  /// steps and slopes lift or lower it by.
   void expectPhysics(const Walker& before, const WalkInput& input) {
     const Body body = bodyOf(level_, walker_.crouch);
     const double wanted = walker_.isFlying ? (input.run ? 10 : 5) : (input.run ? 5 : 2.5);
@@ -166,7 +166,7 @@ class Walk {
   Random inputs_;
   Random checks_;  // apart, so that other checks see the same walk
   int lines_;
-  bool isClear_ = true;  // not in what he went into through a one-way wall
+  bool isClear_ = true;  // not in what the walker entered through a one-way wall
   Report report_;
   std::string fault_;
 };

@@ -30,7 +30,7 @@ Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, 
 
 struct WaysReport {
   int asked = 0;      ///< ways that the reference calls open
-  int taken = 0;      ///< by a walker who was pushed that way for a second
+  int taken = 0;      ///< by a walker that was pushed that way for a second
   std::string first;  ///< that was not
 
   WaysReport& operator+=(const WaysReport& other);
@@ -38,10 +38,11 @@ struct WaysReport {
 
 /// From places of random walks through a random level: a plain search says which straight ways of
 /// 0.3 m a body 5 mm stouter has, over level ground and steps up. It tries the cylinder every 2 cm,
-/// in what `Solids` calls the air, and knows nothing of sliding or sweeping. A walker who is pushed
-/// that way for a second must get at least 0.25 m ahead. This shows that nothing stops him that is
-/// not there: neither seams, nor vertices, nor the walls of other storeys. It does not show that he
-/// finds ways round corners, or over slopes and down steps, of which the search says nothing.
+/// in what `Solids` calls the air, and knows nothing of sliding or sweeping. A walker that is
+/// pushed that way for a second must get at least 0.25 m ahead. This shows that nothing stops it
+/// that is not there: neither seams, nor vertices, nor the walls of other storeys. It does not show
+/// that it finds ways round corners, or over slopes and down steps, of which the search says
+/// nothing.
 WaysReport tryWays(std::uint64_t seed, const std::filesystem::path& folder, int places);
 
 std::string inWords(const Report& report);

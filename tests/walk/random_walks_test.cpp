@@ -18,7 +18,7 @@ TEST(RandomWalks, KeepEveryPromise) {
     report += walkRandomLevel(seed, folder, 5, 400, 3);
   std::filesystem::remove_all(folder);
   EXPECT_EQ(report.failures, 0u) << report.first;
-  EXPECT_GT(report.crossings, 300u) << "he must get around";
+  EXPECT_GT(report.crossings, 300u) << "the walker must get around";
   EXPECT_GT(report.throughFlats, 10u);
 }
 

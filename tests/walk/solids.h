@@ -21,8 +21,8 @@ class Solids {
   /// The sector of `to`, both at one height, straight on from `from`; none where it is solid.
   std::optional<SectorId> sectorAlong(SectorId sector, Vec3 from, Vec3 to) const;
 
-  /// Whether a wall within `radius` of `p` opens to other heights from behind. Who came that way is
-  /// held only by the side that his middle is on, and may be in what the other side has.
+  /// Whether a wall within `radius` of `p` opens to other heights from behind. Only the
+  /// geometry on the side of its axis blocks a body there, and it may be in that of the other side.
   bool isBesideOneWay(Vec2 p, double radius) const;
 
   /// From a sector of the column of `p` to the one that has its height. The first of `sector`'s

@@ -12,7 +12,7 @@ namespace hearth::random_walks {
 /// None where it does not load.
 std::optional<Level> loadRandom(const RandomLevel& random, const std::filesystem::path& folder);
 
-/// Stands in a view of the level; nobody where he would have no room.
+/// A walker in a view of the level; none where it would have no room.
 std::optional<Walker> standIn(const Level& level, const Solids& solids, const RandomView& view);
 
 }  // namespace hearth::random_walks

@@ -30,7 +30,7 @@ inline Walker standing(const Level& level, const std::string& sector, Vec3 feet,
   return walker;
 }
 
-/// After so many ticks of one input, every one of which must leave him in his sector.
+/// After so many ticks of one input, every one of which must leave the walker in its sector.
 inline Walker after(const Level& level, Walker walker, const WalkInput& input, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     walker = walked(level, walker, input);

@@ -73,7 +73,7 @@ class Search {
   Body body_ = stouter();
 };
 
-/// Somebody on the ground, upright, at rest and with room round him.
+/// A walker on the ground, upright, at rest and with room around it.
 std::optional<Walker> wander(const Level& level, const Solids& solids, Walker walker,
                              random_levels::Random& random) {
   WalkInput input{.forward = 127, .turn = static_cast<int>(random.between(-3000, 3000))};

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostTries = 60000;         // for each new sector
 constexpr int kMostTriesOfOne = 1000000;  // for a way to one place
 
-/// A walker in one of the places that the search tells apart, and how he came there.
+/// A walker in one of the places that the search tells apart, and how it came there.
 struct Visit {
   Walker walker;
   std::size_t from = 0;           ///< index of the visit before

@@ -11,7 +11,7 @@ namespace hearth::test {
 
 enum class Gait { OnFoot, Flying };
 
-/// Inputs with which a walker who starts there has been in as many sectors as a search finds in
+/// Inputs with which a walker that starts there has been in as many sectors as a search finds in
 /// its time. It tries short stretches at random, from places that it has seldom tried (see
 /// Ecoffet et al., "First return, then explore", 2021), until one leads to a new sector; from there
 /// it begins again. Sectors from which no way leads back come last: `noReturn` are entered only
@@ -19,7 +19,7 @@ enum class Gait { OnFoot, Flying };
 std::vector<WalkInput> exploration(const Level& level, const Walker& start, Gait gait,
                                    const std::vector<SectorId>& noReturn);
 
-/// Inputs with which a walker who starts there comes to where `isThere` holds, found by such a
+/// Inputs with which a walker that starts there comes to where `isThere` holds, found by such a
 /// search; nothing where it finds no way.
 std::optional<std::vector<WalkInput>> wayTo(const Level& level, const Walker& start, Gait gait,
                                             const std::function<bool(const Walker&)>& isThere);

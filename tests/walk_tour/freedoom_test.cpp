@@ -30,7 +30,7 @@ constexpr const char* kRecording = HEARTH_SOURCE_DIR "/tests/walk_tour/freedoom2
 
 /// Lines of this type end the map when they are used (https://doomwiki.org/wiki/Linedef_type), ...
 constexpr std::uint16_t kExitSwitch = 11;
-/// ... which players do who stand in front of them, no more than 64 units away.
+/// ... which a player does who stands in front of them, no more than 64 units away.
 constexpr double kUseMetres = 64 * doom::kUnit;
 
 class Freedoom : public testing::Test {

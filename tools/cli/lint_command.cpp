@@ -28,7 +28,7 @@ std::string kindsInWords() {
   return text;
 }
 
-/// No finding, as windows and roofs are seen and not entered; but who has built a stair shall see
+/// No finding, as windows and roofs are seen and not entered; but the author of a stair shall see
 /// that nobody can go up.
 void tellWhereNobodyComes(const Level& level) {
   constexpr std::size_t kNamed = 3;

@@ -165,7 +165,7 @@ void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, co
     options.set(option, valueOf(fitting.draw, option));
 }
 
-/// What the user has set. Of mistakes there he is told, and walks.
+/// What the user has set. Mistakes there are told, and do not stop the walk.
 Config configOfUser() {
   const auto file = configFile();
   return file ? readConfig(*file) : Config{};

@@ -8,7 +8,7 @@
 
 namespace hearth {
 
-/// Tells when files have been written: once whoever writes them has closed them or put them in
+/// Tells when files have been written: once their writer has closed them or put them in
 /// their place, so that none is read half-written. By inotify(7), which the kernel tells.
 class FileWatch {
  public:

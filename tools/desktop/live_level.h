@@ -58,7 +58,7 @@ class LiveLevel {
   std::string report_;                          ///< to be printed once the next frame is shown
 };
 
-/// Where a walker of one version of a level is in another: where he is, if that lies in a sector
+/// Where a walker of one version of a level is in another: the same place, if that lies in a sector
 /// still, the one of the same name before others; else where the player starts. None where there is
 /// no such place.
 std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const Level& to);

@@ -24,7 +24,7 @@ namespace {
 /// tables are, and need not be climbed.
 constexpr double kHighestMeant = 1.5;
 
-/// Of the player's height, from where he stands: no lower ones are taken for a way. Niches,
+/// Of the player's height, from where the player stands: no lower ones are taken for a way. Niches,
 /// fireplaces and shafts are.
 constexpr double kLowestMeant = 0.85;
 
@@ -211,7 +211,7 @@ class Walks {
                                            : a.demand.clear > b.demand.clear;
   }
 
-  /// Down he falls; up he is in both where he is taller than what is below.
+  /// Down the body falls; going up it is in both where it is taller than the lower one.
   void lookAtFlat(const FlatPortal& flatPortal) {
     for (const SectorId upper : flatPortal.upper)
       for (const SectorId lower : flatPortal.lower) {
@@ -254,7 +254,7 @@ class HindranceFinder {
     const std::vector<bool> isVisited = walks.reachedFrom(level_.player->sector);
     for (const Hindrance& hindrance : walks.hindrances()) {
       const SectorId from = level_[hindrance.segment].sector;
-      // Who crouches climbs no more than who stands, and is as wide.
+      // A crouching body climbs no more than a standing one, and is as wide.
       if (isCrouching && hindrance.kind != FindingKind::LowPassage) continue;
       if (!isVisited[from.index()]) continue;
       if (told_.contains(hindrance.next)) continue;
@@ -293,7 +293,7 @@ class HindranceFinder {
                     fmt::format("the way to sector \"{}\" is {:.3g} m high, the player {:.3g} m{}, "
                                 "and nothing else leads there",
                                 name, hindrance.demand.clear, body.height,
-                                isCrouching ? " when he crouches" : ""),
+                                isCrouching ? " when crouching" : ""),
                     "make it higher");
   }
 
@@ -311,14 +311,14 @@ void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings)
   if (depth <= body.step + kSkin) return;
   findings.add(
       FindingKind::SunkenPlayer, linted.source.level.player->place,
-      fmt::format("the player's feet are {:.3g} m below the floor: \"z\" is his eye's, not "
+      fmt::format("the player's feet are {:.3g} m below the floor: \"z\" is that of the eye, not "
                   "theirs",
                   depth),
       fmt::format("write \"z\": {:.6g}, which is {:.3g} m above the floor", floor + body.eyeHeight,
                   body.eyeHeight));
 }
 
-/// Where there is not room enough he begins crouching; where not even for that, he is stuck.
+/// Without room to stand the player begins crouching; without room for that the player is stuck.
 void lookAtHead(const LintedLevel& linted, const Body& crouching, double eyeHeight,
                 Findings& findings) {
   const Player& player = *linted.level().player;

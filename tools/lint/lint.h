@@ -26,12 +26,13 @@ void findNearMisses(const LintedLevel& linted, Findings& findings);
 void findTextureJumps(const LintedLevel& linted, Findings& findings);
 /// Textures of steps that show nowhere.
 void findUnseenTextures(const LintedLevel& linted, Findings& findings);
-/// Steps that the player just cannot climb, and ways that are just too low or narrow for him.
+/// Steps that the player just cannot climb, and ways that are just too low or narrow for the
+/// player.
 void findImpassable(const LintedLevel& linted, Findings& findings);
 /// The sectors that the player cannot come to on foot, in order: fewer than there are rather than
 /// more. None without a player.
 std::vector<SectorId> outOfReach(const Level& level);
-/// A player who begins with his feet below the floor, or his head above the ceiling.
+/// A player whose feet begin below the floor, or whose head begins above the ceiling.
 void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
 
 // What needs one.

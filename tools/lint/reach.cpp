@@ -96,7 +96,7 @@ void findUnreachable(const LintedLevel& linted, Findings& findings) {
   const std::vector<std::vector<SectorId>> links = linksOf(level);
   const std::vector<std::vector<SectorId>> linked = bothWays(links);
   const SectorId start = startOf(level, partsOf(linked));
-  // Without a player links count both ways: who knows where he would begin.
+  // Without a player links count both ways: nothing says where the player would begin.
   const std::vector<bool> isReached = reachedFrom(level.player ? links : linked, start);
   std::vector<std::vector<SectorId>> unreached(links.size());
   for (std::size_t i = 0; i < links.size(); ++i)

@@ -43,8 +43,8 @@ struct FrameBench {
   // Of its two phases:
   Spread findMilliseconds;  ///< until it is known which spans show what
   Spread colorMilliseconds;
-  /// One plain write of four bytes for each of its pixels, after each frame: what memory asks of
-  /// whoever draws.
+  /// One plain write of four bytes for each of its pixels, after each frame: the cost of
+  /// memory alone.
   Spread writeMilliseconds;
   FrameCounters counters;
 

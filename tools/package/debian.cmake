@@ -20,7 +20,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     file(MAKE_DIRECTORY ${share}/lintian/overrides)
     file(COPY_FILE ${CMAKE_CURRENT_LIST_DIR}/lintian-overrides ${share}/lintian/overrides/hearth)
   endif()
-  # Whatever the umask of who packs, or cloned the sources.
+  # Whatever the umask is that packs, or that cloned the sources.
   file(CHMOD_RECURSE ${share} FILE_PERMISSIONS ${rw-r--r--})
   file(CHMOD_RECURSE ${CPACK_TEMPORARY_DIRECTORY}/${component} DIRECTORY_PERMISSIONS ${rwxr-xr-x})
 endforeach()

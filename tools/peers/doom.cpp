@@ -103,7 +103,7 @@ tl::expected<WalkWindow, std::string> openUnseenWindow() {
   return WalkWindow::open("hearth bench", settings);
 }
 
-/// What the player sees when he turns where he begins, drawn and shown as by a walk.
+/// What the player sees turning at the start, drawn and shown as by a walk.
 class TurningWalk {
  public:
   TurningWalk(const Scene& scene, WalkWindow window) : scene_(scene), window_(std::move(window)) {}

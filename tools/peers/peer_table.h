@@ -6,7 +6,7 @@
 #include "measure/machine.h"
 #include "peers/peers.h"
 
-/// What was measured against peers, for those who read it.
+/// What was measured against peers, as text.
 namespace hearth {
 
 /// A paragraph for each row: how far it is from its target, what stands in the way where it falls

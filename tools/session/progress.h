@@ -11,7 +11,7 @@
 #include "light/bake_progress.h"
 #include "settings/options.h"
 
-/// Lets whoever waits for a command see how far it is.
+/// Shows how far a command is.
 namespace hearth {
 
 enum class Stage { Loading, Surfaces, Baking, Writing };

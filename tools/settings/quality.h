@@ -8,7 +8,7 @@
 
 namespace hearth {
 
-/// Settings of a bake, relative to those of a level's author, who knows how large its rooms are.
+/// Settings of a bake, relative to those of the level's author, who knows how large the rooms are.
 struct BakeQuality {
   double texels;      ///< sides of the level's own
   bool samplesEdges;  ///< as many samples as edges of shadows need; else as the level says

@@ -160,8 +160,8 @@ bool Shaft::isHarmless(SectorId id, const Segment& wall, const ShaftHull::Distan
             light_->radius)
       return true;
   }
-  // Whoever comes from behind a wall goes through to its front. On which side he is must not be
-  // left to rounding where a ray is in line with a wall, which is short seen from afar.
+  // A ray from behind a wall goes through to its front. On which side the ray is must not be left
+  // to rounding where the ray is in line with the wall, which is short seen from afar.
   const double reach = hull_->reach();
   return d.mostOfLight < -(margin + hull_->noise() * reach / wall.length);
 }

@@ -68,7 +68,7 @@ TEST(UselessLights, MayShineLessFarThanToASurface) {
             Places{});
 }
 
-/// Full light is 255, and who writes 1 for it does not see the lamp.
+/// Full light is 255: a lamp of intensity 1 does not show.
 TEST(WeakLights, AreThoseThatBringNoSurfaceMoreThanAFewLevels) {
   const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
   EXPECT_EQ(placesInLight(lit,

@@ -116,7 +116,7 @@ TEST(HighSteps, AreToldAsTheyAreWhereTheyAreLowest) {
 }
 
 /// Two pits side by side, half a metre apart in depth, with a wall between them up to the level of
-/// the rooms above: over that wall he would have to climb a metre.
+/// the rooms above: over that wall the player would have to climb a metre.
 TEST(HighSteps, AreNoneBetweenRoomsThatHaveNoFloor) {
   const auto room = [](std::string_view name, std::string_view pit, std::string_view vertices,
                        std::string_view walls) {
@@ -153,7 +153,7 @@ TEST(LowPassages, AreThoseThatThePlayerJustCannotWalk) {
 TEST(LowPassages, AreThoseThatHeJustCannotCrouchInto) {
   EXPECT_EQ(placesOf(findImpassable, hallAndRoom(0, 0.8)), (Places{kWay}));
   EXPECT_EQ(firstMessage(findImpassable, hallAndRoom(0, 0.8)),
-            "the way to sector \"room\" is 0.8 m high, the player 0.9 m when he crouches, and "
+            "the way to sector \"room\" is 0.8 m high, the player 0.9 m when crouching, and "
             "nothing else leads there");
 }
 
@@ -245,7 +245,7 @@ TEST(NarrowPassages, AreNoneBesideOthersThatAreOpen) {
   EXPECT_EQ(placesOf(findImpassable, withPlayer(sectors)), Places{});
 }
 
-/// His eye is 1.6 m above his feet, and he climbs 0.4 m.
+/// The eye is 1.6 m above the feet, and the player climbs 0.4 m.
 TEST(SunkenPlayers, AreThoseWhoseFeetAreFarBelowTheFloor) {
   const auto eyeAt = [](double z) {
     return with(hallAndRoom(0, 4), "'z': 1.6}", fmt::format("'z': {}}}", z));
@@ -278,7 +278,7 @@ TEST(SectorsOutOfReach, AreThoseThatNoFeetComeTo) {
             (Names{"step-1", "step-2", "step-3", "step-4", "room"}));
 }
 
-/// He crouches where he has no room to stand: then he is 0.9 m high, and his eye 0.8 m.
+/// Without room to stand the player crouches, and is 0.9 m high, with the eye at 0.8 m.
 TEST(StuckPlayers, AreThoseWhoseHeadIsInTheCeiling) {
   const auto eyeAt = [](double z) {
     return with(hallAndRoom(0, 4), "'z': 1.6}", fmt::format("'z': {}}}", z));

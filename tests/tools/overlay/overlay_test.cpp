@@ -89,7 +89,8 @@ TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
   EXPECT_TRUE(overlay.take(test::down(SDL_SCANCODE_H)));
   EXPECT_TRUE(overlay.take(text("hi")));
   EXPECT_FALSE(overlay.take(test::up(SDL_SCANCODE_H))) << "no key is to stay held in the walk";
-  EXPECT_FALSE(overlay.take(test::down(SDL_SCANCODE_F1))) << "who writes can close it, too";
+  EXPECT_FALSE(overlay.take(test::down(SDL_SCANCODE_F1)))
+      << "F1 closes the panel also from a field of text";
   frame();
   EXPECT_STREQ(field.data(), "hi");
   overlay.toggle();

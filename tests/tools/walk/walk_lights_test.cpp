@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using test::down;
 using test::up;
 
-/// 2 m before the player of `rooms`, half a metre to his left, at the height of his eye.
+/// 2 m before the player of `rooms`, half a metre to the left, at the height of the eye.
 const std::string kLights =
     "[\r\n  { \"//\": \"kept\", \"x\": 3.0, \"y\": 1.50, \"z\": 16e-1 } ,\r\n"
     "\t{\"z\":5,\"x\":6,\"y\":2}\r\n]\r\n";

@@ -59,8 +59,8 @@ struct MapScale {
 MapScale mapScale(int width, int height, const Eye& eye, double metres);
 
 /// Draws the map over a picture that it darkens: x to the right, y down, the player in the middle,
-/// an arrow that points where he looks. Only sectors that were seen; those that lie wholly above or
-/// below the player's body are dim. Outlines of flat portals are dotted over the walls.
+/// an arrow that points where the player looks. Only sectors that were seen; those that lie wholly
+/// above or below the player's body are dim. Outlines of flat portals are dotted over the walls.
 void drawAutomap(Image& picture, const Level& level, const SeenSectors& seen, const Eye& eye,
                  double metres);
 

@@ -17,8 +17,8 @@ namespace hearth {
 
 namespace {
 
-/// Texels, once for each light, from which on a draft is shown first: who edits shall see at once
-/// what he did, who begins can wait for a quarter of a second.
+/// Texels, once for each light, from which on a draft is shown first: an edit shows at once,
+/// and the first picture of a walk may take a quarter of a second.
 constexpr std::int64_t kWorthADraft = 30'000;
 constexpr std::int64_t kWorthADraftAtFirst = 1'000'000;
 

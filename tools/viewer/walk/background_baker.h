@@ -78,7 +78,7 @@ class BackgroundBaker {
   /// Takes lights from their file again, from the next reload on.
   void forgetLights();
   /// Bakes and draws by other options from now on. The level at hand is baked anew where they ask
-  /// for that; who only wants it drawn otherwise has `redrawn`.
+  /// for that; `redrawn` only draws it otherwise.
   void setOptions(const OptionValues& values);
 
   /// The oldest that has not been given out.

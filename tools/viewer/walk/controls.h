@@ -32,7 +32,7 @@ class Controls {
 
   /// What is asked for in the next tick. `ticksDue` >= 1 are to come at once, this one among them:
   /// the mouse's motion is spread over them, and none of it is lost. `pitch`, in degrees, is where
-  /// the walker looks, for who wants to look ahead again.
+  /// the walker looks; from there a key leads back to looking ahead.
   WalkInput nextTick(int ticksDue, double pitch);
 
  private:

@@ -38,7 +38,7 @@ class WindowHost {
   virtual void toggleFullScreen() = 0;
   /// Puts text on the clipboard.
   virtual void copy(const std::string& text) = 0;
-  /// For who reads what the program prints.
+  /// A line on the terminal.
   virtual void print(const std::string& line) = 0;
 };
 
