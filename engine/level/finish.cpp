@@ -19,7 +19,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 struct Line {
   double at0;
   double at1;
-  double at(double share) const { return std::lerp(at0, at1, share); }
+  double at(double fraction) const { return std::lerp(at0, at1, fraction); }
 };
 
 Line flat(double z) { return {z, z}; }
@@ -28,19 +28,19 @@ Line flat(double z) { return {z, z}; }
 /// of `lower`. That height is concave along the segment, so it is greatest at an end or where two
 /// lines cross.
 double tallest(const std::vector<Line>& upper, const std::vector<Line>& lower) {
-  const auto heightAt = [&](double share) {
+  const auto heightAt = [&](double fraction) {
     double top = kEndless;
     double bottom = -kEndless;
-    for (const Line& line : upper) top = std::min(top, line.at(share));
-    for (const Line& line : lower) bottom = std::max(bottom, line.at(share));
+    for (const Line& line : upper) top = std::min(top, line.at(fraction));
+    for (const Line& line : lower) bottom = std::max(bottom, line.at(fraction));
     return top - bottom;
   };
   double best = std::max(heightAt(0), heightAt(1));
   for (const std::vector<Line>* lines : {&upper, &lower})
     for (const Line& a : *lines)
       for (const Line& b : *lines) {
-        const double share = (a.at0 - b.at0) / ((a.at0 - b.at0) - (a.at1 - b.at1));
-        if (share > 0 && share < 1) best = std::max(best, heightAt(share));
+        const double fraction = (a.at0 - b.at0) / ((a.at0 - b.at0) - (a.at1 - b.at1));
+        if (fraction > 0 && fraction < 1) best = std::max(best, heightAt(fraction));
       }
   return best;
 }
@@ -110,12 +110,13 @@ class PieceBuilder {
       faults_.push_back(MissingTwin{id_, range.subWall});
       return;
     }
-    const std::optional<SurfaceId> middle =
-        portal.middle ? addMiddle(*portal.middle, heights.zLowerTop, heights.zUpperBottom)
-                      : std::nullopt;
-    addOpening({portal.next, *twin, {}, {}, middle}, heights.zLowerTop, heights.zUpperBottom,
+    const std::optional<SurfaceId> maskedMiddle =
+        portal.maskedMiddle
+            ? addMaskedMiddle(*portal.maskedMiddle, heights.zLowerTop, heights.zUpperBottom)
+            : std::nullopt;
+    addOpening({portal.next, *twin, {}, {}, maskedMiddle}, heights.zLowerTop, heights.zUpperBottom,
                range);
-    addLightOpening(portal.next, *twin, range, bothSkyFloors, bothSkyCeilings, middle);
+    addLightOpening(portal.next, *twin, range, bothSkyFloors, bothSkyCeilings, maskedMiddle);
 
     if (bothSkyCeilings)
       addSurface(SurfaceKind::SkyUpperStep, sector_.ceiling.texture, heights.zUpperBottom,
@@ -160,12 +161,13 @@ class PieceBuilder {
   }
 
   /// What of an image shows that hangs in an opening of these heights, from its zref on down.
-  std::optional<SurfaceId> addMiddle(const TextureMapping& mapping, double zBottom, double zTop) {
+  std::optional<SurfaceId> addMaskedMiddle(const TextureMapping& mapping, double zBottom,
+                                           double zTop) {
     const double zRef = mapping.zRef.value_or(zTop);
     zTop = std::min(zTop, zRef);
     zBottom = std::max(zBottom, zRef - mapping.repeat.y);
     if (!isInAir(zBottom, zTop)) return std::nullopt;
-    const SurfaceId id = newSurface(SurfaceKind::Middle, mapping, zBottom, zTop);
+    const SurfaceId id = newSurface(SurfaceKind::MaskedMiddle, mapping, zBottom, zTop);
     level_.surfaces.back().mapping.zRef = zRef;
     return id;
   }
@@ -203,13 +205,13 @@ class PieceBuilder {
 
   /// Light passes from the higher floor to the lower ceiling, and between skies without end.
   void addLightOpening(SectorId nextId, SegmentId twin, const Range& range, bool bothSkyFloors,
-                       bool bothSkyCeilings, std::optional<SurfaceId> middle) {
+                       bool bothSkyCeilings, std::optional<SurfaceId> maskedMiddle) {
     const Sector& next = level_[nextId];
     const double zTop = bothSkyCeilings ? kEndless : std::min(range.zTop, next.ceiling.z);
     const double zBottom = bothSkyFloors ? -kEndless : std::max(range.zBottom, next.floor.z);
     if (zBottom >= zTop) return;
     segment_.lightOpenings.push_back({zBottom, zTop, nextId, twin, {}});
-    if (middle) segment_.lightOpenings.back().middles.push_back(*middle);
+    if (maskedMiddle) segment_.lightOpenings.back().maskedMiddles.push_back(*maskedMiddle);
   }
 
   Level& level_;
@@ -249,13 +251,13 @@ void measureBox(Level& level, Sector& sector) {
 }
 
 /// Light through an opening meets what hangs in it on the other side, too.
-void addMiddlesOfTwins(Level& level) {
+void addMaskedMiddlesOfTwins(Level& level) {
   for (std::size_t i = 0; i < level.segments.size(); ++i)
     for (LightOpening& light : level.segments[i].lightOpenings)
       for (const WallPiece& piece : level[light.twin].pieces) {
         const Opening* back = std::get_if<Opening>(&piece.content);
-        if (back && back->middle && back->twin == SegmentId(i))
-          light.middles.push_back(*back->middle);
+        if (back && back->maskedMiddle && back->twin == SegmentId(i))
+          light.maskedMiddles.push_back(*back->maskedMiddle);
       }
 }
 
@@ -286,7 +288,7 @@ std::vector<LevelFault> finishLevel(Level& level) {
   const TwinIndex twins(level);
   for (std::size_t i = 0; i < level.segments.size(); ++i)
     PieceBuilder(level, twins, SegmentId(i), faults).build();
-  addMiddlesOfTwins(level);
+  addMaskedMiddlesOfTwins(level);
   return faults;
 }
 

@@ -41,7 +41,8 @@ struct Shot {
 struct Level {
   std::string name;
   std::vector<std::string> textures;  ///< names, by TextureId
-  std::vector<TexelHoles> holes;      ///< of middle textures; by TextureId, as far as there are any
+  std::vector<TexelHoles>
+      holes;  ///< of masked middle textures; by TextureId, as far as there are any
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;

@@ -14,8 +14,8 @@ double curveAt(const std::vector<CurvePoint>& curve, double distance) {
   if (after == curve.begin()) return curve.front().level;
   const CurvePoint a = *(after - 1);
   if (after == curve.end()) return a.level;
-  const double share = (distance - a.distance) / (after->distance - a.distance);
-  return a.level + share * (after->level - a.level);
+  const double fraction = (distance - a.distance) / (after->distance - a.distance);
+  return a.level + fraction * (after->level - a.level);
 }
 
 double reachOf(const std::vector<CurvePoint>& curve, double level) {
@@ -36,7 +36,7 @@ double LightSource::levelAt(double distance) const {
 }
 
 double LightSource::reach(double level) const {
-  const double most = std::max({share(0), share(1), share(2)});
+  const double most = std::max({fraction(0), fraction(1), fraction(2)});
   if (most == 0) return 0;
   const double white = level / most;
   if (!curve.empty()) return reachOf(curve, white);

@@ -32,7 +32,7 @@ struct LightSource {
   /// has, and infinite where some always has.
   double reach(double level) const;
   /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
-  double share(int channel) const { return color[channel] / 255.0; }
+  double fraction(int channel) const { return color[channel] / 255.0; }
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
 
   friend bool operator==(const LightSource&, const LightSource&) = default;
@@ -50,8 +50,8 @@ struct BakeSettings {
   double cutOff = 0;
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
-  /// No light passes through the holes of middle textures, and no texel is asked for one.
-  bool solidMiddles = false;
+  /// No light passes through the holes of masked middle textures, and no texel is asked for one.
+  bool solidMaskedMiddles = false;
 
   friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
 };

@@ -79,8 +79,8 @@ class WallsAt {
   explicit WallsAt(Vec2 p) : p_(p) {}
 
   void add(const Segment& segment) {
-    if (segment.p1 != p_) addWay(segment.p1, 1);
-    if (segment.p0 != p_) addWay(segment.p0, -1);
+    if (segment.p1 != p_) addDirection(segment.p1, 1);
+    if (segment.p0 != p_) addDirection(segment.p0, -1);
   }
 
   /// Whether air comes to the point. Air lies on one side of each way from the point along a wall:
@@ -88,26 +88,27 @@ class WallsAt {
   /// lies in another that faces the other way, as where a pillar stands in the border, both are
   /// buried: no air is between them.
   bool haveAir() const {
-    return std::ranges::any_of(ways_, [](const Way& way) { return way.walls != 0; });
+    return std::ranges::any_of(directions_,
+                               [](const Direction& direction) { return direction.walls != 0; });
   }
 
  private:
-  struct Way {
+  struct Direction {
     Vec2 to;
     int walls;  ///< that it leads along, less those against
   };
 
-  void addWay(Vec2 to, int walls) {
-    for (Way& way : ways_)
-      if (orientation(p_, way.to, to) == 0 && dot(way.to - p_, to - p_) > 0) {
-        way.walls += walls;
+  void addDirection(Vec2 to, int walls) {
+    for (Direction& direction : directions_)
+      if (orientation(p_, direction.to, to) == 0 && dot(direction.to - p_, to - p_) > 0) {
+        direction.walls += walls;
         return;
       }
-    ways_.push_back({to, walls});
+    directions_.push_back({to, walls});
   }
 
   Vec2 p_;
-  std::vector<Way> ways_;
+  std::vector<Direction> directions_;
 };
 
 /// Whether a point is no farther than `slack` from a wall that has air before it there.

@@ -17,7 +17,7 @@ struct Opening {
   /// What of the next sector's wedges can stand in the opening; none where it has no slope.
   std::optional<SurfaceId> floorSidewall;
   std::optional<SurfaceId> ceilingSidewall;
-  std::optional<SurfaceId> middle;  ///< what hangs in it, seen from this side
+  std::optional<SurfaceId> maskedMiddle;  ///< what hangs in it, seen from this side
 };
 
 /// What a segment holds between two heights: something that shows, or a way on.
@@ -33,7 +33,7 @@ struct LightOpening {
   double zTop;     ///< absolute, or +infinity
   SectorId next;
   SegmentId twin;
-  std::vector<SurfaceId> middles;  ///< that hang in it, seen from either side
+  std::vector<SurfaceId> maskedMiddles;  ///< that hang in it, seen from either side
 };
 
 /// The sector's air at one end of a segment: between its floor and its ceiling, slopes included.

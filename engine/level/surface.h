@@ -20,7 +20,7 @@ enum class SurfaceKind : std::uint8_t {
   StackUpperStep,
   FloorSidewall,
   CeilingSidewall,
-  Middle,
+  MaskedMiddle,
   Floor,
   Ceiling,
   SlopeFloor,
@@ -45,7 +45,7 @@ constexpr bool isSlope(SurfaceKind kind) {
   return kind == SurfaceKind::SlopeFloor || kind == SurfaceKind::SlopeCeiling;
 }
 /// Stands upright on a segment (and is not sky).
-constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::Middle; }
+constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::MaskedMiddle; }
 /// Faces downwards.
 constexpr bool isOverhead(SurfaceKind kind) {
   return kind == SurfaceKind::Ceiling || kind == SurfaceKind::SlopeCeiling ||
@@ -61,7 +61,7 @@ struct Surface {
                                      ///< that follow their slope's edge
   /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
   /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.
-  /// Middle textures: those of the image in its opening.
+  /// Masked middle textures: those of the image in its opening.
   double zBottom = 0;
   double zTop = 0;
 };

@@ -19,7 +19,7 @@ struct Portal {
   SectorId next;
   std::optional<TextureMapping> upper;
   std::optional<TextureMapping> lower;
-  std::optional<TextureMapping> middle{};  ///< hangs in the opening, once from top to bottom
+  std::optional<TextureMapping> maskedMiddle{};  ///< hangs in the opening, once from top to bottom
 };
 
 using SubWallKind = std::variant<Solid, Portal>;

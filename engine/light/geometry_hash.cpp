@@ -24,7 +24,7 @@ class GeometryHasher {
 
  private:
   enum FlatKind : std::uint64_t { Plain, Sky, FlatPortal, Sloped };
-  enum WallKind : std::uint64_t { SolidWall, PortalWall, StackOfWalls, PortalWithMiddle };
+  enum WallKind : std::uint64_t { SolidWall, PortalWall, StackOfWalls, PortalWithMaskedMiddle };
 
   void addFlat(const Flat& flat, const std::optional<Slope>& slope) {
     hash_.addReal(flat.z);
@@ -50,10 +50,10 @@ class GeometryHasher {
   void addWall(const Solid&) { hash_.addWhole(SolidWall); }
 
   void addWall(const Portal& portal) {
-    hash_.addWhole(portal.middle ? PortalWithMiddle : PortalWall);
+    hash_.addWhole(portal.maskedMiddle ? PortalWithMaskedMiddle : PortalWall);
     hash_.addWhole(numbers_.ofSector(portal.next));
-    if (!portal.middle) return;
-    const auto& [texture, repeat, offsetTexels, along, zRef] = *portal.middle;
+    if (!portal.maskedMiddle) return;
+    const auto& [texture, repeat, offsetTexels, along, zRef] = *portal.maskedMiddle;
     hash_.addWhole(numbers_.ofHoles(texture));
     hash_.addPoint(repeat);
     hash_.addPoint(offsetTexels);
@@ -114,7 +114,7 @@ void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) 
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
   hash.addWhole(curve.size());
   for (const auto& [distance, level] : curve) hash.addPoint(Vec2{distance, level});
-  for (const std::uint8_t share : color) hash.addWhole(share);
+  for (const std::uint8_t fraction : color) hash.addWhole(fraction);
 }
 
 }  // namespace hearth

@@ -25,7 +25,7 @@ struct PartNumbers {
 /// Adds what one sector brings to such a number.
 void addGeometry(Hash& hash, const Level& level, const Sector& sector, const PartNumbers& numbers);
 
-/// Adds which texels of a middle texture are holes; nothing where none is.
+/// Adds which texels of a masked middle texture are holes; nothing where none is.
 void addHoles(Hash& hash, const TexelHoles& holes);
 
 /// Adds all of a light but its sector, for which `sector` stands.

@@ -25,7 +25,7 @@ struct LightMemory::Kept {
   using Number = std::uint32_t;
 
   /// What one light brings to one surface.
-  struct Share {
+  struct Fraction {
     TexelSums sums;
     LightCost cost;
     std::vector<Number> sectors;  ///< from which it was found
@@ -34,19 +34,19 @@ struct LightMemory::Kept {
   };
   /// A surface that was lit.
   struct Surface {
-    std::vector<std::uint64_t> lights;                 ///< prints of those that face it
-    std::vector<std::shared_ptr<const Share>> shares;  ///< of these
-    std::vector<Number> samplesOn;                     ///< surfaces
+    std::vector<std::uint64_t> lights;                       ///< prints of those that face it
+    std::vector<std::shared_ptr<const Fraction>> fractions;  ///< of these
+    std::vector<Number> samplesOn;                           ///< surfaces
     std::optional<Lightmap> lightmap;
 
-    std::shared_ptr<const Share> shareOf(std::uint64_t light) const {
+    std::shared_ptr<const Fraction> fractionOf(std::uint64_t light) const {
       const auto found = std::ranges::find(lights, light);
       return found == lights.end() ? nullptr
-                                   : shares[static_cast<std::size_t>(found - lights.begin())];
+                                   : fractions[static_cast<std::size_t>(found - lights.begin())];
     }
     std::size_t bytes() const {
       std::size_t sum = lightmap ? lightmap->bytes() : 0;
-      for (const auto& share : shares) sum += share->bytes();
+      for (const auto& fraction : fractions) sum += fraction->bytes();
       return sum;
     }
   };
@@ -107,17 +107,18 @@ class Rebake::Baker {
 
  private:
   using Number = LightMemory::Kept::Number;
-  using Share = LightMemory::Kept::Share;
+  using Fraction = LightMemory::Kept::Fraction;
   using Surface = LightMemory::Kept::Surface;
 
   /// What is known of a surface, and what is not.
   struct Plan {
     std::shared_ptr<const Surface> old;  ///< if it was lit before, on surfaces that are still there
     std::vector<std::size_t> facing;     ///< lights
-    std::vector<std::shared_ptr<const Share>> known;  ///< of these; null where it is left to find
-    std::vector<std::size_t> left;                    ///< lights whose shares are
+    std::vector<std::shared_ptr<const Fraction>>
+        known;                      ///< of these; null where it is left to find
+    std::vector<std::size_t> left;  ///< lights whose fractions are
 
-    bool isUnchanged() const { return old && known == old->shares; }
+    bool isUnchanged() const { return old && known == old->fractions; }
   };
 
   std::vector<bool> presentNumbers() const;
@@ -129,8 +130,8 @@ class Rebake::Baker {
                                      const std::stop_token& stop) const;
   void findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                 const std::stop_token& stop) const;
-  Share shareOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
-                LightDependencies& dependencies) const;
+  Fraction fractionOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
+                      LightDependencies& dependencies) const;
   TexelSums sumsFor(SurfaceId id) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
@@ -207,11 +208,11 @@ Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>
   const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
   if (old != memory_.surfaces.end() && areThere(old->second->samplesOn)) plan.old = old->second;
   for (const std::size_t light : plan.facing) {
-    std::shared_ptr<const Share> share;
-    if (plan.old) share = plan.old->shareOf(prints_.lights[light]);
-    if (share && !areThere(share->sectors)) share = nullptr;
-    if (!share) plan.left.push_back(light);
-    plan.known.push_back(std::move(share));
+    std::shared_ptr<const Fraction> fraction;
+    if (plan.old) fraction = plan.old->fractionOf(prints_.lights[light]);
+    if (fraction && !areThere(fraction->sectors)) fraction = nullptr;
+    if (!fraction) plan.left.push_back(light);
+    plan.known.push_back(std::move(fraction));
   }
   return plan;
 }
@@ -272,12 +273,12 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
   if (plan.isUnchanged()) return plan.old;
   Surface surface;
   for (const std::size_t light : plan.facing) surface.lights.push_back(prints_.lights[light]);
-  surface.shares = plan.known;
+  surface.fractions = plan.known;
   if (plan.old) surface.samplesOn = plan.old->samplesOn;
   if (!plan.left.empty()) findLeft(id, surface, progress, stop);
   if (!plan.facing.empty()) {
     TexelSums sums = sumsFor(id);
-    for (const auto& share : surface.shares) sums.add(share->sums);
+    for (const auto& fraction : surface.fractions) sums.add(fraction->sums);
     surface.lightmap = lightmapOf(sums, settings_);
   }
   return std::make_shared<const Surface>(std::move(surface));
@@ -290,14 +291,14 @@ TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
   return {surfaces_[id.index()]->texels, isColored ? 3 : 1};
 }
 
-/// The shares of the lights that are left.
+/// The fractions of the lights that are left.
 void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                              const std::stop_token& stop) const {
   LightDependencies dependencies;
   SurfaceLight surface(level_, surfaces_, sights_, settings_.lambert, id, Seeing::ByShafts,
                        &dependencies);
   std::span<const std::size_t> left = plans_[id.index()].left;
-  auto share = found.shares.begin();
+  auto fraction = found.fractions.begin();
   for (const std::size_t atOnce = lightsAtOnce(id); !left.empty();) {
     const auto lights = left.first(std::min(atOnce, left.size()));
     left = left.subspan(lights.size());
@@ -308,8 +309,9 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
         surface, lights, settings_, [&](std::size_t light) -> TexelSums& { return sums.at(light); },
         progress, stop);
     for (const std::size_t light : lights) {
-      share = std::find(share, found.shares.end(), nullptr);
-      *share = std::make_shared<const Share>(shareOf(light, surface, sums.at(light), dependencies));
+      fraction = std::find(fraction, found.fractions.end(), nullptr);
+      *fraction = std::make_shared<const Fraction>(
+          fractionOf(light, surface, sums.at(light), dependencies));
     }
   }
   for (const SurfaceId sought : dependencies.surfaces().sorted())
@@ -319,16 +321,16 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
                         found.samplesOn.end());
 }
 
-Rebake::Baker::Share Rebake::Baker::shareOf(std::size_t light, const SurfaceLight& surface,
-                                            const TexelSums& sums,
-                                            LightDependencies& dependencies) const {
+Rebake::Baker::Fraction Rebake::Baker::fractionOf(std::size_t light, const SurfaceLight& surface,
+                                                  const TexelSums& sums,
+                                                  LightDependencies& dependencies) const {
   SectorSet& met = dependencies.sectorsOf(light);
   for (const std::vector<LightSight>* sights : {&sights_.fine, &sights_.rough})
     for (const SectorId sector : (*sights)[light].sectors()) met.add(sector);
-  Share share{sums.cropped(), surface.costs()[light], {}};
+  Fraction fraction{sums.cropped(), surface.costs()[light], {}};
   for (const SectorId sector : met.sorted())
-    share.sectors.push_back(sectorNumbers_[sector.index()]);
-  return share;
+    fraction.sectors.push_back(sectorNumbers_[sector.index()]);
+  return fraction;
 }
 
 BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>> lit) const {
@@ -343,7 +345,7 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
     baked.lightmaps[i] = lit[i]->lightmap;
     baked.surfaceCosts[i].facingLights = facing.size();
     for (std::size_t k = 0; k < facing.size(); ++k) {
-      const LightCost& cost = lit[i]->shares[k]->cost;
+      const LightCost& cost = lit[i]->fractions[k]->cost;
       baked.lightCosts[facing[k]] += cost;
       baked.surfaceCosts[i].rays += cost.rays;
     }
@@ -380,8 +382,8 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& 
   if (plan.facing.empty()) return std::nullopt;
   if (plan.isUnchanged()) return plan.old->lightmap;
   TexelSums sums = sumsFor(id);
-  for (const auto& share : plan.known)
-    if (share) sums.add(share->sums);
+  for (const auto& fraction : plan.known)
+    if (fraction) sums.add(fraction->sums);
   if (!plan.left.empty()) {
     SurfaceLight surface(level_, surfaces_, sights, settings_.lambert, id);
     addDraftOfLights(surface, plan.left, settings_,

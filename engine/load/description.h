@@ -38,7 +38,7 @@ struct PortalDescription {
   NameReference next;
   std::optional<TextureDescription> upper;
   std::optional<TextureDescription> lower;
-  std::optional<TextureDescription> middle;
+  std::optional<TextureDescription> maskedMiddle;
 };
 
 struct SubWallDescription {

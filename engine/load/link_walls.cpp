@@ -52,7 +52,8 @@ class WallLinker {
     Portal portal{*next, {}, {}};
     if (described.upper) portal.upper = linking_.textures.link(*described.upper);
     if (described.lower) portal.lower = linking_.textures.link(*described.lower);
-    if (described.middle) portal.middle = linking_.textures.link(*described.middle);
+    if (described.maskedMiddle)
+      portal.maskedMiddle = linking_.textures.link(*described.maskedMiddle);
     return portal;
   }
 

@@ -111,7 +111,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 
   for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
-  linking.level.holes = holesOfMiddles(linking.level.surfaces, textures.images);
+  linking.level.holes = holesOfMaskedMiddles(linking.level.surfaces, textures.images);
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
   source_.outlines = std::move(linking.outlines);
   source_.edgeOf = std::move(linking.edgeOf);

@@ -35,7 +35,7 @@ std::optional<PortalDescription> readPortal(Report& report, const Fields& fields
   bool isGood = readOptionalTexture(report, fields, "texture", both);
   isGood &= readOptionalTexture(report, fields, "upper", portal.upper);
   isGood &= readOptionalTexture(report, fields, "lower", portal.lower);
-  isGood &= readOptionalTexture(report, fields, "middle", portal.middle);
+  isGood &= readOptionalTexture(report, fields, "middle", portal.maskedMiddle);
   if (fields.find("texture") && (fields.find("upper") || fields.find("lower"))) {
     report.error(fields.find("texture")->place(), "\"texture\" beside \"upper\" or \"lower\"",
                  "give either one texture for both steps or one for each");

@@ -254,11 +254,11 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
   return textures;
 }
 
-std::vector<TexelHoles> holesOfMiddles(std::span<const Surface> surfaces,
-                                       const std::vector<Image>& images) {
+std::vector<TexelHoles> holesOfMaskedMiddles(std::span<const Surface> surfaces,
+                                             const std::vector<Image>& images) {
   std::vector<TexelHoles> holes(images.size());
   for (const Surface& surface : surfaces) {
-    if (surface.kind != SurfaceKind::Middle) continue;
+    if (surface.kind != SurfaceKind::MaskedMiddle) continue;
     TexelHoles& found = holes[surface.mapping.texture.index()];
     if (found.all().empty()) found = holesOf(images[surface.mapping.texture.index()]);
   }

@@ -47,8 +47,8 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
                           std::span<const Surface> surfaces, const std::filesystem::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits);
 
-/// By TextureId, of images that a middle texture shows; none of the others.
-std::vector<TexelHoles> holesOfMiddles(std::span<const Surface> surfaces,
-                                       const std::vector<Image>& images);
+/// By TextureId, of images that a masked middle texture shows; none of the others.
+std::vector<TexelHoles> holesOfMaskedMiddles(std::span<const Surface> surfaces,
+                                             const std::vector<Image>& images);
 
 }  // namespace hearth

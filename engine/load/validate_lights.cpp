@@ -21,8 +21,8 @@ bool liesOn(const Level& level, const WallPiece& piece, Vec3 p) {
   const Sector& next = level[opening.next];
   return (opening.floorSidewall && p.z <= next.airBottom(p.xy()) + kInPlane) ||
          (opening.ceilingSidewall && p.z >= next.airTop(p.xy()) - kInPlane) ||
-         (opening.middle && p.z >= level[*opening.middle].zBottom - kInPlane &&
-          p.z <= level[*opening.middle].zTop + kInPlane);
+         (opening.maskedMiddle && p.z >= level[*opening.maskedMiddle].zBottom - kInPlane &&
+          p.z <= level[*opening.maskedMiddle].zTop + kInPlane);
 }
 
 /// The walls of a sector that a point lies on, each authored one once.

@@ -108,8 +108,8 @@ class SectorChecker {
   Outlines& outlines_;
   OutlineSector& sector_;
   BoxTree tree_;
-  /// Of each edge of the sector that something touches: shares of its length.
-  std::map<std::uint32_t, std::vector<double>> touchShares_;
+  /// Of each edge of the sector that something touches: fractions of its length.
+  std::map<std::uint32_t, std::vector<double>> touchFractions_;
   std::map<std::uint32_t, std::set<std::uint32_t>> touching_;  // loops, by loop
   std::set<std::pair<std::uint32_t, std::uint32_t>> repeats_;  // reported pairs of vertices
 };
@@ -199,7 +199,7 @@ void SectorChecker::findTouchesOf(const Edge& incoming, std::uint32_t vertex, do
       return reportSelfTouch(loop, vertex, other,
                              length(a - p) < length(b - p) ? other.from : other.to);
     outlines_.touches.push_back({sector_.firstEdge + i, vertex, noiseWith(other)});
-    touchShares_[i].push_back(dot(p - a, b - a) / dot(b - a, b - a));
+    touchFractions_[i].push_back(dot(p - a, b - a) / dot(b - a, b - a));
     touching_[incoming.loop].insert(other.loop);
     touching_[other.loop].insert(incoming.loop);
   }
@@ -261,8 +261,8 @@ void SectorChecker::findCrossings() {
 void SectorChecker::failForCrossing(const Edge& a, const Edge& b) {
   const Vec2 along = outlines_.to(a) - outlines_.from(a);
   const Vec2 other = outlines_.to(b) - outlines_.from(b);
-  const double share = cross(outlines_.from(b) - outlines_.from(a), other) / cross(along, other);
-  const Vec2 p = outlines_.from(a) + share * along;
+  const double fraction = cross(outlines_.from(b) - outlines_.from(a), other) / cross(along, other);
+  const Vec2 p = outlines_.from(a) + fraction * along;
   fail(wallPlace(a),
        fmt::format("{}, {}, crosses {}, {}, in ({:.7g}, {:.7g})", wallName(a), ends(a), wallName(b),
                    ends(b), p.x, p.y),
@@ -300,16 +300,17 @@ std::vector<SectorChecker::Probe> SectorChecker::probesOf(std::size_t l) const {
   std::vector<Probe> probes;
   for (std::uint32_t i = loop.firstEdge; i < loop.firstEdge + loop.edgeCount; ++i) {
     const Edge& wall = outlines_.edges[i];
-    std::vector<double> shares{0, 1};
-    if (const auto found = touchShares_.find(i - sector_.firstEdge); found != touchShares_.end())
-      shares.insert(shares.end(), found->second.begin(), found->second.end());
-    std::sort(shares.begin(), shares.end());
+    std::vector<double> fractions{0, 1};
+    if (const auto found = touchFractions_.find(i - sector_.firstEdge);
+        found != touchFractions_.end())
+      fractions.insert(fractions.end(), found->second.begin(), found->second.end());
+    std::sort(fractions.begin(), fractions.end());
     const double length = outlines_.length(wall);
     const double noise = 2 * noiseOf(length);
-    for (std::size_t k = 1; k < shares.size(); ++k)
-      if ((shares[k] - shares[k - 1]) * length > noise)
+    for (std::size_t k = 1; k < fractions.size(); ++k)
+      if ((fractions[k] - fractions[k - 1]) * length > noise)
         probes.push_back(
-            {lerp(outlines_.from(wall), outlines_.to(wall), (shares[k] + shares[k - 1]) / 2),
+            {lerp(outlines_.from(wall), outlines_.to(wall), (fractions[k] + fractions[k - 1]) / 2),
              noise});
   }
   return probes;

@@ -43,7 +43,7 @@ std::vector<SectorId> WallsBehind::sectors(SectorId sector, Vec2 from, Vec2 to) 
   edges_->query(grown(boxOf(from, to), kAuthorNoise), [&](std::uint32_t i) {
     const SectorId other(outlines.edges[i].sector);
     if (other != sector && runsBackAlong(outlines.edges[i], from, to) &&
-        shareHeights(sector, other))
+        overlapInHeight(sector, other))
       found.push_back(other);
   });
   std::ranges::sort(found);
@@ -61,7 +61,7 @@ bool WallsBehind::runsBackAlong(const Edge& edge, Vec2 from, Vec2 to) const {
          (isOn(from, a, b, noise) && isOn(to, a, b, noise));
 }
 
-bool WallsBehind::shareHeights(SectorId a, SectorId b) const {
+bool WallsBehind::overlapInHeight(SectorId a, SectorId b) const {
   const Sector& one = linking_.level[a];
   const Sector& other = linking_.level[b];
   return one.floor.z < other.ceiling.z && other.floor.z < one.ceiling.z;

@@ -22,7 +22,7 @@ class WallsBehind {
 
  private:
   bool runsBackAlong(const Edge& edge, Vec2 from, Vec2 to) const;
-  bool shareHeights(SectorId a, SectorId b) const;
+  bool overlapInHeight(SectorId a, SectorId b) const;
 
   const Linking& linking_;
   std::optional<BoxTree> edges_;  ///< built when it is first asked

@@ -17,9 +17,9 @@ bool meetsFirst(Vec2 eye, Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1);
 /// The point of the segment a -> b that is nearest to p.
 inline Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p) {
   const Vec2 ab = b - a;
-  const double share = dot(p - a, ab) / dot(ab, ab);
-  if (!(share > 0)) return a;
-  return share < 1 ? a + share * ab : b;
+  const double fraction = dot(p - a, ab) / dot(ab, ab);
+  if (!(fraction > 0)) return a;
+  return fraction < 1 ? a + fraction * ab : b;
 }
 
 }  // namespace hearth

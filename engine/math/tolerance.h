@@ -48,24 +48,24 @@ inline constexpr double kEdgeInset = 1e-6;
 /// as much, and at 1 km it is less than kArrival.
 inline constexpr double kNarrow = 1e-11;
 
-/// Share of a distance from a light: walls of which one is this much nearer are equally far. More
-/// than rounding, and less than two walls that meet are apart where kNarrow begins.
+/// Fraction of a distance from a light: walls of which one is this much nearer are equally far.
+/// More than rounding, and less than two walls that meet are apart where kNarrow begins.
 inline constexpr double kSameDistance = 1e-14;
 
 /// Metres from the origin up to which all of these are more than rounding: doubles are 2 * 10^-9
 /// apart there, a fiftieth of kArrival, of which following a ray to its end takes a part.
 inline constexpr double kPreciseReach = 1e7;
 
-/// Share of a distance from the eye or the light. Crossings that are nearer to each other are put
-/// in order exactly; their rounding, a few 10^-16 of the distance, is far less unless the ray is
-/// nearly in line with a wall.
+/// Fraction of a distance from the eye or the light. Crossings that are nearer to each other are
+/// put in order exactly; their rounding, a few 10^-16 of the distance, is far less unless the ray
+/// is nearly in line with a wall.
 inline constexpr double kNearTie = 1e-9;
 
 /// Texels. So far outside its surface bilinear filtering may be asked for a point of it that
 /// rounding has moved: thousands of times the rounding of coordinates of 2^20 texels.
 inline constexpr double kFilterSlack = 1e-6;
 
-/// Share of an area, of a sum of triangles: what rounding of its coordinates may change it by.
+/// Fraction of an area, of a sum of triangles: what rounding of its coordinates may change it by.
 inline constexpr double kAreaNoise = 1e-12;
 
 }  // namespace hearth

@@ -64,7 +64,7 @@ class Projection {
   /// The ray through a column on the map, of depth 1.
   Vec2 rayOf(double column) const { return direction_ + slantOf(column) * right_; }
   /// How far the ray through a row goes up per metre of depth.
-  double climbOf(double row) const { return (horizonRow_ - row) / distancePx_; }
+  double raySlopeAt(double row) const { return (horizonRow_ - row) / distancePx_; }
 
  private:
   Vec3 eye_;

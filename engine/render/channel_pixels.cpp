@@ -34,30 +34,30 @@ Rgb normalColor(const LitSurface* lit) {
   return {rounded(127.5 * (n.x + 1)), rounded(127.5 * (n.y + 1)), rounded(127.5 * (n.z + 1))};
 }
 
-Rgb uvColor(const SpanMapping& mapping, double measure, const Texture& image) {
-  const auto share = [](double x, int size) {
+Rgb uvColor(const SpanMapping& mapping, double parameter, const Texture& image) {
+  const auto fraction = [](double x, int size) {
     return static_cast<std::uint8_t>(255 * (x / size - std::floor(x / size)));
   };
-  const double v = mapping.isSky ? mapping.skyV(measure, image) : mapping.v.at(measure);
-  return {share(mapping.u.at(measure), image.width()), share(v, image.height()), 0};
+  const double v = mapping.isSky ? mapping.skyV(parameter, image) : mapping.v.at(parameter);
+  return {fraction(mapping.u.at(parameter), image.width()), fraction(v, image.height()), 0};
 }
 
-Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double measure) {
+Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double parameter) {
   if (!lightmap) return {};
   const auto level = [&](int channel) {
-    return rounded(lightmap->sample(mapping.s.at(measure), mapping.t.at(measure), channel));
+    return rounded(lightmap->sample(mapping.s.at(parameter), mapping.t.at(parameter), channel));
   };
   return {level(0), level(1), level(2)};
 }
 
 /// Metres.
-double depthOf(const SpanMapping& mapping, double measure) {
-  return mapping.isPlane ? measure : mapping.depth;
+double depthOf(const SpanMapping& mapping, double parameter) {
+  return mapping.isPlane ? parameter : mapping.depth;
 }
 
-bool isHole(const SpanMapping& mapping, double measure, const Texture& image) {
-  const int x = wrapped(mapping.u.at(measure), image.width());
-  const int y = wrapped(mapping.v.at(measure), image.height());
+bool isHole(const SpanMapping& mapping, double parameter, const Texture& image) {
+  const int x = wrapped(mapping.u.at(parameter), image.width());
+  const int y = wrapped(mapping.v.at(parameter), image.height());
   return (image.texels()[x * image.height() + y] & kHoleBit) != 0;
 }
 
@@ -77,14 +77,14 @@ std::span<T> rowsOf(const Span& span, std::span<T> rows) {
 }  // namespace
 
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
-                  std::span<const double> climbs, Strip& strip) {
+                  std::span<const double> raySlopes, Strip& strip) {
   const Material material = painter.materialOf(span.surface);
   const SpanMapping mapping = painter.mappingOf(material, span);
-  const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
+  const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
   if (hasHoles && channel == Channel::Overdraw) return;
   for (int row = span.rowBegin; row < span.rowEnd; ++row) {
-    const double measure = mapping.measureAt(climbs[static_cast<std::size_t>(row)]);
-    if (hasHoles && isHole(mapping, measure, material.image())) continue;
+    const double parameter = mapping.parameterAt(raySlopes[static_cast<std::size_t>(row)]);
+    if (hasHoles && isHole(mapping, parameter, material.image())) continue;
     Rgb pixel = colorOf(*strip.at(span.column, row));
     switch (channel) {
       case Channel::Sector:
@@ -94,16 +94,16 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = indexColor(span.surface.index());
         break;
       case Channel::Depth:
-        pixel = gray(255 / (1 + depthOf(mapping, measure)));
+        pixel = gray(255 / (1 + depthOf(mapping, parameter)));
         break;
       case Channel::Uv:
-        pixel = uvColor(mapping, measure, material.image());
+        pixel = uvColor(mapping, parameter, material.image());
         break;
       case Channel::Normal:
         pixel = normalColor(material.lit);
         break;
       case Channel::Light:
-        pixel = lightColor(material.lightmap, mapping, measure);
+        pixel = lightColor(material.lightmap, mapping, parameter);
         break;
       case Channel::Overdraw:
         pixel = pixel == kHole ? Rgb{0, 160, 0} : Rgb{255, 0, 0};
@@ -113,36 +113,36 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
   }
 }
 
-void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownTexel> column) {
   const Material material = painter.materialOf(span.surface);
   const SpanMapping mapping = painter.mappingOf(material, span);
-  const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
+  const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
   const auto surface = material.lit ? std::optional(span.surface) : std::nullopt;
   const std::span rows = rowsOf(span, column);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double measure = mapping.measureAt(rowsOf(span, climbs)[k]);
-    if (hasHoles && isHole(mapping, measure, material.image())) continue;
+    const double parameter = mapping.parameterAt(rowsOf(span, raySlopes)[k]);
+    if (hasHoles && isHole(mapping, parameter, material.image())) continue;
     rows[k].surface = surface;
-    const Vec2 texel{mapping.s.at(measure), mapping.t.at(measure)};
+    const Vec2 texel{mapping.s.at(parameter), mapping.t.at(parameter)};
     rows[k].texel = texel;
     rows[k].lines = {lineBefore(texel.x), lineBefore(texel.y)};
   }
 }
 
-void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownSurface> column) {
   const Material material = painter.materialOf(span.surface);
-  if (material.surface.kind == SurfaceKind::Middle) return;
+  if (material.surface.kind == SurfaceKind::MaskedMiddle) return;
   const SpanMapping mapping = painter.mappingOf(material, span);
   const std::span rows = rowsOf(span, column);
   for (std::size_t k = 0; k < rows.size(); ++k)
-    rows[k] = {span.surface, depthOf(mapping, mapping.measureAt(rowsOf(span, climbs)[k]))};
+    rows[k] = {span.surface, depthOf(mapping, mapping.parameterAt(rowsOf(span, raySlopes)[k]))};
 }
 
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double>,
                std::span<ShownTimes> column) {
-  if (painter.materialOf(span.surface).surface.kind == SurfaceKind::Middle) return;
+  if (painter.materialOf(span.surface).surface.kind == SurfaceKind::MaskedMiddle) return;
   for (ShownTimes& row : rowsOf(span, column)) ++row.times;
 }
 

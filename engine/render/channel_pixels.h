@@ -12,15 +12,15 @@ namespace hearth {
 
 /// Paints a span with a view of the renderer's own numbers.
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
-                  std::span<const double> climbs, Strip& strip);
+                  std::span<const double> raySlopes, Strip& strip);
 
 /// Notes what the rows of a span show in its column, for marks. Surfaces and times are those of
-/// what lies behind middle textures.
-void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+/// what lies behind masked middle textures.
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownTexel> column);
-void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownSurface> column);
-void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> climbs,
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownTimes> column);
 
 }  // namespace hearth

@@ -22,8 +22,8 @@ class SegmentMeetings {
   SegmentMeetings(const Projection& projection, const Segment& segment);
 
   struct Meeting {
-    double depth;  ///< > 0
-    double share;  ///< 0..1 of the way from p0 to p1
+    double depth;     ///< > 0
+    double fraction;  ///< 0..1 of the way from p0 to p1
   };
   /// By the ray with this slant (see Projection::slantOf).
   Meeting at(double slant) const;
@@ -38,7 +38,7 @@ class SegmentMeetings {
 struct ColumnHit {
   SegmentId segment;
   double depth;
-  double share;
+  double fraction;
 };
 
 }  // namespace hearth

@@ -23,8 +23,9 @@ double onWall(const Segment& segment, Vec2 ray, double depth, double w) {
   return w * depth * w * depth / std::abs(dot(ray, normal));
 }
 
-/// Of a plane h above the eye along a ray, on the map and 1 m deep. As the climb is h / d + rise,
-/// a row further down d changes by w d^2 / h, and a column further the place by w d: w^2 d^3 / h.
+/// Of a plane h above the eye along a ray, on the map and 1 m deep. As the slope of the view ray is
+/// h / d + rise, a row further down d changes by w d^2 / h, and a column further the place by w d:
+/// w^2 d^3 / h.
 double onPlane(double height, double w) { return w * w / std::abs(height); }
 
 /// Of a sky, in turns to the side by tangents of elevation. A ray of length r on the map turns by
@@ -51,14 +52,14 @@ Footprint::Footprint(const Level& level, const Projection& projection, const Spa
               density(level[span.surface].mapping, image)),
       growsWithDepth_(mapping.isPlane) {}
 
-double Footprint::texelsAt(double measure) const {
-  return growsWithDepth_ ? texels_ * measure * measure * measure : texels_;
+double Footprint::texelsAt(double parameter) const {
+  return growsWithDepth_ ? texels_ * parameter * parameter * parameter : texels_;
 }
 
-int Footprint::levelAt(double measure) const {
+int Footprint::levelAt(double parameter) const {
   // A texel of level n is 4^n of the full size; it is nearest from 4^(n - 1/2) on.
   constexpr double kMost = 0x1p60;
-  return (std::ilogb(std::clamp(texelsAt(measure), 1.0, kMost)) + 1) / 2;
+  return (std::ilogb(std::clamp(texelsAt(parameter), 1.0, kMost)) + 1) / 2;
 }
 
 }  // namespace hearth

@@ -15,11 +15,11 @@ class Footprint {
   Footprint(const Level& level, const Projection& projection, const Span& span,
             const Texture& image, const SpanMapping& mapping);
 
-  /// At one of the span's measures.
-  double texelsAt(double measure) const;
+  /// At one of the span's parameters.
+  double texelsAt(double parameter) const;
   /// The mip level whose texels are nearest to a pixel in area: 0 is the full size. It rises or
   /// falls along the span, but not both.
-  int levelAt(double measure) const;
+  int levelAt(double parameter) const;
 
  private:
   double texels_;        ///< under a pixel; of a plane 1 m deep

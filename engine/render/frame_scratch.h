@@ -25,7 +25,7 @@ struct FrameColumns {
 /// starting threads anew; each thread that draws needs its own. No frame depends on an earlier one.
 struct FrameScratch {
   std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
-  std::vector<double> climbs;             ///< of the centres of rows, see Projection::climbOf
+  std::vector<double> raySlopes;          ///< of the centres of rows, see Projection::raySlopeAt
   std::vector<Strip> strips;              ///< one for each part that threads take
   std::vector<PaintStats> stripsPainted;  ///< by the same parts
   PaintStats painted;                     ///< in the last frame

@@ -8,7 +8,7 @@
 
 namespace hearth {
 
-/// A part of a line, as shares of the way from its first end to its second.
+/// A part of a line, as fractions of the way from its first end to its second.
 struct LinePart {
   double from = 0;
   double to = 1;
@@ -35,8 +35,8 @@ inline std::optional<LinePart> insidePicture(Vec2 a, Vec2 b, int width, int heig
   return part;
 }
 
-/// Calls `plot(x, y, share)` for pixels along the line a -> b inside a picture of this size, one
-/// for each column or for each row, whichever are more. `share` is of the way from a to b.
+/// Calls `plot(x, y, fraction)` for pixels along the line a -> b inside a picture of this size, one
+/// for each column or for each row, whichever are more. `fraction` is of the way from a to b.
 template <typename Plot>
 void forEachPixelOfLine(Vec2 a, Vec2 b, int width, int height, Plot&& plot) {
   const std::optional<LinePart> part = insidePicture(a, b, width, height);
@@ -47,11 +47,11 @@ void forEachPixelOfLine(Vec2 a, Vec2 b, int width, int height, Plot&& plot) {
   const double longest = std::max(std::abs(end.x - start.x), std::abs(end.y - start.y));
   const int steps = static_cast<int>(std::min<double>(std::ceil(longest), width + height));
   for (int i = 0; i <= steps; ++i) {
-    const double share = steps == 0 ? 0 : static_cast<double>(i) / steps;
-    const Vec2 p = lerp(start, end, share);
+    const double fraction = steps == 0 ? 0 : static_cast<double>(i) / steps;
+    const Vec2 p = lerp(start, end, fraction);
     const int x = static_cast<int>(std::clamp(p.x, 0.0, width - 1.0));
     const int y = static_cast<int>(std::clamp(p.y, 0.0, height - 1.0));
-    plot(x, y, std::lerp(part->from, part->to, share));
+    plot(x, y, std::lerp(part->from, part->to, fraction));
   }
 }
 

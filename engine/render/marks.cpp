@@ -12,9 +12,9 @@ namespace hearth {
 
 namespace {
 
-Rgb mixed(Rgb a, Rgb b, double shareOfB) {
-  const auto channel = [shareOfB](double from, double to) {
-    return static_cast<std::uint8_t>(std::lround(std::lerp(from, to, shareOfB)));
+Rgb mixed(Rgb a, Rgb b, double fractionOfB) {
+  const auto channel = [fractionOfB](double from, double to) {
+    return static_cast<std::uint8_t>(std::lround(std::lerp(from, to, fractionOfB)));
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
 }
@@ -81,11 +81,11 @@ void markLines(const ShownTexel& shown, const ShownTexel& left, const ShownTexel
 // --- Coverage ------------------------------------------------------------------------------------
 
 constexpr Rgb kTwice = {255, 0, 0};
-constexpr double kShareLeft = 0.35;  // of the picture, so that no wall looks like a signal
+constexpr double kFractionLeft = 0.35;  // of the picture, so that no wall looks like a signal
 
 Rgb signalOf(int times, Rgb lit) {
   if (times == 0) return kHole;
-  return times == 1 ? mixed({}, lit, kShareLeft) : kTwice;
+  return times == 1 ? mixed({}, lit, kFractionLeft) : kTwice;
 }
 
 /// Calls `markPixel(pixel, shown, left, above)` for each pixel, with what it and its neighbours

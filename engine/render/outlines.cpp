@@ -25,8 +25,8 @@ const Segment& besideInLoop(const Level& level, SegmentId id, Neighbour side) {
   const Segment& segment = level[id];
   const Loop& loop = level[segment.sector].loops[segment.loop];
   const std::size_t place = id.index() - loop.first.index();
-  const std::size_t way = side == Neighbour::Right ? 1 : loop.count - 1;
-  return level[SegmentId(loop.first.index() + (place + way) % loop.count)];
+  const std::size_t offset = side == Neighbour::Right ? 1 : loop.count - 1;
+  return level[SegmentId(loop.first.index() + (place + offset) % loop.count)];
 }
 
 /// Of the edge of a wall. Where it ends at an opening, that is the opening's, too.

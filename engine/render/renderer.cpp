@@ -31,10 +31,10 @@ Workers& workersOf(FrameScratch& scratch, int threads) {
   return *scratch.workers;
 }
 
-void findClimbs(std::vector<double>& climbs, const Projection& projection, int height) {
-  climbs.clear();
+void findRaySlopes(std::vector<double>& raySlopes, const Projection& projection, int height) {
+  raySlopes.clear();
   const int rows = height + static_cast<int>(RowBatch::kMostLanes);
-  for (int row = 0; row < rows; ++row) climbs.push_back(projection.climbOf(row + 0.5));
+  for (int row = 0; row < rows; ++row) raySlopes.push_back(projection.raySlopeAt(row + 0.5));
 }
 
 /// How many squares of pixels cover so many pixels.
@@ -117,7 +117,7 @@ void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int col
                 ShownColumns<Shown>& shown) {
   shown.next();
   for (const Span& span : scratch.spansOf(column / Strip::kColumns))
-    if (span.column == column) noteShown(painter, span, scratch.climbs, shown.here());
+    if (span.column == column) noteShown(painter, span, scratch.raySlopes, shown.here());
 }
 
 /// Marks what is lit already.
@@ -195,7 +195,7 @@ void Renderer::paint(const Camera& camera, LightMode mode, FrameScratch& scratch
                      int threads) const {
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(level_, camera, pixelSize);
-  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
+  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.raySlopes);
   paintStrips(scratch, pixelSize, picture, threads, false,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
                 painter.paint(span, mode, batch, strip, stats);
@@ -215,10 +215,10 @@ Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
   fit(picture, camera);
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(level_, camera);
-  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
+  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.raySlopes);
   paintStrips(scratch, 1, picture, threads, true,
               [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
-                paintChannel(painter, span, channel, scratch.climbs, strip);
+                paintChannel(painter, span, channel, scratch.raySlopes, strip);
               });
   return picture;
 }
@@ -229,7 +229,7 @@ Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
   fit(picture, camera);
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(level_, camera);
-  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.climbs);
+  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.raySlopes);
   switch (marks) {
     case Marks::Texels:
       paintMarked<ShownTexel>(level_, painter, scratch, picture, threads);
@@ -255,7 +255,7 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
   };
   // By reference: a copy would take memory in every frame.
   workersOf(scratch, threads).run(scratch.parts.size(), std::cref(findPart));
-  findClimbs(scratch.climbs, projection, squares.height);
+  findRaySlopes(scratch.raySlopes, projection, squares.height);
 }
 
 }  // namespace hearth

@@ -41,12 +41,12 @@ HWY_INLINE Reals all(double value) {
   return hn::Set(hn::DFromV<Reals>(), static_cast<hn::TFromV<Reals>>(value));
 }
 
-HWY_INLINE Doubles at(const Affine& along, Doubles measure) {
-  return hn::Add(all<Doubles>(along.atZero), hn::Mul(measure, all<Doubles>(along.per)));
+HWY_INLINE Doubles at(const Affine& along, Doubles parameter) {
+  return hn::Add(all<Doubles>(along.atZero), hn::Mul(parameter, all<Doubles>(along.per)));
 }
 
-HWY_INLINE Doubles at(const ImageAxis& along, Doubles measure) {
-  const Doubles fromOrigin = hn::Sub(at(along.place, measure), all<Doubles>(along.origin));
+HWY_INLINE Doubles at(const ImageAxis& along, Doubles parameter) {
+  const Doubles fromOrigin = hn::Sub(at(along.place, parameter), all<Doubles>(along.origin));
   return hn::Sub(hn::Mul(fromOrigin, all<Doubles>(along.texelsPerPlace)),
                  all<Doubles>(along.offset));
 }
@@ -69,7 +69,7 @@ HWY_INLINE Doubles wholeTexels(Doubles x) { return hn::Floor(clamped(x, -0x1p50,
 struct Between {
   Doubles first;
   Doubles next;
-  Doubles share;
+  Doubles fraction;
 };
 
 /// An axis of an image that repeats.
@@ -78,12 +78,12 @@ class Repeating {
   Repeating(const ImageAxis& along, int size)
       : along_(along), alongFromFirst_(fromFirst(along)), size_(size), perTexel_(1.0 / size) {}
 
-  HWY_INLINE Doubles texel(Doubles measure) const {
-    return repeated(wholeTexels(at(along_, measure)));
+  HWY_INLINE Doubles texel(Doubles parameter) const {
+    return repeated(wholeTexels(at(along_, parameter)));
   }
 
-  HWY_INLINE Between between(Doubles measure) const {
-    const Doubles x = at(alongFromFirst_, measure);
+  HWY_INLINE Between between(Doubles parameter) const {
+    const Doubles x = at(alongFromFirst_, parameter);
     const Doubles whole = wholeTexels(x);
     const Doubles first = repeated(whole);
     const Doubles after = hn::Add(first, all<Doubles>(1));
@@ -123,9 +123,9 @@ class RepeatingByBits {
   RepeatingByBits(const ImageAxis& along, int size)
       : along_(along), last_(static_cast<std::uint32_t>(size - 1)) {}
 
-  HWY_INLINE LongWords texel(Doubles measure) const {
+  HWY_INLINE LongWords texel(Doubles parameter) const {
     // Of less than 2^51: added to it, they are the lowest bits of the sum, also those below zero.
-    const Doubles sum = hn::Add(wholeTexels(at(along_, measure)), all<Doubles>(0x1.8p52));
+    const Doubles sum = hn::Add(wholeTexels(at(along_, parameter)), all<Doubles>(0x1.8p52));
     return hn::And(hn::BitCast(kLongWord, sum), hn::Set(kLongWord, last_));
   }
 
@@ -150,15 +150,15 @@ class RepeatingInFixedPoint {
   RepeatingInFixedPoint(const ImageAxis& along, int size)
       : RepeatingInFixedPoint(along, size, kPlaces / size) {}
 
-  /// Whether it can tell the texels at measures of up to `mostMeasure`.
-  static bool holds(const ImageAxis& along, int size, double mostMeasure) {
-    const double places = std::abs(along.place.atZero) + std::abs(along.place.per) * mostMeasure +
+  /// Whether it can tell the texels at parameters of up to `mostMeasure`.
+  static bool holds(const ImageAxis& along, int size, double mostParameter) {
+    const double places = std::abs(along.place.atZero) + std::abs(along.place.per) * mostParameter +
                           std::abs(along.origin);
     return 1 < size && size <= 0x10000 &&
            places * std::abs(along.texelsPerPlace) + std::abs(along.offset) <= 0x1p20;
   }
 
-  /// The texels at as many measures as there are words.
+  /// The texels at as many parameters as there are words.
   HWY_INLINE Words texel(Doubles lower, Doubles upper) {
     const Words place = hn::ConcatEven(kWord, placeAt(upper), placeAt(lower));
     if constexpr (kIsPowerOfTwo) {
@@ -193,8 +193,9 @@ class RepeatingInFixedPoint {
         bits_(std::countr_zero(size_)),
         unsure_(2 * size_ + 16) {}
 
-  HWY_INLINE Words placeAt(Doubles measure) const {
-    return hn::BitCast(kWord, hn::Add(hn::Mul(measure, all<Doubles>(per_)), all<Doubles>(atZero_)));
+  HWY_INLINE Words placeAt(Doubles parameter) const {
+    return hn::BitCast(kWord,
+                       hn::Add(hn::Mul(parameter, all<Doubles>(per_)), all<Doubles>(atZero_)));
   }
 
   /// How far rows are past a texel, in 2^-32 of it.
@@ -218,12 +219,12 @@ class SkyRows {
   SkyRows(const ImageAxis& along, int size)
       : along_(along), alongFromFirst_(fromFirst(along)), size_(size) {}
 
-  HWY_INLINE Doubles texel(Doubles measure) const {
-    return hn::Floor(clamped(at(along_, measure), 0.5, size_ - 0.5));
+  HWY_INLINE Doubles texel(Doubles parameter) const {
+    return hn::Floor(clamped(at(along_, parameter), 0.5, size_ - 0.5));
   }
 
-  HWY_INLINE Between between(Doubles measure) const {
-    return betweenKept(at(alongFromFirst_, measure), size_);
+  HWY_INLINE Between between(Doubles parameter) const {
+    return betweenKept(at(alongFromFirst_, parameter), size_);
   }
 
  private:
@@ -238,8 +239,8 @@ class LightAxis {
   LightAxis(const Affine& along, int first, int size)
       : alongFromFirst_{along.atZero - (first + 0.5), along.per}, size_(size) {}
 
-  HWY_INLINE Between between(Doubles measure) const {
-    return betweenKept(at(alongFromFirst_, measure), size_);
+  HWY_INLINE Between between(Doubles parameter) const {
+    return betweenKept(at(alongFromFirst_, parameter), size_);
   }
 
  private:

@@ -45,8 +45,8 @@ struct RowBatch {
 
   std::size_t count;
   /// See SpanMapping. They rise or fall all along; kMostLanes more than there are rows can be read.
-  const double* measures;
-  Rows<double> depths;  ///< of planes: what `measures` points at
+  const double* parameters;
+  Rows<double> depths;  ///< of planes: what `parameters` points at
   Around texels;        ///< the upper left ones are all where nothing is mixed
   Between betweenTexels;
   Rows<std::uint64_t> lightTexels;  ///< of planes: the first byte of the upper left one of four
@@ -56,7 +56,7 @@ struct RowBatch {
   float acrossLightColumns;      ///< how far from its middle to that of the right one
   Rows<std::int32_t> lightRows;  ///< the upper ones
   Between betweenLightTexels;    ///< of what is upright only those down
-  /// The shares of a texture's red, green and blue that show, 0..1.
+  /// The fractions of a texture's red, green and blue that show, 0..1.
   std::array<Rows<float>, 3> shown;
   bool isEvenlyLit;  ///< what is shown in the first kMostLanes rows is shown in all
 };

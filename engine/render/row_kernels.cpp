@@ -46,9 +46,9 @@ HWY_INLINE void store(Doubles number, std::int32_t* to) {
   hn::Store(hn::DemoteTo(tag, number), tag, to);
 }
 
-HWY_INLINE void store(Doubles share, float* to) {
+HWY_INLINE void store(Doubles fraction, float* to) {
   const hn::Rebind<float, decltype(kDouble)> tag;
-  hn::Store(hn::DemoteTo(tag, share), tag, to);
+  hn::Store(hn::DemoteTo(tag, fraction), tag, to);
 }
 
 /// The first bytes of texels, of which each has so many.
@@ -59,23 +59,23 @@ HWY_INLINE void storeBytes(Doubles number, int bytes, std::uint64_t* to) {
   hn::Store(hn::Xor(bits, hn::BitCast(kLongWord, all<Doubles>(0x1p52))), kLongWord, to);
 }
 
-void findDepths(RowBatch& batch, const SpanMapping& mapping, const double* climbs) {
+void findDepths(RowBatch& batch, const SpanMapping& mapping, const double* raySlopes) {
   const Doubles farthest = all<Doubles>(mapping.depth);
   for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
-    const Doubles climb = hn::LoadU(kDouble, climbs + k);
+    const Doubles raySlope = hn::LoadU(kDouble, raySlopes + k);
     const Doubles found =
-        hn::Div(all<Doubles>(mapping.height), hn::Sub(climb, all<Doubles>(mapping.rise)));
+        hn::Div(all<Doubles>(mapping.height), hn::Sub(raySlope, all<Doubles>(mapping.rise)));
     const auto isInside = hn::And(hn::Ge(found, all<Doubles>(0)), hn::Lt(found, farthest));
     hn::Store(hn::IfThenElse(isInside, found, farthest), kDouble, &batch.depths[k]);
   }
-  batch.measures = batch.depths.data();
+  batch.parameters = batch.depths.data();
 }
 
 template <typename Columns, typename Rows>
 void findTexelsAlong(RowBatch& batch, int height, const Columns& columns, const Rows& rows) {
   for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
-    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
-    store(numberOf(columns.texel(measure), rows.texel(measure), height),
+    const Doubles parameter = hn::LoadU(kDouble, batch.parameters + k);
+    store(numberOf(columns.texel(parameter), rows.texel(parameter), height),
           &batch.texels.upperLeft[k]);
   }
 }
@@ -92,12 +92,12 @@ bool isPowerOfTwo(int size) { return std::has_single_bit(static_cast<unsigned>(s
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// `number(lower, upper)` for the measures of each half of a register.
+/// `number(lower, upper)` for the parameters of each half of a register.
 template <typename Number>
 void storeTexels(RowBatch& batch, const Number& number) {
   for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kFloat)) {
-    const Doubles lower = hn::LoadU(kDouble, batch.measures + k);
-    const Doubles upper = hn::LoadU(kDouble, batch.measures + k + hn::Lanes(kDouble));
+    const Doubles lower = hn::LoadU(kDouble, batch.parameters + k);
+    const Doubles upper = hn::LoadU(kDouble, batch.parameters + k + hn::Lanes(kDouble));
     store(number(lower, upper), &batch.texels.upperLeft[k]);
   }
 }
@@ -139,7 +139,7 @@ std::uint32_t columnOfAllRows(const ImageAxis& along, int width) {
 bool findTexelsInFixedPoint(RowBatch& batch, const SpanMapping& mapping, const Texture& image) {
   using Axis = RepeatingInFixedPoint<false>;
   const double most =
-      std::max(std::abs(batch.measures[0]), std::abs(batch.measures[batch.count - 1]));
+      std::max(std::abs(batch.parameters[0]), std::abs(batch.parameters[batch.count - 1]));
   const int height = image.height();
   if (mapping.isSky || !Axis::holds(mapping.v, height, most)) return false;
   const bool byBits = isPowerOfTwo(height);
@@ -172,15 +172,15 @@ template <typename Rows>
 void findTexelsAroundAlong(RowBatch& batch, int height, const Repeating& columns,
                            const Rows& rows) {
   for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
-    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
-    const Between across = columns.between(measure);
-    const Between down = rows.between(measure);
+    const Doubles parameter = hn::LoadU(kDouble, batch.parameters + k);
+    const Between across = columns.between(parameter);
+    const Between down = rows.between(parameter);
     store(numberOf(across.first, down.first, height), &batch.texels.upperLeft[k]);
     store(numberOf(across.next, down.first, height), &batch.texels.upperRight[k]);
     store(numberOf(across.first, down.next, height), &batch.texels.lowerLeft[k]);
     store(numberOf(across.next, down.next, height), &batch.texels.lowerRight[k]);
-    store(across.share, &batch.betweenTexels.across[k]);
-    store(down.share, &batch.betweenTexels.down[k]);
+    store(across.fraction, &batch.betweenTexels.across[k]);
+    store(down.fraction, &batch.betweenTexels.down[k]);
   }
 }
 
@@ -193,8 +193,9 @@ void findTexelsAround(RowBatch& batch, const SpanMapping& mapping, const Texture
 }
 
 /// All of the nearer texel where nothing is to be mixed.
-HWY_INLINE Doubles filtered(Doubles share, LightFilter filter) {
-  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(share, all<Doubles>(0.5))) : share;
+HWY_INLINE Doubles filtered(Doubles fraction, LightFilter filter) {
+  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(fraction, all<Doubles>(0.5)))
+                                        : fraction;
 }
 
 void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap& lightmap,
@@ -202,13 +203,13 @@ void findLightTexels(RowBatch& batch, const SpanMapping& mapping, const Lightmap
   const LightAxis columns(mapping.s, lightmap.rect.i0, lightmap.rect.width);
   const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
   for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
-    const Doubles measure = hn::LoadU(kDouble, batch.measures + k);
-    const Between across = columns.between(measure);
-    const Between down = rows.between(measure);
+    const Doubles parameter = hn::LoadU(kDouble, batch.parameters + k);
+    const Between across = columns.between(parameter);
+    const Between down = rows.between(parameter);
     storeBytes(numberOf(down.first, across.first, lightmap.rect.width), lightmap.channels,
                &batch.lightTexels[k]);
-    store(filtered(across.share, filter), &batch.betweenLightTexels.across[k]);
-    store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
+    store(filtered(across.fraction, filter), &batch.betweenLightTexels.across[k]);
+    store(filtered(down.fraction, filter), &batch.betweenLightTexels.down[k]);
   }
 }
 
@@ -218,12 +219,12 @@ void findLightRows(RowBatch& batch, const SpanMapping& mapping, const Lightmap& 
   const Between across = columns.between(all<Doubles>(0));
   batch.lightColumn = static_cast<std::size_t>(hn::GetLane(across.first)) *
                       static_cast<std::size_t>(lightmap.channels);
-  batch.acrossLightColumns = static_cast<float>(hn::GetLane(filtered(across.share, filter)));
+  batch.acrossLightColumns = static_cast<float>(hn::GetLane(filtered(across.fraction, filter)));
   const LightAxis rows(mapping.t, lightmap.rect.j0, lightmap.rect.height);
   for (std::size_t k = 0; k < batch.worked(); k += hn::Lanes(kDouble)) {
-    const Between down = rows.between(hn::LoadU(kDouble, batch.measures + k));
+    const Between down = rows.between(hn::LoadU(kDouble, batch.parameters + k));
     store(down.first, &batch.lightRows[k]);
-    store(filtered(down.share, filter), &batch.betweenLightTexels.down[k]);
+    store(filtered(down.fraction, filter), &batch.betweenLightTexels.down[k]);
   }
 }
 

@@ -11,8 +11,9 @@ namespace hearth {
 /// What is done with batches of rows, as many rows at once as the registers of a processor hold.
 /// Whatever the processor, the results are the same to the bit.
 struct RowKernels {
-  /// The depths on a plane at climbs, as measures. As many climbs can be read as measures.
-  void (*findDepths)(RowBatch& batch, const SpanMapping& mapping, const double* climbs);
+  /// The depths on a plane at ray slopes, as parameters. As many ray slopes can be read as
+  /// parameters.
+  void (*findDepths)(RowBatch& batch, const SpanMapping& mapping, const double* raySlopes);
   /// The texels of the image that the rows fall into.
   void (*findTexels)(RowBatch& batch, const SpanMapping& mapping, const Texture& image);
   /// The four texels of the image around the rows.

@@ -40,13 +40,14 @@ HWY_INLINE Channels channelsOf(Words texels) {
   return {channelOf<0>(texels), channelOf<8>(texels), channelOf<16>(texels)};
 }
 
-/// `share` of the way from `a` to `b`.
-HWY_INLINE Floats mixed(Floats a, Floats b, Floats share) {
-  return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
+/// `fraction` of the way from `a` to `b`.
+HWY_INLINE Floats mixed(Floats a, Floats b, Floats fraction) {
+  return hn::Add(a, hn::Mul(fraction, hn::Sub(b, a)));
 }
 
-HWY_INLINE Channels mixed(const Channels& a, const Channels& b, Floats share) {
-  return {mixed(a.red, b.red, share), mixed(a.green, b.green, share), mixed(a.blue, b.blue, share)};
+HWY_INLINE Channels mixed(const Channels& a, const Channels& b, Floats fraction) {
+  return {mixed(a.red, b.red, fraction), mixed(a.green, b.green, fraction),
+          mixed(a.blue, b.blue, fraction)};
 }
 
 /// What is shown of a texture: min(1, lightmap/255 + sector light).

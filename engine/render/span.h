@@ -16,9 +16,9 @@ struct Span {
   /// Depth in metres at which the column leaves the sector: that of an upright surface, and the
   /// farthest that a flat or slope can be.
   double depth;
-  double s = 0;      ///< upright: metres along the authored wall, for the texture
-  double share = 0;  ///< upright: of the way from the segment's p0 to its p1
-  double zRef = 0;   ///< upright: the absolute height at which v is 0
+  double s = 0;         ///< upright: metres along the authored wall, for the texture
+  double fraction = 0;  ///< upright: of the way from the segment's p0 to its p1
+  double zRef = 0;      ///< upright: the absolute height at which v is 0
 };
 
 /// Work of a frame's first phase, in the engine's own nouns.
@@ -31,7 +31,7 @@ struct FrameStats {
   std::size_t stackColumns = 0;  ///< of those, of walls that are stacks
   std::size_t slopeColumns = 0;  ///< of those, of walls along which floor or ceiling rises
   std::size_t spans = 0;
-  std::size_t middleSpans = 0;  ///< of those, of middle textures
+  std::size_t maskedMiddleSpans = 0;  ///< of those, of masked middle textures
 
   FrameStats& operator+=(const FrameStats& other) {
     viewports += other.viewports;
@@ -42,7 +42,7 @@ struct FrameStats {
     stackColumns += other.stackColumns;
     slopeColumns += other.slopeColumns;
     spans += other.spans;
-    middleSpans += other.middleSpans;
+    maskedMiddleSpans += other.maskedMiddleSpans;
     return *this;
   }
   friend bool operator==(const FrameStats&, const FrameStats&) = default;
@@ -68,7 +68,7 @@ struct PaintStats {
 };
 
 /// What shows where: every pixel of the frame lies in exactly one span of what has no holes. Those
-/// of middle textures come behind all of these, from far to near in each pixel.
+/// of masked middle textures come behind all of these, from far to near in each pixel.
 struct VisibleSpans {
   std::vector<Span> spans;
   FrameStats stats;

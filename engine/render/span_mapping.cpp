@@ -21,7 +21,7 @@ LightAxes uprightLightAxes(const Level& level, const Projection& projection, con
                            const LitSurface* lit) {
   if (!lit) return {};
   const Segment& segment = level[*level[span.surface].segment];
-  const Vec2 at = lerp(segment.p0, segment.p1, span.share);
+  const Vec2 at = lerp(segment.p0, segment.p1, span.fraction);
   const TexelGrid& grid = lit->grid;
   return {.s = {grid.toTexels({at.x, at.y, 0}).x, 0},
           .t = {projection.eye().z / grid.texel, span.depth / grid.texel}};
@@ -61,9 +61,9 @@ LightAxes planeLightAxes(const PlaneOverRay& plane, Vec3 eye, Vec2 ray, const Li
   if (!lit) return {};
   const TexelGrid& grid = lit->grid;
   const Vec2 atEye = grid.toTexels({eye.x, eye.y, plane.zAtEye});
-  const Vec3 way{ray.x, ray.y, plane.rise};
-  return {.s = {atEye.x, dot(way, grid.axisS) / grid.texel},
-          .t = {atEye.y, dot(way, grid.axisT) / grid.texel}};
+  const Vec3 direction{ray.x, ray.y, plane.rise};
+  return {.s = {atEye.x, dot(direction, grid.axisS) / grid.texel},
+          .t = {atEye.y, dot(direction, grid.axisT) / grid.texel}};
 }
 
 SpanMapping planeMapping(const Level& level, const Projection& projection, const Span& span,
@@ -93,12 +93,12 @@ SpanMapping skyMapping(const Level& level, const Projection& projection, const S
   const Vec2 ray = projection.rayOf(span.column + 0.5);
   const bool below =
       surface.kind == SurfaceKind::SkyFloor || surface.kind == SurfaceKind::SkyLowerStep;
-  const double tangentPerClimb = (below ? -1 : 1) / length(ray);
+  const double tangentPerRaySlope = (below ? -1 : 1) / length(ray);
   return {.isSky = true,
           .depth = std::numeric_limits<double>::infinity(),
           .u = constant(image.width() * (compassDegrees(ray) / 360) / texture.repeat.x -
                         texture.offsetTexels.x),
-          .v = {{0, tangentPerClimb},
+          .v = {{0, tangentPerRaySlope},
                 texture.repeat.y,
                 -image.height() / texture.repeat.y,
                 texture.offsetTexels.y}};

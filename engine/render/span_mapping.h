@@ -30,8 +30,8 @@ struct ImageAxis {
 };
 
 /// Where the rows of a span lie in space, on the texture and on the lightmap. The four texel
-/// coordinates change evenly along the span with one number, its measure: on flats and slopes the
-/// depth, on upright surfaces and sky the climb (see Projection::climbOf).
+/// coordinates change evenly along the span with one number, its parameter: on flats and slopes the
+/// depth, on upright surfaces and sky the slope of the view ray (see Projection::raySlopeAt).
 struct SpanMapping {
   bool isPlane = false;  ///< a flat or slope
   bool isSky = false;    ///< all else is upright
@@ -44,17 +44,17 @@ struct SpanMapping {
   Affine s{};  ///< in texels of the lightmap
   Affine t{};
 
-  double measureAt(double climb) const { return isPlane ? depthAt(climb) : climb; }
+  double parameterAt(double raySlope) const { return isPlane ? depthAt(raySlope) : raySlope; }
 
   /// Of a plane. Rounding at the horizon and at the far edge cannot leave the sector.
-  double depthAt(double climb) const {
-    const double found = height / (climb - rise);
+  double depthAt(double raySlope) const {
+    const double found = height / (raySlope - rise);
     return found >= 0 && found < depth ? found : depth;
   }
 
   /// v of a sky: beyond the image its edge rows go on.
-  double skyV(double climb, const Texture& image) const {
-    return std::max(0.5, std::min(v.at(climb), image.height() - 0.5));
+  double skyV(double raySlope, const Texture& image) const {
+    return std::max(0.5, std::min(v.at(raySlope), image.height() - 0.5));
   }
 };
 

@@ -24,11 +24,11 @@ void count(const Span& span, const Material& material, PaintStats& stats) {
 
 /// The size of the texture that fits the first row. Only the rows that it fits stay in the batch.
 const Texture& fitting(const MipMap& texture, const Footprint& footprint, RowBatch& batch) {
-  const int level = footprint.levelAt(batch.measures[0]);
-  const std::span measures(batch.measures, batch.count);
-  const auto fits = [&](double measure) { return footprint.levelAt(measure) == level; };
+  const int level = footprint.levelAt(batch.parameters[0]);
+  const std::span parameters(batch.parameters, batch.count);
+  const auto fits = [&](double parameter) { return footprint.levelAt(parameter) == level; };
   batch.count =
-      static_cast<std::size_t>(std::ranges::partition_point(measures, fits) - measures.begin());
+      static_cast<std::size_t>(std::ranges::partition_point(parameters, fits) - parameters.begin());
   return texture.level(level);
 }
 
@@ -46,7 +46,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
   count(span, material, stats);
   const SpanMapping mapping = mappingOf(material, span);
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
-  const bool hasHoles = material.surface.kind == SurfaceKind::Middle;
+  const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
   const TextureFilter filter = hasHoles ? TextureFilter::Nearest : settings_.textureFilter;
   std::optional<Footprint> footprint;
   if (filter == TextureFilter::Mipmapped && mode != LightMode::Only)
@@ -55,7 +55,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
     kernels_.showEvenly(batch, material.lightmap, material.sectorLight);
   for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(batch.count)) {
     batch.count = std::min(RowBatch::kRows, static_cast<std::size_t>(span.rowEnd - row));
-    findMeasures(row, mapping, batch);
+    findParameters(row, mapping, batch);
     const Texture& image =
         footprint ? fitting(material.texture, *footprint, batch) : material.image();
     if (mode != LightMode::Only || hasHoles)
@@ -69,12 +69,12 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
   }
 }
 
-void SpanPainter::findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const {
-  const double* const climbs = &climbs_[static_cast<std::size_t>(firstRow)];
+void SpanPainter::findParameters(int firstRow, const SpanMapping& mapping, RowBatch& batch) const {
+  const double* const raySlopes = &raySlopes_[static_cast<std::size_t>(firstRow)];
   if (mapping.isPlane)
-    kernels_.findDepths(batch, mapping, climbs);
+    kernels_.findDepths(batch, mapping, raySlopes);
   else
-    batch.measures = climbs;
+    batch.parameters = raySlopes;
 }
 
 void SpanPainter::findTexels(TextureFilter filter, const Texture& full, const Texture& image,

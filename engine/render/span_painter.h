@@ -32,17 +32,17 @@ struct Material {
 /// with one painter, each its own columns.
 class SpanPainter {
  public:
-  /// All must outlive the painter. `climbs` are Projection::climbOf the centres of all rows, and of
-  /// RowBatch::kMostLanes below the picture.
+  /// All must outlive the painter. `raySlopes` are Projection::raySlopeAt the centres of all rows,
+  /// and of RowBatch::kMostLanes below the picture.
   SpanPainter(const Level& level, const std::vector<MipMap>& textures, const BakedLight& light,
               const DrawSettings& settings, const Projection& projection,
-              std::span<const double> climbs)
+              std::span<const double> raySlopes)
       : level_(level),
         textures_(textures),
         light_(light),
         settings_(settings),
         projection_(projection),
-        climbs_(climbs) {}
+        raySlopes_(raySlopes) {}
 
   /// Uses `batch` for what it works out, and adds to `stats` what it did.
   void paint(const Span& span, LightMode mode, RowBatch& batch, Strip& strip,
@@ -55,7 +55,7 @@ class SpanPainter {
 
  private:
   double sectorLightOn(const Surface& surface) const;
-  void findMeasures(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
+  void findParameters(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
   /// Of the image, which is the full texture or a size of it, on which `mapping` is.
   void findTexels(TextureFilter filter, const Texture& full, const Texture& image,
                   const SpanMapping& mapping, RowBatch& batch) const;
@@ -71,7 +71,7 @@ class SpanPainter {
   const BakedLight& light_;
   const DrawSettings& settings_;
   const Projection& projection_;
-  std::span<const double> climbs_;
+  std::span<const double> raySlopes_;
   const RowKernels& kernels_ = rowKernels();
 };
 

@@ -24,7 +24,7 @@ class StripSpans {
     firstStrip_ = columns.begin / Strip::kColumns;
     begin_.assign(strips + 2, 0);
     pixels_.assign(strips, 0);
-    const std::size_t withoutHoles = spans.size() - found.stats.middleSpans;
+    const std::size_t withoutHoles = spans.size() - found.stats.maskedMiddleSpans;
     for (std::size_t i = 0; i < spans.size(); ++i) {
       const std::size_t strip = stripOf(spans[i]);
       ++begin_[strip + 2];

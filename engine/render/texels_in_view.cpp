@@ -49,8 +49,8 @@ TexelRect readIn(const Reads& reads, const TexelRect& all) {
 void addEnds(const SpanMapping& mapping, const Projection& projection, const Span& span,
              std::map<SurfaceId, Reads>& reads) {
   for (const int row : {span.rowBegin, span.rowEnd - 1}) {
-    const double measure = mapping.measureAt(projection.climbOf(row + 0.5));
-    const Vec2 place{mapping.s.at(measure), mapping.t.at(measure)};
+    const double parameter = mapping.parameterAt(projection.raySlopeAt(row + 0.5));
+    const Vec2 place{mapping.s.at(parameter), mapping.t.at(parameter)};
     reads.try_emplace(span.surface, Reads{place, place}).first->second.add(place);
   }
 }

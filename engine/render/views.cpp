@@ -23,7 +23,7 @@ constexpr Rgb kAxis = {52, 58, 80};
 constexpr Rgb kEye = {96, 200, 255};
 constexpr Rgb kFieldOfView = {48, 120, 176};
 
-/// Share of the picture's shorter side that stays free round a plan.
+/// Fraction of the picture's shorter side that stays free round a plan.
 constexpr double kMargin = 0.06;
 
 /// Metres of depth. Where 1/depth is drawn, which has no end, what is nearer than authors can mean
@@ -51,9 +51,9 @@ void drawEye(Image& image, Vec2 p) {
 /// Walls that lead on come last: they stay visible where they share a line with others.
 template <typename Draw>
 void forWallsThenWaysOn(const Level& level, Draw&& draw) {
-  for (const bool ways : {false, true})
+  for (const bool areOpen : {false, true})
     for (const Segment& segment : level.segments)
-      if (leadsOn(segment) == ways) draw(segment);
+      if (leadsOn(segment) == areOpen) draw(segment);
 }
 
 /// Half the width of the field of view at a depth of one metre.
@@ -67,8 +67,8 @@ struct ViewedSegment {
   CameraPoint p1;
   std::optional<LinePart> part;
 
-  CameraPoint at(double share) const {
-    return {std::lerp(p0.depth, p1.depth, share), std::lerp(p0.lateral, p1.lateral, share)};
+  CameraPoint at(double fraction) const {
+    return {std::lerp(p0.depth, p1.depth, fraction), std::lerp(p0.lateral, p1.lateral, fraction)};
   }
 };
 
@@ -150,9 +150,9 @@ Extent extentInView(const Level& level, const Projection& projection, double edg
     if (!counts(segment)) continue;
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (!seen.part) continue;
-    for (const double share : {seen.part->from, seen.part->to}) {
-      extent.depth = std::max(extent.depth, seen.at(share).depth);
-      extent.lateral = std::max(extent.lateral, std::abs(seen.at(share).lateral));
+    for (const double fraction : {seen.part->from, seen.part->to}) {
+      extent.depth = std::max(extent.depth, seen.at(fraction).depth);
+      extent.lateral = std::max(extent.lateral, std::abs(seen.at(fraction).lateral));
     }
   }
   return extent;
@@ -273,8 +273,8 @@ Image drawDepthSpace(const Level& level, const Camera& camera, const Projection&
   double nearest = 0;  // the greatest 1/depth, which goes to the lower edge
   forSegmentsInView(level, camera, projection, shown, kNearPlane,
                     [&](const Segment&, const ViewedSegment& seen) {
-                      for (const double share : {seen.part->from, seen.part->to})
-                        nearest = std::max(nearest, 1 / seen.at(share).depth);
+                      for (const double fraction : {seen.part->from, seen.part->to})
+                        nearest = std::max(nearest, 1 / seen.at(fraction).depth);
                     });
 
   const double top = kMargin * camera.height;  // where 1/depth is 0
@@ -283,8 +283,8 @@ Image drawDepthSpace(const Level& level, const Camera& camera, const Projection&
   drawLine(image, {camera.width / 2.0, 0}, {camera.width / 2.0, image.height() + 0.0}, kAxis);
   forSegmentsInView(level, camera, projection, shown, kNearPlane,
                     [&](const Segment& segment, const ViewedSegment& seen) {
-                      const auto toPicture = [&](double share) {
-                        const CameraPoint p = seen.at(share);
+                      const auto toPicture = [&](double fraction) {
+                        const CameraPoint p = seen.at(fraction);
                         return Vec2{projection.columnOf(p), top + scale / p.depth};
                       };
                       drawLine(image, toPicture(seen.part->from), toPicture(seen.part->to),
@@ -295,9 +295,9 @@ Image drawDepthSpace(const Level& level, const Camera& camera, const Projection&
 
 // --- Screen ----------------------------------------------------------------------------------
 
-/// Where a line begins or ends: at a share of the way along a segment, at a height.
+/// Where a line begins or ends: at a fraction of the way along a segment, at a height.
 struct LineEnd {
-  double share;
+  double fraction;
   double z;
 };
 
@@ -310,8 +310,10 @@ class SegmentEdges {
 
   void visit() const {
     const Sector& sector = level_[segment_.sector];
-    along(colorOf(sector.floor), 1, [&](double share) { return airAt(segment_, share).zBottom; });
-    along(colorOf(sector.ceiling), 1, [&](double share) { return airAt(segment_, share).zTop; });
+    along(colorOf(sector.floor), 1,
+          [&](double fraction) { return airAt(segment_, fraction).zBottom; });
+    along(colorOf(sector.ceiling), 1,
+          [&](double fraction) { return airAt(segment_, fraction).zTop; });
     if (part_.from == 0) upright(0);
     if (part_.to == 1) upright(1);
     for (std::size_t i = 1; i < segment_.pieces.size(); ++i) borderBelow(segment_.pieces[i]);
@@ -322,8 +324,8 @@ class SegmentEdges {
  private:
   /// Between two parts of a stack; frames of openings come over it. Slopes may bend it.
   void borderBelow(const WallPiece& piece) const {
-    along(kFlatPortalColor, segment_.airRises ? kBentPieces : 1, [&](double share) {
-      const AirColumn air = airAt(segment_, share);
+    along(kFlatPortalColor, segment_.airRises ? kBentPieces : 1, [&](double fraction) {
+      const AirColumn air = airAt(segment_, fraction);
       return std::clamp(piece.zBottom, air.zBottom, air.zTop);
     });
   }
@@ -331,17 +333,17 @@ class SegmentEdges {
   /// The lower and upper edge of an opening. They may bend where two slopes cross.
   void frame(const WallPiece& piece, const Opening& opening) const {
     const Segment& twin = level_[opening.twin];
-    const auto span = [&](double share) {
-      return openingSpan(piece, airAt(segment_, share), airAt(twin, 1 - share));
+    const auto span = [&](double fraction) {
+      return openingSpan(piece, airAt(segment_, fraction), airAt(twin, 1 - fraction));
     };
     const int pieces = segment_.airRises || twin.airRises ? kBentPieces : 1;
-    along(kWayOnColor, pieces, [&](double share) { return span(share).zBottom; });
-    along(kWayOnColor, pieces, [&](double share) { return span(share).zTop; });
+    along(kWayOnColor, pieces, [&](double fraction) { return span(fraction).zBottom; });
+    along(kWayOnColor, pieces, [&](double fraction) { return span(fraction).zTop; });
   }
 
-  void upright(double share) const {
-    const AirColumn air = airAt(segment_, share);
-    draw_(LineEnd{share, air.zBottom}, LineEnd{share, air.zTop}, colorOf(segment_));
+  void upright(double fraction) const {
+    const AirColumn air = airAt(segment_, fraction);
+    draw_(LineEnd{fraction, air.zBottom}, LineEnd{fraction, air.zTop}, colorOf(segment_));
   }
 
   template <typename Height>
@@ -366,13 +368,13 @@ template <typename Plot>
 void plotEdges(const Level& level, const Projection& projection, const Camera& camera,
                const Segment& segment, const ViewedSegment& seen, Plot&& plot) {
   const auto draw = [&](LineEnd from, LineEnd to, Rgb color) {
-    const CameraPoint a = seen.at(from.share);
-    const CameraPoint b = seen.at(to.share);
+    const CameraPoint a = seen.at(from.fraction);
+    const CameraPoint b = seen.at(to.fraction);
     const Vec2 onScreenA{projection.columnOf(a), projection.rowOf(from.z, a.depth)};
     const Vec2 onScreenB{projection.columnOf(b), projection.rowOf(to.z, b.depth)};
     forEachPixelOfLine(onScreenA, onScreenB, camera.width, camera.height,
-                       [&](int x, int y, double share) {
-                         plot(x, y, 1 / std::lerp(1 / a.depth, 1 / b.depth, share), color);
+                       [&](int x, int y, double fraction) {
+                         plot(x, y, 1 / std::lerp(1 / a.depth, 1 / b.depth, fraction), color);
                        });
   };
   SegmentEdges(level, segment, *seen.part, draw).visit();
@@ -402,8 +404,8 @@ constexpr double kHalfBright = 20;
 constexpr double kLeastBright = 0.25;
 
 Rgb faded(Rgb color, double depth) {
-  const double share = std::max(kLeastBright, kHalfBright / (kHalfBright + depth));
-  const auto fade = [share](std::uint8_t c) { return static_cast<std::uint8_t>(share * c); };
+  const double fraction = std::max(kLeastBright, kHalfBright / (kHalfBright + depth));
+  const auto fade = [fraction](std::uint8_t c) { return static_cast<std::uint8_t>(fraction * c); };
   return {fade(color.r), fade(color.g), fade(color.b)};
 }
 

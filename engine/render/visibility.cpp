@@ -40,7 +40,7 @@ class Visibility {
       else
         lookAtLast(flatPortals_);
     }
-    addMiddles();
+    addMaskedMiddles();
     found_.stats.spans = found_.spans.size();
   }
 
@@ -48,7 +48,7 @@ class Visibility {
   void start() {
     found_.spans.clear();
     found_.stats = {};
-    scratch_.middles.clear();
+    scratch_.maskedMiddles.clear();
     Viewport first{camera_.sector, std::nullopt, noWindows()};
     for (int column = columns_.begin; column < columns_.end; ++column)
       first.windows.push_back({column, 0, camera_.height, 0});
@@ -56,9 +56,10 @@ class Visibility {
   }
 
   /// What lies behind an opening is looked at after it, so that nearer ones were found before.
-  void addMiddles() {
-    found_.spans.insert(found_.spans.end(), scratch_.middles.rbegin(), scratch_.middles.rend());
-    found_.stats.middleSpans = scratch_.middles.size();
+  void addMaskedMiddles() {
+    found_.spans.insert(found_.spans.end(), scratch_.maskedMiddles.rbegin(),
+                        scratch_.maskedMiddles.rend());
+    found_.stats.maskedMiddleSpans = scratch_.maskedMiddles.size();
   }
 
   /// Takes the last off a stack; looking may put more there.
@@ -116,8 +117,8 @@ class Visibility {
       if (begin == end) continue;
       const SegmentMeetings meetings(projection_, level_[segment]);
       for (std::size_t k = begin; k < end; ++k) {
-        const auto [depth, share] = meetings.at(projection_.slantOf(windows[k].column + 0.5));
-        met(k, ColumnHit{segment, depth, share});
+        const auto [depth, fraction] = meetings.at(projection_.slantOf(windows[k].column + 0.5));
+        met(k, ColumnHit{segment, depth, fraction});
       }
     }
   }
@@ -159,7 +160,7 @@ class Visibility {
                   std::size_t firstNewFlat) {
     const Sector& sector = level_[id];
     const Segment& segment = level_[hit.segment];
-    const AirColumn air = airAt(segment, hit.share);
+    const AirColumn air = airAt(segment, hit.fraction);
     const int wallTop = rowIn(window, air.zTop, hit.depth);
     const int wallBottom = std::max(wallTop, rowIn(window, air.zBottom, hit.depth));
     const Window above{window.column, window.top, wallTop, hit.depth};
@@ -191,7 +192,7 @@ class Visibility {
                 std::size_t firstNew) {
     countColumn(segment);
     visitWallColumn(
-        level_, segment, hit.share,
+        level_, segment, hit.fraction,
         [&](SurfaceId surface, double zBottom, double zTop) {
           const int top = rowIn(window, zTop, hit.depth);
           const int bottom = rowIn(window, zBottom, hit.depth);
@@ -210,13 +211,13 @@ class Visibility {
   void showOpening(const Opening& opening, const Window& window, const ColumnHit& hit,
                    std::size_t firstNew) {
     viewportBehind(opening, firstNew).windows.push_back(window);
-    if (!opening.middle) return;
-    const Surface& middle = level_[*opening.middle];
+    if (!opening.maskedMiddle) return;
+    const Surface& middle = level_[*opening.maskedMiddle];
     const int top = rowIn(window, middle.zTop, hit.depth);
     const int bottom = rowIn(window, middle.zBottom, hit.depth);
     if (top < bottom)
-      scratch_.middles.push_back(
-          uprightSpan(*opening.middle, {window.column, top, bottom, hit.depth}, hit));
+      scratch_.maskedMiddles.push_back(
+          uprightSpan(*opening.maskedMiddle, {window.column, top, bottom, hit.depth}, hit));
   }
 
   void countColumn(const Segment& segment) {
@@ -229,13 +230,13 @@ class Visibility {
     const Surface& surface = level_[id];
     const Segment& segment = level_[hit.segment];
     Span span{window.column, window.top, window.bottom, id, hit.depth};
-    span.share = hit.share;
-    span.s = segment.sBefore + hit.share * segment.length;
+    span.fraction = hit.fraction;
+    span.s = segment.sBefore + hit.fraction * segment.length;
     if (isSidewall(surface.kind)) {
       // A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
       const Segment& far = level_[twinOf(segment, id)];
-      span.s = far.sAfter + hit.share * far.length;
-      const AirColumn edge = airAt(far, 1 - hit.share);
+      span.s = far.sAfter + hit.fraction * far.length;
+      const AirColumn edge = airAt(far, 1 - hit.fraction);
       span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
     }
     if (surface.mapping.zRef) span.zRef = *surface.mapping.zRef;

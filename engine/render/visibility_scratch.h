@@ -64,8 +64,8 @@ class SpareWindows {
 /// What the search for visible spans works in. Kept from frame to frame, it takes no more memory
 /// once it has grown to what frames need.
 struct VisibilityScratch {
-  VisibleSpans found;         ///< of the last frame
-  std::vector<Span> middles;  ///< of the present frame, as they are found: near to far
+  VisibleSpans found;               ///< of the last frame
+  std::vector<Span> maskedMiddles;  ///< of the present frame, as they are found: near to far
 
   std::vector<Viewport> viewports;
   std::vector<FlatPortalView> flatPortals;

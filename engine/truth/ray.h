@@ -12,9 +12,9 @@ struct Ray {
   /// direction's own rounding: what exact predicates take for the ray. The origin for vertical
   /// rays.
   Vec2 farPoint;
-  /// Of light: the segment whose middle texture it is to arrive at, whether or not that has a hole
-  /// there.
-  std::optional<SegmentId> litMiddle = std::nullopt;
+  /// Of light: the segment whose masked middle texture it is to arrive at, whether or not that has
+  /// a hole there.
+  std::optional<SegmentId> litMaskedMiddle = std::nullopt;
 
   Vec3 at(double t) const { return origin + t * direction; }
 };

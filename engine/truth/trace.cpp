@@ -187,7 +187,7 @@ std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, 
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
                                    const SurfacePoint& to) {
   Ray ray = makeRay(origin, to.point - origin, RayKind::Light);
-  if (to.kind == SurfaceKind::Middle) ray.litMiddle = to.segment;
+  if (to.kind == SurfaceKind::MaskedMiddle) ray.litMaskedMiddle = to.segment;
   const auto end = follow(level, sector, ray, kNever);
   const TruthHit* hit = std::get_if<TruthHit>(&end);
   return hit ? std::optional(*hit) : std::nullopt;

@@ -29,8 +29,8 @@ struct TruthHit : SurfacePoint {
 
 enum class RayKind {
   Look,   ///< ends at skies
-  Light,  ///< passes skies, beyond which the sides of sky sectors go on without end; middle
-          ///< textures stop it from either side
+  Light,  ///< passes skies, beyond which the sides of sky sectors go on without end; masked
+          ///< middle textures stop it from either side
 };
 
 /// Follows the ray from `origin` through portals, stacks and flat portals to the first surface that
@@ -43,8 +43,8 @@ enum class RayKind {
 std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                               RayKind kind);
 
-/// What light from `origin`, as above, meets first on its way to a point of a surface. A middle
-/// texture is met at that point even if it has a hole there.
+/// What light from `origin`, as above, meets first on its way to a point of a surface. A masked
+/// middle texture is met at that point even if it has a hole there.
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
                                    const SurfacePoint& to);
 

@@ -32,9 +32,9 @@ double spread(int index, int base) {
 }  // namespace
 
 TruthSource::TruthSource(const Level& level, const LightSource& light, int ballPoints)
-    : level_(level), middle_{rayOrigin(level, light), light.sector} {
+    : level_(level), center_{rayOrigin(level, light), light.sector} {
   if (light.radius == 0) {
-    origins_ = {middle_};
+    origins_ = {center_};
     return;
   }
   count_ = 0;
@@ -42,13 +42,13 @@ TruthSource::TruthSource(const Level& level, const LightSource& light, int ballP
     const Vec3 p{spread(i, 2), spread(i, 3), spread(i, 5)};
     if (dot(p, p) > 1) continue;
     ++count_;
-    const Vec3 point = middle_.point + light.radius * p;
-    if (const auto sector = sectorAt(level, light.sector, middle_.point, point))
+    const Vec3 point = center_.point + light.radius * p;
+    if (const auto sector = sectorAt(level, light.sector, center_.point, point))
       origins_.push_back({point, *sector});
   }
 }
 
-double TruthSource::seenShare(const SurfacePoint& place) const {
+double TruthSource::seenFraction(const SurfacePoint& place) const {
   const auto seen =
       std::ranges::count_if(origins_, [&](const Origin& origin) { return sees(origin, place); });
   return static_cast<double>(seen) / count_;
@@ -74,7 +74,7 @@ std::optional<TruthHit> TruthSource::firstMet(const SurfacePoint& place) const {
     std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
     return met && isSameSurface(*met, place) ? std::nullopt : met;
   };
-  std::optional<TruthHit> met = metFrom(middle_);
+  std::optional<TruthHit> met = metFrom(center_);
   for (std::size_t i = 0; i < origins_.size() && !met; ++i) met = metFrom(origins_[i]);
   return met;
 }
@@ -87,17 +87,17 @@ Vec3 TruthLight::at(const SurfacePoint& place) const {
   Vec3 sum;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const LightSource& light = level_.lights[i];
-    sum = sum + from(i, place) * Vec3{light.share(0), light.share(1), light.share(2)};
+    sum = sum + from(i, place) * Vec3{light.fraction(0), light.fraction(1), light.fraction(2)};
   }
   return sum;
 }
 
 double TruthLight::from(std::size_t light, const SurfacePoint& place) const {
-  return unshaded(light, place) * seenShare(light, place);
+  return unshaded(light, place) * seenFraction(light, place);
 }
 
-double TruthLight::seenShare(std::size_t light, const SurfacePoint& place) const {
-  return sources_[light].seenShare(place);
+double TruthLight::seenFraction(std::size_t light, const SurfacePoint& place) const {
+  return sources_[light].seenFraction(place);
 }
 
 double TruthLight::unshaded(std::size_t light, const SurfacePoint& place) const {

@@ -12,15 +12,15 @@ class TruthSource {
   /// Keeps a reference to the level. A ball of light is so many points.
   TruthSource(const Level& level, const LightSource& light, int ballPoints);
 
-  /// Which share of it sees the point, 0..1.
-  double seenShare(const SurfacePoint& place) const;
+  /// Which fraction of it sees the point, 0..1.
+  double seenFraction(const SurfacePoint& place) const;
 
   /// What a light would add in levels (255 is full) if it were white and nothing stood between, to
   /// a point that need not lie on a surface; 0 in the plane of the light. Multiplied by the cosine
   /// at the surface with `lambert`.
   static double unshaded(const LightSource& light, const SurfacePoint& place, bool lambert);
 
-  /// What its light meets first on the way to the point, from its middle or, where nothing stops it
+  /// What its light meets first on the way to the point, from its center or, where nothing stops it
   /// there, from the first point of a ball that something does. None where nothing does, but skies.
   std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
 
@@ -34,8 +34,8 @@ class TruthSource {
   bool sees(const Origin& origin, const SurfacePoint& place) const;
 
   const Level& level_;
-  Origin middle_;
-  /// Many points of a ball, all alike; one of a point. What of a ball its middle does not see
+  Origin center_;
+  /// Many points of a ball, all alike; one of a point. What of a ball its center does not see
   /// counts as points that shine nowhere.
   std::vector<Origin> origins_;
   int count_ = 1;  ///< with those that shine nowhere
@@ -45,7 +45,7 @@ class TruthSource {
 /// reference for bakes.
 class TruthLight {
  public:
-  /// Of a ball. The share of it that lies before a plane is right within 0.4 % then.
+  /// Of a ball. The fraction of it that lies before a plane is right within 0.4 % then.
   static constexpr int kBallPoints = 20000;
 
   /// Keeps a reference to the level. A ball of light is so many points.
@@ -59,8 +59,8 @@ class TruthLight {
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
 
-  /// Which share of it sees the point, 0..1.
-  double seenShare(std::size_t light, const SurfacePoint& place) const;
+  /// Which fraction of it sees the point, 0..1.
+  double seenFraction(std::size_t light, const SurfacePoint& place) const;
 
   /// What it would add if nothing stood between, to a point that need not lie on a surface; 0 in
   /// the plane of the light.

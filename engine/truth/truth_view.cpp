@@ -61,12 +61,12 @@ Vec3 TruthView::textureColor(const TruthHit& hit) const {
   return {static_cast<double>(color.r), static_cast<double>(color.g), static_cast<double>(color.b)};
 }
 
-/// The shares of a texture's red, green and blue that show.
+/// The fractions of a texture's red, green and blue that show.
 Vec3 TruthView::lightOn(const TruthHit& hit) const {
   const Vec3 baked = light_.at(hit);
   const double sector = level_[hit.sector].light;
-  const auto share = [&](double level) { return std::min(1.0, level / 255 + sector); };
-  return {share(baked.x), share(baked.y), share(baked.z)};
+  const auto fraction = [&](double level) { return std::min(1.0, level / 255 + sector); };
+  return {fraction(baked.x), fraction(baked.y), fraction(baked.z)};
 }
 
 TruthPixel TruthView::pixel(double i, double j, TruthLightMode mode) const {

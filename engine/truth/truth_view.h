@@ -17,7 +17,7 @@ enum class TruthLightMode {
 struct TruthPixel {
   Rgb color;   ///< rounded half up
   Vec3 exact;  ///< red, green, blue before rounding, 0..255
-  Vec3 light;  ///< their shares, 0..1, by which light multiplies; 1 of sky, and without light
+  Vec3 light;  ///< their fractions, 0..1, by which light multiplies; 1 of sky, and without light
   TruthHit hit;
 };
 

@@ -62,7 +62,8 @@ class Meeting {
 
   std::variant<TruthHit, Passage> result() const {
     if (const Portal* portal = std::get_if<Portal>(&part_.kind)) {
-      if (ray_.litMiddle == id_ && portal->middle) return middleAt(id_, part_, *portal->middle, 0);
+      if (ray_.litMaskedMiddle == id_ && portal->maskedMiddle)
+        return maskedMiddleAt(id_, part_, *portal->maskedMiddle, 0);
       return throughPortal(*portal);
     }
     return hit(part_.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid,
@@ -141,28 +142,29 @@ class Meeting {
 
   /// What hangs in the opening. That on the other side stops light, too, and is not lit by it.
   std::optional<TruthHit> hangingIn(SegmentId twin, const Sector& next) const {
-    if (const auto seen = middle(id_, part_, next.ceiling.z)) return seen;
+    if (const auto seen = maskedMiddle(id_, part_, next.ceiling.z)) return seen;
     if (!isLight()) return std::nullopt;
     const Segment& far = level_[twin];
     const WallPart part = partAt(far, level_[far.sector], point_.z);
     const Portal* back = std::get_if<Portal>(&part.kind);
     if (!back || back->next != segment_.sector) return std::nullopt;
-    return middle(twin, part, sector_.ceiling.z);
+    return maskedMiddle(twin, part, sector_.ceiling.z);
   }
 
   /// What hangs in the opening of a part of `side`, behind which is a ceiling: but for its holes.
-  std::optional<TruthHit> middle(SegmentId side, const WallPart& part, double zBehind) const {
-    const auto& texture = std::get<Portal>(part.kind).middle;
+  std::optional<TruthHit> maskedMiddle(SegmentId side, const WallPart& part, double zBehind) const {
+    const auto& texture = std::get<Portal>(part.kind).maskedMiddle;
     if (!texture) return std::nullopt;
-    const TruthHit found = middleAt(side, part, *texture, zBehind);
+    const TruthHit found = maskedMiddleAt(side, part, *texture, zBehind);
     const double down = found.imageMetres.y;
     if (down < 0 || down > texture->repeat.y || isHole(found)) return std::nullopt;
     return found;
   }
 
-  TruthHit middleAt(SegmentId side, const WallPart& part, const TextureMapping& texture,
-                    double zBehind) const {
-    return hitOn(side, SurfaceKind::Middle, part.index, texture, std::min(part.zTop, zBehind));
+  TruthHit maskedMiddleAt(SegmentId side, const WallPart& part, const TextureMapping& texture,
+                          double zBehind) const {
+    return hitOn(side, SurfaceKind::MaskedMiddle, part.index, texture,
+                 std::min(part.zTop, zBehind));
   }
 
   bool isHole(const TruthHit& found) const {

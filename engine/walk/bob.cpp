@@ -15,7 +15,7 @@ namespace {
 constexpr double kLiftOfEyeHeight = 1.0 / 25;
 
 constexpr double kFullSwing = 5;   // m/s, running
-constexpr double kGrip = 1.0 / 8;  // share of what the swing lacks that a tick makes up for
+constexpr double kGrip = 1.0 / 8;  // fraction of what the swing lacks that a tick makes up for
 
 double eyeHeight(const Level& level) { return bodyOf(level, 0).eyeHeight; }
 
@@ -27,10 +27,10 @@ Gait walkedOn(const Gait& gait, const Walker& before, const Walker& after) {
   return {gait.stride + metres, gait.swing + kGrip * (swing - gait.swing)};
 }
 
-Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double share) {
+Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double fraction) {
   const double height = eyeHeight(level);
   const double turn = 360 * std::fmod(gait.stride / height, 1.0);
-  const double lift = share * gait.swing * kLiftOfEyeHeight * height * sinCosDegrees(turn).sin;
+  const double lift = fraction * gait.swing * kLiftOfEyeHeight * height * sinCosDegrees(turn).sin;
   const Vec2 p = eye.point.xy();
   const Sector& sector = level[eye.sector];
   Eye lifted = eye;

@@ -18,15 +18,15 @@ Eye eyeOf(const Level& level, const Walker& walker) {
   return eye;
 }
 
-Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double share) {
+Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double fraction) {
   const Eye from = eyeOf(level, before);
   const Eye to = eyeOf(level, after);
   const double turn = std::remainder(to.angle - from.angle, 360.0);
-  Eye eye = share < 0.5 ? from : to;
-  eye.angle = std::fmod(from.angle + share * turn + 360, 360.0);
-  eye.pitch = std::lerp(from.pitch, to.pitch, share);
+  Eye eye = fraction < 0.5 ? from : to;
+  eye.angle = std::fmod(from.angle + fraction * turn + 360, 360.0);
+  eye.pitch = std::lerp(from.pitch, to.pitch, fraction);
 
-  const Vec3 point = from.point + share * (to.point - from.point);
+  const Vec3 point = from.point + fraction * (to.point - from.point);
   const double travel = length(to.point.xy() - from.point.xy());
   const double climb = std::abs(after.feet.z - before.feet.z);
   const Body body = bodyOf(level, before.crouch);

@@ -26,18 +26,20 @@ bool areJoined(const Level& level, const Segment& segment, std::size_t lower, st
 }
 
 /// Where along a line from `at0` to `at1` it is at most `limit`.
-Shares whereAtMost(double at0, double at1, double limit) {
+Fractions whereAtMost(double at0, double at1, double limit) {
   if (at0 <= limit && at1 <= limit) return {0, 1};
   if (at0 > limit && at1 > limit) return {1, 0};
-  const double share = (limit - at0) / (at1 - at0);
-  return at0 <= limit ? Shares{0, share} : Shares{share, 1};
+  const double fraction = (limit - at0) / (at1 - at0);
+  return at0 <= limit ? Fractions{0, fraction} : Fractions{fraction, 1};
 }
 
 }  // namespace
 
-Shares common(Shares a, Shares b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
+Fractions common(Fractions a, Fractions b) {
+  return {std::max(a.low, b.low), std::min(a.high, b.high)};
+}
 
-Shares chordOf(Vec2 a, Vec2 b, double radius) {
+Fractions chordOf(Vec2 a, Vec2 b, double radius) {
   const Vec2 along = b - a;
   const double size = length(along);
   if (size == 0) return {1, 0};
@@ -81,8 +83,8 @@ Passage::Passage(const Level& level, const Segment& segment, std::size_t first, 
   }
 }
 
-Shares Passage::openTo(const UprightBody& body) const {
-  Shares open{0, 1};
+Fractions Passage::openTo(const UprightBody& body) const {
+  Fractions open{0, 1};
   for (const Line& bottom : bottoms_.lines)
     open = common(open, whereAtMost(bottom.at0, bottom.at1, body.zClimb + kSkin));
   for (const Line& top : tops_.lines)
@@ -94,21 +96,21 @@ Shares Passage::openTo(const UprightBody& body) const {
   return open;
 }
 
-double Passage::zBottom(Shares within) const {
+double Passage::zBottom(Fractions within) const {
   double z = -kNowhere;
   for (const Line& line : bottoms_.lines)
     if (line.at0 > -kNowhere)
-      for (const double share : {within.low, within.high})
-        z = std::max(z, std::lerp(line.at0, line.at1, share));
+      for (const double fraction : {within.low, within.high})
+        z = std::max(z, std::lerp(line.at0, line.at1, fraction));
   return z;
 }
 
-double Passage::zTop(Shares within) const {
+double Passage::zTop(Fractions within) const {
   double z = kNowhere;
   for (const Line& line : tops_.lines)
     if (line.at0 < kNowhere)
-      for (const double share : {within.low, within.high})
-        z = std::min(z, std::lerp(line.at0, line.at1, share));
+      for (const double fraction : {within.low, within.high})
+        z = std::min(z, std::lerp(line.at0, line.at1, fraction));
   return z;
 }
 

@@ -8,17 +8,17 @@
 
 namespace hearth {
 
-/// Shares of a segment, 0 at its p0 and 1 at its p1; empty unless low < high.
-struct Shares {
+/// Fractions of a segment, 0 at its p0 and 1 at its p1; empty unless low < high.
+struct Fractions {
   double low;
   double high;
   bool isEmpty() const { return !(low < high); }
 };
 
-Shares common(Shares a, Shares b);
+Fractions common(Fractions a, Fractions b);
 
 /// The part of a segment within `radius` of the origin, its ends being given relative to that.
-Shares chordOf(Vec2 a, Vec2 b, double radius);
+Fractions chordOf(Vec2 a, Vec2 b, double radius);
 
 /// The upright room that a body takes up and may rise to.
 struct UprightBody {
@@ -36,12 +36,12 @@ class Passage {
   Passage(const Level& level, const Segment& segment, std::size_t first, std::size_t last);
 
   /// Where along the segment the body fits through, having stepped up if need be.
-  Shares openTo(const UprightBody& body) const;
+  Fractions openTo(const UprightBody& body) const;
 
-  /// The highest bottom and the lowest top within some shares of the segment; infinite where the
+  /// The highest bottom and the lowest top within some fractions of the segment; infinite where the
   /// opening goes on through a flat portal of the sector.
-  double zBottom(Shares within) const;
-  double zTop(Shares within) const;
+  double zBottom(Fractions within) const;
+  double zTop(Fractions within) const;
 
   std::size_t first() const { return first_; }
   std::size_t last() const { return last_; }

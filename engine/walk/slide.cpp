@@ -16,12 +16,12 @@ namespace {
 /// them in one motion slow it down.
 constexpr std::size_t kMostContacts = 32;
 
-/// Share of the motion. Less of it against a wall is rounding, which must not stop what slides.
+/// Fraction of the motion. Less of it against a wall is rounding, which must not stop what slides.
 constexpr double kAgainst = 1e-14;
 
 struct Contact {
-  double share;  ///< of the motion, 0..1
-  Vec2 normal;   ///< of unit length, off the blocker
+  double fraction;  ///< of the motion, 0..1
+  Vec2 normal;      ///< of unit length, off the blocker
 };
 
 /// When a disc at `q` that moves by `motion` touches the vertex `v`, farther than `radius` now.
@@ -33,15 +33,15 @@ std::optional<Contact> touchVertex(Vec2 v, Vec2 q, Vec2 motion, double radius, d
   const double c = dot(w, w) - radius * radius;
   const double root = towards * towards - a * c;
   if (root < 0) return std::nullopt;
-  const double share = std::max(0.0, c / (-towards + std::sqrt(root)));
-  if (share > 1) return std::nullopt;
-  const Vec2 away = w + share * motion;
-  return Contact{share, (1 / length(away)) * away};
+  const double fraction = std::max(0.0, c / (-towards + std::sqrt(root)));
+  if (fraction > 1) return std::nullopt;
+  const Vec2 away = w + fraction * motion;
+  return Contact{fraction, (1 / length(away)) * away};
 }
 
 std::optional<Contact> earlier(std::optional<Contact> a, std::optional<Contact> b) {
   if (!a || !b) return a ? a : b;
-  return b->share < a->share ? b : a;
+  return b->fraction < a->fraction ? b : a;
 }
 
 /// A blocker is convex, so once a motion does not come nearer to it, it never will again.
@@ -73,9 +73,10 @@ std::optional<Contact> touch(const Blocker& blocker, Vec2 q, Vec2 motion, double
   const double approach = dot(motion, normal);
   if (approach >= -tolerance) return first;
   // Rounding may put the body within the radius here and not above.
-  const double share = std::max(0.0, (radius - side / size) / approach);
-  const double at = dot(q + share * motion - blocker.a, along);
-  if (share <= 1 && at >= 0 && at <= size * size) first = earlier(first, Contact{share, normal});
+  const double fraction = std::max(0.0, (radius - side / size) / approach);
+  const double at = dot(q + fraction * motion - blocker.a, along);
+  if (fraction <= 1 && at >= 0 && at <= size * size)
+    first = earlier(first, Contact{fraction, normal});
   return first;
 }
 
@@ -117,12 +118,12 @@ Slide slideAlong(std::span<const Blocker> blockers, Vec2 motion, double radius) 
     std::optional<Contact> first;
     for (const Blocker& blocker : blockers)
       first = earlier(first, touch(blocker, slide.moved, next, radius, tolerance));
-    slide.moved = slide.moved + (first ? first->share : 1) * next;
+    slide.moved = slide.moved + (first ? first->fraction : 1) * next;
     if (!first) return slide;
     slide.wasStopped = true;
     // A contact that was slid away from does not hold any more.
-    if (first->share * length(next) > kSkin * radius) contacts.clear();
-    left *= 1 - first->share;
+    if (first->fraction * length(next) > kSkin * radius) contacts.clear();
+    left *= 1 - first->fraction;
     contacts.add(first->normal);
     next = contacts.allowed(left * motion, tolerance);
     if (next == Vec2{}) return slide;

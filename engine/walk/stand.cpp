@@ -81,9 +81,9 @@ std::optional<Stand> standAt(const Level& level, const Body& body, SectorId sect
 Move movedAlong(const Level& level, const Body& body, const Stand& from, Vec2 motion) {
   // A step up and a beam that are met at the same moment can leave no room between them, though
   // there is room on the way to either.
-  for (const double share : {1.0, 0.25, 0.0625})
+  for (const double fraction : {1.0, 0.25, 0.0625})
     for (const double step : {body.step, 0.0})
-      if (const auto move = tryMove(level, body, from, share * motion, step)) return *move;
+      if (const auto move = tryMove(level, body, from, fraction * motion, step)) return *move;
   return {from, {0, 0}, true};
 }
 

@@ -56,7 +56,7 @@ void Surroundings::lookRound(const Sector& sector) {
 void Surroundings::lookAtWall(const Segment& segment) {
   const Vec2 a = segment.p0 - reach_.center;
   const Vec2 b = segment.p1 - reach_.center;
-  const Shares chord = chordOf(a, b, radius_);
+  const Fractions chord = chordOf(a, b, radius_);
   if (chord.isEmpty() || signedDistance(a, b) < -reach_.travel - kSkin) return;
   passages_.clear();
   open_.clear();
@@ -66,10 +66,10 @@ void Surroundings::lookAtWall(const Segment& segment) {
   if (isAbove(sector)) return lookAtWallAbove(segment, chord);
 
   for (const Passage& passage : passages_) {
-    const Shares open = passage.openTo(reach_.body);
+    const Fractions open = passage.openTo(reach_.body);
     if (open.isEmpty()) continue;
     open_.push_back(open);
-    const Shares reached = common(open, chord);
+    const Fractions reached = common(open, chord);
     if (reached.isEmpty()) continue;
     bear(passage.zBottom(reached));
     zCap_ = std::min(zCap_, passage.zTop(reached));
@@ -97,12 +97,12 @@ void Surroundings::lookAtVertex(const Segment& before, const Segment& after) {
 }
 
 /// Whether the body fits through the wall there.
-bool Surroundings::isOpenAt(const Segment& segment, double share) {
+bool Surroundings::isOpenAt(const Segment& segment, double fraction) {
   passages_.clear();
   findPassages(level_, segment, passages_);
   return std::ranges::any_of(passages_, [&](const Passage& passage) {
-    const Shares open = passage.openTo(reach_.body);
-    return open.low <= share && share <= open.high;
+    const Fractions open = passage.openTo(reach_.body);
+    return open.low <= fraction && fraction <= open.high;
   });
 }
 
@@ -124,22 +124,22 @@ void Surroundings::bear(double z) {
 }
 
 /// A wall that the body is above: its top bears.
-void Surroundings::lookAtWallBelow(const Segment& segment, Shares chord) {
+void Surroundings::lookAtWallBelow(const Segment& segment, Fractions chord) {
   const bool isOpen = !passages_.empty() && passages_.back().zTop(chord) == kNowhere;
   const double zTop = isOpen ? passages_.back().zBottom(chord) : level_[segment.sector].ceiling.z;
   bear(zTop);
 }
 
 /// A wall that the body is below.
-void Surroundings::lookAtWallAbove(const Segment& segment, Shares chord) {
+void Surroundings::lookAtWallAbove(const Segment& segment, Fractions chord) {
   const bool isOpen = !passages_.empty() && passages_.front().zBottom(chord) == -kNowhere;
   const double zBottom = isOpen ? passages_.front().zTop(chord) : level_[segment.sector].floor.z;
   zCap_ = std::min(zCap_, zBottom);
 }
 
 /// What of a wall no passage leaves open.
-void Surroundings::block(const Segment& segment, Shares chord) {
-  std::ranges::sort(open_, {}, &Shares::low);
+void Surroundings::block(const Segment& segment, Fractions chord) {
+  std::ranges::sort(open_, {}, &Fractions::low);
   double from = chord.low;
   const auto blockUpTo = [&](double to) {
     if (!(from < to)) return;
@@ -149,7 +149,7 @@ void Surroundings::block(const Segment& segment, Shares chord) {
     blockers_.push_back(
         {from == 0 ? a : a + from * along, to == 1 ? segment.p1 - reach_.center : a + to * along});
   };
-  for (const Shares& open : open_) {
+  for (const Fractions& open : open_) {
     blockUpTo(std::min(open.low, chord.high));
     from = std::max(from, open.high);
   }
@@ -176,8 +176,8 @@ void Surroundings::followFlat(FlatPortalId id, Side to) {
   const FlatPortal& flatPortal = level_[id];
   for (const SectorId member : to == Side::Upper ? flatPortal.upper : flatPortal.lower)
     if (touches(level_[member])) add(member);
-  // His middle may miss its own column by the slack of positions, and a body with less breadth then
-  // touches none of them.
+  // The body's axis may miss its own column by the slack of positions, and a body with less breadth
+  // then touches none of them.
   const SectorId column = across(level_, flatPortal, to, reach_.center);
   const Vec3 middle{reach_.center.x, reach_.center.y, flatPortal.z};
   if (contains(level_, level_[column], middle, kPositionSlack)) add(column);
@@ -205,7 +205,7 @@ double Surroundings::highest(const Sector& sector, const Slope& slope, double si
   if (contains(level_, sector, p)) take(p);
   if (contains(level_, sector, p + uphill)) take(p + uphill);
   for (const Segment& segment : level_.segmentsOf(sector)) {
-    const Shares chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
+    const Fractions chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
     if (chord.isEmpty()) continue;
     take(lerp(segment.p0, segment.p1, chord.low));
     take(lerp(segment.p0, segment.p1, chord.high));

@@ -9,8 +9,8 @@ namespace hearth {
 class WalkClock {
  public:
   struct Due {
-    int ticks = 0;     ///< to simulate now
-    double share = 0;  ///< [0, 1): how far the present is into the tick after these
+    int ticks = 0;        ///< to simulate now
+    double fraction = 0;  ///< [0, 1): how far the present is into the tick after these
   };
 
   /// What is due at `now`, in seconds from any origin. The first call starts the clock. At most a

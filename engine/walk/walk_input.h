@@ -5,13 +5,13 @@ namespace hearth {
 /// The simulation's fixed tick: 1/64 s is exact in binary.
 inline constexpr int kTicksPerSecond = 64;
 
-/// What a full share of speed is in WalkInput.
-inline constexpr int kFullShare = 127;
+/// What a full fraction of speed is in WalkInput.
+inline constexpr int kFullSpeed = 127;
 
-/// What the player asks for during one tick: integers, so that a recording is exact. Shares beyond
-/// the full one count as full.
+/// What the player asks for during one tick: integers, so that a recording is exact. Fractions
+/// beyond the full one count as full.
 struct WalkInput {
-  int forward = 0;  ///< -127..127: share of full speed
+  int forward = 0;  ///< -127..127; fraction of full speed
   int right = 0;    ///< -127..127
   int up = 0;       ///< -127..127, in flight only
   int turn = 0;     ///< 1/1000 degree in this tick, to the right

@@ -16,7 +16,7 @@ constexpr double kWalkSpeed = 2.5;      // m/s
 constexpr double kRunSpeed = 5;         // m/s
 constexpr double kFlySpeed = 5;         // m/s
 constexpr double kFastFlySpeed = 10;    // m/s
-constexpr double kCrouchedSpeed = 0.5;  // share of the others
+constexpr double kCrouchedSpeed = 0.5;  // fraction of the others
 
 constexpr double kGravity = 9.81;    // m/s^2
 constexpr double kJumpSpeed = 3.3;   // m/s: v^2 / 2g = 0.555 m high
@@ -36,8 +36,8 @@ constexpr double kMaxPitch = 60;  // degrees, what the projection takes
 /// not in more than this: nothing is passed in longer ones either.
 constexpr int kMostParts = 16;
 
-double shareOf(int input) {
-  return std::clamp(input, -kFullShare, kFullShare) / double(kFullShare);
+double fractionOf(int input) {
+  return std::clamp(input, -kFullSpeed, kFullSpeed) / double(kFullSpeed);
 }
 
 /// An angle in degrees, in [0, 360).
@@ -52,11 +52,11 @@ void turn(Walker& walker, const WalkInput& input) {
   walker.pitch = std::clamp(walker.pitch + input.pitch / 1000.0, -kMaxPitch, kMaxPitch);
 }
 
-/// Forwards, to the right and up, of the length of the greatest share.
+/// Forwards, to the right and up, of the length of the greatest fraction.
 Vec3 wantedDirection(const Walker& walker, const WalkInput& input) {
-  const double forward = shareOf(input.forward);
-  const double right = shareOf(input.right);
-  const double up = walker.isFlying ? shareOf(input.up) : 0;
+  const double forward = fractionOf(input.forward);
+  const double right = fractionOf(input.right);
+  const double up = walker.isFlying ? fractionOf(input.up) : 0;
   const SinCos heading = sinCosDegrees(walker.angle);
   const Vec2 ahead{heading.cos, heading.sin};
   const Vec2 level = forward * ahead + right * turned90(ahead);

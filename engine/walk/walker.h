@@ -37,7 +37,7 @@ struct Eye {
 
 Eye eyeOf(const Level& level, const Walker& walker);
 
-/// What is seen `share` (0..1) of a tick after `before`. Angles go the short way round.
-Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double share);
+/// What is seen `fraction` (0..1) of a tick after `before`. Angles go the short way round.
+Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double fraction);
 
 }  // namespace hearth

@@ -83,8 +83,8 @@ std::vector<Vec3> pointsRound(const Panel& panel, const Edge& edge, double radiu
   const Vec3 ahead = up == 0 ? panel.normal : Vec3{0, 0, std::copysign(1.0, up)};
   std::vector<Vec3> points;
   for (int i = 0; i < kPoints; ++i) {
-    const SinCos way = sinCosDegrees((i + 0.5) * 180 / kPoints);
-    points.push_back(panel.axes.at(middle) + radius * (way.cos * over + way.sin * ahead));
+    const SinCos turn = sinCosDegrees((i + 0.5) * 180 / kPoints);
+    points.push_back(panel.axes.at(middle) + radius * (turn.cos * over + turn.sin * ahead));
   }
   return points;
 }

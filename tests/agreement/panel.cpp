@@ -10,7 +10,7 @@ namespace hearth::agreement {
 
 namespace {
 
-constexpr double kRoundingOfMargin = 1e-3;  ///< share: of 10^-6 m, that of coordinates of 10^6 m
+constexpr double kRoundingOfMargin = 1e-3;  ///< fraction: of 10^-6 m, that of coordinates of 10^6 m
 constexpr double kLeastSine = 1e-6;         ///< of a corner; a sharper one has its inside 1 m away
 
 /// Heights over a wall: at its p0 and at its p1.

@@ -52,13 +52,13 @@ std::vector<TexelSample> PlainTexels::samplesOf(const Texel& texel) {
 
 std::vector<SurfacePoint> PlainTexels::ringAround(const SurfacePoint& place,
                                                   double radiusMetres) const {
-  constexpr int kWays = 16;
+  constexpr int kDirections = 16;
   std::vector<SurfacePoint> ring;
   const Panel& panel = *panels_[*surfaceOf(place)];
   const Vec2 center = panel.axes.of(place.point);
-  for (int i = 0; i < kWays; ++i) {
-    const SinCos way = sinCosDegrees(360.0 * i / kWays);
-    const Vec2 st = center + radiusMetres * Vec2{way.cos, way.sin};
+  for (int i = 0; i < kDirections; ++i) {
+    const SinCos turn = sinCosDegrees(360.0 * i / kDirections);
+    const Vec2 st = center + radiusMetres * Vec2{turn.cos, turn.sin};
     if (!panel.contains(st)) continue;
     ring.push_back(place);
     ring.back().point = panel.axes.at(st);
@@ -128,8 +128,8 @@ const std::vector<CommonEdge>& PlainTexels::continuationsOf(std::size_t surface)
     for (std::size_t to = 0; to < panels_.size(); ++to) {
       if (to == surface || !panels_[to] || !areInOnePlane(surface, to)) continue;
       // What hangs in an opening is no part of the wall round it.
-      if ((level_.surfaces[to].kind == SurfaceKind::Middle) !=
-          (level_.surfaces[surface].kind == SurfaceKind::Middle))
+      if ((level_.surfaces[to].kind == SurfaceKind::MaskedMiddle) !=
+          (level_.surfaces[surface].kind == SurfaceKind::MaskedMiddle))
         continue;
       for (const Edge& edge : commonEdges(level_, corners_, *panels_[surface], *panels_[to]))
         continuations_[surface]->push_back({to, edge});

@@ -68,7 +68,7 @@ const TexelLight& TexelTruth::lightOf(const Texel& texel) {
   for (const TexelSample& sample : light.samples) {
     std::vector<bool>& sees = light.sees.emplace_back(level_.lights.size());
     for (std::size_t i = 0; i < sees.size(); ++i) {
-      sees[i] = truth_.seenShare(i, sample.place) > 0;
+      sees[i] = truth_.seenFraction(i, sample.place) > 0;
       if (sees[i]) add(light.levels, i, truth_.unshaded(i, sample.place) / count);
     }
   }
@@ -77,7 +77,7 @@ const TexelLight& TexelTruth::lightOf(const Texel& texel) {
 
 void TexelTruth::add(Channels& sum, std::size_t light, double level) const {
   for (int channel = 0; channel < 3; ++channel)
-    sum[static_cast<std::size_t>(channel)] += level * level_.lights[light].share(channel);
+    sum[static_cast<std::size_t>(channel)] += level * level_.lights[light].fraction(channel);
 }
 
 Channels TexelTruth::hairSlack(const PatchLight& patch) const {
@@ -127,7 +127,7 @@ bool TexelTruth::isAtJump(const PatchLight& patch) const {
 
 bool TexelTruth::seesAlike(const PatchLight& patch, const SurfacePoint& hit) const {
   for (std::size_t i = 0; i < level_.lights.size(); ++i) {
-    const bool seen = truth_.seenShare(i, hit) > 0;
+    const bool seen = truth_.seenFraction(i, hit) > 0;
     for (const TexelLight* texel : patch.texels)
       for (const std::vector<bool>& sees : texel->sees)
         if (sees[i] != seen) return false;

@@ -55,7 +55,7 @@ Image withLightOf(const LitLevel& lit, std::size_t shot, const Image& textures,
   return its;
 }
 
-/// Where the same shows: on the edge of a hole of a middle texture another surface may.
+/// Where the same shows: on the edge of a hole of a masked middle texture another surface may.
 LightDifference lightDifference(const LitLevel& expected, const LitLevel& actual) {
   LightDifference sum;
   for (std::size_t shot = 0; shot < expected.level().shots.size(); ++shot) {

@@ -145,10 +145,10 @@ TEST(LightPlace, onAPortalsLineAndOnAVertexOfFourRoomsIsThatOfAMicrometreBeside)
 TEST(LightRay, throughTheVeryJointOfTwoWallsIsBlocked) {
   // An octagonal room round an octagonal cell without a way in; each light, a vertex of the cell
   // and a texel's centre in it are in one line.
-  const auto ring = [](double radius, int way) {
+  const auto ring = [](double radius, int turn) {
     std::string text;
     for (int i = 0; i < 8; ++i) {
-      const double angle = way * std::numbers::pi / 4 * i;
+      const double angle = turn * std::numbers::pi / 4 * i;
       text += fmt::format("{}{},{}", i > 0 ? ", " : "", radius * std::cos(angle),
                           radius * std::sin(angle));
     }

@@ -37,15 +37,16 @@ TEST(Wall, ofAnyLengthShowsItsTextureWhereItIs) {
   for (const double length : {1e3, 1e4, 1e5}) {
     const LoadedLevel hall = levelFrom(
         levelOf(Box{.x1 = length, .ceiling = 10, .wallTexture = "'brick'"}.sector("hall")));
-    for (const double share : {0.0, 0.1, 0.33, 0.77, 0.999}) {
-      const Camera camera = cameraAt({share * length + 1, 3, 1.5}, -90 + 0.5);  // at the wall y = 0
+    for (const double fraction : {0.0, 0.1, 0.33, 0.77, 0.999}) {
+      const Camera camera =
+          cameraAt({fraction * length + 1, 3, 1.5}, -90 + 0.5);  // at the wall y = 0
       const std::vector<double> places = placesAlongWall(hall, camera);
       const Projection projection(camera, camera.eye);
       for (std::size_t column = 0; column < places.size(); ++column) {
         const Vec2 ray = projection.rayOf(static_cast<double>(column) + 0.5);
         const double exact = camera.eye.x + ray.x * (camera.eye.y / -ray.y);
         if (exact < 0 || exact > length) continue;
-        EXPECT_NEAR(places[column], exact, 0.25 * kTexel) << length << ' ' << share;
+        EXPECT_NEAR(places[column], exact, 0.25 * kTexel) << length << ' ' << fraction;
         if (column > 0 && places[column - 1] >= 0) {
           EXPECT_GT(places[column], places[column - 1]);
         }

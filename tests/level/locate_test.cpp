@@ -45,8 +45,9 @@ TEST_F(LocateTest, knowsInsideFromOutside) {
 
 TEST_F(LocateTest, countsEveryBorderAsInside) {
   for (const Segment& segment : level().segments)
-    for (const double share : {0.0, 0.25, 0.5})
-      EXPECT_TRUE(contains(level(), level()[segment.sector], lerp(segment.p0, segment.p1, share)))
+    for (const double fraction : {0.0, 0.25, 0.5})
+      EXPECT_TRUE(
+          contains(level(), level()[segment.sector], lerp(segment.p0, segment.p1, fraction)))
           << segment.p0.x << ' ' << segment.p0.y;
 }
 
@@ -82,9 +83,9 @@ TEST_F(LocateTest, leavesPositionsInTheOpenAlone) {
 TEST_F(LocateTest, movesPositionsOffEveryWallVertexAndFlat) {
   for (const Segment& segment : level().segments) {
     const Sector& of = level()[segment.sector];
-    for (const double share : {0.0, 0.3})
+    for (const double fraction : {0.0, 0.3})
       for (const double z : {of.floor.z, of.ceiling.z}) {
-        const Vec2 p = lerp(segment.p0, segment.p1, share);
+        const Vec2 p = lerp(segment.p0, segment.p1, fraction);
         const Vec3 inside = nudgedInside(level(), of, {p.x, p.y, z});
         EXPECT_LT(length(inside - Vec3{p.x, p.y, z}), 1e-6);
         EXPECT_GT(inside.z, of.floor.z);

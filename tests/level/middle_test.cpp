@@ -1,11 +1,11 @@
-// Where middle textures hang.
+// Where masked middle textures hang.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "level/middles.h"
+#include "level/masked_middle.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -14,7 +14,7 @@ namespace {
 using test::levelFrom;
 using test::sectorText;
 
-/// West and east of x = 4, with a middle texture on the west's portal, which is 3 m high.
+/// West and east of x = 4, with a masked middle texture on the west's portal, which is 3 m high.
 LoadedLevel roomsWith(std::string_view middle, double eastFloor = 0, double eastCeiling = 3) {
   const std::string solid = "{'texture':'#808080'}";
   return levelFrom(fmt::format(
@@ -30,7 +30,7 @@ LoadedLevel roomsWith(std::string_view middle, double eastFloor = 0, double east
 std::string heightsOf(const LoadedLevel& loaded) {
   std::string text;
   for (const Surface& surface : loaded.level.surfaces)
-    if (surface.kind == SurfaceKind::Middle)
+    if (surface.kind == SurfaceKind::MaskedMiddle)
       text += fmt::format("{} {};", surface.zBottom, surface.zTop);
   return text;
 }
@@ -58,8 +58,8 @@ TEST(MiddleTexture, LiesInTheWayOfLightFromBothSides) {
   for (const Segment& segment : level.segments)
     for (const LightOpening& opening : segment.lightOpenings) {
       ++openings;
-      ASSERT_EQ(opening.middles.size(), 1U);
-      EXPECT_EQ(level[opening.middles.front()].kind, SurfaceKind::Middle);
+      ASSERT_EQ(opening.maskedMiddles.size(), 1U);
+      EXPECT_EQ(level[opening.maskedMiddles.front()].kind, SurfaceKind::MaskedMiddle);
     }
   EXPECT_EQ(openings, 2);
 }
@@ -70,7 +70,7 @@ TEST(MiddleTexture, HasItsHolesWhereItsMappingPutsThem) {
   TexelHoles holes(4, 2);  // of half a metre each
   holes.make(0, 1);
   level.holes.assign(level.textures.size(), holes);
-  const auto middle = *std::ranges::find(level.surfaces, SurfaceKind::Middle,
+  const auto middle = *std::ranges::find(level.surfaces, SurfaceKind::MaskedMiddle,
                                          [](const Surface& s) { return s.kind; });
   const auto isSolid = [&](double y, double z) { return isSolidAt(level, middle, {4, y, z}); };
   // Its column 0 begins where s + 0.25 is half a metre, and comes again after 2 m.

@@ -38,7 +38,7 @@ TEST_F(Keep, HasEveryKindOfSurfaceButMiddlesAndStepsBetweenSkiesBelow) {
   for (const Surface& surface : level().surfaces) kinds.insert(surface.kind);
   for (std::size_t i = 0; i < kSurfaceKinds; ++i) {
     const auto kind = static_cast<SurfaceKind>(i);
-    const bool isElsewhere = kind == SurfaceKind::Middle || kind == SurfaceKind::SkyLowerStep;
+    const bool isElsewhere = kind == SurfaceKind::MaskedMiddle || kind == SurfaceKind::SkyLowerStep;
     EXPECT_NE(kinds.contains(kind), isElsewhere) << name(kind);
   }
 }

@@ -31,7 +31,7 @@ class KeepTour : public testing::Test {
         const double turn = std::remainder(angle - walker_.angle, 360);
         walker_ =
             walked(level(), walker_,
-                   {.forward = kFullShare, .turn = static_cast<int>(std::lround(1000 * turn))});
+                   {.forward = kFullSpeed, .turn = static_cast<int>(std::lround(1000 * turn))});
       }
       ASSERT_TRUE(isNear(place)) << "stuck in " << sector() << " at " << walker_.feet.x << ", "
                                  << walker_.feet.y << " on the way to " << place.x << ", "

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // metres: heights that are meant to be alike
 
-/// Whether a walker gets through the opening `share` of the way along its segment.
-bool isOpenAt(const Level& level, const Segment& segment, const WallPiece& piece, double share,
+/// Whether a walker gets through the opening `fraction` of the way along its segment.
+bool isOpenAt(const Level& level, const Segment& segment, const WallPiece& piece, double fraction,
               const Gait& gait) {
-  const AirColumn near = airAt(segment, share);
-  const AirColumn far = airAt(level[std::get<Opening>(piece.content).twin], 1 - share);
+  const AirColumn near = airAt(segment, fraction);
+  const AirColumn far = airAt(level[std::get<Opening>(piece.content).twin], 1 - fraction);
   const OpeningSpan span = openingSpan(piece, near, far);
   const double sill = std::max({near.zBottom, far.zBottom, span.zBottom});
   return sill - near.zBottom <= gait.step + kRounding &&
@@ -35,9 +35,9 @@ class Doorways {
       if (!opening) continue;
       const std::size_t next = opening->next.index();
       double width = continues(segment) && open_.contains(next) ? open_[next] : 0;
-      for (int i = 0; i < kShares; ++i) {
-        const bool isOpen = isOpenAt(level_, segment, piece, (i + 0.5) / kShares, gait_);
-        width = isOpen ? width + segment.length / kShares : 0;
+      for (int i = 0; i < kFractions; ++i) {
+        const bool isOpen = isOpenAt(level_, segment, piece, (i + 0.5) / kFractions, gait_);
+        width = isOpen ? width + segment.length / kFractions : 0;
         if (width >= gait_.doorWidth - kRounding) ways.insert(next);
       }
       reaching[next] = width;
@@ -47,7 +47,7 @@ class Doorways {
   }
 
  private:
-  static constexpr int kShares = 64;
+  static constexpr int kFractions = 64;
 
   bool continues(const Segment& segment) const {
     if (!last_ || last_->loop != segment.loop) return false;
@@ -64,8 +64,8 @@ class Doorways {
 
 double distanceTo(const Segment& segment, Vec2 p) {
   const Vec2 along = segment.p1 - segment.p0;
-  const double share = std::clamp(dot(p - segment.p0, along) / dot(along, along), 0.0, 1.0);
-  const Vec2 apart = p - (segment.p0 + share * along);
+  const double fraction = std::clamp(dot(p - segment.p0, along) / dot(along, along), 0.0, 1.0);
+  const Vec2 apart = p - (segment.p0 + fraction * along);
   return std::sqrt(dot(apart, apart));
 }
 

@@ -359,17 +359,17 @@ TEST(TexelGrid, doesNotTakeLightFromASidewallRoundAThinWall) {
 
 /// Corners turned about (0, 0), as `v` of a loop.
 std::string turned(double degrees, std::initializer_list<Vec2> corners) {
-  const SinCos way = sinCosDegrees(degrees);
+  const SinCos turn = sinCosDegrees(degrees);
   std::string text;
   for (const Vec2 p : corners)
-    text += fmt::format("{}{},{}", text.empty() ? "" : ", ", way.cos * p.x - way.sin * p.y,
-                        way.sin * p.x + way.cos * p.y);
+    text += fmt::format("{}{},{}", text.empty() ? "" : ", ", turn.cos * p.x - turn.sin * p.y,
+                        turn.sin * p.x + turn.cos * p.y);
   return text;
 }
 
 Vec3 turned(double degrees, Vec3 p) {
-  const SinCos way = sinCosDegrees(degrees);
-  return {way.cos * p.x - way.sin * p.y, way.sin * p.x + way.cos * p.y, p.z};
+  const SinCos turn = sinCosDegrees(degrees);
+  return {turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y, p.z};
 }
 
 std::string lightAt(Vec3 p) {

@@ -145,14 +145,14 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
   std::vector<double> levels = between(0, 300);
   levels[3] = 1e300;
   levels[4] = 0.5 / LightSum::kUnit;
-  const double share = 77 / 255.0;
+  const double fraction = 77 / 255.0;
   forEachInstructionSet([&](const LightKernels& kernels) {
     std::vector<double> sums(kCount, 0.0);
     std::vector<LightSum> expected(kCount);
     for (int round = 0; round < 3; ++round) {
-      kernels.addToSums(levels.data(), kCount, share, sums.data());
+      kernels.addToSums(levels.data(), kCount, fraction, sums.data());
       for (std::size_t i = 0; i < kCount; ++i) {
-        expected[i].add(levels[i] * share);
+        expected[i].add(levels[i] * fraction);
         EXPECT_EQ(sums[i], expected[i].units());
       }
     }
@@ -161,7 +161,7 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
 }
 
 TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
-  CornerWays corners;
+  CornerDirections corners;
   for (const std::size_t count : {1, 3, 8}) {
     corners.count = count;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -198,7 +198,7 @@ TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
 /// A bit for each bound that has a corner behind it, or nearer than its slack: begin and end of the
 /// beam, its planes and its walls.
 TEST_F(LightKernelsTest, findBoundsThatPartABox) {
-  CornerWays corners;
+  CornerDirections corners;
   for (std::size_t i = 0; i < 8; ++i) {
     corners.x[i] = (i & 1) != 0 ? 3 : 5;
     corners.y[i] = (i & 2) != 0 ? -1 : 1;
@@ -251,7 +251,7 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
 
 /// Two beams side by side: whatever is in front of both bounds of one is lit.
 TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
-  const std::vector<WayBound> bounds = {
+  const std::vector<DirectionBound> bounds = {
       {{1, 0, 0}, 0, 2}, {{0, 1, 0}, -10, 2}, {{-1, 0.2, 0}, 3, 1}};
   const std::vector<PartingBounds> beams = {{2, false}, {1, false}};
   const std::vector<PartingBounds> doubtful = {{2, true}, {1, true}};
@@ -262,14 +262,14 @@ TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
     kernels.findSeen(samples_.arrays(), kCount, light_, beams, bounds.data(), seen.data());
     kernels.findSeen(samples_.arrays(), kCount, light_, doubtful, bounds.data(), inDoubt.data());
     for (std::size_t i = 0; i < kCount; ++i) {
-      const auto isIn = [&](const WayBound& bound, double slack) {
+      const auto isIn = [&](const DirectionBound& bound, double slack) {
         return dot(bound.normal, samples_.at(i) - light_) - bound.offset > slack;
       };
       const bool isLit = (isIn(bounds[0], 2) && isIn(bounds[1], 2)) || isIn(bounds[2], 1);
       const bool isDark = !(isIn(bounds[0], -2) && isIn(bounds[1], -2)) && !isIn(bounds[2], -1);
-      EXPECT_EQ(seen[i], isLit ? 1 : isDark ? 0 : kUnknownShare);
-      EXPECT_EQ(inDoubt[i], isDark ? 0 : kUnknownShare);
-      unknown += seen[i] == kUnknownShare ? 1 : 0;
+      EXPECT_EQ(seen[i], isLit ? 1 : isDark ? 0 : kUnknownFraction);
+      EXPECT_EQ(inDoubt[i], isDark ? 0 : kUnknownFraction);
+      unknown += seen[i] == kUnknownFraction ? 1 : 0;
     }
   });
   EXPECT_GT(unknown, 0);

@@ -171,7 +171,7 @@ TEST(Texels, areOffByHalfALevel) {
       for (int i = surface.texels.i0 + 2; i < surface.texels.i0 + surface.texels.width - 2; ++i) {
         const int j = surface.texels.j0 + 4;
         const double distance = length(surface.toWorld({i + 0.5, j + 0.5}) - light.position);
-        const double exact = light.levelAt(distance) * light.share(2);
+        const double exact = light.levelAt(distance) * light.fraction(2);
         error = std::max(error, std::abs(baked.lightmaps[s]->at(i, j, 2) - exact));
       }
     }

@@ -1,4 +1,4 @@
-// Middle textures in the way of light, and in the light.
+// Masked middle textures in the way of light, and in the light.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(MiddleTextures, areSolidWhereTheSettingsSaySo) {
   const LoadedLevel loaded = withGaps(rooms(kUprights, "", kLampInEast));
   const BakedRoom room(loaded);
   BakeSettings settings = loaded.level.bake;
-  settings.solidMiddles = true;
+  settings.solidMaskedMiddles = true;
   const BakedLight solid = bake(loaded.level, settings, 2);
   const SurfaceId wall = room.surfaceAt(SurfaceKind::Solid, {0, 2, 1.5}, "west").value();
   EXPECT_TRUE(room.light().lightmaps[wall.index()]);
@@ -82,10 +82,11 @@ TEST(MiddleTextures, areSolidWhereTheSettingsSaySo) {
 
 TEST(MiddleTextures, areLitFromTheirFrontHolesAndAll) {
   const BakedRoom room(withGaps(rooms("", kUprights, kLampInEast)));
-  EXPECT_EQ(room.at(SurfaceKind::Middle, {4, 2.3, 2}, "east"), 200);
-  EXPECT_EQ(room.at(SurfaceKind::Middle, {4, 1.7, 2}, "east"), 200) << "light is interpolated";
+  EXPECT_EQ(room.at(SurfaceKind::MaskedMiddle, {4, 2.3, 2}, "east"), 200);
+  EXPECT_EQ(room.at(SurfaceKind::MaskedMiddle, {4, 1.7, 2}, "east"), 200)
+      << "light is interpolated";
   const BakedRoom away(withGaps(rooms(kUprights, "", kLampInEast)));
-  EXPECT_EQ(away.at(SurfaceKind::Middle, {4, 2.3, 2}, "west"), 0);
+  EXPECT_EQ(away.at(SurfaceKind::MaskedMiddle, {4, 2.3, 2}, "west"), 0);
 }
 
 TEST(MiddleTextures, changeNoLightOnTheWallRoundThem) {

@@ -153,11 +153,11 @@ TEST(Seam, atAFlatPortalOfATurnedRoomDoesNotShow) {
         levelOf(shaft.sector("up", portal, ceiling) + "," + shaft.sector("low", floor, portal)),
         lights);
     for (double z = 0.01; z < 3; z += 0.0213)
-      for (double share = 0.003; share < 1; share += 0.0271)
-        for (const Vec3 p : {shaft.at(share * Shaft::kWidth, 0, z),
-                             shaft.at(share * Shaft::kWidth, Shaft::kDepth, z),
-                             shaft.at(0, share * Shaft::kDepth, z),
-                             shaft.at(Shaft::kWidth, share * Shaft::kDepth, z)})
+      for (double fraction = 0.003; fraction < 1; fraction += 0.0271)
+        for (const Vec3 p : {shaft.at(fraction * Shaft::kWidth, 0, z),
+                             shaft.at(fraction * Shaft::kWidth, Shaft::kDepth, z),
+                             shaft.at(0, fraction * Shaft::kDepth, z),
+                             shaft.at(Shaft::kWidth, fraction * Shaft::kDepth, z)})
           EXPECT_NEAR(cut.at(SurfaceKind::Solid, p), whole.at(SurfaceKind::Solid, p), 1e-9)
               << row << ' ' << p.x << ' ' << p.y << ' ' << z;
   }

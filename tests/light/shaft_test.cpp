@@ -50,7 +50,7 @@ TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
   loaded.level.holes.assign(loaded.level.textures.size(), holes);
   BakeSettings settings = loaded.level.bake;
   for (const bool areSolid : {false, true}) {
-    settings.solidMiddles = areSolid;
+    settings.solidMaskedMiddles = areSolid;
     BothCosts costs;
     test::expectSameBakes(loaded.level, settings, "grille", costs);
   }

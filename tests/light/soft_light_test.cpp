@@ -1,4 +1,4 @@
-// Balls of light: which share of them a point sees.
+// Balls of light: which fraction of them a point sees.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ LoadedLevel halls(Vec3 light, double radius) {
 }
 
 /// Of a ball's volume, what lies before a plane at a distance from its middle of t radii.
-double shareBefore(double t) {
+double fractionBefore(double t) {
   const double c = std::clamp(t, -1.0, 1.0);
   return (2 + 3 * c - c * c * c) / 4;
 }
@@ -69,10 +69,10 @@ Error errorAt(const LoadedLevel& loaded, int softSamples, bool isUpright) {
     const Vec2 from = isUpright ? target.point.xy() : Vec2{20, target.point.z};
     const Vec2 ball = isUpright ? light.position.xy() : Vec2{light.position.x, light.position.z};
     const double before = -cross(edge - from, ball - from) / length(edge - from);
-    const double exact = shareBefore(before / light.radius);
+    const double exact = fractionBefore(before / light.radius);
     if (exact == 0 || exact == 1) continue;
     std::int64_t rays = 0;
-    const double wrong = 255 * std::abs(sight.seenShare(target, rays) - exact);
+    const double wrong = 255 * std::abs(sight.seenFraction(target, rays) - exact);
     error.greatest = std::max(error.greatest, wrong);
     error.rms += wrong * wrong;
     ++points;
@@ -81,7 +81,7 @@ Error errorAt(const LoadedLevel& loaded, int softSamples, bool isUpright) {
   return error;
 }
 
-TEST(SoftLight, isTheShareOfABallsVolumeBesideAnEdge) {
+TEST(SoftLight, isTheFractionOfABallsVolumeBesideAnEdge) {
   for (const double radius : {0.2, 1.0, 2.0})
     for (const bool isUpright : {true, false}) {
       const LoadedLevel loaded =
@@ -138,7 +138,7 @@ void addErrors(const Level& level, int softSamples, std::vector<double>& errors)
       if (std::abs(lit.distanceInFront(level.lights[light].position)) <= kInPlane) continue;
       std::int64_t rays = 0;
       const double found =
-          255 * sight.seenShare({at.target, surface.sector, {lit.anchor, lit.normal}}, rays);
+          255 * sight.seenFraction({at.target, surface.sector, {lit.anchor, lit.normal}}, rays);
       const double exact =
           truth.from(light, {surface.kind, surface.sector, surface.segment, at.target, lit.normal});
       if (found != exact || (exact > 0 && exact < 255)) errors.push_back(std::abs(found - exact));
@@ -146,7 +146,7 @@ void addErrors(const Level& level, int softSamples, std::vector<double>& errors)
   }
 }
 
-/// Of so many random levels, with or without middle textures: sorted.
+/// Of so many random levels, with or without masked middle textures: sorted.
 std::vector<double> errorsOfRandomLevels(std::uint64_t firstSeed, int count, bool haveMiddles,
                                          int softSamples) {
   const auto folder =
@@ -167,8 +167,8 @@ std::vector<double> errorsOfRandomLevels(std::uint64_t firstSeed, int count, boo
   return errors;
 }
 
-double quantile(const std::vector<double>& errors, double share) {
-  return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
+double quantile(const std::vector<double>& errors, double fraction) {
+  return errors[static_cast<std::size_t>(fraction * static_cast<double>(errors.size() - 1))];
 }
 
 void print(const std::vector<double>& errors) {
@@ -217,8 +217,8 @@ TEST(SoftLight, ofABallThatItsCeilingCutsIsThatOfTheRest) {
          {std::pair{Vec3{2.5, 1, 0}, floor}, std::pair{Vec3{6, 1.3, 0.7}, wall},
           std::pair{Vec3{6, 1.3, 2.6}, wall}, std::pair{Vec3{6, 2.0, 2.9}, wall}}) {
       std::int64_t rays = 0;
-      EXPECT_NEAR(255 * sight.seenShare({p, SectorId(0), plane}, rays), 255 * shareBefore(0.25),
-                  bound)
+      EXPECT_NEAR(255 * sight.seenFraction({p, SectorId(0), plane}, rays),
+                  255 * fractionBefore(0.25), bound)
           << samples << " samples, " << p.x << " " << p.z;
     }
   }
@@ -233,7 +233,8 @@ TEST(SoftLight, ofABallThatTheFloorCutsIsThatOfTheRestOnTheFloorToo) {
                           "'bake':{{'texel':0.5}}}}",
                           z));
     for (double x = 0.25; x < 6; x += 0.5)
-      EXPECT_NEAR(baked.at(SurfaceKind::Floor, {x, 1.25, 0}), 200 * shareBefore(z / 0.5), 1.5) << x;
+      EXPECT_NEAR(baked.at(SurfaceKind::Floor, {x, 1.25, 0}), 200 * fractionBefore(z / 0.5), 1.5)
+          << x;
   }
 }
 

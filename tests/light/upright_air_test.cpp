@@ -8,7 +8,7 @@
 namespace hearth {
 namespace {
 
-/// Two triangles that stand on 0 and reach 1 m high, the first up to the share 0.5 of their
+/// Two triangles that stand on 0 and reach 1 m high, the first up to the fraction 0.5 of their
 /// segment, the second from `gap` beyond it.
 const UprightOutline kFirst = {{0, 0}, {0.5, 0}, {0.5, 1}};
 UprightOutline second(double gap) { return {{0.5 + gap, 0}, {1, 0}, {0.5 + gap, 1}}; }

@@ -64,11 +64,11 @@ TEST(Texture, ofAnOpeningIsNoneOfItsSteps) {
                              "'middle': '#654321'}]}]"))
           .level;
   const Portal& portal = std::get<Portal>(level.segments[1].kind);
-  EXPECT_EQ(level.textures[portal.middle.value().texture.index()], "#123456");
+  EXPECT_EQ(level.textures[portal.maskedMiddle.value().texture.index()], "#123456");
   EXPECT_FALSE(portal.upper);
   const Stack& stack = std::get<Stack>(level.segments[7].kind);
   const Portal& inStack = std::get<Portal>(stack.subWalls[1].kind);
-  EXPECT_EQ(level.textures[inStack.middle.value().texture.index()], "#654321");
+  EXPECT_EQ(level.textures[inStack.maskedMiddle.value().texture.index()], "#654321");
 }
 
 TEST(Texture, ofAPlainColourIsOnePixel) {

@@ -199,13 +199,13 @@ class JitteredGrid {
   static constexpr int kRooms = 5;
   static constexpr double kJitter = 1.9e-4;
 
-  double share() { return static_cast<double>(random_()) / 4294967296.0; }
+  double fraction() { return static_cast<double>(random_()) / 4294967296.0; }
 
   /// Corner (x, y) of a slanted grid.
   static Vec2 corner(double x, double y) { return {3.1 * x - 1.7 * y, 0.9 * x + 2.3 * y}; }
 
   std::string vertex(Vec2 p) {
-    const auto jittered = [&](double value) { return value + kJitter * (2 * share() - 1); };
+    const auto jittered = [&](double value) { return value + kJitter * (2 * fraction() - 1); };
     const double x = jittered(p.x);
     return fmt::format("{},{}", x, jittered(p.y));
   }
@@ -222,9 +222,9 @@ class JitteredGrid {
           isInside ? fmt::format("{{'next': '{}'}}", name(nextX, nextY)) : std::string(kPlain);
       const Vec2 from = corner(x + kSide[side][0], y + kSide[side][1]);
       const Vec2 to = corner(x + kSide[(side + 1) % 4][0], y + kSide[(side + 1) % 4][1]);
-      const auto cuts = static_cast<int>(3 * share());
+      const auto cuts = static_cast<int>(3 * fraction());
       for (int cut = 0; cut <= cuts; ++cut) {
-        const double s = cut == 0 ? 0 : (cut - 0.4 + 0.3 * share()) / (cuts + 1);
+        const double s = cut == 0 ? 0 : (cut - 0.4 + 0.3 * fraction()) / (cuts + 1);
         append(vertices, vertex(lerp(from, to, s)));
         append(walls, wall);
       }

@@ -141,9 +141,10 @@ class FeatureFinder {
              piece.bottom < piece.top);
     note(Feature::UpperAndLower, portal->upper && portal->lower);
     note(Feature::PortalWithoutTexture, !portal->texture && !portal->upper && !portal->lower);
-    note(Feature::MiddleTexture, portal->middle.has_value());
-    note(Feature::MiddleInStack, portal->middle && at.wall->pieces.size() > 1);
-    for (const auto& texture : {portal->texture, portal->upper, portal->lower, portal->middle}) {
+    note(Feature::MiddleTexture, portal->maskedMiddle.has_value());
+    note(Feature::MiddleInStack, portal->maskedMiddle && at.wall->pieces.size() > 1);
+    for (const auto& texture :
+         {portal->texture, portal->upper, portal->lower, portal->maskedMiddle}) {
       if (texture) findTexture(*texture);
     }
     const Sector& here = model_.sectors[at.sector];
@@ -167,7 +168,8 @@ class FeatureFinder {
       hasSameEnds |= other.a == at.b && other.b == at.a;
       for (const PortalPiece* back : portalsOf(*other.wall)) {
         hasWayBack |= back->next == at.sector;
-        note(Feature::MiddlesBackToBack, portal.middle && back->middle && back->next == at.sector);
+        note(Feature::MiddlesBackToBack,
+             portal.maskedMiddle && back->maskedMiddle && back->next == at.sector);
       }
     }
     note(Feature::OneWayPortal, !hasWayBack);

@@ -15,7 +15,7 @@ namespace {
 
 using namespace hearth;
 
-constexpr double kLeastShare = 0.05;
+constexpr double kLeastFraction = 0.05;
 constexpr int kFoundRare = 1;
 constexpr int kBadUsage = 2;
 
@@ -54,10 +54,10 @@ int printHistogram(const std::map<Feature, std::uint64_t>& counts, std::uint64_t
   for (const auto& [feature, name] : kFeatures) {
     const auto found = counts.find(feature);
     const std::uint64_t count = found == counts.end() ? 0 : found->second;
-    const double share = static_cast<double>(count) / static_cast<double>(levels);
-    fmt::print("{:6} {:5.1f} %  {}{}\n", count, 100 * share, name,
-               share < kLeastShare ? "  <- rare" : "");
-    if (share < kLeastShare) ++rare;
+    const double fraction = static_cast<double>(count) / static_cast<double>(levels);
+    fmt::print("{:6} {:5.1f} %  {}{}\n", count, 100 * fraction, name,
+               fraction < kLeastFraction ? "  <- rare" : "");
+    if (fraction < kLeastFraction) ++rare;
   }
   return rare;
 }

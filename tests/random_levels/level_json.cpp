@@ -156,7 +156,7 @@ class LevelWriter {
     if (portal.texture) json["texture"] = textureJson(*portal.texture);
     if (portal.upper) json["upper"] = textureJson(*portal.upper);
     if (portal.lower) json["lower"] = textureJson(*portal.lower);
-    if (portal.middle) json["middle"] = textureJson(*portal.middle);
+    if (portal.maskedMiddle) json["middle"] = textureJson(*portal.maskedMiddle);
     return json;
   }
 

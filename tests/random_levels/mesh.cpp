@@ -251,8 +251,9 @@ EdgeKey pickEdge(Random& random, const Mesh& mesh) {
   return std::next(edges.begin(), static_cast<std::ptrdiff_t>(random.below(edges.size())))->first;
 }
 
-void splitSomeEdges(Random& random, Mesh& mesh, double share) {
-  const auto count = static_cast<std::size_t>(share * static_cast<double>(mesh.edges().size()) / 2);
+void splitSomeEdges(Random& random, Mesh& mesh, double fraction) {
+  const auto count =
+      static_cast<std::size_t>(fraction * static_cast<double>(mesh.edges().size()) / 2);
   for (std::size_t n = 0; n < count; ++n) {
     const auto [a, b] = pickEdge(random, mesh);
     Mesh changed = mesh;
@@ -341,7 +342,7 @@ Mesh makeMesh(Random& random, const MeshStyle& style) {
   Mesh mesh = makeGrid(random, style);
   CHECK(isClean(mesh));
   cutInsets(random, mesh, style);
-  splitSomeEdges(random, mesh, style.splitShare);
+  splitSomeEdges(random, mesh, style.splitFraction);
   for (std::size_t i = 0; i < style.nearVertices; ++i) addNearVertex(random, mesh);
   return mesh;
 }

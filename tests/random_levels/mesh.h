@@ -45,7 +45,7 @@ struct MeshStyle {
   Turn turn = Turn::None;
   std::size_t insets = 0;         ///< faces that get one or two insets
   std::size_t firstInsetRow = 0;  ///< rows before it get none
-  double splitShare = 0;          ///< of the edges, that get a vertex at a quarter or a half
+  double splitFraction = 0;       ///< of the edges, that get a vertex at a quarter or a half
   std::size_t nearVertices = 0;   ///< vertices made 2..50 mm beside others
 };
 

@@ -57,7 +57,7 @@ TEST(MakeMesh, FacesFillTheirOutlineWithoutOverlap) {
     MeshStyle style;
     style.columns = 4;
     style.insets = 5;
-    style.splitShare = 0.3;
+    style.splitFraction = 0.3;
     style.nearVertices = 3;
     style.turn = static_cast<Turn>(seed % 4);
     const Mesh mesh = makeMesh(random, style);

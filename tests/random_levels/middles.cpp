@@ -17,14 +17,14 @@ TextureUse middleTexture(Random& random, const Sector& sector) {
 
 }  // namespace
 
-void hangMiddles(Random& random, Model& model, double share) {
+void hangMiddles(Random& random, Model& model, double fraction) {
   for (Sector& sector : model.sectors)
     for (Loop& loop : sector.loops) {
       if (loop.hasOneWall) continue;
       for (Wall& wall : loop.walls)
         for (Piece& piece : wall.pieces)
           if (auto* portal = std::get_if<PortalPiece>(&piece.kind))
-            if (random.chance(share)) portal->middle = middleTexture(random, sector);
+            if (random.chance(fraction)) portal->maskedMiddle = middleTexture(random, sector);
     }
 }
 

@@ -4,7 +4,7 @@
 
 namespace hearth::random_levels {
 
-/// Hangs middle textures in so many of the portals.
-void hangMiddles(Random& random, Model& model, double share);
+/// Hangs masked middle textures in so many of the portals.
+void hangMiddles(Random& random, Model& model, double fraction);
 
 }  // namespace hearth::random_levels

@@ -34,7 +34,7 @@ struct PortalPiece {
   std::optional<TextureUse> texture;
   std::optional<TextureUse> upper;
   std::optional<TextureUse> lower;
-  std::optional<TextureUse> middle;
+  std::optional<TextureUse> maskedMiddle;
 };
 
 struct Piece {

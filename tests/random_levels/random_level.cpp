@@ -29,7 +29,7 @@ struct LevelStyle {
   MeshStyle mesh;
   StoreyStyle storeys;
   WallStyle walls;
-  double slopeShare = 0;
+  double slopeFraction = 0;
 };
 
 void chooseMesh(Random& random, LevelStyle& style) {
@@ -44,7 +44,7 @@ void chooseMesh(Random& random, LevelStyle& style) {
   mesh.columns = static_cast<std::size_t>(random.between(2, 4));
   mesh.rows = static_cast<std::size_t>(random.between(2, 4));
   mesh.insets = random.chance(0.7) ? static_cast<std::size_t>(random.between(1, 4)) : 0;
-  mesh.splitShare = random.chance(0.5) ? random.pick({0.1, 0.2, 0.4}) : 0;
+  mesh.splitFraction = random.chance(0.5) ? random.pick({0.1, 0.2, 0.4}) : 0;
   mesh.nearVertices = random.chance(0.35) ? static_cast<std::size_t>(random.between(1, 3)) : 0;
 }
 
@@ -63,16 +63,16 @@ LevelStyle chooseStyle(Random& random) {
   LevelStyle style;
   chooseMesh(random, style);
   style.storeys.groundSectors = static_cast<std::size_t>(random.between(2, 7));
-  style.storeys.voidShare = random.pick({0.0, 0.0, 0.1, 0.25});
+  style.storeys.voidFraction = random.pick({0.0, 0.0, 0.1, 0.25});
   style.storeys.storeys = random.pick<std::size_t>({1, 1, 1, 2, 2, 2, 3, 3, 4});
-  style.storeys.skyShare = random.chance(0.5) ? random.pick({0.4, 0.7, 1.0}) : 0;
-  style.storeys.skyFloorShare = random.chance(0.3) ? random.pick({0.3, 0.7}) : 0;
+  style.storeys.skyFraction = random.chance(0.5) ? random.pick({0.4, 0.7, 1.0}) : 0;
+  style.storeys.skyFloorFraction = random.chance(0.3) ? random.pick({0.3, 0.7}) : 0;
   style.storeys.hasDoors = random.chance(0.4);
   style.storeys.hasHyphens = random.chance(0.35);
-  style.walls.stackShare = random.pick({0.0, 0.15, 0.3, 0.6});
-  style.walls.mergeShare = random.pick({0.2, 0.5, 0.8});
+  style.walls.stackFraction = random.pick({0.0, 0.15, 0.3, 0.6});
+  style.walls.mergeFraction = random.pick({0.2, 0.5, 0.8});
   style.walls.wrongWinding = random.chance(0.2) ? 0.3 : 0;
-  style.slopeShare = random.pick({0.0, 0.0, 0.25, 0.4, 0.7});
+  style.slopeFraction = random.pick({0.0, 0.0, 0.25, 0.4, 0.7});
   if (random.chance(0.15)) makeChain(random, style);
   return style;
 }
@@ -140,7 +140,7 @@ Model makeModel(Random& random) {
       continue;
     }
     makeWalls(random, model, style.walls);
-    makeSlopes(random, model, style.slopeShare);
+    makeSlopes(random, model, style.slopeFraction);
     return model;
   }
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kLevels = 500;
 constexpr std::uint64_t kFewLevels = 150;  // where the sanitizers would take long
-constexpr double kLeastShare = 0.05;
+constexpr double kLeastFraction = 0.05;
 
 TEST(RandomLevel, SameSeedGivesSameBytes) {
   for (const std::uint64_t seed : {0u, 1u, 77u, 4000000000u}) {
@@ -42,7 +42,7 @@ TEST(RandomLevel, EveryFeatureIsInATwentiethOfTheLevels) {
     for (const Feature feature : makeRandomLevel(seed).features) ++counts[feature];
   }
   for (const auto& [feature, name] : kFeatures) {
-    EXPECT_GE(static_cast<double>(counts[feature]), kLeastShare * kLevels) << name;
+    EXPECT_GE(static_cast<double>(counts[feature]), kLeastFraction * kLevels) << name;
   }
 }
 

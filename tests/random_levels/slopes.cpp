@@ -63,11 +63,11 @@ class SlopeBuilder {
  public:
   SlopeBuilder(Random& random, Model& model) : random_(random), model_(model) {}
 
-  void slopeSome(double share) {
+  void slopeSome(double fraction) {
     for (Sector& sector : model_.sectors) {
       if (!maySlope(sector) || sector.floor.wedge || sector.ceiling.wedge) continue;
-      const bool hasFloor = sector.floor.isPlain() && random_.chance(share);
-      const bool hasCeiling = sector.ceiling.isPlain() && random_.chance(share * 0.7);
+      const bool hasFloor = sector.floor.isPlain() && random_.chance(fraction);
+      const bool hasCeiling = sector.ceiling.isPlain() && random_.chance(fraction * 0.7);
       // Both wedges together fill at most the height.
       const double floorPart = hasFloor && hasCeiling ? random_.pick({0.25, 0.5, 0.7}) : 1;
       if (hasFloor) slope(sector, sector.floor, floorPart);
@@ -168,10 +168,10 @@ class SlopeBuilder {
 
 }  // namespace
 
-void makeSlopes(Random& random, Model& model, double share) {
+void makeSlopes(Random& random, Model& model, double fraction) {
   SlopeBuilder builder(random, model);
-  if (share > 0 && random.chance(0.6)) builder.continueOne();
-  if (share > 0) builder.slopeSome(share);
+  if (fraction > 0 && random.chance(0.6)) builder.continueOne();
+  if (fraction > 0) builder.slopeSome(fraction);
 }
 
 }  // namespace hearth::random_levels

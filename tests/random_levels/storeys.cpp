@@ -73,7 +73,7 @@ class StoreyBuilder {
         addGroundSector({f}).isChainLink = true;
       } else if (model_.mesh.faces[f].isInset) {
         if (!random_.chance(0.45)) addGroundSector({f});
-      } else if (!random_.chance(style_.voidShare)) {
+      } else if (!random_.chance(style_.voidFraction)) {
         cells.push_back(f);
       }
     }
@@ -278,8 +278,8 @@ class StoreyBuilder {
 
   void makeSkies() {
     for (Sector& sector : model_.sectors) {
-      if (!sector.ceiling.flatPortal) sector.ceiling.isSky = random_.chance(style_.skyShare);
-      if (!sector.floor.flatPortal) sector.floor.isSky = random_.chance(style_.skyFloorShare);
+      if (!sector.ceiling.flatPortal) sector.ceiling.isSky = random_.chance(style_.skyFraction);
+      if (!sector.floor.flatPortal) sector.floor.isSky = random_.chance(style_.skyFloorFraction);
       for (Flat* flat : {&sector.floor, &sector.ceiling}) {
         if (flat->isSky) flat->isRelative = false;
       }

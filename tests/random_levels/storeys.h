@@ -7,10 +7,10 @@ namespace hearth::random_levels {
 struct StoreyStyle {
   std::size_t groundSectors = 6;
   std::size_t chainLinks = 0;  ///< the first faces that become sectors of their own, in a row
-  double voidShare = 0;        ///< of the cells, that stay solid
+  double voidFraction = 0;     ///< of the cells, that stay solid
   std::size_t storeys = 1;
-  double skyShare = 0;       ///< of the ceilings that may be sky
-  double skyFloorShare = 0;  ///< of the floors that may be sky
+  double skyFraction = 0;       ///< of the ceilings that may be sky
+  double skyFloorFraction = 0;  ///< of the floors that may be sky
   bool hasDoors = false;
   bool hasHyphens = false;
 };

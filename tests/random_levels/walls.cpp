@@ -51,7 +51,7 @@ class WallBuilder {
       const Run run = runOf(outline[i], outline[(i + 1) % outline.size()]);
       const Run before = runOf(outline[(i + outline.size() - 1) % outline.size()], outline[i]);
       const bool isSame = run.here == before.here && run.there == before.there;
-      if (isSame && isStraight(outline, i) && random_.chance(style_.mergeShare)) continue;
+      if (isSame && isStraight(outline, i) && random_.chance(style_.mergeFraction)) continue;
       loop.vertices.push_back(outline[i]);
       runs.push_back(run);
     }
@@ -148,11 +148,11 @@ class WallBuilder {
     // Now and then a border changes on its way.
     if (known != borders_.end() && !random_.chance(0.1)) return known->second;
     const double dice = random_.unit();
-    const Border border = dice < style_.stackShare / 2 ? Border::StackOneSide
-                          : dice < style_.stackShare   ? Border::StackBothSides
-                          : dice > 0.95                ? Border::Closed
-                          : dice > 0.9                 ? Border::OneWay
-                                                       : Border::Open;
+    const Border border = dice < style_.stackFraction / 2 ? Border::StackOneSide
+                          : dice < style_.stackFraction   ? Border::StackBothSides
+                          : dice > 0.95                   ? Border::Closed
+                          : dice > 0.9                    ? Border::OneWay
+                                                          : Border::Open;
     borders_.insert({{first, second}, border});
     return border;
   }
@@ -168,7 +168,7 @@ class WallBuilder {
   PortalPiece portalTo(SectorIndex s, SectorIndex t, bool isInStack) {
     const Sector& from = sector(s);
     const Sector& to = sector(t);
-    PortalPiece portal{.next = t, .texture = {}, .upper = {}, .lower = {}, .middle = {}};
+    PortalPiece portal{.next = t, .texture = {}, .upper = {}, .lower = {}, .maskedMiddle = {}};
     // Between two skies the step shows the sky, but only where there is an opening beside it.
     const bool showsSky = !isInStack && to.ceiling.z > from.floor.z && to.floor.z < from.ceiling.z;
     const bool areSkies = showsSky && from.ceiling.isSky && to.ceiling.isSky;

@@ -5,9 +5,9 @@
 namespace hearth::random_levels {
 
 struct WallStyle {
-  double stackShare = 0.15;    ///< of the borders between sectors, that get stacks
-  double mergeShare = 0.5;     ///< of the vertices on a straight line, that a loop leaves out
-  double wrongWinding = 0.03;  ///< of the loops
+  double stackFraction = 0.15;  ///< of the borders between sectors, that get stacks
+  double mergeFraction = 0.5;   ///< of the vertices on a straight line, that a loop leaves out
+  double wrongWinding = 0.03;   ///< of the loops
 };
 
 /// Draws the loops of all sectors, and puts solids, portals and stacks into their walls.

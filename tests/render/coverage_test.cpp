@@ -76,8 +76,8 @@ TEST_F(Coverage, isCompleteForEveryFieldOfViewAndPitch) {
 TEST_F(Coverage, isCompleteFromEveryVertexAndEveryMiddleOfAWall) {
   for (const Segment& segment : level().segments) {
     const Sector& sector = level()[segment.sector];
-    for (const double share : {0.0, 0.5}) {
-      const Vec2 p = lerp(segment.p0, segment.p1, share);
+    for (const double fraction : {0.0, 0.5}) {
+      const Vec2 p = lerp(segment.p0, segment.p1, fraction);
       const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
       for (const double angle : {0.0, 45.0, 90.0, 137.0, 180.0, 270.0, 301.0})
         expectCoveredOnce({segment.sector, {p.x, p.y, z}, angle, 0, 100, 61, 31});
@@ -134,11 +134,11 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
   EXPECT_EQ(filled(), (std::vector{true, true, true}));
   found.spans[21].rowEnd = 3;
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
-  // A middle texture, which comes last, can have holes.
+  // A masked middle texture, which comes last, can have holes.
   found.spans.push_back({10, 3, 4, wall, 1});
-  found.stats.middleSpans = 1;
+  found.stats.maskedMiddleSpans = 1;
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
-  found.stats.middleSpans = 0;
+  found.stats.maskedMiddleSpans = 0;
   EXPECT_EQ(filled(), (std::vector{true, true, true}));
 }
 

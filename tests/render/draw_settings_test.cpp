@@ -110,13 +110,13 @@ TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
                                 Texture(Image(8, 1)));
   const int left[] = {0, 0, 7, 7};
   const int right[] = {1, 1, 0, 0};
-  const float shares[] = {0, 0.5, 0.25, 0.25};
+  const float fractions[] = {0, 0.5, 0.25, 0.25};
   for (std::size_t k = 0; k < batch.count; ++k) {
     EXPECT_EQ(batch.texels.upperLeft[k], left[k]) << k;
     EXPECT_EQ(batch.texels.upperRight[k], right[k]) << k;
     EXPECT_EQ(batch.texels.lowerLeft[k], left[k]) << k;
     EXPECT_EQ(batch.texels.lowerRight[k], right[k]) << k;
-    EXPECT_EQ(batch.betweenTexels.across[k], shares[k]) << k;
+    EXPECT_EQ(batch.betweenTexels.across[k], fractions[k]) << k;
     EXPECT_EQ(batch.betweenTexels.down[k], 0);
   }
 }

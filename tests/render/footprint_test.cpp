@@ -17,7 +17,7 @@ namespace {
 constexpr int kTextureSize = 64;
 const Texture kTexture(Image(kTextureSize, kTextureSize));
 
-/// Calls `visit(span, mapping, footprint, climb)` for every pixel of surfaces of a kind.
+/// Calls `visit(span, mapping, footprint, raySlope)` for every pixel of surfaces of a kind.
 template <typename Visit>
 void forEachPixel(const Level& level, const Camera& camera, SurfaceKind kind, SectorId sector,
                   Visit&& visit) {
@@ -29,15 +29,17 @@ void forEachPixel(const Level& level, const Camera& camera, SurfaceKind kind, Se
     const SpanMapping mapping = mappingOf(level, projection, span, kTexture, nullptr);
     const Footprint footprint(level, projection, span, kTexture, mapping);
     for (int row = span.rowBegin; row < span.rowEnd; ++row)
-      visit(span, mapping, footprint, projection.climbOf(row + 0.5));
+      visit(span, mapping, footprint, projection.raySlopeAt(row + 0.5));
   }
 }
 
 double texelsOf(const Level& level, const Camera& camera, SurfaceKind kind, SectorId sector) {
   double texels = 0;
-  forEachPixel(level, camera, kind, sector,
-               [&](const Span&, const SpanMapping& mapping, const Footprint& footprint,
-                   double climb) { texels += footprint.texelsAt(mapping.measureAt(climb)); });
+  forEachPixel(
+      level, camera, kind, sector,
+      [&](const Span&, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
+        texels += footprint.texelsAt(mapping.parameterAt(raySlope));
+      });
   return texels;
 }
 
@@ -76,11 +78,12 @@ TEST(Footprint, OfAWallSeenAtAnAngleCoversIt) {
   // Of all walls only the eastern one is seen as a whole.
   const Camera camera{SectorId(0), {1, 1, 1.2}, 20, 0, 110, 640, 400};
   double texels = 0;
-  forEachPixel(loaded.level, camera, SurfaceKind::Solid, SectorId(0),
-               [&](const Span& span, const SpanMapping&, const Footprint& footprint, double climb) {
-                 const Segment& wall = loaded.level[*loaded.level[span.surface].segment];
-                 if (wall.p0.x == 6 && wall.p1.x == 6) texels += footprint.texelsAt(climb);
-               });
+  forEachPixel(
+      loaded.level, camera, SurfaceKind::Solid, SectorId(0),
+      [&](const Span& span, const SpanMapping&, const Footprint& footprint, double raySlope) {
+        const Segment& wall = loaded.level[*loaded.level[span.surface].segment];
+        if (wall.p0.x == 6 && wall.p1.x == 6) texels += footprint.texelsAt(raySlope);
+      });
   EXPECT_NEAR(texels / (4 * 3 * kTexelsPerMetre2), 1, 0.02);
 }
 
@@ -95,12 +98,13 @@ TEST(Footprint, OfASkyIsWhatLiesBetweenNeighbouringPixels) {
   int pixels = 0;
   forEachPixel(
       loaded.level, camera, SurfaceKind::SkyCeiling, SectorId(0),
-      [&](Span span, const SpanMapping& mapping, const Footprint& footprint, double climb) {
-        const double down = mapping.v.at(climb - 1 / projection.distancePx()) - mapping.v.at(climb);
+      [&](Span span, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
+        const double down =
+            mapping.v.at(raySlope - 1 / projection.distancePx()) - mapping.v.at(raySlope);
         span.column += 1;
         const SpanMapping next = mappingOf(loaded.level, projection, span, kTexture, nullptr);
-        const double across = next.u.at(climb) - mapping.u.at(climb);
-        EXPECT_NEAR(footprint.texelsAt(climb) / std::abs(across * down), 1, 0.02);
+        const double across = next.u.at(raySlope) - mapping.u.at(raySlope);
+        EXPECT_NEAR(footprint.texelsAt(raySlope) / std::abs(across * down), 1, 0.02);
         ++pixels;
       });
   EXPECT_GT(pixels, 1000);
@@ -114,10 +118,10 @@ TEST(Footprint, ChoosesTheLevelWhoseTexelsAreNearestToAPixelInArea) {
   int last = 0;
   forEachPixel(
       loaded.level, camera, SurfaceKind::Floor, SectorId(0),
-      [&](const Span&, const SpanMapping& mapping, const Footprint& footprint, double climb) {
-        const double measure = mapping.measureAt(climb);
-        const double pixels = std::log2(footprint.texelsAt(measure)) / 2;
-        const int level = footprint.levelAt(measure);
+      [&](const Span&, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
+        const double parameter = mapping.parameterAt(raySlope);
+        const double pixels = std::log2(footprint.texelsAt(parameter)) / 2;
+        const int level = footprint.levelAt(parameter);
         EXPECT_EQ(level, std::max(0L, std::lround(pixels))) << pixels;
         last = std::max(last, level);
       });

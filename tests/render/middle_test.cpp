@@ -1,4 +1,4 @@
-// What shows of middle textures, and through them.
+// What shows of masked middle textures, and through them.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(MiddleTextures, areCountedAndCostNothingWhereThereAreNone) {
     Image picture;
     Renderer(loaded.level, texturesOf(loaded.level), light)
         .draw({SectorId(0), {1, 0, 2}, 0, 0, 90, kSize, kSize}, LightMode::None, scratch, picture);
-    return scratch.found().middleSpans;
+    return scratch.found().maskedMiddleSpans;
   };
   EXPECT_EQ(spansOf(rooms("", "")), 0U);
   EXPECT_EQ(spansOf(rooms(kNearMiddle, "")), 42U) << "4 m at 3 m deep, of 64 columns for 6 m";

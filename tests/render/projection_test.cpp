@@ -103,7 +103,7 @@ TEST(SegmentMeetings, areAtTheSameDepthToTheBitForTwins) {
   for (int column = columns.begin; column < columns.end; ++column) {
     const double slant = projection.slantOf(column + 0.5);
     EXPECT_EQ(wall.at(slant).depth, twin.at(slant).depth);
-    EXPECT_DOUBLE_EQ(wall.at(slant).share, 1 - twin.at(slant).share);
+    EXPECT_DOUBLE_EQ(wall.at(slant).fraction, 1 - twin.at(slant).fraction);
   }
 }
 

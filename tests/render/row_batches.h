@@ -7,11 +7,11 @@
 
 namespace hearth::test {
 
-/// Makes a batch of rows with these measures, at most RowBatch::kRows.
-inline void setRows(RowBatch& batch, const std::vector<double>& measures) {
-  batch.count = measures.size();
-  std::ranges::copy(measures, batch.depths.begin());
-  batch.measures = batch.depths.data();
+/// Makes a batch of rows with these parameters, at most RowBatch::kRows.
+inline void setRows(RowBatch& batch, const std::vector<double>& parameters) {
+  batch.count = parameters.size();
+  std::ranges::copy(parameters, batch.depths.begin());
+  batch.parameters = batch.depths.data();
 }
 
 }  // namespace hearth::test

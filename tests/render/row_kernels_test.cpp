@@ -94,35 +94,35 @@ TEST(RowKernels, findTheTexelsThatAModuloOfEachRowGives) {
   std::uniform_real_distribution<double> anywhere(-1e6, 1e6);
   for (const int width : {1, 7, 64, 100})
     for (const int height : {1, 3, 128, 1000}) {
-      std::vector<double> measures;
+      std::vector<double> parameters;
       for (std::size_t i = 0; i < RowBatch::kRows - 1; ++i)
-        measures.push_back(i % 3 == 0 ? std::round(anywhere(random)) : anywhere(random));
-      std::ranges::sort(measures);
+        parameters.push_back(i % 3 == 0 ? std::round(anywhere(random)) : anywhere(random));
+      std::ranges::sort(parameters);
       RowBatch batch{};
-      setRows(batch, measures);
+      setRows(batch, parameters);
       rowKernels().findTexels(
           batch, {.isPlane = true, .u = {.place = {0.25, 1}}, .v = {.place = {-3, 0.5}}},
           Texture(Image(width, height)));
       for (std::size_t k = 0; k < batch.count; ++k) {
-        EXPECT_EQ(batch.texels.upperLeft[k] / height, modulo(0.25 + measures[k], width));
-        EXPECT_EQ(batch.texels.upperLeft[k] % height, modulo(-3 + measures[k] * 0.5, height));
+        EXPECT_EQ(batch.texels.upperLeft[k] / height, modulo(0.25 + parameters[k], width));
+        EXPECT_EQ(batch.texels.upperLeft[k] % height, modulo(-3 + parameters[k] * 0.5, height));
       }
     }
 }
 
 /// Measures at which a coordinate is a whole texel, but for roundings and 2^-20 to 2^-40 of one.
-std::vector<double> measuresNearTexels(const ImageAxis& along, std::mt19937& random) {
+std::vector<double> parametersNearTexels(const ImageAxis& along, std::mt19937& random) {
   std::uniform_int_distribution<int> texels(-3000, 3000);
   std::uniform_int_distribution<int> bits(20, 40);
-  std::vector<double> measures;
+  std::vector<double> parameters;
   for (std::size_t i = 0; i < RowBatch::kRows; ++i) {
     const double beside = std::ldexp(static_cast<double>(i % 3) - 1, -bits(random));
     const double place =
         (texels(random) + beside + along.offset) / along.texelsPerPlace + along.origin;
-    measures.push_back((place - along.place.atZero) / along.place.per);
+    parameters.push_back((place - along.place.atZero) / along.place.per);
   }
-  std::ranges::sort(measures);
-  return measures;
+  std::ranges::sort(parameters);
+  return parameters;
 }
 
 TEST(RowKernels, findTheTexelsOfEachRowHoweverNearToTheNextTheyAre) {
@@ -137,12 +137,12 @@ TEST(RowKernels, findTheTexelsOfEachRowHoweverNearToTheNextTheyAre) {
       for (const bool isPlane : {false, true}) {
         const SpanMapping mapping{.isPlane = isPlane, .u = someAxis(), .v = someAxis()};
         RowBatch batch{};
-        setRows(batch, measuresNearTexels(i % 2 == 0 ? mapping.u : mapping.v, random));
+        setRows(batch, parametersNearTexels(i % 2 == 0 ? mapping.u : mapping.v, random));
         const Texture image(Image(width, height));
         rowKernels().findTexels(batch, mapping, image);
         for (std::size_t k = 0; k < batch.count; ++k) {
-          const double u = mapping.u.at(isPlane ? batch.measures[k] : 0);
-          const double v = mapping.v.at(batch.measures[k]);
+          const double u = mapping.u.at(isPlane ? batch.parameters[k] : 0);
+          const double v = mapping.v.at(batch.parameters[k]);
           ASSERT_EQ(batch.texels.upperLeft[k], modulo(u, width) * height + modulo(v, height))
               << u << ' ' << v << ' ' << width << 'x' << height;
         }
@@ -151,13 +151,13 @@ TEST(RowKernels, findTheTexelsOfEachRowHoweverNearToTheNextTheyAre) {
 
 TEST(RowKernels, findDepthsThatAreThoseOfEachRow) {
   const SpanMapping slope{.isPlane = true, .height = -1.5, .rise = 0.125, .depth = 20};
-  std::vector<double> climbs;
-  for (int row = 0; row < 100; ++row) climbs.push_back((50 - row) / 160.0);
+  std::vector<double> raySlopes;
+  for (int row = 0; row < 100; ++row) raySlopes.push_back((50 - row) / 160.0);
   RowBatch batch{};
-  setRows(batch, climbs);
-  rowKernels().findDepths(batch, slope, batch.measures);
+  setRows(batch, raySlopes);
+  rowKernels().findDepths(batch, slope, batch.parameters);
   for (std::size_t k = 0; k < batch.count; ++k)
-    EXPECT_EQ(batch.measures[k], slope.depthAt(climbs[k])) << k;
+    EXPECT_EQ(batch.parameters[k], slope.depthAt(raySlopes[k])) << k;
 }
 
 TEST(RowKernels, findPlacesInALightmapAndKeepThemThere) {
@@ -167,10 +167,10 @@ TEST(RowKernels, findPlacesInALightmapAndKeepThemThere) {
   rowKernels().findLightTexels(batch, {.isPlane = true, .s = {0, 1}, .t = {6.75, 0}}, lightmap,
                                LightFilter::Bilinear);
   const std::vector<std::size_t> columns{0, 0, 0, 2, 2};
-  const std::vector<double> shares{0, 0, 0.25, 1, 1};
+  const std::vector<double> fractions{0, 0, 0.25, 1, 1};
   for (std::size_t k = 0; k < batch.count; ++k) {
     EXPECT_EQ(batch.lightTexels[k], 4 + columns[k]) << k;
-    EXPECT_EQ(batch.betweenLightTexels.across[k], shares[k]) << k;
+    EXPECT_EQ(batch.betweenLightTexels.across[k], fractions[k]) << k;
     EXPECT_EQ(batch.betweenLightTexels.down[k], 0.25F);
   }
 }

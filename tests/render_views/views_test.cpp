@@ -186,9 +186,9 @@ using Pixels = std::set<std::pair<int, int>>;
 
 Pixels pixelsOf(Vec2 a, Vec2 b) {
   Pixels pixels;
-  forEachPixelOfLine(a, b, 40, 30, [&](int x, int y, double share) {
+  forEachPixelOfLine(a, b, 40, 30, [&](int x, int y, double fraction) {
     EXPECT_TRUE(x >= 0 && x < 40 && y >= 0 && y < 30) << x << ' ' << y;
-    EXPECT_TRUE(share >= 0 && share <= 1) << share;
+    EXPECT_TRUE(fraction >= 0 && fraction <= 1) << fraction;
     pixels.emplace(x, y);
   });
   return pixels;
@@ -223,12 +223,12 @@ TEST(Line, OfNoNumberIsLeftOut) {
   EXPECT_TRUE(pixelsOf({1, none}, {9, 9}).empty());
 }
 
-TEST(Line, ShareGrowsEvenlyAlongIt) {
+TEST(Line, FractionGrowsEvenlyAlongIt) {
   double last = -1;
-  forEachPixelOfLine({-20, 5}, {60, 5}, 40, 30, [&](int x, int, double share) {
-    EXPECT_NEAR(share, (20.0 + x) / 80, 1.0 / 80);
-    EXPECT_GT(share, last);
-    last = share;
+  forEachPixelOfLine({-20, 5}, {60, 5}, 40, 30, [&](int x, int, double fraction) {
+    EXPECT_NEAR(fraction, (20.0 + x) / 80, 1.0 / 80);
+    EXPECT_GT(fraction, last);
+    last = fraction;
   });
 }
 

@@ -214,7 +214,7 @@ TEST(LightHash, isAnotherWithEverySettingAndWithTheGeometry) {
        {BakeSettings{}, BakeSettings{.texel = 0.25}, BakeSettings{.samples = 4},
         BakeSettings{.samples = std::nullopt}, BakeSettings{.softSamples = 64},
         BakeSettings{.cutOff = 1}, BakeSettings{.lambert = true},
-        BakeSettings{.solidMiddles = true}, BakeSettings{.bounces = 1}})
+        BakeSettings{.solidMaskedMiddles = true}, BakeSettings{.bounces = 1}})
     hashes.push_back(lightHash(level, settings));
   std::ranges::sort(hashes);
   EXPECT_EQ(std::ranges::adjacent_find(hashes), hashes.end());

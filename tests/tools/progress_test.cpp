@@ -23,7 +23,7 @@ std::string bakingText(std::int64_t done, std::int64_t total, double seconds) {
   return progressText({Stage::Baking, done, total, seconds});
 }
 
-TEST(ProgressText, SaysShareRateAndTimeLeft) {
+TEST(ProgressText, SaysFractionRateAndTimeLeft) {
   EXPECT_EQ(bakingText(420, 1000, 2), "baking    42 %  210 texels/s  3 s left");
   EXPECT_EQ(bakingText(1'500'000, 3'000'000, 90),
             "baking    50 %  16.7 k texels/s  1 min 30 s left");

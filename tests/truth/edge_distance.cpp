@@ -15,8 +15,9 @@ struct Line {
 double distanceToPoint(const Line& line, Vec3 p) {
   const Vec3 along = line.to - line.from;
   const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(p - line.from, along) / squared, 0.0, 1.0) : 0;
-  return length(p - (line.from + share * along));
+  const double fraction =
+      squared > 0 ? std::clamp(dot(p - line.from, along) / squared, 0.0, 1.0) : 0;
+  return length(p - (line.from + fraction * along));
 }
 
 /// Distance of two straight pieces: at the feet of their common perpendicular if both have them,

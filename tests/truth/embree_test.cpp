@@ -23,7 +23,7 @@ struct Counts {
   int rays = 0;
   int disagreements = 0;
   int nearEdges = 0;
-  double farthest = 0;  ///< of the disagreements from an edge, as a share of the level's size
+  double farthest = 0;  ///< of the disagreements from an edge, as a fraction of the level's size
   std::array<int, kSurfaceKinds> hits{};
 };
 
@@ -72,7 +72,7 @@ class Comparison {
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
-  static constexpr double kNear = 1e-5;  ///< share of the level's size
+  static constexpr double kNear = 1e-5;  ///< fraction of the level's size
 
   /// Metres from the ray, as far as twice the way to truth's hit, to the nearest edge of the
   /// triangle that Embree hit and of those of the surface that truth hit.

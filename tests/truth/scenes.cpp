@@ -13,7 +13,7 @@ class Random {
   double between(double a, double b) {
     return a + (b - a) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
   }
-  bool chance(double share) { return between(0, 1) < share; }
+  bool chance(double fraction) { return between(0, 1) < fraction; }
   std::size_t below(std::size_t count) { return bits_() % count; }
 
  private:
@@ -109,7 +109,7 @@ Scene yardScene() {
   TextureMapping fence = level.texture();
   fence.repeat = {3, 1.5};
   fence.zRef = 2;
-  std::get<Portal>(level.wall(yard, 1).kind).middle = fence;
+  std::get<Portal>(level.wall(yard, 1).kind).maskedMiddle = fence;
   Segment& wall = level.wall(yard, 2);
   const Portal portal = std::get<Portal>(wall.kind);
   Stack stack;

@@ -90,13 +90,13 @@ TEST(Trace, MeetsFlatsStraightAboveAndBelow) {
   expectNear(ceiling.normal, {0, 0, -1});
 }
 
-/// Rooms of one height, and between them a middle texture of 2 x 2 texels, 2 m wide and 1 m high,
-/// seen from the west, whose upper left texel is a hole.
+/// Rooms of one height, and between them a masked middle texture of 2 x 2 texels, 2 m wide and 1 m
+/// high, seen from the west, whose upper left texel is a hole.
 struct GrilledRooms : TwoRooms {
   GrilledRooms() : TwoRooms({0, 4}) {
     TextureMapping mapping = level.texture(2, 2);
     mapping.repeat = {2, 1};
-    std::get<Portal>(level.wall(west, kBetween).kind).middle = mapping;
+    std::get<Portal>(level.wall(west, kBetween).kind).maskedMiddle = mapping;
     level.makeHole(mapping.texture, 0, 0);
   }
 };
@@ -105,12 +105,12 @@ TEST(Trace, MeetsAMiddleTextureFromItsFrontButInItsHolesAndBelowIt) {
   GrilledRooms rooms;
   const Level& level = rooms.level.finished();
   const TruthHit solid = look(level, rooms.west, {1, 1.5, 3.75}, {1, 0, 0});
-  EXPECT_EQ(solid.kind, SurfaceKind::Middle);
+  EXPECT_EQ(solid.kind, SurfaceKind::MaskedMiddle);
   EXPECT_EQ(solid.sector, rooms.west);
   expectNear(solid.imageMetres, {1.5, 0.25});
   EXPECT_EQ(look(level, rooms.west, {1, 0.5, 3.75}, {1, 0, 0}).sector, rooms.east) << "the hole";
   EXPECT_EQ(look(level, rooms.west, {1, 2.5, 3.75}, {1, 0, 0}).sector, rooms.east) << "repeated";
-  EXPECT_EQ(look(level, rooms.west, {1, 0.5, 3.25}, {1, 0, 0}).kind, SurfaceKind::Middle);
+  EXPECT_EQ(look(level, rooms.west, {1, 0.5, 3.25}, {1, 0, 0}).kind, SurfaceKind::MaskedMiddle);
   EXPECT_EQ(look(level, rooms.west, {1, 1.5, 2.9}, {1, 0, 0}).sector, rooms.east) << "below it";
   EXPECT_EQ(look(level, rooms.east, {5, 1.5, 3.75}, {-1, 0, 0}).sector, rooms.west);
 }
@@ -122,9 +122,9 @@ TEST(Trace, StopsLightAtAMiddleTextureFromBothSides) {
     return trace(level, sector, origin, direction, RayKind::Light).value();
   };
   const TruthHit front = arrival(rooms.west, {1, 1.5, 3.75}, {1, 0, 0});
-  EXPECT_EQ(front.kind, SurfaceKind::Middle);
+  EXPECT_EQ(front.kind, SurfaceKind::MaskedMiddle);
   const TruthHit behind = arrival(rooms.east, {5, 1.5, 3.75}, {-1, 0, 0});
-  EXPECT_EQ(behind.kind, SurfaceKind::Middle);
+  EXPECT_EQ(behind.kind, SurfaceKind::MaskedMiddle);
   EXPECT_EQ(behind.sector, rooms.west) << "the front that it has";
   EXPECT_EQ(arrival(rooms.east, {5, 0.5, 3.75}, {-1, 0, 0}).kind, SurfaceKind::Solid);
 }
@@ -132,7 +132,7 @@ TEST(Trace, StopsLightAtAMiddleTextureFromBothSides) {
 TEST(Trace, LightsAMiddleTextureInItsHolesToo) {
   GrilledRooms rooms;
   const Level& level = rooms.level.finished();
-  SurfacePoint place{SurfaceKind::Middle,
+  SurfacePoint place{SurfaceKind::MaskedMiddle,
                      rooms.west,
                      rooms.level.wallId(rooms.west, TwoRooms::kBetween),
                      {4, 0.5, 3.75},
@@ -384,8 +384,9 @@ TEST(Trace, RaysThroughAVertexOfManySectorsReachTheFarWall) {
     Pie pie(center);
     const Level& level = pie.level.finished();
     for (std::size_t i = 0; i < Pie::kSlices; ++i) {
-      for (double share = 0; share <= 1; share += 0.01) {
-        const Vec2 xy = lerp(center, lerp(pie.rim[i], pie.rim[(i + 1) % Pie::kSlices], share), 0.7);
+      for (double fraction = 0; fraction <= 1; fraction += 0.01) {
+        const Vec2 xy =
+            lerp(center, lerp(pie.rim[i], pie.rim[(i + 1) % Pie::kSlices], fraction), 0.7);
         const Sector& sector = level[pie.slices[i]];
         const Vec3 eye = nudgedInside(level, sector, {xy.x, xy.y, 1});
         const Vec2 d = center - eye.xy();

@@ -25,7 +25,7 @@ struct Heights {
 };
 
 /// Of the eye above where it would be, in metres, over three seconds after one of speeding up.
-Heights liftsOf(const Level& level, const WalkInput& input, double share) {
+Heights liftsOf(const Level& level, const WalkInput& input, double fraction) {
   Walker walker = standing(level, "hall", {1, 2, 0});
   Gait gait;
   Heights lifts;
@@ -34,7 +34,7 @@ Heights liftsOf(const Level& level, const WalkInput& input, double share) {
     walker = walked(level, walker, input);
     gait = walkedOn(gait, before, walker);
     const Eye eye = eyeOf(level, walker);
-    const Eye moved = bobbed(level, eye, gait, share);
+    const Eye moved = bobbed(level, eye, gait, fraction);
     EXPECT_TRUE(contains(level, level[moved.sector], moved.point, kPositionSlack));
     EXPECT_EQ(moved.point.xy(), eye.point.xy());
     lifts.last = moved.point.z - eye.point.z;
@@ -58,7 +58,7 @@ TEST(Bob, IsNothingAtRestAndInFlight) {
   const LoadedLevel loaded = hall(4);
   EXPECT_EQ(liftsOf(loaded.level, {}, 1).highest, 0);
   WalkInput fly = kRun;
-  fly.up = kFullShare;
+  fly.up = kFullSpeed;
   Walker walker = standing(loaded.level, "hall", {1, 2, 0});
   walker.isFlying = true;
   Gait gait;

@@ -7,12 +7,12 @@
 namespace hearth {
 namespace {
 
-TEST(WalkClock, CountsTicksAndSharesOfThem) {
+TEST(WalkClock, CountsTicksAndFractionsOfThem) {
   WalkClock clock;
   EXPECT_EQ(clock.advance(100).ticks, 0) << "the first look starts it";
   const WalkClock::Due due = clock.advance(100 + 10.25 / 64);
   EXPECT_EQ(due.ticks, 10);
-  EXPECT_EQ(due.share, 0.25);
+  EXPECT_EQ(due.fraction, 0.25);
   EXPECT_EQ(clock.advance(100 + 11.0 / 64).ticks, 1);
 }
 
@@ -30,7 +30,7 @@ TEST(WalkClock, MakesUpForAQuarterOfASecondAndNoMore) {
     WalkClock clock;
     clock.advance(0);
     EXPECT_EQ(clock.advance(frame).ticks, 16) << frame;
-    EXPECT_LT(clock.advance(frame).share, 1);
+    EXPECT_LT(clock.advance(frame).fraction, 1);
   }
 }
 

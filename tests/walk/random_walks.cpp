@@ -45,10 +45,10 @@ bool isIn(const Level& level, SectorId sector, Vec3 p) {
 WalkInput changed(WalkInput input, Random& random) {
   input.toggleFlight = random.chance(0.002);
   if (!random.chance(0.05)) return input;
-  const auto share = [&] { return static_cast<int>(random.between(-1, 1) * 127); };
-  input.forward = random.chance(0.7) ? 127 : share();
-  input.right = share();
-  input.up = share();
+  const auto fraction = [&] { return static_cast<int>(random.between(-1, 1) * 127); };
+  input.forward = random.chance(0.7) ? 127 : fraction();
+  input.right = fraction();
+  input.up = fraction();
   input.turn = random.chance(0.5) ? 0 : static_cast<int>(random.between(-4000, 4000));
   input.run = random.chance(0.5);
   input.jump = random.chance(0.2);
@@ -146,8 +146,8 @@ class Walk {
       return;
     }
     for (int i = 0; i < lines_; ++i) {
-      const double share = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : checks_.unit();
-      const double z = walker_.feet.z + kEdgeInset + share * (body.height - 2 * kEdgeInset);
+      const double fraction = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : checks_.unit();
+      const double z = walker_.feet.z + kEdgeInset + fraction * (body.height - 2 * kEdgeInset);
       const Vec3 axis{walker_.feet.x, walker_.feet.y, z};
       const SectorId sector = solids_.inColumn(walker_.sector, axis);
       expect(isIn(level_, sector, axis), "the axis is in solid");

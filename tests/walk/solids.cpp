@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kEdgeInset = 3 * kSkin;
 
-/// Share of the radius, by which a wall without thickness that points to the axis is looked at from
-/// beside. What is within as much of the body's edge can be missed.
-constexpr double kAsideShare = 1.0 / 32;
+/// Fraction of the radius, by which a wall without thickness that points to the axis is looked at
+/// from beside. What is within as much of the body's edge can be missed.
+constexpr double kAsideFraction = 1.0 / 32;
 
 struct Exit {
   double distance = kNowhere;
-  double share = 0;
+  double fraction = 0;
   SegmentId segment;
 };
 
@@ -37,9 +37,10 @@ Exit exitOf(const Level& level, const Sector& sector, Vec2 eye, Vec2 direction, 
     const double facing = cross(along, direction);
     if (facing >= 0) continue;  // parallel, or from behind
     const double distance = cross(along, wall.p0 - eye) / facing;
-    const double share = cross(direction, eye - wall.p0) / cross(direction, along);
-    if (share < 0 || share > 1 || distance < from - 1e-9 || distance >= exit.distance) continue;
-    exit = {distance, share, id};
+    const double fraction = cross(direction, eye - wall.p0) / cross(direction, along);
+    if (fraction < 0 || fraction > 1 || distance < from - 1e-9 || distance >= exit.distance)
+      continue;
+    exit = {distance, fraction, id};
   }
   return exit;
 }
@@ -102,8 +103,8 @@ std::vector<double> heightsOf(const Body& body, double zFeet,
   const double zLow = zFeet + kEdgeInset;
   const double zHigh = zFeet + body.height - kEdgeInset;
   std::vector<double> heights;
-  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-    heights.push_back(std::lerp(zLow, zHigh, share));
+  for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0})
+    heights.push_back(std::lerp(zLow, zHigh, fraction));
   for (const Segment* wall : walls)
     for (const WallPiece& piece : wall->pieces) {
       const double zBottom = std::max(zLow, piece.zBottom);
@@ -146,7 +147,7 @@ Solids::Line Solids::follow(SectorId sector, Vec3 from, Vec2 direction, double l
     if (exit.distance >= length) return {length, sector};
     std::optional<SectorId> next;
     visitWallColumn(
-        level_, level_[exit.segment], exit.share, [](SurfaceId, double, double) {},
+        level_, level_[exit.segment], exit.fraction, [](SurfaceId, double, double) {},
         [&](const Opening& opening, double zBottom, double zTop) {
           if (from.z >= zBottom - kEdgeInset && from.z <= zTop + kEdgeInset) next = opening.next;
         });
@@ -163,9 +164,9 @@ double Solids::freeAlong(SectorId sector, Vec3 from, Vec2 direction, double leng
 std::optional<SectorId> Solids::sectorAlong(SectorId sector, Vec3 from, Vec3 to) const {
   const SectorId at = inColumn(sector, from);
   if (!contains(level_, level_[at], from, kPositionSlack)) return std::nullopt;
-  const Vec2 way = to.xy() - from.xy();
-  const Line line = follow(at, from, (1 / length(way)) * way, length(way));
-  return line.free < length(way) ? std::nullopt : std::optional(line.end);
+  const Vec2 toThere = to.xy() - from.xy();
+  const Line line = follow(at, from, (1 / length(toThere)) * toThere, length(toThere));
+  return line.free < length(toThere) ? std::nullopt : std::optional(line.end);
 }
 
 bool Solids::isBesideOneWay(Vec2 p, double radius) const {
@@ -198,7 +199,7 @@ bool Solids::isFree(SectorId sector, Vec3 feet, const Body& body, int directions
   const Vec2 p = feet.xy();
   const std::vector<const Segment*> walls = wallsWithin(p, body.radius);
   const std::vector<Vec2> lines = linesFrom(p, walls, body.radius, directions);
-  const double aside = body.radius * kAsideShare;
+  const double aside = body.radius * kAsideFraction;
   for (const double z : heightsOf(body, feet.z, walls)) {
     const Vec3 axis{p.x, p.y, z};
     const SectorId at = inColumn(sector, axis);

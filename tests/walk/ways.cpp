@@ -114,7 +114,7 @@ WaysReport tryWays(std::uint64_t seed, const std::filesystem::path& folder, int 
       if (!search.isOpen({pushed.sector, pushed.feet}, direction)) continue;
       ++report.asked;
       for (int tick = 0; tick < kTicksPerSecond; ++tick)
-        pushed = walked(*level, pushed, {.forward = kFullShare});
+        pushed = walked(*level, pushed, {.forward = kFullSpeed});
       const double ahead = dot(pushed.feet.xy() - walker->feet.xy(), direction);
       report.taken += ahead >= kAhead;
       if (ahead < kAhead && report.first.empty())

@@ -71,12 +71,12 @@ class Search {
 
   /// Turns, then goes straight on for a while.
   Visit stretchFrom(std::size_t from) {
-    WalkInput input{.forward = kFullShare, .turn = 15000 * (upTo(24) - 12)};
+    WalkInput input{.forward = kFullSpeed, .turn = 15000 * (upTo(24) - 12)};
     input.run = upTo(3) == 0;
     input.jump = upTo(3) == 0;
     input.crouch = upTo(6) == 0;
     const bool flies = gait_ == Gait::Flying;
-    if (flies) input.up = kFullShare * (upTo(3) - 1);
+    if (flies) input.up = kFullSpeed * (upTo(3) - 1);
     input.toggleFlight = flies && !visits_[from].walker.isFlying;
     Visit visit{visits_[from].walker, from, {}};
     const SectorId before = visit.walker.sector;

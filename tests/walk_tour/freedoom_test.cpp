@@ -56,8 +56,8 @@ class Freedoom : public testing::Test {
     const Vec2 along = exit_[1] - exit_[0];
     const Vec2 from = walker.feet.xy() - exit_[0];
     const double before = cross(along, from) / length(along);
-    const double share = dot(along, from) / dot(along, along);
-    return before > 0 && before <= kUseMetres && share >= 0 && share <= 1;
+    const double fraction = dot(along, from) / dot(along, along);
+    return before > 0 && before <= kUseMetres && fraction >= 0 && fraction <= 1;
   }
 
   Recording found() const {

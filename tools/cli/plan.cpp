@@ -173,9 +173,9 @@ class PlanDrawing {
     const auto [low, high] = std::ranges::minmax(
         level_.sectors, {}, [](const Sector& sector) { return sector.floor.z; });
     const double range = high.floor.z - low.floor.z;
-    const double share = range > 0 ? (z - low.floor.z) / range : 1;
-    const auto mixed = [share](std::uint8_t a, std::uint8_t b) {
-      return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
+    const double fraction = range > 0 ? (z - low.floor.z) / range : 1;
+    const auto mixed = [fraction](std::uint8_t a, std::uint8_t b) {
+      return static_cast<std::uint8_t>(std::lround(a + fraction * (b - a)));
     };
     return {mixed(kLowest.r, kHighest.r), mixed(kLowest.g, kHighest.g),
             mixed(kLowest.b, kHighest.b)};

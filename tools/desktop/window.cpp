@@ -40,10 +40,10 @@ int timesIn(PictureSize room, PictureSize size) {
 /// In its shape, as large as there is room for it.
 PictureSize shrunk(PictureSize size, PictureSize room) {
   if (timesIn(room, size) > 0) return size;
-  const double share = std::min(static_cast<double>(room.width) / size.width,
-                                static_cast<double>(room.height) / size.height);
-  const auto side = [share](int whole) {
-    return std::max(1, static_cast<int>(std::lround(share * whole)));
+  const double fraction = std::min(static_cast<double>(room.width) / size.width,
+                                   static_cast<double>(room.height) / size.height);
+  const auto side = [fraction](int whole) {
+    return std::max(1, static_cast<int>(std::lround(fraction * whole)));
   };
   return {side(size.width), side(size.height)};
 }

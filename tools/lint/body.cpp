@@ -36,7 +36,7 @@ constexpr double kNarrowestMeant = 0.5;
 constexpr double kRoom = 4;
 
 /// Where along a wall heights are compared: enough for wedges, which change them evenly.
-constexpr std::array kShares = {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
+constexpr std::array kFractions = {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
 
 /// What is asked of a body that passes a wall.
 struct Demand {
@@ -59,12 +59,12 @@ double ceilingAt(const Level& level, SectorId id, Vec2 p) {
 }
 
 Demand demandAt(const Level& level, const Segment& segment, const Passage& passage, SectorId next,
-                double share) {
-  const Vec2 p = lerp(segment.p0, segment.p1, share);
+                double fraction) {
+  const Vec2 p = lerp(segment.p0, segment.p1, fraction);
   const double feet = feetAt(level, segment.sector, p);
-  double bottom = passage.zBottom({share, share});
+  double bottom = passage.zBottom({fraction, fraction});
   if (bottom == -kNowhere) bottom = feetAt(level, next, p);
-  return {bottom - feet, passage.zTop({share, share}) - std::max(bottom, feet)};
+  return {bottom - feet, passage.zTop({fraction, fraction}) - std::max(bottom, feet)};
 }
 
 /// A way that a body just cannot take.
@@ -129,24 +129,25 @@ class Walks {
       for (std::size_t i = passage.first(); i <= passage.last(); ++i) {
         const WallPiece& piece = segment.pieces[i];
         const SectorId next = std::get<Opening>(piece.content).next;
-        lookAtWay({{}, id, next, piece.zBottom, {}}, passage);
+        lookAtOpening({{}, id, next, piece.zBottom, {}}, passage);
       }
   }
 
-  void lookAtWay(Hindrance way, const Passage& passage) {
+  void lookAtOpening(Hindrance hindrance, const Passage& passage) {
     std::optional<Hindrance> easiest;
-    for (const double share : kShares) {
-      way.demand = demandAt(level_, level_[way.segment], passage, way.next, share);
-      if (!isHigh(way.demand) && !isLow(way.demand))
-        return open_[way.segment.index()].push_back(way);
-      const std::optional<FindingKind> kind = kindOf(way.demand);
+    for (const double fraction : kFractions) {
+      hindrance.demand =
+          demandAt(level_, level_[hindrance.segment], passage, hindrance.next, fraction);
+      if (!isHigh(hindrance.demand) && !isLow(hindrance.demand))
+        return open_[hindrance.segment.index()].push_back(hindrance);
+      const std::optional<FindingKind> kind = kindOf(hindrance.demand);
       if (!kind) continue;
-      way.kind = *kind;
-      if (!easiest || isEasier(way, *easiest)) easiest = way;
+      hindrance.kind = *kind;
+      if (!easiest || isEasier(hindrance, *easiest)) easiest = hindrance;
     }
     // Of what goes on below the wall, the walls down there tell.
     const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
-    const bool isWide = level_[way.segment].length >= 2 * body_.radius;
+    const bool isWide = level_[hindrance.segment].length >= 2 * body_.radius;
     if (easiest && hasBottom && isWide) add(*easiest);
   }
 
@@ -156,12 +157,12 @@ class Walks {
     if (open_[segment].empty()) return;
     const double width = widthOfGap(loop, i);
     const bool isNarrow = width < 2 * body_.radius - kSkin;
-    for (Hindrance way : open_[segment]) {
-      if (!isNarrow) links_[level_.segments[segment].sector.index()].push_back(way.next);
+    for (Hindrance hindrance : open_[segment]) {
+      if (!isNarrow) links_[level_.segments[segment].sector.index()].push_back(hindrance.next);
       if (!isNarrow || width < kNarrowestMeant * 2 * body_.radius) continue;
-      way.kind = FindingKind::NarrowPassage;
-      way.width = width;
-      add(way);
+      hindrance.kind = FindingKind::NarrowPassage;
+      hindrance.width = width;
+      add(hindrance);
     }
   }
 

@@ -29,7 +29,7 @@ constexpr double kWeak = 4;
 /// as it is. From twice as much on nothing is left of what light was to model.
 constexpr double kLost = 2 * 255;
 
-/// Share of a surface whose light may be lost: the neighbourhood of a lamp.
+/// Fraction of a surface whose light may be lost: the neighbourhood of a lamp.
 constexpr double kMostLost = 0.25;
 
 /// Square metres. Smaller surfaces may be black in a sector that is not: in the shadow of a pier,
@@ -78,8 +78,8 @@ double areaOf(const LitSurface& surface) {
   return static_cast<double>(countTexels(surface)) * surface.grid.texel * surface.grid.texel;
 }
 
-/// Share of the surface. `sectorLevel`: 0 to 255, beside the dimmed light of the map.
-double lostShare(const LitSurface& surface, const Lightmap& map, double sectorLevel) {
+/// Fraction of the surface. `sectorLevel`: 0 to 255, beside the dimmed light of the map.
+double lostFraction(const LitSurface& surface, const Lightmap& map, double sectorLevel) {
   const std::int64_t lost = countTexels(surface, [&](int i, int j) {
     for (int channel = 0; channel < map.channels; ++channel)
       if (map.at(i, j, channel) / kDimmed + sectorLevel > kLost) return true;
@@ -205,20 +205,20 @@ class OverexposedFinder {
   struct Glare {
     int surfaces = 0;
     std::size_t worst = 0;  ///< surface
-    double share = 0;       ///< of that
+    double fraction = 0;    ///< of that
   };
 
   void lookAt(std::size_t surface) {
     const SectorId sector = level_.surfaces[surface].sector;
     const LitSurface& lit = *dimmed_.surfaces[surface];
     const Lightmap& map = *dimmed_.lightmaps[surface];
-    const double share = lostShare(lit, map, 255 * level_[sector].light);
-    if (share <= kMostLost) return;
+    const double fraction = lostFraction(lit, map, 255 * level_[sector].light);
+    if (fraction <= kMostLost) return;
     Glare& glare = glaring_[mostAt(level_, brightestOf(lit, map), sector)];
     ++glare.surfaces;
-    if (share <= glare.share) return;
+    if (fraction <= glare.fraction) return;
     glare.worst = surface;
-    glare.share = share;
+    glare.fraction = fraction;
   }
 
   void report(std::size_t light, const Glare& glare) {
@@ -227,7 +227,7 @@ class OverexposedFinder {
         FindingKind::Overexposed, linted_.source.lights.lights[light].place,
         fmt::format("with this light {:.0f} % of {}{} has more than twice the light that can be "
                     "shown",
-                    100 * glare.share, nameOf(level_, level_.surfaces[glare.worst]),
+                    100 * glare.fraction, nameOf(level_, level_.surfaces[glare.worst]),
                     others == 0 ? "" : fmt::format(", and much of {} more,", others)),
         "lower its \"intensity\", or raise its \"falloff\"");
   }

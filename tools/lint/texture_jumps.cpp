@@ -81,7 +81,7 @@ class JumpFinder {
  private:
   static bool isOfWall(const Surface& surface) {
     return isUpright(surface.kind) && !isSidewall(surface.kind) &&
-           surface.kind != SurfaceKind::Middle;
+           surface.kind != SurfaceKind::MaskedMiddle;
   }
 
   /// So that along a row of walls, whatever the order of their sectors, each is mended before the

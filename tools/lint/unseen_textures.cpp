@@ -41,12 +41,12 @@ class UnseenFinder {
 
  private:
   void wear(const Surface& surface) {
-    const bool isMiddle = surface.kind == SurfaceKind::Middle;
+    const bool isMiddle = surface.kind == SurfaceKind::MaskedMiddle;
     if (!isMiddle && !isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
     const PortalDescription& portal =
         *describedPart(linted_, *surface.segment, surface.zBottom).portal;
     const auto& worn =
-        isMiddle ? portal.middle : (isLowerStep(surface.kind) ? portal.lower : portal.upper);
+        isMiddle ? portal.maskedMiddle : (isLowerStep(surface.kind) ? portal.lower : portal.upper);
     worn_.insert(worn->name.place);
   }
 
@@ -57,8 +57,8 @@ class UnseenFinder {
 
   /// A wedge of the sector hides steps that are there.
   void lookAtPortal(const Sector& sector, const PortalDescription& portal) {
-    if (portal.middle && !sector.ceilingSlope && !sector.floorSlope)
-      lookAtPart(*portal.middle, "middle",
+    if (portal.maskedMiddle && !sector.ceilingSlope && !sector.floorSlope)
+      lookAtPart(*portal.maskedMiddle, "middle",
                  fmt::format("none of it hangs in an opening to sector \"{}\"", portal.next.name));
     const bool isOne =
         portal.upper && portal.lower && portal.upper->name.place == portal.lower->name.place;

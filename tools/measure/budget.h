@@ -21,7 +21,7 @@ FittingBake bakeFitting(const Level& level, const BakeSettings& ofLevel, double 
 struct FittingFrame {
   DrawSettings draw;
   double milliseconds = 0;  ///< that it will take, about
-  double over2 = 0;         ///< about such a share of pixels will be off by more than 2 levels
+  double over2 = 0;         ///< about such a fraction of pixels will be off by more than 2 levels
 };
 
 /// Draws what the camera sees a few times. `renderer` draws exactly.

@@ -30,8 +30,8 @@ double steadySeconds() {
 
 Spread spreadOf(std::vector<double> values) {
   std::ranges::sort(values);
-  const auto at = [&](double share) {
-    const auto index = std::ceil(share * static_cast<double>(values.size())) - 1;
+  const auto at = [&](double fraction) {
+    const auto index = std::ceil(fraction * static_cast<double>(values.size())) - 1;
     return values[static_cast<std::size_t>(std::max(0.0, index))];
   };
   return {at(0.5), at(0.95)};

@@ -119,8 +119,8 @@ void BakeRays::forEachPacket(const SurfaceSamples& surface, std::size_t everyRow
 }
 
 bool BakeRays::takes(std::size_t light, const Sample& sample) const {
-  const Vec3 way = level_.lights[light].position - sample.target;
-  return reached_[indexOf(light, sample.sector)] && length(way) < reach_[light];
+  const Vec3 toLight = level_.lights[light].position - sample.target;
+  return reached_[indexOf(light, sample.sector)] && length(toLight) < reach_[light];
 }
 
 BakeRays::Traced BakeRays::traceAll(const EmbreeTracer& tracer, int threads,

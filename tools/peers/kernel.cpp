@@ -41,16 +41,17 @@ HWY_INLINE Colors colorsOf(Words pixels) {
   return {channelOf<0>(pixels), channelOf<8>(pixels), channelOf<16>(pixels)};
 }
 
-HWY_INLINE Floats mixed(Floats a, Floats b, Floats share) {
-  return hn::MulAdd(share, hn::Sub(b, a), a);
+HWY_INLINE Floats mixed(Floats a, Floats b, Floats fraction) {
+  return hn::MulAdd(fraction, hn::Sub(b, a), a);
 }
 
-HWY_INLINE Colors mixed(const Colors& a, const Colors& b, Floats share) {
-  return {mixed(a.red, b.red, share), mixed(a.green, b.green, share), mixed(a.blue, b.blue, share)};
+HWY_INLINE Colors mixed(const Colors& a, const Colors& b, Floats fraction) {
+  return {mixed(a.red, b.red, fraction), mixed(a.green, b.green, fraction),
+          mixed(a.blue, b.blue, fraction)};
 }
 
-HWY_INLINE Floats at(const KernelAxis& axis, Floats measure) {
-  return hn::MulAdd(measure, hn::Set(kFloat, axis.step), hn::Set(kFloat, axis.start));
+HWY_INLINE Floats at(const KernelAxis& axis, Floats parameter) {
+  return hn::MulAdd(parameter, hn::Set(kFloat, axis.step), hn::Set(kFloat, axis.start));
 }
 
 HWY_INLINE Words wordOf(Integers numbers) { return hn::BitCast(kWord, numbers); }
@@ -63,9 +64,9 @@ HWY_INLINE Words texelsAt(const Pixel* texels, Words numbers) {
   return hn::Load(kWord, at);
 }
 
-HWY_INLINE Words imageAt(const KernelSpan& span, Floats measure) {
-  const Words u = wordOf(hn::ConvertTo(kSigned, at(span.u, measure)));
-  const Words v = wordOf(hn::ConvertTo(kSigned, at(span.v, measure)));
+HWY_INLINE Words imageAt(const KernelSpan& span, Floats parameter) {
+  const Words u = wordOf(hn::ConvertTo(kSigned, at(span.u, parameter)));
+  const Words v = wordOf(hn::ConvertTo(kSigned, at(span.v, parameter)));
   const Words column = hn::And(u, hn::Set(kWord, span.uMask));
   const Words row = hn::And(v, hn::Set(kWord, span.vMask));
   return texelsAt(span.texels, hn::Or(hn::ShiftLeftSame(column, span.vBits), row));
@@ -112,9 +113,9 @@ class PlaneLight {
  public:
   explicit PlaneLight(const KernelSpan& span) : span_(span) {}
 
-  HWY_INLINE Colors shownAt(Floats measure) const {
-    const Floats s = at(span_.s, measure);
-    const Floats t = at(span_.t, measure);
+  HWY_INLINE Colors shownAt(Floats parameter) const {
+    const Floats s = at(span_.s, parameter);
+    const Floats t = at(span_.t, parameter);
     const Integers column = hn::ConvertTo(kSigned, s);
     const Integers row = hn::ConvertTo(kSigned, t);
     const Integers width = hn::Set(kSigned, static_cast<int>(span_.lightWidth));
@@ -145,8 +146,8 @@ class UprightLight {
     column_ = rows.mixture(hn::Set(kFloat, span.s.start));
   }
 
-  HWY_INLINE Colors shownAt(Floats measure) const {
-    const Floats t = at(span_.t, measure);
+  HWY_INLINE Colors shownAt(Floats parameter) const {
+    const Floats t = at(span_.t, parameter);
     const Integers row = hn::ConvertTo(kSigned, t);
     return shownIn(mixed(rowsAt(row), rowsAt(hn::Add(row, hn::Set(kSigned, 1))),
                          hn::Sub(t, hn::ConvertTo(kFloat, row))),
@@ -172,13 +173,13 @@ template <typename Light>
 void draw(const KernelSpan& span, Pixel* to) {
   const Light light(span);
   const std::size_t count = span.rowEnd - span.rowBegin;
-  const auto [least, most] = std::minmax(span.measures[0], span.measures[count - 1]);
+  const auto [least, most] = std::minmax(span.parameters[0], span.parameters[count - 1]);
   for (std::size_t k = 0; k < count; k += hn::Lanes(kFloat)) {
     // Behind the last row nothing is read that is not there.
-    const Floats measure = hn::Clamp(hn::LoadU(kFloat, span.measures + k), hn::Set(kFloat, least),
-                                     hn::Set(kFloat, most));
-    const Colors colors = colorsOf(imageAt(span, measure));
-    const Colors shown = light.shownAt(measure);
+    const Floats parameter = hn::Clamp(hn::LoadU(kFloat, span.parameters + k),
+                                       hn::Set(kFloat, least), hn::Set(kFloat, most));
+    const Colors colors = colorsOf(imageAt(span, parameter));
+    const Colors shown = light.shownAt(parameter);
     const Words red = shaded(colors.red, shown.red);
     const Words green = hn::ShiftLeft<8>(shaded(colors.green, shown.green));
     const Words blue = hn::ShiftLeft<16>(shaded(colors.blue, shown.blue));

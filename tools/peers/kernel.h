@@ -11,7 +11,7 @@
 /// and light, mixes, multiplies and writes, in single precision.
 namespace hearth {
 
-/// A coordinate that changes evenly with the measure of a row.
+/// A coordinate that changes evenly with the parameter of a row.
 struct KernelAxis {
   float start = 0;
   float step = 0;
@@ -29,8 +29,8 @@ struct KernelSpan {
   std::size_t column;  ///< of the picture
   std::size_t rowBegin;
   std::size_t rowEnd;
-  const float* measures;  ///< of its rows, rising or falling; as many more as lanes can be read
-  KernelAxis u;           ///< of the image, which repeats
+  const float* parameters;  ///< of its rows, rising or falling; as many more as lanes can be read
+  KernelAxis u;             ///< of the image, which repeats
   KernelAxis v;
   const Pixel* texels;  ///< column by column
   std::uint32_t uMask;  ///< sizes less 1: these are powers of two
@@ -43,7 +43,7 @@ struct KernelSpan {
   std::size_t lightWidth;  ///< texels of a row
   std::size_t lightRows;   ///< of what is upright: how many are needed
   float sectorLight;       ///< 0..1
-  float shown[3];          ///< of even light: the shares of red, green and blue that show
+  float shown[3];          ///< of even light: the fractions of red, green and blue that show
 };
 
 /// A frame that can be drawn again and again.

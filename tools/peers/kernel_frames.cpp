@@ -18,7 +18,7 @@ struct Stretch {
 
 Stretch stretchOf(const KernelAxis& axis, const KernelSpan& span) {
   const auto at = [&](std::size_t row) {
-    return axis.start + static_cast<double>(axis.step) * span.measures[row];
+    return axis.start + static_cast<double>(axis.step) * span.parameters[row];
   };
   const double first = at(0);
   const double last = at(span.rowEnd - span.rowBegin - 1);
@@ -30,10 +30,10 @@ KernelAxis axisOf(double start, double step) {
 }
 
 /// An axis of an image, moved by whole images so that it is never less than 0.
-KernelAxis repeatedAxis(const ImageAxis& along, double perMeasure, int size,
+KernelAxis repeatedAxis(const ImageAxis& along, double perParameter, int size,
                         const KernelSpan& span) {
   const double start = (along.place.atZero - along.origin) * along.texelsPerPlace - along.offset;
-  const double step = perMeasure * along.place.per * along.texelsPerPlace;
+  const double step = perParameter * along.place.per * along.texelsPerPlace;
   const double least = stretchOf(axisOf(start, step), span).least;
   return axisOf(start - size * std::floor(least / size), step);
 }
@@ -82,7 +82,7 @@ void setEvenLight(const Material& material, KernelSpan& kernel) {
 std::vector<KernelSpan> partsOfUpright(const KernelSpan& whole) {
   const std::size_t lanes = kernelLanes();
   const auto rowAt = [&](std::size_t k) {
-    return static_cast<std::ptrdiff_t>(whole.t.start + whole.t.step * whole.measures[k]);
+    return static_cast<std::ptrdiff_t>(whole.t.start + whole.t.step * whole.parameters[k]);
   };
   std::vector<KernelSpan> parts;
   const std::size_t count = whole.rowEnd - whole.rowBegin;
@@ -95,7 +95,7 @@ std::vector<KernelSpan> partsOfUpright(const KernelSpan& whole) {
     KernelSpan part = whole;
     part.rowBegin += begin;
     part.rowEnd = whole.rowBegin + end;
-    part.measures += begin;
+    part.parameters += begin;
     part.lightRows = rowsTo(end - 1);
     const std::ptrdiff_t first = std::min(rowAt(begin), rowAt(end - 1));
     part.light += first * static_cast<std::ptrdiff_t>(whole.lightWidth);
@@ -133,14 +133,14 @@ KernelFrame KernelFrames::frameOf(const Camera& camera) {
   const Projection projection = projectionFor(scene_.loaded.level, camera);
   const DrawSettings settings;
   const SpanPainter painter(scene_.loaded.level, textures_, scene_.light, settings, projection,
-                            scratch.climbs);
-  std::vector<float> climbs;
+                            scratch.raySlopes);
+  std::vector<float> raySlopes;
   std::vector<float> reciprocals;
-  for (const double climb : scratch.climbs) {
-    climbs.push_back(static_cast<float>(climb));
-    reciprocals.push_back(static_cast<float>(1 / climb));
+  for (const double raySlope : scratch.raySlopes) {
+    raySlopes.push_back(static_cast<float>(raySlope));
+    reciprocals.push_back(static_cast<float>(1 / raySlope));
   }
-  const Rows rows{scratch.climbs, kept(std::move(climbs)), kept(std::move(reciprocals))};
+  const Rows rows{scratch.raySlopes, kept(std::move(raySlopes)), kept(std::move(reciprocals))};
 
   KernelFrame frame{
       static_cast<std::size_t>(camera.width), static_cast<std::size_t>(camera.height), {}, {}};
@@ -157,7 +157,7 @@ KernelFrame KernelFrames::frameOf(const Camera& camera) {
 void KernelFrames::addSpans(const SpanPainter& painter, const Span& span, const Rows& rows,
                             std::vector<KernelSpan>& spans) {
   const Material material = painter.materialOf(span.surface);
-  if (material.surface.kind == SurfaceKind::Middle) return;
+  if (material.surface.kind == SurfaceKind::MaskedMiddle) return;
   const Texture& image = images_[material.surface.mapping.texture.index()];
   const SpanMapping mapping = onImage(painter.mappingOf(material, span), material.image(), image);
   KernelSpan kernel{};
@@ -168,18 +168,18 @@ void KernelFrames::addSpans(const SpanPainter& painter, const Span& span, const 
   kernel.uMask = static_cast<std::uint32_t>(image.width() - 1);
   kernel.vMask = static_cast<std::uint32_t>(image.height() - 1);
   kernel.vBits = std::countr_zero(static_cast<unsigned>(image.height()));
-  const double perMeasure = setMeasures(mapping, image, rows, kernel);
-  kernel.u = repeatedAxis(mapping.u, perMeasure, image.width(), kernel);
+  const double perParameter = setParameters(mapping, image, rows, kernel);
+  kernel.u = repeatedAxis(mapping.u, perParameter, image.width(), kernel);
   kernel.v = mapping.isSky ? KernelAxis{0, 1}
-                           : repeatedAxis(mapping.v, perMeasure, image.height(), kernel);
+                           : repeatedAxis(mapping.v, perParameter, image.height(), kernel);
   if (!material.hasUnevenLight()) {
     setEvenLight(material, kernel);
     spans.push_back(kernel);
     return;
   }
   const TexelRect& rect = material.lightmap->rect;
-  kernel.s = axisOf(mapping.s.atZero - rect.i0 + 0.5, perMeasure * mapping.s.per);
-  kernel.t = axisOf(mapping.t.atZero - rect.j0 + 0.5, perMeasure * mapping.t.per);
+  kernel.s = axisOf(mapping.s.atZero - rect.i0 + 0.5, perParameter * mapping.s.per);
+  kernel.t = axisOf(mapping.t.atZero - rect.j0 + 0.5, perParameter * mapping.t.per);
   kernel.light = lightOf(span.surface, *material.lightmap).data();
   kernel.lightWidth = static_cast<std::size_t>(rect.width) + 2;
   kernel.sectorLight = static_cast<float>(material.sectorLight);
@@ -195,29 +195,29 @@ void KernelFrames::addSpans(const SpanPainter& painter, const Span& span, const 
 }
 
 /// Walls and flats measure their rows alike all over the frame, slopes and skies each for itself.
-double KernelFrames::setMeasures(const SpanMapping& mapping, const Texture& image, const Rows& rows,
-                                 KernelSpan& kernel) {
-  const auto ofItsOwn = [&](auto&& measure) {
+double KernelFrames::setParameters(const SpanMapping& mapping, const Texture& image,
+                                   const Rows& rows, KernelSpan& kernel) {
+  const auto ofItsOwn = [&](auto&& parameter) {
     std::vector<float> values;
     for (std::size_t row = kernel.rowBegin; row < kernel.rowEnd; ++row)
-      values.push_back(static_cast<float>(measure(rows.climbs[row])));
+      values.push_back(static_cast<float>(parameter(rows.raySlopes[row])));
     return kept(std::move(values));
   };
-  kernel.measures = rows.narrowClimbs + kernel.rowBegin;
+  kernel.parameters = rows.narrowRaySlopes + kernel.rowBegin;
   if (mapping.isSky)
-    kernel.measures = ofItsOwn([&](double climb) { return mapping.skyV(climb, image); });
+    kernel.parameters = ofItsOwn([&](double raySlope) { return mapping.skyV(raySlope, image); });
   if (!mapping.isPlane) return 1;
   if (mapping.rise != 0) {
-    kernel.measures = ofItsOwn([&](double climb) { return mapping.depthAt(climb); });
+    kernel.parameters = ofItsOwn([&](double raySlope) { return mapping.depthAt(raySlope); });
     return 1;
   }
-  kernel.measures = rows.reciprocals + kernel.rowBegin;
+  kernel.parameters = rows.reciprocals + kernel.rowBegin;
   return mapping.height;
 }
 
 const float* KernelFrames::kept(std::vector<float> values) {
   values.resize(values.size() + kernelLanes());
-  return measures_.emplace_back(std::move(values)).data();
+  return parameters_.emplace_back(std::move(values)).data();
 }
 
 const std::vector<Pixel>& KernelFrames::lightOf(SurfaceId surface, const Lightmap& lightmap) {

@@ -22,17 +22,17 @@ class KernelFrames {
  private:
   /// What all spans of a frame have in common, by row.
   struct Rows {
-    std::vector<double> climbs;
-    const float* narrowClimbs;
-    const float* reciprocals;  ///< of climbs: depths on flats a metre above the eye
+    std::vector<double> raySlopes;
+    const float* narrowRaySlopes;
+    const float* reciprocals;  ///< of ray slopes: depths on flats a metre above the eye
   };
 
   KernelFrame frameOf(const Camera& camera);
   void addSpans(const SpanPainter& painter, const Span& span, const Rows& rows,
                 std::vector<KernelSpan>& spans);
-  /// Returns how much the mapping's own measure changes with them.
-  double setMeasures(const SpanMapping& mapping, const Texture& image, const Rows& rows,
-                     KernelSpan& kernel);
+  /// Returns how much the mapping's own parameter changes with them.
+  double setParameters(const SpanMapping& mapping, const Texture& image, const Rows& rows,
+                       KernelSpan& kernel);
   const float* kept(std::vector<float> values);
   const std::vector<Pixel>& lightOf(SurfaceId surface, const Lightmap& lightmap);
 
@@ -40,7 +40,7 @@ class KernelFrames {
   std::vector<MipMap> textures_;
   std::vector<Texture> images_;             ///< of sizes that are powers of two
   std::vector<std::vector<Pixel>> lights_;  ///< by SurfaceId, with a border of a texel
-  std::deque<std::vector<float>> measures_;
+  std::deque<std::vector<float>> parameters_;
   std::vector<KernelFrame> frames_;
 };
 

@@ -15,17 +15,17 @@ double xAt(const Segment& edge, double y) {
   return edge.p0.x + (edge.p1.x - edge.p0.x) * (y - edge.p0.y) / (edge.p1.y - edge.p0.y);
 }
 
-/// A point of a wall: its share of the way from p0 to p1, and its height.
+/// A point of a wall: its fraction of the way from p0 to p1, and its height.
 struct WallPoint {
-  double share;
+  double fraction;
   double z;
 };
 using WallPolygon = std::vector<WallPoint>;
 
 /// The part of a convex polygon on which `sign * (z - line)` is not negative; the line runs from
-/// height z0 at share 0 to z1 at share 1 (Sutherland and Hodgman).
+/// height z0 at fraction 0 to z1 at fraction 1 (Sutherland and Hodgman).
 WallPolygon clipped(const WallPolygon& polygon, double z0, double z1, double sign) {
-  const auto side = [&](WallPoint p) { return sign * (p.z - std::lerp(z0, z1, p.share)); };
+  const auto side = [&](WallPoint p) { return sign * (p.z - std::lerp(z0, z1, p.fraction)); };
   WallPolygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const WallPoint a = polygon[i];
@@ -33,7 +33,7 @@ WallPolygon clipped(const WallPolygon& polygon, double z0, double z1, double sig
     if (side(a) >= 0) kept.push_back(a);
     if ((side(a) > 0 && side(b) < 0) || (side(a) < 0 && side(b) > 0)) {
       const double k = side(a) / (side(a) - side(b));
-      kept.push_back({std::lerp(a.share, b.share, k), std::lerp(a.z, b.z, k)});
+      kept.push_back({std::lerp(a.fraction, b.fraction, k), std::lerp(a.z, b.z, k)});
     }
   }
   return kept;
@@ -87,25 +87,25 @@ class Mesher {
       if (opening.ceilingSidewall)
         addPolygon(segment, *opening.ceilingSidewall,
                    clipped(polygon, twin.air1.zTop, twin.air0.zTop, 1));
-      if (opening.middle) addMiddle(segment, opening, polygon);
+      if (opening.maskedMiddle) addMaskedMiddle(segment, opening, polygon);
     }
   }
 
   /// As if it had no holes, before which the next sector's wedges stand.
-  void addMiddle(const Segment& segment, const Opening& opening, WallPolygon polygon) {
-    const Surface& middle = level_[*opening.middle];
+  void addMaskedMiddle(const Segment& segment, const Opening& opening, WallPolygon polygon) {
+    const Surface& middle = level_[*opening.maskedMiddle];
     const Segment& twin = level_[opening.twin];
     polygon = clipped(polygon, middle.zBottom, middle.zBottom, 1);
     polygon = clipped(polygon, middle.zTop, middle.zTop, -1);
     if (opening.floorSidewall) polygon = clipped(polygon, twin.air1.zBottom, twin.air0.zBottom, 1);
     if (opening.ceilingSidewall) polygon = clipped(polygon, twin.air1.zTop, twin.air0.zTop, -1);
-    addPolygon(segment, *opening.middle, polygon);
+    addPolygon(segment, *opening.maskedMiddle, polygon);
   }
 
   void addPolygon(const Segment& segment, SurfaceId surface, const WallPolygon& polygon) {
     const Vec2 front = turned90(segment.p1 - segment.p0);
     const auto corner = [&](WallPoint p) {
-      const Vec2 xy = lerp(segment.p0, segment.p1, p.share);
+      const Vec2 xy = lerp(segment.p0, segment.p1, p.fraction);
       return Vec3{xy.x, xy.y, p.z};
     };
     for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -162,7 +162,7 @@ std::vector<MeshTriangle> meshInLight(const Level& level) {
   std::vector<MeshTriangle> mesh = meshOf(level);
   std::erase_if(mesh, [&](const MeshTriangle& triangle) {
     const SurfaceKind kind = level[triangle.surface].kind;
-    return isSky(kind) || kind == SurfaceKind::Middle;
+    return isSky(kind) || kind == SurfaceKind::MaskedMiddle;
   });
   return mesh;
 }

@@ -21,7 +21,7 @@ struct Target {
   double value;
 };
 
-/// By which share of the target a figure misses it; 0 where it is met.
+/// By which fraction of the target a figure misses it; 0 where it is met.
 double shortfall(const Target& target, double measured);
 
 struct Range {

@@ -45,11 +45,12 @@ std::optional<std::uint64_t> hashOfProgram() {
 
 void add(Hash& hash, const BakeSettings& settings) {
   // By name, so that no new member is forgotten.
-  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, solidMiddles] = settings;
+  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, solidMaskedMiddles] =
+      settings;
   hash.addReal(texel);
   hash.addReal(cutOff);
   for (const int number :
-       {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMiddles ? 1 : 0})
+       {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMaskedMiddles ? 1 : 0})
     hash.addWhole(static_cast<std::uint64_t>(number));
 }
 

@@ -51,8 +51,8 @@ void writeToStderr(std::string_view text) { std::fwrite(text.data(), 1, text.siz
 
 int percentOf(const StageProgress& progress) {
   if (progress.done >= progress.total) return 100;
-  const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  return std::clamp(static_cast<int>(100 * share), 0, 99);
+  const double fraction = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  return std::clamp(static_cast<int>(100 * fraction), 0, 99);
 }
 
 std::string progressText(const StageProgress& progress) {

@@ -30,9 +30,10 @@ constexpr std::array kTextureFilters = {NamedFilter{TextureFilter::Nearest, "nea
                                         NamedFilter{TextureFilter::Mipmapped, "mipmapped"}};
 
 /// Without any, they are no setting.
-bool hasMiddles(const Level& level) {
-  return std::ranges::any_of(
-      level.surfaces, [](const Surface& surface) { return surface.kind == SurfaceKind::Middle; });
+bool hasMaskedMiddles(const Level& level) {
+  return std::ranges::any_of(level.surfaces, [](const Surface& surface) {
+    return surface.kind == SurfaceKind::MaskedMiddle;
+  });
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values) {
     settings.softSamples = static_cast<int>(*softSamples);
   settings.cutOff = values.number(Option::CutOff).value_or(settings.cutOff);
   if (const auto shadows = values.text(Option::MiddleShadows))
-    settings.solidMiddles = *shadows == "solid" && hasMiddles(level);
+    settings.solidMaskedMiddles = *shadows == "solid" && hasMaskedMiddles(level);
   if (const auto bounces = values.number(Option::Bounces))
     settings.bounces = static_cast<int>(*bounces);
   if (values.has(Option::Lambert)) settings.lambert = true;
@@ -79,7 +80,7 @@ std::string valueOf(const BakeSettings& settings, Option option) {
     case Option::Bounces:
       return fmt::to_string(settings.bounces);
     case Option::MiddleShadows:
-      return settings.solidMiddles ? "solid" : "holes";
+      return settings.solidMaskedMiddles ? "solid" : "holes";
     default:
       CHECK(false, row(option).name);
       return "";
@@ -92,7 +93,7 @@ std::string optionsOf(const BakeSettings& settings) {
        {Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff, Option::Bounces})
     options += fmt::format("{} {} ", row(option).name, valueOf(settings, option));
   options += settings.lambert ? "--lambert" : "--no-lambert";
-  return options + (settings.solidMiddles ? " --middle-shadows solid" : "");
+  return options + (settings.solidMaskedMiddles ? " --middle-shadows solid" : "");
 }
 
 std::string samplesInWords(const BakeSettings& settings) {

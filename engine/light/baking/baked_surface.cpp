@@ -41,7 +41,7 @@ void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
   for (const std::size_t light : tile.lights) {
     if (!surface.reaches(light, blocks)) continue;
     TexelSums& sums = sumsOf(light);
-    if (std::ranges::any_of(surface.seenShares(light, blocks),
+    if (std::ranges::any_of(surface.seenFractions(light, blocks),
                             [](double seen) { return seen > 0; }))
       addLevels(tile, surface.light(light), surface.levels(light, blocks), sums);
   }
@@ -120,7 +120,7 @@ void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights
   const SampleBlocks blocks = surface.inBlocks(std::move(samples), columns, rows);
   for (const std::size_t light : lights) {
     TexelSums& sums = sumsOf(light);
-    const std::vector<double>& seen = surface.seenShares(light, blocks);
+    const std::vector<double>& seen = surface.seenFractions(light, blocks);
     for (int j = 0; j < rect.height; ++j)
       for (int i = 0; i < rect.width; ++i) {
         const std::size_t index = blocks.index(i / kDraftSide, j / kDraftSide);

@@ -93,16 +93,16 @@ SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int column
   return {level_, surface_, std::move(samples), columns, rows};
 }
 
-double SurfaceLight::seenShare(const LightSight& sight, std::size_t index, const SamplePoint& at,
-                               const Known* known) {
+double SurfaceLight::seenFraction(const LightSight& sight, std::size_t index, const SamplePoint& at,
+                                  const Known* known) {
   if (!canShineOn(index, at.surface)) return 0;
   const LitSurface& there = *surfaces_[at.surface.index()];
   LightCost& cost = costs_[index];
   ++cost.samples;
   if (!isInReach(index, at)) return 0;
   const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
-  const double seen = known ? sight.seenShare(target, known->shaft, known->outcome, cost.rays)
-                            : sight.seenShare(target, cost.rays, metBy(index));
+  const double seen = known ? sight.seenFraction(target, known->shaft, known->outcome, cost.rays)
+                            : sight.seenFraction(target, cost.rays, metBy(index));
   if (seen > 0) ++cost.seenSamples;
   return seen;
 }
@@ -112,19 +112,21 @@ bool SurfaceLight::canShineOn(std::size_t index, SurfaceId surface) const {
   return surface == id_ || isInFront(light(index), radiusOf(index), *surfaces_[surface.index()]);
 }
 
-const std::vector<double>& SurfaceLight::seenShares(std::size_t light, const SampleBlocks& blocks) {
+const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
+                                                       const SampleBlocks& blocks) {
   seen_.assign(blocks.samples().size(), 0);
   if (seeing_ == Seeing::ByShafts && sights_.fine[light].beams())
     addPointLight(light, blocks);
   else if (seeing_ == Seeing::ByShafts)
     addBlock(light, blocks, blocks.whole(), 0);
   else
-    for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i] = seenShare(light, blocks.samples()[i]);
+    for (std::size_t i = 0; i < seen_.size(); ++i)
+      seen_[i] = seenFraction(light, blocks.samples()[i]);
   return seen_;
 }
 
-double SurfaceLight::seenShare(std::size_t light, const SamplePoint& at) {
-  return seenShare(sights_.fine[light], light, at, nullptr);
+double SurfaceLight::seenFraction(std::size_t light, const SamplePoint& at) {
+  return seenFraction(sights_.fine[light], light, at, nullptr);
 }
 
 const Segment* SurfaceLight::wallOf(SurfaceId surface) const {
@@ -228,8 +230,8 @@ void SurfaceLight::addOneByOne(std::size_t light, const SampleBlocks& blocks,
     const SamplePoint& at = blocks.samples()[index];
     const ByBeams& there = *std::ranges::find(here, at.surface, &ByBeams::surface);
     if (!there.isInFront) return;
-    if (seen_[index] == kUnknownShare) {
-      seen_[index] = seenShareByBeams(light, at, there);
+    if (seen_[index] == kUnknownFraction) {
+      seen_[index] = seenFractionByBeams(light, at, there);
       return;
     }
     ++costs_[light].samples;
@@ -241,12 +243,12 @@ void SurfaceLight::addOneByOne(std::size_t light, const SampleBlocks& blocks,
 void SurfaceLight::findSeenOf(const ByBeams& here, std::size_t light, const SampleBlocks& blocks,
                               const SampleBlocks::Block& block) {
   const BeamTree& beams = *sights_.fine[light].beams();
-  const auto seenIfOn = [&](double share) {
+  const auto seenIfOn = [&](double fraction) {
     forEachSample(blocks, block, [&](std::size_t index) {
-      if (blocks.samples()[index].surface == here.surface) seen_[index] = share;
+      if (blocks.samples()[index].surface == here.surface) seen_[index] = fraction;
     });
   };
-  if (!here.isKnown) return seenIfOn(kUnknownShare);
+  if (!here.isKnown) return seenIfOn(kUnknownFraction);
   if (here.outcome != Shaft::Outcome::Unknown)
     return seenIfOn(here.outcome == Shaft::Outcome::Lit ? 1 : 0);
   const std::size_t first = blocks.index(block.column, block.row);
@@ -264,13 +266,13 @@ void SurfaceLight::findSeenOf(const ByBeams& here, std::size_t light, const Samp
 }
 
 /// Of one of the samples that `around` is about.
-double SurfaceLight::seenShareByBeams(std::size_t light, const SamplePoint& at,
-                                      const ByBeams& around) {
+double SurfaceLight::seenFractionByBeams(std::size_t light, const SamplePoint& at,
+                                         const ByBeams& around) {
   const std::size_t before = beams_.size();
   const Known known{shaftAt(0), narrowed(light, around, {&at.target, 1}).outcome};
   beams_.erase(beams_.begin() + static_cast<std::ptrdiff_t>(before), beams_.end());
-  return seenShare(sights_.fine[light], light, at,
-                   known.outcome == Shaft::Outcome::Unknown ? nullptr : &known);
+  return seenFraction(sights_.fine[light], light, at,
+                      known.outcome == Shaft::Outcome::Unknown ? nullptr : &known);
 }
 
 /// All of a light that nothing is before, unless it is too far away.
@@ -304,7 +306,8 @@ void SurfaceLight::addBlock(std::size_t light, const SampleBlocks& blocks,
   if (block.parts > 0) return;
   if (from.radius == 0) return addSamples(light, blocks, block, known);
   forEachSample(blocks, block, [&](std::size_t index) {
-    seen_[index] = seenShareByShaft(sights_.fine[light], light, blocks.samples()[index], depth + 1);
+    seen_[index] =
+        seenFractionByShaft(sights_.fine[light], light, blocks.samples()[index], depth + 1);
   });
 }
 
@@ -315,28 +318,28 @@ void SurfaceLight::addSamples(std::size_t light, const SampleBlocks& blocks,
     return;
   }
   forEachSample(blocks, block, [&](std::size_t index) {
-    seen_[index] = seenShare(sights_.fine[light], light, blocks.samples()[index], &known);
+    seen_[index] = seenFraction(sights_.fine[light], light, blocks.samples()[index], &known);
   });
 }
 
-double SurfaceLight::roughlySeenShare(std::size_t light, const SamplePoint& at) {
+double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& at) {
   const LightSight& sight = sights_.rough[light];
-  return seeing_ == Seeing::ByShafts ? seenShareByShaft(sight, light, at, 0)
-                                     : seenShare(sight, light, at, nullptr);
+  return seeing_ == Seeing::ByShafts ? seenFractionByShaft(sight, light, at, 0)
+                                     : seenFraction(sight, light, at, nullptr);
 }
 
 /// By a shaft to one sample. Worth it for a ball, which takes many rays.
-double SurfaceLight::seenShareByShaft(const LightSight& sight, std::size_t light,
-                                      const SamplePoint& at, std::size_t depth) {
+double SurfaceLight::seenFractionByShaft(const LightSight& sight, std::size_t light,
+                                         const SamplePoint& at, std::size_t depth) {
   const ShaftTargets target{TargetBox::ofPoint(at.target, surface_.normal),
                             {&level_[at.surface].sector, 1}};
   const Known known{shaftAt(depth), followShaft(depth, light, sight.shaftLight(), target)};
-  return seenShare(sight, light, at, &known);
+  return seenFraction(sight, light, at, &known);
 }
 
 bool SurfaceLight::isInReach(std::size_t light, const SamplePoint& at) const {
-  const Vec3 way = level_.lights[light].position - at.point;
-  return dot(way, way) < sights_.reach[light] * sights_.reach[light];
+  const Vec3 toLight = level_.lights[light].position - at.point;
+  return dot(toLight, toLight) < sights_.reach[light] * sights_.reach[light];
 }
 
 Vec3 SurfaceLight::normalOf(SurfaceId surface) const { return surfaces_[surface.index()]->normal; }

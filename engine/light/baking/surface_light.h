@@ -48,13 +48,13 @@ class SurfaceLight {
                 std::vector<SamplePoint>& places) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
 
-  /// Which share of a light each of the samples sees, in their order. Good until the next call.
-  const std::vector<double>& seenShares(std::size_t light, const SampleBlocks& blocks);
+  /// Which fraction of a light each of the samples sees, in their order. Good until the next call.
+  const std::vector<double>& seenFractions(std::size_t light, const SampleBlocks& blocks);
 
-  /// Which share of a light the point sees, 0..1.
-  double seenShare(std::size_t light, const SamplePoint& at);
+  /// Which fraction of a light the point sees, 0..1.
+  double seenFraction(std::size_t light, const SamplePoint& at);
   /// With fewer rays to a ball.
-  double roughlySeenShare(std::size_t light, const SamplePoint& at);
+  double roughlySeenFraction(std::size_t light, const SamplePoint& at);
 
   /// What all of the light would bring to the point, in levels, before colour.
   double fullLevel(std::size_t light, const SamplePoint& at) const;
@@ -79,8 +79,8 @@ class SurfaceLight {
   bool isInReach(std::size_t light, const SamplePoint& at) const;
   Vec3 normalOf(SurfaceId surface) const;
   bool reachesBox(std::size_t light, std::span<const Vec3> corners) const;
-  double seenShare(const LightSight& sight, std::size_t light, const SamplePoint& at,
-                   const Known* known);
+  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
+                      const Known* known);
   /// What beams say of points on a surface.
   struct ByBeams {
     SurfaceId surface;
@@ -114,7 +114,7 @@ class SurfaceLight {
                    std::span<const ByBeams> here);
   void findSeenOf(const ByBeams& here, std::size_t light, const SampleBlocks& blocks,
                   const SampleBlocks::Block& block);
-  double seenShareByBeams(std::size_t light, const SamplePoint& at, const ByBeams& around);
+  double seenFractionByBeams(std::size_t light, const SamplePoint& at, const ByBeams& around);
   void see(std::size_t light, const SamplePoint& at, double& seen);
   Shaft& shaftAt(std::size_t depth);
   Shaft::Outcome followShaft(std::size_t depth, std::size_t light, const ShaftLight& from,
@@ -123,8 +123,8 @@ class SurfaceLight {
                 std::size_t depth);
   void addSamples(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
                   const Known& known);
-  double seenShareByShaft(const LightSight& sight, std::size_t light, const SamplePoint& at,
-                          std::size_t depth);
+  double seenFractionByShaft(const LightSight& sight, std::size_t light, const SamplePoint& at,
+                             std::size_t depth);
 
   const Level& level_;
   const LitSurfaces& surfaces_;

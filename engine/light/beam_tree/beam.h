@@ -37,9 +37,9 @@ struct Beam {
   bool isDoubtful;
 };
 
-/// A plane that bounds a beam, by ways from its light: a way is in front of it by
-/// dot(normal, way) - offset. Of points at most `reach` metres away, rounding decides about those
-/// within margin * perMargin + reach * perMetre of it, with the margin of rays to them.
+/// A plane that bounds a beam, by directions from its light: a direction is in front of it by
+/// dot(normal, direction) - offset. Of points at most `reach` metres away, rounding decides about
+/// those within margin * perMargin + reach * perMetre of it, with the margin of rays to them.
 struct BeamBound {
   Vec3 normal;
   double offset;
@@ -49,10 +49,10 @@ struct BeamBound {
   double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
 };
 
-/// The bounds of a beam, for ways to points that lie `on` a wall, if that is given: of its begin,
-/// its end and its planes, then of the walls that it lies between, which ways to a point of the
-/// last of these do not come to. Each is made when it is asked for: that takes no longer than to
-/// read it from memory, of which all of them would take much.
+/// The bounds of a beam, for directions to points that lie `on` a wall, if that is given: of its
+/// begin, its end and its planes, then of the walls that it lies between, which directions to a
+/// point of the last of these do not come to. Each is made when it is asked for: that takes no
+/// longer than to read it from memory, of which all of them would take much.
 class BeamBounds {
  public:
   BeamBounds(const Beam& beam, std::span<const HeightPlane> planes, Vec3 light, const Segment* on)

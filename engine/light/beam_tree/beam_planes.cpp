@@ -21,9 +21,9 @@ bool isHidden(const HeightPlane& plane, const HeightPlane& by, const Beam& beam)
 
 }  // namespace
 
-double distanceToLine(Vec3 light, const Segment& wall, Vec2 way) {
+double distanceToLine(Vec3 light, const Segment& wall, Vec2 direction) {
   const Vec2 along = wall.p1 - wall.p0;
-  return cross(wall.p0 - light.xy(), along) / cross(way, along);
+  return cross(wall.p0 - light.xy(), along) / cross(direction, along);
 }
 
 double distanceToWall(Vec3 light, const Beam& beam, const Segment& wall) {

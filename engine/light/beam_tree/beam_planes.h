@@ -8,7 +8,7 @@
 namespace hearth {
 
 /// Metres, in lengths of a way on the map from the light, to the line of a wall.
-double distanceToLine(Vec3 light, const Segment& wall, Vec2 way);
+double distanceToLine(Vec3 light, const Segment& wall, Vec2 direction);
 /// Metres on the map from the light to what a beam sees of a wall, or of its line.
 double distanceToWall(Vec3 light, const Beam& beam, const Segment& wall);
 

@@ -33,13 +33,14 @@ BeamBounds BeamTree::boundsOf(const Beam& beam, const Segment* on) const {
 BeamTree::Points BeamTree::seen(std::span<const Vec3> corners) const {
   Points points;
   points.corners = corners;
-  points.ways.count = corners.size();
-  for (std::size_t i = 0; i < std::size(points.ways.x); ++i) {
-    const Vec3 way = corners[i < corners.size() ? i : 0] - light_.position;
-    points.ways.x[i] = way.x;
-    points.ways.y[i] = way.y;
-    points.ways.z[i] = way.z;
-    points.reach = std::max(points.reach, std::abs(way.x) + std::abs(way.y) + std::abs(way.z));
+  points.directions.count = corners.size();
+  for (std::size_t i = 0; i < std::size(points.directions.x); ++i) {
+    const Vec3 direction = corners[i < corners.size() ? i : 0] - light_.position;
+    points.directions.x[i] = direction.x;
+    points.directions.y[i] = direction.y;
+    points.directions.z[i] = direction.z;
+    points.reach = std::max(points.reach,
+                            std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));
   }
   points.noise = roundingOf(largestCoordinate(light_.position) + points.reach);
   points.margin = rayMargin(points.noise) + kNarrow * points.reach;
@@ -57,8 +58,8 @@ bool BeamTree::knows(SectorId sector, const Plane& plane, const Points& points) 
 /// part them.
 bool BeamTree::add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
                    Found& found) const {
-  const std::uint32_t parting = lightKernels().findParting(points.ways, boundsOf(beam, on), asked,
-                                                           points.margin, points.reach);
+  const std::uint32_t parting = lightKernels().findParting(points.directions, boundsOf(beam, on),
+                                                           asked, points.margin, points.reach);
   if (parting == kBehindBound) return false;
   if (parting == 0 && !beam.isDoubtful) return true;
   found.push_back({&beam, parting});
@@ -73,7 +74,7 @@ bool BeamTree::addSpanning(Range beams, const Points& points, const Segment* on,
     const BeamSides sides{&sides_.beginX[first], &sides_.beginY[first], &sides_.endX[first],
                           &sides_.endY[first]};
     const std::size_t count = lightKernels().findSpanning(
-        points.ways, sides, std::min(spanning.size(), beams.last - first), points.margin,
+        points.directions, sides, std::min(spanning.size(), beams.last - first), points.margin,
         spanning.data());
     for (const std::uint32_t i : std::span(spanning).first(count))
       if (add(found_.beams[first + i], points, on, kAllBounds, found)) return true;
@@ -124,8 +125,8 @@ bool BeamTree::comesToEndOf(const Segment& wall, const Points& points) const {
   const Vec2 start = wall.p0 - light_.position.xy();
   const double margin = points.margin * wall.length;
   return std::ranges::any_of(points.corners, [&](Vec3 p) {
-    const double share = dot(along, p.xy() - light_.position.xy() - start);
-    return share < margin || share > wall.length * wall.length - margin;
+    const double fraction = dot(along, p.xy() - light_.position.xy() - start);
+    return fraction < margin || fraction > wall.length * wall.length - margin;
   });
 }
 

@@ -32,11 +32,11 @@ bool isNear(Vec2 a, Vec2 b) {
 }
 
 /// Whether a direction lies between two others that are less than 180 degrees apart.
-bool isBetween(Vec2 begin, Vec2 end, Vec2 way) {
-  return cross(begin, way) >= 0 && cross(way, end) >= 0;
+bool isBetween(Vec2 begin, Vec2 end, Vec2 direction) {
+  return cross(begin, direction) >= 0 && cross(direction, end) >= 0;
 }
 
-Vec2 unit(Vec2 way) { return (1 / length(way)) * way; }
+Vec2 unit(Vec2 direction) { return (1 / length(direction)) * direction; }
 
 /// By sectors and walls; none where something is doubtful, so that comes first. Beams are large: it
 /// is their numbers that are sorted.
@@ -65,9 +65,9 @@ class Finder {
   BeamSet find(std::size_t mostBytes) {
     // Turned a little, so that nothing that is built square lies along their borders.
     constexpr Vec2 kAhead{0.9921875, 0.124755859375};
-    Vec2 way = kAhead;
-    for (int quarter = 0; quarter < 4; ++quarter, way = turned90(way))
-      windows_.push_back({sector_, nullptr, way, turned90(way), {}, false, {}});
+    Vec2 direction = kAhead;
+    for (int quarter = 0; quarter < 4; ++quarter, direction = turned90(direction))
+      windows_.push_back({sector_, nullptr, direction, turned90(direction), {}, false, {}});
     const std::size_t most = mostBeams(level_);
     while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < mostBytes) {
       const Window window = windows_.back();
@@ -104,7 +104,7 @@ class Finder {
     std::optional<Hatch> hatch;
   };
 
-  /// What of a wall lies in a window, in shares of a straight line across that.
+  /// What of a wall lies in a window, in fractions of a straight line across that.
   struct Part {
     const Segment* wall;
     bool isEntrance;  ///< seen from its back
@@ -112,8 +112,8 @@ class Finder {
     double last;
   };
   struct Bound {
-    double share;
-    Vec2 way;
+    double fraction;
+    Vec2 direction;
   };
 
   /// From where a ray comes into a sector to where it leaves it.
@@ -131,13 +131,13 @@ class Finder {
   };
 
   Vec2 fromLight(Vec2 p) const { return p - light_.xy(); }
-  double distanceTo(const Segment& wall, Vec2 way) const {
-    return distanceToLine(light_, wall, way);
+  double distanceTo(const Segment& wall, Vec2 direction) const {
+    return distanceToLine(light_, wall, direction);
   }
 
-  static double shareOf(const Window& window, Vec2 way) {
-    const double before = cross(window.begin, way);
-    const double after = cross(way, window.end);
+  static double fractionOf(const Window& window, Vec2 direction) {
+    const double before = cross(window.begin, direction);
+    const double after = cross(direction, window.end);
     return std::clamp(before / (before + after), 0.0, 1.0);
   }
 
@@ -159,13 +159,13 @@ class Finder {
       }
     }
     std::ranges::sort(parts_, {}, &Part::first);
-    std::ranges::stable_sort(bounds_, {}, &Bound::share);
+    std::ranges::stable_sort(bounds_, {}, &Bound::fraction);
   }
 
-  void addBound(const Window& window, Vec2 way) {
-    if (isBetween(window.begin, window.end, way) || isNear(window.begin, way) ||
-        isNear(window.end, way))
-      bounds_.push_back({shareOf(window, way), way});
+  void addBound(const Window& window, Vec2 direction) {
+    if (isBetween(window.begin, window.end, direction) || isNear(window.begin, direction) ||
+        isNear(window.end, direction))
+      bounds_.push_back({fractionOf(window, direction), direction});
   }
 
   void addPart(const Window& window, Part part, Vec2 a, Vec2 b) {
@@ -173,11 +173,11 @@ class Finder {
     addBound(window, b);
     if (!isBetween(a, b, window.begin)) {
       if (!isBetween(window.begin, window.end, a)) return;
-      part.first = shareOf(window, a);
+      part.first = fractionOf(window, a);
     }
     if (!isBetween(a, b, window.end)) {
       if (!isBetween(window.begin, window.end, b)) return;
-      part.last = shareOf(window, b);
+      part.last = fractionOf(window, b);
     }
     parts_.push_back(part);
   }
@@ -190,13 +190,13 @@ class Finder {
     std::size_t next = 0;
     std::size_t begin = 0;
     for (std::size_t i = 1; i < bounds_.size(); ++i) {
-      if (isNarrow(bounds_[i - 1].way, bounds_[i].way)) continue;
-      const double middle = (bounds_[i - 1].share + bounds_[i].share) / 2;
+      if (isNarrow(bounds_[i - 1].direction, bounds_[i].direction)) continue;
+      const double middle = (bounds_[i - 1].fraction + bounds_[i].fraction) / 2;
       while (next < parts_.size() && parts_[next].first < middle)
         active_.push_back(&parts_[next++]);
       std::erase_if(active_, [middle](const Part* part) { return part->last < middle; });
-      findStretches(window, unit(bounds_[i - 1].way) + unit(bounds_[i].way));
-      goOn(window, begin, i - 1, bounds_[i].way);
+      findStretches(window, unit(bounds_[i - 1].direction) + unit(bounds_[i].direction));
+      goOn(window, begin, i - 1, bounds_[i].direction);
       begin = i;
     }
     stretches_.clear();
@@ -204,27 +204,27 @@ class Finder {
   }
 
   /// Of rays between two vertices.
-  void findStretches(const Window& window, Vec2 way) {
+  void findStretches(const Window& window, Vec2 direction) {
     stretches_.clear();
     crossings_.clear();
     for (const Part* part : active_)
-      crossings_.push_back({distanceTo(*part->wall, way), part->wall, part->isEntrance});
-    if (window.hatch) return findStretchesAcross(*window.hatch, way);
-    const double entry = beyond(window.from, way);
+      crossings_.push_back({distanceTo(*part->wall, direction), part->wall, part->isEntrance});
+    if (window.hatch) return findStretchesAcross(*window.hatch, direction);
+    const double entry = beyond(window.from, direction);
     std::erase_if(crossings_, [entry](const Crossing& c) { return c.distance < entry; });
     const auto nearest = std::ranges::min_element(crossings_, {}, &Crossing::distance);
     if (nearest != crossings_.end()) stretches_.push_back({window.from, nearest->wall});
   }
 
-  double beyond(const Segment* wall, Vec2 way) const {
-    return wall ? distanceTo(*wall, way) * (1 - kSameDistance) : 0;
+  double beyond(const Segment* wall, Vec2 direction) const {
+    return wall ? distanceTo(*wall, direction) * (1 - kSameDistance) : 0;
   }
 
   /// Rays come through a flat portal into each stretch in which some of it lies.
-  void findStretchesAcross(const Hatch& hatch, Vec2 way) {
+  void findStretchesAcross(const Hatch& hatch, Vec2 direction) {
     std::ranges::sort(crossings_, {}, &Crossing::distance);
-    const double least = beyond(hatch.from, way);
-    const double most = distanceTo(*hatch.to, way) * (1 + kSameDistance);
+    const double least = beyond(hatch.from, direction);
+    const double most = distanceTo(*hatch.to, direction) * (1 + kSameDistance);
     const Segment* from = nullptr;
     double begin = 0;
     for (const Crossing& crossing : crossings_) {
@@ -240,18 +240,19 @@ class Finder {
   /// them, but not where a wall goes on behind that has been seen there anyway.
   void goOn(const Window& window, std::size_t last, std::size_t bound, Vec2 end) {
     bool isGap = false;
-    for (std::size_t i = last; i < bound; ++i) isGap |= bounds_[i].way != bounds_[i + 1].way;
+    for (std::size_t i = last; i < bound; ++i)
+      isGap |= bounds_[i].direction != bounds_[i + 1].direction;
     seen_.clear();
     bool slips = false;
     for (const Stretch stretch : stretches_) {
       const auto before = std::ranges::find(visible_, stretch, &Visible::stretch);
       const bool goesOn = before != visible_.end();
-      seen_.push_back({stretch, goesOn ? before->begin : bounds_[bound].way, end});
+      seen_.push_back({stretch, goesOn ? before->begin : bounds_[bound].direction, end});
       slips |= endsBetween(stretch, last, bound);
       if (goesOn) visible_.erase(before);
     }
     for (const Visible& visible : visible_) slips |= endsBetween(visible.stretch, last, bound);
-    if (isGap && slips) addLine(window.sector, unit(bounds_[bound].way));
+    if (isGap && slips) addLine(window.sector, unit(bounds_[bound].direction));
     for (const Visible& visible : visible_) finish(window, visible);
     visible_.swap(seen_);
   }
@@ -261,8 +262,8 @@ class Finder {
   bool endsBetween(Stretch stretch, std::size_t last, std::size_t bound) const {
     for (std::size_t i = last; i <= bound; ++i)
       for (const Segment* wall : {stretch.from, stretch.to})
-        if (wall &&
-            (bounds_[i].way == fromLight(wall->p0) || bounds_[i].way == fromLight(wall->p1)))
+        if (wall && (bounds_[i].direction == fromLight(wall->p0) ||
+                     bounds_[i].direction == fromLight(wall->p1)))
           return true;
     return false;
   }
@@ -310,7 +311,7 @@ class Finder {
     }
   }
 
-  static bool hasHoles(const LightOpening& opening) { return !opening.middles.empty(); }
+  static bool hasHoles(const LightOpening& opening) { return !opening.maskedMiddles.empty(); }
 
   void goThroughFlats(const Beam& beam, const Visible& visible) {
     const Sector& sector = level_[beam.sector];
@@ -369,29 +370,30 @@ class Finder {
 
   /// A direction in which rounding decides which walls rays meet: whatever they can come to from
   /// the sector on is doubtful along it.
-  void addLine(SectorId from, Vec2 way) {
+  void addLine(SectorId from, Vec2 direction) {
     std::vector<SectorId> sectors{from};
     const auto goTo = [&](SectorId sector) { sectors.push_back(sector); };
     while (!sectors.empty()) {
       const SectorId id = sectors.back();
       sectors.pop_back();
-      if (!lines_.insert({id.value, way.x, way.y}).second) continue;
-      found_.beams.push_back({id, nullptr, nullptr, way, way, way, way, 0, 0, true});
+      if (!lines_.insert({id.value, direction.x, direction.y}).second) continue;
+      found_.beams.push_back(
+          {id, nullptr, nullptr, direction, direction, direction, direction, 0, 0, true});
       for (const Segment& wall : level_.segmentsOf(level_[id]))
-        if (!wall.lightOpenings.empty() && touches(wall, way))
+        if (!wall.lightOpenings.empty() && touches(wall, direction))
           for (const LightOpening& opening : wall.lightOpenings) goTo(opening.next);
       forEachBehindFlats(id, goTo);
     }
   }
 
   /// Whether a line from the light comes to the wall, perhaps, and it does not clearly face away.
-  bool touches(const Segment& wall, Vec2 way) const {
+  bool touches(const Segment& wall, Vec2 direction) const {
     const Vec2 a = fromLight(wall.p0);
     const Vec2 b = fromLight(wall.p1);
     const double far = std::max(length(a), length(b));
     const double narrow = 4 * kNarrow * far;
-    return cross(a, b) >= -narrow * far && cross(a, way) >= -narrow && cross(way, b) >= -narrow &&
-           std::max(dot(a, way), dot(b, way)) > 0;
+    return cross(a, b) >= -narrow * far && cross(a, direction) >= -narrow &&
+           cross(direction, b) >= -narrow && std::max(dot(a, direction), dot(b, direction)) > 0;
   }
 
   template <typename Visit>

@@ -48,7 +48,8 @@ class Joiner {
 
   /// What hangs in an opening continues only its like, not the wall round it.
   bool areAlike(const UprightSurface& a, const UprightSurface& b) const {
-    return (level_[a.id].kind == SurfaceKind::Middle) == (level_[b.id].kind == SurfaceKind::Middle);
+    return (level_[a.id].kind == SurfaceKind::MaskedMiddle) ==
+           (level_[b.id].kind == SurfaceKind::MaskedMiddle);
   }
 
   /// Of surfaces of one segment, or of two with the same ends.
@@ -78,7 +79,7 @@ class Joiner {
     }
   }
 
-  /// A point of an upright surface's plane, given as (share, z), in texel coordinates.
+  /// A point of an upright surface's plane, given as (fraction, z), in texel coordinates.
   Vec2 onGrid(const UprightSurface& wall, Vec2 p) const {
     const Vec2 xy = lerp(wallOf(wall).p0, wallOf(wall).p1, p.x);
     return lit_[wall.id.index()]->grid.toTexels({xy.x, xy.y, p.y});

@@ -103,24 +103,25 @@ class LitLattice {
            static_cast<std::size_t>(i);
   }
 
-  /// Where the answer changes on the way from each corner to its neighbour, as a share of the way.
-  std::vector<float> crossings(Vec2 way) {
+  /// Where the answer changes on the way from each corner to its neighbour, as a fraction of the
+  /// way.
+  std::vector<float> crossings(Vec2 direction) {
     std::vector<float> found(cornerCount(), 0);
-    const int di = static_cast<int>(way.x);
-    const int dj = static_cast<int>(way.y);
+    const int di = static_cast<int>(direction.x);
+    const int dj = static_cast<int>(direction.y);
     for (int j = 0; j + dj <= rows_; ++j)
       for (int i = 0; i + di <= columns_; ++i)
         if (isLitAt(i, j) != isLitAt(i + di, j + dj))
-          found[index(i, j)] = crossing(corner(i, j), way, isLitAt(i, j));
+          found[index(i, j)] = crossing(corner(i, j), direction, isLitAt(i, j));
     return found;
   }
 
-  float crossing(Vec2 from, Vec2 way, bool isLitThere) {
+  float crossing(Vec2 from, Vec2 direction, bool isLitThere) {
     double low = 0;
     double high = 1;
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = (low + high) / 2;
-      ((isLit_(from + middle * way) == isLitThere) ? low : high) = middle;
+      ((isLit_(from + middle * direction) == isLitThere) ? low : high) = middle;
     }
     questions_ += kHalvings;
     return static_cast<float>((low + high) / 2);

@@ -9,7 +9,7 @@ namespace hearth {
 /// Where a segment opens at the very foot (head) of its sector's air.
 struct OpenStretch {
   SectorId next;
-  double begin;  ///< share of the way from p0 to p1
+  double begin;  ///< fraction of the way from p0 to p1
   double end;
 };
 

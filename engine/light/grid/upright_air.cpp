@@ -18,7 +18,7 @@ struct Line {
   double at1;
 };
 
-/// The part of a convex polygon in (share, z) that lies above the line (below it for `sign` -1).
+/// The part of a convex polygon in (fraction, z) that lies above the line (below it for `sign` -1).
 UprightOutline clipped(const UprightOutline& polygon, Line line, double sign) {
   const auto height = [&](Vec2 p) { return sign * (p.y - std::lerp(line.at0, line.at1, p.x)); };
   UprightOutline kept;
@@ -77,11 +77,12 @@ std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const U
   return std::pair(*low, *high);
 }
 
-std::pair<double, double> heightsAt(const UprightOutline& air, double share, double segmentLength) {
+std::pair<double, double> heightsAt(const UprightOutline& air, double fraction,
+                                    double segmentLength) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const Vec2 p : air)
-    if (std::abs(p.x - share) * segmentLength <= kHeightNoise)
+    if (std::abs(p.x - fraction) * segmentLength <= kHeightNoise)
       low = std::min(low, p.y), high = std::max(high, p.y);
   return {low, high};
 }

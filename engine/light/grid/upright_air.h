@@ -8,7 +8,8 @@
 
 namespace hearth {
 
-/// A polygon in the plane of a segment, as (share of the way from its p0 to its p1, z in metres).
+/// A polygon in the plane of a segment, as (fraction of the way from its p0 to its p1, z in
+/// metres).
 using UprightOutline = std::vector<Vec2>;
 
 /// The part of an upright surface that bounds air: what the slopes on both sides leave of it.
@@ -20,8 +21,9 @@ UprightOutline uprightAir(const Level& level, const Surface& surface);
 std::optional<std::pair<Vec2, Vec2>> commonEdge(const UprightOutline& a, const UprightOutline& b,
                                                 double segmentLength);
 
-/// The heights, low and high, that a convex outline covers at one end of its segment (share 0 or
+/// The heights, low and high, that a convex outline covers at one end of its segment (fraction 0 or
 /// 1), `segmentLength` metres long; low > high where it does not reach that end.
-std::pair<double, double> heightsAt(const UprightOutline& air, double share, double segmentLength);
+std::pair<double, double> heightsAt(const UprightOutline& air, double fraction,
+                                    double segmentLength);
 
 }  // namespace hearth

@@ -65,11 +65,11 @@ std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 v
     const int turn = orientation(vertex, from, towards);
     return (isAfter ? turn < 0 : turn > 0) && standsBefore(wall, vertex, towards);
   };
-  std::vector<Heights> ways;
+  std::vector<Heights> openings;
   std::vector<Air> reached = {{wall.sector, within, isAfter ? wall.p0 : wall.p1}};
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const Air here = reached[i];
-    if (here.sector == to) ways.push_back(here.heights);
+    if (here.sector == to) openings.push_back(here.heights);
     for (const Spoke& spoke : at(vertex)) {
       if (level_[spoke.segment].sector != here.sector) continue;
       if (!turnsOn(here.from, farEnd(spoke))) continue;
@@ -78,7 +78,7 @@ std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 v
           reached.push_back(air);
     }
   }
-  return ways;
+  return openings;
 }
 
 Vec2 VertexFan::farEnd(const Spoke& spoke) const {
@@ -88,13 +88,13 @@ Vec2 VertexFan::farEnd(const Spoke& spoke) const {
 
 std::vector<VertexFan::Air> VertexFan::beyond(const Spoke& spoke, Heights near) const {
   const Segment& segment = level_[spoke.segment];
-  const double share = spoke.startsHere ? 0 : 1;
+  const double fraction = spoke.startsHere ? 0 : 1;
   std::vector<Air> found;
   for (const WallPiece& piece : segment.pieces) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     if (!opening) continue;
     const OpeningSpan span =
-        openingSpan(piece, airAt(segment, share), airAt(level_[opening->twin], 1 - share));
+        openingSpan(piece, airAt(segment, fraction), airAt(level_[opening->twin], 1 - fraction));
     const Heights open = {std::max(near.zBottom, span.zBottom), std::min(near.zTop, span.zTop)};
     if (open.zTop - open.zBottom > kHeightNoise)
       found.push_back({opening->next, open, farEnd(spoke)});

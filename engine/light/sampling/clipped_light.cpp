@@ -73,9 +73,9 @@ class ClippedLight {
     const SamplePoint& a = corners_[index(whole(std::floor(p.x)), whole(std::floor(p.y)))];
     const SamplePoint& b = corners_[index(whole(std::ceil(p.x)), whole(std::ceil(p.y)))];
     if (a.surface != b.surface) return surface_.place(corner(p.x, p.y));
-    const double share = p.x - std::floor(p.x) + p.y - std::floor(p.y);
-    return {a.point + share * (b.point - a.point), a.surface,
-            a.target + share * (b.target - a.target), a.isMoved || b.isMoved};
+    const double fraction = p.x - std::floor(p.x) + p.y - std::floor(p.y);
+    return {a.point + fraction * (b.point - a.point), a.surface,
+            a.target + fraction * (b.target - a.target), a.isMoved || b.isMoved};
   }
 
   /// Whether the surface, or what continues it, ends inside the texel.
@@ -90,7 +90,7 @@ class ClippedLight {
     const auto [entry, isNew] = between_.try_emplace({cells(p.x), cells(p.y)});
     if (!isNew) return entry->second;
     const SamplePoint at = surface_.place(corner(p.x, p.y));
-    return entry->second = levelAt(light, at, surface_.roughlySeenShare(light, at));
+    return entry->second = levelAt(light, at, surface_.roughlySeenFraction(light, at));
   }
 
   double levelAt(std::size_t light, const SamplePoint& at, double seen) const {
@@ -151,8 +151,8 @@ class ClippedLight {
   }
 
   void addHard(std::size_t light, TexelSums& sums) {
-    const auto isLit = [&](Vec2 p) { return surface_.seenShare(light, placedBetween(p)) > 0; };
-    const std::vector<double>& seen = surface_.seenShares(light, blocks_);
+    const auto isLit = [&](Vec2 p) { return surface_.seenFraction(light, placedBetween(p)) > 0; };
+    const std::vector<double>& seen = surface_.seenFractions(light, blocks_);
     const auto isCornerLit = [&](int i, int j) { return seen[index(i, j)] > 0; };
     const LitLattice lattice(rect_.width, rect_.height, isLit, isCornerLit);
     if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return;
@@ -172,9 +172,9 @@ class ClippedLight {
     });
   }
 
-  /// What is seen of a ball changes gradually, so that its share too is interpolated.
+  /// What is seen of a ball changes gradually, so that its fraction too is interpolated.
   void addSoft(std::size_t light, TexelSums& sums) {
-    std::vector<double> levels = surface_.seenShares(light, blocks_);
+    std::vector<double> levels = surface_.seenFractions(light, blocks_);
     for (std::size_t i = 0; i < levels.size(); ++i)
       levels[i] = levelAt(light, corners_[i], levels[i]);
     addTexels(light, sums, [&](int i, int j) {

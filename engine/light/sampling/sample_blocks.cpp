@@ -96,8 +96,8 @@ SampleBlocks::Extent SampleBlocks::measureSamples(Block& block) const {
   for (int j = block.row; j < block.row + block.rows; ++j)
     for (int i = block.column; i < block.column + block.columns; ++i) {
       const SamplePoint& sample = samples_[index(i, j)];
-      const Vec3 way = sample.target - origin;
-      extend(extent, {dot(way, axisS_), dot(way, axisT_), dot(way, normal_)});
+      const Vec3 offset = sample.target - origin;
+      extend(extent, {dot(offset, axisS_), dot(offset, axisT_), dot(offset, normal_)});
       if (sample.surface == surface) continue;
       block.surface.reset();
       if (level_[sample.surface].sector != level_[surface].sector) block.sector.reset();

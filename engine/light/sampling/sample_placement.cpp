@@ -178,8 +178,8 @@ Vec2 SamplePlacement::movedInside(const Outline& outline, const std::vector<Outl
                                   Vec2 edgePoint, Vec2 from) const {
   Vec2 best = edgePoint;
   double clearance = 0;
-  const auto isGood = [&](Vec2 way) {
-    const Vec2 candidate = edgePoint + hair_ * way;
+  const auto isGood = [&](Vec2 direction) {
+    const Vec2 candidate = edgePoint + hair_ * direction;
     const double found = distanceTo(edges, candidate);
     if (found <= clearance || !outline.contains(candidate)) return false;
     best = candidate;

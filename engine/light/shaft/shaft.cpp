@@ -79,9 +79,9 @@ void addSlopes(const Level& level, const Sector& sector, const Segment& wall,
   }
 }
 
-/// Some of what comes to a middle texture may meet a hole and some not.
-void addMiddles(const Level& level, const LightOpening& opening, Passage& passage) {
-  for (const SurfaceId id : opening.middles)
+/// Some of what comes to a masked middle texture may meet a hole and some not.
+void addMaskedMiddles(const Level& level, const LightOpening& opening, Passage& passage) {
+  for (const SurfaceId id : opening.maskedMiddles)
     passage.isOpen &= passage.hull.isAbove(flatLine(level[id].zTop)) ||
                       passage.hull.isBelow(flatLine(level[id].zBottom));
 }
@@ -93,7 +93,7 @@ Shaft::Outcome Shaft::follow(const ShaftLight& light, const ShaftTargets& target
   light_ = &light;
   targets_ = &targets;
   within_ = within;
-  hull_.emplace(light.middle, light.radius, targets.box);
+  hull_.emplace(light.center, light.radius, targets.box);
   leastInFront_ = leastInFront(hull_->noise(), hull_->reach());
   mets_.clear();
   walls_.clear();
@@ -106,12 +106,12 @@ Shaft::Outcome Shaft::follow(const ShaftLight& light, const ShaftTargets& target
   if (gate_)
     goThroughGate();
   else
-    for (const SectorId sector : light.sectors) go({sector, Way::FromLight, nullptr, {}, {}});
+    for (const SectorId sector : light.sectors) go({sector, Entry::FromLight, nullptr, {}, {}});
   for (std::size_t i = 0; i < visits_.size(); ++i) {
-    const Visit way = visits_[i];
-    visit(way);
+    const Visit entered = visits_[i];
+    visit(entered);
     if (!isGated) continue;
-    const std::optional<Gate> gate = gateOf(way);
+    const std::optional<Gate> gate = gateOf(entered);
     isGated = gate && i + 2 == visits_.size();
     if (isGated) gate_ = gate;
   }
@@ -156,7 +156,7 @@ bool Shaft::isHarmless(SectorId id, const Segment& wall, const ShaftHull::Distan
   if (d.leastOfTargets > margin) {
     if (d.leastOfLight >= 0) return true;
     if (light_->isCutByWalls && id == light_->sectors.front() &&
-        length(nearestOnSegment(wall.p0, wall.p1, light_->middle.xy()) - light_->middle.xy()) <=
+        length(nearestOnSegment(wall.p0, wall.p1, light_->center.xy()) - light_->center.xy()) <=
             light_->radius)
       return true;
   }
@@ -202,7 +202,7 @@ void Shaft::meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Me
     Passage passage{slice};
     addHeights(sector, opening, passage);
     addSlopes(level_, sector, *met.wall, opening, passage);
-    addMiddles(level_, opening, passage);
+    addMaskedMiddles(level_, opening, passage);
     if (!passage.isShut) exits_.push_back(&opening);
     if (passage.isOpen) met.stops = false;
   }
@@ -244,8 +244,8 @@ void Shaft::findScreenFrom(MetSector& sector, Met& first) {
 void Shaft::go(const Visit& visit) {
   if (within_ && !within_->meets(visit.sector)) return;
   for (const Visit& other : visits_)
-    if (other.sector == visit.sector && other.way == visit.way &&
-        (visit.way != Way::ThroughWall || other.through->twin == visit.through->twin))
+    if (other.sector == visit.sector && other.entry == visit.entry &&
+        (visit.entry != Entry::ThroughWall || other.through->twin == visit.through->twin))
       return;
   visits_.push_back(visit);
 }
@@ -254,18 +254,18 @@ void Shaft::go(const Visit& visit) {
 void Shaft::goThroughGate() {
   const Segment& wall = *gate_->wall;
   if (const std::optional<ShaftHull::Slice> slice = hull_->slice(wall.p0, wall.p1))
-    go({gate_->opening->next, Way::ThroughWall, gate_->opening, lerp(wall.p0, wall.p1, slice->from),
-        lerp(wall.p0, wall.p1, slice->to)});
+    go({gate_->opening->next, Entry::ThroughWall, gate_->opening,
+        lerp(wall.p0, wall.p1, slice->from), lerp(wall.p0, wall.p1, slice->to)});
 }
 
 /// Whether a screen lies between the way into its sector and the targets.
 bool Shaft::isScreen(const MetSector& sector, std::uint32_t screen, const Visit& visit) {
-  if (visit.way == Way::ThroughFlat) return false;
+  if (visit.entry == Entry::ThroughFlat) return false;
   const double margin = hull_->margin();
   for (const Met& met : wallsOf(sector)) {
     if (met.screen != screen) continue;
     if (met.leastOfLight <= margin) return false;
-    if (visit.way == Way::ThroughWall &&
+    if (visit.entry == Entry::ThroughWall &&
         (met.inFront(visit.start) <= margin || met.inFront(visit.end) <= margin))
       return false;
   }
@@ -296,7 +296,7 @@ void Shaft::visit(const Visit& visit) {
     if (isHidden(sector, met)) continue;
     isStopped_ |= met.stops;
     for (std::uint32_t i = met.firstExit; i < met.lastExit; ++i)
-      go({exits_[i]->next, Way::ThroughWall, exits_[i], met.start, met.end});
+      go({exits_[i]->next, Entry::ThroughWall, exits_[i], met.start, met.end});
   }
   goThroughFlats(level_[visit.sector]);
   if (!screens_.empty()) return;
@@ -308,9 +308,9 @@ void Shaft::visit(const Visit& visit) {
 
 /// The one wall that all rays leave a sector through, having come into it by a way that has just
 /// been visited; none where some may leave it elsewhere, or stop.
-std::optional<Shaft::Gate> Shaft::gateOf(const Visit& way) {
-  const MetSector sector = meet(way.sector);
-  if (level_[way.sector].floor.flatPortal || level_[way.sector].ceiling.flatPortal)
+std::optional<Shaft::Gate> Shaft::gateOf(const Visit& visit) {
+  const MetSector sector = meet(visit.sector);
+  if (level_[visit.sector].floor.flatPortal || level_[visit.sector].ceiling.flatPortal)
     return std::nullopt;
   const Met* gate = nullptr;
   for (const Met& met : wallsOf(sector)) {
@@ -330,7 +330,7 @@ void Shaft::goThroughFlats(const Sector& sector) {
     isStopped_ |= hasSlopeAt(level_, sector, z);
     for (const SectorId member : members) {
       isStopped_ |= hasSlopeAt(level_, level_[member], z);
-      go({member, Way::ThroughFlat, nullptr, {}, {}});
+      go({member, Entry::ThroughFlat, nullptr, {}, {}});
     }
   };
   if (sector.floor.flatPortal && hull_->zMin() < sector.floor.z)
@@ -356,7 +356,7 @@ bool Shaft::endsOutside(const Sector& sector) const {
 
 /// Whether no flat or slope of the targets' sector stops a ray before its target.
 bool Shaft::areTargetsClear() const {
-  const TargetRays rays{light_->middle, light_->radius, hull_->reach(), hull_->noise(),
+  const TargetRays rays{light_->center, light_->radius, hull_->reach(), hull_->noise(),
                         hull_->margin()};
   return isAirClear(level_[targets_->sectors.front()], rays, targets_->box.corners());
 }

@@ -12,7 +12,7 @@ namespace hearth {
 
 /// Where the rays of a light start.
 struct ShaftLight {
-  Vec3 middle;
+  Vec3 center;
   double radius = 0;              ///< metres
   std::vector<SectorId> sectors;  ///< in which rays start
   /// Whether no ray starts behind a wall of its sector that comes into the ball.
@@ -83,11 +83,11 @@ class Shaft {
     std::uint32_t end;
     std::uint32_t screens;
   };
-  enum class Way { FromLight, ThroughWall, ThroughFlat };
+  enum class Entry { FromLight, ThroughWall, ThroughFlat };
   /// A way into a sector.
   struct Visit {
     SectorId sector;
-    Way way;
+    Entry entry;
     const LightOpening* through;  ///< for ThroughWall
     Vec2 start;
     Vec2 end;
@@ -108,7 +108,7 @@ class Shaft {
   bool isScreen(const MetSector& sector, std::uint32_t screen, const Visit& visit);
   bool isHidden(const MetSector& sector, const Met& met);
   bool isBehind(const MetSector& sector, std::uint32_t screen, const Met& met);
-  std::optional<Gate> gateOf(const Visit& way);
+  std::optional<Gate> gateOf(const Visit& visit);
   void go(const Visit& visit);
   void goThroughGate();
   void goThroughFlats(const Sector& sector);

@@ -37,14 +37,14 @@ struct Tangents {
 
 }  // namespace
 
-ShaftHull::ShaftHull(Vec3 middle, double radius, const TargetBox& targets)
-    : middle_(middle), radius_(radius), count_(targets.count) {
-  double size = largestCoordinate(middle);
+ShaftHull::ShaftHull(Vec3 center, double radius, const TargetBox& targets)
+    : center_(center), radius_(radius), count_(targets.count) {
+  double size = largestCoordinate(center);
   Vec2 axis;
   double low = -radius;
   double high = radius;
   for (std::size_t i = 0; i < count_; ++i) {
-    const Vec3 p = targets.storage[i] - middle;
+    const Vec3 p = targets.storage[i] - center;
     targets_[i] = p;
     reach_ = std::max(reach_, dot(p, p));
     axis = axis + p.xy();
@@ -105,8 +105,8 @@ void ShaftHull::addPlane(Vec3 normal) {
 }
 
 std::optional<ShaftHull::Slice> ShaftHull::slice(Vec2 p0, Vec2 p1) const {
-  const Vec2 a = p0 - middle_.xy();
-  const Vec2 b = p1 - middle_.xy();
+  const Vec2 a = p0 - center_.xy();
+  const Vec2 b = p1 - center_.xy();
   double from = 0;
   double to = 1;
   for (const HalfPlane& side : sides_.all()) {
@@ -123,9 +123,9 @@ std::optional<ShaftHull::Slice> ShaftHull::slice(Vec2 p0, Vec2 p1) const {
   const Vec2 start = lerp(a, b, from);
   const Vec2 end = lerp(a, b, to);
   for (const SlopedPlane& high : highs_.all())
-    slice.tops_[slice.topCount_++] = {middle_.z + high.at(start), middle_.z + high.at(end)};
+    slice.tops_[slice.topCount_++] = {center_.z + high.at(start), center_.z + high.at(end)};
   for (const SlopedPlane& low : lows_.all())
-    slice.bottoms_[slice.bottomCount_++] = {middle_.z + low.at(start), middle_.z + low.at(end)};
+    slice.bottoms_[slice.bottomCount_++] = {center_.z + low.at(start), center_.z + low.at(end)};
   return slice;
 }
 
@@ -141,7 +141,7 @@ bool ShaftHull::Slice::isAbove(EndHeights line) const {
 }
 
 ShaftHull::Distances ShaftHull::distances(Vec2 onLine, Vec2 normal) const {
-  const double ofMiddle = dot(normal, middle_.xy() - onLine);
+  const double ofCenter = dot(normal, center_.xy() - onLine);
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   for (const Vec3& p : targets()) {
@@ -149,7 +149,7 @@ ShaftHull::Distances ShaftHull::distances(Vec2 onLine, Vec2 normal) const {
     least = std::min(least, distance);
     most = std::max(most, distance);
   }
-  return {ofMiddle - radius_, ofMiddle + radius_, ofMiddle + least, ofMiddle + most};
+  return {ofCenter - radius_, ofCenter + radius_, ofCenter + least, ofCenter + most};
 }
 
 }  // namespace hearth

@@ -34,12 +34,12 @@ struct EndHeights {
 /// right.
 class ShaftHull {
  public:
-  ShaftHull(Vec3 middle, double radius, const TargetBox& targets);
+  ShaftHull(Vec3 center, double radius, const TargetBox& targets);
 
   /// What of a wall the body meets.
   class Slice {
    public:
-    double from;  ///< shares of the way from p0 to p1
+    double from;  ///< fractions of the way from p0 to p1
     double to;
     /// Whether all of it is lower (higher) than a line.
     bool isBelow(EndHeights line) const;
@@ -71,8 +71,8 @@ class ShaftHull {
   double noise() const { return noise_; }
   /// Of the longest ray.
   double reach() const { return reach_; }
-  double zMin() const { return middle_.z + lows_[0].atMiddle; }
-  double zMax() const { return middle_.z + highs_[0].atMiddle; }
+  double zMin() const { return center_.z + lows_[0].atCenter; }
+  double zMax() const { return center_.z + highs_[0].atCenter; }
 
  private:
   /// The map's side of an upright plane: what p has dot(normal, p) <= most.
@@ -82,8 +82,8 @@ class ShaftHull {
   };
   struct SlopedPlane {
     Vec2 gradient;
-    double atMiddle;
-    double at(Vec2 p) const { return atMiddle + dot(gradient, p); }
+    double atCenter;
+    double at(Vec2 p) const { return atCenter + dot(gradient, p); }
   };
   template <typename Item, std::size_t N>
   struct Few {
@@ -100,8 +100,8 @@ class ShaftHull {
   double farthest(Vec3 normal) const;
   std::span<const Vec3> targets() const { return {targets_.data(), count_}; }
 
-  // All but `middle_` relative to it.
-  Vec3 middle_;
+  // All but `center_` relative to it.
+  Vec3 center_;
   double radius_;
   std::array<Vec3, 8> targets_;
   std::size_t count_;

@@ -31,14 +31,14 @@ HWY_INLINE void forEachLanes(std::size_t count, Visit&& visit) {
 }
 
 template <typename D>
-struct Ways {
+struct Directions {
   hn::Vec<D> x;
   hn::Vec<D> y;
   hn::Vec<D> z;
 };
 
 template <typename D>
-HWY_INLINE Ways<D> waysTo(D d, const SampleArrays& samples, std::size_t k, Vec3 light) {
+HWY_INLINE Directions<D> directionsTo(D d, const SampleArrays& samples, std::size_t k, Vec3 light) {
   return {hn::Sub(hn::LoadU(d, samples.x + k), hn::Set(d, light.x)),
           hn::Sub(hn::LoadU(d, samples.y + k), hn::Set(d, light.y)),
           hn::Sub(hn::LoadU(d, samples.z + k), hn::Set(d, light.z))};
@@ -46,15 +46,16 @@ HWY_INLINE Ways<D> waysTo(D d, const SampleArrays& samples, std::size_t k, Vec3 
 
 /// As dot() of vec.h has it.
 template <typename D>
-HWY_INLINE hn::Vec<D> dotOf(D d, const Ways<D>& way, Vec3 v) {
-  return hn::Add(hn::Add(hn::Mul(way.x, hn::Set(d, v.x)), hn::Mul(way.y, hn::Set(d, v.y))),
-                 hn::Mul(way.z, hn::Set(d, v.z)));
+HWY_INLINE hn::Vec<D> dotOf(D d, const Directions<D>& direction, Vec3 v) {
+  return hn::Add(
+      hn::Add(hn::Mul(direction.x, hn::Set(d, v.x)), hn::Mul(direction.y, hn::Set(d, v.y))),
+      hn::Mul(direction.z, hn::Set(d, v.z)));
 }
 
 /// In lanes that are beams: how far in front of an upright plane through the light the foremost of
 /// the corners is.
 template <typename D>
-HWY_INLINE hn::Vec<D> foremost(D d, const CornerWays& corners, hn::Vec<D> normalX,
+HWY_INLINE hn::Vec<D> foremost(D d, const CornerDirections& corners, hn::Vec<D> normalX,
                                hn::Vec<D> normalY) {
   const auto inFront = [&](std::size_t k) HWY_ATTR {
     return hn::Add(hn::Mul(hn::Set(d, corners.x[k]), normalX),
@@ -65,7 +66,7 @@ HWY_INLINE hn::Vec<D> foremost(D d, const CornerWays& corners, hn::Vec<D> normal
   return most;
 }
 
-std::size_t findSpanning(const CornerWays& corners, const BeamSides& beams, std::size_t count,
+std::size_t findSpanning(const CornerDirections& corners, const BeamSides& beams, std::size_t count,
                          double margin, std::uint32_t* spanning) {
   std::size_t found = 0;
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
@@ -84,8 +85,8 @@ std::size_t findSpanning(const CornerWays& corners, const BeamSides& beams, std:
   return found;
 }
 
-std::uint32_t findParting(const CornerWays& corners, const BeamBounds& bounds, std::uint32_t asked,
-                          double margin, double reach) {
+std::uint32_t findParting(const CornerDirections& corners, const BeamBounds& bounds,
+                          std::uint32_t asked, double margin, double reach) {
   using Tag = hn::CappedTag<double, 8>;
   const Tag d;
   std::uint32_t parting = 0;
@@ -97,9 +98,9 @@ std::uint32_t findParting(const CornerWays& corners, const BeamBounds& bounds, s
     bool isAnyNear = false;
     bool areAllInFront = true;
     for (std::size_t k = 0; k < corners.count; k += hn::Lanes(d)) {
-      const Ways<Tag> ways = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
-                              hn::LoadU(d, corners.z + k)};
-      const auto inFront = hn::Sub(dotOf(d, ways, bound.normal), hn::Set(d, bound.offset));
+      const Directions<Tag> directions = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
+                                          hn::LoadU(d, corners.z + k)};
+      const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
       isAnyNear |= !hn::AllFalse(d, hn::Ge(inFront, hn::Set(d, -slack)));
       areAllInFront &= hn::AllTrue(d, hn::Gt(inFront, hn::Set(d, slack)));
     }
@@ -110,17 +111,17 @@ std::uint32_t findParting(const CornerWays& corners, const BeamBounds& bounds, s
 }
 
 void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
-              std::span<const PartingBounds> beams, const WayBound* bounds, double* seen) {
+              std::span<const PartingBounds> beams, const DirectionBound* bounds, double* seen) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto ways = waysTo(d, samples, k, light);
+    const auto directions = directionsTo(d, samples, k, light);
     auto areLit = hn::FirstN(d, 0);
     auto areUnknown = areLit;
-    const WayBound* next = bounds;
+    const DirectionBound* next = bounds;
     for (const PartingBounds& beam : beams) {
       auto areInside = hn::FirstN(d, beam.isDoubtful ? 0 : hn::Lanes(d));
       auto areNear = hn::FirstN(d, hn::Lanes(d));
-      for (const WayBound& bound : std::span(next, beam.count)) {
-        const auto inFront = hn::Sub(dotOf(d, ways, bound.normal), hn::Set(d, bound.offset));
+      for (const DirectionBound& bound : std::span(next, beam.count)) {
+        const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
         areInside = hn::And(areInside, hn::Gt(inFront, hn::Set(d, bound.slack)));
         areNear = hn::And(areNear, hn::Ge(inFront, hn::Set(d, -bound.slack)));
         if (hn::AllFalse(d, areNear)) break;
@@ -129,16 +130,17 @@ void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
       areLit = hn::Or(areLit, areInside);
       areUnknown = hn::Or(areUnknown, areNear);
     }
-    const auto unlit = hn::IfThenElseZero(areUnknown, hn::Set(d, kUnknownShare));
+    const auto unlit = hn::IfThenElseZero(areUnknown, hn::Set(d, kUnknownFraction));
     hn::StoreU(hn::IfThenElse(areLit, hn::Set(d, 1.0), unlit), d, seen + k);
   });
 }
 
 void findDistances(const SampleArrays& samples, std::size_t count, Vec3 light, double* distances) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto way = waysTo(d, samples, k, light);
+    const auto direction = directionsTo(d, samples, k, light);
     const auto square =
-        hn::Add(hn::Add(hn::Mul(way.x, way.x), hn::Mul(way.y, way.y)), hn::Mul(way.z, way.z));
+        hn::Add(hn::Add(hn::Mul(direction.x, direction.x), hn::Mul(direction.y, direction.y)),
+                hn::Mul(direction.z, direction.z));
     hn::StoreU(hn::Sqrt(square), d, distances + k);
   });
 }
@@ -155,9 +157,9 @@ void findLevels(const double* distances, std::size_t count, double intensity, do
 void applyCosine(const SampleArrays& samples, const double* distances, std::size_t count,
                  Vec3 light, Vec3 normal, double* levels) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto inFront = hn::Neg(dotOf(d, waysTo(d, samples, k, light), normal));
+    const auto inFront = hn::Neg(dotOf(d, directionsTo(d, samples, k, light), normal));
     const auto cosine = hn::Div(inFront, hn::LoadU(d, distances + k));
-    // The middle of a ball can lie behind a plane that a part of it lights.
+    // The centre of a ball can lie behind a plane that a part of it lights.
     const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Max(hn::Zero(d), cosine));
     hn::StoreU(level, d, levels + k);
   });
@@ -166,17 +168,17 @@ void applyCosine(const SampleArrays& samples, const double* distances, std::size
 void applySeen(const double* seen, const double* distances, std::size_t count, double reach,
                double* levels) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto share = hn::LoadU(d, seen + k);
+    const auto fraction = hn::LoadU(d, seen + k);
     const auto isNear = hn::Lt(hn::LoadU(d, distances + k), hn::Set(d, reach));
-    const auto level = hn::Mul(share, hn::LoadU(d, levels + k));
-    hn::StoreU(hn::IfThenElseZero(hn::And(isNear, hn::Gt(share, hn::Zero(d))), level), d,
+    const auto level = hn::Mul(fraction, hn::LoadU(d, levels + k));
+    hn::StoreU(hn::IfThenElseZero(hn::And(isNear, hn::Gt(fraction, hn::Zero(d))), level), d,
                levels + k);
   });
 }
 
-void addToSums(const double* levels, std::size_t count, double share, double* sums) {
+void addToSums(const double* levels, std::size_t count, double fraction, double* sums) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Set(d, share));
+    const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Set(d, fraction));
     const auto most = hn::Min(level, hn::Set(d, LightSum::kMost));
     const auto units =
         hn::Floor(hn::Add(hn::Mul(most, hn::Set(d, LightSum::kUnit)), hn::Set(d, 0.5)));

@@ -22,7 +22,7 @@ struct SampleArrays {
 
 /// Ways from a light to the corners of what holds some points: one to eight, and from there on the
 /// first of them again.
-struct CornerWays {
+struct CornerDirections {
   double x[8];
   double y[8];
   double z[8];
@@ -44,9 +44,10 @@ inline constexpr std::uint32_t kBehindBound = std::uint32_t{1} << 31;
 inline constexpr std::size_t kBoundBits = 31;
 inline constexpr std::uint32_t kAllBounds = kBehindBound - 1;
 
-/// A plane, by ways from a light: those that it has in front of it have dot(normal, way) > offset.
-/// Within `slack` rounding decides; both are metres times the length of the normal.
-struct WayBound {
+/// A plane, by directions from a light: those that it has in front of it have dot(normal,
+/// direction) > offset. Within `slack` rounding decides; both are metres times the length of the
+/// normal.
+struct DirectionBound {
   Vec3 normal;
   double offset;
   double slack;
@@ -60,21 +61,22 @@ struct PartingBounds {
 };
 
 /// What a sample sees of a light where that is neither all nor nothing: it is not known.
-inline constexpr double kUnknownShare = -1;
+inline constexpr double kUnknownFraction = -1;
 
 struct LightKernels {
   /// The indices of beams that have no side with all corners behind it, in rising order. Returns
   /// how many they are; `spanning` has room for `count`. `margin` is that of rays to the corners.
-  std::size_t (*findSpanning)(const CornerWays& corners, const BeamSides& beams, std::size_t count,
-                              double margin, std::uint32_t* spanning);
+  std::size_t (*findSpanning)(const CornerDirections& corners, const BeamSides& beams,
+                              std::size_t count, double margin, std::uint32_t* spanning);
   /// A bit for each of the bounds of a beam that has some corners behind it, perhaps; or
   /// kBehindBound. Of those alone that have a bit in `asked`.
-  std::uint32_t (*findParting)(const CornerWays& corners, const BeamBounds& bounds,
+  std::uint32_t (*findParting)(const CornerDirections& corners, const BeamBounds& bounds,
                                std::uint32_t asked, double margin, double reach);
   /// For each of the samples 1 where one of the beams of a point of light holds it for sure, 0
   /// where none can, and else kUnknownShare. The bounds of the beams follow one another.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,
-                   std::span<const PartingBounds> beams, const WayBound* bounds, double* seen);
+                   std::span<const PartingBounds> beams, const DirectionBound* bounds,
+                   double* seen);
   /// Metres from a light.
   void (*findDistances)(const SampleArrays& samples, std::size_t count, Vec3 light,
                         double* distances);
@@ -84,11 +86,11 @@ struct LightKernels {
   /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.
   void (*applyCosine)(const SampleArrays& samples, const double* distances, std::size_t count,
                       Vec3 light, Vec3 normal, double* levels);
-  /// Multiplies levels by the share that is seen of the light: nothing from `reach` metres on.
+  /// Multiplies levels by the fraction that is seen of the light: nothing from `reach` metres on.
   void (*applySeen)(const double* seen, const double* distances, std::size_t count, double reach,
                     double* levels);
-  /// Adds levels times `share` to sums, each by the rules of LightSum.
-  void (*addToSums)(const double* levels, std::size_t count, double share, double* sums);
+  /// Adds levels times `fraction` to sums, each by the rules of LightSum.
+  void (*addToSums)(const double* levels, std::size_t count, double fraction, double* sums);
 };
 
 /// Those for the widest registers that this processor has.

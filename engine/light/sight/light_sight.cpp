@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kPointsPerSample = 32;
 
-/// Radii. Nearer to the middle of a ball than this, the directions in which it is seen fill too
+/// Radii. Nearer to the centre of a ball than this, the directions in which it is seen fill too
 /// much of a half-space to be a disc.
 constexpr double kLeastDistance = 1.25;
 
@@ -35,15 +35,15 @@ Plane planeOf(const Flat& flat, const std::optional<Slope>& slope, bool isFloor)
 }
 
 /// The planes of all walls, flats and slopes of the sector that come into the ball. Skies do not.
-std::vector<Plane> planesInside(const Level& level, const Sector& sector, Vec3 middle,
+std::vector<Plane> planesInside(const Level& level, const Sector& sector, Vec3 center,
                                 double radius) {
   std::vector<Plane> planes;
   for (const Segment& segment : level.segmentsOf(sector))
-    if (length(nearestOnSegment(segment.p0, segment.p1, middle.xy()) - middle.xy()) <= radius)
+    if (length(nearestOnSegment(segment.p0, segment.p1, center.xy()) - center.xy()) <= radius)
       planes.push_back(planeOf(segment));
   const auto addFlat = [&](const Flat& flat, const std::optional<Slope>& slope, bool isFloor) {
     const Plane plane = planeOf(flat, slope, isFloor);
-    if (!flat.isSky && std::abs(plane.inFront(middle)) <= radius) planes.push_back(plane);
+    if (!flat.isSky && std::abs(plane.inFront(center)) <= radius) planes.push_back(plane);
   };
   addFlat(sector.floor, sector.floorSlope, true);
   addFlat(sector.ceiling, sector.ceilingSlope, false);
@@ -63,16 +63,16 @@ Vec3 spreadPoint(int i) {
 }
 
 /// The directions from a point in which it would see a ball, as a disc of radius 1. With D metres
-/// to the ball's middle and R its radius, the disc's point p lies in the direction
+/// to the centre of the ball and R its radius, the disc's point p lies in the direction
 /// `w = forward + t (p.x right + p.y up)`, where `t = R / sqrt(D^2 - R^2)` is the tangent of half
 /// the angle that the ball fills; and the line along w is inside the ball from `(D - h) / |w|^2` to
 /// `(D + h) / |w|^2` lengths of w, where `h = R sqrt(1 - p^2)`.
 class BallDisc {
  public:
   /// Of the ball, what lies in front of all planes shines.
-  BallDisc(Vec3 eye, Vec3 middle, double radius, const std::vector<Plane>& planes)
-      : eye_(eye), planes_(planes), distance_(length(middle - eye)), radius_(radius) {
-    const Vec3 forward = (1 / distance_) * (middle - eye);
+  BallDisc(Vec3 eye, Vec3 center, double radius, const std::vector<Plane>& planes)
+      : eye_(eye), planes_(planes), distance_(length(center - eye)), radius_(radius) {
+    const Vec3 forward = (1 / distance_) * (center - eye);
     const Vec3 other = std::abs(forward.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
     const Vec3 right = cross(forward, other);
     const double tangent = radius / std::sqrt((distance_ - radius) * (distance_ + radius));
@@ -88,7 +88,7 @@ class BallDisc {
     double to;  ///< less than `from` where there is nothing
 
     double middle() const { return (from + to) / 2; }
-    /// Of the ball along the line, for each share of the disc's area; up to a factor. A unit of
+    /// Of the ball along the line, for each fraction of the disc's area; up to a factor. A unit of
     /// solid angle has |w|^3 (to^3 - from^3) / 3 of it, a unit of the disc t^2 / |w|^3 of solid
     /// angle.
     double volume() const { return to > from ? to * to * to - from * from * from : 0; }
@@ -102,9 +102,9 @@ class BallDisc {
 
   /// What shines of a line's chord.
   Chord shiningChord(Vec2 p, Chord chord) const {
-    const Vec3 way = wayTo(p);
+    const Vec3 direction = directionTo(p);
     for (const Plane& plane : planes_) {
-      const double speed = dot(way, plane.normal);
+      const double speed = dot(direction, plane.normal);
       const double crossing = -plane.inFront(eye_) / speed;
       if (speed > 0) chord.from = std::max(chord.from, crossing);
       if (speed < 0) chord.to = std::min(chord.to, crossing);
@@ -112,10 +112,10 @@ class BallDisc {
     return chord;
   }
 
-  Vec3 pointAt(Vec2 p, double ways) const { return eye_ + ways * wayTo(p); }
+  Vec3 pointAt(Vec2 p, double t) const { return eye_ + t * directionTo(p); }
 
  private:
-  Vec3 wayTo(Vec2 p) const { return forward_ + p.x * right_ + p.y * up_; }
+  Vec3 directionTo(Vec2 p) const { return forward_ + p.x * right_ + p.y * up_; }
 
   Vec3 eye_;
   const std::vector<Plane>& planes_;
@@ -173,27 +173,27 @@ DiscCells::Distances DiscCells::distancesOf(const std::vector<Vec2>& points) {
 }
 
 LightSight::LightSight(const Level& level, const LightSource& light, int softSamples,
-                       bool solidMiddles)
-    : raytracer_(level, solidMiddles),
-      middle_(Raytracer::sourceOf(level, light)),
+                       bool solidMaskedMiddles)
+    : raytracer_(level, solidMaskedMiddles),
+      center_(Raytracer::sourceOf(level, light)),
       radius_(softSamples == 0 ? 0 : light.radius),
       cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
       discCells_(radius_ > 0 ? cells_ : 0) {
-  shaftLight_ = {middle_.position, radius_, {middle_.sector}, false};
-  sectors_ = {middle_.sector};
+  shaftLight_ = {center_.position, radius_, {center_.sector}, false};
+  sectors_ = {center_.sector};
   if (radius_ == 0) return;
   SectorSet met;
-  planes_ = planesInside(level, level[middle_.sector], middle_.position, radius_);
+  planes_ = planesInside(level, level[center_.sector], center_.position, radius_);
   isCutByPlanes_ = true;
   for (int i = 0; pointCount_ < kPointsPerSample * softSamples; ++i) {
     const Vec3 p = spreadPoint(i);
     if (dot(p, p) > 1) continue;
     ++pointCount_;
-    const Vec3 position = middle_.position + radius_ * p;
-    const std::optional<SectorId> sector = raytracer_.sectorAt(middle_, position, met);
+    const Vec3 position = center_.position + radius_ * p;
+    const std::optional<SectorId> sector = raytracer_.sectorAt(center_, position, met);
     if (sector) points_.push_back({position, *sector});
-    isCutByPlanes_ &= isBeforePlanes(position) == (sector == middle_.sector);
-    isCutByPlanes_ &= !sector || sector == middle_.sector;
+    isCutByPlanes_ &= isBeforePlanes(position) == (sector == center_.sector);
+    isCutByPlanes_ &= !sector || sector == center_.sector;
     if (sector && std::ranges::find(shaftLight_.sectors, *sector) == shaftLight_.sectors.end())
       shaftLight_.sectors.push_back(*sector);
   }
@@ -205,35 +205,36 @@ bool LightSight::isBeforePlanes(Vec3 p) const {
   return std::ranges::all_of(planes_, [p](const Plane& plane) { return plane.inFront(p) > 0; });
 }
 
-double LightSight::seenShare(const LightTarget& target, std::int64_t& rays, SectorSet* met) const {
-  return seenShareBy(target, [&](const Raytracer::Source& source) {
+double LightSight::seenFraction(const LightTarget& target, std::int64_t& rays,
+                                SectorSet* met) const {
+  return seenFractionBy(target, [&](const Raytracer::Source& source) {
     ++rays;
     return raytracer_.sees(source, target.point, target.sector, met);
   });
 }
 
-double LightSight::seenShare(const LightTarget& target, const Shaft& shaft, Shaft::Outcome outcome,
-                             std::int64_t& rays) const {
+double LightSight::seenFraction(const LightTarget& target, const Shaft& shaft,
+                                Shaft::Outcome outcome, std::int64_t& rays) const {
   if (outcome == Shaft::Outcome::Dark) return 0;
   if (outcome == Shaft::Outcome::Unknown)
-    return seenShareBy(target, [&](const Raytracer::Source& source) {
+    return seenFractionBy(target, [&](const Raytracer::Source& source) {
       ++rays;
       return raytracer_.sees(source, target.point, target.sector, shaft);
     });
   if (planes_.empty() && pointCount_ == std::ssize(points_) &&
-      (radius_ == 0 || target.plane.inFront(middle_.position) > radius_ + 2 * kInPlane))
+      (radius_ == 0 || target.plane.inFront(center_.position) > radius_ + 2 * kInPlane))
     return 1;
-  return seenShareBy(target, [](const Raytracer::Source&) { return true; });
+  return seenFractionBy(target, [](const Raytracer::Source&) { return true; });
 }
 
 /// `sees` answers whether the line from a source arrives.
 template <typename Sees>
-double LightSight::seenShareBy(const LightTarget& target, Sees&& sees) const {
-  if (radius_ == 0) return sees(middle_) ? 1 : 0;
+double LightSight::seenFractionBy(const LightTarget& target, Sees&& sees) const {
+  if (radius_ == 0) return sees(center_) ? 1 : 0;
   const auto seesInFront = [&](const Raytracer::Source& source) {
     return target.plane.inFront(source.position) > kInPlane && sees(source);
   };
-  const bool isNear = length(middle_.position - target.point) < kLeastDistance * radius_;
+  const bool isNear = length(center_.position - target.point) < kLeastDistance * radius_;
   return isNear || !isCutByPlanes_ ? seenOfPoints(seesInFront) : seenOfDisc(target, seesInFront);
 }
 
@@ -244,10 +245,10 @@ double LightSight::seenOfPoints(Sees&& sees) const {
 
 template <typename Sees>
 double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
-  const BallDisc disc(target.point, middle_.position, radius_, planes_);
+  const BallDisc disc(target.point, center_.position, radius_, planes_);
   const auto seesAt = [&](Vec2 p, BallDisc::Chord whole) {
     const BallDisc::Chord chord = disc.shiningChord(p, whole);
-    return chord.from <= chord.to && sees({disc.pointAt(p, chord.middle()), middle_.sector});
+    return chord.from <= chord.to && sees({disc.pointAt(p, chord.middle()), center_.sector});
   };
   const auto isLit = [&](Vec2 cells) {
     const Vec2 p = nearestOnDisc(cells, cells_);
@@ -310,7 +311,7 @@ const BeamTree* LightSight::beams() const {
   if (!beams_) return nullptr;
   std::call_once(beams_->isFound, [this] {
     beams_->isBegun.test_and_set();
-    beams_->found.emplace(beams_->level, middle_, beams_->reach, beams_->mostBytes);
+    beams_->found.emplace(beams_->level, center_, beams_->reach, beams_->mostBytes);
   });
   return &*beams_->found;
 }
@@ -320,12 +321,12 @@ void LightSight::findBeamsUnlessBegun() const {
 }
 
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
-  // Of all lights together; a fair share for each, so that the order in which they are found does
-  // not matter.
+  // Of all lights together; a fair fraction for each, so that the order in which they are found
+  // does not matter.
   constexpr std::size_t kMostBytesOfBeams = std::size_t{256} << 20;
   for (const LightSource& light : level.lights) {
-    fine.emplace_back(level, light, settings.softSamples, settings.solidMiddles);
-    rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMiddles);
+    fine.emplace_back(level, light, settings.softSamples, settings.solidMaskedMiddles);
+    rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMaskedMiddles);
     reach.push_back(light.reach(settings.cutOff));
     fine.back().useBeams(level, reach.back() + kAuthorNoise,
                          kMostBytesOfBeams / level.lights.size());

@@ -20,11 +20,11 @@ struct LightTarget {
 };
 
 /// Points of a disc of radius 1 that are asked for again and again. Many are equally far from its
-/// middle, and what has to do with that is worked out once.
+/// center, and what has to do with that is worked out once.
 struct DiscCells {
   explicit DiscCells(int across);
 
-  /// How far a line through the disc is from its middle, p.
+  /// How far a line through the disc is from its center, p.
   struct Distance {
     double square;  ///< p^2
     double half;    ///< sqrt(1 - p^2): half of what the line has of a ball of radius 1
@@ -44,9 +44,9 @@ struct DiscCells {
       insideDistances;  ///< of the points where a cell is integrated (kWholeCell), cell by cell
 };
 
-/// Answers which share of a light a point of a surface sees: of a point of light all or nothing, of
-/// a ball the share of its volume. What of a ball its own middle does not see, because a wall runs
-/// through it, does not shine.
+/// Answers which fraction of a light a point of a surface sees: of a point of light all or nothing,
+/// of a ball the fraction of its volume. What of a ball its own center does not see, because a wall
+/// runs through it, does not shine.
 class LightSight {
  public:
   /// `softSamples` to a ball, a square number: its disc, as it is seen, is divided into so many
@@ -54,15 +54,16 @@ class LightSight {
   /// more than planes, or seen from too near, 32 times as many points are spread over it instead.
   /// With 0 it is a point. `solidMiddles`: see BakeSettings.
   LightSight(const Level& level, const LightSource& light, int softSamples,
-             bool solidMiddles = false);
+             bool solidMaskedMiddles = false);
   ~LightSight();
   LightSight(LightSight&&) noexcept;
 
   /// 0..1. Adds the rays that it took to `rays`, and tells `met`, if any, where they came.
-  double seenShare(const LightTarget& target, std::int64_t& rays, SectorSet* met = nullptr) const;
+  double seenFraction(const LightTarget& target, std::int64_t& rays,
+                      SectorSet* met = nullptr) const;
   /// The same, of one of the targets of a shaft from `shaftLight()`, whose rays have this outcome.
-  double seenShare(const LightTarget& target, const Shaft& shaft, Shaft::Outcome outcome,
-                   std::int64_t& rays) const;
+  double seenFraction(const LightTarget& target, const Shaft& shaft, Shaft::Outcome outcome,
+                      std::int64_t& rays) const;
 
   const ShaftLight& shaftLight() const { return shaftLight_; }
   /// Has what a point of light sees found as beams, when it is first asked for. Of a ball nothing
@@ -73,13 +74,13 @@ class LightSight {
   /// Has them found now, if they are used and no thread has begun: so threads that will need those
   /// of the same lights each find some, instead of waiting for one another.
   void findBeamsUnlessBegun() const;
-  /// On which it depends what of the light shines: that of its middle, and all that lines from
+  /// On which it depends what of the light shines: that of its center, and all that lines from
   /// there to other points of it come into.
   std::span<const SectorId> sectors() const { return sectors_; }
 
  private:
   template <typename Sees>
-  double seenShareBy(const LightTarget& target, Sees&& sees) const;
+  double seenFractionBy(const LightTarget& target, Sees&& sees) const;
   bool isBeforePlanes(Vec3 p) const;
   template <typename Sees>
   double seenOfDisc(const LightTarget& target, Sees&& sees) const;
@@ -87,12 +88,12 @@ class LightSight {
   double seenOfPoints(Sees&& sees) const;
 
   Raytracer raytracer_;
-  Raytracer::Source middle_;
+  Raytracer::Source center_;
   double radius_;  ///< metres
   int cells_;      ///< along the disc's diameter
   DiscCells discCells_;
   std::vector<Plane> planes_;  ///< of the walls and flats that come into the ball
-  /// Points spread evenly over the ball, without those that its middle does not see; and how many
+  /// Points spread evenly over the ball, without those that its center does not see; and how many
   /// there are with these.
   std::vector<Raytracer::Source> points_;
   int pointCount_ = 0;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "level/locate.h"
-#include "level/middles.h"
+#include "level/masked_middle.h"
 #include "level/openings.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
@@ -45,10 +45,10 @@ template <typename Walls>
 class Walk {
  public:
   Walk(const Level& level, Walls walls, const Raytracer::Source& source, Vec3 target,
-       bool solidMiddles, SectorSet* met)
+       bool solidMaskedMiddles, SectorSet* met)
       : level_(level),
         walls_(walls),
-        solidMiddles_(solidMiddles),
+        solidMaskedMiddles_(solidMaskedMiddles),
         met_(met),
         origin_(source.position),
         delta_(target - source.position),
@@ -226,7 +226,7 @@ class Walk {
     const double slack = isAtEnd(exit.t) ? kArrival : 0;
     for (const LightOpening& opening : exit.segment->lightOpenings) {
       if (!isOpenAt(opening, exit.t, slack)) continue;
-      if (slack == 0 && isStoppedByMiddle(opening, exit.t)) return false;
+      if (slack == 0 && isStoppedByMaskedMiddle(opening, exit.t)) return false;
       sector_ = opening.next;
       t_ = exit.t;
       entry_ = &level_[opening.twin];
@@ -242,26 +242,26 @@ class Walk {
     const Sector& next = level_[opening.next];
     if (!next.floorSlope && !next.ceilingSlope) return true;
     const Segment& twin = level_[opening.twin];
-    const double share = length(planAt(t) - twin.p0) / twin.length;
-    const AirColumn air = airAt(twin, std::clamp(share, 0.0, 1.0));
+    const double fraction = length(planAt(t) - twin.p0) / twin.length;
+    const AirColumn air = airAt(twin, std::clamp(fraction, 0.0, 1.0));
     return (!next.floorSlope || z >= air.zBottom - slack) &&
            (!next.ceilingSlope || z <= air.zTop + slack);
   }
 
   /// Whether the ray meets what hangs in an opening, on either side, and is no hole.
-  bool isStoppedByMiddle(const LightOpening& opening, double t) const {
-    return std::ranges::any_of(opening.middles, [&](SurfaceId id) {
+  bool isStoppedByMaskedMiddle(const LightOpening& opening, double t) const {
+    return std::ranges::any_of(opening.maskedMiddles, [&](SurfaceId id) {
       const Surface& middle = level_[id];
       const Vec2 p = planAt(t);
       const double z = zAt(t);
       return middle.zBottom <= z && z <= middle.zTop &&
-             (solidMiddles_ || isSolidAt(level_, middle, {p.x, p.y, z}));
+             (solidMaskedMiddles_ || isSolidAt(level_, middle, {p.x, p.y, z}));
     });
   }
 
   const Level& level_;
   Walls walls_;
-  bool solidMiddles_;
+  bool solidMaskedMiddles_;
   SectorSet* met_;
   Vec3 origin_;
   Vec3 delta_;
@@ -269,7 +269,7 @@ class Walk {
   double length2_;
 
   SectorId sector_;                 ///< where the ray is ...
-  double t_ = 0;                    ///< ... since this share of its way ...
+  double t_ = 0;                    ///< ... since this fraction of its way ...
   const Segment* entry_ = nullptr;  ///< ... through this segment of the sector, if through one
 };
 
@@ -284,18 +284,18 @@ Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& lig
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
-  return Walk(level_, AllWalls{level_}, source, target, solidMiddles_, met).arrivesAt(sector);
+  return Walk(level_, AllWalls{level_}, source, target, solidMaskedMiddles_, met).arrivesAt(sector);
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const {
-  Walk walk(level_, ShaftWalls{shaft}, source, target, solidMiddles_, nullptr);
+  Walk walk(level_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
   return walk.arrivesAt(sector);
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
                                             SectorSet& met) const {
-  return Walk(level_, AllWalls{level_}, source, point, solidMiddles_, &met).sectorAtEnd();
+  return Walk(level_, AllWalls{level_}, source, point, solidMaskedMiddles_, &met).sectorAtEnd();
 }
 
 }  // namespace hearth

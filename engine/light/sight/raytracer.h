@@ -14,8 +14,8 @@ namespace hearth {
 class Raytracer {
  public:
   /// `solidMiddles`: see BakeSettings.
-  explicit Raytracer(const Level& level, bool solidMiddles = false)
-      : level_(level), solidMiddles_(solidMiddles) {}
+  explicit Raytracer(const Level& level, bool solidMaskedMiddles = false)
+      : level_(level), solidMaskedMiddles_(solidMaskedMiddles) {}
 
   /// Where the line from a light to a point starts.
   struct Source {
@@ -37,7 +37,7 @@ class Raytracer {
 
  private:
   const Level& level_;
-  bool solidMiddles_;
+  bool solidMaskedMiddles_;
 };
 
 }  // namespace hearth

@@ -38,7 +38,7 @@ TruthHit middleOf(const Level& level, const std::string& name) {
   const Projection projection = projectionFor(level, camera);
   const Vec2 ray = projection.rayOf(camera.width / 2.0);
   return *trace(level, camera.sector, projection.eye(),
-                {ray.x, ray.y, projection.climbOf(camera.height / 2.0)}, RayKind::Look);
+                {ray.x, ray.y, projection.raySlopeAt(camera.height / 2.0)}, RayKind::Look);
 }
 
 TEST(DarkSpots, AreNamedEachWithItsReason) {

@@ -135,13 +135,13 @@ TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
             "not reached: it shines in a part of the level from which no straight way leads here");
 }
 
-TEST(Inspect, tellsWhichShareOfABallIsSeen) {
+TEST(Inspect, tellsWhichFractionOfABallIsSeen) {
   const LoadedLevel loaded = halves("", lamp(8, 2, 1.5, ",'radius':0.4"), 1.5);
   const Level& level = loaded.level;
   const Inspection found = inspected(level, lookedAt(level, "west", {1, 2, 1.5}, {-1, 0, 0}));
-  EXPECT_NEAR(found.lights.at(0).seenShare, 0.5, 0.02) << "the half above the floor";
+  EXPECT_NEAR(found.lights.at(0).seenFraction, 0.5, 0.02) << "the half above the floor";
   EXPECT_TRUE(reasonWords(level, found.place, found.lights[0]).ends_with(" % of it seen"));
-  EXPECT_NEAR(found.sum.x, 255 * found.lights[0].seenShare, 1e-9);
+  EXPECT_NEAR(found.sum.x, 255 * found.lights[0].seenFraction, 1e-9);
 }
 
 TEST(Inspect, saysNothingOfSkies) {
@@ -182,7 +182,7 @@ void forPixelsOfShots(const Level& level, Check&& check) {
       for (int column = 0; column < camera.width; ++column) {
         const Vec2 ray = projection.rayOf(column + 0.5);
         const auto hit = trace(level, camera.sector, projection.eye(),
-                               {ray.x, ray.y, projection.climbOf(row + 0.5)}, RayKind::Look);
+                               {ray.x, ray.y, projection.raySlopeAt(row + 0.5)}, RayKind::Look);
         check(*hit, camera, column, row);
       }
   }

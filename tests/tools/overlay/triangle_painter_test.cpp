@@ -101,8 +101,8 @@ struct PlainVertex {
 };
 
 PlainVertex plain(const ImDrawVert& vertex) {
-  const auto texel = [](float share, int side) {
-    return std::llround(std::min(std::max(0.0, double{share} * 256 * side), 256.0 * side - 1));
+  const auto texel = [](float fraction, int side) {
+    return std::llround(std::min(std::max(0.0, double{fraction} * 256 * side), 256.0 * side - 1));
   };
   PlainVertex result{{std::llround(16.0 * vertex.pos.x), std::llround(16.0 * vertex.pos.y)},
                      {texel(vertex.uv.x, 8), texel(vertex.uv.y, 4)},

@@ -20,7 +20,7 @@ using testing::Not;
 constexpr Target kAtMostFour{Wanted::AtMost, 4};
 constexpr Target kAtLeastFour{Wanted::AtLeast, 4};
 
-TEST(Shortfall, isTheShareOfTheTargetThatIsTooMuchOrMissing) {
+TEST(Shortfall, isTheFractionOfTheTargetThatIsTooMuchOrMissing) {
   EXPECT_DOUBLE_EQ(shortfall(kAtMostFour, 6), 0.5);
   EXPECT_DOUBLE_EQ(shortfall(kAtLeastFour, 3), 0.25);
 }

@@ -32,7 +32,7 @@ TEST(Errors, areThoseOfRoundingWhereAllIsAsTruthShows) {
   EXPECT_DOUBLE_EQ(ofPicture.ssim, 1);
 }
 
-TEST(Errors, areSharesOfThePixelsOfAllPictures) {
+TEST(Errors, areFractionsOfThePixelsOfAllPictures) {
   const TruthPicture truth = grey(10, 10);
   Image lit = truth.picture;
   for (int i = 0; i < 3; ++i) lit.at(i, 0) = {109, 100, 100};  // over 8, in one patch

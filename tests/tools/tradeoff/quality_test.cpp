@@ -62,9 +62,9 @@ TEST(Qualities, fromOneToTheNextAreNearerToTruthForMoreWork) {
 /// What was said is the mean of two levels, this one of them, and in more pixels.
 void expectOffBy(const std::vector<double>& said, const std::vector<Measured>& measured) {
   for (std::size_t i = 0; i < measured.size(); ++i) {
-    const double share = measured[i].errors.light.rms / said[i];
-    EXPECT_GT(share, 0.75) << i << ": " << measured[i].trial.options;
-    EXPECT_LT(share, 1.33) << i << ": " << measured[i].trial.options;
+    const double fraction = measured[i].errors.light.rms / said[i];
+    EXPECT_GT(fraction, 0.75) << i << ": " << measured[i].trial.options;
+    EXPECT_LT(fraction, 1.33) << i << ": " << measured[i].trial.options;
   }
 }
 
@@ -89,7 +89,7 @@ TEST(MeasuredSettings, ofBakesAreOffByAsMuchAsTheySay) {
     OptionValues values;
     values.set(of.setting, std::string(of.value));
     const auto bake = bakeSettingsFor(level.level, values).value();
-    // What takes long is left out; no middle texture hangs in this level.
+    // What takes long is left out; no masked middle texture hangs in this level.
     if (bake == level.level.bake || of.cost > 4 || of.setting == Option::MiddleShadows) continue;
     trials.push_back({std::string(of.value), bake, {}});
     said.push_back(of.off);

@@ -42,7 +42,7 @@ TEST_F(HiddenWindow, AGamepadThatIsPluggedInWalks) {
   SDL_JoystickSetVirtualButton(gamepad, SDL_CONTROLLER_BUTTON_A, 1);
   deliver(*window, controls);
   const WalkInput input = controls.nextTick(1, 0);
-  EXPECT_EQ(input.forward, kFullShare);
+  EXPECT_EQ(input.forward, kFullSpeed);
   EXPECT_EQ(input.turn, 3000);
   EXPECT_TRUE(input.jump);
 

@@ -23,8 +23,8 @@ bool isOneWay(const Level& level, const Segment& segment) {
   return std::ranges::any_of(segment.pieces, [&](const WallPiece& piece) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     return opening && std::ranges::none_of(level[opening->twin].pieces, [&](const WallPiece& back) {
-             const Opening* way = std::get_if<Opening>(&back.content);
-             return way && way->next == segment.sector;
+             const Opening* leading = std::get_if<Opening>(&back.content);
+             return leading && leading->next == segment.sector;
            });
   });
 }
@@ -93,7 +93,7 @@ void countSector(const Level& level, const Sector& sector, FeatureCounts& counts
 }
 
 /// Whether both sectors have air at `p`, more than an author's noise of it.
-bool shareAirAt(const Level& level, const Sector& a, const Sector& b, Vec2 p) {
+bool bothHaveAirAt(const Level& level, const Sector& a, const Sector& b, Vec2 p) {
   const double bottom = std::max(a.airBottom(p), b.airBottom(p));
   const double top = std::min(a.airTop(p), b.airTop(p));
   return top - bottom > kAuthorNoise && contains(level, a, p) && contains(level, b, p);
@@ -107,7 +107,7 @@ bool overlap(const Level& level, const Sector& a, const Sector& b) {
       const Vec2 along = segment.p1 - segment.p0;
       const Vec2 inward =
           (2 * kAuthorNoise / std::max(length(along), kAuthorNoise)) * turned90(along);
-      return shareAirAt(level, a, b, lerp(segment.p0, segment.p1, 0.5) + inward);
+      return bothHaveAirAt(level, a, b, lerp(segment.p0, segment.p1, 0.5) + inward);
     });
   };
   if (midwayIn(a) || midwayIn(b)) return true;

@@ -115,7 +115,7 @@ std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport
        count(level.surfaces, [](const Surface& s) { return isSidewall(s.kind); }),
        std::ssize(level.surfaces), "are of walls and planes: no slope shows its side there"},
       {"surfaces that are middle textures",
-       count(level.surfaces, [](const Surface& s) { return s.kind == SurfaceKind::Middle; }),
+       count(level.surfaces, [](const Surface& s) { return s.kind == SurfaceKind::MaskedMiddle; }),
        std::ssize(level.surfaces), "have nothing behind them to be drawn before them"},
       {"images that a surface wears", static_cast<std::int64_t>(loaded.decodedImages),
        count(level.textures, [](const std::string& name) { return !name.starts_with('#'); }),

@@ -8,7 +8,7 @@
 
 namespace hearth::doom {
 
-/// A map as a level file holds it. `ambient` is the light of each sector, as a share of what the
+/// A map as a level file holds it. `ambient` is the light of each sector, as a fraction of what the
 /// map gives it.
 nlohmann::ordered_json levelJson(const GroundPlan& plan, double ambient, Materials& materials,
                                  Findings& findings);

@@ -66,7 +66,7 @@ std::vector<ShownPart> GroundPlan::shownParts(std::uint32_t h) const {
         {WallPart::Lower, own.floor, std::min(next.floor, own.ceiling), &face, side.lower});
   const double bottom = std::max(own.floor, next.floor);
   const double top = std::min(own.ceiling, next.ceiling);
-  if (hasMiddle(h) && bottom < top)
+  if (hasMaskedMiddle(h) && bottom < top)
     parts.push_back({WallPart::Middle, bottom, top, &face, side.middle});
   if (std::max(next.ceiling, next.floor) < own.ceiling && !(own.isUnderSky && next.isUnderSky))
     parts.push_back(
@@ -75,7 +75,7 @@ std::vector<ShownPart> GroundPlan::shownParts(std::uint32_t h) const {
 }
 
 /// What a side has that is not there is seen from nowhere.
-bool GroundPlan::hasMiddle(std::uint32_t h) const {
+bool GroundPlan::hasMaskedMiddle(std::uint32_t h) const {
   const auto& face = halfEdge(h).face;
   return face && face->isTwoSided && map_->sides[face->side].middle != kNoTexture;
 }

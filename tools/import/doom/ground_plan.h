@@ -63,7 +63,7 @@ class GroundPlan {
   GroundPlan(const Map& map, Regions plane, std::vector<Heights> heights, Findings& findings);
   void mendHeights(Findings& findings);
   void nameRegions();
-  bool hasMiddle(std::uint32_t h) const;
+  bool hasMaskedMiddle(std::uint32_t h) const;
   ShownPart solidPart(std::uint32_t h, const Face& face) const;
 
   const Map* map_;

@@ -32,9 +32,9 @@ double rounded(double metres) { return std::round(metres * 1000) / 1000; }
 /// the beginning: intensity * (1 - d / reach) / (falloff * d + 1). Straight in between.
 Json curveOf(const Glow& glow) {
   Json curve = Json::array();
-  for (const double share : {0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
-    const double d = share * glow.reach;
-    const double level = glow.intensity * (1 - share) / (glow.falloff * d + 1);
+  for (const double fraction : {0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
+    const double d = fraction * glow.reach;
+    const double level = glow.intensity * (1 - fraction) / (glow.falloff * d + 1);
     curve.push_back({rounded(d), std::round(level * 10) / 10});
   }
   return curve;

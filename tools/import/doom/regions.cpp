@@ -214,11 +214,11 @@ class RegionFinder {
     if (sector != sectorBefore(twin(h))) return false;
     if (!sector) return true;  // both are rock
     // Parts of one sector, cut by a line of which both sides say so and on which nothing hangs.
-    return namedSector(h) == sector && namedSector(twin(h)) == sector && !hasMiddle(h) &&
-           !hasMiddle(twin(h));
+    return namedSector(h) == sector && namedSector(twin(h)) == sector && !hasMaskedMiddle(h) &&
+           !hasMaskedMiddle(twin(h));
   }
 
-  bool hasMiddle(HalfEdgeId h) const {
+  bool hasMaskedMiddle(HalfEdgeId h) const {
     const auto& face = plane_.face(h);
     return face && map_.sides[face->side].middle != kNoTexture;
   }
@@ -272,19 +272,19 @@ class RegionFinder {
   /// A contour in parts that come to no point twice. The one round which the region lies goes
   /// first.
   void addLoops(const Loop& contour, Region& region) const {
-    Loop way;
+    Loop path;
     std::map<std::uint32_t, std::size_t> at;  // where on the way a point was left
     for (const HalfEdgeId h : contour) {
-      at[plane_.fromPoint(h)] = way.size();
-      way.push_back(h);
+      at[plane_.fromPoint(h)] = path.size();
+      path.push_back(h);
       const auto met = at.find(plane_.fromPoint(twin(h)));
       if (met == at.end()) continue;
-      const auto begin = way.begin() + static_cast<std::ptrdiff_t>(met->second);
-      addLoop(Loop(begin, way.end()), region);
-      for (auto i = begin; i != way.end(); ++i) at.erase(plane_.fromPoint(*i));
-      way.erase(begin, way.end());
+      const auto begin = path.begin() + static_cast<std::ptrdiff_t>(met->second);
+      addLoop(Loop(begin, path.end()), region);
+      for (auto i = begin; i != path.end(); ++i) at.erase(plane_.fromPoint(*i));
+      path.erase(begin, path.end());
     }
-    CHECK(way.empty(), way.size());
+    CHECK(path.empty(), path.size());
   }
 
   void addLoop(Loop loop, Region& region) const {

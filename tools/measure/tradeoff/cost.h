@@ -17,7 +17,7 @@ struct TurnTimes {
 TurnTimes timedInTurn(const std::function<double()>& base, const std::function<double()>& trial,
                       int repeats);
 
-/// Of each trial, as a share of the base before it and of the one after it. So what slows the
+/// Of each trial, as a fraction of the base before it and of the one after it. So what slows the
 /// machine for longer slows both alike, and what strikes a single run is as likely to make a ratio
 /// too small as too large.
 std::vector<double> ratiosOf(const TurnTimes& times);

@@ -19,7 +19,7 @@ struct LightError {
 /// Of lit pictures.
 struct PictureError {
   double rms = 0;                ///< levels, of all channels
-  double over2 = 0;              ///< share of pixels that are off by more than 2 levels
+  double over2 = 0;              ///< fraction of pixels that are off by more than 2 levels
   double over8 = 0;              ///< ... by more than 8
   std::int64_t largestBlob = 0;  ///< pixels of the largest patch of those
   double psnr = 0;  ///< dB; for information: it rates a slight difference everywhere like a hole
@@ -40,7 +40,7 @@ class ErrorSums {
 
  private:
   std::vector<float> lightErrors_;
-  PictureError counts_;  ///< not yet shares
+  PictureError counts_;  ///< not yet fractions
   double squares_ = 0;
   double ssimSum_ = 0;
   std::int64_t windows_ = 0;

@@ -11,13 +11,13 @@ namespace hearth {
 
 struct MeasuredFrame {
   DrawSettings draw;
-  double cost;   ///< time of a frame, as a share of one that is drawn exactly
-  double over2;  ///< share of pixels that are off by more than 2 levels
+  double cost;   ///< time of a frame, as a fraction of one that is drawn exactly
+  double over2;  ///< fraction of pixels that are off by more than 2 levels
 };
 
 struct MeasuredBake {
   BakeQuality bake;
-  double cost;  ///< time of a bake, as a share of one with the level's own settings
+  double cost;  ///< time of a bake, as a fraction of one with the level's own settings
   double rms;   ///< error of light, in levels of 255
 };
 

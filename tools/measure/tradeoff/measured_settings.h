@@ -12,9 +12,9 @@ namespace hearth {
 struct MeasuredSetting {
   Option setting;
   std::string_view value;
-  double cost;  ///< time of a bake or of a frame, as a share of one by the defaults
-  /// Of what bakes the error of light, RMS in levels of 255; of what draws the share of pixels that
-  /// are off by more than 2 levels.
+  double cost;  ///< time of a bake or of a frame, as a fraction of one by the defaults
+  /// Of what bakes the error of light, RMS in levels of 255; of what draws the fraction of pixels
+  /// that are off by more than 2 levels.
   double off;
 };
 

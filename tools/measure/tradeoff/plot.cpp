@@ -54,8 +54,8 @@ class Plot {
   Plot(Axis x, Axis y) : x_(std::move(x)), y_(std::move(y)) {}
 
   double column(double x) const {
-    const double share = std::log(x / x_.least) / std::log(x_.most / x_.least);
-    return kLeft + share * (kWidth - kLeft - kRight);
+    const double fraction = std::log(x / x_.least) / std::log(x_.most / x_.least);
+    return kLeft + fraction * (kWidth - kLeft - kRight);
   }
   double row(double y) const {
     return kHeight - kBottom - y / y_.most * (kHeight - kTop - kBottom);

@@ -17,8 +17,8 @@ CurvePoint between(CurvePoint a, CurvePoint b) {
   const double length = b.distance - a.distance;
   const double middle = toThousandths(std::midpoint(a.distance, b.distance));
   const double distance = std::clamp(middle, a.distance, b.distance);
-  const double share = length > 0 ? (distance - a.distance) / length : 0.5;
-  return {distance, toThousandths(std::lerp(a.level, b.level, share))};
+  const double fraction = length > 0 ? (distance - a.distance) / length : 0.5;
+  return {distance, toThousandths(std::lerp(a.level, b.level, fraction))};
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::optional<SurfaceId> surfaceIn(const Level& level, const WallPiece& piece, S
   const Opening& opening = std::get<Opening>(piece.content);
   if (kind == SurfaceKind::FloorSidewall) return opening.floorSidewall;
   if (kind == SurfaceKind::CeilingSidewall) return opening.ceilingSidewall;
-  return kind == SurfaceKind::Middle ? opening.middle : std::nullopt;
+  return kind == SurfaceKind::MaskedMiddle ? opening.maskedMiddle : std::nullopt;
 }
 
 /// Which of the level's surfaces a ray has hit. Of several of a kind one above the other that which
@@ -102,8 +102,8 @@ class Follower {
   int follow(LightFinding& finding) const {
     const LightSource& light = level_.lights[finding.light];
     followToPlace(finding);
-    finding.comesNear = finding.seenShare > 0 && finding.level > 0;
-    if (finding.comesNear || finding.level * brightestShare(light) < kVisibleLevel)
+    finding.comesNear = finding.seenFraction > 0 && finding.level > 0;
+    if (finding.comesNear || finding.level * brightestFraction(light) < kVisibleLevel)
       return raysOf(light);
     finding.comesNear = outlook_.isLitBy(light);
     if (!finding.comesNear || finding.reason != LightReason::Blocked)
@@ -126,7 +126,7 @@ class Follower {
     lifted.radius = 0;
     lifted.position.z += lift;
     return contains(level_, level_[light.sector], lifted.position, 0) &&
-           TruthSource(level_, lifted, 1).seenShare(place_) > 0;
+           TruthSource(level_, lifted, 1).seenFraction(place_) > 0;
   }
 
   void followToPlace(LightFinding& finding) const {
@@ -138,15 +138,15 @@ class Follower {
     if (front + light.radius <= kInPlane) return;
 
     const TruthSource source(level_, light, kInspectedBallPoints);
-    finding.seenShare = source.seenShare(place_);
-    if (finding.seenShare == 0 && front < 0) return;
+    finding.seenFraction = source.seenFraction(place_);
+    if (finding.seenFraction == 0 && front < 0) return;
     const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
-    const double level = isCutOff ? 0 : finding.unshaded * finding.seenShare;
-    finding.adds = level * Vec3{light.share(0), light.share(1), light.share(2)};
+    const double level = isCutOff ? 0 : finding.unshaded * finding.seenFraction;
+    finding.adds = level * Vec3{light.fraction(0), light.fraction(1), light.fraction(2)};
     finding.reason = LightReason::TooWeak;
-    if (isCutOff || finding.unshaded * brightestShare(light) < kVisibleLevel) return;
+    if (isCutOff || finding.unshaded * brightestFraction(light) < kVisibleLevel) return;
     finding.reason = LightReason::Lights;
-    if (finding.seenShare > 0) return;
+    if (finding.seenFraction > 0) return;
     finding.blocker = source.firstMet(place_);
     const bool isBefore = finding.blocker && (finding.blocker->t - 1) * finding.distance < kArrival;
     finding.reason = isBefore ? LightReason::Blocked : LightReason::NotReached;
@@ -181,8 +181,8 @@ void findLights(const Level& level, const BakeSettings& settings, Inspection& fo
 
 }  // namespace
 
-double brightestShare(const LightSource& light) {
-  return std::max({light.share(0), light.share(1), light.share(2)});
+double brightestFraction(const LightSource& light) {
+  return std::max({light.fraction(0), light.fraction(1), light.fraction(2)});
 }
 
 Inspection inspect(const Level& level, const BakedLight& light, const BakeSettings& settings,

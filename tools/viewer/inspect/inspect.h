@@ -26,7 +26,7 @@ struct LightFinding {
   double distance;                                 ///< metres, from its middle
   double level;                                    ///< at that distance, before colour
   double unshaded;                                 ///< levels, if nothing stood between; white
-  double seenShare = 0;                            ///< of a ball, 0..1; of a point 0 or 1
+  double seenFraction = 0;                         ///< of a ball, 0..1; of a point 0 or 1
   Vec3 adds = {};                                  ///< levels of red, green and blue
   std::optional<TruthHit> blocker = std::nullopt;  ///< what stands between, if that is the reason
   /// Of one that is blocked and comes near: metres by which it must be raised, or lowered where
@@ -66,7 +66,7 @@ inline constexpr int kInspectedBallPoints = 128;
 inline constexpr double kVisibleLevel = 1;
 
 /// By which a light is multiplied in its brightest channel.
-double brightestShare(const LightSource& light);
+double brightestFraction(const LightSource& light);
 
 /// Follows the lights of the level, which is baked so, to a place of it; the more of them, the
 /// longer that takes, up to some tens of milliseconds.

@@ -48,7 +48,7 @@ bool Outlook::isLitBy(const LightSource& light) const {
   const TruthSource source(level_, point, 1);
   return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
     const double level = light.levelAt(length(light.position - place.point));
-    return level * brightestShare(light) >= kVisibleLevel && source.seenShare(place) > 0;
+    return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;
   });
 }
 

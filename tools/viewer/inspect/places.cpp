@@ -44,7 +44,7 @@ Described describedSidewall(const SectorDescription& sector, SurfaceKind kind) {
 }
 
 const TextureDescription* textureOf(const PortalDescription& portal, SurfaceKind kind) {
-  if (kind == SurfaceKind::Middle) return pointerTo(portal.middle);
+  if (kind == SurfaceKind::MaskedMiddle) return pointerTo(portal.maskedMiddle);
   const bool isLower = kind == SurfaceKind::LowerStep || kind == SurfaceKind::StackLowerStep;
   return pointerTo(isLower ? portal.lower : portal.upper);
 }

@@ -22,10 +22,10 @@ double roundedDown(double number) {
 }  // namespace
 
 std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& finding) {
-  const double share = brightestShare(light);
-  if (share == 0) return std::nullopt;
+  const double fraction = brightestFraction(light);
+  if (fraction == 0) return std::nullopt;
   const double cosine = finding.level > 0 ? finding.unshaded / finding.level : 1;
-  const double needed = kClearLevel / (share * cosine);
+  const double needed = kClearLevel / (fraction * cosine);
   if (!light.curve.empty()) return Remedy{.curveLevel = roundedUp(needed)};
   // What makes `levelAt` the level that is needed.
   const double falloff = (light.intensity / needed - 1) / finding.distance;

@@ -134,7 +134,8 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
                         const LightFinding& finding) {
   switch (finding.reason) {
     case LightReason::Lights:
-      if (finding.seenShare < 1) return fmt::format("{:.0f} % of it seen", 100 * finding.seenShare);
+      if (finding.seenFraction < 1)
+        return fmt::format("{:.0f} % of it seen", 100 * finding.seenFraction);
       return brightest(finding.adds) < kFaintLevel ? weakWords(level.lights[finding.light], finding)
                                                    : "";
     case LightReason::TooWeak:

@@ -27,8 +27,8 @@ double brightest(Vec3 levels);
 /// How bright the place is, and how much of that comes from lights.
 std::string brightnessWords(const Level& level, const Inspection& found);
 
-/// Why a light gives the place nothing, or next to nothing, and what to do about it; or what share
-/// of a ball sees it. Empty for all of a light.
+/// Why a light gives the place nothing, or next to nothing, and what to do about it; or what
+/// fraction of a ball sees it. Empty for all of a light.
 std::string reasonWords(const Level& level, const SurfacePoint& place, const LightFinding& finding);
 
 }  // namespace hearth

@@ -32,7 +32,7 @@ Inspector::Look Inspector::lookThrough(Pixel pixel, const InspectedLevel& in,
   const Vec2 ray = projection.rayOf(pixel.x + 0.5);
   return {in.level[camera.sector].name,
           projection.eye(),
-          {ray.x, ray.y, projection.climbOf(pixel.y + 0.5)}};
+          {ray.x, ray.y, projection.raySlopeAt(pixel.y + 0.5)}};
 }
 
 /// Where the eye is in no sector of that name any more, nothing is found.

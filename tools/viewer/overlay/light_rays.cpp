@@ -54,12 +54,13 @@ class WorldLines {
         std::ceil((inside->to - inside->from) * length(end - begin) / (kDash * scale_));
     const int step = stroke == Stroke::Dashed ? 2 : 1;
     for (int i = 0; i < dashes; i += step) {
-      const auto shareAt = [&](double dash) {
+      const auto fractionAt = [&](double dash) {
         return std::lerp(inside->from, inside->to, std::min(1.0, dash / dashes));
       };
-      const Vec3 middle = between(first, last, worldShare(first, last, shareAt(i + 0.5)));
-      list_.AddLine(imVec(lerp(begin, end, shareAt(i))), imVec(lerp(begin, end, shareAt(i + 1))),
-                    colorAt(middle, color), kRayThickness * scaleOf());
+      const Vec3 middle = between(first, last, worldFraction(first, last, fractionAt(i + 0.5)));
+      list_.AddLine(imVec(lerp(begin, end, fractionAt(i))),
+                    imVec(lerp(begin, end, fractionAt(i + 1))), colorAt(middle, color),
+                    kRayThickness * scaleOf());
     }
   }
 
@@ -79,7 +80,7 @@ class WorldLines {
   }
 
  private:
-  static Vec3 between(Vec3 from, Vec3 to, double share) { return from + share * (to - from); }
+  static Vec3 between(Vec3 from, Vec3 to, double fraction) { return from + fraction * (to - from); }
   float scaleOf() const { return static_cast<float>(scale_); }
   double depthOf(Vec3 p) const { return projection_.toCamera(p.xy()).depth; }
   Vec2 pixelOf(Vec3 p) const {
@@ -87,18 +88,18 @@ class WorldLines {
     return {projection_.columnOf(seen), projection_.rowOf(p.z, seen.depth)};
   }
 
-  /// Of the way from one point to another, by the share of that way in the picture, over which
+  /// Of the way from one point to another, by the fraction of that way in the picture, over which
   /// 1/depth changes evenly.
-  double worldShare(Vec3 from, Vec3 to, double share) const {
+  double worldFraction(Vec3 from, Vec3 to, double fraction) const {
     const double depth0 = depthOf(from);
     const double depth1 = depthOf(to);
-    return share * depth0 / std::lerp(depth1, depth0, share);
+    return fraction * depth0 / std::lerp(depth1, depth0, fraction);
   }
 
   bool isHidden(Vec3 p) const {
-    const Vec3 way = p - projection_.eye();
-    const auto met = trace(level_, camera_.sector, projection_.eye(), way, RayKind::Look);
-    return met && (1 - met->t) * length(way) > kAuthorNoise;
+    const Vec3 direction = p - projection_.eye();
+    const auto met = trace(level_, camera_.sector, projection_.eye(), direction, RayKind::Look);
+    return met && (1 - met->t) * length(direction) > kAuthorNoise;
   }
 
   ImU32 colorAt(Vec3 p, Rgb color) const {

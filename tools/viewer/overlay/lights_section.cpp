@@ -60,8 +60,8 @@ void showButtons(LightsTool& tool, const Level& level, const Camera& camera) {
 // --- The list ------------------------------------------------------------------------------------
 
 ImVec4 swatchOf(const LightSource& light) {
-  return {static_cast<float>(light.share(0)), static_cast<float>(light.share(1)),
-          static_cast<float>(light.share(2)), 1};
+  return {static_cast<float>(light.fraction(0)), static_cast<float>(light.fraction(1)),
+          static_cast<float>(light.fraction(2)), 1};
 }
 
 void showRow(LightsTool& tool, std::size_t i) {
@@ -108,12 +108,12 @@ void showLabel(const char* name) {
 }
 
 /// Of a field. It is dragged so far for each pixel of the mouse; farther where its number is large,
-/// by a share of it.
+/// by a fraction of it.
 struct FieldRange {
   double least;
   double most;
   double perPixel;
-  double sharePerPixel;
+  double fractionPerPixel;
   const char* format;
   const char* tip;
 };
@@ -132,7 +132,7 @@ constexpr FieldRange kFalloff{0,
 
 /// As wide as was asked for.
 bool showNumber(const char* id, double& value, const FieldRange& range) {
-  const double speed = std::max(range.perPixel, range.sharePerPixel * std::abs(value));
+  const double speed = std::max(range.perPixel, range.fractionPerPixel * std::abs(value));
   const bool isChanged =
       ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &range.least,
                         &range.most, range.format, ImGuiSliderFlags_AlwaysClamp);
@@ -173,14 +173,14 @@ bool showPosition(Vec3& position) {
 
 bool showColor(LightSource& light) {
   showLabel("color");
-  std::array<float, 3> shares{};
+  std::array<float, 3> fractions{};
   for (int i = 0; i < 3; ++i)
-    shares.at(static_cast<std::size_t>(i)) = static_cast<float>(light.share(i));
-  if (!ImGui::ColorEdit3("##color", shares.data(),
+    fractions.at(static_cast<std::size_t>(i)) = static_cast<float>(light.fraction(i));
+  if (!ImGui::ColorEdit3("##color", fractions.data(),
                          ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar))
     return false;
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    light.color[i] = static_cast<std::uint8_t>(std::lround(255 * shares.at(i)));
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+    light.color[i] = static_cast<std::uint8_t>(std::lround(255 * fractions.at(i)));
   return true;
 }
 

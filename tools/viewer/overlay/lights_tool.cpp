@@ -41,7 +41,9 @@ std::optional<SectorId> seenAt(const Level& level, const Camera& camera, Vec3 po
 }
 
 /// A drag along both sides of a map goes where the mouse has gone farther.
-Axis fartherAxis(Vec2 way) { return std::abs(way.x) >= std::abs(way.y) ? Axis::X : Axis::Y; }
+Axis fartherAxis(Vec2 direction) {
+  return std::abs(direction.x) >= std::abs(direction.y) ? Axis::X : Axis::Y;
+}
 
 Rgb mixed(Rgb a, Rgb b) {
   const auto mean = [](std::uint8_t x, std::uint8_t y) {

@@ -13,9 +13,9 @@ namespace {
 constexpr double kNearest = 0.1;  // metres
 
 /// Of the depth of what is dragged: a step from which to see where an axis runs.
-constexpr double kShareOfDepth = 1e-4;
+constexpr double kFractionOfDepth = 1e-4;
 
-/// Pixels per metre that an axis has at least when something is dragged along it, as a share of
+/// Pixels per metre that an axis has at least when something is dragged along it, as a fraction of
 /// those across the picture.
 constexpr double kLeastSpeed = 0.25;
 
@@ -41,7 +41,7 @@ std::optional<Vec2> pixelIn(const Projection& view, Vec3 world) {
 /// Where the axis runs in the picture, the pointer and what it drags go along it at one speed;
 /// where it runs away from the eye, what is dragged does not fly off.
 Vec3 draggedAlong(Vec3 axis, const Projection& view, Vec3 from, Vec2 pixel) {
-  const double step = kShareOfDepth * view.toCamera(from.xy()).depth;
+  const double step = kFractionOfDepth * view.toCamera(from.xy()).depth;
   const Vec3 aside{-view.direction().y, view.direction().x, 0};
   const auto begin = pixelIn(view, from);
   const auto end = pixelIn(view, from + step * axis);
@@ -59,7 +59,7 @@ Vec3 draggedInView(const Projection& view, Vec3 from, Vec2 pixel, std::optional<
   if (axis == Axis::X) return draggedAlong({1, 0, 0}, view, from, pixel);
   if (axis == Axis::Y) return draggedAlong({0, 1, 0}, view, from, pixel);
   const double depth = view.toCamera(from.xy()).depth;
-  const double z = view.eye().z + depth * view.climbOf(pixel.y);
+  const double z = view.eye().z + depth * view.raySlopeAt(pixel.y);
   const Vec2 plan = axis ? from.xy() : view.eye().xy() + depth * view.rayOf(pixel.x);
   return {plan.x, plan.y, z};
 }

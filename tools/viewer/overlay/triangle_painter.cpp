@@ -80,10 +80,10 @@ std::optional<std::int64_t> placeOf(float pixels) {
   return std::llround(static_cast<double>(pixels) * kPerPixel);
 }
 
-std::optional<std::int64_t> texelPlaceOf(float share, int texels) {
-  if (!std::isfinite(share)) return std::nullopt;
+std::optional<std::int64_t> texelPlaceOf(float fraction, int texels) {
+  if (!std::isfinite(fraction)) return std::nullopt;
   const auto end = static_cast<double>(texels * kPerTexel);
-  return std::llround(std::clamp(static_cast<double>(share) * end, 0.0, end - 1));
+  return std::llround(std::clamp(static_cast<double>(fraction) * end, 0.0, end - 1));
 }
 
 std::optional<Corner> cornerOf(const ImDrawVert& vertex, const GlyphAtlas& atlas) {

@@ -25,7 +25,7 @@ struct GlyphAtlas {
 ///   that edge is at its top or left. So triangles with a common edge cover each pixel once.
 /// - Of these, the pixels are drawn whose centres lie in the clip rectangle, right and lower edge
 ///   excluded.
-/// - Colours and places are what the corners' are there, by the exact share of each. Colours are
+/// - Colours and places are what the corners' are there, by the exact fraction of each. Colours are
 ///   rounded to the nearest, places down to the texel that they lie in.
 ///
 /// What cannot be meant is left out: triangles with a corner that is not finite or farther than

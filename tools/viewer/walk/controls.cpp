@@ -45,9 +45,9 @@ int takePart(int& pending, int ticksDue) {
   return part;
 }
 
-int share(double stick, int keys) {
-  const int sum = keys + static_cast<int>(std::lround(kFullShare * stick));
-  return std::clamp(sum, -kFullShare, kFullShare);
+int fraction(double stick, int keys) {
+  const int sum = keys + static_cast<int>(std::lround(kFullSpeed * stick));
+  return std::clamp(sum, -kFullSpeed, kFullSpeed);
 }
 
 }  // namespace
@@ -121,9 +121,9 @@ WalkInput Controls::nextTick(int ticksDue, double pitch) {
     return static_cast<int>(std::lround(full * stick));
   };
   WalkInput input;
-  input.forward = share(-walk.y, kFullShare * direction(Action::Backward, Action::Forward));
-  input.right = share(walk.x, kFullShare * direction(Action::StepLeft, Action::StepRight));
-  input.up = kFullShare * direction(Action::Crouch, Action::Jump);
+  input.forward = fraction(-walk.y, kFullSpeed * direction(Action::Backward, Action::Forward));
+  input.right = fraction(walk.x, kFullSpeed * direction(Action::StepLeft, Action::StepRight));
+  input.up = kFullSpeed * direction(Action::Crouch, Action::Jump);
   input.turn = kKeyTurn * direction(Action::TurnLeft, Action::TurnRight) +
                rate(kStickTurn, look.x) + takePart(mouse_.turn, ticksDue);
   input.pitch = kKeyPitch * direction(Action::LookDown, Action::LookUp) +

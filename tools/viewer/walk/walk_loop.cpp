@@ -236,14 +236,14 @@ void WalkLoop::goTo(const Bookmark& bookmark) {
 // --- Time ----------------------------------------------------------------------------------------
 
 void WalkLoop::passTime(double now) {
-  const auto [ticks, share] = clock_.advance(now);
+  const auto [ticks, fraction] = clock_.advance(now);
   for (int ticksDue = ticks; ticksDue > 0 && !hasLeft_; --ticksDue) {
     if (isReplayOver() || session_.isFull())
       hasLeft_ = true;
     else
       session_.tick(nextInput(ticksDue));
   }
-  shareOfTick_ = share;
+  fractionOfTick_ = fraction;
 }
 
 WalkInput WalkLoop::nextInput(int ticksDue) {
@@ -286,7 +286,7 @@ void WalkLoop::awaitScreenshots() {
 
 /// Of geometry the panel covers nothing, if it leaves any room.
 Camera WalkLoop::cameraIn(PictureSize picture) const {
-  const Eye eye = session_.eye(shareOfTick_, settings_.preferences.viewBob);
+  const Eye eye = session_.eye(fractionOfTick_, settings_.preferences.viewBob);
   const int beside = isGeometry(scene_.view.channel) ? panel_.leaves(picture.width) : 0;
   return {eye.sector,    eye.point,     eye.angle,
           eye.pitch,     settings_.fov, beside > 0 ? beside : picture.width,
@@ -379,7 +379,7 @@ bool WalkLoop::isCovered() const {
 /// The list of keys and the panel would be in each other's way.
 void WalkLoop::drawCaptions() {
   if (scene_.view.isMapShown)
-    drawAutomap(picture_, *level_, seen_, session_.eye(shareOfTick_), scene_.view.mapMetres);
+    drawAutomap(picture_, *level_, seen_, session_.eye(fractionOfTick_), scene_.view.mapMetres);
   panel_.drawMarks(panelScene(), picture_);
   if (scene_.view.areKeysShown && !panel_.isOpen())
     drawKeys(picture_, keyList(settings_.preferences.keys));
@@ -413,8 +413,8 @@ PanelScene WalkLoop::panelScene() const {
 std::optional<MarkerSpace> WalkLoop::markerSpace() const {
   const WalkView& view = scene_.view;
   if (view.isMapShown)
-    return MarkerSpace(mapScale(scene_.size.width, scene_.size.height, session_.eye(shareOfTick_),
-                                view.mapMetres));
+    return MarkerSpace(mapScale(scene_.size.width, scene_.size.height,
+                                session_.eye(fractionOfTick_), view.mapMetres));
   return isOfCamera(view.channel) ? std::optional(MarkerSpace(scene_.camera)) : std::nullopt;
 }
 

@@ -123,7 +123,7 @@ class WalkLoop {
   Controls controls_;
   std::size_t nextBookmark_ = 0;
   WalkClock clock_;
-  double shareOfTick_ = 0;  ///< how far the view is from the tick before the last to the last
+  double fractionOfTick_ = 0;  ///< how far the view is from the tick before the last to the last
   bool hasLeft_ = false;
 
   Scene scene_;  ///< the next picture's

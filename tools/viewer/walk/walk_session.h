@@ -39,15 +39,15 @@ class WalkSession {
   bool isFull() const { return inputs_.size() >= kMostRecordedTicks; }
 
   const Walker& walker() const { return after_; }
-  /// `share` of a tick after the tick before the last. So the view lags by a tick at most, and
+  /// `fraction` of a tick after the tick before the last. So the view lags by a tick at most, and
   /// moves evenly at any rate of frames.
-  Eye eye(double share) const { return eyeBetween(*level_, before_, after_, share); }
+  Eye eye(double fraction) const { return eyeBetween(*level_, before_, after_, fraction); }
   /// The same with so much (0..1) of what steps move the head.
-  Eye eye(double share, double bob) const {
-    if (bob == 0) return eye(share);
-    const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, share),
-                    std::lerp(gaitBefore_.swing, gait_.swing, share)};
-    return bobbed(*level_, eye(share), gait, bob);
+  Eye eye(double fraction, double bob) const {
+    if (bob == 0) return eye(fraction);
+    const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, fraction),
+                    std::lerp(gaitBefore_.swing, gait_.swing, fraction)};
+    return bobbed(*level_, eye(fraction), gait, bob);
   }
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 

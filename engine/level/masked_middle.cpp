@@ -1,15 +1,15 @@
-#include "level/middles.h"
+#include "level/masked_middle.h"
 
 #include "math/wrapped.h"
 
 namespace hearth {
 
-bool isSolidAt(const Level& level, const Surface& middle, Vec3 point) {
-  const TextureMapping& mapping = middle.mapping;
+bool isSolidAt(const Level& level, const Surface& maskedMiddle, Vec3 point) {
+  const TextureMapping& mapping = maskedMiddle.mapping;
   if (mapping.texture.index() >= level.holes.size()) return true;
   const TexelHoles& holes = level.holes[mapping.texture.index()];
   if (holes.all().empty()) return true;
-  const Segment& segment = level[*middle.segment];
+  const Segment& segment = level[*maskedMiddle.segment];
   const double s = mapping.along + segment.sBefore + length(point.xy() - segment.p0);
   const double u = holes.width() * s / mapping.repeat.x - mapping.offsetTexels.x;
   const double v =
