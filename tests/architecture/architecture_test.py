@@ -42,7 +42,8 @@ PROGRAMS = ["package", "levels"]
 # Who may see the libraries that are not ours. A header passes on what it includes, so those named
 # *.cpp here are kept to the inside of their folder.
 OUTSIDERS = {
-    r"SDL.*": ["tools/*/*", "tests/*/*"],
+    r"SDL.*": ["tools/desktop/*", "tests/tools/walk/window_test.cpp",
+               "tests/tools/walk/sdl_events_test.cpp"],
     r"CLI/.*": ["tools/*/*.cpp", "tests/*/*.cpp"],
     r"nlohmann/json\.hpp": ["engine/load/*.cpp", "tools/*/*.cpp", "tests/*/*.cpp"],
     r"nlohmann/json_fwd\.hpp": ["tools/*/*.h"],  # parts of a tool hand JSON to one another

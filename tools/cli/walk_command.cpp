@@ -1,4 +1,3 @@
-#include <SDL_events.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -8,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "cli/command.h"
@@ -106,17 +104,13 @@ using SharedLevel = std::shared_ptr<const LoadedLevel>;
 using SharedSource = std::shared_ptr<const LevelSource>;
 using SharedLitLevel = std::shared_ptr<const LitLevel>;
 
-void answerDesktop() {
-  SDL_PumpEvents();
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
-}
-
 /// Bakes while the window answers to the desktop.
 tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
                                                     const SharedSource& source,
                                                     const OptionValues& values) {
   auto light = std::async(std::launch::async, [&] { return lightFor(loaded->level, values); });
-  while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready) answerDesktop();
+  while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    WalkWindow::answerDesktop();
   return light.get().map([&](BakedLight baked) {
     return std::make_shared<const LitLevel>(loaded, source,
                                             std::make_shared<const BakedLight>(std::move(baked)),
@@ -186,7 +180,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
                             window.error(), values.program));
   std::optional<LiveLevel> live;
   if (isLive(values)) live.emplace(values, loaded, source);
-  auto lit = live ? live->awaitFirst(answerDesktop) : litBehind(loaded, source, values);
+  auto lit = live ? live->awaitFirst(WalkWindow::answerDesktop) : litBehind(loaded, source, values);
   if (!lit) return fail(lit.error());
   WalkSettings settings = plan.settings;
   if (live) settings.lightsFile = loaded->lights;

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "desktop/sdl_events.h"
+
 namespace hearth {
 
 namespace {
@@ -132,14 +134,20 @@ double WalkWindow::seconds() {
          static_cast<double>(SDL_GetPerformanceFrequency());
 }
 
-bool WalkWindow::poll(SDL_Event& event) {
-  if (SDL_PollEvent(&event) == 0) return false;
+std::optional<Event> WalkWindow::poll() {
+  for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
+    prepare(event);
+    if (auto own = eventFrom(event)) return own;
+  }
+  return std::nullopt;
+}
+
+void WalkWindow::prepare(SDL_Event& event) {
   if (event.type == SDL_CONTROLLERDEVICEADDED || event.type == SDL_CONTROLLERDEVICEREMOVED)
     setGamepad(event.cdevice);
   if (event.type == SDL_MOUSEMOTION) moveIntoPicture(event.motion.x, event.motion.y);
   if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP)
     moveIntoPicture(event.button.x, event.button.y);
-  return true;
 }
 
 /// From the desktop's points, of which there are fewer than pixels on displays of high density.
@@ -275,6 +283,12 @@ WindowPlace WalkWindow::place() const {
   WindowPlace place = isFullScreen() ? unfilled_ : placeNow();
   place.isFullScreen = isFullScreen();
   return place;
+}
+
+void WalkWindow::answerDesktop() {
+  constexpr Uint32 kMilliseconds = 5;
+  SDL_PumpEvents();
+  SDL_Delay(kMilliseconds);
 }
 
 void WalkWindow::copy(const std::string& text) { ::SDL_SetClipboardText(text.data()); }

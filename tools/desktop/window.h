@@ -1,5 +1,7 @@
 #pragma once
 
+#include <SDL_events.h>
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -37,7 +39,7 @@ class WalkWindow : public WindowHost {
                                                     const WindowSettings& settings);
 
   double seconds() override;
-  bool poll(SDL_Event& event) override;
+  std::optional<Event> poll() override;
   void rest(double seconds) override;
   std::optional<PictureSize> windowSize() override;
   void show(const Image& picture) override;
@@ -48,6 +50,9 @@ class WalkWindow : public WindowHost {
   void copy(const std::string& text) override;
   void print(const std::string& line) override;
 
+  /// Answers the desktop, and rests a little: it takes a program that does not for one that hangs.
+  static void answerDesktop();
+
   /// To open the next one likewise.
   WindowPlace place() const;
 
@@ -57,6 +62,7 @@ class WalkWindow : public WindowHost {
   tl::expected<void, std::string> createRenderer();
   bool isFullScreen() const;
   WindowPlace placeNow() const;
+  void prepare(SDL_Event& event);
   void setGamepad(const SDL_ControllerDeviceEvent& event);
   SDL_Surface* surfaceOfSize(PictureSize size) const;
   void fitTexture(PictureSize size);

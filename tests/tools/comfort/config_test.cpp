@@ -56,10 +56,8 @@ TEST_F(ConfigTest, SaysHowKeysAndMouseWork) {
     "keys": { "forward": ["e", "Left Ctrl"], "fly": [] },
     "mouse": { "degreesPerPixel": 0.3, "invert": true }, "viewBob": 25 })");
   EXPECT_EQ(told(config), std::vector<std::string>{});
-  EXPECT_EQ(config.preferences.keys.keysOf(Action::Forward),
-            (std::vector{SDL_SCANCODE_E, SDL_SCANCODE_LCTRL}));
-  EXPECT_EQ(config.preferences.keys.keysOf(Action::Crouch),
-            (std::vector{SDL_SCANCODE_C, SDL_SCANCODE_RCTRL}))
+  EXPECT_EQ(config.preferences.keys.keysOf(Action::Forward), (std::vector{Key::E, Key::LeftCtrl}));
+  EXPECT_EQ(config.preferences.keys.keysOf(Action::Crouch), (std::vector{Key::C, Key::RightCtrl}))
       << "what the user says takes a key from where it is by default";
   EXPECT_TRUE(config.preferences.keys.keysOf(Action::Fly).empty());
   EXPECT_EQ(config.preferences.degreesPerPixel, 0.3);
@@ -89,7 +87,7 @@ TEST_F(ConfigTest, TellsEachMistakeAndKeepsTheRest) {
       R"(8:46: warning: a number instead of true or false, at /mouse/invert, give true or false)"};
   EXPECT_EQ(told(config), expected);
   Preferences preferences;
-  preferences.keys.bind(Action::Jump, {SDL_SCANCODE_J});
+  preferences.keys.bind(Action::Jump, {Key::J});
   EXPECT_EQ(config.preferences, preferences);
 }
 
@@ -105,7 +103,7 @@ TEST_F(ConfigTest, IsWrittenWhereItDiffersAndKeepsTheRest) {
   write("{ \"//\": \"mine\",\n  \"keys\": { \"run\": [ \"R\" ], \"jump\": [\"J\"] } }\n");
   const Preferences before = readConfig(file_).preferences;
   Preferences after = before;
-  after.keys.bind(Action::Jump, {SDL_SCANCODE_BACKSLASH, SDL_SCANCODE_K});
+  after.keys.bind(Action::Jump, {Key::Backslash, Key::K});
   after.degreesPerPixel = 0.07;
   ASSERT_TRUE(writeConfig(file_, before, after));
   EXPECT_EQ(written(),
@@ -118,7 +116,7 @@ TEST_F(ConfigTest, IsMadeWithItsFolder) {
   Preferences preferences;
   preferences.invertsPitch = true;
   preferences.viewBob = 0.7;
-  preferences.keys.bind(Action::Fly, {SDL_SCANCODE_W});  // which walked forward
+  preferences.keys.bind(Action::Fly, {Key::W});  // which walked forward
   ASSERT_TRUE(writeConfig(file_, {}, preferences));
   const Config config = readConfig(file_);
   EXPECT_EQ(told(config), std::vector<std::string>{});

@@ -32,12 +32,7 @@ class SectionTest : public testing::Test {
         now_ += 0.02, [this] { show(); }, picture_);
   }
   void click(int x, int y) {
-    for (const Uint32 type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
-      SDL_Event event{};
-      event.type = type;
-      event.button.button = SDL_BUTTON_LEFT;
-      event.button.x = x;
-      event.button.y = y;
+    for (const Event& event : test::clickAt(x, y)) {
       overlay_.take(event);
       frame();
       frame();
@@ -56,7 +51,7 @@ class ComfortSectionTest : public SectionTest {
   void show() override { wasWritten_ |= section_.show(preferences_); }
 
   /// Clicks down the second column until a key is waited for, and presses it.
-  bool give(SDL_Scancode key) {
+  bool give(Key key) {
     for (int y = 88; y < 378; y += 6) {
       click(left_ + 242, y);
       if (section_.take(down(key), preferences_)) return true;
@@ -70,23 +65,23 @@ class ComfortSectionTest : public SectionTest {
 };
 
 TEST_F(ComfortSectionTest, GivesAnActionTheKeyThatIsPressed) {
-  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F9), preferences_)) << "no key is waited for yet";
-  ASSERT_TRUE(give(SDL_SCANCODE_F9));
-  EXPECT_TRUE(preferences_.keys.actionOf(SDL_SCANCODE_F9));
+  EXPECT_FALSE(section_.take(down(Key::F9), preferences_)) << "no key is waited for yet";
+  ASSERT_TRUE(give(Key::F9));
+  EXPECT_TRUE(preferences_.keys.actionOf(Key::F9));
   frame();
   EXPECT_TRUE(wasWritten_);
-  EXPECT_FALSE(section_.take(down(SDL_SCANCODE_F8), preferences_)) << "only one";
+  EXPECT_FALSE(section_.take(down(Key::F8), preferences_)) << "only one";
 }
 
 TEST_F(ComfortSectionTest, TakesAKeyFromTheActionThatHadIt) {
-  ASSERT_EQ(preferences_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
-  ASSERT_TRUE(give(SDL_SCANCODE_H));
-  EXPECT_NE(preferences_.keys.actionOf(SDL_SCANCODE_H), Action::Keys);
+  ASSERT_EQ(preferences_.keys.actionOf(Key::H), Action::Keys);
+  ASSERT_TRUE(give(Key::H));
+  EXPECT_NE(preferences_.keys.actionOf(Key::H), Action::Keys);
   EXPECT_TRUE(preferences_.keys.keysOf(Action::Keys).empty());
 }
 
 TEST_F(ComfortSectionTest, LeavesAllAsItWasWithEsc) {
-  ASSERT_TRUE(give(SDL_SCANCODE_ESCAPE));
+  ASSERT_TRUE(give(Key::Escape));
   EXPECT_EQ(preferences_, Preferences{});
   frame();
   EXPECT_FALSE(wasWritten_);

@@ -15,8 +15,6 @@
 namespace hearth {
 namespace {
 
-using test::mouseAt;
-
 // Pixels of the panel: below the section's header, and where lights have their names, a place its
 // values, and the row of buttons `add a light here`.
 constexpr int kFirstRow = 35;
@@ -56,19 +54,19 @@ class InspectorTest : public testing::Test {
         picture_);
   }
 
-  void send(const SDL_Event& event) {
+  void send(const Event& event) {
     inspector_.take(event, overlay_.leaves(camera_.width));
     overlay_.take(event);
     frame();
   }
-  void moveTo(int x, int y) { send(mouseAt(SDL_MOUSEMOTION, x, y)); }
-  void clickAt(int x, int y, Uint8 button = SDL_BUTTON_LEFT) {
-    send(mouseAt(SDL_MOUSEBUTTONDOWN, x, y, button));
-    send(mouseAt(SDL_MOUSEBUTTONUP, x, y, button));
+  void moveTo(int x, int y) { send(test::moveTo(x, y)); }
+  void clickAt(int x, int y, MouseButton button = MouseButton::Left) {
+    send(test::pressAt(x, y, button));
+    send(test::releaseAt(x, y, button));
   }
   /// Clicks into the panel here and there, from the top down, until something has come of it.
   template <typename IsDone>
-  void clickThroughPanel(IsDone&& isDone, Uint8 button = SDL_BUTTON_LEFT) {
+  void clickThroughPanel(IsDone&& isDone, MouseButton button = MouseButton::Left) {
     for (int y = kFirstRow; y < 500; y += 5) {
       if (isDone()) return;
       clickAt(overlay_.leaves(camera_.width) + kColumn, y, button);
@@ -175,7 +173,7 @@ TEST_F(InspectorTest, CopiesByAClickWhereTheFilesHaveIt) {
   EXPECT_TRUE(copied_.contains(placeOfSector(source, found.place.sector)));
   EXPECT_TRUE(copied_.contains(pointWords(found.place.point)));
   copied_.clear();
-  clickThroughPanel(goesOn, SDL_BUTTON_RIGHT);
+  clickThroughPanel(goesOn, MouseButton::Right);
   std::set<std::string> lights;
   for (const LightFinding& finding : found.lights)
     if (finding.comesNear) lights.insert(placeOfLight(source, finding.light));

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -14,6 +13,7 @@
 
 #include "loaded.h"
 #include "viewer/overlay/overlay.h"
+#include "walk/stage.h"
 
 namespace hearth {
 namespace {
@@ -53,38 +53,24 @@ class LightsSectionTest : public testing::Test {
     overlay_.draw(
         now_ += 0.02, [&] { showLights(&tool_, rooms_.level, camera_); }, picture_);
   }
-  void mouse(Uint32 type, int x, int y) {
-    SDL_Event event{};
-    event.type = type;
-    if (type == SDL_MOUSEMOTION) {
-      event.motion.x = left_ + x;
-      event.motion.y = y;
-    } else {
-      event.button.button = SDL_BUTTON_LEFT;
-      event.button.x = left_ + x;
-      event.button.y = y;
-    }
+  void send(const Event& event) {
     overlay_.take(event);
     frame();
     frame();
   }
+  void moveTo(int x, int y) { send(test::moveTo(left_ + x, y)); }
+  void press(int x, int y) { send(test::pressAt(left_ + x, y)); }
+  void release(int x, int y) { send(test::releaseAt(left_ + x, y)); }
   void click(int x, int y) {
-    mouse(SDL_MOUSEBUTTONDOWN, x, y);
-    mouse(SDL_MOUSEBUTTONUP, x, y);
+    press(x, y);
+    release(x, y);
   }
-  void type(const char* text) {
-    SDL_Event event{};
-    event.type = SDL_TEXTINPUT;
-    std::strncpy(event.text.text, text, sizeof event.text.text - 1);
-    overlay_.take(event);
-    frame();
-    frame();
-  }
+  void type(const char* text) { send(TypedText{text}); }
   void drag(int x, int y) {
-    mouse(SDL_MOUSEMOTION, x, y);
-    mouse(SDL_MOUSEBUTTONDOWN, x, y);
-    for (const int way : {10, 20, 30}) mouse(SDL_MOUSEMOTION, x + way, y);
-    mouse(SDL_MOUSEBUTTONUP, x + 30, y);
+    moveTo(x, y);
+    press(x, y);
+    for (const int way : {10, 20, 30}) moveTo(x + way, y);
+    release(x + 30, y);
   }
 
   /// The keys of the first light that are not as they were.
@@ -142,10 +128,10 @@ TEST_F(LightsSectionTest, GoesThroughAFieldInAFewHundredPixels) {
   editor().set(far);
   bool isFound = false;
   for (int y = kFieldsBegin; y < kFieldsEnd && !isFound; y += 7) {
-    mouse(SDL_MOUSEMOTION, 300, y);
-    mouse(SDL_MOUSEBUTTONDOWN, 300, y);
-    for (int x = 290; x >= 0; x -= 10) mouse(SDL_MOUSEMOTION, x, y);
-    mouse(SDL_MOUSEBUTTONUP, 0, y);
+    moveTo(300, y);
+    press(300, y);
+    for (int x = 290; x >= 0; x -= 10) moveTo(x, y);
+    release(0, y);
     isFound = light().falloff != 12;
   }
   ASSERT_TRUE(isFound);

@@ -25,22 +25,6 @@ constexpr Rgb kGrey = {90, 90, 90};
 
 void showNothing() {}
 
-SDL_Event buttonAt(Uint32 type, int x, int y) {
-  SDL_Event event{};
-  event.type = type;
-  event.button.button = SDL_BUTTON_LEFT;
-  event.button.x = x;
-  event.button.y = y;
-  return event;
-}
-
-SDL_Event text(const std::string& letters) {
-  SDL_Event event{};
-  event.type = SDL_TEXTINPUT;
-  letters.copy(event.text.text, letters.size());
-  return event;
-}
-
 TEST(OverlayTest, HasLettersOfWholeTimesTheirSize) {
   EXPECT_EQ(letterScale(1), 1);
   EXPECT_EQ(letterScale(720), 1);
@@ -52,8 +36,8 @@ TEST(OverlayTest, HasLettersOfWholeTimesTheirSize) {
 TEST(OverlayTest, TakesNothingWhileItIsClosed) {
   Overlay overlay;
   EXPECT_FALSE(overlay.take(test::motion(3, 3)));
-  EXPECT_FALSE(overlay.take(buttonAt(SDL_MOUSEBUTTONDOWN, 1, 1)));
-  EXPECT_FALSE(overlay.take(text("w")));
+  EXPECT_FALSE(overlay.take(test::pressAt(1, 1)));
+  EXPECT_FALSE(overlay.take(TypedText{"w"}));
   EXPECT_FALSE(overlay.isStale(1e9));
 }
 
@@ -63,10 +47,10 @@ TEST(OverlayTest, TakesTheMouseAndLeavesTheKeys) {
   Image picture(640, 400);
   overlay.draw(1, showNothing, picture);
   EXPECT_TRUE(overlay.take(test::motion(3, 3)));
-  EXPECT_TRUE(overlay.take(buttonAt(SDL_MOUSEBUTTONDOWN, 1, 1)));
-  EXPECT_FALSE(overlay.take(test::down(SDL_SCANCODE_W)));
-  EXPECT_FALSE(overlay.take(test::up(SDL_SCANCODE_W)));
-  EXPECT_FALSE(overlay.take(test::windowEvent(SDL_WINDOWEVENT_FOCUS_LOST)));
+  EXPECT_TRUE(overlay.take(test::pressAt(1, 1)));
+  EXPECT_FALSE(overlay.take(test::down(Key::W)));
+  EXPECT_FALSE(overlay.take(test::up(Key::W)));
+  EXPECT_FALSE(overlay.take(WindowEvent::FocusLost));
 }
 
 TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
@@ -83,23 +67,23 @@ TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
   };
   frame();
   const int left = overlay.leaves(640);
-  overlay.take(buttonAt(SDL_MOUSEBUTTONDOWN, left + 20, 15));
-  overlay.take(buttonAt(SDL_MOUSEBUTTONUP, left + 20, 15));  // before any frame saw it held
+  overlay.take(test::pressAt(left + 20, 15));
+  overlay.take(test::releaseAt(left + 20, 15));  // before any frame saw it held
   for (int i = 0; i < 3; ++i) frame();
-  EXPECT_TRUE(overlay.take(test::down(SDL_SCANCODE_H)));
-  EXPECT_TRUE(overlay.take(text("hi")));
-  EXPECT_FALSE(overlay.take(test::up(SDL_SCANCODE_H))) << "no key is to stay held in the walk";
-  EXPECT_FALSE(overlay.take(test::down(SDL_SCANCODE_F1)))
+  EXPECT_TRUE(overlay.take(test::down(Key::H)));
+  EXPECT_TRUE(overlay.take(TypedText{"hi"}));
+  EXPECT_FALSE(overlay.take(test::up(Key::H))) << "no key is to stay held in the walk";
+  EXPECT_FALSE(overlay.take(test::down(Key::F1)))
       << "F1 closes the panel also from a field of text";
   frame();
   EXPECT_STREQ(field.data(), "hi");
   overlay.toggle();
   overlay.toggle();
   frame();
-  overlay.take(test::down(SDL_SCANCODE_BACKSPACE));
+  overlay.take(test::down(Key::Backspace));
   frame();
   EXPECT_STREQ(field.data(), "h");
-  overlay.take(test::windowEvent(SDL_WINDOWEVENT_FOCUS_LOST));
+  overlay.take(WindowEvent::FocusLost);
   for (int i = 0; i < 50; ++i) frame();  // a key that was let go of does not repeat
   EXPECT_STREQ(field.data(), "h");
 }
@@ -151,8 +135,8 @@ TEST(ViewSectionTest, LetsChooseEveryChannelAndEveryMode) {
   std::set<LightMode> modes;
   std::set<std::string_view> channels;
   auto click = [&, now = 1.0](int x, int y) mutable {
-    for (const Uint32 type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
-      overlay.take(buttonAt(type, x, y));
+    for (const Event& event : test::clickAt(x, y)) {
+      overlay.take(event);
       for (int i = 0; i < 2; ++i) {
         Image picture(500, 300);
         overlay.draw(

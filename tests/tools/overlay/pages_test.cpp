@@ -33,8 +33,8 @@ class PagesTest : public testing::Test {
 
   /// As a hand does: there first, then the button.
   void clickAt(int x, int y) {
-    for (const Uint32 type : {SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
-      overlay_.take(test::mouseAt(type, x, y));
+    for (const Event& event : {test::moveTo(x, y), test::pressAt(x, y), test::releaseAt(x, y)}) {
+      overlay_.take(event);
       frames();
     }
   }

@@ -2,7 +2,6 @@
 
 #include "viewer/overlay/pointer.h"
 
-#include <SDL_keyboard.h>
 #include <gtest/gtest.h>
 
 #include "walk/stage.h"
@@ -14,24 +13,9 @@ using Kind = PointerEvent::Kind;
 
 constexpr int kPanelLeft = 100;
 
-SDL_Event button(Uint32 type, int x) {
-  SDL_Event event{};
-  event.type = type;
-  event.button.button = SDL_BUTTON_LEFT;
-  event.button.x = x;
-  event.button.y = 7;
-  return event;
-}
-SDL_Event press(int x) { return button(SDL_MOUSEBUTTONDOWN, x); }
-SDL_Event release(int x) { return button(SDL_MOUSEBUTTONUP, x); }
-
-SDL_Event moveTo(int x) {
-  SDL_Event event{};
-  event.type = SDL_MOUSEMOTION;
-  event.motion.x = x;
-  event.motion.y = 7;
-  return event;
-}
+Event press(int x) { return test::pressAt(x, 7); }
+Event release(int x) { return test::releaseAt(x, 7); }
+Event moveTo(int x) { return test::moveTo(x, 7); }
 
 TEST(PointerTest, BelongsToThePictureLeftOfThePanel) {
   Pointer pointer;
@@ -61,38 +45,29 @@ TEST(PointerTest, StaysWithThePanelUntilItIsLetGoOf) {
 
 TEST(PointerTest, LeavesOtherButtonsAlone) {
   Pointer pointer;
-  SDL_Event right = press(50);
-  right.button.button = SDL_BUTTON_RIGHT;
-  EXPECT_FALSE(pointer.take(right, kPanelLeft));
+  EXPECT_FALSE(pointer.take(test::pressAt(50, 7, MouseButton::Right), kPanelLeft));
 }
 
 TEST(PointerTest, KnowsOfShift) {
   Pointer pointer;
-  EXPECT_FALSE(pointer.take(test::down(SDL_SCANCODE_LSHIFT), kPanelLeft));
+  EXPECT_FALSE(pointer.take(test::down(Key::LeftShift), kPanelLeft));
   EXPECT_TRUE(pointer.take(moveTo(1), kPanelLeft)->isShifted);
-  EXPECT_FALSE(pointer.take(test::up(SDL_SCANCODE_LSHIFT), kPanelLeft));
+  EXPECT_FALSE(pointer.take(test::up(Key::LeftShift), kPanelLeft));
   EXPECT_FALSE(pointer.take(moveTo(1), kPanelLeft)->isShifted);
-}
-
-SDL_Event letter(SDL_Keycode key, bool isDown, int modifiers = 0) {
-  SDL_Event event = test::keyEvent(SDL_GetScancodeFromKey(key), isDown);
-  event.key.keysym.sym = key;
-  event.key.keysym.mod = static_cast<Uint16>(modifiers);
-  return event;
 }
 
 TEST(PointerTest, KnowsTheAxisWhoseKeyIsHeld) {
   Pointer pointer;
   const auto axis = [&] { return pointer.take(moveTo(1), kPanelLeft)->axis; };
-  pointer.take(letter(SDLK_x, true), kPanelLeft);
+  pointer.take(KeyEvent{.letter = 'x'}, kPanelLeft);
   EXPECT_EQ(axis(), Axis::X);
-  pointer.take(letter(SDLK_z, true), kPanelLeft);
+  pointer.take(KeyEvent{.letter = 'z'}, kPanelLeft);
   EXPECT_EQ(axis(), Axis::Z);
-  pointer.take(letter(SDLK_x, false), kPanelLeft);
+  pointer.take(KeyEvent{.isDown = false, .letter = 'x'}, kPanelLeft);
   EXPECT_EQ(axis(), Axis::Z);
-  pointer.take(letter(SDLK_z, false), kPanelLeft);
+  pointer.take(KeyEvent{.isDown = false, .letter = 'z'}, kPanelLeft);
   EXPECT_FALSE(axis());
-  pointer.take(letter(SDLK_z, true, KMOD_LCTRL), kPanelLeft);
+  pointer.take(KeyEvent{.letter = 'z', .hasCtrl = true}, kPanelLeft);
   EXPECT_FALSE(axis()) << "which undoes";
 }
 

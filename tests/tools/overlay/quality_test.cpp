@@ -9,6 +9,7 @@
 #include "settings/settings.h"
 #include "viewer/overlay/overlay.h"
 #include "viewer/overlay/quality_section.h"
+#include "walk/stage.h"
 
 namespace hearth {
 namespace {
@@ -37,12 +38,7 @@ class QualityTest : public testing::Test {
   }
 
   void button(bool isDown, int x, int y) {
-    SDL_Event event{};
-    event.type = isDown ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
-    event.button.button = SDL_BUTTON_LEFT;
-    event.button.x = x;
-    event.button.y = y;
-    overlay_.take(event);
+    overlay_.take(isDown ? test::pressAt(x, y) : test::releaseAt(x, y));
     frame();
     frame();
   }

@@ -14,10 +14,7 @@
 namespace hearth {
 namespace {
 
-using test::axis;
-using test::button;
 using test::down;
-using test::keyEvent;
 using test::motion;
 using test::up;
 
@@ -29,26 +26,26 @@ class ControlsTest : public testing::Test {
 };
 
 TEST(KeyTable, HasKeysForEveryActionAndNoneTwice) {
-  std::set<SDL_Scancode> codes;
+  std::set<Key> codes;
   std::set<std::string_view> names;
   const KeyMap map;
   for (const ActionRow& row : actionTable()) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_FALSE(map.keysOf(row.action).empty()) << row.name;
-    for (const SDL_Scancode key : map.keysOf(row.action)) {
+    for (const Key key : map.keysOf(row.action)) {
       EXPECT_TRUE(codes.insert(key).second) << nameOf(key);
       EXPECT_EQ(map.actionOf(key), row.action);
     }
   }
-  EXPECT_FALSE(map.actionOf(SDL_SCANCODE_UNKNOWN));
+  EXPECT_FALSE(map.actionOf(Key::None));
 }
 
 TEST(KeyTable, GivesAKeyToOneActionOnly) {
   KeyMap keys;
-  keys.bind(Action::Jump, {SDL_SCANCODE_W, SDL_SCANCODE_J});
-  EXPECT_EQ(keys.actionOf(SDL_SCANCODE_W), Action::Jump);
-  EXPECT_EQ(keys.keysOf(Action::Forward), std::vector{SDL_SCANCODE_UP});
-  EXPECT_FALSE(keys.actionOf(SDL_SCANCODE_SPACE));
+  keys.bind(Action::Jump, {Key::W, Key::J});
+  EXPECT_EQ(keys.actionOf(Key::W), Action::Jump);
+  EXPECT_EQ(keys.keysOf(Action::Forward), std::vector{Key::Up});
+  EXPECT_FALSE(keys.actionOf(Key::Space));
 }
 
 std::string namesFor(const KeyMap& keys, std::string_view help) {
@@ -62,8 +59,8 @@ TEST(KeyTable, ListsTheKeysThatThereAre) {
   KeyMap keys;
   EXPECT_EQ(namesFor(keys, "walk"), "W S, Up Down");
   EXPECT_EQ(namesFor(keys, "run"), "Shift");
-  keys.bind(Action::Forward, {SDL_SCANCODE_E});
-  keys.bind(Action::Fly, {SDL_SCANCODE_LSHIFT});
+  keys.bind(Action::Forward, {Key::E});
+  keys.bind(Action::Fly, {Key::LeftShift});
   keys.bind(Action::Jump, {});
   EXPECT_EQ(namesFor(keys, "walk"), "E S, Down");
   EXPECT_EQ(namesFor(keys, "fly, or walk again"), "Left Shift");
@@ -74,67 +71,64 @@ TEST(KeyTable, ListsTheKeysThatThereAre) {
 TEST_F(ControlsTest, NothingIsAskedForByNothing) { EXPECT_EQ(tick(), WalkInput{}); }
 
 TEST_F(ControlsTest, KeysAskForAsLongAsTheyAreHeld) {
-  controls_.take(down(SDL_SCANCODE_W));
-  controls_.take(down(SDL_SCANCODE_LSHIFT));
+  controls_.take(down(Key::W));
+  controls_.take(down(Key::LeftShift));
   for (int i = 0; i < 2; ++i) EXPECT_EQ(tick(), (WalkInput{.forward = 127, .run = true}));
-  controls_.take(up(SDL_SCANCODE_W));
+  controls_.take(up(Key::W));
   EXPECT_EQ(tick(), WalkInput{.run = true});
 }
 
 TEST_F(ControlsTest, ArrowsWalkAndTurn) {
-  controls_.take(down(SDL_SCANCODE_DOWN));
-  controls_.take(down(SDL_SCANCODE_LEFT));
-  controls_.take(down(SDL_SCANCODE_PAGEUP));
+  controls_.take(down(Key::Down));
+  controls_.take(down(Key::Left));
+  controls_.take(down(Key::PageUp));
   EXPECT_EQ(tick(), (WalkInput{.forward = -127, .turn = -2000, .pitch = 1000}));
 }
 
 TEST_F(ControlsTest, OppositeKeysCancel) {
-  for (const SDL_Scancode code : {SDL_SCANCODE_W, SDL_SCANCODE_S, SDL_SCANCODE_A, SDL_SCANCODE_D,
-                                  SDL_SCANCODE_LEFT, SDL_SCANCODE_RIGHT})
+  for (const Key code : {Key::W, Key::S, Key::A, Key::D, Key::Left, Key::Right})
     controls_.take(down(code));
   EXPECT_EQ(tick(), WalkInput{});
 }
 
 TEST_F(ControlsTest, TwoKeysOfOneActionAreHeldUntilBothAreLetGo) {
-  controls_.take(down(SDL_SCANCODE_W));
-  controls_.take(down(SDL_SCANCODE_UP));
-  controls_.take(up(SDL_SCANCODE_W));
+  controls_.take(down(Key::W));
+  controls_.take(down(Key::Up));
+  controls_.take(up(Key::W));
   EXPECT_EQ(tick().forward, 127);
-  controls_.take(up(SDL_SCANCODE_UP));
+  controls_.take(up(Key::Up));
   EXPECT_EQ(tick().forward, 0);
 }
 
 TEST_F(ControlsTest, AKeyThatIsLetGoBeforeTheTickCountsForOne) {
-  controls_.take(down(SDL_SCANCODE_SPACE));
-  controls_.take(up(SDL_SCANCODE_SPACE));
+  controls_.take(down(Key::Space));
+  controls_.take(up(Key::Space));
   EXPECT_TRUE(tick().jump);
   EXPECT_FALSE(tick().jump);
 }
 
 TEST_F(ControlsTest, FlightIsToggledOncePerPress) {
-  EXPECT_EQ(controls_.take(down(SDL_SCANCODE_N)), Action::Fly);
-  EXPECT_FALSE(controls_.take(keyEvent(SDL_SCANCODE_N, true, true)));
+  EXPECT_EQ(controls_.take(down(Key::N)), Action::Fly);
+  EXPECT_FALSE(controls_.take(KeyEvent{.key = Key::N, .isRepeat = true}));
   EXPECT_TRUE(tick().toggleFlight);
   EXPECT_FALSE(tick().toggleFlight);
 }
 
 TEST_F(ControlsTest, JumpAndCrouchAreUpAndDownInFlight) {
-  controls_.take(down(SDL_SCANCODE_C));
+  controls_.take(down(Key::C));
   EXPECT_EQ(tick(), (WalkInput{.up = -127, .crouch = true}));
-  controls_.take(up(SDL_SCANCODE_C));
-  controls_.take(down(SDL_SCANCODE_SPACE));
+  controls_.take(up(Key::C));
+  controls_.take(down(Key::Space));
   EXPECT_EQ(tick(), (WalkInput{.up = 127, .jump = true}));
 }
 
 TEST_F(ControlsTest, KeysOfTheDesktopAreNotTheWalkers) {
-  SDL_Event altTab = down(SDL_SCANCODE_TAB);
-  altTab.key.keysym.mod = KMOD_LALT;
-  EXPECT_FALSE(controls_.take(altTab));
-  EXPECT_EQ(controls_.take(down(SDL_SCANCODE_TAB)), Action::Map);
+  EXPECT_FALSE(controls_.take(KeyEvent{.key = Key::Tab, .hasAlt = true}));
+  EXPECT_EQ(controls_.take(down(Key::Tab)), Action::Map);
 }
 
 TEST_F(ControlsTest, LookingAheadUndoesThePitch) {
-  controls_.take(down(SDL_SCANCODE_HOME));
+  controls_.take(down(Key::Home));
   EXPECT_EQ(controls_.nextTick(1, 12.345).pitch, -12345);
 }
 
@@ -156,13 +150,13 @@ TEST_F(ControlsTest, TheMouseMovesAsFarAndTheWayThatTheUserLikes) {
 
 TEST_F(ControlsTest, KeysDoWhatTheUserSays) {
   Preferences preferences;
-  preferences.keys.bind(Action::Forward, {SDL_SCANCODE_E});
-  controls_.take(down(SDL_SCANCODE_S));
+  preferences.keys.bind(Action::Forward, {Key::E});
+  controls_.take(down(Key::S));
   controls_.setPreferences(preferences);
   EXPECT_EQ(tick(), WalkInput{}) << "what was held is let go of";
-  controls_.take(down(SDL_SCANCODE_W));
+  controls_.take(down(Key::W));
   EXPECT_EQ(tick(), WalkInput{});
-  controls_.take(down(SDL_SCANCODE_E));
+  controls_.take(down(Key::E));
   EXPECT_EQ(tick().forward, 127);
 }
 
@@ -191,59 +185,57 @@ TEST_F(ControlsTest, AWildMouseDoesNotOverflow) {
 
 TEST_F(ControlsTest, ReleaseLetsGoOfEverything) {
   controls_.captureMouse(true);
-  controls_.take(down(SDL_SCANCODE_W));
+  controls_.take(down(Key::W));
   controls_.take(motion(10, 10));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTX, 32767));
-  controls_.take(button(SDL_CONTROLLER_BUTTON_A, true));
+  controls_.take(GamepadMotion{GamepadAxis::LeftX, 32767});
+  controls_.take(GamepadButtonEvent{GamepadButton::A, true});
   controls_.release();
   EXPECT_EQ(tick(), WalkInput{});
 }
 
 TEST_F(ControlsTest, SticksWalkAndLook) {
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTY, -32768));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_RIGHTX, 32767));
+  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32768});
+  controls_.take(GamepadMotion{GamepadAxis::RightX, 32767});
   EXPECT_EQ(tick(), (WalkInput{.forward = 127, .turn = 3000}));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTY, 0));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_RIGHTX, 0));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_RIGHTY, 32767));
+  controls_.take(GamepadMotion{GamepadAxis::LeftY, 0});
+  controls_.take(GamepadMotion{GamepadAxis::RightX, 0});
+  controls_.take(GamepadMotion{GamepadAxis::RightY, 32767});
   EXPECT_EQ(tick(), WalkInput{.pitch = -1500});
 }
 
 TEST_F(ControlsTest, AStickThatRestsOffItsMiddleIsStill) {
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTX, 5000));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTY, -5000));
+  controls_.take(GamepadMotion{GamepadAxis::LeftX, 5000});
+  controls_.take(GamepadMotion{GamepadAxis::LeftY, -5000});
   EXPECT_EQ(tick(), WalkInput{});
 }
 
 TEST_F(ControlsTest, AStickIsAsFastInEveryDirection) {
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTX, 32767));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTY, -32767));
+  controls_.take(GamepadMotion{GamepadAxis::LeftX, 32767});
+  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32767});
   const WalkInput input = tick();
   EXPECT_EQ(input.forward, 90);  // 127 / sqrt(2)
   EXPECT_EQ(input.right, 90);
 }
 
 TEST_F(ControlsTest, AStickAndAKeyTogetherAreNoFaster) {
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTY, -32767));
-  controls_.take(down(SDL_SCANCODE_W));
+  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32767});
+  controls_.take(down(Key::W));
   EXPECT_EQ(tick().forward, 127);
 }
 
 TEST_F(ControlsTest, ButtonsAndTriggersDoWhatKeysDo) {
-  EXPECT_EQ(controls_.take(button(SDL_CONTROLLER_BUTTON_Y, true)), Action::Fly);
-  controls_.take(button(SDL_CONTROLLER_BUTTON_A, true));
-  controls_.take(axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32767));
+  EXPECT_EQ(controls_.take(GamepadButtonEvent{GamepadButton::Y, true}), Action::Fly);
+  controls_.take(GamepadButtonEvent{GamepadButton::A, true});
+  controls_.take(GamepadMotion{GamepadAxis::RightTrigger, 32767});
   EXPECT_EQ(tick(), (WalkInput{.up = 127, .run = true, .jump = true, .toggleFlight = true}));
-  controls_.take(button(SDL_CONTROLLER_BUTTON_A, false));
+  controls_.take(GamepadButtonEvent{GamepadButton::A, false});
   EXPECT_EQ(tick(), WalkInput{.run = true});
 }
 
 TEST_F(ControlsTest, AGamepadThatIsPulledOutLetsGo) {
-  controls_.take(axis(SDL_CONTROLLER_AXIS_LEFTY, -32767));
-  controls_.take(button(SDL_CONTROLLER_BUTTON_B, true));
-  SDL_Event removed{};
-  removed.type = SDL_CONTROLLERDEVICEREMOVED;
-  controls_.take(removed);
+  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32767});
+  controls_.take(GamepadButtonEvent{GamepadButton::B, true});
+  controls_.take(GamepadRemoved{});
   tick();  // the button was pressed before it
   EXPECT_EQ(tick(), WalkInput{});
 }

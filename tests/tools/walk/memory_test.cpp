@@ -14,9 +14,9 @@ TEST_P(WalkMemory, ASecondAt1920x1080TakesNone) {
   test::StagedWalk walk({.size = PictureSize{1920, 1080}, .threads = GetParam()}, tutorial,
                         WalkSession::Memory::None);
   walk.stage.title.reserve(100);
-  walk.now(test::down(SDL_SCANCODE_TAB));  // the map is drawn, too
+  walk.now(test::down(Key::Tab));  // the map is drawn, too
   const auto turnThereAndBack = [&] {
-    for (const SDL_Scancode key : {SDL_SCANCODE_RIGHT, SDL_SCANCODE_LEFT}) {
+    for (const Key key : {Key::Right, Key::Left}) {
       walk.now(test::down(key));
       walk.ticks(15);
       walk.now(test::up(key));

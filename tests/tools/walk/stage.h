@@ -1,10 +1,11 @@
 #pragma once
 
-#include <SDL_events.h>
-
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "viewer/input/event.h"
 #include "viewer/walk/window_host.h"
 
 namespace hearth::test {
@@ -13,14 +14,11 @@ namespace hearth::test {
 class Stage : public WindowHost {
  public:
   double seconds() override { return now; }
-  bool poll(SDL_Event& event) override {
-    if (taken_ < events.size()) {
-      event = events[taken_++];
-      return true;
-    }
+  std::optional<Event> poll() override {
+    if (taken_ < events.size()) return events[taken_++];
     events.clear();
     taken_ = 0;
-    return false;
+    return std::nullopt;
   }
   void rest(double) override { ++rests; }
   std::optional<PictureSize> windowSize() override { return window; }
@@ -45,7 +43,7 @@ class Stage : public WindowHost {
   void print(const std::string& line) override { printed.push_back(line); }
 
   double now = 1000;
-  std::vector<SDL_Event> events;  ///< to come
+  std::vector<Event> events;  ///< to come
   std::optional<PictureSize> window = PictureSize{64, 40};
 
   Image shown;
@@ -68,65 +66,22 @@ class Stage : public WindowHost {
   std::vector<std::uint32_t> rows_;
 };
 
-inline SDL_Event keyEvent(SDL_Scancode code, bool isDown, bool isRepeat = false) {
-  SDL_Event event{};
-  event.type = isDown ? SDL_KEYDOWN : SDL_KEYUP;
-  event.key.keysym.scancode = code;
-  event.key.repeat = isRepeat ? 1 : 0;
-  return event;
-}
-inline SDL_Event down(SDL_Scancode code) { return keyEvent(code, true); }
-inline SDL_Event up(SDL_Scancode code) { return keyEvent(code, false); }
+inline Event down(Key key) { return KeyEvent{.key = key}; }
+inline Event up(Key key) { return KeyEvent{.key = key, .isDown = false}; }
 
-inline SDL_Event click() {
-  SDL_Event event{};
-  event.type = SDL_MOUSEBUTTONDOWN;
-  return event;
+inline Event motion(int right, int downwards) {
+  return MouseMotion{.right = right, .down = downwards};
 }
 
-/// The mouse at a pixel: it moves there, or a button is pressed or let go of.
-inline SDL_Event mouseAt(Uint32 type, int x, int y, Uint8 button = SDL_BUTTON_LEFT) {
-  SDL_Event event{};
-  event.type = type;
-  if (type == SDL_MOUSEMOTION) {
-    event.motion.x = x;
-    event.motion.y = y;
-  } else {
-    event.button.button = button;
-    event.button.x = x;
-    event.button.y = y;
-  }
-  return event;
+/// The mouse at a pixel.
+inline Event moveTo(int x, int y) { return MouseMotion{.x = x, .y = y}; }
+inline Event pressAt(int x, int y, MouseButton button = MouseButton::Left) {
+  return MouseButtonEvent{button, true, x, y};
 }
-
-inline SDL_Event motion(int right, int downwards) {
-  SDL_Event event{};
-  event.type = SDL_MOUSEMOTION;
-  event.motion.xrel = right;
-  event.motion.yrel = downwards;
-  return event;
+inline Event releaseAt(int x, int y, MouseButton button = MouseButton::Left) {
+  return MouseButtonEvent{button, false, x, y};
 }
-
-inline SDL_Event windowEvent(SDL_WindowEventID id) {
-  SDL_Event event{};
-  event.type = SDL_WINDOWEVENT;
-  event.window.event = static_cast<Uint8>(id);
-  return event;
-}
-
-inline SDL_Event axis(SDL_GameControllerAxis id, int value) {
-  SDL_Event event{};
-  event.type = SDL_CONTROLLERAXISMOTION;
-  event.caxis.axis = static_cast<Uint8>(id);
-  event.caxis.value = static_cast<Sint16>(value);
-  return event;
-}
-
-inline SDL_Event button(SDL_GameControllerButton id, bool isDown) {
-  SDL_Event event{};
-  event.type = isDown ? SDL_CONTROLLERBUTTONDOWN : SDL_CONTROLLERBUTTONUP;
-  event.cbutton.button = static_cast<Uint8>(id);
-  return event;
-}
+inline std::array<Event, 2> clickAt(int x, int y) { return {pressAt(x, y), releaseAt(x, y)}; }
+inline Event click() { return pressAt(0, 0); }
 
 }  // namespace hearth::test

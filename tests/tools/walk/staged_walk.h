@@ -53,7 +53,7 @@ class StagedWalk {
   void ticks(int count) { go(count, 1.0 / kTicksPerSecond); }
   /// A round in which no time passes.
   void now() { go(1, 0); }
-  void now(const SDL_Event& event) {
+  void now(const Event& event) {
     stage.events.push_back(event);
     now();
   }

@@ -34,12 +34,19 @@ fs::path writtenLights() {
   return file;
 }
 
-SDL_Event keyWith(SDL_Keycode letter, int modifiers) {
-  SDL_Event event = down(SDL_GetScancodeFromKey(letter));
-  event.key.keysym.sym = letter;
-  event.key.keysym.mod = static_cast<Uint16>(modifiers);
-  return event;
+/// As on a US keyboard.
+KeyEvent keyOf(char letter) {
+  const auto number = indexOf(Key::A) + static_cast<std::size_t>(letter - 'a');
+  return {.key = static_cast<Key>(number), .letter = letter};
 }
+
+KeyEvent ctrlAnd(char letter) {
+  KeyEvent key = keyOf(letter);
+  key.hasCtrl = true;
+  return key;
+}
+
+constexpr KeyEvent kCtrl{.key = Key::LeftCtrl, .hasCtrl = true};
 
 /// 640 pixels to the metre at a depth of 1 m, the eye's level in the middle of 1280x720.
 class LightsWalk : public test::StagedWalk {
@@ -48,7 +55,7 @@ class LightsWalk : public test::StagedWalk {
     stage.window = PictureSize{1280, 720};
     now();
     plain = stage.shown;
-    now(down(SDL_SCANCODE_F1));
+    now(down(Key::F1));
     settle();
   }
   ~LightsWalk() { fs::remove(lights().file()); }
@@ -60,10 +67,9 @@ class LightsWalk : public test::StagedWalk {
   }
 
   void settle() { ticks(4); }
-  void mouse(Uint32 type, int x, int y) { now(test::mouseAt(type, x, y)); }
-  void press(int x, int y) { mouse(SDL_MOUSEBUTTONDOWN, x, y); }
-  void move(int x, int y) { mouse(SDL_MOUSEMOTION, x, y); }
-  void release(int x, int y) { mouse(SDL_MOUSEBUTTONUP, x, y); }
+  void press(int x, int y) { now(test::pressAt(x, y)); }
+  void move(int x, int y) { now(test::moveTo(x, y)); }
+  void release(int x, int y) { now(test::releaseAt(x, y)); }
   void drag(int fromX, int fromY, int toX, int toY) {
     press(fromX, fromY);
     move((fromX + toX) / 2, fromY + 1);
@@ -79,7 +85,7 @@ TEST(WalkLights, AreMarkedWhileTheOverlayIsOpen) {
   EXPECT_EQ(walk.stage.shown.at(480, 360), (Rgb{255, 255, 255})) << "its colour";
   EXPECT_EQ(walk.stage.shown.at(480, 355), (Rgb{0, 0, 0})) << "its rim";
   EXPECT_EQ(walk.stage.shown.at(480, 354), walk.plain.at(480, 354));
-  walk.now(down(SDL_SCANCODE_F1));
+  walk.now(down(Key::F1));
   EXPECT_EQ(walk.stage.shown, walk.plain);
 }
 
@@ -110,19 +116,19 @@ TEST(WalkLights, AreDraggedToTheSideAndUp) {
 
 TEST(WalkLights, AreDraggedUpAndDownWithShift) {
   LightsWalk walk;
-  walk.now(down(SDL_SCANCODE_LSHIFT));
+  walk.now(down(Key::LeftShift));
   walk.drag(480, 360, 400, 360 - 64);
-  walk.now(up(SDL_SCANCODE_LSHIFT));
+  walk.now(up(Key::LeftShift));
   EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1.50", "1.8"));
 }
 
 TEST(WalkLights, AreDraggedAlongTheAxisWhoseKeyIsHeld) {
   LightsWalk walk;
-  walk.now(keyWith(SDLK_y, 0));
+  KeyEvent y = keyOf('y');
+  walk.now(y);
   walk.drag(480, 360, 320, 360 - 64);
-  SDL_Event up = keyWith(SDLK_y, 0);
-  up.type = SDL_KEYUP;
-  walk.now(up);
+  y.isDown = false;
+  walk.now(y);
   EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1", "16e-1"));
   walk.drag(320, 360, 480, 360 - 64);
   EXPECT_EQ(walk.lights().bytes(), withFirstAt("3.0", "1.5", "1.8")) << "and then freely";
@@ -145,11 +151,11 @@ TEST(WalkLights, ShowTheirAxesWhileTheyAreDragged) {
 
 TEST(WalkLights, AreDraggedAlongOneAxisOfTheMapWithShift) {
   LightsWalk walk;
-  walk.now(down(SDL_SCANCODE_TAB));
+  walk.now(down(Key::Tab));
   walk.settle();
-  walk.now(down(SDL_SCANCODE_LSHIFT));
+  walk.now(down(Key::LeftShift));
   walk.drag(685, 349, 640, 339);
-  walk.now(up(SDL_SCANCODE_LSHIFT));
+  walk.now(up(Key::LeftShift));
   EXPECT_EQ(walk.lights().bytes(), withFirstAt("1", "1.50", "16e-1"));
 }
 
@@ -167,7 +173,7 @@ TEST(WalkLights, AreHollowBehindWalls) {
 
 TEST(WalkLights, AreDraggedOverThePlanOnTheMap) {
   LightsWalk walk;
-  walk.now(down(SDL_SCANCODE_TAB));
+  walk.now(down(Key::Tab));
   walk.settle();
   const double pixelsPerMetre = 720 / kFirstMapMetres;  // 22.5
   EXPECT_EQ(walk.stage.shown.at(640 + 45, 349), (Rgb{255, 255, 255}));
@@ -188,21 +194,23 @@ TEST(WalkLights, AreUndoneAndRedoneByKeys) {
   LightsWalk walk;
   walk.drag(480, 360, 320, 360);
   const std::string edited = walk.lights().bytes();
-  walk.now(keyWith(SDLK_z, KMOD_LCTRL));
+  walk.now(ctrlAnd('z'));
   EXPECT_EQ(walk.lights().bytes(), kLights);
   EXPECT_FALSE(walk.lights().isUnsaved());
-  walk.now(keyWith(SDLK_y, KMOD_LCTRL));
+  walk.now(ctrlAnd('y'));
   EXPECT_EQ(walk.lights().bytes(), edited);
-  walk.now(keyWith(SDLK_z, KMOD_LCTRL));
-  walk.now(keyWith(SDLK_z, KMOD_LCTRL | KMOD_LSHIFT));
+  walk.now(ctrlAnd('z'));
+  KeyEvent redo = ctrlAnd('z');
+  redo.hasShift = true;
+  walk.now(redo);
   EXPECT_EQ(walk.lights().bytes(), edited);
 }
 
 TEST(WalkLights, AreSavedByCtrlSWhichDoesNotWalk) {
   LightsWalk walk;
   walk.drag(480, 360, 320, 360);
-  walk.now(keyWith(SDLK_LCTRL, KMOD_LCTRL));
-  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.now(kCtrl);
+  walk.now(ctrlAnd('s'));
   walk.ticks(4);
   EXPECT_EQ(walk.onDisk(), withFirstAt("3.0", "1", "16e-1"));
   EXPECT_FALSE(walk.lights().isUnsaved());
@@ -215,19 +223,16 @@ TEST(WalkLights, AreSavedByCtrlSWhileTheirNameIsTyped) {
   walk.press(480, 360);
   walk.release(480, 360);
   walk.settle();
-  SDL_Event typed{};
-  typed.type = SDL_TEXTINPUT;
-  typed.text.text[0] = 'Q';
   const auto isRenamed = [&] { return walk.lights().bytes().find('Q') != std::string::npos; };
   for (int y = 130; y < 700 && !isRenamed(); y += 7) {  // from the list down to the field
     walk.press(1200, y);
     walk.release(1200, y);
-    walk.now(typed);
+    walk.now(TypedText{"Q"});
     walk.settle();
   }
   ASSERT_TRUE(isRenamed());
-  walk.now(keyWith(SDLK_LCTRL, KMOD_LCTRL));
-  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.now(kCtrl);
+  walk.now(ctrlAnd('s'));
   EXPECT_EQ(walk.onDisk(), walk.lights().bytes());
 }
 
@@ -237,7 +242,7 @@ TEST(WalkLights, AreNotSavedWhereTheLevelHasNoAirForThem) {
   LightDescription light = walk.lights().pickedLight();
   light.source.position.y = -5;
   walk.lights().set(light);
-  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.now(ctrlAnd('s'));
   EXPECT_EQ(walk.onDisk(), kLights);
   EXPECT_TRUE(walk.lights().isUnsaved());
   EXPECT_TRUE(walk.lights().message().starts_with("not saved: light 0: "))
@@ -245,11 +250,11 @@ TEST(WalkLights, AreNotSavedWhereTheLevelHasNoAirForThem) {
   light.source.position.y = 1;
   light.sector = NameReference{"nowhere", {}};
   walk.lights().set(light);
-  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.now(ctrlAnd('s'));
   EXPECT_EQ(walk.onDisk(), kLights);
   light.sector.reset();
   walk.lights().set(light);
-  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
+  walk.now(ctrlAnd('s'));
   EXPECT_FALSE(walk.lights().isUnsaved()) << walk.lights().message();
 }
 
@@ -257,14 +262,14 @@ TEST(WalkLights, AreLetGoOfWhenTheOverlayCloses) {
   LightsWalk walk;
   walk.press(480, 360);
   walk.move(400, 360);
-  walk.now(down(SDL_SCANCODE_F1));
+  walk.now(down(Key::F1));
   EXPECT_TRUE(walk.lights().canUndo()) << "the drag has ended";
 }
 
 TEST(WalkLights, AreToldToBeUnsavedWhenTheOverlayCloses) {
   LightsWalk walk;
   walk.drag(480, 360, 400, 360);
-  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(down(Key::Escape));
   EXPECT_NE(walk.stage.shown, walk.plain) << "a message";
   walk.go(1, 3);
   EXPECT_EQ(walk.stage.shown, walk.plain);
@@ -273,35 +278,33 @@ TEST(WalkLights, AreToldToBeUnsavedWhenTheOverlayCloses) {
 TEST(WalkLights, AskOnceBeforeTheyAreLost) {
   LightsWalk walk;
   walk.drag(480, 360, 400, 360);
-  walk.now(down(SDL_SCANCODE_ESCAPE));  // closes the overlay
+  walk.now(down(Key::Escape));  // closes the overlay
   walk.go(1, 3);
-  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(down(Key::Escape));
   EXPECT_TRUE(walk.isOn);
   EXPECT_NE(walk.stage.shown, walk.plain) << "a message";
-  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(down(Key::Escape));
   EXPECT_FALSE(walk.isOn);
 }
 
 TEST(WalkLights, AskAgainAfterTheyWereLookedAt) {
   LightsWalk walk;
   walk.drag(480, 360, 400, 360);
-  SDL_Event quit{};
-  quit.type = SDL_QUIT;
-  walk.now(quit);
+  walk.now(WindowEvent::CloseAsked);
   EXPECT_TRUE(walk.isOn) << "so does the window's own button";
-  walk.now(down(SDL_SCANCODE_F1));
-  walk.now(quit);
+  walk.now(down(Key::F1));
+  walk.now(WindowEvent::CloseAsked);
   EXPECT_TRUE(walk.isOn);
-  walk.now(quit);
+  walk.now(WindowEvent::CloseAsked);
   EXPECT_FALSE(walk.isOn);
 }
 
 TEST(WalkLights, AskNothingWhenTheyAreSaved) {
   LightsWalk walk;
   walk.drag(480, 360, 400, 360);
-  walk.now(keyWith(SDLK_s, KMOD_LCTRL));
-  walk.now(down(SDL_SCANCODE_ESCAPE));
-  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(ctrlAnd('s'));
+  walk.now(down(Key::Escape));
+  walk.now(down(Key::Escape));
   EXPECT_FALSE(walk.isOn);
 }
 

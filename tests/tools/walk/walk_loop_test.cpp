@@ -14,7 +14,6 @@ namespace {
 using test::click;
 using test::down;
 using test::motion;
-using test::windowEvent;
 using Walk = test::StagedWalk;
 
 Walker walkedFor(const Level& level, Walker walker, const WalkInput& input, int ticks) {
@@ -27,8 +26,8 @@ Walker walkedFor(const Level& level, Walker walker, const WalkInput& input, int 
 TEST(WalkTime, AKeyWalksByTicksWhateverTheFramesTake) {
   const auto expectTicks = [](double ticks, int rounds, double seconds) {
     Walk walk;
-    walk.now(down(SDL_SCANCODE_LEFT));
-    walk.now(down(SDL_SCANCODE_W));
+    walk.now(down(Key::Left));
+    walk.now(down(Key::W));
     walk.go(rounds, seconds);
     const auto passed = static_cast<int>(walk.inputs().size());
     EXPECT_NEAR(passed, ticks, 1) << seconds;  // times that are not exact round down
@@ -45,7 +44,7 @@ TEST(WalkTime, AKeyWalksByTicksWhateverTheFramesTake) {
 
 TEST(WalkTime, NoTimeAndTimeSetBackAreNoTicks) {
   Walk walk;
-  walk.now(down(SDL_SCANCODE_W));
+  walk.now(down(Key::W));
   walk.go(100, 0);
   EXPECT_TRUE(walk.inputs().empty());
   walk.ticks(4);
@@ -57,7 +56,7 @@ TEST(WalkTime, NoTimeAndTimeSetBackAreNoTicks) {
 
 TEST(WalkTime, TheViewLiesBetweenTheLastTwoTicks) {
   Walk walk;
-  walk.now(down(SDL_SCANCODE_W));
+  walk.now(down(Key::W));
   walk.ticks(8);
   const Image before = walk.stage.shown;
   EXPECT_EQ(before, walk.drawn(LightMode::Both, {64, 40}));
@@ -74,13 +73,13 @@ TEST(WalkTime, NothingIsDrawnWhileNothingChanges) {
   walk.ticks(100);
   EXPECT_EQ(walk.stage.frames, frames);
   EXPECT_EQ(walk.stage.rests, rests + 100);
-  walk.now(windowEvent(SDL_WINDOWEVENT_EXPOSED));
+  walk.now(WindowEvent::Changed);
   EXPECT_EQ(walk.stage.frames, frames + 1);
 }
 
 TEST(WalkTime, FramesKeepToTheirCap) {
   Walk walk({.frameCap = 32});
-  walk.now(down(SDL_SCANCODE_RIGHT));
+  walk.now(down(Key::Right));
   walk.ticks(2);
   const int frames = walk.stage.frames;
   walk.go(256, 1.0 / 256);
@@ -94,7 +93,7 @@ TEST(WalkTime, FramesKeepToTheirCap) {
 TEST(WalkTime, TheTitleTellsTheRateOnceASecond) {
   Walk walk;
   EXPECT_EQ(walk.stage.title, "rooms");
-  walk.now(down(SDL_SCANCODE_RIGHT));
+  walk.now(down(Key::Right));
   walk.ticks(64);
   EXPECT_EQ(walk.stage.title, "rooms - 0.0 ms, 64 frames/s");
 }
@@ -111,27 +110,25 @@ TEST(WalkInputs, TheMouseIsCapturedByAClickAndFreedByEsc) {
   walk.now(motion(100, 0));
   walk.ticks(1);
   EXPECT_NEAR(walk.walker().angle - walk.start().angle, 15, 1e-9);
-  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(down(Key::Escape));
   EXPECT_FALSE(walk.stage.isMouseCaptured);
   EXPECT_TRUE(walk.isOn);
-  walk.now(down(SDL_SCANCODE_ESCAPE));
+  walk.now(down(Key::Escape));
   EXPECT_FALSE(walk.isOn);
 }
 
 TEST(WalkInputs, ClosingTheWindowLeavesAtOnce) {
   Walk walk;
   walk.now(click());
-  SDL_Event quit{};
-  quit.type = SDL_QUIT;
-  walk.now(quit);
+  walk.now(WindowEvent::CloseAsked);
   EXPECT_FALSE(walk.isOn);
 }
 
 TEST(WalkInputs, WhoLosesTheFocusLetsGoOfKeysAndMouse) {
   Walk walk;
   walk.now(click());
-  walk.now(down(SDL_SCANCODE_W));
-  walk.now(windowEvent(SDL_WINDOWEVENT_FOCUS_LOST));
+  walk.now(down(Key::W));
+  walk.now(WindowEvent::FocusLost);
   EXPECT_FALSE(walk.stage.isMouseCaptured);
   walk.ticks(2);
   EXPECT_EQ(walk.inputs().back(), WalkInput{});
@@ -139,7 +136,7 @@ TEST(WalkInputs, WhoLosesTheFocusLetsGoOfKeysAndMouse) {
 
 TEST(WalkInputs, FlightIsToggledInOneTick) {
   Walk walk;
-  walk.now(down(SDL_SCANCODE_N));
+  walk.now(down(Key::N));
   walk.go(1, 0.25);
   ASSERT_EQ(walk.inputs().size(), 16);
   for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(walk.inputs()[i].toggleFlight, i == 0);
@@ -148,7 +145,7 @@ TEST(WalkInputs, FlightIsToggledInOneTick) {
 TEST(WalkInputs, ARecordedWalkIsReplayedToTheBitAtAnyFrameRate) {
   Walk walk;
   walk.now(click());
-  for (const SDL_Scancode code : {SDL_SCANCODE_W, SDL_SCANCODE_LSHIFT, SDL_SCANCODE_SPACE}) {
+  for (const Key code : {Key::W, Key::LeftShift, Key::Space}) {
     walk.now(down(code));
     walk.now(motion(37, -11));
     walk.go(7, 0.043);
@@ -157,7 +154,7 @@ TEST(WalkInputs, ARecordedWalkIsReplayedToTheBitAtAnyFrameRate) {
   for (const double seconds : {0.001, 0.1, 10.0}) {
     Walk again;
     again.loop().replay(inputs);
-    again.now(down(SDL_SCANCODE_S));  // whatever the user does
+    again.now(down(Key::S));  // whatever the user does
     again.go(5000, seconds);
     EXPECT_FALSE(again.isOn);
     EXPECT_TRUE(again.loop().isReplayOver());
@@ -167,12 +164,12 @@ TEST(WalkInputs, ARecordedWalkIsReplayedToTheBitAtAnyFrameRate) {
 
 TEST(WalkInputs, ARecordedWalkIsReplayedWhateverTheUsersSettings) {
   Preferences preferences;
-  preferences.keys.bind(Action::Forward, {SDL_SCANCODE_E});
+  preferences.keys.bind(Action::Forward, {Key::E});
   preferences.degreesPerPixel = 0.02;
   preferences.viewBob = 1;
   Walk walk({.preferences = preferences});
   walk.now(click());
-  walk.now(down(SDL_SCANCODE_E));
+  walk.now(down(Key::E));
   walk.now(motion(100, 20));
   walk.ticks(40);
   EXPECT_NEAR(walk.walker().angle - walk.start().angle, 2, 1e-9);
@@ -188,8 +185,8 @@ TEST(WalkInputs, ARecordedWalkIsReplayedWhateverTheUsersSettings) {
 TEST(WalkPictures, AreWhatShotDraws) {
   Walk walk;
   for (const auto& [code, mode] :
-       {std::pair{SDL_SCANCODE_2, LightMode::None}, std::pair{SDL_SCANCODE_3, LightMode::Only},
-        std::pair{SDL_SCANCODE_1, LightMode::Both}}) {
+       {std::pair{Key::Digit2, LightMode::None}, std::pair{Key::Digit3, LightMode::Only},
+        std::pair{Key::Digit1, LightMode::Both}}) {
     walk.now(down(code));
     EXPECT_EQ(walk.stage.shown, walk.drawn(mode, {64, 40}));
   }
@@ -199,7 +196,7 @@ TEST(WalkPictures, FollowTheWindow) {
   Walk walk;
   for (const PictureSize size : {PictureSize{1, 1}, {160, 100}, {30, 90}, {640, 1}, {1, 64}}) {
     walk.stage.window = size;
-    walk.now(windowEvent(SDL_WINDOWEVENT_SIZE_CHANGED));
+    walk.now(WindowEvent::Changed);
     EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::Both, size));
   }
 }
@@ -209,7 +206,7 @@ TEST(WalkPictures, GoUpAndDownWithTheStepsWhereTheUserLikesThat) {
   Walk bobbing({.preferences = {.viewBob = 1}});
   EXPECT_EQ(bobbing.stage.shown, still.stage.shown);
   for (Walk* walk : {&still, &bobbing}) {
-    walk->now(down(SDL_SCANCODE_W));
+    walk->now(down(Key::W));
     walk->ticks(12);
   }
   EXPECT_EQ(bobbing.walker(), still.walker()) << "it moves what is seen only";
@@ -227,7 +224,7 @@ TEST(WalkPictures, HaveTheSizeAndTheFieldOfViewThatWereAskedFor) {
 TEST(WalkPictures, AreNotDrawnForAWindowThatCannotBeSeen) {
   Walk walk;
   walk.stage.window.reset();
-  walk.now(down(SDL_SCANCODE_RIGHT));
+  walk.now(down(Key::Right));
   const int frames = walk.stage.frames;
   walk.ticks(10);
   EXPECT_EQ(walk.stage.frames, frames);
@@ -239,26 +236,26 @@ TEST(WalkPictures, MapAndKeysComeAndGo) {
   walk.stage.window = PictureSize{320, 200};
   walk.now();
   const Image plain = walk.stage.shown;
-  for (const SDL_Scancode code : {SDL_SCANCODE_TAB, SDL_SCANCODE_H}) {
+  for (const Key code : {Key::Tab, Key::H}) {
     walk.now(down(code));
     EXPECT_NE(walk.stage.shown, plain);
     walk.now(down(code));
     EXPECT_EQ(walk.stage.shown, plain);
   }
-  walk.now(down(SDL_SCANCODE_TAB));
+  walk.now(down(Key::Tab));
   const Image map = walk.stage.shown;
-  walk.now(down(SDL_SCANCODE_EQUALS));
+  walk.now(down(Key::Equals));
   EXPECT_NE(walk.stage.shown, map);
-  walk.now(down(SDL_SCANCODE_F11));
+  walk.now(down(Key::F11));
   EXPECT_TRUE(walk.stage.isFullScreen);
 }
 
 TEST(WalkPictures, AScreenshotHasNothingWrittenOverIt) {
   Walk walk;
   walk.stage.window = PictureSize{320, 200};
-  walk.now(down(SDL_SCANCODE_H));
-  walk.now(down(SDL_SCANCODE_F1));
-  walk.now(down(SDL_SCANCODE_F12));
+  walk.now(down(Key::H));
+  walk.now(down(Key::F1));
+  walk.now(down(Key::F12));
   walk.loop().awaitScreenshots();
   ASSERT_EQ(walk.stage.printed.size(), 1);
   const std::string line = walk.stage.printed[0];

@@ -15,7 +15,8 @@ namespace {
 using test::click;
 using test::down;
 using test::motion;
-using test::windowEvent;
+using test::pressAt;
+using test::releaseAt;
 
 class OverlayWalk : public test::StagedWalk {
  public:
@@ -25,23 +26,23 @@ class OverlayWalk : public test::StagedWalk {
     plain = stage.shown;
   }
 
-  void press(SDL_Scancode code) { now(down(code)); }
+  void press(Key code) { now(down(code)); }
 
   Image plain;  ///< the picture without it
 };
 
 TEST(WalkOverlay, OpensAndClosesWithF1) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   EXPECT_NE(walk.stage.shown, walk.plain);
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   EXPECT_EQ(walk.stage.shown, walk.plain);
 }
 
 TEST(WalkOverlay, IsClosedByEscWhichDoesNotLeave) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
-  walk.press(SDL_SCANCODE_ESCAPE);
+  walk.press(Key::F1);
+  walk.press(Key::Escape);
   EXPECT_TRUE(walk.isOn);
   EXPECT_EQ(walk.stage.shown, walk.plain);
 }
@@ -49,26 +50,26 @@ TEST(WalkOverlay, IsClosedByEscWhichDoesNotLeave) {
 TEST(WalkOverlay, HasTheMouseWhileItIsOpen) {
   OverlayWalk walk;
   walk.now(click());
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   EXPECT_FALSE(walk.stage.isMouseCaptured);
   walk.now(motion(100, 0));
   walk.now(click());
   EXPECT_FALSE(walk.stage.isMouseCaptured);
   walk.ticks(2);
   EXPECT_EQ(walk.walker().angle, walk.start().angle);
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   EXPECT_TRUE(walk.stage.isMouseCaptured) << "as before";
 }
 
 TEST(WalkOverlay, TakesNoMouseForTheWalkThatItHadNot) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
+  walk.press(Key::F1);
   EXPECT_FALSE(walk.stage.isMouseCaptured);
   walk.now(click());
-  walk.press(SDL_SCANCODE_F1);
-  walk.now(windowEvent(SDL_WINDOWEVENT_FOCUS_LOST));
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
+  walk.now(WindowEvent::FocusLost);
+  walk.press(Key::F1);
   EXPECT_FALSE(walk.stage.isMouseCaptured);
 }
 
@@ -79,11 +80,11 @@ TEST(WalkOverlay, ShowsChannelsWithTheOptionsThatDrawThemAgain) {
   const Eye eye = eyeOf(walk.level(), walk.start());
   const Camera camera{eye.sector, eye.point, eye.angle, eye.pitch, settings.fov, 64, 40};
   EXPECT_EQ(walk.stage.shown, drawGeometry(walk.level(), camera, "spaces"));
-  walk.now(down(SDL_SCANCODE_F12));
+  walk.now(down(Key::F12));
   walk.loop().awaitScreenshots();
   ASSERT_EQ(walk.stage.printed.size(), 1);
   EXPECT_NE(walk.stage.printed[0].find(" --channel spaces"), std::string::npos);
-  walk.now(down(SDL_SCANCODE_2));
+  walk.now(down(Key::Digit2));
   EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::None, {64, 40}));
 }
 
@@ -101,7 +102,7 @@ TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
     settings.view.channel = "spaces";
     test::StagedWalk walk(settings);
     walk.stage.window = size;
-    walk.now(down(SDL_SCANCODE_F1));
+    walk.now(down(Key::F1));
     for (int i = 0; i < 4; ++i) walk.now();
     Overlay panel;  // of the same size
     panel.toggle();
@@ -114,7 +115,7 @@ TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
                         size.height};
     EXPECT_EQ(walk.stage.shown.width(), size.width);
     EXPECT_TRUE(beginsWith(walk.stage.shown, *drawGeometry(walk.level(), camera, "spaces")));
-    walk.now(down(SDL_SCANCODE_F1));
+    walk.now(down(Key::F1));
     EXPECT_TRUE(
         beginsWith(walk.stage.shown, *drawGeometry(walk.level(),
                                                    {eye.sector, eye.point, eye.angle, eye.pitch,
@@ -127,7 +128,7 @@ TEST(WalkOverlay, CoversChannelsOfGeometryWhereThereIsNoRoomBeside) {
   WalkSettings settings;
   settings.view.channel = "world";
   test::StagedWalk walk(settings);
-  walk.now(down(SDL_SCANCODE_F1));
+  walk.now(down(Key::F1));
   for (int i = 0; i < 4; ++i) walk.now();
   EXPECT_EQ(walk.stage.shown.width(), 64);
 }
@@ -155,22 +156,9 @@ TEST(Channels, HaveTheFourSpacesInTheirQuarters) {
   EXPECT_FALSE(drawGeometry(level, camera, "depth"));
 }
 
-SDL_Event clickAt(int x, int y) {
-  SDL_Event event = click();
-  event.button.button = SDL_BUTTON_LEFT;
-  event.button.x = x;
-  event.button.y = y;
-  return event;
-}
-
-SDL_Event released(SDL_Event click) {
-  click.type = SDL_MOUSEBUTTONUP;
-  return click;
-}
-
 TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   walk.ticks(4);
   const auto left = [&] {  // of the picture, without the panel
     Image part(300, 400);
@@ -179,14 +167,14 @@ TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {
     return part;
   };
   const Image before = left();
-  walk.now(clickAt(100, 300));
+  walk.now(pressAt(100, 300));
   walk.ticks(4);
   EXPECT_NE(left(), before) << "rays, and a ring round the place";
-  walk.press(SDL_SCANCODE_ESCAPE);
-  walk.now(windowEvent(SDL_WINDOWEVENT_LEAVE));
+  walk.press(Key::Escape);
+  walk.now(WindowEvent::MouseLeft);
   walk.ticks(4);
   EXPECT_EQ(left(), before);
-  walk.press(SDL_SCANCODE_ESCAPE);
+  walk.press(Key::Escape);
   EXPECT_EQ(walk.stage.shown, walk.plain) << "and then closes the overlay";
   EXPECT_TRUE(walk.isOn);
 }
@@ -195,17 +183,17 @@ TEST(WalkOverlay, ShowsWhyAPlaceIsLitWhateverPageWasOpen) {
   OverlayWalk walk;
   OverlayWalk turned;
   for (OverlayWalk* each : {&walk, &turned}) {
-    each->press(SDL_SCANCODE_F1);
+    each->press(Key::F1);
     each->ticks(4);
   }
   const Image first = turned.stage.shown;
-  turned.now(clickAt(400, 17));
-  turned.now(released(clickAt(400, 17)));
+  turned.now(pressAt(400, 17));
+  turned.now(releaseAt(400, 17));
   turned.ticks(4);
   EXPECT_NE(turned.stage.shown, first) << "another page";
   for (OverlayWalk* each : {&walk, &turned}) {
-    each->now(clickAt(100, 300));
-    each->now(released(clickAt(100, 300)));
+    each->now(pressAt(100, 300));
+    each->now(releaseAt(100, 300));
     each->ticks(8);
   }
   EXPECT_EQ(turned.stage.shown, walk.stage.shown);
@@ -213,13 +201,13 @@ TEST(WalkOverlay, ShowsWhyAPlaceIsLitWhateverPageWasOpen) {
 
 TEST(WalkOverlay, CopiesToTheClipboardWhatIsClickedOn) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   walk.ticks(4);
-  walk.now(clickAt(100, 300));
+  walk.now(pressAt(100, 300));
   walk.ticks(4);
   for (int y = 30; y < 400 && walk.stage.clipboard.empty(); y += 8) {
-    walk.now(clickAt(460, y));
-    walk.now(released(clickAt(460, y)));
+    walk.now(pressAt(460, y));
+    walk.now(releaseAt(460, y));
   }
   EXPECT_TRUE(std::regex_match(walk.stage.clipboard, std::regex("[-0-9.]+,[-0-9.]+,[-0-9.]+")))
       << "the point, as the level has no source here: " << walk.stage.clipboard;
@@ -227,15 +215,15 @@ TEST(WalkOverlay, CopiesToTheClipboardWhatIsClickedOn) {
 
 TEST(WalkOverlay, LetsKeysWalkOn) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
-  walk.press(SDL_SCANCODE_W);
+  walk.press(Key::F1);
+  walk.press(Key::W);
   walk.ticks(4);
   EXPECT_NE(walk.walker().feet, walk.start().feet);
 }
 
 TEST(WalkOverlay, IsDrawnFourTimesASecondWhileNothingHappens) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   walk.ticks(64);
   const int frames = walk.stage.frames;
   walk.ticks(256);
@@ -244,7 +232,7 @@ TEST(WalkOverlay, IsDrawnFourTimesASecondWhileNothingHappens) {
 
 TEST(WalkOverlay, LeavesNotesBesideIt) {
   OverlayWalk walk;
-  walk.press(SDL_SCANCODE_F1);
+  walk.press(Key::F1);
   walk.ticks(4);
   const Image open = walk.stage.shown;
   walk.loop().setNotes({std::string(200, 'x')}, StageProgress{Stage::Baking, 1, 4, 2.0});

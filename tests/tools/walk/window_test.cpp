@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include "viewer/walk/controls.h"
 
@@ -23,7 +25,7 @@ class HiddenWindow : public testing::Test {
 
   static void deliver(WalkWindow& window, Controls& controls) {
     SDL_JoystickUpdate();
-    for (SDL_Event event; window.poll(event);) controls.take(event);
+    while (const auto event = window.poll()) controls.take(*event);
   }
 };
 
@@ -91,18 +93,22 @@ TEST_F(HiddenWindow, TellsTheMousesPlaceInThePicture) {
   auto window = WalkWindow::open("test", settings);
   ASSERT_TRUE(window) << window.error();
   window->show(Image(320, 200));
-  for (SDL_Event event; window->poll(event);) continue;
+  while (window->poll()) continue;
   const auto placeOf = [&window](Uint32 type, int x, int y) {
     SDL_Event event{};
     event.type = type;
     (type == SDL_MOUSEMOTION ? event.motion.x : event.button.x) = x;
     (type == SDL_MOUSEMOTION ? event.motion.y : event.button.y) = y;
     SDL_PushEvent(&event);
-    bool isThere = false;  // SDL tells the end of a batch of events by a call that finds none
-    for (int i = 0; i < 3 && !isThere; ++i) isThere = window->poll(event);
-    EXPECT_TRUE(isThere);
-    return type == SDL_MOUSEMOTION ? std::pair{event.motion.x, event.motion.y}
-                                   : std::pair{event.button.x, event.button.y};
+    std::optional<Event>
+        polled;  // SDL tells the end of a batch of events by a call that finds none
+    for (int i = 0; i < 3 && !polled; ++i) polled = window->poll();
+    EXPECT_TRUE(polled);
+    if (!polled) return std::pair{0, 0};
+    const auto* motion = std::get_if<MouseMotion>(&*polled);
+    const auto* button = std::get_if<MouseButtonEvent>(&*polled);
+    EXPECT_TRUE(motion || button);
+    return motion ? std::pair{motion->x, motion->y} : std::pair{button->x, button->y};
   };
   for (const Uint32 type : {SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
     EXPECT_EQ(placeOf(type, 30, 0), (std::pair{0, 0}));

@@ -13,14 +13,15 @@
 
 namespace hearth {
 
-void Inspector::take(const SDL_Event& event, int width) {
+void Inspector::take(const Event& event, int width) {
   const auto over = [width](int x, int y) {
     return x < width ? std::optional(Pixel{x, y}) : std::nullopt;
   };
-  if (event.type == SDL_MOUSEMOTION) mouse_ = over(event.motion.x, event.motion.y);
-  if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE) mouse_.reset();
-  if (event.type != SDL_MOUSEBUTTONDOWN || event.button.button != SDL_BUTTON_LEFT) return;
-  mouse_ = over(event.button.x, event.button.y);
+  if (const auto* motion = std::get_if<MouseMotion>(&event)) mouse_ = over(motion->x, motion->y);
+  if (is(event, WindowEvent::MouseLeft)) mouse_.reset();
+  const auto* button = std::get_if<MouseButtonEvent>(&event);
+  if (!button || !button->isDown || button->button != MouseButton::Left) return;
+  mouse_ = over(button->x, button->y);
   isClicked_ |= mouse_.has_value();
 }
 

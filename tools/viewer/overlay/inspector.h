@@ -1,12 +1,11 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <optional>
 #include <string>
 
 #include "load/source.h"
 #include "render/renderer.h"
+#include "viewer/input/event.h"
 #include "viewer/inspect/inspect.h"
 #include "viewer/overlay/called_section.h"
 #include "viewer/overlay/lights_tool.h"
@@ -28,7 +27,7 @@ struct InspectedLevel {
 class Inspector {
  public:
   /// Positions are in pixels of the picture, of whose width `width` are left of the panel.
-  void take(const SDL_Event& event, int width);
+  void take(const Event& event, int width);
 
   /// Lets go of what is pinned. Returns whether anything was.
   bool letGo();

@@ -1,6 +1,5 @@
 #include "viewer/overlay/lights_tool.h"
 
-#include <SDL_keycode.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -160,31 +159,28 @@ std::optional<LightsTool::Drag> LightsTool::drag() const {
   return Drag{editor_.pickedLight().source.position, grip_->axis};
 }
 
-bool LightsTool::take(const SDL_KeyboardEvent& key, const Level& level) {
+bool LightsTool::take(const KeyEvent& key, const Level& level) {
   if (grip_ && axisOf(key)) return true;
-  if ((key.keysym.mod & KMOD_CTRL) == 0 || !editor_.isOpen()) return false;
-  const bool isShifted = (key.keysym.mod & KMOD_SHIFT) != 0;
-  switch (key.keysym.sym) {
-    case SDLK_z:
-      if (isShifted)
+  if (!key.hasCtrl || !editor_.isOpen()) return false;
+  switch (key.letter) {
+    case 'z':
+      if (key.hasShift)
         editor_.redo();
       else
         editor_.undo();
       return true;
-    case SDLK_y:
+    case 'y':
       editor_.redo();
       return true;
-    case SDLK_s:
+    case 's':
       save(level);
       return true;
     default:
-      return key.keysym.sym == SDLK_LCTRL || key.keysym.sym == SDLK_RCTRL;
+      return key.key == Key::LeftCtrl || key.key == Key::RightCtrl;
   }
 }
 
-bool LightsTool::isSave(const SDL_KeyboardEvent& key) {
-  return (key.keysym.mod & KMOD_CTRL) != 0 && key.keysym.sym == SDLK_s;
-}
+bool LightsTool::isSave(const KeyEvent& key) { return key.hasCtrl && key.letter == 's'; }
 
 void LightsTool::release() {
   if (editor_.isDragging()) editor_.endDrag();

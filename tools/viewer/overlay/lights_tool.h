@@ -1,7 +1,5 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "render/camera.h"
 #include "truth/trace.h"
 #include "viewer/edit/lights_editor.h"
+#include "viewer/input/event.h"
 #include "viewer/overlay/called_section.h"
 #include "viewer/overlay/marker_space.h"
 #include "viewer/overlay/pointer.h"
@@ -38,9 +37,9 @@ class LightsTool {
   bool take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
   /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
   /// is one of these, or Ctrl by itself, or an axis of a drag.
-  bool take(const SDL_KeyboardEvent& key, const Level& level);
+  bool take(const KeyEvent& key, const Level& level);
   /// Of these Ctrl+S, which no field of text is to keep for itself.
-  static bool isSave(const SDL_KeyboardEvent& key);
+  static bool isSave(const KeyEvent& key);
   /// Ends a drag.
   void release();
 

@@ -1,7 +1,5 @@
 #include "viewer/overlay/overlay.h"
 
-#include <SDL_keycode.h>
-#include <SDL_scancode.h>
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+
+#include "viewer/input/key.h"
 
 namespace hearth {
 
@@ -29,37 +29,35 @@ constexpr double kShortestSeconds = 1e-6;  // ImGui wants time to pass
 
 struct KeyPlace {
   ImGuiKey key;
-  SDL_Scancode place;
+  Key place;
 };
 constexpr std::array kImGuiKeys = {
-    KeyPlace{ImGuiKey_Tab, SDL_SCANCODE_TAB},
-    KeyPlace{ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
-    KeyPlace{ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
-    KeyPlace{ImGuiKey_UpArrow, SDL_SCANCODE_UP},
-    KeyPlace{ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
-    KeyPlace{ImGuiKey_PageUp, SDL_SCANCODE_PAGEUP},
-    KeyPlace{ImGuiKey_PageDown, SDL_SCANCODE_PAGEDOWN},
-    KeyPlace{ImGuiKey_Home, SDL_SCANCODE_HOME},
-    KeyPlace{ImGuiKey_End, SDL_SCANCODE_END},
-    KeyPlace{ImGuiKey_Insert, SDL_SCANCODE_INSERT},
-    KeyPlace{ImGuiKey_Delete, SDL_SCANCODE_DELETE},
-    KeyPlace{ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
-    KeyPlace{ImGuiKey_Space, SDL_SCANCODE_SPACE},
-    KeyPlace{ImGuiKey_Enter, SDL_SCANCODE_RETURN},
-    KeyPlace{ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
-    KeyPlace{ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
-    KeyPlace{ImGuiKey_A, SDL_SCANCODE_A},
-    KeyPlace{ImGuiKey_C, SDL_SCANCODE_C},
-    KeyPlace{ImGuiKey_V, SDL_SCANCODE_V},
-    KeyPlace{ImGuiKey_X, SDL_SCANCODE_X},
-    KeyPlace{ImGuiKey_Y, SDL_SCANCODE_Y},
-    KeyPlace{ImGuiKey_Z, SDL_SCANCODE_Z},
+    KeyPlace{ImGuiKey_Tab, Key::Tab},
+    KeyPlace{ImGuiKey_LeftArrow, Key::Left},
+    KeyPlace{ImGuiKey_RightArrow, Key::Right},
+    KeyPlace{ImGuiKey_UpArrow, Key::Up},
+    KeyPlace{ImGuiKey_DownArrow, Key::Down},
+    KeyPlace{ImGuiKey_PageUp, Key::PageUp},
+    KeyPlace{ImGuiKey_PageDown, Key::PageDown},
+    KeyPlace{ImGuiKey_Home, Key::Home},
+    KeyPlace{ImGuiKey_End, Key::End},
+    KeyPlace{ImGuiKey_Insert, Key::Insert},
+    KeyPlace{ImGuiKey_Delete, Key::Delete},
+    KeyPlace{ImGuiKey_Backspace, Key::Backspace},
+    KeyPlace{ImGuiKey_Space, Key::Space},
+    KeyPlace{ImGuiKey_Enter, Key::Return},
+    KeyPlace{ImGuiKey_Escape, Key::Escape},
+    KeyPlace{ImGuiKey_KeyPadEnter, Key::KeypadEnter},
+    KeyPlace{ImGuiKey_A, Key::A},
+    KeyPlace{ImGuiKey_C, Key::C},
+    KeyPlace{ImGuiKey_V, Key::V},
+    KeyPlace{ImGuiKey_X, Key::X},
+    KeyPlace{ImGuiKey_Y, Key::Y},
+    KeyPlace{ImGuiKey_Z, Key::Z},
 };
 
 /// Keys of which no text field knows anything.
-bool isFunctionKey(SDL_Scancode place) {
-  return place >= SDL_SCANCODE_F1 && place <= SDL_SCANCODE_F12;
-}
+bool isFunctionKey(Key place) { return place >= Key::F1 && place <= Key::F12; }
 
 /// Square corners: then nearly all that is drawn are upright rectangles, which are cheap.
 ImGuiStyle styleOf(int scale) {
@@ -102,7 +100,7 @@ void Overlay::begin(int scale) {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   io.ConfigDragClickToInputText = true;   // a click on a number lets type another
   io.ConfigInputTextCursorBlink = false;  // nothing changes unless something happens
-  for (const auto& [key, place] : kImGuiKeys) io.KeyMap[key] = place;
+  for (const auto& [key, place] : kImGuiKeys) io.KeyMap[key] = static_cast<int>(place);
 
   ImFontConfig font;
   font.SizePixels = kLetterHeight * static_cast<float>(scale);
@@ -131,59 +129,52 @@ void Overlay::release() {
 
 // --- Events --------------------------------------------------------------------------------------
 
-bool Overlay::take(const SDL_Event& event) {
+bool Overlay::take(const Event& event) {
   if (!isOpen_) return false;
   refresh();
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
-  switch (event.type) {
-    case SDL_MOUSEMOTION:
-      io.MousePos = {static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
-      return true;
-    case SDL_MOUSEBUTTONDOWN:
-    case SDL_MOUSEBUTTONUP:
-      takeButton(event.button);
-      return true;
-    case SDL_MOUSEWHEEL:
-      io.MouseWheelH += static_cast<float>(event.wheel.x);
-      io.MouseWheel += static_cast<float>(event.wheel.y);
-      return true;
-    case SDL_TEXTINPUT:
-      io.AddInputCharactersUTF8(event.text.text);
-      return true;
-    case SDL_KEYDOWN:
-      takeKey(event.key);
-      return io.WantTextInput && !isFunctionKey(event.key.keysym.scancode);
-    case SDL_KEYUP:  // also for the walk, in which no key is to stay held
-      takeKey(event.key);
-      return false;
-    case SDL_WINDOWEVENT:
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) release();
-      if (event.window.event == SDL_WINDOWEVENT_LEAVE) io.MousePos = {-FLT_MAX, -FLT_MAX};
-      return false;
-    default:
-      return false;
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return takeKey(*key);
+  if (is(event, WindowEvent::FocusLost)) release();
+  if (is(event, WindowEvent::MouseLeft)) io.MousePos = {-FLT_MAX, -FLT_MAX};
+  if (const auto* motion = std::get_if<MouseMotion>(&event)) {
+    io.MousePos = {static_cast<float>(motion->x), static_cast<float>(motion->y)};
+    return true;
   }
+  if (const auto* button = std::get_if<MouseButtonEvent>(&event)) {
+    takeButton(*button);
+    return true;
+  }
+  if (const auto* wheel = std::get_if<WheelTurn>(&event)) {
+    io.MouseWheelH += static_cast<float>(wheel->right);
+    io.MouseWheel += static_cast<float>(wheel->up);
+    return true;
+  }
+  if (const auto* typed = std::get_if<TypedText>(&event)) {
+    io.AddInputCharactersUTF8(typed->text.data());
+    return true;
+  }
+  return false;
 }
 
-void Overlay::takeKey(const SDL_KeyboardEvent& key) {
+/// A key that is let go of is for the walk, too, in which none is to stay held.
+bool Overlay::takeKey(const KeyEvent& key) {
   ImGuiIO& io = ImGui::GetIO();
-  const auto place = static_cast<std::size_t>(key.keysym.scancode);
-  if (place >= std::size(io.KeysDown)) return;
-  io.KeysDown[place] = key.type == SDL_KEYDOWN;
-  io.KeyShift = (key.keysym.mod & KMOD_SHIFT) != 0;
-  io.KeyCtrl = (key.keysym.mod & KMOD_CTRL) != 0;
-  io.KeyAlt = (key.keysym.mod & KMOD_ALT) != 0;
+  io.KeysDown[indexOf(key.key)] = key.isDown;
+  io.KeyShift = key.hasShift;
+  io.KeyCtrl = key.hasCtrl;
+  io.KeyAlt = key.hasAlt;
+  return key.isDown && io.WantTextInput && !isFunctionKey(key.key);
 }
 
-void Overlay::takeButton(const SDL_MouseButtonEvent& button) {
-  constexpr std::array kOrder = {SDL_BUTTON_LEFT, SDL_BUTTON_RIGHT, SDL_BUTTON_MIDDLE};
+void Overlay::takeButton(const MouseButtonEvent& button) {
+  constexpr std::array kOrder = {MouseButton::Left, MouseButton::Right, MouseButton::Middle};
   static_assert(kOrder.size() == kButtons);
   ImGui::GetIO().MousePos = {static_cast<float>(button.x), static_cast<float>(button.y)};
-  const auto found = std::ranges::find(kOrder, static_cast<int>(button.button));
+  const auto found = std::ranges::find(kOrder, button.button);
   if (found == kOrder.end()) return;
   const auto number = static_cast<std::size_t>(found - kOrder.begin());
-  isHeld_[number] = button.type == SDL_MOUSEBUTTONDOWN;
+  isHeld_[number] = button.isDown;
   wasPressed_[number] |= isHeld_[number];
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <functional>
 #include <memory>
 
 #include "image/image.h"
+#include "viewer/input/event.h"
 #include "viewer/overlay/triangle_painter.h"
 
 struct ImGuiContext;
@@ -28,7 +27,7 @@ class Overlay {
 
   /// Returns whether the event is for the panel alone: all of the mouse, and what is typed into a
   /// field. Positions are in pixels of the picture. Takes nothing while closed.
-  bool take(const SDL_Event& event);
+  bool take(const Event& event);
 
   /// What it shows has changed, though it took no event.
   void refresh() { framesLeft_ = kFramesToSettle; }
@@ -47,8 +46,8 @@ class Overlay {
 
  private:
   void begin(int scale);
-  void takeKey(const SDL_KeyboardEvent& key);
-  void takeButton(const SDL_MouseButtonEvent& button);
+  bool takeKey(const KeyEvent& key);
+  void takeButton(const MouseButtonEvent& button);
   void release();
 
   std::shared_ptr<ImGuiContext> context_;  ///< made anew with each scale

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <cstdint>
 #include <optional>
 
 #include "math/vec.h"
+#include "viewer/input/event.h"
 
 namespace hearth {
 
@@ -26,7 +25,7 @@ struct PointerEvent {
 class Pointer {
  public:
   /// What of an event is for the picture: for what is left of the column `panelLeft`.
-  std::optional<PointerEvent> take(const SDL_Event& event, int panelLeft);
+  std::optional<PointerEvent> take(const Event& event, int panelLeft);
   void release() {
     holder_ = Holder::None;
     axis_.reset();
@@ -35,8 +34,9 @@ class Pointer {
  private:
   enum class Holder : std::uint8_t { None, Picture, Panel };
 
-  std::optional<PointerEvent> take(const SDL_MouseButtonEvent& button, int panelLeft);
-  void take(const SDL_KeyboardEvent& key);
+  std::optional<PointerEvent> takeMotion(const MouseMotion& motion, int panelLeft) const;
+  std::optional<PointerEvent> takeButton(const MouseButtonEvent& button, int panelLeft);
+  void takeKey(const KeyEvent& key);
   PointerEvent eventAt(PointerEvent::Kind kind, int x, int y) const;
 
   Holder holder_ = Holder::None;
@@ -45,6 +45,6 @@ class Pointer {
 };
 
 /// That the key x, y or z names, without Ctrl.
-std::optional<Axis> axisOf(const SDL_KeyboardEvent& key);
+std::optional<Axis> axisOf(const KeyEvent& key);
 
 }  // namespace hearth

@@ -20,20 +20,21 @@ const ActionRow& rowOf(Action action) { return actionTable()[static_cast<std::si
 
 }  // namespace
 
-bool PreferencesSection::take(const SDL_Event& event, Preferences& preferences) {
-  if (!asked_ || event.type != SDL_KEYDOWN) return false;
-  const SDL_Scancode key = event.key.keysym.scancode;
-  if (key != SDL_SCANCODE_ESCAPE && !isForTheDesktop(key)) give(key, preferences);
+bool PreferencesSection::take(const Event& event, Preferences& preferences) {
+  const auto* pressed = std::get_if<KeyEvent>(&event);
+  if (!asked_ || !pressed || !pressed->isDown) return false;
+  const Key key = pressed->key;
+  if (key != Key::Escape && !isForTheDesktop(key)) give(key, preferences);
   asked_.reset();
   return true;
 }
 
-void PreferencesSection::give(SDL_Scancode key, Preferences& preferences) {
+void PreferencesSection::give(Key key, Preferences& preferences) {
   const auto loser = preferences.keys.actionOf(key);
   told_ = loser && *loser != asked_->action
               ? fmt::format("{} was a key of \"{}\"", nameOf(key), rowOf(*loser).help)
               : "";
-  std::vector<SDL_Scancode> keys = preferences.keys.keysOf(asked_->action);
+  std::vector<Key> keys = preferences.keys.keysOf(asked_->action);
   std::erase(keys, key);
   const auto place = asked_->replaced ? std::ranges::find(keys, *asked_->replaced) : keys.end();
   if (place != keys.end())
@@ -77,8 +78,8 @@ void PreferencesSection::showKeys(Preferences& preferences) {
 }
 
 void PreferencesSection::showKeysOf(Action action, Preferences& preferences) {
-  std::vector<SDL_Scancode> kept = preferences.keys.keysOf(action);
-  for (const SDL_Scancode key : preferences.keys.keysOf(action)) {
+  std::vector<Key> kept = preferences.keys.keysOf(action);
+  for (const Key key : preferences.keys.keysOf(action)) {
     if (ImGui::SmallButton(nameOf(key).data())) asked_ = Asked{action, key};
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) std::erase(kept, key);
     ImGui::SameLine();

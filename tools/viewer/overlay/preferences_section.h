@@ -1,10 +1,9 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <optional>
 #include <string>
 
+#include "viewer/input/event.h"
 #include "viewer/preferences/preferences.h"
 
 namespace hearth {
@@ -14,7 +13,7 @@ class PreferencesSection {
  public:
   /// Takes the next key for the action whose key is to change, and gives it that in `preferences`;
   /// Esc leaves all as it was. Returns whether the event was for it.
-  bool take(const SDL_Event& event, Preferences& preferences);
+  bool take(const Event& event, Preferences& preferences);
 
   /// Returns whether what has been changed in `preferences` can be written: nothing is dragged any
   /// more.
@@ -26,12 +25,12 @@ class PreferencesSection {
  private:
   struct Asked {
     Action action;
-    std::optional<SDL_Scancode> replaced;  ///< else the key is added
+    std::optional<Key> replaced;  ///< else the key is added
   };
 
   void showKeys(Preferences& preferences);
   void showKeysOf(Action action, Preferences& preferences);
-  void give(SDL_Scancode key, Preferences& preferences);
+  void give(Key key, Preferences& preferences);
 
   std::optional<Asked> asked_;
   std::string told_;  ///< of the last key

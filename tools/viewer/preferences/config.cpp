@@ -52,13 +52,13 @@ class KeyReader {
  private:
   void readAction(JsonValue value, const ActionRow& row) {
     if (!value.isArray()) return reportWrongType(report_, value, "an array of names of keys");
-    std::vector<SDL_Scancode> keys;
+    std::vector<Key> keys;
     for (const JsonValue element : value.elements())
       if (const auto key = readKey(element, row)) keys.push_back(*key);
     if (!keys.empty() || value.size() == 0) keys_.bind(row.action, std::move(keys));
   }
 
-  std::optional<SDL_Scancode> readKey(JsonValue value, const ActionRow& row) {
+  std::optional<Key> readKey(JsonValue value, const ActionRow& row) {
     const auto name = readName(report_, value);
     if (!name) return std::nullopt;
     const auto key = keyNamed(*name);
@@ -84,7 +84,7 @@ class KeyReader {
 
   Report& report_;
   KeyMap& keys_;
-  std::map<SDL_Scancode, std::string_view> takenBy_;
+  std::map<Key, std::string_view> takenBy_;
 };
 
 void readMouse(Report& report, JsonValue value, Preferences& preferences) {
@@ -107,9 +107,9 @@ void readPreferences(Report& report, JsonValue root, Preferences& preferences) {
 
 // --- Writing -------------------------------------------------------------------------------------
 
-std::string namesOf(const std::vector<SDL_Scancode>& keys) {
+std::string namesOf(const std::vector<Key>& keys) {
   std::vector<std::string> names;
-  for (const SDL_Scancode key : keys) names.push_back(nlohmann::json(nameOf(key)).dump());
+  for (const Key key : keys) names.push_back(nlohmann::json(nameOf(key)).dump());
   return fmt::format("[{}]", fmt::join(names, ", "));
 }
 

@@ -23,16 +23,19 @@ constexpr int kMostPixels = 1 << 14;
 constexpr int kMostMotion = 1000000000;
 
 struct ButtonBinding {
-  SDL_GameControllerButton button;
+  GamepadButton button;
   Action action;
 };
+/// Of all buttons.
 constexpr std::array kButtons = {
-    ButtonBinding{SDL_CONTROLLER_BUTTON_A, Action::Jump},
-    ButtonBinding{SDL_CONTROLLER_BUTTON_B, Action::Crouch},
-    ButtonBinding{SDL_CONTROLLER_BUTTON_Y, Action::Fly},
+    ButtonBinding{GamepadButton::A, Action::Jump},
+    ButtonBinding{GamepadButton::B, Action::Crouch},
+    ButtonBinding{GamepadButton::Y, Action::Fly},
 };
 
 std::size_t indexOf(Action action) { return static_cast<std::size_t>(action); }
+std::size_t indexOf(GamepadAxis axis) { return static_cast<std::size_t>(axis); }
+std::size_t indexOf(GamepadButton button) { return static_cast<std::size_t>(button); }
 
 void add(int& pending, int motion) {
   pending = std::clamp(pending + motion, -kMostMotion, kMostMotion);
@@ -57,53 +60,46 @@ void Controls::setPreferences(const Preferences& preferences) {
   release();
 }
 
-std::optional<Action> Controls::take(const SDL_Event& event) {
-  switch (event.type) {
-    case SDL_KEYDOWN:
-      return press(event.key);
-    case SDL_KEYUP:
-      keys_.reset(event.key.keysym.scancode);
-      break;
-    case SDL_MOUSEMOTION:
-      if (!isMouseCaptured_) break;
-      add(mouse_.turn, motionOf(event.motion.xrel));
-      add(mouse_.pitch, (preferences_.invertsPitch ? 1 : -1) * motionOf(event.motion.yrel));
-      break;
-    case SDL_CONTROLLERAXISMOTION:
-      axes_.at(event.caxis.axis) = event.caxis.value;
-      break;
-    case SDL_CONTROLLERBUTTONDOWN:
-      return press(static_cast<SDL_GameControllerButton>(event.cbutton.button));
-    case SDL_CONTROLLERBUTTONUP:
-      buttons_.reset(event.cbutton.button);
-      break;
-    case SDL_CONTROLLERDEVICEREMOVED:
-      axes_.fill(0);
-      buttons_.reset();
-      break;
-    default:
-      break;
+std::optional<Action> Controls::take(const Event& event) {
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return takeKey(*key);
+  if (const auto* button = std::get_if<GamepadButtonEvent>(&event)) return takeButton(*button);
+  if (const auto* motion = std::get_if<MouseMotion>(&event)) look(*motion);
+  if (const auto* moved = std::get_if<GamepadMotion>(&event))
+    axes_[indexOf(moved->axis)] = moved->value;
+  if (std::holds_alternative<GamepadRemoved>(event)) {
+    axes_.fill(0);
+    buttons_.reset();
   }
   return std::nullopt;
 }
 
-std::optional<Action> Controls::press(const SDL_KeyboardEvent& key) {
-  const std::optional<Action> action = preferences_.keys.actionOf(key.keysym.scancode);
-  const bool isForTheDesktop = (key.keysym.mod & KMOD_ALT) != 0;
+std::optional<Action> Controls::takeKey(const KeyEvent& key) {
+  if (!key.isDown) {
+    keys_.reset(indexOf(key.key));
+    return std::nullopt;
+  }
+  const std::optional<Action> action = preferences_.keys.actionOf(key.key);
+  const bool isForTheDesktop = key.hasAlt;
   if (!action || isForTheDesktop) return std::nullopt;
-  keys_.set(key.keysym.scancode);
+  keys_.set(indexOf(key.key));
   const bool canRepeat = *action == Action::ZoomIn || *action == Action::ZoomOut;
-  if (key.repeat != 0 && !canRepeat) return std::nullopt;
+  if (key.isRepeat && !canRepeat) return std::nullopt;
   pressed_.set(indexOf(*action));
   return action;
 }
 
-std::optional<Action> Controls::press(SDL_GameControllerButton button) {
-  buttons_.set(static_cast<std::size_t>(button));
-  const auto found = std::ranges::find(kButtons, button, &ButtonBinding::button);
-  if (found == kButtons.end()) return std::nullopt;
+std::optional<Action> Controls::takeButton(const GamepadButtonEvent& event) {
+  buttons_.set(indexOf(event.button), event.isDown);
+  if (!event.isDown) return std::nullopt;
+  const auto found = std::ranges::find(kButtons, event.button, &ButtonBinding::button);
   pressed_.set(indexOf(found->action));
   return found->action;
+}
+
+void Controls::look(const MouseMotion& motion) {
+  if (!isMouseCaptured_) return;
+  add(mouse_.turn, motionOf(motion.right));
+  add(mouse_.pitch, (preferences_.invertsPitch ? 1 : -1) * motionOf(motion.down));
 }
 
 void Controls::release() {
@@ -115,8 +111,8 @@ void Controls::release() {
 }
 
 WalkInput Controls::nextTick(int ticksDue, double pitch) {
-  const Vec2 walk = stick(SDL_CONTROLLER_AXIS_LEFTX, SDL_CONTROLLER_AXIS_LEFTY);
-  const Vec2 look = stick(SDL_CONTROLLER_AXIS_RIGHTX, SDL_CONTROLLER_AXIS_RIGHTY);
+  const Vec2 walk = stick(GamepadAxis::LeftX, GamepadAxis::LeftY);
+  const Vec2 look = stick(GamepadAxis::RightX, GamepadAxis::RightY);
   const auto rate = [](double full, double stick) {
     return static_cast<int>(std::lround(full * stick));
   };
@@ -145,10 +141,10 @@ int Controls::motionOf(int pixels) const {
 
 bool Controls::wants(Action action) const {
   if (pressed_[indexOf(action)]) return true;
-  for (const SDL_Scancode key : preferences_.keys.keysOf(action))
-    if (keys_[key]) return true;
+  for (const Key key : preferences_.keys.keysOf(action))
+    if (keys_[indexOf(key)]) return true;
   return std::ranges::any_of(kButtons, [&](const ButtonBinding& binding) {
-    return binding.action == action && buttons_[static_cast<std::size_t>(binding.button)];
+    return binding.action == action && buttons_[indexOf(binding.button)];
   });
 }
 
@@ -158,10 +154,8 @@ int Controls::direction(Action less, Action more) const {
 
 /// From where it rests, to the right and down, no longer than 1. Both axes share a dead zone, so
 /// that a stick works alike in all directions.
-Vec2 Controls::stick(SDL_GameControllerAxis horizontal, SDL_GameControllerAxis vertical) const {
-  const auto axis = [this](SDL_GameControllerAxis id) {
-    return static_cast<double>(axes_[static_cast<std::size_t>(id)]);
-  };
+Vec2 Controls::stick(GamepadAxis horizontal, GamepadAxis vertical) const {
+  const auto axis = [this](GamepadAxis id) { return static_cast<double>(axes_[indexOf(id)]); };
   const Vec2 at{axis(horizontal), axis(vertical)};
   const double tilt = length(at);
   if (tilt <= kDeadZone) return {};
@@ -169,8 +163,8 @@ Vec2 Controls::stick(SDL_GameControllerAxis horizontal, SDL_GameControllerAxis v
 }
 
 bool Controls::isTriggerHeld() const {
-  return std::max(axes_[SDL_CONTROLLER_AXIS_TRIGGERLEFT], axes_[SDL_CONTROLLER_AXIS_TRIGGERRIGHT]) >
-         kAxisEnd / 2;
+  return std::max(axes_[indexOf(GamepadAxis::LeftTrigger)],
+                  axes_[indexOf(GamepadAxis::RightTrigger)]) > kAxisEnd / 2;
 }
 
 }  // namespace hearth

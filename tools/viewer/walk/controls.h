@@ -1,19 +1,17 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <array>
 #include <bitset>
 #include <optional>
 
 #include "math/vec.h"
+#include "viewer/input/event.h"
 #include "viewer/preferences/preferences.h"
 #include "walk/walk_input.h"
 
 namespace hearth {
 
-/// Keyboard, mouse and gamepad as they are now, and what that asks of the walker in a tick. Takes
-/// SDL's events from anywhere and asks SDL nothing.
+/// Keyboard, mouse and gamepad as they are now, and what that asks of the walker in a tick.
 class Controls {
  public:
   /// Lets go of everything, as keys may mean something else now.
@@ -21,7 +19,7 @@ class Controls {
   const Preferences& preferences() const { return preferences_; }
 
   /// What the event asks for besides movement: the action of a key or button that was pressed.
-  std::optional<Action> take(const SDL_Event& event);
+  std::optional<Action> take(const Event& event);
 
   /// The mouse looks around only while it is captured.
   void captureMouse(bool isCaptured) { isMouseCaptured_ = isCaptured; }
@@ -41,18 +39,19 @@ class Controls {
     int pitch = 0;
   };
 
-  std::optional<Action> press(const SDL_KeyboardEvent& key);
-  std::optional<Action> press(SDL_GameControllerButton button);
+  std::optional<Action> takeKey(const KeyEvent& key);
+  std::optional<Action> takeButton(const GamepadButtonEvent& event);
+  void look(const MouseMotion& motion);
   int motionOf(int pixels) const;
   bool wants(Action action) const;
   int direction(Action less, Action more) const;  ///< -1, 0 or 1
-  Vec2 stick(SDL_GameControllerAxis horizontal, SDL_GameControllerAxis vertical) const;
+  Vec2 stick(GamepadAxis horizontal, GamepadAxis vertical) const;
   bool isTriggerHeld() const;
 
   Preferences preferences_;
-  std::bitset<SDL_NUM_SCANCODES> keys_;
-  std::bitset<SDL_CONTROLLER_BUTTON_MAX> buttons_;
-  std::array<int, SDL_CONTROLLER_AXIS_MAX> axes_{};
+  std::bitset<kKeyCount> keys_;
+  std::bitset<kGamepadButtonCount> buttons_;
+  std::array<int, kGamepadAxisCount> axes_{};
   std::bitset<kActionCount> pressed_;  ///< since the last tick, even if let go again
   Motion mouse_;                       ///< since the last tick
   bool isMouseCaptured_ = false;

@@ -1,6 +1,5 @@
 #include "viewer/walk/keys.h"
 
-#include <SDL_keyboard.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,39 +10,33 @@ namespace hearth {
 namespace {
 
 constexpr std::array kActions = {
-    ActionRow{Action::Forward, "forward", "walk forward", {SDL_SCANCODE_W, SDL_SCANCODE_UP}},
-    ActionRow{Action::Backward, "backward", "walk backward", {SDL_SCANCODE_S, SDL_SCANCODE_DOWN}},
-    ActionRow{Action::StepLeft, "stepLeft", "step to the left", {SDL_SCANCODE_A}},
-    ActionRow{Action::StepRight, "stepRight", "step to the right", {SDL_SCANCODE_D}},
-    ActionRow{Action::TurnLeft, "turnLeft", "turn left", {SDL_SCANCODE_LEFT}},
-    ActionRow{Action::TurnRight, "turnRight", "turn right", {SDL_SCANCODE_RIGHT}},
-    ActionRow{Action::LookUp, "lookUp", "look up", {SDL_SCANCODE_PAGEUP}},
-    ActionRow{Action::LookDown, "lookDown", "look down", {SDL_SCANCODE_PAGEDOWN}},
-    ActionRow{Action::LookAhead,
-              "lookAhead",
-              "look straight ahead",
-              {SDL_SCANCODE_HOME, SDL_SCANCODE_END}},
-    ActionRow{Action::Run, "run", "run", {SDL_SCANCODE_LSHIFT, SDL_SCANCODE_RSHIFT}},
-    ActionRow{Action::Jump, "jump", "jump, fly up", {SDL_SCANCODE_SPACE}},
-    ActionRow{Action::Crouch,
-              "crouch",
-              "crouch, fly down",
-              {SDL_SCANCODE_C, SDL_SCANCODE_LCTRL, SDL_SCANCODE_RCTRL}},
-    ActionRow{Action::Fly, "fly", "fly, walk again", {SDL_SCANCODE_N}},
-    ActionRow{Action::ShowBoth, "showBoth", "textures and light", {SDL_SCANCODE_1}},
-    ActionRow{Action::ShowTextures, "showTextures", "textures alone", {SDL_SCANCODE_2}},
-    ActionRow{Action::ShowLight, "showLight", "light alone", {SDL_SCANCODE_3}},
-    ActionRow{Action::Map, "map", "map", {SDL_SCANCODE_TAB}},
-    ActionRow{Action::ZoomIn, "zoomIn", "map larger", {SDL_SCANCODE_EQUALS, SDL_SCANCODE_KP_PLUS}},
+    ActionRow{Action::Forward, "forward", "walk forward", {Key::W, Key::Up}},
+    ActionRow{Action::Backward, "backward", "walk backward", {Key::S, Key::Down}},
+    ActionRow{Action::StepLeft, "stepLeft", "step to the left", {Key::A}},
+    ActionRow{Action::StepRight, "stepRight", "step to the right", {Key::D}},
+    ActionRow{Action::TurnLeft, "turnLeft", "turn left", {Key::Left}},
+    ActionRow{Action::TurnRight, "turnRight", "turn right", {Key::Right}},
+    ActionRow{Action::LookUp, "lookUp", "look up", {Key::PageUp}},
+    ActionRow{Action::LookDown, "lookDown", "look down", {Key::PageDown}},
+    ActionRow{Action::LookAhead, "lookAhead", "look straight ahead", {Key::Home, Key::End}},
+    ActionRow{Action::Run, "run", "run", {Key::LeftShift, Key::RightShift}},
+    ActionRow{Action::Jump, "jump", "jump, fly up", {Key::Space}},
     ActionRow{
-        Action::ZoomOut, "zoomOut", "map smaller", {SDL_SCANCODE_MINUS, SDL_SCANCODE_KP_MINUS}},
-    ActionRow{Action::Bookmark, "bookmark", "bookmark this place", {SDL_SCANCODE_B}},
-    ActionRow{Action::NextBookmark, "nextBookmark", "go to the next bookmark", {SDL_SCANCODE_G}},
-    ActionRow{Action::Overlay, "overlay", "overlay", {SDL_SCANCODE_F1}},
-    ActionRow{Action::FullScreen, "fullScreen", "full screen", {SDL_SCANCODE_F11}},
-    ActionRow{Action::Screenshot, "screenshot", "save the picture", {SDL_SCANCODE_F12}},
-    ActionRow{Action::Keys, "keys", "list of keys", {SDL_SCANCODE_H}},
-    ActionRow{Action::Leave, "leave", "free mouse, leave", {SDL_SCANCODE_ESCAPE}},
+        Action::Crouch, "crouch", "crouch, fly down", {Key::C, Key::LeftCtrl, Key::RightCtrl}},
+    ActionRow{Action::Fly, "fly", "fly, walk again", {Key::N}},
+    ActionRow{Action::ShowBoth, "showBoth", "textures and light", {Key::Digit1}},
+    ActionRow{Action::ShowTextures, "showTextures", "textures alone", {Key::Digit2}},
+    ActionRow{Action::ShowLight, "showLight", "light alone", {Key::Digit3}},
+    ActionRow{Action::Map, "map", "map", {Key::Tab}},
+    ActionRow{Action::ZoomIn, "zoomIn", "map larger", {Key::Equals, Key::KeypadPlus}},
+    ActionRow{Action::ZoomOut, "zoomOut", "map smaller", {Key::Minus, Key::KeypadMinus}},
+    ActionRow{Action::Bookmark, "bookmark", "bookmark this place", {Key::B}},
+    ActionRow{Action::NextBookmark, "nextBookmark", "go to the next bookmark", {Key::G}},
+    ActionRow{Action::Overlay, "overlay", "overlay", {Key::F1}},
+    ActionRow{Action::FullScreen, "fullScreen", "full screen", {Key::F11}},
+    ActionRow{Action::Screenshot, "screenshot", "save the picture", {Key::F12}},
+    ActionRow{Action::Keys, "keys", "list of keys", {Key::H}},
+    ActionRow{Action::Leave, "leave", "free mouse, leave", {Key::Escape}},
 };
 
 constexpr bool isInOrder() {
@@ -91,27 +84,27 @@ constexpr std::array kNoKeys = {
 
 /// Two keys that bear one name.
 struct Twins {
-  SDL_Scancode first;
-  SDL_Scancode second;
+  Key first;
+  Key second;
   std::string_view name;
 };
 constexpr std::array kTwins = {
-    Twins{SDL_SCANCODE_LSHIFT, SDL_SCANCODE_RSHIFT, "Shift"},
-    Twins{SDL_SCANCODE_LCTRL, SDL_SCANCODE_RCTRL, "Ctrl"},
-    Twins{SDL_SCANCODE_EQUALS, SDL_SCANCODE_KP_PLUS, "+"},
-    Twins{SDL_SCANCODE_MINUS, SDL_SCANCODE_KP_MINUS, "-"},
+    Twins{Key::LeftShift, Key::RightShift, "Shift"},
+    Twins{Key::LeftCtrl, Key::RightCtrl, "Ctrl"},
+    Twins{Key::Equals, Key::KeypadPlus, "+"},
+    Twins{Key::Minus, Key::KeypadMinus, "-"},
 };
 
-bool has(const std::vector<SDL_Scancode>& keys, SDL_Scancode key) {
+bool has(const std::vector<Key>& keys, Key key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
 /// Beside the other keys of its action.
-std::string shortName(SDL_Scancode key, const std::vector<SDL_Scancode>& beside) {
+std::string shortName(Key key, const std::vector<Key>& beside) {
   for (const auto& [first, second, name] : kTwins)
     if ((key == first && has(beside, second)) || (key == second && has(beside, first)))
       return std::string(name);
-  return key == SDL_SCANCODE_ESCAPE ? "Esc" : nameOf(key);
+  return key == Key::Escape ? "Esc" : nameOf(key);
 }
 
 /// The first keys of all actions of a row, then the second ones, as in `W S, Up Down`.
@@ -133,46 +126,25 @@ std::string namesOf(const KeyMap& keys, const ListedActions& row) {
 
 std::span<const ActionRow> actionTable() { return kActions; }
 
-// --- Keys ----------------------------------------------------------------------------------------
-
-std::string nameOf(SDL_Scancode key) { return SDL_GetScancodeName(key); }
-
-std::optional<SDL_Scancode> keyNamed(std::string_view name) {
-  const SDL_Scancode key = SDL_GetScancodeFromName(std::string(name).data());
-  if (key == SDL_SCANCODE_UNKNOWN) return std::nullopt;
-  return key;
-}
-
-std::vector<std::string_view> allKeyNames() {
-  std::vector<std::string_view> names;
-  for (int code = 0; code < SDL_NUM_SCANCODES; ++code)
-    if (const std::string_view name = SDL_GetScancodeName(static_cast<SDL_Scancode>(code));
-        !name.empty())
-      names.push_back(name);
-  return names;
-}
-
-bool isForTheDesktop(SDL_Scancode key) {
-  return key == SDL_SCANCODE_LALT || key == SDL_SCANCODE_RALT;
-}
+bool isForTheDesktop(Key key) { return key == Key::LeftAlt || key == Key::RightAlt; }
 
 // --- Which asks for what -------------------------------------------------------------------------
 
 KeyMap::KeyMap() {
   for (const ActionRow& row : kActions)
-    for (const SDL_Scancode key : row.keys)
-      if (key != SDL_SCANCODE_UNKNOWN) keys_[static_cast<std::size_t>(row.action)].push_back(key);
+    for (const Key key : row.keys)
+      if (key != Key::None) keys_[static_cast<std::size_t>(row.action)].push_back(key);
 }
 
-std::optional<Action> KeyMap::actionOf(SDL_Scancode key) const {
+std::optional<Action> KeyMap::actionOf(Key key) const {
   for (const ActionRow& row : kActions)
     if (has(keysOf(row.action), key)) return row.action;
   return std::nullopt;
 }
 
-void KeyMap::bind(Action action, std::vector<SDL_Scancode> keys) {
-  for (std::vector<SDL_Scancode>& others : keys_)
-    std::erase_if(others, [&keys](SDL_Scancode key) { return has(keys, key); });
+void KeyMap::bind(Action action, std::vector<Key> keys) {
+  for (std::vector<Key>& others : keys_)
+    std::erase_if(others, [&keys](Key key) { return has(keys, key); });
   keys_[static_cast<std::size_t>(action)] = std::move(keys);
 }
 
@@ -180,7 +152,7 @@ void KeyMap::bind(Action action, std::vector<SDL_Scancode> keys) {
 
 std::vector<std::string> shortNames(const KeyMap& keys, Action action) {
   std::vector<std::string> names;
-  for (const SDL_Scancode key : keys.keysOf(action)) {
+  for (const Key key : keys.keysOf(action)) {
     std::string name = shortName(key, keys.keysOf(action));
     if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
   }

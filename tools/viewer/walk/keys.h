@@ -1,7 +1,5 @@
 #pragma once
 
-#include <SDL_scancode.h>
-
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -9,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "viewer/input/key.h"
 
 namespace hearth {
 
@@ -46,21 +46,16 @@ inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::Lea
 /// A row of the table that input, the user's settings and lists of keys are made from.
 struct ActionRow {
   Action action{};
-  std::string_view name;               ///< in files
-  std::string_view help;               ///< in the overlay
-  std::array<SDL_Scancode, 3> keys{};  ///< unless the user says otherwise
+  std::string_view name;      ///< in files
+  std::string_view help;      ///< in the overlay
+  std::array<Key, 3> keys{};  ///< unless the user says otherwise
 };
 
 /// By Action.
 std::span<const ActionRow> actionTable();
 
-/// As files name a key: by its place on a US keyboard, as SDL does.
-std::string nameOf(SDL_Scancode key);
-/// Letters may be small or capital.
-std::optional<SDL_Scancode> keyNamed(std::string_view name);
-std::vector<std::string_view> allKeyNames();
 /// With Alt held, keys are for the desktop.
-bool isForTheDesktop(SDL_Scancode key);
+bool isForTheDesktop(Key key);
 
 /// Which key asks for what. Keys are places on the keyboard: they keep theirs where letters lie
 /// otherwise. None has two actions.
@@ -69,17 +64,17 @@ class KeyMap {
   /// Those of the table.
   KeyMap();
 
-  std::optional<Action> actionOf(SDL_Scancode key) const;
-  const std::vector<SDL_Scancode>& keysOf(Action action) const {
+  std::optional<Action> actionOf(Key key) const;
+  const std::vector<Key>& keysOf(Action action) const {
     return keys_[static_cast<std::size_t>(action)];
   }
   /// Gives an action these keys and no others; what else they asked for, they do no more.
-  void bind(Action action, std::vector<SDL_Scancode> keys);
+  void bind(Action action, std::vector<Key> keys);
 
   friend bool operator==(const KeyMap&, const KeyMap&) = default;
 
  private:
-  std::array<std::vector<SDL_Scancode>, kActionCount> keys_;
+  std::array<std::vector<Key>, kActionCount> keys_;
 };
 
 /// The keys of an action as they are written on them: `Shift` where both ask for the same.

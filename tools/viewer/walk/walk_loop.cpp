@@ -97,7 +97,7 @@ void WalkLoop::setNotes(std::vector<std::string> mistakes,
 }
 
 bool WalkLoop::round() {
-  for (SDL_Event event; outside_.poll(event);) take(event);
+  while (const std::optional<Event> event = outside_.poll()) take(*event);
   const double now = outside_.seconds();
   passTime(now);
   updateMessage(now);
@@ -108,17 +108,18 @@ bool WalkLoop::round() {
 
 // --- Events --------------------------------------------------------------------------------------
 
-void WalkLoop::take(const SDL_Event& event) {
-  if (event.type == SDL_QUIT) leave();
-  if (event.type == SDL_WINDOWEVENT) take(event.window);
+void WalkLoop::take(const Event& event) {
+  if (const auto* window = std::get_if<WindowEvent>(&event)) take(*window);
   if (panel_.take(event, panelScene(), settings_.preferences)) return;
-  if (event.type == SDL_MOUSEBUTTONDOWN) captureMouse(true);
+  if (const auto* button = std::get_if<MouseButtonEvent>(&event); button && button->isDown)
+    captureMouse(true);
   if (const std::optional<Action> action = controls_.take(event)) act(*action);
 }
 
-void WalkLoop::take(const SDL_WindowEvent& event) {
+void WalkLoop::take(WindowEvent event) {
+  if (event == WindowEvent::CloseAsked) return leave();
   shown_.reset();
-  if (event.event != SDL_WINDOWEVENT_FOCUS_LOST) return;
+  if (event != WindowEvent::FocusLost) return;
   controls_.release();
   panel_.releasePointer();
   captureMouse(false);

@@ -76,8 +76,8 @@ class WalkLoop {
     friend bool operator==(const Scene&, const Scene&) = default;
   };
 
-  void take(const SDL_Event& event);
-  void take(const SDL_WindowEvent& event);
+  void take(const Event& event);
+  void take(WindowEvent event);
   void act(Action action);
   void leave();
   void show(LightMode mode);

@@ -34,25 +34,26 @@ void WalkPanel::editLights(const std::filesystem::path& file, const LoadLimits& 
   lights_.emplace(file, limits);
 }
 
-bool WalkPanel::take(const SDL_Event& event, const PanelScene& scene, Preferences& preferences) {
+bool WalkPanel::take(const Event& event, const PanelScene& scene, Preferences& preferences) {
   if (!isOpen()) return false;
   if (preferencesSection_.take(event, preferences)) {
     overlay_.refresh();
     return true;
   }
   point(event, scene);
-  const bool isKeyOfLights = lights_ && event.type == SDL_KEYDOWN;
-  if (isKeyOfLights && LightsTool::isSave(event.key)) {
+  const auto* key = std::get_if<KeyEvent>(&event);
+  const bool isKeyOfLights = lights_ && key && key->isDown;
+  if (isKeyOfLights && LightsTool::isSave(*key)) {
     overlay_.refresh();
-    return lights_->take(event.key, scene.level);
+    return lights_->take(*key, scene.level);
   }
   if (overlay_.take(event)) return true;
-  return isKeyOfLights && lights_->take(event.key, scene.level);
+  return isKeyOfLights && lights_->take(*key, scene.level);
 }
 
 /// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
 /// about what shows there.
-void WalkPanel::point(const SDL_Event& event, const PanelScene& scene) {
+void WalkPanel::point(const Event& event, const PanelScene& scene) {
   const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene.size.width);
   const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
   if (pointed && pointed->kind == PointerEvent::Kind::Press) pages_.turnTo(kLightPage);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +9,7 @@
 #include "load/source.h"
 #include "render/renderer.h"
 #include "viewer/edit/lights_editor.h"
+#include "viewer/input/event.h"
 #include "viewer/overlay/bookmarks_section.h"
 #include "viewer/overlay/figures_section.h"
 #include "viewer/overlay/inspector.h"
@@ -57,7 +56,7 @@ class WalkPanel {
   int leaves(int pictureWidth) const { return overlay_.leaves(pictureWidth); }
 
   /// Returns whether the event was for the panel alone. Keys are chosen in `preferences`.
-  bool take(const SDL_Event& event, const PanelScene& scene, Preferences& preferences);
+  bool take(const Event& event, const PanelScene& scene, Preferences& preferences);
   /// Ends what the mouse holds.
   void releasePointer();
   /// Lets go of the place that is inspected. Returns whether there was one.
@@ -80,7 +79,7 @@ class WalkPanel {
                    WalkSettings& settings, WalkView& view, Image& picture);
 
  private:
-  void point(const SDL_Event& event, const PanelScene& scene);
+  void point(const Event& event, const PanelScene& scene);
   std::optional<std::string> showLightPage(const PanelScene& scene);
   bool showQualityOf(const PanelScene& scene, WalkSettings& settings);
 

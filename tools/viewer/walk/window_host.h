@@ -1,7 +1,5 @@
 #pragma once
 
-#include <SDL_events.h>
-
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,6 +7,7 @@
 #include "image/image.h"
 #include "render/pixel_rows.h"
 #include "settings/options.h"
+#include "viewer/input/event.h"
 
 namespace hearth {
 
@@ -23,7 +22,7 @@ class WindowHost {
   /// Of any clock.
   virtual double seconds() = 0;
   /// Takes the next event, if there is one. The mouse is at a pixel of the last picture.
-  virtual bool poll(SDL_Event& event) = 0;
+  virtual std::optional<Event> poll() = 0;
   /// Sleeps until an event is there, or for so long.
   virtual void rest(double seconds) = 0;
 
