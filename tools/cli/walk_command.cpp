@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/recording_file.h"
 #include "desktop/live_level.h"
+#include "desktop/screenshot_files.h"
 #include "desktop/window.h"
 #include "desktop/window_place.h"
 #include "files/user_folders.h"
@@ -197,7 +198,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
     *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
   }
 
-  Screenshots screenshots(".", std::filesystem::path(values.level).stem().string());
+  ScreenshotFiles screenshots(".", std::filesystem::path(values.level).stem().string());
   WalkLoop loop(level, (*lit)->renderer, session, screenshots, *window, settings, source);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.

@@ -8,13 +8,13 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "desktop/background_baker.h"
 #include "desktop/file_watch.h"
 #include "load/source.h"
 #include "settings/options.h"
-#include "viewer/walk/background_baker.h"
+#include "viewer/host/window_host.h"
 #include "viewer/walk/walk_loop.h"
 #include "viewer/walk/walk_session.h"
-#include "viewer/walk/window_host.h"
 
 namespace hearth {
 

@@ -2,11 +2,13 @@
 
 #include <SDL.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <vector>
 
 #include "desktop/sdl_events.h"
@@ -292,6 +294,15 @@ void WalkWindow::answerDesktop() {
 }
 
 void WalkWindow::copy(const std::string& text) { ::SDL_SetClipboardText(text.data()); }
+
+/// By proc(5).
+double WalkWindow::residentBytes() {
+  std::ifstream file("/proc/self/statm");
+  double pages = 0;
+  double resident = 0;
+  file >> pages >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
 
 void WalkWindow::print(const std::string& line) {
   fmt::print("{}\n", line);

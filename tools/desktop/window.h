@@ -9,8 +9,8 @@
 #include <tl/expected.hpp>
 
 #include "desktop/window_place.h"
+#include "viewer/host/window_host.h"
 #include "viewer/walk/placement.h"
-#include "viewer/walk/window_host.h"
 
 struct SDL_Renderer;
 struct SDL_Surface;
@@ -48,6 +48,7 @@ class WalkWindow : public WindowHost {
   void captureMouse(bool isCaptured) override;
   void toggleFullScreen() override;
   void copy(const std::string& text) override;
+  double residentBytes() override;
   void print(const std::string& line) override;
 
   /// Answers the desktop, and rests a little: it takes a program that does not for one that hangs.

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "desktop/live_level.h"
+#include "desktop/screenshot_files.h"
 #include "settings/settings.h"
 #include "stage.h"
 
@@ -53,7 +54,7 @@ class LiveWalk : public testing::Test {
     session_ = std::make_unique<WalkSession>(
         loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
         WalkSession::Memory::None);
-    screenshots_ = std::make_unique<Screenshots>(folder_, "live");
+    screenshots_ = std::make_unique<ScreenshotFiles>(folder_, "live");
     const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
     loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *session_, *screenshots_,
                                        stage_, settings);
@@ -119,7 +120,7 @@ class LiveWalk : public testing::Test {
   Stage stage_;
   std::unique_ptr<LiveLevel> live_;
   std::unique_ptr<WalkSession> session_;
-  std::unique_ptr<Screenshots> screenshots_;
+  std::unique_ptr<ScreenshotFiles> screenshots_;
   std::unique_ptr<WalkLoop> loop_;
 };
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "viewer/host/window_host.h"
 #include "viewer/input/event.h"
-#include "viewer/walk/window_host.h"
 
 namespace hearth::test {
 
@@ -40,6 +40,7 @@ class Stage : public WindowHost {
   void captureMouse(bool isCaptured) override { isMouseCaptured = isCaptured; }
   void toggleFullScreen() override { isFullScreen = !isFullScreen; }
   void copy(const std::string& text) override { clipboard = text; }
+  double residentBytes() override { return 0; }
   void print(const std::string& line) override { printed.push_back(line); }
 
   double now = 1000;

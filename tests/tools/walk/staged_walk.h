@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "desktop/screenshot_files.h"
 #include "light/bakery.h"
 #include "loaded.h"
 #include "stage.h"
@@ -81,7 +82,7 @@ class StagedWalk {
   Renderer renderer_;
   Walker start_;
   WalkSession session_;
-  Screenshots screenshots_;
+  ScreenshotFiles screenshots_;
   WalkSettings settings_;
   WalkLoop loop_;
 };

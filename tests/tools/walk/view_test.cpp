@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "desktop/screenshot_files.h"
 #include "image/image_file.h"
 #include "viewer/walk/captions.h"
 #include "viewer/walk/frame_rate.h"
 #include "viewer/walk/placement.h"
-#include "viewer/walk/screenshots.h"
 
 namespace hearth {
 namespace {
@@ -65,7 +65,7 @@ class ScreenshotsTest : public testing::Test {
 
 TEST_F(ScreenshotsTest, NeverReplaceAFile) {
   std::ofstream(folder_ / "hearth-yard-1.png") << "mine";
-  Screenshots screenshots(folder_, "yard");
+  ScreenshotFiles screenshots(folder_, "yard");
   Image picture(3, 2, {10, 20, 30});
   screenshots.take(picture, "a note");
   const auto first = screenshots.awaitNews();
@@ -86,7 +86,7 @@ TEST_F(ScreenshotsTest, NeverReplaceAFile) {
 }
 
 TEST_F(ScreenshotsTest, SayWhatIsWrong) {
-  Screenshots screenshots(folder_ / "missing", "yard");
+  ScreenshotFiles screenshots(folder_ / "missing", "yard");
   screenshots.take(Image(1, 1), "");
   const auto news = screenshots.awaitNews();
   ASSERT_TRUE(news);

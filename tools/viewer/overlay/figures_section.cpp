@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <imgui/imgui.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -110,15 +108,6 @@ void showBake(const std::optional<StageProgress>& bake) {
                      progressText(*bake).data());
 }
 
-/// What the program holds of the machine's memory, by proc(5).
-double residentBytes() {
-  std::ifstream file("/proc/self/statm");
-  double pages = 0;
-  double resident = 0;
-  file >> pages >> resident;
-  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-
 }  // namespace
 
 double scaleFor(double longest) {
@@ -138,7 +127,8 @@ void showFigures(const Figures& figures) {
   showCounters(figures.counters);
   ImGui::Separator();
   showBake(figures.bake);
-  showText(fmt::format("memory {:.1f} MiB, of it lightmaps {:.2f}", residentBytes() / kBytesPerMiB,
+  showText(fmt::format("memory {:.1f} MiB, of it lightmaps {:.2f}",
+                       figures.residentBytes / kBytesPerMiB,
                        static_cast<double>(figures.lightmapBytes) / kBytesPerMiB));
 }
 

@@ -15,6 +15,7 @@ struct Figures {
   FrameCounters counters = countersOf({}, {});  ///< of the last frame
   std::optional<StageProgress> bake;            ///< while there is one that shows
   std::int64_t lightmapBytes = 0;
+  double residentBytes = 0;  ///< what the program holds of the machine's memory
 };
 
 /// What the graph's height stands for where frames took up to `longest`, both in seconds: 1, 2 or 5

@@ -396,6 +396,7 @@ void WalkLoop::drawPanel(double now) {
   const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
   figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
+  figures_.residentBytes = outside_.residentBytes();
   grant(panel_.draw(now, panelScene(), figures_, settings_, scene_.view, picture_), now);
 }
 

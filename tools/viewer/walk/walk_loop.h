@@ -11,16 +11,16 @@
 #include "load/source.h"
 #include "render/renderer.h"
 #include "settings/options.h"
+#include "viewer/host/screenshots.h"
+#include "viewer/host/window_host.h"
 #include "viewer/overlay/figures_section.h"
 #include "viewer/overlay/marker_space.h"
 #include "viewer/walk/automap.h"
 #include "viewer/walk/controls.h"
 #include "viewer/walk/frame_rate.h"
-#include "viewer/walk/screenshots.h"
 #include "viewer/walk/walk_panel.h"
 #include "viewer/walk/walk_session.h"
 #include "viewer/walk/walk_settings.h"
-#include "viewer/walk/window_host.h"
 #include "walk/walk_clock.h"
 
 namespace hearth {

@@ -37,6 +37,8 @@ class WindowHost {
   virtual void toggleFullScreen() = 0;
   /// Puts text on the clipboard.
   virtual void copy(const std::string& text) = 0;
+  /// What the program holds of the machine's memory.
+  virtual double residentBytes() = 0;
   /// A line on the terminal.
   virtual void print(const std::string& line) = 0;
 };

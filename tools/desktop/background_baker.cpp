@@ -1,4 +1,4 @@
-#include "viewer/walk/background_baker.h"
+#include "desktop/background_baker.h"
 
 #include <sys/resource.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/walk/screenshots.h"
+#include "desktop/screenshot_files.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ tl::expected<std::string, std::string> writeNew(const std::filesystem::path& fol
 
 }  // namespace
 
-void Screenshots::take(const Image& picture, std::string note) {
+void ScreenshotFiles::take(const Image& picture, std::string note) {
   const auto write = [](const std::filesystem::path& folder, const std::string& stem,
                         const Image& image, std::string text) {
     const auto saved = writeNew(folder, stem, image);
@@ -37,7 +37,7 @@ void Screenshots::take(const Image& picture, std::string note) {
       std::async(std::launch::async, write, folder_, stem_, picture, std::move(note)));
 }
 
-std::optional<Screenshots::News> Screenshots::news() {
+std::optional<Screenshots::News> ScreenshotFiles::news() {
   for (auto it = writing_.begin(); it != writing_.end(); ++it) {
     if (it->wait_for(std::chrono::seconds(0)) != std::future_status::ready) continue;
     News news = it->get();
@@ -47,7 +47,7 @@ std::optional<Screenshots::News> Screenshots::news() {
   return std::nullopt;
 }
 
-std::optional<Screenshots::News> Screenshots::awaitNews() {
+std::optional<Screenshots::News> ScreenshotFiles::awaitNews() {
   if (writing_.empty()) return std::nullopt;
   writing_.front().wait();
   return news();
