@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "image/read_file.h"
 #include "load/parse.h"
 
 namespace hearth {
@@ -38,14 +37,19 @@ std::string adviceOn(ReadFault fault, std::filesystem::path path) {
 
 bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, Document& document,
                   std::uint32_t documentIndex, Report& report) {
-  document.file = path.string();
   constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // places are offsets of 32 bits
-  auto text = readFile(path, std::min(limits.fileBytes, kMostPlaces));
-  if (!text) {
-    report.error({documentIndex, 0}, text.error().what, adviceOn(text.error().fault, path));
+  return readDocument(path, readFile(path, std::min(limits.fileBytes, kMostPlaces)), document,
+                      documentIndex, report);
+}
+
+bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadFailure> bytes,
+                  Document& document, std::uint32_t documentIndex, Report& report) {
+  document.file = path.string();
+  if (!bytes) {
+    report.error({documentIndex, 0}, bytes.error().what, adviceOn(bytes.error().fault, path));
     return false;
   }
-  return readText(*std::move(text), document, documentIndex, report);
+  return readText(*std::move(bytes), document, documentIndex, report);
 }
 
 bool readDocument(const std::filesystem::path& path, const std::optional<std::string>& unsaved,

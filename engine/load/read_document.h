@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 
+#include "image/read_file.h"
 #include "load/document.h"
 #include "load/limits.h"
 #include "load/report.h"
@@ -15,6 +17,9 @@ namespace hearth {
 /// goes to the report; the result is false where the tree must not be used.
 bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, Document& document,
                   std::uint32_t documentIndex, Report& report);
+/// The same of what has been read of the file.
+bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadFailure> bytes,
+                  Document& document, std::uint32_t documentIndex, Report& report);
 /// With `unsaved` the file is taken to hold this text.
 bool readDocument(const std::filesystem::path& path, const std::optional<std::string>& unsaved,
                   const LoadLimits& limits, Document& document, std::uint32_t documentIndex,

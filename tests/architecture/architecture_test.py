@@ -27,12 +27,12 @@ LAYERS |= {
     "files": [],
     "settings": ["image", "level", "light", "load", "math", "render"],
     "text": ["image", "load", "math"],
-    "session": ["files", "settings", "image", "level", "light", "load", "math", "render"],
+    "session": ["files", "settings", "text", "image", "level", "light", "load", "math", "render"],
     "lint": ["level", "light", "load", "math", "walk"],
     "import": ["files", "text", "image", "level", "load", "math"],
     "measure": ["settings", "text", "image", "level", "light", "load", "math", "render", "truth"],
-    "viewer": ["files", "measure", "session", "settings", "text", *ENGINE],
-    "desktop": ["files", "measure", "session", "settings", "viewer", *ENGINE],
+    "viewer": ["measure", "settings", "text", *ENGINE],
+    "desktop": ["files", "measure", "session", "settings", "text", "viewer", *ENGINE],
     "cli": ["desktop", "files", "import", "lint", "measure", "session", "settings", "text", "viewer", *ENGINE],
     "peers": ["cli", "desktop", "files", "import", "measure", "session", "settings", *ENGINE],
 }
@@ -62,6 +62,16 @@ INEXACT = r"\bstd::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|log(2|10|1p)?|pow|
 
 # stb_image_write's tables lack a `const`; nothing writes them.
 ALLOWED_GLOBALS = {"mapping", "firstmap"}
+
+# The viewer reaches the machine only through viewer/host, so that it can run where there is no
+# operating system: names of files are values there, and no call goes to the disk, a thread or a clock.
+VIEWER = "tools/viewer"
+SYSTEM_HEADERS = (r"SDL.*|condition_variable|mutex|shared_mutex|semaphore|thread|stop_token|future|atomic|"
+                  r"chrono|ctime|time\.h|cstdio|stdio\.h|fstream|iostream|unistd\.h|fcntl\.h|sys/.*|"
+                  r"image/(image_file|replace_file)\.h")
+SYSTEM_CALLS = (r"\b(std::filesystem|fs)::(?!path\b)\w+"
+                r"|\b(readFile|replaceFile|createFile|readImage|writePng|createPng|loadLevel\w*)\s*\("
+                r"|\bstd::(getenv|system|async|this_thread|ofstream|ifstream)\b")
 
 MAX_FUNCTION_LINES = 80
 MAX_FILE_LINES = 500
@@ -142,6 +152,15 @@ class Architecture(unittest.TestCase):
                     if (match := re.search(INEXACT, line))]
         self.expect_none(offences)
 
+    def test_the_viewer_reaches_the_machine_only_through_its_host(self):
+        offences = [f"{path}:{number}: {name} is for tools/desktop"
+                    for path in sources(VIEWER)
+                    for number, name in includes(path) if re.fullmatch(SYSTEM_HEADERS, name)]
+        offences += [f"{path}:{number}: {match[0]} is for tools/desktop"
+                     for path in sources(VIEWER)
+                     for number, line in code_lines(path) if (match := re.search(SYSTEM_CALLS, line))]
+        self.expect_none(offences)
+
     def test_the_engine_has_no_writable_globals(self):
         self.assertTrue(ARCHIVES)
         offences = []
@@ -217,6 +236,18 @@ class TheRulesThemselves(unittest.TestCase):
             self.assertTrue(re.search(INEXACT, line), line)
         for line in ["std::sqrt(x)", "std::fmod(x, y)", "sinCosDegrees(x)", "std::log_like(x)"]:
             self.assertFalse(re.search(INEXACT, line), line)
+
+    def test_system_headers_and_calls(self):
+        for name in ["SDL_events.h", "thread", "mutex", "fstream", "chrono", "sys/resource.h", "image/replace_file.h"]:
+            self.assertTrue(re.fullmatch(SYSTEM_HEADERS, name), name)
+        for name in ["filesystem", "functional", "image/read_file.h", "image/image.h"]:
+            self.assertFalse(re.fullmatch(SYSTEM_HEADERS, name), name)
+        for line in ["if (fs::exists(file))", "std::filesystem::create_directories(folder);", "readFile(path, 9)",
+                     "std::async(work)"]:
+            self.assertTrue(re.search(SYSTEM_CALLS, line), line)
+        for line in ["const std::filesystem::path& file", "fs::path file", "storage.read(file, 9)",
+                     "namespace fs = std::filesystem;"]:
+            self.assertFalse(re.search(SYSTEM_CALLS, line), line)
 
 
 if __name__ == "__main__":

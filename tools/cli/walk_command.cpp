@@ -11,6 +11,8 @@
 
 #include "cli/command.h"
 #include "cli/recording_file.h"
+#include "desktop/bookmarks_file.h"
+#include "desktop/disk.h"
 #include "desktop/live_level.h"
 #include "desktop/screenshot_files.h"
 #include "desktop/window.h"
@@ -163,7 +165,8 @@ void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, co
 /// What the user has set. Mistakes there are told, and do not stop the walk.
 Config configOfUser() {
   const auto file = configFile();
-  return file ? readConfig(*file) : Config{};
+  Disk disk;
+  return file ? readConfig(disk, *file) : Config{};
 }
 
 void addConfig(const Config& config, WalkSettings& settings) {
@@ -183,13 +186,14 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   if (isLive(values)) live.emplace(values, loaded, source);
   auto lit = live ? live->awaitFirst(WalkWindow::answerDesktop) : litBehind(loaded, source, values);
   if (!lit) return fail(lit.error());
+  Disk disk;
   WalkSettings settings = plan.settings;
   if (live) settings.lightsFile = loaded->lights;
   addConfig(configOfUser(), settings);
   settings.config = configFile().value_or("");
-  if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(*file);
-  settings.writeShot = [&live, &loaded](const Bookmark& bookmark) {
-    return writeShot(live ? *live->shown()->loaded : *loaded, bookmark);
+  if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(disk, *file);
+  settings.writeShot = [&disk, &live, &loaded](const Bookmark& bookmark) {
+    return writeShot(disk, live ? *live->shown()->loaded : *loaded, bookmark);
   };
   if (const auto target = values.number(Option::TargetMs)) {
     fitFrames(*target, (*lit)->renderer, eyeOf(level, session.walker()), plan, *window,
@@ -199,7 +203,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   }
 
   ScreenshotFiles screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(level, (*lit)->renderer, session, screenshots, *window, settings, source);
+  WalkLoop loop(level, (*lit)->renderer, session, {*window, disk, screenshots}, settings, source);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
   if (keepWalk(level, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;

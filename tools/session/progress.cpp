@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <new>
 #include <utility>
@@ -15,31 +12,9 @@ namespace hearth {
 
 namespace {
 
-constexpr double kPatienceSeconds = 1;               // so long nobody misses a word
-constexpr double kSecondsBetweenLines = 1;           // in a file
-constexpr std::chrono::milliseconds kRedraw{100};    // on a terminal
-constexpr double kMostSecondsLeft = 1000 * 86400.0;  // longer is no estimate
-
-std::string_view name(Stage stage) {
-  constexpr std::array<std::string_view, 4> kNames = {"loading", "surfaces", "baking", "writing"};
-  return kNames[static_cast<std::size_t>(stage)];
-}
-
-/// Three digits and a unit of thousands: `1.24 M`.
-std::string shortNumber(double value) {
-  constexpr std::array<std::string_view, 5> kUnits = {"", " k", " M", " G", " T"};
-  std::size_t unit = 0;
-  for (; value >= 999.5 && unit + 1 < kUnits.size(); ++unit) value /= 1000;
-  return fmt::format("{:.3g}{}", value, kUnits[unit]);
-}
-
-std::string shortTime(double seconds) {
-  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  if (whole < 172800) return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-  return fmt::format("{} days", whole / 86400);
-}
+constexpr double kPatienceSeconds = 1;             // so long nobody misses a word
+constexpr double kSecondsBetweenLines = 1;         // in a file
+constexpr std::chrono::milliseconds kRedraw{100};  // on a terminal
 
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -48,23 +23,6 @@ double steadySeconds() {
 void writeToStderr(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
-
-int percentOf(const StageProgress& progress) {
-  if (progress.done >= progress.total) return 100;
-  const double fraction = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  return std::clamp(static_cast<int>(100 * fraction), 0, 99);
-}
-
-std::string progressText(const StageProgress& progress) {
-  if (progress.total <= 0) return fmt::format("{} ...", name(progress.stage));
-  std::string text = fmt::format("{:<8} {:3} %", name(progress.stage), percentOf(progress));
-  const double perSecond = static_cast<double>(progress.done) / progress.seconds;
-  if (progress.done <= 0 || !(progress.seconds > 0)) return text;
-  text += fmt::format("  {} texels/s", shortNumber(perSecond));
-  const double left = static_cast<double>(progress.total - progress.done) / perSecond;
-  if (left >= 0 && left < kMostSecondsLeft) text += fmt::format("  {} left", shortTime(left));
-  return text;
-}
 
 ProgressStyle progressStyle(const OptionValues& values, ProgressStyle inFile) {
   if (values.has(Option::Quiet)) return ProgressStyle::None;

@@ -49,19 +49,6 @@ BakedLight cachedLight(const Level& level, const BakeSettings& settings,
 
 }  // namespace
 
-LoadLimits limitsFrom(const OptionValues& values) {
-  LoadLimits limits;
-  const auto take = [&](Option option, auto& limit) {
-    if (const auto given = values.number(option))
-      limit = static_cast<std::remove_reference_t<decltype(limit)>>(*given);
-  };
-  take(Option::MaxFileBytes, limits.fileBytes);
-  take(Option::MaxImagePixels, limits.imagePixels);
-  take(Option::MaxVertices, limits.vertices);
-  take(Option::MaxLights, limits.lights);
-  return limits;
-}
-
 std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
                                          const OptionValues& values) {
   if (light.stats.litSurfaces > 0) return std::nullopt;

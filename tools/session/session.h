@@ -30,9 +30,6 @@ SourcedResult loadLevelOf(const OptionValues& values);
 /// To stderr, a line each.
 void tell(std::span<const Diagnostic> diagnostics);
 
-/// What the command line says of how much input is taken.
-LoadLimits limitsFrom(const OptionValues& values);
-
 /// Of a level in which nothing is lit.
 std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
                                          const OptionValues& values);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 #include "light/bakery.h"
 #include "math/check.h"
@@ -99,6 +100,19 @@ std::string optionsOf(const BakeSettings& settings) {
 std::string samplesInWords(const BakeSettings& settings) {
   if (!settings.samples) return "samples where shadows' edges need them";
   return fmt::format("{} sample(s) each", *settings.samples);
+}
+
+LoadLimits limitsFrom(const OptionValues& values) {
+  LoadLimits limits;
+  const auto take = [&](Option option, auto& limit) {
+    if (const auto given = values.number(option))
+      limit = static_cast<std::remove_reference_t<decltype(limit)>>(*given);
+  };
+  take(Option::MaxFileBytes, limits.fileBytes);
+  take(Option::MaxImagePixels, limits.imagePixels);
+  take(Option::MaxVertices, limits.vertices);
+  take(Option::MaxLights, limits.lights);
+  return limits;
 }
 
 DrawSettings drawSettingsFrom(const OptionValues& values) {

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "level/level.h"
+#include "load/limits.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
 
-/// How accurately to bake and to draw: from options to settings, and back.
+/// How much to load, and how accurately to bake and to draw: from options to settings, and back.
 namespace hearth {
 
 /// The settings of a bake: the command line overrides the file. Errors name the option to change.
@@ -25,6 +26,9 @@ std::string valueOf(const BakeSettings& settings, Option option);
 
 /// How many samples a texel has.
 std::string samplesInWords(const BakeSettings& settings);
+
+/// What the command line says of how much input is taken.
+LoadLimits limitsFrom(const OptionValues& values);
 
 /// How accurately to draw.
 DrawSettings drawSettingsFrom(const OptionValues& values);

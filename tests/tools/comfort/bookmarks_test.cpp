@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "desktop/disk.h"
 #include "viewer/edit/shots_edit.h"
 
 namespace hearth {
@@ -40,6 +41,7 @@ class BookmarksTest : public testing::Test {
     return "{\n  \"light\": 1,\n" + before + "  \"sectors\": { " + kRoom + " }\n}\n";
   }
 
+  Disk disk_;
   fs::path folder_ =
       fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
   fs::path level_ = folder_ / "rooms.json";
@@ -48,7 +50,7 @@ class BookmarksTest : public testing::Test {
 };
 
 TEST_F(BookmarksTest, AreKeptInTheirFile) {
-  Bookmarks marks(kept_);
+  Bookmarks marks(disk_, kept_);
   EXPECT_EQ(marks.freeName(), "place-1");
   Bookmark other = mark_;
   other.name = "place-1";
@@ -57,24 +59,24 @@ TEST_F(BookmarksTest, AreKeptInTheirFile) {
   EXPECT_EQ(marks.freeName(), "place-2");
   mark_.eye.x = 4;
   ASSERT_TRUE(marks.add(mark_)) << "in place of the one of its name";
-  EXPECT_EQ(Bookmarks(kept_).all(), (std::vector{mark_, other}));
+  EXPECT_EQ(Bookmarks(disk_, kept_).all(), (std::vector{mark_, other}));
   ASSERT_TRUE(marks.remove("place-1"));
-  EXPECT_EQ(Bookmarks(kept_).all(), std::vector{mark_});
+  EXPECT_EQ(Bookmarks(disk_, kept_).all(), std::vector{mark_});
 }
 
 TEST_F(BookmarksTest, AreReadAsFarAsTheyMakeSense) {
-  ASSERT_TRUE(Bookmarks(kept_).add(mark_));
+  ASSERT_TRUE(Bookmarks(disk_, kept_).add(mark_));
   std::ifstream stream(kept_);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   text.insert(text.find('[') + 1, R"({"name": "x"}, 7, )");
   std::ofstream(kept_) << text;
-  EXPECT_EQ(Bookmarks(kept_).all(), std::vector{mark_});
+  EXPECT_EQ(Bookmarks(disk_, kept_).all(), std::vector{mark_});
   std::ofstream(kept_) << "{";
-  EXPECT_TRUE(Bookmarks(kept_).all().empty());
+  EXPECT_TRUE(Bookmarks(disk_, kept_).all().empty());
 }
 
 TEST_F(BookmarksTest, SayWhenTheyCannotBeKept) {
-  Bookmarks marks("/dev/null/place.json");
+  Bookmarks marks(disk_, "/dev/null/place.json");
   const auto added = marks.add(mark_);
   ASSERT_FALSE(added);
   EXPECT_TRUE(added.error().starts_with("/dev/null/place.json: cannot be written"))
@@ -114,7 +116,7 @@ TEST_F(BookmarksTest, LeadNowhereWhereTheLevelHasChanged) {
 TEST_F(BookmarksTest, BecomeShotsAndLeaveTheRestOfTheFile) {
   const std::string shot =
       R"({ "name": "door", "camera": [1.5, 2, 1.6, 30, -5], "fov": 60, "sector": "hall" })";
-  ASSERT_TRUE(writeShot(level(rooms()), mark_));
+  ASSERT_TRUE(writeShot(disk_, level(rooms()), mark_));
   EXPECT_EQ(file(), rooms("  \"shots\": [\n    " + shot + "\n  ],\n"));
   const LoadedLevel loaded = *loadLevel(level_).loaded;
   ASSERT_EQ(loaded.level.shots.size(), 1);
@@ -122,7 +124,7 @@ TEST_F(BookmarksTest, BecomeShotsAndLeaveTheRestOfTheFile) {
 
   mark_.name = "second";
   mark_.fov = 90;
-  ASSERT_TRUE(writeShot(loaded, mark_));
+  ASSERT_TRUE(writeShot(disk_, loaded, mark_));
   EXPECT_EQ(file(), rooms("  \"shots\": [\n    " + shot +
                           ",\n    { \"name\": \"second\", \"camera\": [1.5, 2, 1.6, 30, -5], "
                           "\"sector\": \"hall\" }\n  ],\n"));
@@ -130,14 +132,14 @@ TEST_F(BookmarksTest, BecomeShotsAndLeaveTheRestOfTheFile) {
 
 TEST_F(BookmarksTest, BecomeNoShotsOfATakenNameOrAChangedFile) {
   const LoadedLevel loaded = level(rooms());
-  ASSERT_TRUE(writeShot(loaded, mark_));
+  ASSERT_TRUE(writeShot(disk_, loaded, mark_));
   const std::string written = file();
-  const auto late = writeShot(loaded, mark_);
+  const auto late = writeShot(disk_, loaded, mark_);
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error(), level_.string() +
                               ": has changed since it was loaded; "
                               "try again once it is shown as it is");
-  const auto again = writeShot(*loadLevel(level_).loaded, mark_);
+  const auto again = writeShot(disk_, *loadLevel(level_).loaded, mark_);
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error(), level_.string() +
                                ": has a shot \"door\" already; "

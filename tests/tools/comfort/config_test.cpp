@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "desktop/disk.h"
+
 namespace hearth {
 namespace {
 
@@ -22,7 +24,7 @@ class ConfigTest : public testing::Test {
 
   Config read(const std::string& text) {
     write(text);
-    return readConfig(file_);
+    return readConfig(disk_, file_);
   }
   void write(const std::string& text) {
     fs::create_directories(file_.parent_path());
@@ -40,13 +42,14 @@ class ConfigTest : public testing::Test {
     return lines;
   }
 
+  Disk disk_;
   fs::path folder_ =
       fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
   fs::path file_ = folder_ / "hearth" / "config.json";
 };
 
 TEST_F(ConfigTest, IsAsByDefaultWithoutAFile) {
-  const Config config = readConfig(file_);
+  const Config config = readConfig(disk_, file_);
   EXPECT_EQ(config.preferences, Preferences{});
   EXPECT_TRUE(config.warnings.empty());
 }
@@ -101,15 +104,15 @@ TEST_F(ConfigTest, IsAsByDefaultWhereTheFileIsNoJson) {
 
 TEST_F(ConfigTest, IsWrittenWhereItDiffersAndKeepsTheRest) {
   write("{ \"//\": \"mine\",\n  \"keys\": { \"run\": [ \"R\" ], \"jump\": [\"J\"] } }\n");
-  const Preferences before = readConfig(file_).preferences;
+  const Preferences before = readConfig(disk_, file_).preferences;
   Preferences after = before;
   after.keys.bind(Action::Jump, {Key::Backslash, Key::K});
   after.degreesPerPixel = 0.07;
-  ASSERT_TRUE(writeConfig(file_, before, after));
+  ASSERT_TRUE(writeConfig(disk_, file_, before, after));
   EXPECT_EQ(written(),
             "{ \"//\": \"mine\",\n  \"keys\": { \"run\": [ \"R\" ], \"jump\": [\"\\\\\", \"K\"] },"
             "\n  \"mouse\": { \"degreesPerPixel\": 0.07 } }\n");
-  EXPECT_EQ(readConfig(file_).preferences, after);
+  EXPECT_EQ(readConfig(disk_, file_).preferences, after);
 }
 
 TEST_F(ConfigTest, IsMadeWithItsFolder) {
@@ -117,8 +120,8 @@ TEST_F(ConfigTest, IsMadeWithItsFolder) {
   preferences.invertsPitch = true;
   preferences.viewBob = 0.7;
   preferences.keys.bind(Action::Fly, {Key::W});  // which walked forward
-  ASSERT_TRUE(writeConfig(file_, {}, preferences));
-  const Config config = readConfig(file_);
+  ASSERT_TRUE(writeConfig(disk_, file_, {}, preferences));
+  const Config config = readConfig(disk_, file_);
   EXPECT_EQ(told(config), std::vector<std::string>{});
   EXPECT_EQ(config.preferences, preferences);
 }
@@ -127,7 +130,7 @@ TEST_F(ConfigTest, IsNotWrittenOverWhatIsNoJson) {
   write("mine");
   Preferences preferences;
   preferences.invertsPitch = true;
-  const auto result = writeConfig(file_, {}, preferences);
+  const auto result = writeConfig(disk_, file_, {}, preferences);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error(),
             file_.string() + ": is not written, as it is no JSON object; mend or remove it");

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "desktop/disk.h"
 #include "viewer/inspect/places.h"
 #include "viewer/inspect/words.h"
 #include "viewer/overlay/overlay.h"
@@ -90,7 +91,8 @@ class InspectorTest : public testing::Test {
   Camera camera_;
   Overlay overlay_;
   Inspector inspector_;
-  LightsTool tool_{HEARTH_SOURCE_DIR "/tests/levels/rooms.lights.json", {}};
+  Disk disk_;
+  LightsTool tool_{disk_, HEARTH_SOURCE_DIR "/tests/levels/rooms.lights.json", {}};
   bool isInPicture_ = true;
   bool areLightsEdited_ = true;
   Image picture_;

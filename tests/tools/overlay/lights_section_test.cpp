@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "desktop/disk.h"
 #include "loaded.h"
 #include "viewer/overlay/overlay.h"
 #include "walk/stage.h"
@@ -38,7 +39,7 @@ class LightsSectionTest : public testing::Test {
  protected:
   LightsSectionTest()
       : file_(fs::path(testing::TempDir()) / ("section-" + std::to_string(::getpid()))),
-        tool_((std::ofstream(file_) << kLights, file_), {}) {
+        tool_(disk_, (std::ofstream(file_) << kLights, file_), {}) {
     editor().open();
     overlay_.toggle();
     frame();
@@ -89,6 +90,7 @@ class LightsSectionTest : public testing::Test {
   LoadedLevel rooms_ = loaded("tests/levels/rooms.json");
   Camera camera_{rooms_.level.player->sector, rooms_.level.player->eye};
   fs::path file_;
+  Disk disk_;
   LightsTool tool_;
   Overlay overlay_;
   Image picture_ = Image(700, 600);

@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "desktop/disk.h"
 #include "desktop/live_level.h"
 #include "desktop/screenshot_files.h"
 #include "settings/settings.h"
@@ -56,8 +57,8 @@ class LiveWalk : public testing::Test {
         WalkSession::Memory::None);
     screenshots_ = std::make_unique<ScreenshotFiles>(folder_, "live");
     const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
-    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *session_, *screenshots_,
-                                       stage_, settings);
+    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *session_,
+                                       WalkHost{stage_, disk_, *screenshots_}, settings);
     loop_->round();
   }
 
@@ -118,6 +119,7 @@ class LiveWalk : public testing::Test {
   fs::path folder_;
   OptionValues values_;
   Stage stage_;
+  Disk disk_;
   std::unique_ptr<LiveLevel> live_;
   std::unique_ptr<WalkSession> session_;
   std::unique_ptr<ScreenshotFiles> screenshots_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "desktop/disk.h"
 #include "desktop/screenshot_files.h"
 #include "light/bakery.h"
 #include "loaded.h"
@@ -39,7 +40,7 @@ class StagedWalk {
         session_(level(), start_, memory),
         screenshots_(testing::TempDir(), "walk"),
         settings_(settings),
-        loop_(level(), renderer_, session_, screenshots_, stage, settings) {
+        loop_(level(), renderer_, session_, {stage, disk_, screenshots_}, settings) {
     isOn = loop_.round();  // starts the clock
   }
 
@@ -82,6 +83,7 @@ class StagedWalk {
   Renderer renderer_;
   Walker start_;
   WalkSession session_;
+  Disk disk_;
   ScreenshotFiles screenshots_;
   WalkSettings settings_;
   WalkLoop loop_;

@@ -5,9 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "image/read_file.h"
-#include "image/replace_file.h"
-
 namespace hearth {
 
 namespace {
@@ -23,14 +20,14 @@ void LightsEditor::open() {
 
 void LightsEditor::openAgain() { isNew_ |= read(); }
 
-std::optional<std::string> LightsEditor::onDisk() const {
-  auto bytes = readFile(file_, limits_.fileBytes);
+std::optional<std::string> LightsEditor::stored() const {
+  auto bytes = storage_->read(file_, limits_.fileBytes);
   return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
 }
 
 /// The file takes the place of what there is, unless it has mistakes.
 bool LightsEditor::read() {
-  const std::optional<std::string> there = onDisk();
+  const std::optional<std::string> there = stored();
   auto edit = LightsEdit::open(there.value_or(std::string(kNoLights)), file_.string(), limits_);
   hasMistakes_ = !edit;
   message_ = edit ? "" : edit.error();
@@ -88,17 +85,14 @@ void LightsEditor::save() {
     return;
   }
   const std::string bytes = edit_->bytes();
-  const std::optional<std::string> there = onDisk();
+  const std::optional<std::string> there = stored();
   hasConflict_ = there != saved_ && there != bytes;
   if (hasConflict_) {
     message_ = fmt::format("{} was changed by another program since it was read: not saved",
                            file_.filename().string());
     return;
   }
-  const auto written = replaceFile(file_, [&](std::ostream& stream) {
-    stream << bytes;
-    return stream.good();
-  });
+  const auto written = storage_->write(file_, bytes);
   if (written) saved_ = bytes;
   message_ = written ? fmt::format("saved {}", file_.filename().string()) : written.error();
 }
@@ -106,7 +100,7 @@ void LightsEditor::save() {
 bool LightsEditor::noteWritten() {
   hasMistakes_ = false;
   if (!isOpen()) return true;
-  const std::optional<std::string> there = onDisk();
+  const std::optional<std::string> there = stored();
   if (there == edit_->bytes()) {
     saved_ = there;
     hasConflict_ = false;

@@ -8,15 +8,16 @@
 
 #include "load/limits.h"
 #include "viewer/edit/lights_edit.h"
+#include "viewer/host/storage.h"
 
 namespace hearth {
 
-/// The lights file of a level that is walked, as it is edited there: the file on disk, its text
+/// The lights file of a level that is walked, as it is edited there: the file as stored, its text
 /// with all edits, and the light that is picked.
 class LightsEditor {
  public:
-  LightsEditor(std::filesystem::path file, const LoadLimits& limits)
-      : file_(std::move(file)), limits_(limits) {}
+  LightsEditor(Storage& storage, std::filesystem::path file, const LoadLimits& limits)
+      : storage_(&storage), file_(std::move(file)), limits_(limits) {}
 
   const std::filesystem::path& file() const { return file_; }
   /// Reads the file, unless it is open; one that is not there has no lights yet. Where it has
@@ -70,11 +71,12 @@ class LightsEditor {
   const std::string& message() const { return message_; }
 
  private:
-  std::optional<std::string> onDisk() const;
+  std::optional<std::string> stored() const;
   bool read();
   void take(const std::optional<std::string>& mistake);
   void keepPickInRange();
 
+  Storage* storage_;
   std::filesystem::path file_;
   LoadLimits limits_;
   std::optional<LightsEdit> edit_;

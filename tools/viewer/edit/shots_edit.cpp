@@ -8,8 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "image/read_file.h"
-#include "image/replace_file.h"
 #include "text/json_edit.h"
 #include "text/json_text.h"
 
@@ -31,7 +29,8 @@ std::string shotText(const Bookmark& mark) {
 
 }  // namespace
 
-tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookmark& bookmark) {
+tl::expected<void, std::string> writeShot(Storage& storage, const LoadedLevel& loaded,
+                                          const Bookmark& bookmark) {
   const auto failure = [&loaded](const std::string& what) {
     return tl::make_unexpected(fmt::format("{}: {}", loaded.path.string(), what));
   };
@@ -39,7 +38,7 @@ tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookm
   if (std::ranges::find(shots, bookmark.name, &Shot::name) != shots.end())
     return failure(
         fmt::format("has a shot \"{}\" already; give the bookmark another name", bookmark.name));
-  const auto bytes = readFile(loaded.path, std::numeric_limits<std::uint64_t>::max());
+  const auto bytes = storage.read(loaded.path, std::numeric_limits<std::uint64_t>::max());
   if (!bytes) return failure(bytes.error().what);
   std::string_view text = *bytes;
   const std::string_view mark =
@@ -48,10 +47,7 @@ tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookm
   if (std::hash<std::string_view>{}(text) != loaded.textHash)
     return failure("has changed since it was loaded; try again once it is shown as it is");
   const std::string edited = withElementIn(text, "shots", "sectors", shotText(bookmark));
-  return replaceFile(loaded.path, [&](std::ostream& stream) {
-    stream << mark << edited;
-    return stream.good();
-  });
+  return storage.write(loaded.path, std::string(mark) + edited);
 }
 
 }  // namespace hearth

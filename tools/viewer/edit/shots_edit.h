@@ -4,6 +4,7 @@
 #include <tl/expected.hpp>
 
 #include "load/load.h"
+#include "viewer/host/storage.h"
 #include "viewer/preferences/bookmarks.h"
 
 namespace hearth {
@@ -11,6 +12,7 @@ namespace hearth {
 /// Writes a bookmark as the last shot of its level, into the level's file, of which all the rest
 /// stays as it is to the byte. Refuses a name that a shot has, and a file that is not what was
 /// loaded. Errors are one sentence that begins with the path.
-tl::expected<void, std::string> writeShot(const LoadedLevel& loaded, const Bookmark& bookmark);
+tl::expected<void, std::string> writeShot(Storage& storage, const LoadedLevel& loaded,
+                                          const Bookmark& bookmark);
 
 }  // namespace hearth

@@ -13,8 +13,8 @@ namespace hearth {
 
 using DrawRows = std::function<void(const PixelRows&)>;
 
-/// All that a walk has to do with the world outside it. The program gives it a window, a test a
-/// list of events and a clock of its own.
+/// What a walk is shown in and steered from. The program gives it a window, a test a list of events
+/// and a clock of its own.
 class WindowHost {
  public:
   virtual ~WindowHost() = default;

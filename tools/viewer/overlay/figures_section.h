@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "measure/frame_times.h"
-#include "session/progress.h"
+#include "text/progress_text.h"
 #include "viewer/overlay/frame_history.h"
 
 namespace hearth {

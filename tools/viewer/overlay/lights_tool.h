@@ -21,8 +21,8 @@ namespace hearth {
 /// Lights as they are picked, dragged and marked in a walk's picture.
 class LightsTool {
  public:
-  LightsTool(std::filesystem::path file, const LoadLimits& limits)
-      : editor_(std::move(file), limits) {}
+  LightsTool(Storage& storage, std::filesystem::path file, const LoadLimits& limits)
+      : editor_(storage, std::move(file), limits) {}
 
   LightsEditor& editor() { return editor_; }
   const LightsEditor& editor() const { return editor_; }

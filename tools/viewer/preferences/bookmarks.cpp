@@ -5,23 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <system_error>
+#include <optional>
 #include <utility>
 
-#include "files/user_folders.h"
-#include "image/replace_file.h"
 #include "level/locate.h"
 #include "load/positions.h"
-#include "math/hash.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 double rounded(double number, double perUnit) { return std::round(number * perUnit) / perUnit; }
@@ -76,9 +72,10 @@ tl::expected<Walker, std::string> walkerAt(const Level& level, const Bookmark& b
   return walker;
 }
 
-Bookmarks::Bookmarks(fs::path file) : file_(std::move(file)) {
-  std::ifstream stream(file_);
-  const json root = json::parse(stream, nullptr, false);
+Bookmarks::Bookmarks(Storage& storage, std::filesystem::path file)
+    : storage_(&storage), file_(std::move(file)) {
+  const auto text = storage.read(file_, std::numeric_limits<std::uint64_t>::max());
+  const json root = json::parse(text.value_or(""), nullptr, false);
   if (!root.is_object() || !root.contains("bookmarks")) return;
   for (const json& value : root["bookmarks"])
     if (auto mark = bookmarkFrom(value); mark && !find(mark->name))
@@ -111,26 +108,12 @@ tl::expected<void, std::string> Bookmarks::remove(std::string_view name) {
 }
 
 tl::expected<void, std::string> Bookmarks::write() const {
-  if (file_.empty()) return {};
+  if (!storage_) return {};
   json list = json::array();
   for (const Bookmark& mark : all_) list.push_back(jsonOf(mark));
-  std::error_code ignored;  // replacing says what is wrong
-  fs::create_directories(file_.parent_path(), ignored);
-  return replaceFile(file_, [&list](std::ostream& stream) {
-    stream << json{{"bookmarks", list}}.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
-    return stream.good();
-  });
-}
-
-std::optional<fs::path> bookmarksFile(const fs::path& level) {
-  const auto folder = stateFolder();
-  if (!folder) return std::nullopt;
-  std::error_code error;
-  const fs::path place = fs::weakly_canonical(level, error);
-  Hash hash;
-  hash.addText((error ? level : place).string());
-  return *folder / "bookmarks" /
-         fmt::format("{}-{:016x}.json", level.stem().string(), hash.value());
+  storage_->makeFolder(file_.parent_path());
+  return storage_->write(
+      file_, json{{"bookmarks", list}}.dump(1, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace hearth

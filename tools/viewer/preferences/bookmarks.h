@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
 #include "level/level.h"
+#include "viewer/host/storage.h"
 #include "walk/walker.h"
 
 namespace hearth {
@@ -38,7 +38,7 @@ class Bookmarks {
   /// In no file: they end with the program.
   Bookmarks() = default;
   /// As far as the file can be read.
-  explicit Bookmarks(std::filesystem::path file);
+  Bookmarks(Storage& storage, std::filesystem::path file);
 
   const std::vector<Bookmark>& all() const { return all_; }
   const Bookmark* find(std::string_view name) const;
@@ -53,11 +53,9 @@ class Bookmarks {
  private:
   tl::expected<void, std::string> write() const;
 
-  std::filesystem::path file_;  ///< empty: none
+  Storage* storage_ = nullptr;  ///< of the file; none without one
+  std::filesystem::path file_;
   std::vector<Bookmark> all_;
 };
-
-/// Where those of a level file lie, by its place on the disk; none without a home.
-std::optional<std::filesystem::path> bookmarksFile(const std::filesystem::path& level);
 
 }  // namespace hearth

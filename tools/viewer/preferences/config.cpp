@@ -9,10 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "image/replace_file.h"
 #include "load/fields.h"
 #include "load/read_document.h"
 #include "load/suggest.h"
@@ -129,13 +127,21 @@ std::string edited(std::string text, const Preferences& before, const Preference
   return text;
 }
 
+using Stored = tl::expected<std::string, ReadFailure>;
+
+Stored stored(Storage& storage, const fs::path& file) {
+  return storage.read(file, LoadLimits{}.fileBytes);
+}
+
+bool isMissing(const Stored& bytes) { return !bytes && bytes.error().fault == ReadFault::Missing; }
+
 /// The file as it is, to be edited.
-tl::expected<std::string, std::string> textOf(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return std::string(kNewFile);
+tl::expected<std::string, std::string> textOf(Storage& storage, const fs::path& file) {
+  auto bytes = stored(storage, file);
+  if (isMissing(bytes)) return std::string(kNewFile);
   std::vector<Document> documents(1);
   Report report;
-  const bool isJson = readDocument(file, {}, documents[0], 0, report);
+  const bool isJson = readDocument(file, std::move(bytes), documents[0], 0, report);
   if (!isJson || !JsonValue(documents[0], 0, 0).isObject())
     return tl::make_unexpected(fmt::format(
         "{}: is not written, as it is no JSON object; mend or remove it", file.string()));
@@ -144,30 +150,25 @@ tl::expected<std::string, std::string> textOf(const fs::path& file) {
 
 }  // namespace
 
-Config readConfig(const fs::path& file) {
+Config readConfig(Storage& storage, const fs::path& file) {
   Config config;
-  std::error_code error;
-  if (!fs::exists(file, error)) return config;
+  auto bytes = stored(storage, file);
+  if (isMissing(bytes)) return config;
   std::vector<Document> documents(1);
   Report report;
-  if (readDocument(file, {}, documents[0], 0, report))
+  if (readDocument(file, std::move(bytes), documents[0], 0, report))
     readPreferences(report, JsonValue(documents[0], 0, 0), config.preferences);
   config.warnings = report.resolve(documents);
   for (Diagnostic& warning : config.warnings) warning.isError = false;
   return config;
 }
 
-tl::expected<void, std::string> writeConfig(const fs::path& file, const Preferences& before,
-                                            const Preferences& after) {
-  const auto text = textOf(file);
+tl::expected<void, std::string> writeConfig(Storage& storage, const fs::path& file,
+                                            const Preferences& before, const Preferences& after) {
+  const auto text = textOf(storage, file);
   if (!text) return tl::unexpected(text.error());
-  const std::string json = edited(*text, before, after);
-  std::error_code ignored;  // replacing says what is wrong
-  fs::create_directories(file.parent_path(), ignored);
-  return replaceFile(file, [&json](std::ostream& stream) {
-    stream.write(json.data(), std::ssize(json));
-    return stream.good();
-  });
+  storage.makeFolder(file.parent_path());
+  return storage.write(file, edited(*text, before, after));
 }
 
 }  // namespace hearth

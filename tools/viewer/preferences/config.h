@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "load/diagnostic.h"
+#include "viewer/host/storage.h"
 #include "viewer/preferences/preferences.h"
 
 /// The user's file of settings, which tools/README.md describes.
@@ -18,12 +19,12 @@ struct Config {
 
 /// What is wrong in the file is told, and the rest of it holds. All is as by default where there is
 /// no file.
-Config readConfig(const std::filesystem::path& file);
+Config readConfig(Storage& storage, const std::filesystem::path& file);
 
 /// Writes what of `after` differs from `before` into the file, and leaves all else of it to the
 /// byte. Makes the file and its folder where they are missing. Errors are one sentence that begins
 /// with the path.
-tl::expected<void, std::string> writeConfig(const std::filesystem::path& file,
+tl::expected<void, std::string> writeConfig(Storage& storage, const std::filesystem::path& file,
                                             const Preferences& before, const Preferences& after);
 
 }  // namespace hearth

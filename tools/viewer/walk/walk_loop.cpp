@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
-#include "session/session.h"
 #include "settings/channels.h"
+#include "settings/settings.h"
 #include "settings/shell_text.h"
 #include "viewer/preferences/config.h"
 #include "viewer/walk/captions.h"
@@ -46,14 +46,15 @@ void widen(Image& picture, int width) {
 }  // namespace
 
 WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, WalkSession& session,
-                   Screenshots& screenshots, WindowHost& outside, const WalkSettings& settings,
+                   const WalkHost& host, const WalkSettings& settings,
                    std::shared_ptr<const LevelSource> source)
     : level_(&level),
       renderer_(&renderer),
       source_(std::move(source)),
       session_(session),
-      screenshots_(screenshots),
-      outside_(outside),
+      outside_(host.window),
+      storage_(host.storage),
+      screenshots_(host.screenshots),
       settings_(settings),
       seen_(level),
       panel_(bakeSettingsFrom(level, settings.options)) {
@@ -86,7 +87,7 @@ std::optional<OptionValues> WalkLoop::takeChoice() {
 }
 
 void WalkLoop::editLights(const std::filesystem::path& file) {
-  panel_.editLights(file, limitsFrom(settings_.options));
+  panel_.editLights(storage_, file, limitsFrom(settings_.options));
 }
 
 void WalkLoop::setNotes(std::vector<std::string> mistakes,
@@ -445,7 +446,7 @@ void WalkLoop::grant(const BookmarkWish& wish) {
 
 void WalkLoop::writePreferences() {
   if (settings_.config.empty()) return;
-  const auto written = writeConfig(settings_.config, written_, settings_.preferences);
+  const auto written = writeConfig(storage_, settings_.config, written_, settings_.preferences);
   if (!written) return say(written.error());
   written_ = settings_.preferences;
 }

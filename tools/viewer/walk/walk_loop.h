@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "settings/options.h"
 #include "viewer/host/screenshots.h"
+#include "viewer/host/storage.h"
 #include "viewer/host/window_host.h"
 #include "viewer/overlay/figures_section.h"
 #include "viewer/overlay/marker_space.h"
@@ -25,6 +26,13 @@
 
 namespace hearth {
 
+/// What a walk runs in.
+struct WalkHost {
+  WindowHost& window;
+  Storage& storage;
+  Screenshots& screenshots;
+};
+
 /// A walk, round by round: events, the ticks that are due, a picture where it would be another
 /// than the last. Waits for nothing but that the window takes the picture, and rests while nothing
 /// changes.
@@ -32,9 +40,8 @@ class WalkLoop {
  public:
   /// All but the settings must outlive the loop. `source`, if any, is that of the level: without
   /// it no places in its files can be copied.
-  WalkLoop(const Level& level, const Renderer& renderer, WalkSession& session,
-           Screenshots& screenshots, WindowHost& outside, const WalkSettings& settings,
-           std::shared_ptr<const LevelSource> source = nullptr);
+  WalkLoop(const Level& level, const Renderer& renderer, WalkSession& session, const WalkHost& host,
+           const WalkSettings& settings, std::shared_ptr<const LevelSource> source = nullptr);
 
   /// From now on these inputs, one for each tick, take the place of the user's; the walk ends with
   /// them. They must outlive the loop.
@@ -115,8 +122,9 @@ class WalkLoop {
   const Renderer* renderer_;
   std::shared_ptr<const LevelSource> source_;
   WalkSession& session_;
-  Screenshots& screenshots_;
   WindowHost& outside_;
+  Storage& storage_;
+  Screenshots& screenshots_;
   WalkSettings settings_;
   std::optional<std::span<const WalkInput>> replay_;  ///< what is left of it
 

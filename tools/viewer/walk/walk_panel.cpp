@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "session/session.h"
+#include "settings/settings.h"
 #include "viewer/overlay/drag_axes.h"
 #include "viewer/overlay/lights_section.h"
 #include "viewer/overlay/quality_section.h"
@@ -29,9 +29,10 @@ void WalkPanel::releasePointer() {
   if (lights_) lights_->release();
 }
 
-void WalkPanel::editLights(const std::filesystem::path& file, const LoadLimits& limits) {
+void WalkPanel::editLights(Storage& storage, const std::filesystem::path& file,
+                           const LoadLimits& limits) {
   if (lights_ && (lights()->file() == file || lights()->isUnsaved())) return;
-  lights_.emplace(file, limits);
+  lights_.emplace(storage, file, limits);
 }
 
 bool WalkPanel::take(const Event& event, const PanelScene& scene, Preferences& preferences) {

@@ -67,7 +67,7 @@ class WalkPanel {
   /// The lights as they are edited, if they can be.
   LightsEditor* lights() { return lights_ ? &lights_->editor() : nullptr; }
   /// From now on the lights of this file, unless there are edits of the one before.
-  void editLights(const std::filesystem::path& file, const LoadLimits& limits);
+  void editLights(Storage& storage, const std::filesystem::path& file, const LoadLimits& limits);
   /// Whether closing the walk would lose edits.
   bool hasUnsavedLights() { return lights_ && lights()->isUnsaved(); }
 
