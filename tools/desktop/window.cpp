@@ -193,15 +193,6 @@ std::optional<PictureSize> WalkWindow::windowSize() {
                      std::clamp(size.height, 1, largest_.height)};
 }
 
-void WalkWindow::show(const Image& picture) {
-  show({picture.width(), picture.height()}, [&](const PixelRows& rows) {
-    const Rgb* from = picture.pixels().data();
-    for (int row = 0; row < rows.height; ++row)
-      for (int column = 0; column < rows.width; ++column, ++from)
-        *rows.at(column, row) = Uint32{from->r} << 16 | Uint32{from->g} << 8 | from->b;
-  });
-}
-
 void WalkWindow::show(PictureSize size, const DrawRows& draw) {
   const std::optional<PictureSize> window = windowSize();
   if (!window) return;

@@ -42,7 +42,6 @@ class WalkWindow : public WindowHost {
   std::optional<Event> poll() override;
   void rest(double seconds) override;
   std::optional<PictureSize> windowSize() override;
-  void show(const Image& picture) override;
   void show(PictureSize size, const DrawRows& draw) override;
   void setTitle(const std::string& title) override;
   void captureMouse(bool isCaptured) override;

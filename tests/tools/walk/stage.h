@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "image/image.h"
 #include "viewer/host/window_host.h"
 #include "viewer/input/event.h"
 
@@ -22,16 +23,13 @@ class Stage : public WindowHost {
   }
   void rest(double) override { ++rests; }
   std::optional<PictureSize> windowSize() override { return window; }
-  void show(const Image& picture) override {
-    shown = picture;
-    ++frames;
-  }
   void show(PictureSize size, const DrawRows& draw) override {
     const auto width = static_cast<std::size_t>(size.width);
     rows_.resize(width * static_cast<std::size_t>(size.height));
     const PixelRows rows{rows_.data(), width, size.width, size.height};
     draw(rows);
-    shown = Image(size.width, size.height);
+    if (shown.width() != size.width || shown.height() != size.height)
+      shown = Image(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x) shown.at(x, y) = colorAt(rows, x, y);
     ++frames;

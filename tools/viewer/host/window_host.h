@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "image/image.h"
 #include "render/pixel_rows.h"
 #include "settings/options.h"
 #include "viewer/input/event.h"
@@ -28,8 +27,8 @@ class WindowHost {
 
   /// The window in pixels; nothing while it cannot be seen.
   virtual std::optional<PictureSize> windowSize() = 0;
-  virtual void show(const Image& picture) = 0;
-  /// A picture of this size that `draw` writes, all of it, into memory of the window's.
+  /// A picture of this size that `draw` writes, all of it, into memory of the window's. That is not
+  /// to be read: it may be slow, or hold anything.
   virtual void show(PictureSize size, const DrawRows& draw) = 0;
   virtual void setTitle(const std::string& title) = 0;
   /// Hides the pointer and reports the mouse's motion without end.

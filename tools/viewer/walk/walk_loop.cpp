@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -41,6 +42,13 @@ void widen(Image& picture, int width) {
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) wide.at(x, y) = picture.at(x, y);
   picture = std::move(wide);
+}
+
+void copy(const Image& picture, const PixelRows& rows) {
+  const Rgb* from = picture.pixels().data();
+  for (int row = 0; row < rows.height; ++row)
+    for (std::uint32_t* to = rows.at(0, row); to != rows.at(0, row) + rows.width; ++to, ++from)
+      *to = std::uint32_t{from->r} << 16 | std::uint32_t{from->g} << 8 | from->b;
 }
 
 }  // namespace
@@ -341,7 +349,7 @@ void WalkLoop::drawImage(double now) {
   drawPanel(now);
   parts.cover = lap();
   count(now, begin);
-  outside_.show(picture_);
+  outside_.show(scene_.size, [this](const PixelRows& rows) { copy(picture_, rows); });
   parts.show = lap();
   figures_.frames.add(parts);
 }

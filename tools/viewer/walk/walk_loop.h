@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/image.h"
 #include "load/source.h"
 #include "render/renderer.h"
 #include "settings/options.h"
