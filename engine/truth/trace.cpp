@@ -113,10 +113,10 @@ TruthHit flatHit(const Ray& ray, SectorId id, const Sector& sector, bool isFloor
 
 std::variant<TruthHit, Stage> throughWall(const Level& level, const Ray& ray, SegmentId segment,
                                           double t) {
-  const std::variant<TruthHit, Passage> met = meetWall(level, ray, segment, t);
+  const std::variant<TruthHit, PortalCrossing> met = meetWall(level, ray, segment, t);
   if (const TruthHit* hit = std::get_if<TruthHit>(&met)) return *hit;
-  const Passage& passage = std::get<Passage>(met);
-  return Stage{passage.next, t, passage.twin};
+  const PortalCrossing& crossing = std::get<PortalCrossing>(met);
+  return Stage{crossing.next, t, crossing.twin};
 }
 
 /// Whether the ray is in the sector's outline at `place`: from there on it leaves it once more

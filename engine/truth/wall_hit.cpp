@@ -60,7 +60,7 @@ class Meeting {
     part_ = partAt(segment_, sector_, point_.z);
   }
 
-  std::variant<TruthHit, Passage> result() const {
+  std::variant<TruthHit, PortalCrossing> result() const {
     if (const Portal* portal = std::get_if<Portal>(&part_.kind)) {
       if (ray_.litMaskedMiddle == id_ && portal->maskedMiddle)
         return maskedMiddleAt(id_, part_, *portal->maskedMiddle, 0);
@@ -73,7 +73,7 @@ class Meeting {
  private:
   bool isLight() const { return ray_.kind == RayKind::Light; }
 
-  std::variant<TruthHit, Passage> throughPortal(const Portal& portal) const {
+  std::variant<TruthHit, PortalCrossing> throughPortal(const Portal& portal) const {
     const Sector& next = level_[portal.next];
     const double z = point_.z;
     const bool isClosed = next.floor.z >= next.ceiling.z;
@@ -91,7 +91,7 @@ class Meeting {
     if (const auto wedge = sidewall(next, level_[twin])) return *wedge;
     if (!isBelow && !isAbove)
       if (const auto hanging = hangingIn(twin, next)) return *hanging;
-    return Passage{portal.next, twin};
+    return PortalCrossing{portal.next, twin};
   }
 
   std::optional<TruthHit> lowerStep(const Portal& portal, const Sector& next) const {
@@ -217,8 +217,8 @@ class Meeting {
 
 }  // namespace
 
-std::variant<TruthHit, Passage> meetWall(const Level& level, const Ray& ray, SegmentId segment,
-                                         double t) {
+std::variant<TruthHit, PortalCrossing> meetWall(const Level& level, const Ray& ray,
+                                                SegmentId segment, double t) {
   return Meeting(level, ray, segment, t).result();
 }
 

@@ -7,14 +7,14 @@
 namespace hearth {
 
 /// On into the next sector, through its segment `twin`.
-struct Passage {
+struct PortalCrossing {
   SectorId next;
   SegmentId twin;
 };
 
 /// What a ray meets that leaves its sector through `segment` at `t`.
-std::variant<TruthHit, Passage> meetWall(const Level& level, const Ray& ray, SegmentId segment,
-                                         double t);
+std::variant<TruthHit, PortalCrossing> meetWall(const Level& level, const Ray& ray,
+                                                SegmentId segment, double t);
 
 /// The sky has no place, only directions: turns to the right, and tangents of elevation.
 /// `isBelow` for sky floors, which show the image upside down.

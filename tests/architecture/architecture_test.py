@@ -195,6 +195,16 @@ class Architecture(unittest.TestCase):
                          for name, paths in sorted(places.items()) if len(paths) > 1]
         self.expect_none(offences)
 
+    def test_a_type_or_constant_of_the_project_has_a_name_of_its_own(self):
+        """Two definitions in one program are not told by the linker; it takes either for both."""
+        places = {}
+        for tag in ctags(SOURCE / path for path in sources("engine", "tools") if path.parts[1] != "textures"):
+            if tag.get("scope") == "hearth" and tag["kind"] in ("class", "enum", "struct", "union", "variable"):
+                places.setdefault(tag["name"], set()).add(tag["path"])
+        self.assertGreater(len(places), 100, "ctags must have found them")
+        self.expect_none([f"{name}: {', '.join(sorted(paths))}"
+                          for name, paths in sorted(places.items()) if len(paths) > 1])
+
     def test_functions_fit_on_a_page(self):
         lengths = [(tag["end"] - tag["line"] + 1, f"{tag['path']}:{tag['line']}: {tag['name']}")
                    for tag in ctags(SOURCE / path for path in sources("engine", "tools"))

@@ -58,7 +58,7 @@ class SurfaceLight {
 
   /// What all of the light would bring to the point, in levels, before colour.
   double fullLevel(std::size_t light, const SamplePoint& at) const;
-  /// What it brings to each of the samples of which seenShares() was asked last. Good until the
+  /// What it brings to each of the samples of which seenFractions() was asked last. Good until the
   /// next call.
   const std::vector<double>& levels(std::size_t light, const SampleBlocks& blocks);
 

@@ -73,7 +73,7 @@ class BeamTree {
     std::vector<DirectionBound> bounds;
     std::vector<PartingBounds> beams;
   };
-  /// What is seen by each of some samples among `points`, by the same beams: kUnknownShare where
+  /// What is seen by each of some samples among `points`, by the same beams: kUnknownFraction where
   /// only narrow() can tell.
   void findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
                 const Samples& samples, Parting& parting, double* seen) const;

@@ -73,7 +73,7 @@ struct LightKernels {
   std::uint32_t (*findParting)(const CornerDirections& corners, const BeamBounds& bounds,
                                std::uint32_t asked, double margin, double reach);
   /// For each of the samples 1 where one of the beams of a point of light holds it for sure, 0
-  /// where none can, and else kUnknownShare. The bounds of the beams follow one another.
+  /// where none can, and else kUnknownFraction. The bounds of the beams follow one another.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,
                    std::span<const PartingBounds> beams, const DirectionBound* bounds,
                    double* seen);

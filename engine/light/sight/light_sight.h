@@ -52,7 +52,7 @@ class LightSight {
   /// `softSamples` to a ball, a square number: its disc, as it is seen, is divided into so many
   /// cells, and shadows' edges cut these exactly where they run straight. Where a ball is cut by
   /// more than planes, or seen from too near, 32 times as many points are spread over it instead.
-  /// With 0 it is a point. `solidMiddles`: see BakeSettings.
+  /// With 0 it is a point. `solidMaskedMiddles`: see BakeSettings.
   LightSight(const Level& level, const LightSource& light, int softSamples,
              bool solidMaskedMiddles = false);
   ~LightSight();

@@ -13,7 +13,7 @@ namespace hearth {
 /// through a joint of walls, and what merely overlaps in space is never met.
 class Raytracer {
  public:
-  /// `solidMiddles`: see BakeSettings.
+  /// `solidMaskedMiddles`: see BakeSettings.
   explicit Raytracer(const Level& level, bool solidMaskedMiddles = false)
       : level_(level), solidMaskedMiddles_(solidMaskedMiddles) {}
 

@@ -123,7 +123,7 @@ TEST_F(AutomapTest, FlatPortalsAreDotted) {
   Image picture(200, 200, kPaper);
   drawAutomap(picture, rooms.level, seen, {rooms.level.player->sector, rooms.level.player->eye},
               10);
-  EXPECT_TRUE(has(picture, kFlatPortalColor));
+  EXPECT_TRUE(has(picture, kMapFlatPortalColor));
 }
 
 TEST_F(AutomapTest, AnyPictureAndAnyPlaceWillDo) {

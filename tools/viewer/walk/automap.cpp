@@ -65,7 +65,7 @@ class AutomapDrawer {
   }
 
   void drawFlatPortals(bool isOwnStorey) {
-    const Rgb color = isOwnStorey ? kFlatPortalColor : dimmed(kFlatPortalColor);
+    const Rgb color = isOwnStorey ? kMapFlatPortalColor : dimmed(kMapFlatPortalColor);
     forSeenSegments(isOwnStorey, [&](const Sector& sector, const Segment& segment) {
       if (sector.floor.flatPortal || sector.ceiling.flatPortal)
         drawLine(segment.p0, segment.p1, color, 2);

@@ -37,7 +37,7 @@ WallKind wallKind(const Segment& segment);
 inline constexpr Rgb kSolidColor = {255, 255, 255};
 inline constexpr Rgb kStepColor = {255, 160, 48};
 inline constexpr Rgb kOpeningColor = {112, 112, 128};
-inline constexpr Rgb kFlatPortalColor = {64, 160, 255};
+inline constexpr Rgb kMapFlatPortalColor = {64, 160, 255};
 inline constexpr Rgb kPlayerColor = {96, 255, 96};
 
 /// How much of the map the picture's shorter side shows.
