@@ -35,7 +35,7 @@ class TableChecker {
   }
 
  private:
-  /// The code after the next 0xFF, but for those that stand inside scans; 0 at the file's end.
+  /// The code after the next 0xFF, except restart markers inside scans; 0 at the file's end.
   int nextMarker() {
     for (int byte = std::getc(file_); byte != EOF; byte = std::getc(file_)) {
       if (byte != 0xFF) continue;

@@ -54,11 +54,11 @@ class Part {
     std::ofstream stream(path_, std::ios::binary | std::ios::in | std::ios::out);
     const bool isWritten = stream.is_open() && write(stream);
     stream.close();
-    // Else a machine that loses its power might keep the new name without the content.
+    // Without fsync, a power failure could leave the new name with no content.
     return isWritten && stream.good() && ::fsync(file_) == 0;
   }
 
-  /// Not of another file that bears its name, nor where it could not be opened.
+  /// Removes the file if it was opened: never another one of its name.
   void remove() {
     if (file_ >= 0) ::unlink(path_.c_str());
   }
@@ -82,8 +82,8 @@ class Part {
   int file_ = -1;
 };
 
-/// Renames it, unless there is a file of that name. Some file systems have no such renaming, and
-/// others no second names.
+/// Renames the file, unless there is one of that name. Some file systems lack RENAME_NOREPLACE,
+/// others lack hard links.
 bool renameToNew(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   if (errno != EINVAL && errno != ENOSYS) return false;

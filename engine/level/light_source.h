@@ -28,8 +28,8 @@ struct LightSource {
 
   /// Light in levels at `distance` metres, before colour.
   double levelAt(double distance) const;
-  /// Metres from which on no channel of the light has more than so many levels: 0 where none ever
-  /// has, and infinite where some always has.
+  /// The distance, in metres, beyond which no channel exceeds `level`: 0 if none ever does,
+  /// infinity if one always does.
   double reach(double level) const;
   /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
   double fraction(int channel) const { return color[channel] / 255.0; }

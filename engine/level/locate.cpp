@@ -51,7 +51,7 @@ Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
   if (isClear(level, sector, p, nudge / 16)) return p;
   const Nearest wall = nearestWall(level, sector, p);
   const Vec2 inward = turned90(wall.segment->p1 - wall.segment->p0);
-  // In an acute corner the way inside is long: along the walls that meet there.
+  // In an acute corner the nearest clear point is far from the vertex.
   constexpr int kDirections = 1440;
   for (double radius = nudge; radius < 1e6 * nudge; radius *= 2) {
     Vec2 best = p;
@@ -83,10 +83,9 @@ class WallsAt {
     if (segment.p0 != p_) addDirection(segment.p0, -1);
   }
 
-  /// Whether air comes to the point. Air lies on one side of each way from the point along a wall:
-  /// clockwise of one that leads along the wall, counter-clockwise of one against it. Where a wall
-  /// lies in another that faces the other way, as where a pillar stands in the border, both are
-  /// buried: no air is between them.
+  /// Whether air comes to the point. Each wall at the point has air on its front: clockwise of a
+  /// direction along the wall, counter-clockwise of one against it. Where two opposite walls
+  /// coincide, as where a pillar stands in the border, there is no air between them.
   bool haveAir() const {
     return std::ranges::any_of(directions_,
                                [](const Direction& direction) { return direction.walls != 0; });

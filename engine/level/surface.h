@@ -57,7 +57,7 @@ struct Surface {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air it bounds, and whose `light` it takes
   std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
-  TextureMapping mapping;            ///< for upright ones `zRef` is always there, but for sidewalls
+  TextureMapping mapping;            ///< for upright ones `zRef` is always there, except sidewalls
                                      ///< that follow their slope's edge
   /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
   /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.

@@ -114,7 +114,7 @@ void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) 
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
   hash.addWhole(curve.size());
   for (const auto& [distance, level] : curve) hash.addPoint(Vec2{distance, level});
-  for (const std::uint8_t fraction : color) hash.addWhole(fraction);
+  for (const std::uint8_t channel : color) hash.addWhole(channel);
 }
 
 }  // namespace hearth

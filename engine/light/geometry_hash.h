@@ -10,7 +10,7 @@ namespace hearth {
 class Hash;
 
 /// A number of all that decides which surfaces the level has, in which order, and where their
-/// texels of so many metres lie; the same on every machine. Names, textures but for the holes of
+/// texels of so many metres lie; the same on every machine. Names, textures except the holes of
 /// middle ones, light and the player are no part of it. saved_bake.md says what it is computed
 /// from.
 std::uint64_t geometryHash(const Level& level, double texel);

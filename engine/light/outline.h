@@ -34,7 +34,7 @@ class Outline {
   std::vector<Edge> edgesWithin(Vec2 p, double reach) const;
 
   /// With those edges alone that come as near as `reach` to the points of a row. Of such a point it
-  /// says the same, but for what is farther from it than that.
+  /// says the same, except for what is farther from it than that.
   Outline aroundRow(double row, double reach) const;
 
   /// What of the row lies inside, farther than `margin` from all edges: in rising order, and apart.

@@ -25,7 +25,7 @@ struct LightMemory::Kept {
   using Number = std::uint32_t;
 
   /// What one light brings to one surface.
-  struct Fraction {
+  struct Contribution {
     TexelSums sums;
     LightCost cost;
     std::vector<Number> sectors;  ///< from which it was found
@@ -34,19 +34,20 @@ struct LightMemory::Kept {
   };
   /// A surface that was lit.
   struct Surface {
-    std::vector<std::uint64_t> lights;                       ///< prints of those that face it
-    std::vector<std::shared_ptr<const Fraction>> fractions;  ///< of these
-    std::vector<Number> samplesOn;                           ///< surfaces
+    std::vector<std::uint64_t> lights;  ///< prints of those that face it
+    std::vector<std::shared_ptr<const Contribution>> contributions;  ///< of these
+    std::vector<Number> samplesOn;                                   ///< surfaces
     std::optional<Lightmap> lightmap;
 
-    std::shared_ptr<const Fraction> fractionOf(std::uint64_t light) const {
+    std::shared_ptr<const Contribution> contributionOf(std::uint64_t light) const {
       const auto found = std::ranges::find(lights, light);
-      return found == lights.end() ? nullptr
-                                   : fractions[static_cast<std::size_t>(found - lights.begin())];
+      return found == lights.end()
+                 ? nullptr
+                 : contributions[static_cast<std::size_t>(found - lights.begin())];
     }
     std::size_t bytes() const {
       std::size_t sum = lightmap ? lightmap->bytes() : 0;
-      for (const auto& fraction : fractions) sum += fraction->bytes();
+      for (const auto& contribution : contributions) sum += contribution->bytes();
       return sum;
     }
   };
@@ -107,18 +108,18 @@ class Rebake::Baker {
 
  private:
   using Number = LightMemory::Kept::Number;
-  using Fraction = LightMemory::Kept::Fraction;
+  using Contribution = LightMemory::Kept::Contribution;
   using Surface = LightMemory::Kept::Surface;
 
   /// What is known of a surface, and what is not.
   struct Plan {
     std::shared_ptr<const Surface> old;  ///< if it was lit before, on surfaces that are still there
     std::vector<std::size_t> facing;     ///< lights
-    std::vector<std::shared_ptr<const Fraction>>
+    std::vector<std::shared_ptr<const Contribution>>
         known;                      ///< of these; null where it is left to find
-    std::vector<std::size_t> left;  ///< lights whose fractions are
+    std::vector<std::size_t> left;  ///< lights without a known contribution
 
-    bool isUnchanged() const { return old && known == old->fractions; }
+    bool isUnchanged() const { return old && known == old->contributions; }
   };
 
   std::vector<bool> presentNumbers() const;
@@ -130,8 +131,8 @@ class Rebake::Baker {
                                      const std::stop_token& stop) const;
   void findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                 const std::stop_token& stop) const;
-  Fraction fractionOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
-                      LightDependencies& dependencies) const;
+  Contribution contributionOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
+                              LightDependencies& dependencies) const;
   TexelSums sumsFor(SurfaceId id) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
@@ -208,11 +209,11 @@ Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>
   const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
   if (old != memory_.surfaces.end() && areThere(old->second->samplesOn)) plan.old = old->second;
   for (const std::size_t light : plan.facing) {
-    std::shared_ptr<const Fraction> fraction;
-    if (plan.old) fraction = plan.old->fractionOf(prints_.lights[light]);
-    if (fraction && !areThere(fraction->sectors)) fraction = nullptr;
-    if (!fraction) plan.left.push_back(light);
-    plan.known.push_back(std::move(fraction));
+    std::shared_ptr<const Contribution> contribution;
+    if (plan.old) contribution = plan.old->contributionOf(prints_.lights[light]);
+    if (contribution && !areThere(contribution->sectors)) contribution = nullptr;
+    if (!contribution) plan.left.push_back(light);
+    plan.known.push_back(std::move(contribution));
   }
   return plan;
 }
@@ -273,12 +274,12 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
   if (plan.isUnchanged()) return plan.old;
   Surface surface;
   for (const std::size_t light : plan.facing) surface.lights.push_back(prints_.lights[light]);
-  surface.fractions = plan.known;
+  surface.contributions = plan.known;
   if (plan.old) surface.samplesOn = plan.old->samplesOn;
   if (!plan.left.empty()) findLeft(id, surface, progress, stop);
   if (!plan.facing.empty()) {
     TexelSums sums = sumsFor(id);
-    for (const auto& fraction : surface.fractions) sums.add(fraction->sums);
+    for (const auto& contribution : surface.contributions) sums.add(contribution->sums);
     surface.lightmap = lightmapOf(sums, settings_);
   }
   return std::make_shared<const Surface>(std::move(surface));
@@ -291,14 +292,14 @@ TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
   return {surfaces_[id.index()]->texels, isColored ? 3 : 1};
 }
 
-/// The fractions of the lights that are left.
+/// Computes the contributions of the lights that are left.
 void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                              const std::stop_token& stop) const {
   LightDependencies dependencies;
   SurfaceLight surface(level_, surfaces_, sights_, settings_.lambert, id, Seeing::ByShafts,
                        &dependencies);
   std::span<const std::size_t> left = plans_[id.index()].left;
-  auto fraction = found.fractions.begin();
+  auto contribution = found.contributions.begin();
   for (const std::size_t atOnce = lightsAtOnce(id); !left.empty();) {
     const auto lights = left.first(std::min(atOnce, left.size()));
     left = left.subspan(lights.size());
@@ -309,9 +310,9 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
         surface, lights, settings_, [&](std::size_t light) -> TexelSums& { return sums.at(light); },
         progress, stop);
     for (const std::size_t light : lights) {
-      fraction = std::find(fraction, found.fractions.end(), nullptr);
-      *fraction = std::make_shared<const Fraction>(
-          fractionOf(light, surface, sums.at(light), dependencies));
+      contribution = std::find(contribution, found.contributions.end(), nullptr);
+      *contribution = std::make_shared<const Contribution>(
+          contributionOf(light, surface, sums.at(light), dependencies));
     }
   }
   for (const SurfaceId sought : dependencies.surfaces().sorted())
@@ -321,16 +322,17 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
                         found.samplesOn.end());
 }
 
-Rebake::Baker::Fraction Rebake::Baker::fractionOf(std::size_t light, const SurfaceLight& surface,
-                                                  const TexelSums& sums,
-                                                  LightDependencies& dependencies) const {
+Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
+                                                          const SurfaceLight& surface,
+                                                          const TexelSums& sums,
+                                                          LightDependencies& dependencies) const {
   SectorSet& met = dependencies.sectorsOf(light);
   for (const std::vector<LightSight>* sights : {&sights_.fine, &sights_.rough})
     for (const SectorId sector : (*sights)[light].sectors()) met.add(sector);
-  Fraction fraction{sums.cropped(), surface.costs()[light], {}};
+  Contribution contribution{sums.cropped(), surface.costs()[light], {}};
   for (const SectorId sector : met.sorted())
-    fraction.sectors.push_back(sectorNumbers_[sector.index()]);
-  return fraction;
+    contribution.sectors.push_back(sectorNumbers_[sector.index()]);
+  return contribution;
 }
 
 BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>> lit) const {
@@ -345,7 +347,7 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
     baked.lightmaps[i] = lit[i]->lightmap;
     baked.surfaceCosts[i].facingLights = facing.size();
     for (std::size_t k = 0; k < facing.size(); ++k) {
-      const LightCost& cost = lit[i]->fractions[k]->cost;
+      const LightCost& cost = lit[i]->contributions[k]->cost;
       baked.lightCosts[facing[k]] += cost;
       baked.surfaceCosts[i].rays += cost.rays;
     }
@@ -382,8 +384,8 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& 
   if (plan.facing.empty()) return std::nullopt;
   if (plan.isUnchanged()) return plan.old->lightmap;
   TexelSums sums = sumsFor(id);
-  for (const auto& fraction : plan.known)
-    if (fraction) sums.add(fraction->sums);
+  for (const auto& contribution : plan.known)
+    if (contribution) sums.add(contribution->sums);
   if (!plan.left.empty()) {
     SurfaceLight surface(level_, surfaces_, sights, settings_.lambert, id);
     addDraftOfLights(surface, plan.left, settings_,

@@ -69,7 +69,7 @@ int unfolded(std::uint32_t number) {
   return static_cast<int>((number & 1) != 0 ? ~(number >> 1) : number >> 1);
 }
 
-/// Takes numbers from the front of what is left. Who calls has made sure that they are there.
+/// Takes numbers from the front of what is left. The caller has made sure that they are there.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : left_(bytes) {}

@@ -12,7 +12,7 @@ inline constexpr std::size_t kMaxJsonDepth = 64;
 
 /// Reads JSON text into a tree. Mistakes go to the report: the first one against JSON's grammar
 /// ends the reading, duplicate keys do not. None of the tree may be used after errors of grammar
-/// but for resolving places; then the result is false.
+/// except for resolving places; then the result is false.
 /// Expects: fewer than 2^32 bytes of text in `document`.
 bool parse(Document& document, std::uint32_t documentIndex, Report& report);
 

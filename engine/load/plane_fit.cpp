@@ -28,10 +28,10 @@ std::optional<PlaneFit> fitPlane(std::span<const Vec3> points, Vec2 origin, doub
   if (areInLine(points, noise)) return std::nullopt;
   // Relative to the first point, so that level and axis-parallel wedges come out exact.
   const Vec3 base = points[0];
-  const double fraction = 1.0 / static_cast<double>(points.size());
+  const double weight = 1.0 / static_cast<double>(points.size());
   Vec3 mean;
   for (const Vec3& p : points) mean = mean + (p - base);
-  mean = fraction * mean;
+  mean = weight * mean;
 
   double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
   for (const Vec3& p : points) {

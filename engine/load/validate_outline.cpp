@@ -114,7 +114,7 @@ class SectorChecker {
   std::set<std::pair<std::uint32_t, std::uint32_t>> repeats_;  // reported pairs of vertices
 };
 
-/// What a loop alone can get wrong but for touching and crossing.
+/// What a loop alone can get wrong except touching and crossing.
 void SectorChecker::checkShape(const OutlineLoop& loop) {
   for (std::uint32_t i = 0; i < loop.edgeCount; ++i) {
     const Edge& wall = outlines_.edges[loop.firstEdge + i];
@@ -231,7 +231,7 @@ void SectorChecker::reportSelfTouch(const OutlineLoop& loop, std::uint32_t verte
          "move it, or cut the loop in two");
 }
 
-/// Exact, but for end points that touch.
+/// Exact, except for end points that touch.
 bool SectorChecker::doCross(const Edge& a, const Edge& b) const {
   const Vec2 a0 = outlines_.from(a);
   const Vec2 a1 = outlines_.to(a);

@@ -27,7 +27,7 @@ int firstColumnFrom(const Projection& projection, CameraPoint p, int width) {
 ColumnRange columnsOf(const Projection& projection, const Segment& segment, int width) {
   const CameraPoint p0 = projection.toCamera(segment.p0);
   const CameraPoint p1 = projection.toCamera(segment.p1);
-  // Whether p0 is left of p1, but for rounding: in most cases that is known without a division.
+  // Whether p0 is left of p1, except for rounding: in most cases that is known without a division.
   const double left = p0.lateral * p1.depth;
   const double right = p1.lateral * p0.depth;
   const bool ahead0 = p0.depth > 0;

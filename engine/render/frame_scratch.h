@@ -21,8 +21,9 @@ struct FrameColumns {
   StripSpans strips;
 };
 
-/// What frames are drawn in. Who keeps it from frame to frame draws without taking memory or
-/// starting threads anew; each thread that draws needs its own. No frame depends on an earlier one.
+/// What frames are drawn in. A caller that keeps it from frame to frame takes no memory and
+/// starts no threads anew; each thread that draws needs its own. No frame depends on an earlier
+/// one.
 struct FrameScratch {
   std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
   std::vector<double> raySlopes;          ///< of the centres of rows, see Projection::raySlopeAt

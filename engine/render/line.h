@@ -43,7 +43,7 @@ void forEachPixelOfLine(Vec2 a, Vec2 b, int width, int height, Plot&& plot) {
   if (!part) return;
   const Vec2 start = lerp(a, b, part->from);
   const Vec2 end = lerp(a, b, part->to);
-  // Both ends are inside but for rounding, which the clamps take care of.
+  // Both ends are inside except for rounding, which the clamps take care of.
   const double longest = std::max(std::abs(end.x - start.x), std::abs(end.y - start.y));
   const int steps = static_cast<int>(std::min<double>(std::ceil(longest), width + height));
   for (int i = 0; i <= steps; ++i) {

@@ -142,15 +142,16 @@ class RepeatingByBits {
 /// texel that rounding could matter, and that is told.
 ///
 /// How near: of all that is added up to a coordinate nothing is larger than 2^20 texels (`holds`),
-/// so that what rounding loses each time is at most 2^-33 of a texel, a dozen times on both ways
-/// together; and the two operations round to places, which are `size` of 2^-32 of a texel.
+/// so that what rounding loses each time is at most 2^-33 of a texel, a dozen times in both
+/// computations together; and the two operations round to places, which are `size` of 2^-32 of a
+/// texel.
 template <bool kIsPowerOfTwo>
 class RepeatingInFixedPoint {
  public:
   RepeatingInFixedPoint(const ImageAxis& along, int size)
       : RepeatingInFixedPoint(along, size, kPlaces / size) {}
 
-  /// Whether it can tell the texels at parameters of up to `mostMeasure`.
+  /// Whether it can tell the texels at parameters of up to `mostParameter`.
   static bool holds(const ImageAxis& along, int size, double mostParameter) {
     const double places = std::abs(along.place.atZero) + std::abs(along.place.per) * mostParameter +
                           std::abs(along.origin);

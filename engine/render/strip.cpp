@@ -166,7 +166,7 @@ void Strip::copySquaresTo(const PixelRows& picture, int size) const {
   }
 }
 
-/// Four bytes at once, but for the last pixel: the fourth is the next one's first, which comes
+/// Four bytes at once, except for the last pixel: the fourth is the next one's first, which comes
 /// after.
 void Strip::writeRow(Rgb* to, int width, int size, int row) const {
   Rgb* const last = to + width - 1;

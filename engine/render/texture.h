@@ -10,8 +10,8 @@
 
 namespace hearth {
 
-/// A colour in 32 bits: red in the lowest, then green and blue. The highest mean nothing, but for
-/// texels that are holes.
+/// A colour in 32 bits: red in the lowest, then green and blue. The highest mean nothing, except
+/// for texels that are holes.
 using Pixel = std::uint32_t;
 
 inline constexpr Pixel kHoleBit = Pixel{1} << 31;

@@ -103,7 +103,7 @@ class Visibility {
 
   static constexpr double kNoDepth = std::numeric_limits<double>::infinity();
 
-  /// Calls `met(k, hit)` for windows k and the segments, but for one, whose fronts they show.
+  /// Calls `met(k, hit)` for windows k and the segments, except the one whose fronts they show.
   template <typename Met>
   void meetSegments(SectorId id, std::optional<SegmentId> except,
                     const std::vector<Window>& windows, Met&& met) {

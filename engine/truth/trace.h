@@ -39,7 +39,7 @@ enum class RayKind {
 /// any length. None only for light that leaves the level through a sky.
 ///
 /// Works from what authors write (segments, flats, slopes, flat portals) and from nothing that is
-/// derived from it, so that it can be held against what is.
+/// derived from it, so that what is derived can be compared with it.
 std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                               RayKind kind);
 

@@ -27,10 +27,10 @@ Gait walkedOn(const Gait& gait, const Walker& before, const Walker& after) {
   return {gait.stride + metres, gait.swing + kGrip * (swing - gait.swing)};
 }
 
-Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double fraction) {
+Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double strength) {
   const double height = eyeHeight(level);
   const double turn = 360 * std::fmod(gait.stride / height, 1.0);
-  const double lift = fraction * gait.swing * kLiftOfEyeHeight * height * sinCosDegrees(turn).sin;
+  const double lift = strength * gait.swing * kLiftOfEyeHeight * height * sinCosDegrees(turn).sin;
   const Vec2 p = eye.point.xy();
   const Sector& sector = level[eye.sector];
   Eye lifted = eye;

@@ -16,8 +16,8 @@ struct Gait {
 /// The gait after a tick that led from `before` to `after`.
 Gait walkedOn(const Gait& gait, const Walker& before, const Walker& after);
 
-/// What is seen `fraction` (0..1) of the full height of steps higher or lower, as far as the sector
-/// of the eye has air.
-Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double fraction);
+/// The eye, raised or lowered by the gait. `strength` is 0..1. The eye stays in the air of its
+/// sector.
+Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double strength);
 
 }  // namespace hearth

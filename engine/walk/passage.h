@@ -38,7 +38,7 @@ class Passage {
   /// Where along the segment the body fits through, having stepped up if need be.
   Fractions openTo(const UprightBody& body) const;
 
-  /// The highest bottom and the lowest top within some fractions of the segment; infinite where the
+  /// The highest bottom and the lowest top within an interval of the segment; infinite where the
   /// opening goes on through a flat portal of the sector.
   double zBottom(Fractions within) const;
   double zTop(Fractions within) const;

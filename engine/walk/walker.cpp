@@ -52,7 +52,7 @@ void turn(Walker& walker, const WalkInput& input) {
   walker.pitch = std::clamp(walker.pitch + input.pitch / 1000.0, -kMaxPitch, kMaxPitch);
 }
 
-/// Forwards, to the right and up, of the length of the greatest fraction.
+/// The input in axes of the world, at most of length 1.
 Vec3 wantedDirection(const Walker& walker, const WalkInput& input) {
   const double forward = fractionOf(input.forward);
   const double right = fractionOf(input.right);

@@ -85,7 +85,7 @@ class JumpFinder {
   }
 
   /// So that along a row of walls, whatever the order of their sectors, each is mended before the
-  /// next one is held against it.
+  /// next one is compared with it.
   std::vector<const Surface*> fromLeftToRight() const {
     std::vector<std::pair<double, const Surface*>> ordered;  // by metres along the own line
     for (const Surface& surface : level_.surfaces) {

@@ -194,7 +194,7 @@ void KernelFrames::addSpans(const SpanPainter& painter, const Span& span, const 
     for (const KernelSpan& part : partsOfUpright(kernel)) spans.push_back(part);
 }
 
-/// Walls and flats measure their rows alike all over the frame, slopes and skies each for itself.
+/// Walls and flats use the same parameters all over the frame, slopes and skies their own.
 double KernelFrames::setParameters(const SpanMapping& mapping, const Texture& image,
                                    const Rows& rows, KernelSpan& kernel) {
   const auto ofItsOwn = [&](auto&& parameter) {

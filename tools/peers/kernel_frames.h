@@ -9,7 +9,7 @@
 
 namespace hearth {
 
-/// What a level's shots show, with all geometry worked out for the kernel; but for what hangs in
+/// What a level's shots show, with all geometry worked out for the kernel; except for what hangs in
 /// openings.
 class KernelFrames {
  public:

@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-/// How measurements are held against targets; peer_rows.h has those that are made.
+/// How measurements are compared with targets; peer_rows.h has those that are made.
 namespace hearth {
 
 class PeerInputs;

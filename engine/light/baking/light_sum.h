@@ -26,7 +26,7 @@ class LightSum {
   /// The mean of so many samples, clamped to 0..255 and rounded half up, once.
   std::uint8_t mean(int samples) const {
     const double one = samples * kUnit;
-    // The quotient of whole numbers is nowhere so near below another that it is rounded to that.
+    // The quotient of two integers is never so close below an integer that it rounds up to it.
     return static_cast<std::uint8_t>(std::min(std::floor((units_ + one / 2) / one), 255.0));
   }
 

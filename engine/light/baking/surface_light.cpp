@@ -18,7 +18,7 @@ bool isInFront(const LightSource& light, double radius, const LitSurface& surfac
   return std::abs(distance) > kInPlane && distance > -radius;
 }
 
-/// Corners of all that samples of the surface can lie on, but for tolerances.
+/// Corners of all that samples of the surface can lie on, within tolerances.
 std::array<Vec3, 4> cornersOf(const LitSurface& surface) {
   const TexelRect& rect = surface.texels;
   const double i0 = rect.i0;

@@ -17,8 +17,8 @@ namespace hearth {
 
 /// How samples are asked whether they see a light.
 enum class Seeing {
-  ByShafts,    ///< in blocks, and by rays where these differ
-  ByRaysAlone  ///< each by itself: what shafts are held against
+  ByShafts,    ///< by beam trees or shafts, and by rays where these do not decide
+  ByRaysAlone  ///< each by itself: what the others are compared with
 };
 
 /// What of the level's lights arrives at points of one surface.

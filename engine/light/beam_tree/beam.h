@@ -37,9 +37,9 @@ struct Beam {
   bool isDoubtful;
 };
 
-/// A plane that bounds a beam, by directions from its light: a direction is in front of it by
-/// dot(normal, direction) - offset. Of points at most `reach` metres away, rounding decides about
-/// those within margin * perMargin + reach * perMetre of it, with the margin of rays to them.
+/// A plane that bounds a beam, in coordinates relative to the light: a vector v is in front of it
+/// by dot(normal, v) - offset. For points at most `reach` metres away rounding decides within
+/// margin * perMargin + reach * perMetre of the plane, with the margin of rays to them.
 struct BeamBound {
   Vec3 normal;
   double offset;
@@ -96,7 +96,7 @@ struct BeamSet {
   std::vector<HeightPlane> planes;
   /// Sectors that light may come to in ways that no beam describes.
   std::unordered_set<std::uint32_t> unknown;
-  /// Whether there are not too many of them to be found.
+  /// False if the search stopped at its limit.
   bool isComplete = false;
 
   std::span<const HeightPlane> planesOf(const Beam& beam) const {

@@ -7,7 +7,7 @@
 
 namespace hearth {
 
-/// Metres, in lengths of a way on the map from the light, to the line of a wall.
+/// The t at which light + t * direction lies on the line of a wall, in plan.
 double distanceToLine(Vec3 light, const Segment& wall, Vec2 direction);
 /// Metres on the map from the light to what a beam sees of a wall, or of its line.
 double distanceToWall(Vec3 light, const Beam& beam, const Segment& wall);
@@ -24,9 +24,9 @@ class BeamPlanes {
     bool isBelow;  ///< rays go above it
   };
 
-  /// Anew.
+  /// Clears the planes and copies `planes`.
   void begin(std::span<const HeightPlane> planes) { planes_.assign(planes.begin(), planes.end()); }
-  /// Of rays of the beam; planes that bound less of it than others are left out.
+  /// Adds the plane through the light and an edge, unless others bound the beam more closely.
   void add(const Beam& beam, const Segment& wall, const Edge& edge);
 
   /// Whether nothing of the beam lies between what bounds it below and above.

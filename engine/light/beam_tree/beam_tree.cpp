@@ -125,8 +125,8 @@ bool BeamTree::comesToEndOf(const Segment& wall, const Points& points) const {
   const Vec2 start = wall.p0 - light_.position.xy();
   const double margin = points.margin * wall.length;
   return std::ranges::any_of(points.corners, [&](Vec3 p) {
-    const double fraction = dot(along, p.xy() - light_.position.xy() - start);
-    return fraction < margin || fraction > wall.length * wall.length - margin;
+    const double alongTimesLength = dot(along, p.xy() - light_.position.xy() - start);
+    return alongTimesLength < margin || alongTimesLength > wall.length * wall.length - margin;
   });
 }
 

@@ -14,18 +14,17 @@
 
 namespace hearth {
 
-/// What a point of light sees: one beam for each wall and each row of openings through which it
-/// sees some of that. Whether a point is lit, then, takes a few products, and no ray: a level is
-/// flat on the map, so walls bound light by upright planes, and the heights of openings bound it by
-/// planes that lean on the light.
+/// What a point light sees: one beam for each wall and each chain of openings through which the
+/// light sees part of the wall (Heckbert and Hanrahan 1984). Whether a point is lit then takes a
+/// few products and no ray: walls are vertical, so vertical planes through the light bound a beam
+/// at the sides, and planes through the light and the edges of openings bound it below and above.
 ///
-/// What it says holds for rays, as the ray tracer would say: near the bounds of beams, where
-/// rounding decides, it says nothing. Nor does it of what lies behind flat portals that are slopes,
-/// too.
+/// The tree agrees with the ray tracer. It gives no answer near the bounds of a beam, where
+/// rounding decides, nor behind a flat portal that a slope reaches.
 class BeamTree {
  public:
-  /// Of what is no farther than `reach` metres; farther away it may find less. Where all beams take
-  /// about `mostBytes` or more it says nothing. Keeps a reference to the level.
+  /// Finds all beams up to `reach` metres, and may find fewer beyond. Answers nothing if the beams
+  /// would take more than about `mostBytes`. Keeps a reference to the level.
   BeamTree(const Level& level, const Raytracer::Source& light, double reach, std::size_t mostBytes);
 
   /// Points, as they are seen from the light: all that lie between some corners.

@@ -16,7 +16,7 @@ namespace hearth {
 
 namespace {
 
-/// Beams that a light is worth: more than any light of a level that means something sees.
+/// The maximum number of beams per light. Lights of real levels need fewer.
 std::size_t mostBeams(const Level& level) { return 1024 + 8 * level.segments.size(); }
 
 /// Whether two directions are one, or lie the other way round.
@@ -38,8 +38,8 @@ bool isBetween(Vec2 begin, Vec2 end, Vec2 direction) {
 
 Vec2 unit(Vec2 direction) { return (1 / length(direction)) * direction; }
 
-/// By sectors and walls; none where something is doubtful, so that comes first. Beams are large: it
-/// is their numbers that are sorted.
+/// Sorts the beams by sector and wall. Doubtful beams have no wall and come first. Beams are large,
+/// so their indices are sorted.
 std::vector<Beam> sorted(const std::vector<Beam>& beams) {
   std::vector<std::tuple<SectorId, const Segment*, std::size_t>> order;
   order.reserve(beams.size());
@@ -63,7 +63,8 @@ class Finder {
         planes_(light.position) {}
 
   BeamSet find(std::size_t mostBytes) {
-    // Turned a little, so that nothing that is built square lies along their borders.
+    // The first four windows are turned slightly, so that axis-aligned walls do not lie on their
+    // borders.
     constexpr Vec2 kAhead{0.9921875, 0.124755859375};
     Vec2 direction = kAhead;
     for (int quarter = 0; quarter < 4; ++quarter, direction = turned90(direction))
@@ -93,7 +94,7 @@ class Finder {
     const Segment* to;    ///< and before this one
   };
 
-  /// A way into a sector. Directions lead from the light to the vertices of walls.
+  /// An entry into a sector. Directions lead from the light to the vertices of walls.
   struct Window {
     SectorId sector;
     const Segment* from;
@@ -235,9 +236,9 @@ class Finder {
     }
   }
 
-  /// Takes up `stretches_`, which go from one bound to the direction `end`. Between `last` and this
-  /// bound there is nothing but vertices in one line with the light. Rays may slip through between
-  /// them, but not where a wall goes on behind that has been seen there anyway.
+  /// Begins what `stretches_` show from a bound to the direction `end`, and ends what they do not.
+  /// The bounds from `last` to this one are vertices in one line with the light. A ray may pass
+  /// between them unless the same wall continues behind them.
   void goOn(const Window& window, std::size_t last, std::size_t bound, Vec2 end) {
     bool isGap = false;
     for (std::size_t i = last; i < bound; ++i)

@@ -14,9 +14,10 @@ struct UprightSurface {
   UprightOutline air;
 };
 
-/// Finds which surfaces continue which in one plane over a common edge, and notes it in `surfaces`,
-/// which are complete but for that: walls along and above one another, round vertices, through
-/// openings and flat portals; flats and slopes through openings. `upright` is by SegmentId.
+/// Finds which surfaces continue each other in one plane over a common edge, and fills
+/// `continuations` in `surfaces`; all other members are set. Walls continue walls beside and above
+/// them, round vertices, and through openings and flat portals; flats and slopes continue through
+/// openings. `upright` is by SegmentId.
 void joinContinuations(const Level& level, const VertexFan& fan,
                        const std::vector<std::vector<UprightSurface>>& upright,
                        LitSurfaces& surfaces);

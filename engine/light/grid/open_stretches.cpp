@@ -34,7 +34,7 @@ void keepOpen(OpenStretch& open, std::span<const AirOver> airs) {
                 b.at1.zTop - a.at1.zBottom - kHeightNoise);
 }
 
-/// Cuts off where the air of one does not reach the foot (head) of the other's, but for `noise`.
+/// Cuts off where the air of one does not reach the foot (head) of the other's, within `noise`.
 void keepAtFoot(OpenStretch& open, const AirOver& air, const AirOver& near, bool floor,
                 double noise) {
   const auto clearance = [floor, noise](AirColumn some, AirColumn whole) {

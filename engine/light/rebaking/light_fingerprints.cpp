@@ -43,7 +43,7 @@ class Printer {
     return hash.value();
   }
 
-  /// A sector without what it leads to, but for the names.
+  /// A sector without what it leads to, except the names.
   std::uint64_t outlineOf(const Sector& sector) const {
     const PartNumbers numbers{
         [this](SectorId id) { return names_[id.index()]; },

@@ -36,7 +36,7 @@ struct CornerLevels {
 
 /// Levels between the corners of a cell. Where they are more, the cell is cut in four ...
 constexpr double kSteep = 8;
-/// ... but for cells of a texel's side divided by this: of the light of a point, where no line
+/// ... except for cells of a texel's side divided by this: of the light of a point, where no line
 /// divides lit from dark, and of that of a ball, which changes less suddenly and costs more.
 constexpr int kFinest = 8;
 constexpr int kFinestSoft = 4;
@@ -67,7 +67,7 @@ class ClippedLight {
   std::size_t index(int i, int j) const { return blocks_.index(i, j); }
 
   /// Of a point between two corners. Where both lie on one surface, so does what is between them,
-  /// but for walls' corners inside a texel.
+  /// except for walls' corners inside a texel.
   SamplePoint placedBetween(Vec2 p) const {
     const auto whole = [](double x) { return static_cast<int>(x); };
     const SamplePoint& a = corners_[index(whole(std::floor(p.x)), whole(std::floor(p.y)))];

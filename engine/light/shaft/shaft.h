@@ -50,8 +50,7 @@ class Shaft {
   bool meets(SectorId sector) const;
   std::span<const Segment* const> wallsIn(SectorId sector) const;
 
-  /// A wall, and an opening of it, through which all rays go; and which they go through nothing but
-  /// such walls before.
+  /// An opening of a wall through which all rays pass. All that they pass before it are gates, too.
   struct Gate {
     const Segment* wall;
     const LightOpening* opening;
@@ -84,7 +83,7 @@ class Shaft {
     std::uint32_t screens;
   };
   enum class Entry { FromLight, ThroughWall, ThroughFlat };
-  /// A way into a sector.
+  /// An entry into a sector.
   struct Visit {
     SectorId sector;
     Entry entry;

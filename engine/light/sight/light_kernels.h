@@ -20,8 +20,8 @@ struct SampleArrays {
   SampleArrays from(std::size_t first) const { return {x + first, y + first, z + first}; }
 };
 
-/// Ways from a light to the corners of what holds some points: one to eight, and from there on the
-/// first of them again.
+/// Vectors from a light to the corners of what holds some points, one to eight. Unused entries
+/// repeat the first.
 struct CornerDirections {
   double x[8];
   double y[8];
@@ -44,9 +44,9 @@ inline constexpr std::uint32_t kBehindBound = std::uint32_t{1} << 31;
 inline constexpr std::size_t kBoundBits = 31;
 inline constexpr std::uint32_t kAllBounds = kBehindBound - 1;
 
-/// A plane, by directions from a light: those that it has in front of it have dot(normal,
-/// direction) > offset. Within `slack` rounding decides; both are metres times the length of the
-/// normal.
+/// A plane in coordinates relative to the light: a vector v is in front of it if
+/// dot(normal, v) > offset. Within `slack` rounding decides; both are metres times the length of
+/// the normal.
 struct DirectionBound {
   Vec3 normal;
   double offset;
@@ -60,7 +60,7 @@ struct PartingBounds {
   bool isDoubtful;
 };
 
-/// What a sample sees of a light where that is neither all nor nothing: it is not known.
+/// Marks a sample whose visible fraction the beams cannot decide.
 inline constexpr double kUnknownFraction = -1;
 
 struct LightKernels {

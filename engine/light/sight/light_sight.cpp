@@ -321,7 +321,7 @@ void LightSight::findBeamsUnlessBegun() const {
 }
 
 LightSights::LightSights(const Level& level, const BakeSettings& settings) {
-  // Of all lights together; a fair fraction for each, so that the order in which they are found
+  // Of all lights together; an equal part for each, so that the order in which they are found
   // does not matter.
   constexpr std::size_t kMostBytesOfBeams = std::size_t{256} << 20;
   for (const LightSource& light : level.lights) {

@@ -55,7 +55,7 @@ class Stopwatch {
   Image picture_;
 };
 
-/// Trials, each held against the base.
+/// Trials, each compared with the base.
 class Measurement {
  public:
   Measurement(const LoadedLevel& loaded, const Trial& base, std::span<const TruthPicture> truth,

@@ -19,11 +19,11 @@ struct TradeoffReport {
   PictureSize truthSize{};
   PictureSize frameSize{};
   std::vector<Measured> trials;  ///< the level's own settings first
-  /// By trial. Of those that are drawn as accurately as the level's own: on the front of seconds to
-  /// bake against the RMS of light.
+  /// For each trial: whether it is Pareto-optimal in seconds to bake and RMS of light, among trials
+  /// that are drawn as accurately as the level's own.
   std::vector<bool> onBakeFront;
-  /// Of those that are baked like the level's own: on the front of time for a frame against the RMS
-  /// of pictures.
+  /// The same in time for a frame and RMS of pictures, among trials that are baked like the level's
+  /// own.
   std::vector<bool> onFrameFront;
 };
 
@@ -34,9 +34,9 @@ TradeoffReport reportOf(TradeoffReport measured);
 std::string_view frontName(const TradeoffReport& report, std::size_t trial);
 std::string_view nameOf(const Trial& trial);
 
-/// For people.
+/// A table for the terminal.
 std::string tableOf(const TradeoffReport& report);
-/// For programs: a line for each trial, after one of names (RFC 4180).
+/// CSV: a row of names, then one row for each trial (RFC 4180).
 std::string csvOf(const TradeoffReport& report);
 
 }  // namespace hearth

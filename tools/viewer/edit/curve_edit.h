@@ -9,7 +9,7 @@
 namespace hearth {
 
 /// With one more behind the point at `index`, where the curve has it already, so that the light
-/// stays as it is but for a thousandth: half way to the next, or a metre behind the last.
+/// stays as it is within a thousandth: half way to the next, or a metre behind the last.
 std::vector<CurvePoint> withPointBehind(std::vector<CurvePoint> curve, std::size_t index);
 
 /// Expects: there is another.

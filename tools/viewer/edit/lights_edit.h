@@ -14,8 +14,8 @@
 namespace hearth {
 
 /// The text of a lights file as it is edited: what an edit does not change keeps its order, its
-/// spelling and its blanks. At any time the text is one that loads, but for where the lights are:
-/// only a level can tell whether there is air.
+/// spelling and its blanks. At any time the text is one that loads, except for where the lights
+/// are: only a level can tell whether there is air.
 class LightsEdit {
  public:
   /// Of a file's bytes; `file` is how messages name it. They have a mistake, if any, for an error.

@@ -88,8 +88,8 @@ class WorldLines {
     return {projection_.columnOf(seen), projection_.rowOf(p.z, seen.depth)};
   }
 
-  /// Of the way from one point to another, by the fraction of that way in the picture, over which
-  /// 1/depth changes evenly.
+  /// A fraction of the line from one point to another, from that of the projected line: along it
+  /// 1/depth varies linearly (perspective-correct interpolation).
   double worldFraction(Vec3 from, Vec3 to, double fraction) const {
     const double depth0 = depthOf(from);
     const double depth1 = depthOf(to);

@@ -10,8 +10,8 @@
 
 namespace hearth {
 
-/// A walk as it goes: the walker of the last two ticks, between which the view lies, and all that
-/// was asked for on the way where it is to be kept.
+/// A running walk. It holds the last two states of the walker, between which the view is
+/// interpolated, and all inputs if it keeps them.
 class WalkSession {
  public:
   enum class Memory { None, Inputs };
@@ -42,7 +42,7 @@ class WalkSession {
   /// `fraction` of a tick after the tick before the last. So the view lags by a tick at most, and
   /// moves evenly at any rate of frames.
   Eye eye(double fraction) const { return eyeBetween(*level_, before_, after_, fraction); }
-  /// The same with so much (0..1) of what steps move the head.
+  /// The same, with a head bob of this strength (0..1).
   Eye eye(double fraction, double bob) const {
     if (bob == 0) return eye(fraction);
     const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, fraction),
