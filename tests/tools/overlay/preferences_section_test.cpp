@@ -1,5 +1,7 @@
 // The sections that let choose how a walk is steered, and where to go.
 
+#include "viewer/overlay/preferences_section.h"
+
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -7,7 +9,6 @@
 
 #include "viewer/overlay/bookmarks_section.h"
 #include "viewer/overlay/overlay.h"
-#include "viewer/overlay/preferences_section.h"
 #include "walk/stage.h"
 
 namespace hearth {
@@ -45,9 +46,9 @@ class SectionTest : public testing::Test {
   double now_ = 1;
 };
 
-class ComfortSectionTest : public SectionTest {
+class PreferencesSectionTest : public SectionTest {
  protected:
-  ComfortSectionTest() { open(); }
+  PreferencesSectionTest() { open(); }
   void show() override { wasWritten_ |= section_.show(preferences_); }
 
   /// Clicks down the second column until a key is waited for, and presses it.
@@ -64,7 +65,7 @@ class ComfortSectionTest : public SectionTest {
   bool wasWritten_ = false;
 };
 
-TEST_F(ComfortSectionTest, GivesAnActionTheKeyThatIsPressed) {
+TEST_F(PreferencesSectionTest, GivesAnActionTheKeyThatIsPressed) {
   EXPECT_FALSE(section_.take(down(Key::F9), preferences_)) << "no key is waited for yet";
   ASSERT_TRUE(give(Key::F9));
   EXPECT_TRUE(preferences_.keys.actionOf(Key::F9));
@@ -73,28 +74,28 @@ TEST_F(ComfortSectionTest, GivesAnActionTheKeyThatIsPressed) {
   EXPECT_FALSE(section_.take(down(Key::F8), preferences_)) << "only one";
 }
 
-TEST_F(ComfortSectionTest, TakesAKeyFromTheActionThatHadIt) {
+TEST_F(PreferencesSectionTest, TakesAKeyFromTheActionThatHadIt) {
   ASSERT_EQ(preferences_.keys.actionOf(Key::H), Action::Keys);
   ASSERT_TRUE(give(Key::H));
   EXPECT_NE(preferences_.keys.actionOf(Key::H), Action::Keys);
   EXPECT_TRUE(preferences_.keys.keysOf(Action::Keys).empty());
 }
 
-TEST_F(ComfortSectionTest, LeavesAllAsItWasWithEsc) {
+TEST_F(PreferencesSectionTest, LeavesAllAsItWasWithEsc) {
   ASSERT_TRUE(give(Key::Escape));
   EXPECT_EQ(preferences_, Preferences{});
   frame();
   EXPECT_FALSE(wasWritten_);
 }
 
-TEST_F(ComfortSectionTest, ChangesNothingByItself) {
+TEST_F(PreferencesSectionTest, ChangesNothingByItself) {
   preferences_.degreesPerPixel = 3.456;
   for (int i = 0; i < 4; ++i) frame();
   EXPECT_EQ(preferences_.degreesPerPixel, 3.456);
   EXPECT_FALSE(wasWritten_);
 }
 
-TEST_F(ComfortSectionTest, HasASliderForTheMouse) {
+TEST_F(PreferencesSectionTest, HasASliderForTheMouse) {
   click(left_ + 250, kFirstRow);
   EXPECT_GT(preferences_.degreesPerPixel, 0.3);
   EXPECT_TRUE(wasWritten_);
