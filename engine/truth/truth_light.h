@@ -20,7 +20,7 @@ class TruthSource {
   /// at the surface with `lambert`.
   static double unshaded(const LightSource& light, const SurfacePoint& place, bool lambert);
 
-  /// What its light meets first on the way to the point, from its center or, where nothing stops it
+  /// What its light meets first on the way to the point, from its centre or, where nothing stops it
   /// there, from the first point of a ball that something does. None where nothing does, but skies.
   std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
 
@@ -35,7 +35,7 @@ class TruthSource {
 
   const Level& level_;
   Origin center_;
-  /// Many points of a ball, all alike; one of a point. What of a ball its center does not see
+  /// Many points of a ball, all alike; one of a point. What of a ball its centre does not see
   /// counts as points that shine nowhere.
   std::vector<Origin> origins_;
   int count_ = 1;  ///< with those that shine nowhere

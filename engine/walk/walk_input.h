@@ -5,7 +5,7 @@ namespace hearth {
 /// The simulation's fixed tick: 1/64 s is exact in binary.
 inline constexpr int kTicksPerSecond = 64;
 
-/// What a full fraction of speed is in WalkInput.
+/// Full speed in WalkInput.
 inline constexpr int kFullSpeed = 127;
 
 /// What the player asks for during one tick: integers, so that a recording is exact. Fractions

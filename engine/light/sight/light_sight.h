@@ -20,11 +20,11 @@ struct LightTarget {
 };
 
 /// Points of a disc of radius 1 that are asked for again and again. Many are equally far from its
-/// center, and what has to do with that is worked out once.
+/// centre, and what has to do with that is worked out once.
 struct DiscCells {
   explicit DiscCells(int across);
 
-  /// How far a line through the disc is from its center, p.
+  /// How far a line through the disc is from its centre, p.
   struct Distance {
     double square;  ///< p^2
     double half;    ///< sqrt(1 - p^2): half of what the line has of a ball of radius 1
@@ -45,7 +45,7 @@ struct DiscCells {
 };
 
 /// Answers which fraction of a light a point of a surface sees: of a point of light all or nothing,
-/// of a ball the fraction of its volume. What of a ball its own center does not see, because a wall
+/// of a ball the fraction of its volume. What of a ball its own centre does not see, because a wall
 /// runs through it, does not shine.
 class LightSight {
  public:
@@ -74,7 +74,7 @@ class LightSight {
   /// Has them found now, if they are used and no thread has begun: so threads that will need those
   /// of the same lights each find some, instead of waiting for one another.
   void findBeamsUnlessBegun() const;
-  /// On which it depends what of the light shines: that of its center, and all that lines from
+  /// On which it depends what of the light shines: that of its centre, and all that lines from
   /// there to other points of it come into.
   std::span<const SectorId> sectors() const { return sectors_; }
 
@@ -93,7 +93,7 @@ class LightSight {
   int cells_;      ///< along the disc's diameter
   DiscCells discCells_;
   std::vector<Plane> planes_;  ///< of the walls and flats that come into the ball
-  /// Points spread evenly over the ball, without those that its center does not see; and how many
+  /// Points spread evenly over the ball, without those that its centre does not see; and how many
   /// there are with these.
   std::vector<Raytracer::Source> points_;
   int pointCount_ = 0;

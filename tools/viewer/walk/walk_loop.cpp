@@ -60,7 +60,7 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, WalkSession& se
       renderer_(&renderer),
       source_(std::move(source)),
       session_(session),
-      outside_(host.window),
+      window_(host.window),
       storage_(host.storage),
       screenshots_(host.screenshots),
       settings_(settings),
@@ -71,7 +71,7 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, WalkSession& se
   controls_.setPreferences(settings.preferences);
   written_ = settings.preferences;
   title_.reserve(level.name.size() + 64);  // so that no frame has to
-  outside_.setTitle(level.name);
+  window_.setTitle(level.name);
 }
 
 void WalkLoop::goOnIn(const Level& level, const Renderer& renderer,
@@ -106,8 +106,8 @@ void WalkLoop::setNotes(std::vector<std::string> mistakes,
 }
 
 bool WalkLoop::round() {
-  while (const std::optional<Event> event = outside_.poll()) take(*event);
-  const double now = outside_.seconds();
+  while (const std::optional<Event> event = window_.poll()) take(*event);
+  const double now = window_.seconds();
   passTime(now);
   updateMessage(now);
   updateNotes(now);
@@ -160,7 +160,7 @@ void WalkLoop::act(Action action) {
       view.areKeysShown = !view.areKeysShown;
       break;
     case Action::FullScreen:
-      outside_.toggleFullScreen();
+      window_.toggleFullScreen();
       break;
     case Action::Screenshot:
       wantsScreenshot_ = true;
@@ -191,8 +191,7 @@ void WalkLoop::leave() {
   hasLeft_ = hasAskedToSave_ || !panel_.hasUnsavedLights();
   if (hasLeft_) return;
   hasAskedToSave_ = true;
-  say("lights are not saved: F1 and Ctrl+S save them, leaving again drops them",
-      outside_.seconds());
+  say("lights are not saved: F1 and Ctrl+S save them, leaving again drops them", window_.seconds());
 }
 
 void WalkLoop::show(LightMode mode) {
@@ -203,7 +202,7 @@ void WalkLoop::show(LightMode mode) {
 void WalkLoop::captureMouse(bool isCaptured) {
   if (controls_.isMouseCaptured() == isCaptured) return;
   controls_.captureMouse(isCaptured);
-  outside_.captureMouse(isCaptured);
+  window_.captureMouse(isCaptured);
 }
 
 /// The panel needs the mouse; the walk gets it back where it had it.
@@ -285,7 +284,7 @@ void WalkLoop::updateNotes(double now) {
 }
 
 void WalkLoop::tell(const Screenshots::News& news) {
-  outside_.print(news.isSaved ? fmt::format("{}: {}", news.text, news.note) : news.text);
+  window_.print(news.isSaved ? fmt::format("{}: {}", news.text, news.note) : news.text);
 }
 
 void WalkLoop::awaitScreenshots() {
@@ -304,15 +303,15 @@ Camera WalkLoop::cameraIn(PictureSize picture) const {
 }
 
 void WalkLoop::drawOrRest(double now) {
-  const std::optional<PictureSize> window = outside_.windowSize();
+  const std::optional<PictureSize> window = window_.windowSize();
   if (window) {
     scene_.size = settings_.size.value_or(*window);
     scene_.camera = cameraIn(scene_.size);
   }
-  if (!window || (shown_ == scene_ && !panel_.isStale(now))) return outside_.rest(kTickSeconds);
+  if (!window || (shown_ == scene_ && !panel_.isStale(now))) return window_.rest(kTickSeconds);
   const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
   const double wait = nextFrame_ - now;
-  if (wait > 0 && wait <= period) return outside_.rest(std::min(wait, kTickSeconds));
+  if (wait > 0 && wait <= period) return window_.rest(std::min(wait, kTickSeconds));
   // Frames keep to their beat; one that is late, or a clock that was set, begins a new one.
   nextFrame_ = (std::abs(wait) < period ? nextFrame_ : now) + period;
   draw(now);
@@ -329,9 +328,9 @@ void WalkLoop::draw(double now) {
 
 void WalkLoop::drawImage(double now) {
   FrameParts parts;
-  double begin = outside_.seconds();
+  double begin = window_.seconds();
   const auto lap = [&] {
-    const double end = outside_.seconds();
+    const double end = window_.seconds();
     return end - std::exchange(begin, end);
   };
   const int threads = threadsFor(scene_.size, settings_.threads);
@@ -349,18 +348,18 @@ void WalkLoop::drawImage(double now) {
   drawPanel(now);
   parts.cover = lap();
   count(now, begin);
-  outside_.show(scene_.size, [this](const PixelRows& rows) { copy(picture_, rows); });
+  window_.show(scene_.size, [this](const PixelRows& rows) { copy(picture_, rows); });
   parts.show = lap();
   figures_.frames.add(parts);
 }
 
 void WalkLoop::drawRows(double now) {
   const PictureSize size{scene_.camera.width, scene_.camera.height};
-  outside_.show(size, [&](const PixelRows& rows) {
+  window_.show(size, [&](const PixelRows& rows) {
     renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows,
                     threadsFor(size, settings_.threads));
     seeWhatIsDrawn();
-    count(now, outside_.seconds());
+    count(now, window_.seconds());
   });
 }
 
@@ -376,7 +375,7 @@ void WalkLoop::count(double begin, double end) {
   title_.clear();
   fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
                  1e3 * mean->drawSeconds, mean->framesPerSecond);
-  outside_.setTitle(title_);
+  window_.setTitle(title_);
 }
 
 /// Whether a frame is kept as a picture, or something is drawn over it.
@@ -405,7 +404,7 @@ void WalkLoop::drawPanel(double now) {
   const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
   figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
-  figures_.residentBytes = outside_.residentBytes();
+  figures_.residentBytes = window_.residentBytes();
   grant(panel_.draw(now, panelScene(), figures_, settings_, scene_.view, picture_), now);
 }
 
@@ -432,7 +431,7 @@ std::optional<MarkerSpace> WalkLoop::markerSpace() const {
 void WalkLoop::grant(const PanelWishes& wishes, double now) {
   isChoiceNew_ |= wishes.areOptionsNew;
   if (wishes.copied) {
-    outside_.copy(*wishes.copied);
+    window_.copy(*wishes.copied);
     say("copied " + *wishes.copied, now);
   }
   if (settings_.preferences != controls_.preferences())

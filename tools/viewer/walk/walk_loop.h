@@ -97,7 +97,7 @@ class WalkLoop {
   bool canJump() const { return !replay_ && !session_.isKept(); }
   void passTime(double now);
   WalkInput nextInput(int ticksDue);
-  void say(std::string message) { say(std::move(message), outside_.seconds()); }
+  void say(std::string message) { say(std::move(message), window_.seconds()); }
   void say(std::string message, double now);
   void updateMessage(double now);
   void updateNotes(double now);
@@ -123,7 +123,7 @@ class WalkLoop {
   const Renderer* renderer_;
   std::shared_ptr<const LevelSource> source_;
   WalkSession& session_;
-  WindowHost& outside_;
+  WindowHost& window_;
   Storage& storage_;
   Screenshots& screenshots_;
   WalkSettings settings_;
