@@ -639,6 +639,18 @@ class KeptBakes(InFolder):
         self.assertEqual(len(pictures), 3)
         self.assertEqual(len(self.kept()), 3)
 
+    def test_are_none_of_another_program(self):
+        self.draw()
+        program = bytearray(Path(HEARTH).read_bytes())
+        id_at = program.index(b"\3\0\0\0GNU\0") + 8  # of the note that holds the build id
+        copy = self.folder / "hearth"
+        for change, kept in (0, 1), (1, 2):
+            program[id_at] ^= change
+            copy.write_bytes(program)
+            copy.chmod(0o755)
+            subprocess.run([copy, "shot", self.level, "-o", self.out], env=self.environment, check=True)
+            self.assertEqual(len(self.kept()), kept)
+
     def test_leave_nothing_where_none_are_wanted(self):
         self.draw("--no-cache")
         self.assertFalse(self.cache.exists())

@@ -1,14 +1,18 @@
 #include "session/bake_cache.h"
 
+#include <elf.h>
 #include <fmt/format.h>
+#include <link.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -30,17 +34,54 @@ constexpr std::string_view kBakeExtension = ".bake";
 constexpr std::string_view kPartExtension = ".part";
 constexpr std::chrono::hours kPartsOld{1};
 
-/// Of the very file that runs.
-std::optional<std::uint64_t> hashOfProgram() {
-  const auto program = readFile("/proc/self/exe", std::numeric_limits<std::uint64_t>::max());
-  if (!program || program->empty()) return std::nullopt;
+std::uint64_t hashOf(std::string_view bytes) {
   Hash hash;
-  for (std::size_t i = 0; i < program->size(); i += sizeof(std::uint64_t)) {
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
     std::uint64_t word = 0;
-    std::memcpy(&word, &(*program)[i], std::min(sizeof word, program->size() - i));
+    std::memcpy(&word, &bytes[i], std::min(sizeof word, bytes.size() - i));
     hash.addWhole(word);
   }
   return hash.value();
+}
+
+/// The number that the linker makes of a program's bytes (ld --build-id), where it lies in memory;
+/// empty where a program has none.
+std::string_view buildId(const dl_phdr_info& program) {
+  constexpr std::size_t kAlign = 4;  // of the parts of a note
+  constexpr std::string_view kOwner("GNU\0", 4);
+  for (int i = 0; i < program.dlpi_phnum; ++i) {
+    const auto& segment = program.dlpi_phdr[i];
+    // Notes of wider alignment are of other kinds.
+    if (segment.p_type != PT_NOTE || segment.p_align != kAlign) continue;
+    const auto* start = std::bit_cast<const char*>(program.dlpi_addr + segment.p_vaddr);
+    std::string_view notes{start, segment.p_memsz};
+    ElfW(Nhdr) note;
+    while (notes.size() >= sizeof note) {
+      std::memcpy(&note, notes.data(), sizeof note);
+      const std::size_t nameBytes = (note.n_namesz + kAlign - 1) / kAlign * kAlign;
+      const std::size_t idBytes = (note.n_descsz + kAlign - 1) / kAlign * kAlign;
+      if (notes.size() < sizeof note + nameBytes + idBytes) break;
+      if (note.n_type == NT_GNU_BUILD_ID && notes.substr(sizeof note, note.n_namesz) == kOwner)
+        return notes.substr(sizeof note + nameBytes, note.n_descsz);
+      notes.remove_prefix(sizeof note + nameBytes + idBytes);
+    }
+  }
+  return {};
+}
+
+/// Of the very program that runs. Its file is read only where it has no build id: it may be large.
+std::optional<std::uint64_t> hashOfProgram() {
+  std::string_view id;
+  ::dl_iterate_phdr(
+      [](dl_phdr_info* program, std::size_t, void* found) {
+        *static_cast<std::string_view*>(found) = buildId(*program);
+        return 1;  // the program comes first, and libraries after it
+      },
+      &id);
+  if (!id.empty()) return hashOf(id);
+  const auto program = readFile("/proc/self/exe", std::numeric_limits<std::uint64_t>::max());
+  if (!program || program->empty()) return std::nullopt;
+  return hashOf(*program);
 }
 
 void add(Hash& hash, const BakeSettings& settings) {
