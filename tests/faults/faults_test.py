@@ -32,9 +32,13 @@ WRITERS = {
     "other.json": ["fmt", "level.json", "-o", "{}"],
     "level.golden/ramp.png": ["check", "level.json", "--update", *BAKE],
     "check.html": ["check", "level.json", "--report", "{}", *BAKE],
-    "settings.html": ["tradeoff", "level.json", "--report", "{}", "--size", "8x5", "--repeats", "1",
-                      "--texel", "1"],
+    # The coarsest of a small level: its subject is the page.
+    "settings.html": ["tradeoff", "cell.json", "--report", "{}", "--size", "8x5", "--repeats", "1",
+                      "--texel", "1", "--pixel-size", "64"],
 }
+CELL = {"shots": [{"name": "cell", "camera": [0.2, 0.2, 0.6, 45, 0]}], "sectors": {"cell": {
+    "floor": {"z": 0, "texture": "#808080"}, "ceiling": {"z": 1, "texture": "#808080"},
+    "loops": {"border": {"v": [0, 0, 1, 0, 1, 1, 0, 1], "walls": {"texture": "#808080"}}}}}}
 OLD = b"what was there before"
 
 
@@ -65,6 +69,8 @@ class InFolder(unittest.TestCase):
         self.level = self.folder / "level.json"
         shutil.copy(SOURCE / "tests/levels/rooms.json", self.level)
         shutil.copy(SOURCE / "tests/levels/rooms.lights.json", self.folder / "level.lights.json")
+        (self.folder / "cell.json").write_text(json.dumps(CELL))
+        (self.folder / "cell.lights.json").write_text('[{"x": 0.7, "y": 0.5, "z": 0.5}]')
         (self.folder / "level.golden").mkdir()
         self.given = self.files()
 
