@@ -25,7 +25,34 @@ def measure(*options):
     return run(SOURCE / "tests/levels/rooms.json", "--size", "24x15", "--repeats", "1", *options)
 
 
+# A level that takes little time, for what does not depend on levels.
+ROOM = {"light": 0, "shots": [{"name": "room", "camera": [0.2, 0.2, 0.6, 45, 0]}], "sectors": {"room": {
+    "floor": {"z": 0, "texture": "#808080"}, "ceiling": {"z": 1, "texture": "#808080"},
+    "loops": {"border": {"v": [0, 0, 1, 0, 1, 1, 0, 1], "walls": {"texture": "#808080"}}}}}}
+
+
+def measure_room(*options):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "room.json"
+        path.write_text(json.dumps(ROOM))
+        path.with_suffix(".lights.json").write_text('[{"x": 0.7, "y": 0.5, "z": 0.5}]')
+        return run(path, "--size", "8x5", "--pixel-size", "64", "--repeats", "1", "--quiet", *options)
+
+
+def rows(result):
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
 class Tradeoff(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Two measurements of one level, the second one with progress and page."""
+        cls.first = measure("--csv", "--quiet")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "trade.html"
+            cls.second = measure("--csv", "--report", path)
+            cls.page = path.read_text() if path.exists() else ""
+
     def refuse(self, result, message):
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, message)
@@ -55,12 +82,9 @@ class Tradeoff(unittest.TestCase):
             self.refuse(run(path), "bare.json: .*shots")
 
     def test_prints_the_same_errors_and_work_each_time(self):
-        def rows():
-            result = measure("--csv", "--quiet")
-            self.assertEqual((result.returncode, result.stderr), (0, ""))
-            return list(csv.DictReader(io.StringIO(result.stdout)))
-
-        first, second = rows(), rows()
+        self.assertEqual((self.first.returncode, self.first.stderr), (0, ""))
+        self.assertEqual(self.second.returncode, 0, self.second.stderr)
+        first, second = rows(self.first), rows(self.second)
         self.assertEqual(first[0]["settings"], "", "the level's own come first")
         self.assertEqual(len(first), len({row["settings"] for row in first}))
         timed = {"front", "bake_cost", "bake_seconds", "frame_cost", "frame_ms"}
@@ -70,7 +94,7 @@ class Tradeoff(unittest.TestCase):
         self.assertTrue(any(row["front"] for row in first))
 
     def test_prints_costs_as_shares_of_the_levels_own_settings(self):
-        own, *others = csv.DictReader(io.StringIO(measure("--csv", "--quiet").stdout))
+        own, *others = rows(self.first)
         self.assertEqual((own["bake_cost"], own["frame_cost"]), ("1", "1"))
         for row in others:
             for cost, time in ("bake_cost", "bake_seconds"), ("frame_cost", "frame_ms"):
@@ -78,32 +102,28 @@ class Tradeoff(unittest.TestCase):
                 self.assertAlmostEqual(float(row[cost]) * float(own[time]) / float(row[time]), 1)
 
     def test_finds_finer_texels_nearer_to_truth(self):
-        rows = {row["settings"]: row
-                for row in csv.DictReader(io.StringIO(measure("--csv", "--quiet").stdout))}
-        errors = [float(rows[f"--texel {size}"]["light_rms"]) for size in (1, 0.03125)]
-        self.assertGreater(errors[0], errors[1])
-        self.assertLess(int(rows["--texel 1"]["texels"]), int(rows["--texel 0.03125"]["texels"]))
+        by_settings = {row["settings"]: row for row in rows(self.first)}
+        coarse, fine = by_settings["--texel 1"], by_settings["--texel 0.03125"]
+        self.assertGreater(float(coarse["light_rms"]), float(fine["light_rms"]))
+        self.assertLess(int(coarse["texels"]), int(fine["texels"]))
 
     def test_takes_the_settings_that_it_is_given_for_all(self):
-        rows = list(csv.DictReader(io.StringIO(measure("--csv", "--quiet", "--texel", "0.5").stdout)))
-        texels = {row["texels"] for row in rows if "--texel" not in row["settings"]}
+        texels = {row["texels"] for row in rows(measure_room("--csv", "--texel", "0.5"))
+                  if "--texel" not in row["settings"]}
         self.assertEqual(len(texels), 1)
 
     def test_writes_a_page_that_needs_no_other_file(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "trade.html"
-            result = measure("--report", path)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn("of", result.stderr, "how far it is")
-            page = path.read_text()
-            self.assertEqual(page.count("<svg"), 2)
-            for begin in [i for i in range(len(page)) if page.startswith("<svg", i)]:
-                xml.dom.minidom.parseString(page[begin:page.index("</svg>", begin) + 6])
-            self.assertNotRegex(page, r"(src|href)=")
-            self.assertIn("--texel 0.0625", page)
+        self.assertEqual(self.second.returncode, 0, self.second.stderr)
+        self.assertIn("of", self.second.stderr, "how far it is")
+        page = self.page
+        self.assertEqual(page.count("<svg"), 2)
+        for begin in [i for i in range(len(page)) if page.startswith("<svg", i)]:
+            xml.dom.minidom.parseString(page[begin:page.index("</svg>", begin) + 6])
+        self.assertNotRegex(page, r"(src|href)=")
+        self.assertIn("--texel 0.0625", page)
 
     def test_says_when_a_page_cannot_be_written(self):
-        result = measure("--quiet", "--report", "/nowhere/trade.html")
+        result = measure_room("--report", "/nowhere/trade.html")
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, "/nowhere/trade.html")
 
