@@ -36,8 +36,9 @@ struct Shot {
   int height = 200;
 };
 
-/// All that a level is, linked and valid. Immutable once `finishLevel` has run: what belongs to a
-/// frame or to a bake lives with the renderer and the bakery.
+/// What was authored of a level, linked and valid. Immutable once `linkSurfaces` has run: what
+/// follows from heights lives in a `Geometry`, what belongs to a frame or to a bake with the
+/// renderer and the bakery.
 struct Level {
   std::string name;
   std::vector<std::string> textures;  ///< names, by TextureId
@@ -51,8 +52,11 @@ struct Level {
   std::optional<Player> player;
   std::vector<Shot> shots;
 
-  // Derived by `finishLevel`:
-  std::vector<Surface> surfaces;
+  // Set by `linkSurfaces`:
+  std::vector<Surface> surfaces;              ///< all that can show at any heights
+  std::vector<WallPart> parts;                ///< of all segments
+  std::vector<SegmentId> entrances;           ///< of all sectors
+  std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
   const Sector& operator[](SectorId id) const { return sectors[id.index()]; }
   Sector& operator[](SectorId id) { return sectors[id.index()]; }
@@ -63,6 +67,13 @@ struct Level {
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {
     return {&segments[sector.firstSegment.index()], sector.segmentCount};
+  }
+  std::span<const WallPart> partsOf(const Segment& segment) const {
+    return {parts.data() + segment.firstPart, segment.partCount};
+  }
+  /// The segments of other sectors that lead into a sector, each once.
+  std::span<const SegmentId> entrancesOf(const Sector& sector) const {
+    return {entrances.data() + sector.firstEntrance, sector.entranceCount};
   }
 };
 

@@ -73,6 +73,13 @@ Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
   return p;
 }
 
+Vec3 nudgedInto(AirColumn air, Vec2 xy, double z) {
+  const double nudge = std::min(
+      nudgeAt({z, 0}), (air.zTop - air.zBottom) / 4);  // a sector may be lower than two nudges
+  const double bottom = air.zBottom + nudge;
+  return {xy.x, xy.y, std::clamp(z, bottom, std::max(bottom, air.zTop - nudge))};
+}
+
 /// The walls on which a point lies.
 class WallsAt {
  public:
@@ -143,19 +150,22 @@ bool contains(const Level& level, const Sector& sector, Vec2 p) {
   return inside || walls.haveAir();
 }
 
-bool contains(const Level& level, const Sector& sector, Vec3 p, double slack) {
+bool contains(const Scene& scene, const Sector& sector, Vec3 p, double slack) {
   if (!inBox(sector, p.xy(), slack)) return false;
-  if (p.z < sector.airBottom(p.xy()) - slack || p.z > sector.airTop(p.xy()) + slack) return false;
-  return contains(level, sector, p.xy()) || isBesideWall(level, sector, p.xy(), slack);
+  if (p.z < scene.airBottom(sector, p.xy()) - slack || p.z > scene.airTop(sector, p.xy()) + slack)
+    return false;
+  return contains(scene.level(), sector, p.xy()) ||
+         isBesideWall(scene.level(), sector, p.xy(), slack);
+}
+
+Vec3 nudgedInside(const Scene& scene, const Sector& sector, Vec3 p) {
+  const Vec2 xy = nudgedInside(scene.level(), sector, p.xy());
+  return nudgedInto({scene.airBottom(sector, xy), scene.airTop(sector, xy)}, xy, p.z);
 }
 
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {
   const Vec2 xy = nudgedInside(level, sector, p.xy());
-  const double bottom = sector.airBottom(xy);
-  const double top = sector.airTop(xy);
-  const double nudge =
-      std::min(nudgeAt({p.z, 0}), (top - bottom) / 4);  // a sector may be lower than two nudges
-  return {xy.x, xy.y, std::clamp(p.z, bottom + nudge, std::max(bottom + nudge, top - nudge))};
+  return nudgedInto({sector.authoredBottom(xy), sector.authoredTop(xy)}, xy, p.z);
 }
 
 SectorId across(const Level& level, const FlatPortal& flatPortal, Side to, Vec2 p) {

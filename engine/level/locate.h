@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -10,10 +10,12 @@ bool contains(const Level& level, const Sector& sector, Vec2 p);
 
 /// True when `p` lies in the air of the sector, walls, flats and slopes included, within
 /// `slack` metres.
-bool contains(const Level& level, const Sector& sector, Vec3 p, double slack);
+bool contains(const Scene& scene, const Sector& sector, Vec3 p, double slack);
 
 /// `p`, or where it lies on (or within kPositionSlack outside) the walls, flats or slopes of the
 /// sector, a point about kNudge inside them: from there no wall of the sector is seen edge-on.
+Vec3 nudgedInside(const Scene& scene, const Sector& sector, Vec3 p);
+/// Where the flats are as authored.
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p);
 
 enum class Side { Upper, Lower };

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
-/// Whether a masked middle texture is solid, and no hole, at a point of its plane between its
-/// heights.
-bool isSolidAt(const Level& level, const Surface& maskedMiddle, Vec3 point);
+/// Whether a masked middle texture that shows is solid, and no hole, at a point of its plane
+/// between its heights.
+bool isSolidAt(const Scene& scene, SurfaceId maskedMiddle, Vec3 point);
 
 }  // namespace hearth

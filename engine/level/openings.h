@@ -1,10 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <variant>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -23,13 +22,6 @@ constexpr PortalHeights portalHeights(double zBottom, double zTop, double nextFl
                                       double nextCeiling) {
   const double zLowerTop = std::clamp(nextFloor, zBottom, zTop);
   return {zBottom, zLowerTop, std::clamp(nextCeiling, zLowerTop, zTop), zTop};
-}
-
-/// The air of a segment's sector, `fraction` (0..1) of the way from p0 to p1.
-constexpr AirColumn airAt(const Segment& segment, double fraction) {
-  if (!segment.airRises) return segment.air0;
-  return {std::lerp(segment.air0.zBottom, segment.air1.zBottom, fraction),
-          std::lerp(segment.air0.zTop, segment.air1.zTop, fraction)};
 }
 
 /// Where the air of both sides of an opening meets, `fraction` of the way from the p0 of the near
@@ -53,10 +45,10 @@ constexpr OpeningSpan openingSpan(const WallPiece& piece, AirColumn near, AirCol
 /// all that a segment holds above one point of it, bottom to top, clipped to the sector's air.
 /// Empty spans are left out; the others meet exactly.
 template <typename OnSurface, typename OnOpening>
-void visitWallColumn(const Level& level, const Segment& segment, double fraction,
+void visitWallColumn(const Scene& scene, const Segment& segment, double fraction,
                      OnSurface&& onSurface, OnOpening&& onOpening) {
-  const AirColumn near = airAt(segment, fraction);
-  for (const WallPiece& piece : segment.pieces) {
+  const AirColumn near = scene.airAt(segment, fraction);
+  for (const WallPiece& piece : scene.piecesOf(segment)) {
     if (const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content)) {
       const double low = std::max(piece.zBottom, near.zBottom);
       const double high = std::min(piece.zTop, near.zTop);
@@ -64,7 +56,8 @@ void visitWallColumn(const Level& level, const Segment& segment, double fraction
       continue;
     }
     const Opening& opening = std::get<Opening>(piece.content);
-    const OpeningSpan span = openingSpan(piece, near, airAt(level[opening.twin], 1 - fraction));
+    const OpeningSpan span =
+        openingSpan(piece, near, scene.airAt(scene[opening.twin], 1 - fraction));
     // Where a slope leaves no more than rounding of a sidewall, there is none: the opening goes on.
     const double zBottom = opening.floorSidewall ? span.zBottom : span.zNearBottom;
     const double zTop = opening.ceilingSidewall ? span.zTop : span.zNearTop;

@@ -11,7 +11,7 @@
 namespace hearth {
 
 struct Flat {
-  double z = 0;
+  double z = 0;                            ///< absolute, as authored
   std::optional<TextureMapping> texture;   ///< none where nothing shows: a flat portal
   Vec2 textureOrigin = {0, 0};             ///< (xr, yr): where u and v are 0
   bool isSky = false;                      ///< sky
@@ -46,15 +46,19 @@ struct Sector {
   SegmentId firstSegment;   ///< all segments of all its loops are contiguous
   std::uint32_t segmentCount = 0;
 
-  // Derived by `finishLevel`:
+  // Set by `linkSurfaces`:
+  SectorId id;
   Vec2 boxMin;
   Vec2 boxMax;
   std::optional<SurfaceId> floorSurface;  ///< none for a flat portal
   std::optional<SurfaceId> ceilingSurface;
+  std::uint32_t firstEntrance = 0;  ///< see Level::entrancesOf
+  std::uint32_t entranceCount = 0;
 
-  /// Heights of the sector's air above a point of the map: slopes included.
-  double airBottom(Vec2 p) const { return floorSlope ? floorSlope->zAt(p) : floor.z; }
-  double airTop(Vec2 p) const { return ceilingSlope ? ceilingSlope->zAt(p) : ceiling.z; }
+  /// Heights of the sector's air above a point in plan, slopes included, where its flats are as
+  /// authored. `Scene` has those of the flats as they are.
+  double authoredBottom(Vec2 p) const { return floorSlope ? floorSlope->zAt(p) : floor.z; }
+  double authoredTop(Vec2 p) const { return ceilingSlope ? ceilingSlope->zAt(p) : ceiling.z; }
 };
 
 /// Flats at one height that open to each other: flat portals.

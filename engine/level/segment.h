@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <variant>
-#include <vector>
 
 #include "level/ids.h"
 #include "level/wall.h"
@@ -10,38 +8,16 @@
 
 namespace hearth {
 
-/// Part of a wall that leads on to `next`.
-struct Opening {
-  SectorId next;
-  SegmentId twin;  ///< the segment of `next` with the same two end points, the other way round
-  /// What of the next sector's wedges can stand in the opening; none where it has no slope.
-  std::optional<SurfaceId> floorSidewall;
+/// What can show of a wall, or of one sub-wall of a stack, at any heights of the flats around it.
+struct WallPart {
+  std::optional<SurfaceId> solid;  ///< of a solid; all others are of portals
+  std::optional<SurfaceId> lower;  ///< the step, or the sky before it
+  std::optional<SurfaceId> upper;
+  std::optional<SurfaceId> maskedMiddle;
+  std::optional<SurfaceId> floorSidewall;  ///< of the next sector's wedge
   std::optional<SurfaceId> ceilingSidewall;
-  std::optional<SurfaceId> maskedMiddle;  ///< what hangs in it, seen from this side
-};
-
-/// What a segment holds between two heights: something that shows, or a way on.
-struct WallPiece {
-  double zBottom;  ///< absolute
-  double zTop;     ///< absolute, > zBottom
-  std::variant<SurfaceId, Opening> content;
-};
-
-/// What light passes: as the openings, but endless above (below) between two skies.
-struct LightOpening {
-  double zBottom;  ///< absolute, or -infinity
-  double zTop;     ///< absolute, or +infinity
-  SectorId next;
-  SegmentId twin;
-  std::vector<SurfaceId> maskedMiddles;  ///< that hang in it, seen from either side
-};
-
-/// The sector's air at one end of a segment: between its floor and its ceiling, slopes included.
-struct AirColumn {
-  double zBottom;
-  double zTop;
-
-  friend constexpr bool operator==(AirColumn, AirColumn) = default;
+  std::optional<SegmentId> twin;        ///< the segment behind a portal, the other way round
+  std::uint32_t firstMaskedMiddle = 0;  ///< those of its light opening, in Geometry::maskedMiddles
 };
 
 /// A piece of a sector's outline. Seen from the front (from inside the sector) p0 is on the left.
@@ -59,13 +35,11 @@ struct Segment {
   double sAfter = 0;       ///< ... and after p1
   Wall kind;
 
-  // Derived by `finishLevel`:
-  double length = 0;              ///< metres
-  AirColumn air0{};               ///< at p0
-  AirColumn air1{};               ///< at p1
-  bool airRises = false;          ///< the two differ: over a slope
-  std::vector<WallPiece> pieces;  ///< bottom to top; cover the air without a gap
-  std::vector<LightOpening> lightOpenings;
+  // Set by `linkSurfaces`:
+  SegmentId id;
+  double length = 0;  ///< metres
+  std::uint32_t firstPart = 0;
+  std::uint32_t partCount = 0;  ///< one, or one for each sub-wall of a stack
 };
 
 }  // namespace hearth

@@ -52,18 +52,13 @@ constexpr bool isOverhead(SurfaceKind kind) {
          kind == SurfaceKind::SkyCeiling;
 }
 
-/// One thing that can show: what is drawn with one texture and lit by one lightmap.
+/// One thing that can show: what is drawn with one texture and lit by one lightmap. Whether it
+/// shows, and between which heights, `SurfaceGeometry` tells.
 struct Surface {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air it bounds, and whose `light` it takes
   std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
-  TextureMapping mapping;            ///< for upright ones `zRef` is always there, except sidewalls
-                                     ///< that follow their slope's edge
-  /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
-  /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.
-  /// Masked middle textures: those of the image in its opening.
-  double zBottom = 0;
-  double zTop = 0;
+  TextureMapping mapping;            ///< as authored
 };
 
 }  // namespace hearth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -25,13 +26,18 @@ struct Portal {
 using SubWallKind = std::variant<Solid, Portal>;
 
 struct SubWall {
-  double zTop = 0;  ///< absolute; the last one's is its sector's ceiling
+  double z = 0;  ///< of its top, above its sector's floor; the last one reaches the ceiling instead
   SubWallKind kind;
 };
 
 /// Several walls one above the other, bottom to top.
 struct Stack {
   std::vector<SubWall> subWalls;
+
+  /// The absolute height of a sub-wall's top in a sector with these flats.
+  double topOf(std::size_t subWall, double zFloor, double zCeiling) const {
+    return subWall + 1 == subWalls.size() ? zCeiling : zFloor + subWalls[subWall].z;
+  }
 };
 
 using Wall = std::variant<Solid, Portal, Stack>;

@@ -38,7 +38,7 @@ std::int64_t texelsOf(const std::vector<SurfaceTexels>& jobs) {
 }
 
 /// Bakes the texels of these surfaces, all of which can be lit.
-BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const Level& level,
+BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
@@ -49,13 +49,13 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
   baked.surfaces = std::move(surfaces);
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
-  baked.lightCosts.resize(level.lights.size());
-  const LightSights sights(level, settings);
+  baked.lightCosts.resize(scene.level().lights.size());
+  const LightSights sights(scene, settings);
   std::mutex addsLightCosts;
   parallelFor(jobs.size(), threads, [&](std::size_t job) {
     const auto& [id, texels] = jobs[job];
     const std::size_t i = id.index();
-    SurfaceLight surface(level, baked.surfaces, sights, settings.lambert, id);
+    SurfaceLight surface(scene, baked.surfaces, sights, settings.lambert, id);
     for (const std::size_t light : surface.facing()) sights.fine[light].findBeamsUnlessBegun();
     baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);
     const std::scoped_lock lock(addsLightCosts);
@@ -88,7 +88,7 @@ BakeStats statsOf(const BakedLight& baked) {
   return stats;
 }
 
-std::optional<std::string> mistakeInSettings(const Level& level, const BakeSettings& settings) {
+std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSettings& settings) {
   if (const auto mistake = mistakeInSquare(settings.samples.value_or(1)))
     return fmt::format("samples: {}", *mistake);
   if (settings.softSamples != 0)
@@ -97,26 +97,26 @@ std::optional<std::string> mistakeInSettings(const Level& level, const BakeSetti
   if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
   if (settings.bounces != 0)
     return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);
-  if (const auto mistake = mistakeInTexel(level, settings.texel))
+  if (const auto mistake = mistakeInTexel(scene, settings.texel))
     return fmt::format("texel: {}", *mistake);
   return std::nullopt;
 }
 
-BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
+BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
                 BakeProgress* progress) {
-  LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
+  LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
   std::vector<SurfaceTexels> all;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i]) all.push_back({SurfaceId(i), surfaces[i]->texels});
-  return bakeJobs(std::move(all), std::move(surfaces), level, settings, threads, progress);
+  return bakeJobs(std::move(all), std::move(surfaces), scene, settings, threads, progress);
 }
 
-BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Level& level,
+BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress) {
   std::vector<SurfaceTexels> jobs;
   for (const auto& [id, texels] : wanted)
     jobs.push_back({id, bakedWith(texels, *surfaces[id.index()], settings)});
-  return bakeJobs(std::move(jobs), std::move(surfaces), level, settings, threads, progress);
+  return bakeJobs(std::move(jobs), std::move(surfaces), scene, settings, threads, progress);
 }
 
 }  // namespace hearth

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bake_progress.h"
 #include "light/light_cost.h"
 #include "light/lightmap.h"
@@ -42,11 +42,11 @@ struct BakedLight {
 BakeStats statsOf(const BakedLight& baked);
 
 /// Why the level cannot be baked so, beginning with the setting (`texel: ...`), or nothing.
-std::optional<std::string> mistakeInSettings(const Level& level, const BakeSettings& settings);
+std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSettings& settings);
 
-/// Lights every surface of the level, with settings without a mistake. The bytes do not depend on
+/// Lights every surface that shows, with settings without a mistake. The bytes do not depend on
 /// `threads`. `progress`, if any, is new, and has all texels done when the bake is.
-BakedLight bake(const Level& level, const BakeSettings& settings, int threads,
+BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
 
 /// Texels of a surface, of which there is at least one.
@@ -56,9 +56,9 @@ struct SurfaceTexels {
 };
 
 /// Bakes texels of some surfaces alone, each surface named once: they get what a whole bake gives
-/// them. `surfaces` are the level's, on grids of `settings`. What was not asked for is dark, or in
+/// them. `surfaces` are the scene's, on grids of `settings`. What was not asked for is dark, or in
 /// no lightmap.
-BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Level& level,
+BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress = nullptr);
 
 }  // namespace hearth

@@ -14,20 +14,21 @@ class GeometryHasher {
  public:
   GeometryHasher(Hash& hash, const PartNumbers& numbers) : hash_(hash), numbers_(numbers) {}
 
-  void add(const Level& level, const Sector& sector) {
-    addFlat(sector.floor, sector.floorSlope);
-    addFlat(sector.ceiling, sector.ceilingSlope);
+  void add(const Scene& scene, const Sector& sector) {
+    const SectorGeometry& heights = scene.geometryOf(sector);
+    addFlat(sector.floor, heights.zFloor, sector.floorSlope);
+    addFlat(sector.ceiling, heights.zCeiling, sector.ceilingSlope);
     hash_.addWhole(sector.loops.size());
     for (const Loop& loop : sector.loops) hash_.addWhole(loop.count);
-    for (const Segment& segment : level.segmentsOf(sector)) addSegment(segment);
+    for (const Segment& segment : scene.segmentsOf(sector)) addSegment(segment, heights);
   }
 
  private:
   enum FlatKind : std::uint64_t { Plain, Sky, FlatPortal, Sloped };
   enum WallKind : std::uint64_t { SolidWall, PortalWall, StackOfWalls, PortalWithMaskedMiddle };
 
-  void addFlat(const Flat& flat, const std::optional<Slope>& slope) {
-    hash_.addReal(flat.z);
+  void addFlat(const Flat& flat, double z, const std::optional<Slope>& slope) {
+    hash_.addReal(z);
     if (slope) {
       hash_.addWhole(Sloped);
       hash_.addPoint(slope->origin);
@@ -41,10 +42,12 @@ class GeometryHasher {
     }
   }
 
-  void addSegment(const Segment& segment) {
+  void addSegment(const Segment& segment, const SectorGeometry& heights) {
     hash_.addPoint(segment.p0);
     hash_.addPoint(segment.p1);
-    std::visit([this](const auto& wall) { addWall(wall); }, segment.kind);
+    if (const Stack* stack = std::get_if<Stack>(&segment.kind)) return addStack(*stack, heights);
+    if (const Portal* portal = std::get_if<Portal>(&segment.kind)) return addWall(*portal);
+    addWall(std::get<Solid>(segment.kind));
   }
 
   void addWall(const Solid&) { hash_.addWhole(SolidWall); }
@@ -62,12 +65,12 @@ class GeometryHasher {
     hash_.addReal(zRef.value_or(0));
   }
 
-  void addWall(const Stack& stack) {
+  void addStack(const Stack& stack, const SectorGeometry& heights) {
     hash_.addWhole(StackOfWalls);
     hash_.addWhole(stack.subWalls.size());
-    for (const SubWall& subWall : stack.subWalls) {
-      hash_.addReal(subWall.zTop);
-      std::visit([this](const auto& wall) { addWall(wall); }, subWall.kind);
+    for (std::size_t i = 0; i < stack.subWalls.size(); ++i) {
+      hash_.addReal(stack.topOf(i, heights.zFloor, heights.zCeiling));
+      std::visit([this](const auto& wall) { addWall(wall); }, stack.subWalls[i].kind);
     }
   }
 
@@ -77,20 +80,20 @@ class GeometryHasher {
 
 }  // namespace
 
-std::uint64_t geometryHash(const Level& level, double texel) {
+std::uint64_t geometryHash(const Scene& scene, double texel) {
   const PartNumbers ids{[](SectorId id) { return id.value; },
                         [](FlatPortalId id) { return id.value; },
                         [](TextureId id) { return id.value; }};
   Hash hash;
   hash.addReal(texel);
-  for (const TexelHoles& holes : level.holes) addHoles(hash, holes);
-  hash.addWhole(level.sectors.size());
-  for (const Sector& sector : level.sectors) addGeometry(hash, level, sector, ids);
+  for (const TexelHoles& holes : scene.level().holes) addHoles(hash, holes);
+  hash.addWhole(scene.level().sectors.size());
+  for (const Sector& sector : scene.level().sectors) addGeometry(hash, scene, sector, ids);
   return hash.value();
 }
 
-void addGeometry(Hash& hash, const Level& level, const Sector& sector, const PartNumbers& numbers) {
-  GeometryHasher(hash, numbers).add(level, sector);
+void addGeometry(Hash& hash, const Scene& scene, const Sector& sector, const PartNumbers& numbers) {
+  GeometryHasher(hash, numbers).add(scene, sector);
 }
 
 void addHoles(Hash& hash, const TexelHoles& holes) {

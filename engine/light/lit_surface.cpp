@@ -40,26 +40,27 @@ TexelRect texelsOf(const std::vector<Polygon>& outlines) {
 
 class LitSurfaceBuilder {
  public:
-  LitSurfaceBuilder(const Level& level, double texel)
-      : level_(level),
+  LitSurfaceBuilder(const Scene& scene, double texel)
+      : scene_(scene),
         texel_(texel),
-        fan_(level),
-        wallGrids_(wallGrids(level, fan_, texel)),
-        floorGrids_(slopeGrids(level, true, texel)),
-        ceilingGrids_(slopeGrids(level, false, texel)),
-        lit_(level.surfaces.size()),
-        upright_(level.segments.size()) {}
+        fan_(scene),
+        wallGrids_(wallGrids(scene.level(), fan_, texel)),
+        floorGrids_(slopeGrids(scene, true, texel)),
+        ceilingGrids_(slopeGrids(scene, false, texel)),
+        lit_(scene.level().surfaces.size()),
+        upright_(scene.level().segments.size()) {}
 
   LitSurfaces build() {
-    for (std::size_t i = 0; i < level_.surfaces.size(); ++i) {
-      const Surface& surface = level_.surfaces[i];
-      if (isSky(surface.kind)) continue;
-      if (isUpright(surface.kind))
-        addUpright(SurfaceId(i), surface);
+    for (std::size_t i = 0; i < lit_.size(); ++i) {
+      const SurfaceId id(i);
+      const SurfaceKind kind = scene_[id].kind;
+      if (isSky(kind) || !scene_.geometryOf(id).shows) continue;
+      if (isUpright(kind))
+        addUpright(id);
       else
-        addHorizontal(SurfaceId(i), surface);
+        addHorizontal(id);
     }
-    joinContinuations(level_, fan_, upright_, lit_);
+    joinContinuations(scene_, fan_, upright_, lit_);
     return std::move(lit_);
   }
 
@@ -74,11 +75,11 @@ class LitSurfaceBuilder {
     lit.outline = Outline(outlines);
   }
 
-  void addUpright(SurfaceId id, const Surface& surface) {
-    UprightOutline air = uprightAir(level_, surface);
+  void addUpright(SurfaceId id) {
+    UprightOutline air = uprightAir(scene_, id);
     if (air.size() < 3) return;
-    const Segment& segment = level_[*surface.segment];
-    const TexelGrid& grid = wallGrids_[surface.segment->index()];
+    const Segment& segment = scene_[*scene_[id].segment];
+    const TexelGrid& grid = wallGrids_[segment.id.index()];
     Polygon outline;
     for (const Vec2 p : air) {
       const Vec2 xy = lerp(segment.p0, segment.p1, p.x);
@@ -86,16 +87,17 @@ class LitSurfaceBuilder {
     }
     const Vec2 inward = (1 / segment.length) * turned90(segment.p1 - segment.p0);
     add(id, grid, {segment.p0.x, segment.p0.y, 0}, {inward.x, inward.y, 0}, {std::move(outline)});
-    upright_[surface.segment->index()].push_back({id, std::move(air)});
+    upright_[segment.id.index()].push_back({id, std::move(air)});
   }
 
-  void addHorizontal(SurfaceId id, const Surface& surface) {
-    const Sector& sector = level_[surface.sector];
+  void addHorizontal(SurfaceId id) {
+    const Surface& surface = scene_[id];
+    const Sector& sector = scene_[surface.sector];
     const double sign = isOverhead(surface.kind) ? -1 : 1;
     if (isFlat(surface.kind)) {
-      add(id, flatGrid(surface.zBottom, texel_), {0, 0, surface.zBottom}, {0, 0, sign},
-          outlinesOf(sector, flatGrid(surface.zBottom, texel_),
-                     [&](Vec2) { return surface.zBottom; }));
+      const double z = scene_.geometryOf(id).zBottom;
+      const TexelGrid grid = flatGrid(z, texel_);
+      add(id, grid, {0, 0, z}, {0, 0, sign}, outlinesOf(sector, grid, [&](Vec2) { return z; }));
       return;
     }
     const bool floor = surface.kind == SurfaceKind::SlopeFloor;
@@ -114,14 +116,14 @@ class LitSurfaceBuilder {
     for (const Loop& loop : sector.loops) {
       Polygon& outline = outlines.emplace_back();
       for (std::size_t i = 0; i < loop.count; ++i) {
-        const Vec2 p = level_.segments[loop.first.index() + i].p0;
+        const Vec2 p = scene_[SegmentId(loop.first.index() + i)].p0;
         outline.push_back(grid.toTexels({p.x, p.y, zAt(p)}));
       }
     }
     return outlines;
   }
 
-  const Level& level_;
+  Scene scene_;
   double texel_;
   VertexFan fan_;
   std::vector<TexelGrid> wallGrids_;
@@ -165,8 +167,8 @@ std::vector<LitSurface::Texels> LitSurface::askedIn(int j) const {
   return asked;
 }
 
-LitSurfaces makeLitSurfaces(const Level& level, double texel) {
-  return LitSurfaceBuilder(level, texel).build();
+LitSurfaces makeLitSurfaces(const Scene& scene, double texel) {
+  return LitSurfaceBuilder(scene, texel).build();
 }
 
 }  // namespace hearth

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/outline.h"
 #include "light/texel_grid.h"
 
@@ -78,10 +78,10 @@ class AskedRow {
   std::size_t next_ = 0;
 };
 
-/// By SurfaceId; none for sky and for surfaces of which nothing can show.
+/// By SurfaceId; none for sky and for surfaces of which nothing shows.
 using LitSurfaces = std::vector<std::optional<LitSurface>>;
 
 /// `texel` in metres, > 0. Grids are those of levels/README.md, "Lightmaps".
-LitSurfaces makeLitSurfaces(const Level& level, double texel);
+LitSurfaces makeLitSurfaces(const Scene& scene, double texel);
 
 }  // namespace hearth

@@ -16,6 +16,7 @@
 #include "light/rebaking/light_dependencies.h"
 #include "light/rebaking/light_fingerprints.h"
 #include "light/sight/light_sight.h"
+#include "math/hash.h"
 #include "math/parallel.h"
 
 namespace hearth {
@@ -55,9 +56,9 @@ struct LightMemory::Kept {
   std::size_t mostBytes;
   std::size_t bytes = 0;
   std::optional<BakeSettings> settings;
-  std::uint64_t geometry = 0;               ///< hash of the geometry of the last level, ...
-  std::shared_ptr<const LitSurfaces> made;  ///< ... whose surfaces these are
-  std::unordered_map<std::uint64_t, Number> numbers;                           ///< of prints
+  std::uint64_t geometry = 0;                         ///< hashOf() the last scene, ...
+  std::shared_ptr<const LitSurfaces> made;            ///< ... whose surfaces these are
+  std::unordered_map<std::uint64_t, Number> numbers;  ///< of prints
   std::unordered_map<std::uint64_t, std::shared_ptr<const Surface>> surfaces;  ///< by their prints
 
   void clear() {
@@ -76,11 +77,20 @@ struct LightMemory::Kept {
     surfaces.erase(print);
   }
 
-  /// Those of the last level where the geometry is the same.
-  std::shared_ptr<const LitSurfaces> surfacesOf(const Level& level, double texel) {
-    const std::uint64_t hash = geometryHash(level, texel);
+  /// Of the geometry, and of which ids show: a texture that shows nowhere changes ids alone.
+  static std::uint64_t hashOf(const Scene& scene, double texel) {
+    Hash hash;
+    hash.addWhole(geometryHash(scene, texel));
+    for (const SurfaceGeometry& surface : scene.geometry().surfaces)
+      hash.addWhole(surface.shows ? 1 : 0);
+    return hash.value();
+  }
+
+  /// Those of the last scene where that is the same.
+  std::shared_ptr<const LitSurfaces> surfacesOf(const Scene& scene, double texel) {
+    const std::uint64_t hash = hashOf(scene, texel);
     if (!made || geometry != hash)
-      made = std::make_shared<const LitSurfaces>(makeLitSurfaces(level, texel));
+      made = std::make_shared<const LitSurfaces>(makeLitSurfaces(scene, texel));
     geometry = hash;
     return made;
   }
@@ -100,7 +110,7 @@ std::size_t LightMemory::bytes() const { return kept_->bytes; }
 
 class Rebake::Baker {
  public:
-  Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings, int threads);
+  Baker(LightMemory::Kept& memory, const Scene& scene, const BakeSettings& settings, int threads);
 
   std::int64_t texelLightsLeft() const { return texelLightsLeft_; }
   BakedLight draft() const;
@@ -139,7 +149,7 @@ class Rebake::Baker {
   std::optional<Lightmap> draftOf(SurfaceId id, const LightSights& sights) const;
 
   LightMemory::Kept& memory_;
-  const Level& level_;
+  Scene scene_;
   BakeSettings settings_;
   int threads_;
   std::shared_ptr<const LitSurfaces> made_;
@@ -152,8 +162,8 @@ class Rebake::Baker {
   std::int64_t texelLightsLeft_ = 0;
 };
 
-Rebake::Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings, int threads)
-    : baker_(std::make_unique<Baker>(*memory.kept_, level, settings, threads)) {}
+Rebake::Rebake(LightMemory& memory, const Scene& scene, const BakeSettings& settings, int threads)
+    : baker_(std::make_unique<Baker>(*memory.kept_, scene, settings, threads)) {}
 
 Rebake::~Rebake() = default;
 
@@ -168,16 +178,16 @@ std::optional<BakedLight> Rebake::finish(BakeProgress* progress, const std::stop
 
 // --- What is to be done --------------------------------------------------------------------------
 
-Rebake::Baker::Baker(LightMemory::Kept& memory, const Level& level, const BakeSettings& settings,
+Rebake::Baker::Baker(LightMemory::Kept& memory, const Scene& scene, const BakeSettings& settings,
                      int threads)
     : memory_(memory),
-      level_(level),
+      scene_(scene),
       settings_(settings),
       threads_(threads),
-      made_(memory.surfacesOf(level, settings.texel)),
+      made_(memory.surfacesOf(scene, settings.texel)),
       surfaces_(*made_),
-      prints_(lightFingerprints(level, surfaces_)),
-      sights_(level, settings),
+      prints_(lightFingerprints(scene, surfaces_)),
+      sights_(scene, settings),
       plans_(surfaces_.size()) {
   if (memory.settings != settings) memory.clear();
   memory.settings = settings;
@@ -205,7 +215,7 @@ Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>
     return std::ranges::all_of(numbers, [&](Number number) { return isPresent[number]; });
   };
   Plan plan;
-  plan.facing = SurfaceLight(level_, surfaces_, sights_, settings_.lambert, id).facing();
+  plan.facing = SurfaceLight(scene_, surfaces_, sights_, settings_.lambert, id).facing();
   const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
   if (old != memory_.surfaces.end() && areThere(old->second->samplesOn)) plan.old = old->second;
   for (const std::size_t light : plan.facing) {
@@ -287,7 +297,7 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
 
 TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
   const bool isColored = std::ranges::any_of(plans_[id.index()].facing, [this](std::size_t light) {
-    return level_.lights[light].isColored();
+    return scene_.level().lights[light].isColored();
   });
   return {surfaces_[id.index()]->texels, isColored ? 3 : 1};
 }
@@ -296,7 +306,7 @@ TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
 void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                              const std::stop_token& stop) const {
   LightDependencies dependencies;
-  SurfaceLight surface(level_, surfaces_, sights_, settings_.lambert, id, Seeing::ByShafts,
+  SurfaceLight surface(scene_, surfaces_, sights_, settings_.lambert, id, Seeing::ByShafts,
                        &dependencies);
   std::span<const std::size_t> left = plans_[id.index()].left;
   auto contribution = found.contributions.begin();
@@ -305,7 +315,7 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
     left = left.subspan(lights.size());
     std::map<std::size_t, TexelSums> sums;
     for (const std::size_t light : lights)
-      sums.try_emplace(light, surface.texels(), level_.lights[light].isColored() ? 3 : 1);
+      sums.try_emplace(light, surface.texels(), scene_.level().lights[light].isColored() ? 3 : 1);
     addLights(
         surface, lights, settings_, [&](std::size_t light) -> TexelSums& { return sums.at(light); },
         progress, stop);
@@ -340,7 +350,7 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(lit.size());
   baked.surfaceCosts.resize(lit.size());
-  baked.lightCosts.resize(level_.lights.size());
+  baked.lightCosts.resize(scene_.level().lights.size());
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (!lit[i]) continue;
     const std::vector<std::size_t>& facing = plans_[i].facing;
@@ -367,7 +377,7 @@ void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> lit
 BakedLight Rebake::Baker::draft() const {
   BakeSettings points = settings_;
   points.softSamples = 0;
-  const LightSights sights(level_, points);
+  const LightSights sights(scene_, points);
   BakedLight baked;
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(surfaces_.size());
@@ -387,7 +397,7 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& 
   for (const auto& contribution : plan.known)
     if (contribution) sums.add(contribution->sums);
   if (!plan.left.empty()) {
-    SurfaceLight surface(level_, surfaces_, sights, settings_.lambert, id);
+    SurfaceLight surface(scene_, surfaces_, sights, settings_.lambert, id);
     addDraftOfLights(surface, plan.left, settings_,
                      [&](std::size_t) -> TexelSums& { return sums; });
   }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bake_progress.h"
 #include "light/bakery.h"
 
@@ -39,9 +39,10 @@ class LightMemory {
 /// into.
 class Rebake {
  public:
-  /// Looks what is to be done; with settings without a mistake. Memory and level must outlive the
-  /// rebake, and the memory is its alone meanwhile. No byte depends on `threads`.
-  Rebake(LightMemory& memory, const Level& level, const BakeSettings& settings, int threads);
+  /// Looks what is to be done; with settings without a mistake. Memory, level and geometry must
+  /// outlive the rebake; meanwhile the memory is its alone, and no flat moves. No byte depends on
+  /// `threads`.
+  Rebake(LightMemory& memory, const Scene& scene, const BakeSettings& settings, int threads);
   ~Rebake();
   Rebake(const Rebake&) = delete;
   Rebake& operator=(const Rebake&) = delete;

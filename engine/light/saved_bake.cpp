@@ -216,10 +216,10 @@ Mistake mistakeInFrame(std::string_view bytes) {
   return std::nullopt;
 }
 
-Mistake mistakeInGeometry(const Level& level, const Header& header, std::string_view settings) {
-  if (const auto mistake = mistakeInTexel(level, header.texel))
+Mistake mistakeInGeometry(const Scene& scene, const Header& header, std::string_view settings) {
+  if (const auto mistake = mistakeInTexel(scene, header.texel))
     return fmt::format("has texels that cannot be: {}", *mistake);
-  if (header.geometry == geometryHash(level, header.texel)) return std::nullopt;
+  if (header.geometry == geometryHash(scene, header.texel)) return std::nullopt;
   return fmt::format("was baked for other geometry than the level has now, with the settings {:?}",
                      settings);
 }
@@ -250,8 +250,8 @@ std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces
 /// Takes the lightmaps of a file whose frame and geometry are right.
 class LightmapReader {
  public:
-  LightmapReader(const Level& level, BakedLight& light, std::string_view bytes)
-      : level_(level), light_(light), in_(bytes) {}
+  LightmapReader(const Scene& scene, BakedLight& light, std::string_view bytes)
+      : scene_(scene), surfaces_(scene.shownSurfaces()), light_(light), in_(bytes) {}
 
   Mistake readAll(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -272,11 +272,12 @@ class LightmapReader {
       number = *taken;
     }
     const auto [surface, i0, j0, width, height, channels] = numbers;
-    if (surface >= light_.surfaces.size())
+    if (surface >= surfaces_.size())
       return fmt::format("has a lightmap for surface {}, of a level with {}", surface,
-                         light_.surfaces.size());
-    const auto& lit = light_.surfaces[surface];
-    std::optional<Lightmap>& map = light_.lightmaps[surface];
+                         surfaces_.size());
+    const std::size_t index = surfaces_[surface].index();
+    const auto& lit = light_.surfaces[index];
+    std::optional<Lightmap>& map = light_.lightmaps[index];
     if (!lit) return wrong(surface, "that never shows light");
     if (map) return wrong(surface, "that has one already");
     const TexelRect rect{unfolded(i0), unfolded(j0), static_cast<int>(width),
@@ -302,28 +303,31 @@ class LightmapReader {
 
   std::string wrong(std::uint32_t surface, std::string_view what) const {
     return fmt::format("has a lightmap for surface {} ({}) {}", surface,
-                       name(level_.surfaces[surface].kind), what);
+                       name(scene_[surfaces_[surface]].kind), what);
   }
 
   static std::string words(const TexelRect& rect) {
     return fmt::format("({}, {}) {} x {}", rect.i0, rect.j0, rect.width, rect.height);
   }
 
-  const Level& level_;
+  Scene scene_;
+  std::vector<SurfaceId> surfaces_;  ///< by their numbers in the file
   BakedLight& light_;
   Reader in_;
 };
 
 }  // namespace
 
-std::string encodeBake(const Level& level, const BakedLight& light, double texel,
+std::string encodeBake(const Scene& scene, const BakedLight& light, double texel,
                        std::string_view settings) {
   CHECK(settings.size() <= kMostSettingsBytes, settings);
   std::string lightmaps;
   std::uint32_t count = 0;
-  for (std::size_t i = 0; i < light.lightmaps.size(); ++i) {
-    if (!light.lightmaps[i]) continue;
-    put(lightmaps, static_cast<std::uint32_t>(i), *light.lightmaps[i]);
+  const std::vector<SurfaceId> surfaces = scene.shownSurfaces();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const std::optional<Lightmap>& map = light.lightmaps[surfaces[i].index()];
+    if (!map) continue;
+    put(lightmaps, static_cast<std::uint32_t>(i), *map);
     ++count;
   }
   const std::string body = packed(lightmaps);
@@ -331,7 +335,7 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
   put(bytes, kVersion);
   put(bytes, static_cast<std::uint32_t>(settings.size()));
   put(bytes, std::uint64_t{kHeaderBytes + settings.size() + body.size() + kChecksumBytes});
-  put(bytes, geometryHash(level, texel));
+  put(bytes, geometryHash(scene, texel));
   put(bytes, std::bit_cast<std::uint64_t>(texel));
   put(bytes, count);
   put(bytes, std::uint64_t{lightmaps.size()});
@@ -341,7 +345,7 @@ std::string encodeBake(const Level& level, const BakedLight& light, double texel
   return bytes;
 }
 
-tl::expected<BakedLight, BakeMistake> decodeBake(const Level& level, std::string_view bytes,
+tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string_view bytes,
                                                  std::uint64_t maxLightBytes) {
   const auto refused = [](std::string what) {
     return tl::unexpected(BakeMistake{std::move(what)});
@@ -353,17 +357,17 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Level& level, std::string
     return refused(fmt::format("has settings of {} bytes, where at most {} can be",
                                header.settingsBytes, most));
   const std::string_view settings = in.take(header.settingsBytes);
-  if (auto mistake = mistakeInGeometry(level, header, settings))
+  if (auto mistake = mistakeInGeometry(scene, header, settings))
     return refused(std::move(*mistake));
 
   BakedLight light;
-  light.surfaces = makeLitSurfaces(level, header.texel);
+  light.surfaces = makeLitSurfaces(scene, header.texel);
   light.lightmaps.resize(light.surfaces.size());
   if (auto mistake = mistakeInSize(header, light.surfaces, maxLightBytes))
     return tl::unexpected(std::move(*mistake));
   const auto lightmaps = unpacked(in.take(in.left()), header.lightmapBytes);
   if (!lightmaps) return refused(lightmaps.error());
-  if (auto mistake = LightmapReader(level, light, *lightmaps).readAll(header.lightmaps))
+  if (auto mistake = LightmapReader(scene, light, *lightmaps).readAll(header.lightmaps))
     return refused(std::move(*mistake));
   light.stats = statsOf(light);
   return light;

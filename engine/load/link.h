@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "level/finish.h"
 #include "level/level.h"
+#include "level/scene.h"
 #include "load/description.h"
 #include "load/outline.h"
 #include "load/report.h"
@@ -41,12 +41,15 @@ struct Linking {
   const SectorNames& names;
   TextureTable& textures;
   Level level;
+  Geometry geometry;  ///< of the linked level
   Outlines outlines;
   std::vector<std::optional<Wall>> walls;  ///< by edge; none where the file's could not be linked
   std::vector<std::uint32_t> edgeOf;       ///< by segment
   /// By sector: whether a mistake in its heights or outline has been reported. Then nothing is said
   /// about what shows in it.
   std::vector<bool> isDoubtful;
+
+  Scene scene() const { return {level, geometry}; }
 
   const LoopDescription& describedLoop(const Edge& edge) const {
     return hearth::describedLoop(description, outlines, edge);
@@ -63,7 +66,7 @@ struct Linking {
 std::vector<SectorId> targetsOf(const Wall& wall);
 
 // The steps of linking, in this order. Each reports what it cannot link and puts a stand-in in its
-// place, so that the next ones and `finishLevel` find a level without holes.
+// place, so that the next ones and `linkSurfaces` find a level without holes.
 
 /// Heights, textures, flat portals and light of all sectors.
 void linkFlats(Linking& linking);
@@ -77,7 +80,7 @@ void linkSlopes(Linking& linking);
 
 // What is asked of the linked level.
 
-/// One-way portals, pairs that open different heights: warnings. After `finishLevel`.
+/// One-way portals, pairs that open different heights: warnings. After `deriveGeometry`.
 void validatePortals(Linking& linking);
 /// Members of one side that overlap, sides that cover different areas.
 void validateFlatPortals(Linking& linking);
@@ -85,12 +88,12 @@ void validateFlatPortals(Linking& linking);
 void validateRings(Linking& linking);
 /// Coordinates beyond kPreciseReach: a warning, once.
 void validateReach(Linking& linking);
-/// A light that lies on a surface of its sector: a warning. After `finishLevel`.
-void validateLight(Report& report, const Level& level, Place place, const LightSource& light);
-/// Tells what `finishLevel` found, at its cause.
-void reportFaults(Linking& linking, std::span<const LevelFault> faults);
-/// Sectors of player, shots and lights. After `finishLevel`. A position is not looked for where a
-/// mistake has been reported about a sector that may hold it.
+/// A light that lies on a surface of its sector: a warning. After `deriveGeometry`.
+void validateLight(Report& report, const Scene& scene, Place place, const LightSource& light);
+/// Tells of what shows without a texture, at its cause.
+void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing);
+/// Sectors of player, shots and lights. After `deriveGeometry`. A position is not looked for where
+/// a mistake has been reported about a sector that may hold it.
 void linkPositions(Linking& linking, const LightsDescription& lights);
 /// Of these the lights, and how they are baked.
 void linkLights(Linking& linking, const LightsDescription& lights);

@@ -7,7 +7,7 @@ namespace {
 
 class PositionLinker {
  public:
-  explicit PositionLinker(Linking& linking) : linking_(linking), locator_(linking.level) {
+  explicit PositionLinker(Linking& linking) : linking_(linking), locator_(linking.scene()) {
     for (const bool isDoubtful : linking.isDoubtful) anyDoubtful_ |= isDoubtful;
   }
 
@@ -41,7 +41,7 @@ class PositionLinker {
     if (!sector) return;
     linking_.level.lights.push_back(described.source);
     linking_.level.lights.back().sector = *sector;
-    validateLight(linking_.report, linking_.level, described.place, linking_.level.lights.back());
+    validateLight(linking_.report, linking_.scene(), described.place, linking_.level.lights.back());
   }
 
   std::optional<SectorId> locate(Place place, Vec3 p, const std::optional<NameReference>& name,

@@ -108,7 +108,8 @@ class SlopeLinker {
   void checkRoom() {
     if (!sector_.floorSlope && !sector_.ceilingSlope) return;
     double worst = 0;
-    for (const Vec2 p : border_) worst = std::max(worst, sector_.airBottom(p) - sector_.airTop(p));
+    for (const Vec2 p : border_)
+      worst = std::max(worst, sector_.authoredBottom(p) - sector_.authoredTop(p));
     if (worst <= noise_) return;
     const SlopeDescription& at =
         description_.slopeFloor ? *description_.slopeFloor : *description_.slopeCeil;

@@ -67,7 +67,7 @@ class WallLinker {
       const std::optional<double> zTop = topOf(subWall, isLast, zBelow);
       const std::optional<SubWallKind> kind = linkSubWall(subWall);
       isGood &= zTop && kind;
-      if (zTop && kind) stack.subWalls.push_back({*zTop, *kind});
+      if (zTop && kind) stack.subWalls.push_back({subWall.z.value_or(0), *kind});
       zBelow = zTop.value_or(zBelow);
     }
     return isGood ? std::optional(std::move(stack)) : std::nullopt;

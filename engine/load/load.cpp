@@ -5,11 +5,12 @@
 #include <functional>
 #include <string>
 
-#include "level/finish.h"
+#include "level/link_surfaces.h"
 #include "load/link.h"
 #include "load/read.h"
 #include "load/read_document.h"
 #include "load/source.h"
+#include "math/check.h"
 
 namespace hearth {
 
@@ -84,12 +85,20 @@ void Loader::lightFully(Linking& linking) const {
       "write a lights file, or give the level or its sectors a \"light\"", "no-light");
 }
 
+void addSurfacesAndGeometry(Linking& linking) {
+  const std::vector<MissingTwin> portals = linkSurfaces(linking.level);
+  CHECK(portals.empty(), "linkSegments makes such portals solid", portals.front().segment);
+  std::vector<MissingTexture> textures;
+  linking.geometry = deriveGeometry(linking.level, textures);
+  reportMissingTextures(linking, textures);
+}
+
 std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
                                         const LightsDescription& lights) {
   if (description.sectors.empty()) return std::nullopt;
   const SectorNames names(description);
   TextureTable table;
-  Linking linking{description, report_, names, table, {}, {}, {}, {}, {}};
+  Linking linking{description, report_, names, table, {}, {}, {}, {}, {}, {}};
   linking.level.name = description.name.empty() ? file_.stem().string() : description.name;
   linking.outlines = makeOutlines(description);
   validateOutlines(report_, description, linking.outlines);
@@ -101,9 +110,9 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   validateFlatPortals(linking);
   validateRings(linking);
   const bool isEmpty = linking.level.segments.empty();
-  if (!isEmpty) reportFaults(linking, finishLevel(linking.level));
+  if (!isEmpty) addSurfacesAndGeometry(linking);
   TextureFiles textures =
-      readTextures(report_, table, linking.level.surfaces, file_, description.textures, limits_);
+      readTextures(report_, table, linking.scene(), file_, description.textures, limits_);
   if (isEmpty) return std::nullopt;
   validatePortals(linking);
   linkPositions(linking, lights);
@@ -111,11 +120,12 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 
   for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
-  linking.level.holes = holesOfMaskedMiddles(linking.level.surfaces, textures.images);
+  linking.level.holes = holesOfMaskedMiddles(linking.scene(), textures.images);
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
   source_.outlines = std::move(linking.outlines);
   source_.edgeOf = std::move(linking.edgeOf);
   return LoadedLevel{std::move(linking.level),
+                     std::move(linking.geometry),
                      std::move(textures.images),
                      file_,
                      lights_,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 #include "load/diagnostic.h"
 #include "load/limits.h"
 #include "load/positions.h"
@@ -15,7 +15,8 @@
 namespace hearth {
 
 struct LoadedLevel {
-  Level level;                  ///< finished
+  Level level;
+  Geometry geometry;            ///< of the level as authored
   std::vector<Image> textures;  ///< by TextureId; one black pixel where no surface wears it
   std::filesystem::path path;
   std::filesystem::path lights;  ///< file of its lights: where one belongs if there is none
@@ -26,6 +27,8 @@ struct LoadedLevel {
   std::size_t decodedImages = 0;
   /// Of the level file's text, by std::hash: a program that edits it knows if it has changed since.
   std::size_t textHash = 0;
+
+  Scene scene() const { return {level, geometry}; }
 };
 
 struct LoadResult {

@@ -45,29 +45,30 @@ bool isMember(const std::vector<SectorId>& members, SectorId sector) {
 }
 
 /// Whether `p` lies in an opening from one sector to another.
-bool opensTo(const Level& level, const Sector& sector, SectorId next, Vec3 p) {
-  for (const Segment& segment : level.segmentsOf(sector))
-    for (const LightOpening& opening : segment.lightOpenings)
+bool opensTo(const Scene& scene, const Sector& sector, SectorId next, Vec3 p) {
+  for (const Segment& segment : scene.segmentsOf(sector))
+    for (const LightOpening& opening : scene.lightOpeningsOf(segment))
       if (opening.next == next && p.z >= opening.zBottom - kPositionSlack &&
           p.z <= opening.zTop + kPositionSlack && distanceToWall(segment, p.xy()) <= kPositionSlack)
         return true;
   for (const Flat* flat : {&sector.floor, &sector.ceiling}) {
     if (!flat->flatPortal || std::abs(flat->z - p.z) > kPositionSlack) continue;
-    const FlatPortal& flatPortal = level[*flat->flatPortal];
+    const FlatPortal& flatPortal = scene[*flat->flatPortal];
     if (isMember(flat == &sector.floor ? flatPortal.lower : flatPortal.upper, next)) return true;
   }
   return false;
 }
 
 /// Metres from `p` to the air of a sector, nearly: its slopes are taken as they are above `p`.
-double distanceTo(const Level& level, const Sector& sector, Vec3 p) {
+double distanceTo(const Scene& scene, const Sector& sector, Vec3 p) {
   double aside = 0;
-  if (!contains(level, sector, p.xy())) {
+  if (!contains(scene.level(), sector, p.xy())) {
     aside = std::numeric_limits<double>::infinity();
-    for (const Segment& segment : level.segmentsOf(sector))
+    for (const Segment& segment : scene.segmentsOf(sector))
       aside = std::min(aside, distanceToWall(segment, p.xy()));
   }
-  const double above = std::max({0.0, sector.airBottom(p.xy()) - p.z, p.z - sector.airTop(p.xy())});
+  const double above =
+      std::max({0.0, scene.airBottom(sector, p.xy()) - p.z, p.z - scene.airTop(sector, p.xy())});
   return std::sqrt(aside * aside + above * above);
 }
 
@@ -81,12 +82,13 @@ std::string text(Vec3 p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
 
 }  // namespace
 
-Locator::Locator(const Level& level) : level_(level), sectors_(boxesOf(level)) {}
+Locator::Locator(const Scene& scene) : scene_(scene), sectors_(boxesOf(scene.level())) {}
 
 std::vector<SectorId> Locator::sectorsAt(Vec3 p) const {
   std::vector<SectorId> found;
   sectors_.query(grown({p.xy(), p.xy()}, kPositionSlack), [&](std::uint32_t i) {
-    if (contains(level_, level_.sectors[i], p, kPositionSlack)) found.push_back(SectorId(i));
+    if (contains(scene_, scene_.level().sectors[i], p, kPositionSlack))
+      found.push_back(SectorId(i));
   });
   std::sort(found.begin(), found.end());
   return found;
@@ -95,8 +97,8 @@ std::vector<SectorId> Locator::sectorsAt(Vec3 p) const {
 std::vector<SectorId> Locator::skySectorsAt(Vec3 p) const {
   std::vector<SectorId> found;
   sectors_.query(grown({p.xy(), p.xy()}, kPositionSlack), [&](std::uint32_t i) {
-    const Sector& sector = level_.sectors[i];
-    if (liesInSky(sector, p.z) && liesInOutline(level_, sector, p.xy()))
+    const Sector& sector = scene_.level().sectors[i];
+    if (liesInSky(sector, p.z) && liesInOutline(scene_.level(), sector, p.xy()))
       found.push_back(SectorId(i));
   });
   std::sort(found.begin(), found.end());
@@ -106,9 +108,10 @@ std::vector<SectorId> Locator::skySectorsAt(Vec3 p) const {
 tl::expected<SectorId, Locator::Failure> Locator::locate(Vec3 p, std::optional<SectorId> sector,
                                                          PositionOf what) const {
   if (sector) {
-    const Sector& named = level_[*sector];
-    if (contains(level_, named, p, kPositionSlack)) return *sector;
-    if (what == PositionOf::Light && liesInSky(named, p.z) && liesInOutline(level_, named, p.xy()))
+    const Sector& named = scene_[*sector];
+    if (contains(scene_, named, p, kPositionSlack)) return *sector;
+    if (what == PositionOf::Light && liesInSky(named, p.z) &&
+        liesInOutline(scene_.level(), named, p.xy()))
       return *sector;
     return tl::unexpected(outside(p, sector));
   }
@@ -125,12 +128,12 @@ tl::expected<SectorId, Locator::Failure> Locator::choose(Vec3 p,
   std::vector<SectorId> reached{found.front()};
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (const SectorId other : found)
-      if (!isMember(reached, other) && (opensTo(level_, level_[reached[i]], other, p) ||
-                                        opensTo(level_, level_[other], reached[i], p)))
+      if (!isMember(reached, other) && (opensTo(scene_, scene_[reached[i]], other, p) ||
+                                        opensTo(scene_, scene_[other], reached[i], p)))
         reached.push_back(other);
   if (reached.size() == found.size()) return found.front();
   std::vector<std::string> names;
-  for (const SectorId id : found) names.push_back(fmt::format("\"{}\"", level_[id].name));
+  for (const SectorId id : found) names.push_back(fmt::format("\"{}\"", scene_[id].name));
   if (names.size() > 8) names.resize(8);
   return tl::unexpected(
       Failure{fmt::format("{} lies in several sectors: {}", text(p), fmt::join(names, ", ")),
@@ -140,24 +143,24 @@ tl::expected<SectorId, Locator::Failure> Locator::choose(Vec3 p,
 Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const {
   const std::vector<SectorId> found = sectorsAt(p);
   const std::string where =
-      sector ? fmt::format("outside its sector \"{}\"", level_[*sector].name) : "in no sector";
+      sector ? fmt::format("outside its sector \"{}\"", scene_[*sector].name) : "in no sector";
   if (!found.empty())
-    return {fmt::format("{} lies {}, in \"{}\"", text(p), where, level_[found.front()].name),
-            fmt::format("name that sector, or move it into \"{}\"", level_[*sector].name)};
+    return {fmt::format("{} lies {}, in \"{}\"", text(p), where, scene_[found.front()].name),
+            fmt::format("name that sector, or move it into \"{}\"", scene_[*sector].name)};
   const Sector* nearest = nullptr;
   double best = std::numeric_limits<double>::infinity();
-  for (const Sector& candidate : level_.sectors) {
+  for (const Sector& candidate : scene_.level().sectors) {
     if (candidate.segmentCount == 0 || distanceToBox(candidate, p.xy()) >= best) continue;
-    const double distance = distanceTo(level_, candidate, p);
+    const double distance = distanceTo(scene_, candidate, p);
     if (distance < best) nearest = &candidate, best = distance;
   }
   if (!nearest) return {fmt::format("{} lies {}", text(p), where), "move it"};
-  if (contains(level_, *nearest, p.xy()))
-    return {
-        fmt::format("{} lies {}; it is {:.6g} m {} sector \"{}\"", text(p), where, best,
-                    p.z > nearest->airTop(p.xy()) ? "above the ceiling of" : "below the floor of",
-                    nearest->name),
-        "correct its z"};
+  if (contains(scene_.level(), *nearest, p.xy()))
+    return {fmt::format("{} lies {}; it is {:.6g} m {} sector \"{}\"", text(p), where, best,
+                        p.z > scene_.airTop(*nearest, p.xy()) ? "above the ceiling of"
+                                                              : "below the floor of",
+                        nearest->name),
+            "correct its z"};
   return {fmt::format("{} lies {}; the nearest is \"{}\", {:.6g} m away", text(p), where,
                       nearest->name, best),
           "move it inside a sector"};
@@ -169,15 +172,15 @@ std::optional<SectorId> findSector(const Level& level, std::string_view name) {
   return SectorId(static_cast<std::size_t>(found - level.sectors.begin()));
 }
 
-tl::expected<SectorId, std::string> locatePosition(const Level& level, Vec3 p,
+tl::expected<SectorId, std::string> locatePosition(const Scene& scene, Vec3 p,
                                                    std::optional<std::string_view> sectorName) {
-  const auto sector = sectorName ? findSector(level, *sectorName) : std::nullopt;
+  const auto sector = sectorName ? findSector(scene.level(), *sectorName) : std::nullopt;
   std::vector<std::string_view> names;
-  for (const Sector& each : level.sectors) names.push_back(each.name);
+  for (const Sector& each : scene.level().sectors) names.push_back(each.name);
   if (sectorName && !sector)
     return tl::unexpected(fmt::format("there is no sector \"{}\", {}", *sectorName,
                                       suggest(*sectorName, names, "name a sector of the level")));
-  const auto found = Locator(level).locate(p, sector, PositionOf::Camera);
+  const auto found = Locator(scene).locate(p, sector, PositionOf::Camera);
   if (found) return *found;
   return tl::unexpected(found.error().message + ", " + found.error().advice);
 }

@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "load/box_tree.h"
 
 namespace hearth {
@@ -25,7 +25,7 @@ class Locator {
   };
 
   /// `level` is finished.
-  explicit Locator(const Level& level);
+  explicit Locator(const Scene& scene);
 
   tl::expected<SectorId, Failure> locate(Vec3 p, std::optional<SectorId> sector,
                                          PositionOf what) const;
@@ -36,7 +36,7 @@ class Locator {
   std::vector<SectorId> skySectorsAt(Vec3 p) const;
   Failure outside(Vec3 p, std::optional<SectorId> sector) const;
 
-  const Level& level_;
+  Scene scene_;
   BoxTree sectors_;
 };
 
@@ -45,7 +45,7 @@ std::optional<SectorId> findSector(const Level& level, std::string_view name);
 
 /// The sector of a position that the user gave, with or without the name of its sector. The error
 /// says what is wrong and what to do.
-tl::expected<SectorId, std::string> locatePosition(const Level& level, Vec3 p,
+tl::expected<SectorId, std::string> locatePosition(const Scene& scene, Vec3 p,
                                                    std::optional<std::string_view> sectorName);
 
 }  // namespace hearth

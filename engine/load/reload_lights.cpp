@@ -13,13 +13,14 @@ namespace {
 constexpr std::uint32_t kLights = 1;  // among files and documents: the level's own is the first
 
 /// The level with these lights in place of its own.
-Level levelWith(const LightsDescription& lights, const Level& level, const LevelSource& source,
-                Report& report) {
+Level levelWith(const LightsDescription& lights, const LoadedLevel& loaded,
+                const LevelSource& source, Report& report) {
   const SectorNames names(source.level);
   TextureTable textures;
-  Linking linking{source.level, report, names, textures, level, {}, {}, {}, {}};
+  Linking linking{source.level,    report, names, textures, loaded.level,
+                  loaded.geometry, {},     {},    {},       {}};
   linking.level.lights.clear();
-  linking.isDoubtful.resize(level.sectors.size());
+  linking.isDoubtful.resize(loaded.level.sectors.size());
   linkLights(linking, lights);
   return std::move(linking.level);
 }
@@ -42,7 +43,7 @@ std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& s
   const bool wasBright = saysNothingOfLight(source.level, source.lights);
   if (!report.hasErrors() && saysNothingOfLight(source.level, lights) != wasBright)
     return std::nullopt;
-  Level level = levelWith(lights, loaded.level, source, report);
+  Level level = levelWith(lights, loaded, source, report);
 
   LoadResult result;
   std::swap(source.documents[kLights], document);

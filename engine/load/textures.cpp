@@ -143,9 +143,9 @@ ImageRead readFrom(const fs::path& path, bool isWorn, const LoadLimits& limits) 
 }
 
 /// By TextureId.
-std::vector<bool> wornBy(std::span<const Surface> surfaces, std::size_t textures) {
+std::vector<bool> wornIn(const Scene& scene, std::size_t textures) {
   std::vector<bool> worn(textures);
-  for (const Surface& surface : surfaces) worn[surface.mapping.texture.index()] = true;
+  for (const SurfaceId id : scene.shownSurfaces()) worn[scene[id].mapping.texture.index()] = true;
   return worn;
 }
 
@@ -210,13 +210,13 @@ TextureId TextureTable::idOf(const NameReference& name) {
   return found->second;
 }
 
-TextureFiles readTextures(Report& report, const TextureTable& table,
-                          std::span<const Surface> surfaces, const fs::path& levelFile,
-                          const std::optional<NameReference>& folder, const LoadLimits& limits) {
+TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
+                          const fs::path& levelFile, const std::optional<NameReference>& folder,
+                          const LoadLimits& limits) {
   const ImageFinder finder(levelFile, folder);
   const std::vector<NameReference>& names = table.names();
   const std::vector<std::optional<fs::path>> paths = pathsOf(names, finder);
-  std::vector<ImageRead> reads = readAll(paths, wornBy(surfaces, names.size()), limits);
+  std::vector<ImageRead> reads = readAll(paths, wornIn(scene, names.size()), limits);
   bool hasFolder = true;
   TextureFiles textures;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -254,10 +254,10 @@ TextureFiles readTextures(Report& report, const TextureTable& table,
   return textures;
 }
 
-std::vector<TexelHoles> holesOfMaskedMiddles(std::span<const Surface> surfaces,
-                                             const std::vector<Image>& images) {
+std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images) {
   std::vector<TexelHoles> holes(images.size());
-  for (const Surface& surface : surfaces) {
+  for (const SurfaceId id : scene.shownSurfaces()) {
+    const Surface& surface = scene[id];
     if (surface.kind != SurfaceKind::MaskedMiddle) continue;
     TexelHoles& found = holes[surface.mapping.texture.index()];
     if (found.all().empty()) found = holesOf(images[surface.mapping.texture.index()]);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "level/surface.h"
+#include "level/scene.h"
 #include "level/texel_holes.h"
 #include "level/texture_mapping.h"
 #include "load/description.h"
@@ -40,15 +40,14 @@ struct TextureFiles {
   std::size_t decoded = 0;                   ///< files of which more than the header was read
 };
 
-/// Reads the images that `surfaces` wear. Of the others only the header is read, and they are one
+/// Reads the images of surfaces that show. Of the others only the header is read, and they are one
 /// black pixel. Up to four threads read them. `folder` is what the level file names, if it does. A
 /// missing or broken image is reported where it is first used.
-TextureFiles readTextures(Report& report, const TextureTable& table,
-                          std::span<const Surface> surfaces, const std::filesystem::path& levelFile,
+TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
+                          const std::filesystem::path& levelFile,
                           const std::optional<NameReference>& folder, const LoadLimits& limits);
 
 /// By TextureId, of images that a masked middle texture shows; none of the others.
-std::vector<TexelHoles> holesOfMaskedMiddles(std::span<const Surface> surfaces,
-                                             const std::vector<Image>& images);
+std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images);
 
 }  // namespace hearth

@@ -17,12 +17,12 @@ struct Range {
   double zTop;
 };
 
-/// The heights at which a finished segment opens to `next`, bottom to top; ranges that meet are
+/// The heights at which a segment opens to `next`, bottom to top; ranges that meet are
 /// one.
-std::vector<Range> openRanges(const Segment& segment, SectorId next) {
+std::vector<Range> openRanges(const Scene& scene, const Segment& segment, SectorId next) {
   const double noise = noiseOf(segment.length);
   std::vector<Range> ranges;
-  for (const WallPiece& piece : segment.pieces) {
+  for (const WallPiece& piece : scene.piecesOf(segment)) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     if (!opening || opening->next != next) continue;
     if (!ranges.empty() && piece.zBottom - ranges.back().zTop <= noise)
@@ -58,9 +58,9 @@ void examine(const Linking& linking, const TwinIndex& twins, SegmentId id, Secto
   const bool leadsBack = isUnknown || std::binary_search(back.begin(), back.end(), segment.sector);
   passage.leadsBack |= leadsBack;
   if (leadsBack && !isUnknown && id < *twin)
-    passage.opensAlike &=
-        areAlike(openRanges(segment, target), openRanges(linking.level[*twin], segment.sector),
-                 noiseOf(segment.length));
+    passage.opensAlike &= areAlike(
+        openRanges(linking.scene(), segment, target),
+        openRanges(linking.scene(), linking.level[*twin], segment.sector), noiseOf(segment.length));
 }
 
 void warnOfOneWay(Linking& linking, const TwinIndex& twins, SegmentId id, SectorId target) {

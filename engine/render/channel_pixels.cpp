@@ -76,8 +76,16 @@ std::span<T> rowsOf(const Span& span, std::span<T> rows) {
 
 }  // namespace
 
+std::vector<std::size_t> numbersOfShown(const Scene& scene) {
+  std::vector<std::size_t> numbers(scene.level().surfaces.size());
+  std::size_t shown = 0;
+  for (const SurfaceId id : scene.shownSurfaces()) numbers[id.index()] = shown++;
+  return numbers;
+}
+
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
-                  std::span<const double> raySlopes, Strip& strip) {
+                  std::span<const std::size_t> surfaceNumbers, std::span<const double> raySlopes,
+                  Strip& strip) {
   const Material material = painter.materialOf(span.surface);
   const SpanMapping mapping = painter.mappingOf(material, span);
   const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
@@ -91,7 +99,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = indexColor(material.surface.sector.index());
         break;
       case Channel::Surface:
-        pixel = indexColor(span.surface.index());
+        pixel = indexColor(surfaceNumbers[span.surface.index()]);
         break;
       case Channel::Depth:
         pixel = gray(255 / (1 + depthOf(mapping, parameter)));

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
+#include "level/scene.h"
 #include "render/channel.h"
 #include "render/shown_columns.h"
 #include "render/span.h"
@@ -10,9 +13,14 @@
 
 namespace hearth {
 
+/// Numbers the surfaces that show, by SurfaceId: the colours of Channel::Surface do not depend on
+/// what would show at other heights.
+std::vector<std::size_t> numbersOfShown(const Scene& scene);
+
 /// Paints a span with a view of the renderer's own numbers.
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
-                  std::span<const double> raySlopes, Strip& strip);
+                  std::span<const std::size_t> surfaceNumbers, std::span<const double> raySlopes,
+                  Strip& strip);
 
 /// Notes what the rows of a span show in its column, for marks. Surfaces and times are those of
 /// what lies behind masked middle textures.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "render/camera.h"
 
 namespace hearth {

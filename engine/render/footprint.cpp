@@ -35,21 +35,21 @@ double onSky(Vec2 ray, double w) {
   return w / length2 / (2 * std::numbers::pi) * (w / std::sqrt(length2));
 }
 
-double pixelArea(const Level& level, const Projection& projection, const Span& span,
+double pixelArea(const Scene& scene, const Projection& projection, const Span& span,
                  const SpanMapping& mapping) {
   const double w = 1 / projection.distancePx();
   if (mapping.isPlane) return onPlane(mapping.height, w);
   const Vec2 ray = projection.rayOf(span.column + 0.5);
   if (mapping.isSky) return onSky(ray, w);
-  return onWall(level[*level[span.surface].segment], ray, span.depth, w);
+  return onWall(scene[*scene[span.surface].segment], ray, span.depth, w);
 }
 
 }  // namespace
 
-Footprint::Footprint(const Level& level, const Projection& projection, const Span& span,
+Footprint::Footprint(const Scene& scene, const Projection& projection, const Span& span,
                      const Texture& image, const SpanMapping& mapping)
-    : texels_(pixelArea(level, projection, span, mapping) *
-              density(level[span.surface].mapping, image)),
+    : texels_(pixelArea(scene, projection, span, mapping) *
+              density(scene[span.surface].mapping, image)),
       growsWithDepth_(mapping.isPlane) {}
 
 double Footprint::texelsAt(double parameter) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "render/camera.h"
 #include "render/span.h"
 #include "render/span_mapping.h"
@@ -12,7 +12,7 @@ namespace hearth {
 class Footprint {
  public:
   /// `mapping` is the span's on the texture in its full size.
-  Footprint(const Level& level, const Projection& projection, const Span& span,
+  Footprint(const Scene& scene, const Projection& projection, const Span& span,
             const Texture& image, const SpanMapping& mapping);
 
   /// At one of the span's parameters.

@@ -103,7 +103,7 @@ void markEach(const ShownColumns<Shown>& shown, Pixel* pixels, MarkPixel&& markP
 
 }  // namespace
 
-void mark(const Level&, const ShownColumns<ShownTexel>& shown, Pixel* pixels) {
+void mark(const Scene&, const ShownColumns<ShownTexel>& shown, Pixel* pixels) {
   markEach(
       shown, pixels,
       [](Pixel& pixel, const ShownTexel& here, const ShownTexel& left, const ShownTexel& above) {
@@ -112,17 +112,17 @@ void mark(const Level&, const ShownColumns<ShownTexel>& shown, Pixel* pixels) {
       });
 }
 
-void mark(const Level& level, const ShownColumns<ShownSurface>& shown, Pixel* pixels) {
+void mark(const Scene& scene, const ShownColumns<ShownSurface>& shown, Pixel* pixels) {
   markEach(shown, pixels,
-           [&level](Pixel& pixel, const ShownSurface& here, const ShownSurface& left,
+           [&scene](Pixel& pixel, const ShownSurface& here, const ShownSurface& left,
                     const ShownSurface& above) {
              // Most pixels are in the midst of a surface.
              if (here.surface == left.surface && here.surface == above.surface) return;
-             if (const auto color = outlineColor(level, here, left, above)) pixel = pixelOf(*color);
+             if (const auto color = outlineColor(scene, here, left, above)) pixel = pixelOf(*color);
            });
 }
 
-void mark(const Level&, const ShownColumns<ShownTimes>& shown, Pixel* pixels) {
+void mark(const Scene&, const ShownColumns<ShownTimes>& shown, Pixel* pixels) {
   markEach(shown, pixels, [](Pixel& pixel, ShownTimes here, ShownTimes, ShownTimes) {
     pixel = pixelOf(signalOf(here.times, colorOf(pixel)));
   });

@@ -122,7 +122,7 @@ void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int col
 
 /// Marks what is lit already.
 template <typename Shown>
-void paintMarked(const Level& level, const SpanPainter& painter, FrameScratch& scratch,
+void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& scratch,
                  Image& picture, int threads) {
   const int strips = Strip::countIn(picture.width());
   paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
@@ -136,7 +136,7 @@ void paintMarked(const Level& level, const SpanPainter& painter, FrameScratch& s
       const int end = std::min((i + 1) * Strip::kColumns, picture.width());
       for (int column = i * Strip::kColumns; column < end; ++column) {
         noteColumn(painter, scratch, column, shown);
-        mark(level, shown, strip.at(column, 0));
+        mark(scene, shown, strip.at(column, 0));
       }
       strip.copyTo(picture, 1);
     }
@@ -145,8 +145,8 @@ void paintMarked(const Level& level, const SpanPainter& painter, FrameScratch& s
 
 }  // namespace
 
-Projection projectionFor(const Level& level, const Camera& camera, int pixelSize) {
-  return Projection(camera, nudgedInside(level, level[camera.sector], camera.eye), pixelSize);
+Projection projectionFor(const Scene& scene, const Camera& camera, int pixelSize) {
+  return Projection(camera, nudgedInside(scene, scene[camera.sector], camera.eye), pixelSize);
 }
 
 Camera inSquares(Camera camera, int pixelSize) {
@@ -155,9 +155,9 @@ Camera inSquares(Camera camera, int pixelSize) {
   return camera;
 }
 
-Renderer::Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
+Renderer::Renderer(const Scene& scene, const std::vector<Image>& textures, const BakedLight& light,
                    DrawSettings settings)
-    : level_(level), light_(light), settings_(settings) {
+    : scene_(scene), light_(light), settings_(settings) {
   textures_.reserve(textures.size());
   for (const Image& image : textures)
     textures_.push_back(settings.textureFilter == TextureFilter::Mipmapped
@@ -194,8 +194,8 @@ template <typename Picture>
 void Renderer::paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
                      int threads) const {
   const int pixelSize = settings_.pixelSize;
-  const Projection projection = projectionFor(level_, camera, pixelSize);
-  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const Projection projection = projectionFor(scene_, camera, pixelSize);
+  const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
   paintStrips(scratch, pixelSize, picture, threads, false,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
                 painter.paint(span, mode, batch, strip, stats);
@@ -214,11 +214,12 @@ Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
   Image picture;
   fit(picture, camera);
   findSpans(camera, 1, scratch, threads);
-  const Projection projection = projectionFor(level_, camera);
-  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const Projection projection = projectionFor(scene_, camera);
+  const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const std::vector<std::size_t> numbers = numbersOfShown(scene_);
   paintStrips(scratch, 1, picture, threads, true,
               [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
-                paintChannel(painter, span, channel, scratch.raySlopes, strip);
+                paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
               });
   return picture;
 }
@@ -228,17 +229,17 @@ Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
   Image picture;
   fit(picture, camera);
   findSpans(camera, 1, scratch, threads);
-  const Projection projection = projectionFor(level_, camera);
-  const SpanPainter painter(level_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const Projection projection = projectionFor(scene_, camera);
+  const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
   switch (marks) {
     case Marks::Texels:
-      paintMarked<ShownTexel>(level_, painter, scratch, picture, threads);
+      paintMarked<ShownTexel>(scene_, painter, scratch, picture, threads);
       break;
     case Marks::Outlines:
-      paintMarked<ShownSurface>(level_, painter, scratch, picture, threads);
+      paintMarked<ShownSurface>(scene_, painter, scratch, picture, threads);
       break;
     case Marks::Coverage:
-      paintMarked<ShownTimes>(level_, painter, scratch, picture, threads);
+      paintMarked<ShownTimes>(scene_, painter, scratch, picture, threads);
       break;
   }
   return picture;
@@ -246,12 +247,12 @@ Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
 
 void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,
                          int threads) const {
-  const Projection projection = projectionFor(level_, camera, pixelSize);
+  const Projection projection = projectionFor(scene_, camera, pixelSize);
   const Camera squares = inSquares(camera, pixelSize);
   divideColumns(scratch.parts, squares.width, threads);
   const auto findPart = [&](std::size_t i) {
     auto& [range, visibility, strips] = scratch.parts[i];
-    strips.sort(findVisibleSpans(level_, squares, projection, range, visibility), range);
+    strips.sort(findVisibleSpans(scene_, squares, projection, range, visibility), range);
   };
   // By reference: a copy would take memory in every frame.
   workersOf(scratch, threads).run(scratch.parts.size(), std::cref(findPart));

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bakery.h"
 #include "render/camera.h"
 #include "render/channel.h"
@@ -20,8 +20,9 @@ inline constexpr Rgb kHole = {255, 0, 255};
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
 class Renderer {
  public:
-  /// Level and light must outlive the renderer. `textures` are by TextureId, and copied.
-  Renderer(const Level& level, const std::vector<Image>& textures, const BakedLight& light,
+  /// The scene's level and geometry, and the light, must outlive the renderer. `textures` are by
+  /// TextureId, and copied.
+  Renderer(const Scene& scene, const std::vector<Image>& textures, const BakedLight& light,
            DrawSettings settings = {});
 
   const DrawSettings& settings() const { return settings_; }
@@ -54,14 +55,14 @@ class Renderer {
   void paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
              int threads) const;
 
-  const Level& level_;
+  Scene scene_;
   std::vector<MipMap> textures_;
   const BakedLight& light_;
   DrawSettings settings_;
 };
 
 /// The projection of a camera whose eye is moved off the walls that it may touch.
-Projection projectionFor(const Level& level, const Camera& camera, int pixelSize = 1);
+Projection projectionFor(const Scene& scene, const Camera& camera, int pixelSize = 1);
 
 /// The camera whose pixels are the squares of another's.
 Camera inSquares(Camera camera, int pixelSize);

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 
 /// What lines of walls and flats are drawn in.
 namespace hearth {
@@ -14,13 +14,15 @@ inline constexpr Rgb kWayOnColor = {255, 160, 48};
 inline constexpr Rgb kFlatPortalColor = {96, 224, 112};
 
 /// Whether a segment has an opening.
-inline bool leadsOn(const Segment& segment) {
-  return std::ranges::any_of(segment.pieces, [](const WallPiece& piece) {
+inline bool leadsOn(const Scene& scene, const Segment& segment) {
+  return std::ranges::any_of(scene.piecesOf(segment), [](const WallPiece& piece) {
     return std::holds_alternative<Opening>(piece.content);
   });
 }
 
-inline Rgb colorOf(const Segment& segment) { return leadsOn(segment) ? kWayOnColor : kWallColor; }
+inline Rgb colorOf(const Scene& scene, const Segment& segment) {
+  return leadsOn(scene, segment) ? kWayOnColor : kWallColor;
+}
 
 /// Of the line in which a floor or ceiling meets walls.
 inline Rgb colorOf(const Flat& flat) { return flat.flatPortal ? kFlatPortalColor : kWallColor; }

@@ -17,20 +17,20 @@ struct LightAxes {
   Affine t{};
 };
 
-LightAxes uprightLightAxes(const Level& level, const Projection& projection, const Span& span,
+LightAxes uprightLightAxes(const Scene& scene, const Projection& projection, const Span& span,
                            const LitSurface* lit) {
   if (!lit) return {};
-  const Segment& segment = level[*level[span.surface].segment];
+  const Segment& segment = scene[*scene[span.surface].segment];
   const Vec2 at = lerp(segment.p0, segment.p1, span.fraction);
   const TexelGrid& grid = lit->grid;
   return {.s = {grid.toTexels({at.x, at.y, 0}).x, 0},
           .t = {projection.eye().z / grid.texel, span.depth / grid.texel}};
 }
 
-SpanMapping uprightMapping(const Level& level, const Projection& projection, const Span& span,
+SpanMapping uprightMapping(const Scene& scene, const Projection& projection, const Span& span,
                            const Texture& image, const LitSurface* lit) {
-  const TextureMapping& texture = level[span.surface].mapping;
-  const LightAxes light = uprightLightAxes(level, projection, span, lit);
+  const TextureMapping& texture = scene[span.surface].mapping;
+  const LightAxes light = uprightLightAxes(scene, projection, span, lit);
   return {.depth = span.depth,
           .u = constant(image.width() * (span.s + texture.along) / texture.repeat.x -
                         texture.offsetTexels.x),
@@ -48,10 +48,11 @@ struct PlaneOverRay {
   Vec2 textureOrigin;
 };
 
-PlaneOverRay planeOver(const Level& level, const Surface& surface, Vec2 eye, Vec2 ray) {
-  const Sector& sector = level[surface.sector];
+PlaneOverRay planeOver(const Scene& scene, SurfaceId id, Vec2 eye, Vec2 ray) {
+  const Surface& surface = scene[id];
+  const Sector& sector = scene[surface.sector];
   const Flat& flat = isOverhead(surface.kind) ? sector.ceiling : sector.floor;
-  if (!isSlope(surface.kind)) return {flat.z, 0, flat.textureOrigin};
+  if (!isSlope(surface.kind)) return {scene.geometryOf(id).zBottom, 0, flat.textureOrigin};
   const Slope& slope =
       surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
   return {slope.zAt(eye), dot(slope.gradient, ray), flat.textureOrigin};
@@ -66,13 +67,13 @@ LightAxes planeLightAxes(const PlaneOverRay& plane, Vec3 eye, Vec2 ray, const Li
           .t = {atEye.y, dot(direction, grid.axisT) / grid.texel}};
 }
 
-SpanMapping planeMapping(const Level& level, const Projection& projection, const Span& span,
+SpanMapping planeMapping(const Scene& scene, const Projection& projection, const Span& span,
                          const Texture& image, const LitSurface* lit) {
-  const Surface& surface = level[span.surface];
+  const Surface& surface = scene[span.surface];
   const TextureMapping& texture = surface.mapping;
   const Vec3 eye = projection.eye();
   const Vec2 ray = projection.rayOf(span.column + 0.5);
-  const PlaneOverRay plane = planeOver(level, surface, eye.xy(), ray);
+  const PlaneOverRay plane = planeOver(scene, span.surface, eye.xy(), ray);
   const LightAxes light = planeLightAxes(plane, eye, ray, lit);
   const Vec2 origin = plane.textureOrigin;
   return {
@@ -86,9 +87,9 @@ SpanMapping planeMapping(const Level& level, const Projection& projection, const
       .t = light.t};
 }
 
-SpanMapping skyMapping(const Level& level, const Projection& projection, const Span& span,
+SpanMapping skyMapping(const Scene& scene, const Projection& projection, const Span& span,
                        const Texture& image) {
-  const Surface& surface = level[span.surface];
+  const Surface& surface = scene[span.surface];
   const TextureMapping& texture = surface.mapping;
   const Vec2 ray = projection.rayOf(span.column + 0.5);
   const bool below =
@@ -117,16 +118,16 @@ SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to)
   return mapping;
 }
 
-SpanMapping lightMappingOf(const Level& level, const Projection& projection, const Span& span,
+SpanMapping lightMappingOf(const Scene& scene, const Projection& projection, const Span& span,
                            const LitSurface& lit) {
-  const Surface& surface = level[span.surface];
+  const Surface& surface = scene[span.surface];
   if (surface.segment) {
-    const LightAxes light = uprightLightAxes(level, projection, span, &lit);
+    const LightAxes light = uprightLightAxes(scene, projection, span, &lit);
     return {.depth = span.depth, .s = light.s, .t = light.t};
   }
   const Vec3 eye = projection.eye();
   const Vec2 ray = projection.rayOf(span.column + 0.5);
-  const PlaneOverRay plane = planeOver(level, surface, eye.xy(), ray);
+  const PlaneOverRay plane = planeOver(scene, span.surface, eye.xy(), ray);
   const LightAxes light = planeLightAxes(plane, eye, ray, &lit);
   return {.isPlane = true,
           .height = plane.zAtEye - eye.z,
@@ -136,12 +137,12 @@ SpanMapping lightMappingOf(const Level& level, const Projection& projection, con
           .t = light.t};
 }
 
-SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
+SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
                       const Texture& image, const LitSurface* lit) {
-  const Surface& surface = level[span.surface];
-  if (isSky(surface.kind)) return skyMapping(level, projection, span, image);
-  if (surface.segment) return uprightMapping(level, projection, span, image, lit);
-  return planeMapping(level, projection, span, image, lit);
+  const Surface& surface = scene[span.surface];
+  if (isSky(surface.kind)) return skyMapping(scene, projection, span, image);
+  if (surface.segment) return uprightMapping(scene, projection, span, image, lit);
+  return planeMapping(scene, projection, span, image, lit);
 }
 
 }  // namespace hearth

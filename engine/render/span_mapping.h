@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/lit_surface.h"
 #include "render/camera.h"
 #include "render/span.h"
@@ -62,11 +62,11 @@ struct SpanMapping {
 SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to);
 
 /// Without texture: u and v are those of nothing.
-SpanMapping lightMappingOf(const Level& level, const Projection& projection, const Span& span,
+SpanMapping lightMappingOf(const Scene& scene, const Projection& projection, const Span& span,
                            const LitSurface& lit);
 
 /// `lit` is null where no light can be: sky, and what cannot show.
-SpanMapping mappingOf(const Level& level, const Projection& projection, const Span& span,
+SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
                       const Texture& image, const LitSurface* lit);
 
 }  // namespace hearth

@@ -50,7 +50,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
   const TextureFilter filter = hasHoles ? TextureFilter::Nearest : settings_.textureFilter;
   std::optional<Footprint> footprint;
   if (filter == TextureFilter::Mipmapped && mode != LightMode::Only)
-    footprint.emplace(level_, projection_, span, material.image(), mapping);
+    footprint.emplace(scene_, projection_, span, material.image(), mapping);
   if (!material.hasUnevenLight())
     kernels_.showEvenly(batch, material.lightmap, material.sectorLight);
   for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(batch.count)) {
@@ -120,7 +120,7 @@ void SpanPainter::shadeAroundHoles(const Texture& image, LightMode mode, const R
 }
 
 Material SpanPainter::materialOf(SurfaceId id) const {
-  const Surface& surface = level_[id];
+  const Surface& surface = scene_[id];
   const auto& lit = light_.surfaces[id.index()];
   const auto& lightmap = light_.lightmaps[id.index()];
   return {surface, textures_[surface.mapping.texture.index()], lightmap ? &*lightmap : nullptr,
@@ -128,7 +128,7 @@ Material SpanPainter::materialOf(SurfaceId id) const {
 }
 
 double SpanPainter::sectorLightOn(const Surface& surface) const {
-  return isSky(surface.kind) ? 1 : level_[surface.sector].light;
+  return isSky(surface.kind) ? 1 : scene_[surface.sector].light;
 }
 
 }  // namespace hearth

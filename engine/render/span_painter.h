@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bakery.h"
 #include "render/camera.h"
 #include "render/draw_settings.h"
@@ -34,10 +34,10 @@ class SpanPainter {
  public:
   /// All must outlive the painter. `raySlopes` are Projection::raySlopeAt the centres of all rows,
   /// and of RowBatch::kMostLanes below the picture.
-  SpanPainter(const Level& level, const std::vector<MipMap>& textures, const BakedLight& light,
+  SpanPainter(const Scene& scene, const std::vector<MipMap>& textures, const BakedLight& light,
               const DrawSettings& settings, const Projection& projection,
               std::span<const double> raySlopes)
-      : level_(level),
+      : scene_(scene),
         textures_(textures),
         light_(light),
         settings_(settings),
@@ -50,7 +50,7 @@ class SpanPainter {
 
   Material materialOf(SurfaceId id) const;
   SpanMapping mappingOf(const Material& material, const Span& span) const {
-    return hearth::mappingOf(level_, projection_, span, material.image(), material.lit);
+    return hearth::mappingOf(scene_, projection_, span, material.image(), material.lit);
   }
 
  private:
@@ -66,7 +66,7 @@ class SpanPainter {
   void shadeAroundHoles(const Texture& image, LightMode mode, const RowBatch& batch,
                         Pixel* pixels) const;
 
-  const Level& level_;
+  Scene scene_;
   const std::vector<MipMap>& textures_;
   const BakedLight& light_;
   const DrawSettings& settings_;

@@ -57,15 +57,15 @@ void addEnds(const SpanMapping& mapping, const Projection& projection, const Spa
 
 }  // namespace
 
-std::vector<SurfaceTexels> texelsInView(const Level& level, const LitSurfaces& surfaces,
+std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& surfaces,
                                         const Camera& camera, const DrawSettings& settings) {
-  const Projection projection = projectionFor(level, camera, settings.pixelSize);
+  const Projection projection = projectionFor(scene, camera, settings.pixelSize);
   VisibilityScratch scratch;
   std::map<SurfaceId, Reads> reads;
   const Camera squares = inSquares(camera, settings.pixelSize);
-  for (const Span& span : findVisibleSpans(level, squares, projection, scratch).spans)
+  for (const Span& span : findVisibleSpans(scene, squares, projection, scratch).spans)
     if (const auto& lit = surfaces[span.surface.index()])
-      addEnds(lightMappingOf(level, projection, span, *lit), projection, span, reads);
+      addEnds(lightMappingOf(scene, projection, span, *lit), projection, span, reads);
 
   std::vector<SurfaceTexels> seen;
   for (const auto& [id, read] : reads)

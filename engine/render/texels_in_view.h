@@ -10,7 +10,7 @@ namespace hearth {
 
 /// The texels that a frame can read of lightmaps, by rising surface: for each surface in view a
 /// rectangle of them. `surfaces` are the level's.
-std::vector<SurfaceTexels> texelsInView(const Level& level, const LitSurfaces& surfaces,
+std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& surfaces,
                                         const Camera& camera, const DrawSettings& settings);
 
 }  // namespace hearth

@@ -50,10 +50,10 @@ void drawEye(Image& image, Vec2 p) {
 
 /// Walls that lead on come last: they stay visible where they share a line with others.
 template <typename Draw>
-void forWallsThenWaysOn(const Level& level, Draw&& draw) {
+void forWallsThenWaysOn(const Scene& scene, Draw&& draw) {
   for (const bool areOpen : {false, true})
-    for (const Segment& segment : level.segments)
-      if (leadsOn(segment) == areOpen) draw(segment);
+    for (const Segment& segment : scene.level().segments)
+      if (leadsOn(scene, segment) == areOpen) draw(segment);
 }
 
 /// Half the width of the field of view at a depth of one metre.
@@ -99,8 +99,8 @@ struct Fit {
   Vec2 operator()(Vec2 world) const { return center + scale * (world - middle); }
 };
 
-Fit fitPlan(const Level& level, const Camera& camera) {
-  PlanBox frame = planFrame(level);
+Fit fitPlan(const Scene& scene, const Camera& camera) {
+  PlanBox frame = planFrame(scene.level());
   frame.add(camera.eye.xy());
   const Vec2 size = frame.high - frame.low;
   const double free = 1 - 2 * kMargin;
@@ -109,9 +109,9 @@ Fit fitPlan(const Level& level, const Camera& camera) {
   return {scale, frame.low + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
 }
 
-Image drawWorld(const Level& level, const Camera& camera, const Projection& projection) {
+Image drawWorld(const Scene& scene, const Camera& camera, const Projection& projection) {
   Image image(camera.width, camera.height, kBackground);
-  const Fit fit = fitPlan(level, camera);
+  const Fit fit = fitPlan(scene, camera);
   const double far = (camera.width + camera.height) / fit.scale;  // metres, past every edge
   const Vec2 origin = fit({0, 0});
   drawLine(image, {0, origin.y}, {image.width() + 0.0, origin.y}, kAxis);
@@ -124,8 +124,8 @@ Image drawWorld(const Level& level, const Camera& camera, const Projection& proj
   }
   drawLine(image, fit(eye), fit(eye + far * projection.direction()), kAxis);
 
-  forWallsThenWaysOn(level, [&](const Segment& segment) {
-    drawLine(image, fit(segment.p0), fit(segment.p1), colorOf(segment));
+  forWallsThenWaysOn(scene, [&](const Segment& segment) {
+    drawLine(image, fit(segment.p0), fit(segment.p1), colorOf(scene, segment));
   });
   const double arrow = 12 / fit.scale;  // metres that 12 pixels are
   drawLine(image, fit(eye), fit(eye + arrow * projection.direction()), kEye);
@@ -143,10 +143,10 @@ struct Extent {
 
 /// Of what lies in the field of view of the segments that count.
 template <typename Counts>
-Extent extentInView(const Level& level, const Projection& projection, double edge,
+Extent extentInView(const Scene& scene, const Projection& projection, double edge,
                     Counts&& counts) {
   Extent extent;
-  for (const Segment& segment : level.segments) {
+  for (const Segment& segment : scene.level().segments) {
     if (!counts(segment)) continue;
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (!seen.part) continue;
@@ -160,25 +160,25 @@ Extent extentInView(const Level& level, const Projection& projection, double edg
 
 /// Pixels per metre at which what of the plan lies in the field of view fits above the eye, or all
 /// if the plan has nothing there.
-double fitView(const Level& level, const Camera& camera, const Projection& projection,
+double fitView(const Scene& scene, const Camera& camera, const Projection& projection,
                double eyeRow) {
   const double edge = slantOfEdge(camera, projection);
-  const PlanBox frame = planFrame(level);
-  Extent extent = extentInView(level, projection, edge, [&](const Segment& segment) {
+  const PlanBox frame = planFrame(scene.level());
+  Extent extent = extentInView(scene, projection, edge, [&](const Segment& segment) {
     return frame.contains(segment.p0) && frame.contains(segment.p1);
   });
   if (extent.depth == 0)
-    extent = extentInView(level, projection, edge, [](const Segment&) { return true; });
+    extent = extentInView(scene, projection, edge, [](const Segment&) { return true; });
   return std::min(eyeRow / std::max(extent.depth, kNearPlane),
                   camera.width / 2.0 / std::max(extent.lateral, kNearPlane)) *
          (1 - kMargin);
 }
 
-Image drawCamera(const Level& level, const Camera& camera, const Projection& projection) {
+Image drawCamera(const Scene& scene, const Camera& camera, const Projection& projection) {
   Image image(camera.width, camera.height, kBackground);
   const double edge = slantOfEdge(camera, projection);
   const Vec2 eye = {camera.width / 2.0, camera.height * 0.9};
-  const double scale = fitView(level, camera, projection, eye.y);
+  const double scale = fitView(scene, camera, projection, eye.y);
   const auto toPicture = [&](CameraPoint p) { return eye + scale * Vec2{p.lateral, -p.depth}; };
 
   const double far = (camera.width + camera.height) / scale;
@@ -186,15 +186,15 @@ Image drawCamera(const Level& level, const Camera& camera, const Projection& pro
   drawLine(image, eye, toPicture({far, 0}), kAxis);
   drawLine(image, eye, toPicture({far, far * edge}), kFieldOfView);
   drawLine(image, eye, toPicture({far, -far * edge}), kFieldOfView);
-  forWallsThenWaysOn(level, [&](const Segment& segment) {
+  forWallsThenWaysOn(scene, [&](const Segment& segment) {
     drawLine(image, toPicture(projection.toCamera(segment.p0)),
-             toPicture(projection.toCamera(segment.p1)), dimmed(colorOf(segment)));
+             toPicture(projection.toCamera(segment.p1)), dimmed(colorOf(scene, segment)));
   });
-  forWallsThenWaysOn(level, [&](const Segment& segment) {
+  forWallsThenWaysOn(scene, [&](const Segment& segment) {
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (seen.part)
       drawLine(image, toPicture(seen.at(seen.part->from)), toPicture(seen.at(seen.part->to)),
-               colorOf(segment));
+               colorOf(scene, segment));
   });
   drawEye(image, eye);
   return image;
@@ -211,15 +211,15 @@ struct Shown {
 /// The frame that the renderer would draw, as sectors and depths.
 class ShownPixels {
  public:
-  ShownPixels(const Level& level, const Camera& camera, const Projection& projection)
+  ShownPixels(const Scene& scene, const Camera& camera, const Projection& projection)
       : width_(camera.width),
         height_(camera.height),
         pixels_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)),
-        seenSectors_(level.sectors.size(), false) {
+        seenSectors_(scene.level().sectors.size(), false) {
     seenSectors_[camera.sector.index()] = true;
     VisibilityScratch scratch;
-    for (const Span& span : findVisibleSpans(level, camera, projection, scratch).spans) {
-      const SectorId sector = level[span.surface].sector;
+    for (const Span& span : findVisibleSpans(scene, camera, projection, scratch).spans) {
+      const SectorId sector = scene[span.surface].sector;
       seenSectors_[sector.index()] = true;
       for (int row = span.rowBegin; row < span.rowEnd; ++row)
         pixels_[index(span.column, row)] = {sector, span.depth};
@@ -255,10 +255,10 @@ class ShownPixels {
 /// Calls `draw(segment, viewed)` for the segments in view: in the field of view, from their front,
 /// of sectors of which something shows.
 template <typename Draw>
-void forSegmentsInView(const Level& level, const Camera& camera, const Projection& projection,
+void forSegmentsInView(const Scene& scene, const Camera& camera, const Projection& projection,
                        const ShownPixels& shown, double nearPlane, Draw&& draw) {
   const double edge = slantOfEdge(camera, projection);
-  forWallsThenWaysOn(level, [&](const Segment& segment) {
+  forWallsThenWaysOn(scene, [&](const Segment& segment) {
     if (!shown.isSeen(segment.sector)) return;
     const ViewedSegment seen = viewed(projection, segment, edge, nearPlane);
     if (seen.part && facesEye(seen)) draw(segment, seen);
@@ -267,11 +267,11 @@ void forSegmentsInView(const Level& level, const Camera& camera, const Projectio
 
 // --- Depth space -----------------------------------------------------------------------------
 
-Image drawDepthSpace(const Level& level, const Camera& camera, const Projection& projection) {
+Image drawDepthSpace(const Scene& scene, const Camera& camera, const Projection& projection) {
   Image image(camera.width, camera.height, kBackground);
-  const ShownPixels shown(level, camera, projection);
+  const ShownPixels shown(scene, camera, projection);
   double nearest = 0;  // the greatest 1/depth, which goes to the lower edge
-  forSegmentsInView(level, camera, projection, shown, kNearPlane,
+  forSegmentsInView(scene, camera, projection, shown, kNearPlane,
                     [&](const Segment&, const ViewedSegment& seen) {
                       for (const double fraction : {seen.part->from, seen.part->to})
                         nearest = std::max(nearest, 1 / seen.at(fraction).depth);
@@ -281,14 +281,14 @@ Image drawDepthSpace(const Level& level, const Camera& camera, const Projection&
   const double scale = nearest > 0 ? (camera.height - 2 * top) / nearest : 0;
   drawLine(image, {0, top}, {image.width() + 0.0, top}, kAxis);
   drawLine(image, {camera.width / 2.0, 0}, {camera.width / 2.0, image.height() + 0.0}, kAxis);
-  forSegmentsInView(level, camera, projection, shown, kNearPlane,
+  forSegmentsInView(scene, camera, projection, shown, kNearPlane,
                     [&](const Segment& segment, const ViewedSegment& seen) {
                       const auto toPicture = [&](double fraction) {
                         const CameraPoint p = seen.at(fraction);
                         return Vec2{projection.columnOf(p), top + scale / p.depth};
                       };
                       drawLine(image, toPicture(seen.part->from), toPicture(seen.part->to),
-                               colorOf(segment));
+                               colorOf(scene, segment));
                     });
   return image;
 }
@@ -305,45 +305,48 @@ struct LineEnd {
 template <typename Draw>
 class SegmentEdges {
  public:
-  SegmentEdges(const Level& level, const Segment& segment, LinePart part, const Draw& draw)
-      : level_(level), segment_(segment), part_(part), draw_(draw) {}
+  SegmentEdges(const Scene& scene, const Segment& segment, LinePart part, const Draw& draw)
+      : scene_(scene), segment_(segment), part_(part), draw_(draw) {}
 
   void visit() const {
-    const Sector& sector = level_[segment_.sector];
+    const Sector& sector = scene_[segment_.sector];
     along(colorOf(sector.floor), 1,
-          [&](double fraction) { return airAt(segment_, fraction).zBottom; });
+          [&](double fraction) { return scene_.airAt(segment_, fraction).zBottom; });
     along(colorOf(sector.ceiling), 1,
-          [&](double fraction) { return airAt(segment_, fraction).zTop; });
+          [&](double fraction) { return scene_.airAt(segment_, fraction).zTop; });
     if (part_.from == 0) upright(0);
     if (part_.to == 1) upright(1);
-    for (std::size_t i = 1; i < segment_.pieces.size(); ++i) borderBelow(segment_.pieces[i]);
-    for (const WallPiece& piece : segment_.pieces)
+    const std::span<const WallPiece> pieces = scene_.piecesOf(segment_);
+    for (std::size_t i = 1; i < pieces.size(); ++i) borderBelow(pieces[i]);
+    for (const WallPiece& piece : pieces)
       if (const Opening* opening = std::get_if<Opening>(&piece.content)) frame(piece, *opening);
   }
 
  private:
   /// Between two parts of a stack; frames of openings come over it. Slopes may bend it.
   void borderBelow(const WallPiece& piece) const {
-    along(kFlatPortalColor, segment_.airRises ? kBentPieces : 1, [&](double fraction) {
-      const AirColumn air = airAt(segment_, fraction);
-      return std::clamp(piece.zBottom, air.zBottom, air.zTop);
-    });
+    along(kFlatPortalColor, scene_.geometryOf(segment_).airRises ? kBentPieces : 1,
+          [&](double fraction) {
+            const AirColumn air = scene_.airAt(segment_, fraction);
+            return std::clamp(piece.zBottom, air.zBottom, air.zTop);
+          });
   }
 
   /// The lower and upper edge of an opening. They may bend where two slopes cross.
   void frame(const WallPiece& piece, const Opening& opening) const {
-    const Segment& twin = level_[opening.twin];
+    const Segment& twin = scene_[opening.twin];
     const auto span = [&](double fraction) {
-      return openingSpan(piece, airAt(segment_, fraction), airAt(twin, 1 - fraction));
+      return openingSpan(piece, scene_.airAt(segment_, fraction), scene_.airAt(twin, 1 - fraction));
     };
-    const int pieces = segment_.airRises || twin.airRises ? kBentPieces : 1;
+    const bool isBent = scene_.geometryOf(segment_).airRises || scene_.geometryOf(twin).airRises;
+    const int pieces = isBent ? kBentPieces : 1;
     along(kWayOnColor, pieces, [&](double fraction) { return span(fraction).zBottom; });
     along(kWayOnColor, pieces, [&](double fraction) { return span(fraction).zTop; });
   }
 
   void upright(double fraction) const {
-    const AirColumn air = airAt(segment_, fraction);
-    draw_(LineEnd{fraction, air.zBottom}, LineEnd{fraction, air.zTop}, colorOf(segment_));
+    const AirColumn air = scene_.airAt(segment_, fraction);
+    draw_(LineEnd{fraction, air.zBottom}, LineEnd{fraction, air.zTop}, colorOf(scene_, segment_));
   }
 
   template <typename Height>
@@ -357,7 +360,7 @@ class SegmentEdges {
 
   static constexpr int kBentPieces = 16;
 
-  const Level& level_;
+  Scene scene_;
   const Segment& segment_;
   LinePart part_;
   const Draw& draw_;
@@ -365,7 +368,7 @@ class SegmentEdges {
 
 /// Calls `plot(x, y, depth, color)` for the pixels of a segment's edges, whatever hides them.
 template <typename Plot>
-void plotEdges(const Level& level, const Projection& projection, const Camera& camera,
+void plotEdges(const Scene& scene, const Projection& projection, const Camera& camera,
                const Segment& segment, const ViewedSegment& seen, Plot&& plot) {
   const auto draw = [&](LineEnd from, LineEnd to, Rgb color) {
     const CameraPoint a = seen.at(from.fraction);
@@ -377,15 +380,15 @@ void plotEdges(const Level& level, const Projection& projection, const Camera& c
                          plot(x, y, 1 / std::lerp(1 / a.depth, 1 / b.depth, fraction), color);
                        });
   };
-  SegmentEdges(level, segment, *seen.part, draw).visit();
+  SegmentEdges(scene, segment, *seen.part, draw).visit();
 }
 
 /// Dim where something hides an edge.
-Image drawScreen(const Level& level, const Camera& camera, const Projection& projection) {
+Image drawScreen(const Scene& scene, const Camera& camera, const Projection& projection) {
   Image image(camera.width, camera.height, kBackground);
-  const ShownPixels shown(level, camera, projection);
+  const ShownPixels shown(scene, camera, projection);
   const auto draw = [&](const Segment& segment, const ViewedSegment& seen) {
-    plotEdges(level, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
+    plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
       Rgb& pixel = image.at(x, y);
       if (shown.shows(x, y, segment.sector, depth))
         pixel = color;
@@ -393,7 +396,7 @@ Image drawScreen(const Level& level, const Camera& camera, const Projection& pro
         pixel = dimmed(color);
     });
   };
-  forSegmentsInView(level, camera, projection, shown, kNearPlaneOfScreen, draw);
+  forSegmentsInView(scene, camera, projection, shown, kNearPlaneOfScreen, draw);
   return image;
 }
 
@@ -409,13 +412,13 @@ Rgb faded(Rgb color, double depth) {
   return {fade(color.r), fade(color.g), fade(color.b)};
 }
 
-Image drawWireframe(const Level& level, const Camera& camera, const Projection& projection) {
+Image drawWireframe(const Scene& scene, const Camera& camera, const Projection& projection) {
   Image image(camera.width, camera.height);
   const double edge = slantOfEdge(camera, projection);
-  forWallsThenWaysOn(level, [&](const Segment& segment) {
+  forWallsThenWaysOn(scene, [&](const Segment& segment) {
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlaneOfScreen);
     if (!seen.part) return;
-    plotEdges(level, projection, camera, segment, seen,
+    plotEdges(scene, projection, camera, segment, seen,
               [&](int x, int y, double depth, Rgb color) { image.at(x, y) = faded(color, depth); });
   });
   return image;
@@ -423,19 +426,19 @@ Image drawWireframe(const Level& level, const Camera& camera, const Projection& 
 
 }  // namespace
 
-Image drawView(const Level& level, const Camera& camera, View view) {
-  const Projection projection = projectionFor(level, camera);
+Image drawView(const Scene& scene, const Camera& camera, View view) {
+  const Projection projection = projectionFor(scene, camera);
   switch (view) {
     case View::World:
-      return drawWorld(level, camera, projection);
+      return drawWorld(scene, camera, projection);
     case View::Camera:
-      return drawCamera(level, camera, projection);
+      return drawCamera(scene, camera, projection);
     case View::DepthSpace:
-      return drawDepthSpace(level, camera, projection);
+      return drawDepthSpace(scene, camera, projection);
     case View::Screen:
-      return drawScreen(level, camera, projection);
+      return drawScreen(scene, camera, projection);
     case View::Wireframe:
-      return drawWireframe(level, camera, projection);
+      return drawWireframe(scene, camera, projection);
   }
   return {};
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 #include "render/camera.h"
 
 namespace hearth {
@@ -21,6 +21,6 @@ enum class View : std::uint8_t {
 
 /// Draws a picture of the camera's size. The camera's sector contains its eye. Distant or huge
 /// geometry is clipped; lines past the range of double are left out.
-Image drawView(const Level& level, const Camera& camera, View view);
+Image drawView(const Scene& scene, const Camera& camera, View view);
 
 }  // namespace hearth

@@ -21,9 +21,9 @@ namespace {
 
 class Visibility {
  public:
-  Visibility(const Level& level, const Camera& camera, const Projection& projection,
+  Visibility(const Scene& scene, const Camera& camera, const Projection& projection,
              ColumnRange columns, VisibilityScratch& scratch)
-      : level_(level),
+      : scene_(scene),
         camera_(camera),
         projection_(projection),
         columns_(columns),
@@ -107,15 +107,15 @@ class Visibility {
   template <typename Met>
   void meetSegments(SectorId id, std::optional<SegmentId> except,
                     const std::vector<Window>& windows, Met&& met) {
-    const Sector& sector = level_[id];
+    const Sector& sector = scene_[id];
     for (std::size_t i = 0; i < sector.segmentCount; ++i) {
       const SegmentId segment(sector.firstSegment.index() + i);
       if (segment == except) continue;
       ++found_.stats.segments;
-      const ColumnRange columns = columnsOf(projection_, level_[segment], camera_.width);
+      const ColumnRange columns = columnsOf(projection_, scene_[segment], camera_.width);
       const auto [begin, end] = windowsIn(windows, columns);
       if (begin == end) continue;
-      const SegmentMeetings meetings(projection_, level_[segment]);
+      const SegmentMeetings meetings(projection_, scene_[segment]);
       for (std::size_t k = begin; k < end; ++k) {
         const auto [depth, fraction] = meetings.at(projection_.slantOf(windows[k].column + 0.5));
         met(k, ColumnHit{segment, depth, fraction});
@@ -148,8 +148,8 @@ class Visibility {
   }
 
   bool inOrder(SegmentId a, SegmentId b) const {
-    return meetsFirst(projection_.eye().xy(), level_[a].p0, level_[a].p1, level_[b].p0,
-                      level_[b].p1);
+    return meetsFirst(projection_.eye().xy(), scene_[a].p0, scene_[a].p1, scene_[b].p0,
+                      scene_[b].p1);
   }
 
   // --- one column of one sector -----------------------------------------------------------------
@@ -158,9 +158,9 @@ class Visibility {
   /// it.
   void showColumn(SectorId id, const Window& window, const ColumnHit& hit, std::size_t firstNew,
                   std::size_t firstNewFlat) {
-    const Sector& sector = level_[id];
-    const Segment& segment = level_[hit.segment];
-    const AirColumn air = airAt(segment, hit.fraction);
+    const Sector& sector = scene_[id];
+    const Segment& segment = scene_[hit.segment];
+    const AirColumn air = scene_.airAt(segment, hit.fraction);
     const int wallTop = rowIn(window, air.zTop, hit.depth);
     const int wallBottom = std::max(wallTop, rowIn(window, air.zBottom, hit.depth));
     const Window above{window.column, window.top, wallTop, hit.depth};
@@ -192,7 +192,7 @@ class Visibility {
                 std::size_t firstNew) {
     countColumn(segment);
     visitWallColumn(
-        level_, segment, hit.fraction,
+        scene_, segment, hit.fraction,
         [&](SurfaceId surface, double zBottom, double zTop) {
           const int top = rowIn(window, zTop, hit.depth);
           const int bottom = rowIn(window, zBottom, hit.depth);
@@ -212,7 +212,7 @@ class Visibility {
                    std::size_t firstNew) {
     viewportBehind(opening, firstNew).windows.push_back(window);
     if (!opening.maskedMiddle) return;
-    const Surface& middle = level_[*opening.maskedMiddle];
+    const SurfaceGeometry& middle = scene_.geometryOf(*opening.maskedMiddle);
     const int top = rowIn(window, middle.zTop, hit.depth);
     const int bottom = rowIn(window, middle.zBottom, hit.depth);
     if (top < bottom)
@@ -223,28 +223,28 @@ class Visibility {
   void countColumn(const Segment& segment) {
     ++found_.stats.wallColumns;
     if (std::holds_alternative<Stack>(segment.kind)) ++found_.stats.stackColumns;
-    if (segment.airRises) ++found_.stats.slopeColumns;
+    if (scene_.geometryOf(segment).airRises) ++found_.stats.slopeColumns;
   }
 
   Span uprightSpan(SurfaceId id, const Window& window, const ColumnHit& hit) const {
-    const Surface& surface = level_[id];
-    const Segment& segment = level_[hit.segment];
+    const Surface& surface = scene_[id];
+    const Segment& segment = scene_[hit.segment];
     Span span{window.column, window.top, window.bottom, id, hit.depth};
     span.fraction = hit.fraction;
     span.s = segment.sBefore + hit.fraction * segment.length;
     if (isSidewall(surface.kind)) {
       // A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
-      const Segment& far = level_[twinOf(segment, id)];
+      const Segment& far = scene_[twinOf(segment, id)];
       span.s = far.sAfter + hit.fraction * far.length;
-      const AirColumn edge = airAt(far, 1 - hit.fraction);
+      const AirColumn edge = scene_.airAt(far, 1 - hit.fraction);
       span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
     }
-    if (surface.mapping.zRef) span.zRef = *surface.mapping.zRef;
+    if (const auto zRef = scene_.geometryOf(id).zRef) span.zRef = *zRef;
     return span;
   }
 
-  static SegmentId twinOf(const Segment& segment, SurfaceId sidewall) {
-    for (const WallPiece& piece : segment.pieces) {
+  SegmentId twinOf(const Segment& segment, SurfaceId sidewall) const {
+    for (const WallPiece& piece : scene_.piecesOf(segment)) {
       const Opening* opening = std::get_if<Opening>(&piece.content);
       if (opening && (opening->floorSidewall == sidewall || opening->ceilingSidewall == sidewall))
         return opening->twin;
@@ -275,7 +275,7 @@ class Visibility {
     found_.stats.windows += view.windows.size();
     const std::size_t firstNew = viewports_.size();
     const std::size_t firstNewFlat = flatPortals_.size();
-    const FlatPortal& flatPortal = level_[view.flatPortal];
+    const FlatPortal& flatPortal = scene_[view.flatPortal];
     findStretches(view.down ? flatPortal.lower : flatPortal.upper, view.windows);
     for (std::size_t i = 0; i < view.windows.size(); ++i)
       lookThroughPlane(flatPortal.z, view.down, view.windows[i], stretchesOf(i), firstNew,
@@ -339,7 +339,7 @@ class Visibility {
         std::swap(stretches[k], stretches[k - 1]);
   }
 
-  const Level& level_;
+  Scene scene_;
   const Camera& camera_;
   const Projection& projection_;
   ColumnRange columns_;
@@ -351,10 +351,10 @@ class Visibility {
 
 }  // namespace
 
-const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
+const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                      const Projection& projection, ColumnRange columns,
                                      VisibilityScratch& scratch) {
-  Visibility(level, camera, projection, columns, scratch).find();
+  Visibility(scene, camera, projection, columns, scratch).find();
   return scratch.found;
 }
 

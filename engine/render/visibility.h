@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "render/camera.h"
 #include "render/span.h"
 #include "render/visibility_scratch.h"
@@ -10,14 +10,14 @@ namespace hearth {
 /// The first phase of a frame: which surface shows in which rows of some of its columns. What is
 /// found in a column does not depend on the others. The camera's sector must contain its eye, which
 /// `projection` has off the walls. The result lies in `scratch`, until the next search.
-const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
+const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                      const Projection& projection, ColumnRange columns,
                                      VisibilityScratch& scratch);
 /// The same in all of them.
-inline const VisibleSpans& findVisibleSpans(const Level& level, const Camera& camera,
+inline const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                             const Projection& projection,
                                             VisibilityScratch& scratch) {
-  return findVisibleSpans(level, camera, projection, {0, camera.width}, scratch);
+  return findVisibleSpans(scene, camera, projection, {0, camera.width}, scratch);
 }
 
 }  // namespace hearth

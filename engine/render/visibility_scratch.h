@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "render/column_hits.h"
 #include "render/span.h"
 

@@ -26,11 +26,14 @@ WallPart partAt(const Segment& segment, const Sector& sector, double z) {
     return {*solid, 0, false, true, true, sector.ceiling.z};
   if (const Portal* portal = std::get_if<Portal>(&segment.kind))
     return {*portal, 0, false, true, true, sector.ceiling.z};
-  const std::vector<SubWall>& subWalls = std::get<Stack>(segment.kind).subWalls;
+  const Stack& stack = std::get<Stack>(segment.kind);
+  const auto topOf = [&](std::size_t i) {
+    return stack.topOf(i, sector.floor.z, sector.ceiling.z);
+  };
   std::size_t i = 0;
-  while (i + 1 < subWalls.size() && z >= subWalls[i].zTop) ++i;
-  const bool isLast = i + 1 == subWalls.size();
-  return {subWalls[i].kind, static_cast<std::uint32_t>(i), true, i == 0, isLast, subWalls[i].zTop};
+  while (i + 1 < stack.subWalls.size() && z >= topOf(i)) ++i;
+  const bool isLast = i + 1 == stack.subWalls.size();
+  return {stack.subWalls[i].kind, static_cast<std::uint32_t>(i), true, i == 0, isLast, topOf(i)};
 }
 
 SegmentId findTwin(const Level& level, SectorId next, const Segment& segment) {
@@ -53,8 +56,8 @@ class Meeting {
         point_(ray.at(t)),
         part_() {
     // Rounding may take the ray out of the air that it is in; only light is ever truly out of it.
-    const double bottom = sector_.airBottom(point_.xy());
-    const double top = sector_.airTop(point_.xy());
+    const double bottom = sector_.authoredBottom(point_.xy());
+    const double top = sector_.authoredTop(point_.xy());
     if (!(isLight() && sector_.floor.isSky)) point_.z = std::max(point_.z, bottom);
     if (!(isLight() && sector_.ceiling.isSky)) point_.z = std::min(point_.z, top);
     part_ = partAt(segment_, sector_, point_.z);
@@ -124,9 +127,9 @@ class Meeting {
   /// The next sector's wedge, where it stands in the opening by more than rounding.
   std::optional<TruthHit> sidewall(const Sector& next, const Segment& twin) const {
     const Vec2 p = point_.xy();
-    if (next.floorSlope && point_.z < next.airBottom(p) - kHeightNoise)
+    if (next.floorSlope && point_.z < next.authoredBottom(p) - kHeightNoise)
       return sidewall(SurfaceKind::FloorSidewall, *next.floorSlope, next.floor.z, twin);
-    if (next.ceilingSlope && point_.z > next.airTop(p) + kHeightNoise)
+    if (next.ceilingSlope && point_.z > next.authoredTop(p) + kHeightNoise)
       return sidewall(SurfaceKind::CeilingSidewall, *next.ceilingSlope, next.ceiling.z, twin);
     return std::nullopt;
   }

@@ -17,7 +17,7 @@ constexpr double kLiftOfEyeHeight = 1.0 / 25;
 constexpr double kFullSwing = 5;   // m/s, running
 constexpr double kGrip = 1.0 / 8;  // fraction of what the swing lacks that a tick makes up for
 
-double eyeHeight(const Level& level) { return bodyOf(level, 0).eyeHeight; }
+double eyeHeight(const Scene& scene) { return bodyOf(scene.level(), 0).eyeHeight; }
 
 }  // namespace
 
@@ -27,14 +27,15 @@ Gait walkedOn(const Gait& gait, const Walker& before, const Walker& after) {
   return {gait.stride + metres, gait.swing + kGrip * (swing - gait.swing)};
 }
 
-Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double strength) {
-  const double height = eyeHeight(level);
+Eye bobbed(const Scene& scene, const Eye& eye, const Gait& gait, double strength) {
+  const double height = eyeHeight(scene);
   const double turn = 360 * std::fmod(gait.stride / height, 1.0);
   const double lift = strength * gait.swing * kLiftOfEyeHeight * height * sinCosDegrees(turn).sin;
   const Vec2 p = eye.point.xy();
-  const Sector& sector = level[eye.sector];
+  const Sector& sector = scene[eye.sector];
   Eye lifted = eye;
-  lifted.point.z = std::max(sector.airBottom(p), std::min(eye.point.z + lift, sector.airTop(p)));
+  lifted.point.z =
+      std::max(scene.airBottom(sector, p), std::min(eye.point.z + lift, scene.airTop(sector, p)));
   return lifted;
 }
 

@@ -18,6 +18,6 @@ Gait walkedOn(const Gait& gait, const Walker& before, const Walker& after);
 
 /// The eye, raised or lowered by the gait. `strength` is 0..1. The eye stays in the air of its
 /// sector.
-Eye bobbed(const Level& level, const Eye& eye, const Gait& gait, double strength);
+Eye bobbed(const Scene& scene, const Eye& eye, const Gait& gait, double strength);
 
 }  // namespace hearth

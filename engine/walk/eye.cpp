@@ -8,19 +8,20 @@
 
 namespace hearth {
 
-Eye eyeOf(const Level& level, const Walker& walker) {
+Eye eyeOf(const Scene& scene, const Walker& walker) {
   Eye eye{walker.sector, walker.feet, walker.angle, walker.pitch};
   const Vec2 p = walker.feet.xy();
-  eye.point.z += bodyOf(level, walker.crouch).eyeHeight;
-  while (level[eye.sector].ceiling.flatPortal && eye.point.z > level[eye.sector].ceiling.z)
-    eye.sector = across(level, level[*level[eye.sector].ceiling.flatPortal], Side::Upper, p);
-  eye.point.z = std::min(eye.point.z, std::max(walker.feet.z, level[eye.sector].airTop(p)));
+  eye.point.z += bodyOf(scene.level(), walker.crouch).eyeHeight;
+  while (scene[eye.sector].ceiling.flatPortal && eye.point.z > scene.zCeiling(scene[eye.sector]))
+    eye.sector =
+        across(scene.level(), scene[*scene[eye.sector].ceiling.flatPortal], Side::Upper, p);
+  eye.point.z = std::min(eye.point.z, std::max(walker.feet.z, scene.airTop(scene[eye.sector], p)));
   return eye;
 }
 
-Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double fraction) {
-  const Eye from = eyeOf(level, before);
-  const Eye to = eyeOf(level, after);
+Eye eyeBetween(const Scene& scene, const Walker& before, const Walker& after, double fraction) {
+  const Eye from = eyeOf(scene, before);
+  const Eye to = eyeOf(scene, after);
   const double turn = std::remainder(to.angle - from.angle, 360.0);
   Eye eye = fraction < 0.5 ? from : to;
   eye.angle = std::fmod(from.angle + fraction * turn + 360, 360.0);
@@ -29,16 +30,16 @@ Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, do
   const Vec3 point = from.point + fraction * (to.point - from.point);
   const double travel = length(to.point.xy() - from.point.xy());
   const double climb = std::abs(after.feet.z - before.feet.z);
-  const Body body = bodyOf(level, before.crouch);
+  const Body body = bodyOf(scene.level(), before.crouch);
   const Reach reach{before.feet.xy(),
                     body.radius + kSkin,
                     travel,
                     {before.feet.z, before.feet.z + climb, body.height},
                     before.feet.z - climb,
                     before.feet.z + climb + body.height};
-  const Surroundings around(level, before.sector, reach);
+  const Surroundings around(scene, before.sector, reach);
   const auto isAt = [&](SectorId sector) {
-    return contains(level, level[sector], point, kPositionSlack);
+    return contains(scene, scene[sector], point, kPositionSlack);
   };
   std::optional<SectorId> found;
   if (isAt(to.sector)) found = to.sector;

@@ -9,20 +9,20 @@ namespace hearth {
 
 namespace {
 
-const Opening& openingAt(const Segment& segment, std::size_t piece) {
-  return std::get<Opening>(segment.pieces[piece].content);
+const Opening& openingAt(const Scene& scene, const Segment& segment, std::size_t piece) {
+  return std::get<Opening>(scene.piecesOf(segment)[piece].content);
 }
 
 /// Whether two pieces that meet let a body be in both at once: no floor or ceiling parts them.
-bool areJoined(const Level& level, const Segment& segment, std::size_t lower, std::size_t upper) {
-  const WallPiece& below = segment.pieces[lower];
-  const WallPiece& above = segment.pieces[upper];
+bool areJoined(const Scene& scene, const Segment& segment, std::size_t lower, std::size_t upper) {
+  const WallPiece& below = scene.piecesOf(segment)[lower];
+  const WallPiece& above = scene.piecesOf(segment)[upper];
   if (!std::holds_alternative<Opening>(above.content) || below.zTop != above.zBottom) return false;
-  const SectorId nextBelow = openingAt(segment, lower).next;
-  const SectorId nextAbove = openingAt(segment, upper).next;
+  const SectorId nextBelow = openingAt(scene, segment, lower).next;
+  const SectorId nextAbove = openingAt(scene, segment, upper).next;
   if (nextBelow == nextAbove) return true;
-  const auto& ceiling = level[nextBelow].ceiling.flatPortal;
-  return ceiling && ceiling == level[nextAbove].floor.flatPortal;
+  const auto& ceiling = scene[nextBelow].ceiling.flatPortal;
+  return ceiling && ceiling == scene[nextAbove].floor.flatPortal;
 }
 
 /// Where along a line from `at0` to `at1` it is at most `limit`.
@@ -51,35 +51,36 @@ Fractions chordOf(Vec2 a, Vec2 b, double radius) {
   return common({0, 1}, {middle - half, middle + half});
 }
 
-Passage::Passage(const Level& level, const Segment& segment, std::size_t first, std::size_t last)
+Passage::Passage(const Scene& scene, const Segment& segment, std::size_t first, std::size_t last)
     : first_(first), last_(last) {
-  const Sector& sector = level[segment.sector];
+  const Sector& sector = scene[segment.sector];
   const auto line = [](double z) { return Line{z, z}; };
 
-  const WallPiece& lowest = segment.pieces[first];
-  const Opening& below = openingAt(segment, first);
-  const Flat& nextFloor = level[below.next].floor;
-  const bool isOpenBelow = sector.floor.flatPortal && lowest.zBottom <= sector.floor.z &&
-                           (nextFloor.flatPortal || nextFloor.z < lowest.zBottom);
+  const WallPiece& lowest = scene.piecesOf(segment)[first];
+  const Opening& below = openingAt(scene, segment, first);
+  const Sector& nextBelow = scene[below.next];
+  const bool isOpenBelow = sector.floor.flatPortal && lowest.zBottom <= scene.zFloor(sector) &&
+                           (nextBelow.floor.flatPortal || scene.zFloor(nextBelow) < lowest.zBottom);
   bottoms_ = {{line(-kNowhere), line(-kNowhere), line(-kNowhere)}};
   if (!isOpenBelow) {
-    const Segment& far = level[below.twin];
+    const Segment& far = scene[below.twin];
     bottoms_ = {{line(lowest.zBottom),
-                 {segment.air0.zBottom, segment.air1.zBottom},
-                 {far.air1.zBottom, far.air0.zBottom}}};
+                 {scene.geometryOf(segment).air0.zBottom, scene.geometryOf(segment).air1.zBottom},
+                 {scene.geometryOf(far).air1.zBottom, scene.geometryOf(far).air0.zBottom}}};
   }
 
-  const WallPiece& highest = segment.pieces[last];
-  const Opening& above = openingAt(segment, last);
-  const Flat& nextCeiling = level[above.next].ceiling;
-  const bool isOpenAbove = sector.ceiling.flatPortal && highest.zTop >= sector.ceiling.z &&
-                           (nextCeiling.flatPortal || nextCeiling.z > highest.zTop);
+  const WallPiece& highest = scene.piecesOf(segment)[last];
+  const Opening& above = openingAt(scene, segment, last);
+  const Sector& nextAbove = scene[above.next];
+  const bool isOpenAbove =
+      sector.ceiling.flatPortal && highest.zTop >= scene.zCeiling(sector) &&
+      (nextAbove.ceiling.flatPortal || scene.zCeiling(nextAbove) > highest.zTop);
   tops_ = {{line(kNowhere), line(kNowhere), line(kNowhere)}};
   if (!isOpenAbove) {
-    const Segment& far = level[above.twin];
+    const Segment& far = scene[above.twin];
     tops_ = {{line(highest.zTop),
-              {segment.air0.zTop, segment.air1.zTop},
-              {far.air1.zTop, far.air0.zTop}}};
+              {scene.geometryOf(segment).air0.zTop, scene.geometryOf(segment).air1.zTop},
+              {scene.geometryOf(far).air1.zTop, scene.geometryOf(far).air0.zTop}}};
   }
 }
 
@@ -114,12 +115,13 @@ double Passage::zTop(Fractions within) const {
   return z;
 }
 
-void findPassages(const Level& level, const Segment& segment, std::pmr::vector<Passage>& passages) {
-  for (std::size_t first = 0; first < segment.pieces.size(); ++first) {
-    if (!std::holds_alternative<Opening>(segment.pieces[first].content)) continue;
+void findPassages(const Scene& scene, const Segment& segment, std::pmr::vector<Passage>& passages) {
+  for (std::size_t first = 0; first < scene.piecesOf(segment).size(); ++first) {
+    if (!std::holds_alternative<Opening>(scene.piecesOf(segment)[first].content)) continue;
     std::size_t last = first;
-    while (last + 1 < segment.pieces.size() && areJoined(level, segment, last, last + 1)) ++last;
-    passages.emplace_back(level, segment, first, last);
+    while (last + 1 < scene.piecesOf(segment).size() && areJoined(scene, segment, last, last + 1))
+      ++last;
+    passages.emplace_back(scene, segment, first, last);
     first = last;
   }
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -33,7 +33,7 @@ struct UprightBody {
 class Passage {
  public:
   /// The pieces [first, last] of a segment.
-  Passage(const Level& level, const Segment& segment, std::size_t first, std::size_t last);
+  Passage(const Scene& scene, const Segment& segment, std::size_t first, std::size_t last);
 
   /// Where along the segment the body fits through, having stepped up if need be.
   Fractions openTo(const UprightBody& body) const;
@@ -64,6 +64,6 @@ class Passage {
 };
 
 /// All passages of a segment, bottom to top, appended to `passages`.
-void findPassages(const Level& level, const Segment& segment, std::pmr::vector<Passage>& passages);
+void findPassages(const Scene& scene, const Segment& segment, std::pmr::vector<Passage>& passages);
 
 }  // namespace hearth

@@ -236,8 +236,8 @@ bool operator==(const RecordedState& a, const RecordedState& b) {
   return a.sector == b.sector && here == b.walker;
 }
 
-RecordedState recordedState(const Level& level, const Walker& walker) {
-  return {level[walker.sector].name, walker};
+RecordedState recordedState(const Scene& scene, const Walker& walker) {
+  return {scene[walker.sector].name, walker};
 }
 
 std::string writeRecording(const Recording& recording) {
@@ -263,11 +263,11 @@ tl::expected<Recording, RecordingError> readRecording(std::string_view text) {
   return Reader(text).read();
 }
 
-tl::expected<Walker, std::string> startOf(const Level& level, const RecordedStart& start) {
-  for (std::size_t i = 0; i < level.sectors.size(); ++i) {
-    if (level.sectors[i].name != start.sector) continue;
-    if (contains(level, level.sectors[i], start.eye, kPositionSlack))
-      return walkerAt(level, SectorId(i), start.eye, start.angle, start.pitch);
+tl::expected<Walker, std::string> startOf(const Scene& scene, const RecordedStart& start) {
+  for (std::size_t i = 0; i < scene.level().sectors.size(); ++i) {
+    if (scene.level().sectors[i].name != start.sector) continue;
+    if (contains(scene, scene.level().sectors[i], start.eye, kPositionSlack))
+      return walkerAt(scene, SectorId(i), start.eye, start.angle, start.pitch);
     return tl::unexpected("the recording starts outside of its sector \"" + start.sector +
                           "\": it is of another level");
   }

@@ -18,7 +18,7 @@ struct RecordedState {
   friend bool operator==(const RecordedState& a, const RecordedState& b);
 };
 
-RecordedState recordedState(const Level& level, const Walker& walker);
+RecordedState recordedState(const Scene& scene, const Walker& walker);
 
 /// Where a recording begins: the eye that `walkerAt` is given.
 struct RecordedStart {
@@ -53,6 +53,6 @@ struct RecordingError {
 tl::expected<Recording, RecordingError> readRecording(std::string_view text);
 
 /// The walker at the start of a recording; the error says what of it the level does not have.
-tl::expected<Walker, std::string> startOf(const Level& level, const RecordedStart& start);
+tl::expected<Walker, std::string> startOf(const Scene& scene, const RecordedStart& start);
 
 }  // namespace hearth

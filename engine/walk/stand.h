@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "walk/body.h"
 
 namespace hearth {
@@ -22,7 +22,7 @@ struct Stand {
 /// What is round a body at `feet`, raised on what bears it where that is no higher than `zClimb`.
 /// Nothing is known farther below the feet than `down` metres, above the head than `up`. None where
 /// no linked sector contains the raised feet; those given may be below the sector's floor.
-std::optional<Stand> standAt(const Level& level, const Body& body, SectorId sector, Vec3 feet,
+std::optional<Stand> standAt(const Scene& scene, const Body& body, SectorId sector, Vec3 feet,
                              double zClimb, double down, double up);
 
 struct Move {
@@ -33,9 +33,9 @@ struct Move {
 
 /// Moves a body over the ground by `motion`, sliding along what stops it and stepping up to
 /// `Body::step`. Where the way is too complicated, less far, and where it does not fit, not at all.
-Move movedAlong(const Level& level, const Body& body, const Stand& from, Vec2 motion);
+Move movedAlong(const Scene& scene, const Body& body, const Stand& from, Vec2 motion);
 
 /// Moves a body up or down by `rise` until something stops it.
-Stand risen(const Level& level, const Body& body, const Stand& from, double rise);
+Stand risen(const Scene& scene, const Body& body, const Stand& from, double rise);
 
 }  // namespace hearth

@@ -25,17 +25,17 @@ struct PlaneAt {
   Vec2 gradient;
 };
 
-PlaneAt planeAt(const Flat& flat, const std::optional<Slope>& slope, Vec2 p) {
+PlaneAt planeAt(double zFlat, const std::optional<Slope>& slope, Vec2 p) {
   if (slope) return {slope->zAt(p), slope->gradient};
-  return {flat.z, {0, 0}};
+  return {zFlat, {0, 0}};
 }
 
 }  // namespace
 
-Surroundings::Surroundings(const Level& level, SectorId from, const Reach& reach)
-    : level_(level), reach_(reach), radius_(reach.radius + reach.travel) {
+Surroundings::Surroundings(const Scene& scene, SectorId from, const Reach& reach)
+    : scene_(scene), reach_(reach), radius_(reach.radius + reach.travel) {
   add(from);
-  for (std::size_t i = 0; i < sectors_.size(); ++i) lookRound(level_[sectors_[i]]);
+  for (std::size_t i = 0; i < sectors_.size(); ++i) lookRound(scene_[sectors_[i]]);
 }
 
 void Surroundings::add(SectorId sector) {
@@ -43,11 +43,11 @@ void Surroundings::add(SectorId sector) {
 }
 
 void Surroundings::lookRound(const Sector& sector) {
-  for (const Segment& segment : level_.segmentsOf(sector)) lookAtWall(segment);
+  for (const Segment& segment : scene_.segmentsOf(sector)) lookAtWall(segment);
   for (const Loop& loop : sector.loops) {
     const std::size_t first = loop.first.index();
     for (std::size_t i = 0, last = loop.count - 1; i < loop.count; last = i++)
-      lookAtVertex(level_.segments[first + last], level_.segments[first + i]);
+      lookAtVertex(scene_.level().segments[first + last], scene_.level().segments[first + i]);
   }
   takeFlats(sector);
   if (sector.floorSlope || sector.ceilingSlope) takeSlopes(sector);
@@ -60,8 +60,8 @@ void Surroundings::lookAtWall(const Segment& segment) {
   if (chord.isEmpty() || signedDistance(a, b) < -reach_.travel - kSkin) return;
   passages_.clear();
   open_.clear();
-  findPassages(level_, segment, passages_);
-  const Sector& sector = level_[segment.sector];
+  findPassages(scene_, segment, passages_);
+  const Sector& sector = scene_[segment.sector];
   if (isBelow(sector)) return lookAtWallBelow(segment, chord);
   if (isAbove(sector)) return lookAtWallAbove(segment, chord);
 
@@ -74,7 +74,7 @@ void Surroundings::lookAtWall(const Segment& segment) {
     bear(passage.zBottom(reached));
     zCap_ = std::min(zCap_, passage.zTop(reached));
     for (std::size_t i = passage.first(); i <= passage.last(); ++i)
-      add(std::get<Opening>(segment.pieces[i].content).next);
+      add(std::get<Opening>(scene_.piecesOf(segment)[i].content).next);
   }
   block(segment, chord);
 }
@@ -88,7 +88,7 @@ void Surroundings::lookAtVertex(const Segment& before, const Segment& after) {
   const bool jutsOut = cross(before.p1 - before.p0, after.p1 - after.p0) < 0;
   if (!jutsOut) return;
   if (!isInFrontOf(before, reach_.center) && !isInFrontOf(after, reach_.center)) return;
-  if (isBelow(level_[after.sector]) || isAbove(level_[after.sector])) return;
+  if (isBelow(scene_[after.sector]) || isAbove(scene_[after.sector])) return;
   const bool stopsBefore = !isOpenAt(before, 1);
   const bool stopsAfter = !isOpenAt(after, 0);
   if (stopsBefore == stopsAfter) return;
@@ -99,7 +99,7 @@ void Surroundings::lookAtVertex(const Segment& before, const Segment& after) {
 /// Whether the body fits through the wall there.
 bool Surroundings::isOpenAt(const Segment& segment, double fraction) {
   passages_.clear();
-  findPassages(level_, segment, passages_);
+  findPassages(scene_, segment, passages_);
   return std::ranges::any_of(passages_, [&](const Passage& passage) {
     const Fractions open = passage.openTo(reach_.body);
     return open.low <= fraction && fraction <= open.high;
@@ -108,12 +108,12 @@ bool Surroundings::isOpenAt(const Segment& segment, double fraction) {
 
 /// The body is above the sector.
 bool Surroundings::isBelow(const Sector& sector) const {
-  return sector.ceiling.flatPortal && sector.ceiling.z <= reach_.body.zClimb + kSkin;
+  return sector.ceiling.flatPortal && scene_.zCeiling(sector) <= reach_.body.zClimb + kSkin;
 }
 
 /// The body is below the sector.
 bool Surroundings::isAbove(const Sector& sector) const {
-  return sector.floor.flatPortal && sector.floor.z >= reach_.body.zHead() - kSkin;
+  return sector.floor.flatPortal && scene_.zFloor(sector) >= reach_.body.zHead() - kSkin;
 }
 
 void Surroundings::bear(double z) {
@@ -126,14 +126,16 @@ void Surroundings::bear(double z) {
 /// A wall that the body is above: its top bears.
 void Surroundings::lookAtWallBelow(const Segment& segment, Fractions chord) {
   const bool isOpen = !passages_.empty() && passages_.back().zTop(chord) == kNowhere;
-  const double zTop = isOpen ? passages_.back().zBottom(chord) : level_[segment.sector].ceiling.z;
+  const double zTop =
+      isOpen ? passages_.back().zBottom(chord) : scene_.zCeiling(scene_[segment.sector]);
   bear(zTop);
 }
 
 /// A wall that the body is below.
 void Surroundings::lookAtWallAbove(const Segment& segment, Fractions chord) {
   const bool isOpen = !passages_.empty() && passages_.front().zBottom(chord) == -kNowhere;
-  const double zBottom = isOpen ? passages_.front().zTop(chord) : level_[segment.sector].floor.z;
+  const double zBottom =
+      isOpen ? passages_.front().zTop(chord) : scene_.zFloor(scene_[segment.sector]);
   zCap_ = std::min(zCap_, zBottom);
 }
 
@@ -158,29 +160,31 @@ void Surroundings::block(const Segment& segment, Fractions chord) {
 
 void Surroundings::takeFlats(const Sector& sector) {
   if (sector.floor.flatPortal) {
-    if (sector.floor.z >= reach_.zLow) followFlat(*sector.floor.flatPortal, Side::Lower);
+    if (scene_.zFloor(sector) >= reach_.zLow) followFlat(*sector.floor.flatPortal, Side::Lower);
   } else {
-    const double z = sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : sector.floor.z;
+    const double z =
+        sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : scene_.zFloor(sector);
     bear(z);
   }
   if (sector.ceiling.flatPortal) {
-    if (sector.ceiling.z <= reach_.zHigh) followFlat(*sector.ceiling.flatPortal, Side::Upper);
+    if (scene_.zCeiling(sector) <= reach_.zHigh)
+      followFlat(*sector.ceiling.flatPortal, Side::Upper);
   } else {
     const double z =
-        sector.ceilingSlope ? -highest(sector, *sector.ceilingSlope, -1) : sector.ceiling.z;
+        sector.ceilingSlope ? -highest(sector, *sector.ceilingSlope, -1) : scene_.zCeiling(sector);
     zCap_ = std::min(zCap_, z);
   }
 }
 
 void Surroundings::followFlat(FlatPortalId id, Side to) {
-  const FlatPortal& flatPortal = level_[id];
+  const FlatPortal& flatPortal = scene_[id];
   for (const SectorId member : to == Side::Upper ? flatPortal.upper : flatPortal.lower)
-    if (touches(level_[member])) add(member);
+    if (touches(scene_[member])) add(member);
   // The body's axis may miss its own column by the slack of positions, and a body with less breadth
   // then touches none of them.
-  const SectorId column = across(level_, flatPortal, to, reach_.center);
+  const SectorId column = across(scene_.level(), flatPortal, to, reach_.center);
   const Vec3 middle{reach_.center.x, reach_.center.y, flatPortal.z};
-  if (contains(level_, level_[column], middle, kPositionSlack)) add(column);
+  if (contains(scene_, scene_[column], middle, kPositionSlack)) add(column);
 }
 
 bool Surroundings::touches(const Sector& sector) const {
@@ -188,8 +192,8 @@ bool Surroundings::touches(const Sector& sector) const {
   if (p.x < sector.boxMin.x - radius_ || p.x > sector.boxMax.x + radius_ ||
       p.y < sector.boxMin.y - radius_ || p.y > sector.boxMax.y + radius_)
     return false;
-  return contains(level_, sector, p) ||
-         std::ranges::any_of(level_.segmentsOf(sector), [&](const Segment& segment) {
+  return contains(scene_.level(), sector, p) ||
+         std::ranges::any_of(scene_.segmentsOf(sector), [&](const Segment& segment) {
            return !chordOf(segment.p0 - p, segment.p1 - p, radius_).isEmpty();
          });
 }
@@ -202,9 +206,9 @@ double Surroundings::highest(const Sector& sector, const Slope& slope, double si
   const Vec2 p = reach_.center;
   const double steepness = length(slope.gradient);
   const Vec2 uphill = steepness > 0 ? (sign * radius_ / steepness) * slope.gradient : Vec2{};
-  if (contains(level_, sector, p)) take(p);
-  if (contains(level_, sector, p + uphill)) take(p + uphill);
-  for (const Segment& segment : level_.segmentsOf(sector)) {
+  if (contains(scene_.level(), sector, p)) take(p);
+  if (contains(scene_.level(), sector, p + uphill)) take(p + uphill);
+  for (const Segment& segment : scene_.segmentsOf(sector)) {
     const Fractions chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
     if (chord.isEmpty()) continue;
     take(lerp(segment.p0, segment.p1, chord.low));
@@ -218,8 +222,8 @@ double Surroundings::highest(const Sector& sector, const Slope& slope, double si
 /// to the other flat, it stops the body like a wall that stands on that contour line.
 void Surroundings::takeSlopes(const Sector& sector) {
   const UprightBody& body = reach_.body;
-  const PlaneAt floor = planeAt(sector.floor, sector.floorSlope, reach_.center);
-  const PlaneAt ceiling = planeAt(sector.ceiling, sector.ceilingSlope, reach_.center);
+  const PlaneAt floor = planeAt(scene_.zFloor(sector), sector.floorSlope, reach_.center);
+  const PlaneAt ceiling = planeAt(scene_.zCeiling(sector), sector.ceilingSlope, reach_.center);
   if (sector.ceilingSlope)
     blockWhereAbove0(sector, body.zHead() - kSkin - ceiling.z, -1 * ceiling.gradient);
   const double steepness = length(floor.gradient);
@@ -242,7 +246,7 @@ void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, 
   const Vec2 along = (1 / steepness) * turned90(gradient);
   const double half = std::sqrt(radius_ * radius_ - dot(foot, foot));
   std::pmr::vector<double> cuts({-half, half}, &arena_);
-  for (const Segment& segment : level_.segmentsOf(sector)) {
+  for (const Segment& segment : scene_.segmentsOf(sector)) {
     const Vec2 a = segment.p0 - reach_.center - foot;
     const Vec2 b = segment.p1 - reach_.center - foot;
     const double aSide = cross(along, a);
@@ -254,7 +258,7 @@ void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, 
   std::ranges::sort(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Vec2 middle = foot + ((cuts[i] + cuts[i + 1]) / 2) * along;
-    if (contains(level_, sector, reach_.center + middle))
+    if (contains(scene_.level(), sector, reach_.center + middle))
       blockers_.push_back({foot + cuts[i] * along, foot + cuts[i + 1] * along});
   }
 }

@@ -5,8 +5,8 @@
 #include <memory_resource>
 #include <vector>
 
-#include "level/level.h"
 #include "level/locate.h"
+#include "level/scene.h"
 #include "walk/body.h"
 #include "walk/passage.h"
 
@@ -37,7 +37,7 @@ struct Reach {
 /// stops only a body in front of it.
 class Surroundings {
  public:
-  Surroundings(const Level& level, SectorId from, const Reach& reach);
+  Surroundings(const Scene& scene, SectorId from, const Reach& reach);
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 
@@ -75,7 +75,7 @@ class Surroundings {
   std::array<std::byte, 16384> buffer_;
   std::pmr::monotonic_buffer_resource arena_{buffer_.data(), buffer_.size()};
 
-  const Level& level_;
+  Scene scene_;
   Reach reach_;
   double radius_;  // of all that the disc can come to
   std::pmr::vector<SectorId> sectors_{&arena_};

@@ -90,24 +90,24 @@ void accelerate(Walker& walker, const WalkInput& input) {
 }
 
 /// Down at once; up as far as there is room.
-void crouch(const Level& level, Walker& walker, const Stand& stand, bool wantsCrouch) {
+void crouch(const Scene& scene, Walker& walker, const Stand& stand, bool wantsCrouch) {
   const double wanted =
       std::clamp(walker.crouch + (wantsCrouch ? kCrouchPerTick : -kCrouchPerTick), 0.0, 1.0);
-  if (wanted > walker.crouch || stand.hasRoomFor(bodyOf(level, wanted).height))
+  if (wanted > walker.crouch || stand.hasRoomFor(bodyOf(scene.level(), wanted).height))
     walker.crouch = wanted;
 }
 
 /// The walker's place, known as far up and down as a tick can rise, fall and straighten up.
-std::optional<Stand> standOf(const Level& level, const Walker& walker, const Body& body) {
+std::optional<Stand> standOf(const Scene& scene, const Walker& walker, const Body& body) {
   const double fall = std::max(0.0, -walker.velocity.z) * kTick + kGravity * kTick * kTick;
   const double rise = std::max(0.0, walker.velocity.z) * kTick;
-  const double bend = bodyOf(level, 0).height - body.height;
-  return standAt(level, body, walker.sector, walker.feet, walker.feet.z, std::max(body.step, fall),
+  const double bend = bodyOf(scene.level(), 0).height - body.height;
+  return standAt(scene, body, walker.sector, walker.feet, walker.feet.z, std::max(body.step, fall),
                  std::max({body.step, rise, bend}));
 }
 
 /// Over the ground, which the walker does not leave where it falls by a step or a walkable slope.
-Stand moveOverGround(const Level& level, const Body& body, Walker& walker, Stand stand) {
+Stand moveOverGround(const Scene& scene, const Body& body, Walker& walker, Stand stand) {
   const Vec2 motion = kTick * walker.velocity.xy();
   const double distance = length(motion);
   if (distance == 0) return stand;
@@ -116,13 +116,13 @@ Stand moveOverGround(const Level& level, const Body& body, Walker& walker, Stand
   Vec2 moved{0, 0};
   bool wasStopped = false;
   for (int i = 0; i < parts; ++i) {
-    const Move move = movedAlong(level, body, stand, (1.0 / parts) * motion);
+    const Move move = movedAlong(scene, body, stand, (1.0 / parts) * motion);
     wasStopped = wasStopped || move.wasStopped;
     moved = moved + move.moved;
     stand = move.stand;
     const double drop = std::max(body.step, kSteepestWalk * length(move.moved)) + kSkin;
     if (walker.isOnGround && stand.feet.z - stand.zSupport <= drop)
-      stand = risen(level, body, stand, stand.zSupport - stand.feet.z);
+      stand = risen(scene, body, stand, stand.zSupport - stand.feet.z);
     if (move.moved == Vec2{}) break;
   }
   if (wasStopped) {
@@ -133,12 +133,12 @@ Stand moveOverGround(const Level& level, const Body& body, Walker& walker, Stand
 }
 
 /// Up or down, by input or by weight.
-Stand moveUpright(const Level& level, const Body& body, Walker& walker, const Stand& stand) {
+Stand moveUpright(const Scene& scene, const Body& body, Walker& walker, const Stand& stand) {
   double& speed = walker.velocity.z;
   const double gravity = walker.isFlying ? 0 : kGravity;
   const double rise = kTick * (speed - gravity * kTick / 2);
   speed = std::max(speed - gravity * kTick, -kFastestFall);
-  const Stand to = risen(level, body, stand, rise);
+  const Stand to = risen(scene, body, stand, rise);
   const bool wasStopped = to.feet.z != stand.feet.z + rise;
   if (wasStopped) speed = 0;
   walker.isOnGround = wasStopped && rise < 0 && !walker.isFlying;
@@ -152,18 +152,18 @@ void put(Walker& walker, const Stand& stand) {
 
 }  // namespace
 
-Walker walkerAt(const Level& level, SectorId sector, Vec3 eye, double angle, double pitch) {
+Walker walkerAt(const Scene& scene, SectorId sector, Vec3 eye, double angle, double pitch) {
   Walker walker{sector, eye, {}, wrapped(angle), std::clamp(pitch, -kMaxPitch, kMaxPitch)};
   for (const double crouch : {0.0, 1.0}) {
-    const Body body = bodyOf(level, crouch);
+    const Body body = bodyOf(scene.level(), crouch);
     // Down from the eye, and not through a floor; then up onto what else is under the disc.
     const Body point{0, 0, 0, 0};
-    const auto column = standAt(level, point, sector, eye, eye.z, body.eyeHeight, 0);
+    const auto column = standAt(scene, point, sector, eye, eye.z, body.eyeHeight, 0);
     if (!column) return walker;
-    const Stand below = risen(level, point, *column, -body.eyeHeight);
+    const Stand below = risen(scene, point, *column, -body.eyeHeight);
     put(walker, below);
     const double zClimb = below.feet.z + body.step;
-    const auto stand = standAt(level, body, below.sector, below.feet, zClimb, 0, body.step);
+    const auto stand = standAt(scene, body, below.sector, below.feet, zClimb, 0, body.step);
     if (!stand || !stand->hasRoomFor(body.height)) continue;
     put(walker, *stand);
     walker.crouch = crouch;
@@ -172,31 +172,31 @@ Walker walkerAt(const Level& level, SectorId sector, Vec3 eye, double angle, dou
   return walker;
 }
 
-Walker walked(const Level& level, const Walker& before, const WalkInput& input) {
+Walker walked(const Scene& scene, const Walker& before, const WalkInput& input) {
   Walker walker = before;
   turn(walker, input);
   if (input.toggleFlight) walker.isFlying = !walker.isFlying;
   if (walker.isFlying) walker.isOnGround = false;
-  auto stand = standOf(level, walker, bodyOf(level, walker.crouch));
-  if (!stand || !stand->hasRoomFor(bodyOf(level, walker.crouch).height)) {
+  auto stand = standOf(scene, walker, bodyOf(scene.level(), walker.crouch));
+  if (!stand || !stand->hasRoomFor(bodyOf(scene.level(), walker.crouch).height)) {
     walker.velocity = {};
     return walker;
   }
-  crouch(level, walker, *stand, input.crouch);
-  const Body body = bodyOf(level, walker.crouch);
+  crouch(scene, walker, *stand, input.crouch);
+  const Body body = bodyOf(scene.level(), walker.crouch);
   accelerate(walker, input);
   if (input.jump && walker.isOnGround) {
     walker.velocity.z = kJumpSpeed;
     walker.isOnGround = false;
   }
-  put(walker, moveOverGround(level, body, walker, *stand));
-  stand = standOf(level, walker, body);
+  put(walker, moveOverGround(scene, body, walker, *stand));
+  stand = standOf(scene, walker, body);
   if (!stand) return walker;
   if (!walker.isFlying && walker.velocity.z <= 0 && stand->feet.z <= stand->zSupport + kSkin) {
     walker.velocity.z = 0;
     walker.isOnGround = true;
   } else {
-    stand = moveUpright(level, body, walker, *stand);
+    stand = moveUpright(scene, body, walker, *stand);
   }
   put(walker, *stand);
   return walker;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "walk/walk_input.h"
 
 namespace hearth {
@@ -22,10 +22,10 @@ struct Walker {
 /// Stands the player where the eye is, which the sector contains. A floor above the feet raises the
 /// player, and a ceiling below the head makes the player crouch; without room even so, the player
 /// is stuck. In the air the player starts to fall.
-Walker walkerAt(const Level& level, SectorId sector, Vec3 eye, double angle, double pitch);
+Walker walkerAt(const Scene& scene, SectorId sector, Vec3 eye, double angle, double pitch);
 
 /// The walker one tick later. Depends on nothing but its arguments, to the bit.
-Walker walked(const Level& level, const Walker& walker, const WalkInput& input);
+Walker walked(const Scene& scene, const Walker& walker, const WalkInput& input);
 
 struct Eye {
   SectorId sector;  ///< contains `point` within kPositionSlack; it can lie above a flat portal
@@ -35,9 +35,9 @@ struct Eye {
   double pitch = 0;
 };
 
-Eye eyeOf(const Level& level, const Walker& walker);
+Eye eyeOf(const Scene& scene, const Walker& walker);
 
 /// What is seen `fraction` (0..1) of a tick after `before`. Angles go the short way round.
-Eye eyeBetween(const Level& level, const Walker& before, const Walker& after, double fraction);
+Eye eyeBetween(const Scene& scene, const Walker& before, const Walker& after, double fraction);
 
 }  // namespace hearth

@@ -54,11 +54,11 @@ bool passes(const Segment& wall, Vec2 from, Vec2 to) {
 
 /// To what sectors a short step out of a sector leads: through walls that open at its height, and
 /// through flat portals.
-std::vector<SectorId> acrossStep(const Level& level, const Sector& sector, Vec3 from, Vec3 to) {
+std::vector<SectorId> acrossStep(const Scene& scene, const Sector& sector, Vec3 from, Vec3 to) {
   std::vector<SectorId> found;
-  for (const Segment& wall : level.segmentsOf(sector)) {
+  for (const Segment& wall : scene.segmentsOf(sector)) {
     if (!passes(wall, from.xy(), to.xy())) continue;
-    for (const WallPiece& piece : wall.pieces)
+    for (const WallPiece& piece : scene.piecesOf(wall))
       if (const Opening* opening = std::get_if<Opening>(&piece.content))
         if (from.z >= piece.zBottom && from.z <= piece.zTop) found.push_back(opening->next);
   }
@@ -66,9 +66,9 @@ std::vector<SectorId> acrossStep(const Level& level, const Sector& sector, Vec3 
     found.insert(found.end(), members.begin(), members.end());
   };
   if (sector.floor.flatPortal && to.z < sector.floor.z)
-    append(level[*sector.floor.flatPortal].lower);
+    append(scene[*sector.floor.flatPortal].lower);
   if (sector.ceiling.flatPortal && to.z > sector.ceiling.z)
-    append(level[*sector.ceiling.flatPortal].upper);
+    append(scene[*sector.ceiling.flatPortal].upper);
   return found;
 }
 
@@ -92,17 +92,17 @@ std::vector<Vec3> pointsRound(const Panel& panel, const Edge& edge, double radiu
 /// Whether steps round the edge lead to the air of a sector. What stands in the way, once one is in
 /// the air of a sector, does not matter: the point of a pillar that touches the edge cuts nothing
 /// in two.
-bool leadsRound(const Level& level, const Panel& from, SectorId to, const Edge& edge,
+bool leadsRound(const Scene& scene, const Panel& from, SectorId to, const Edge& edge,
                 double radius) {
   const std::vector<Vec3> points = pointsRound(from, edge, radius);
   std::vector<SectorId> reached{from.sector};
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
     for (std::size_t i = 0; i < reached.size(); ++i) {
-      const Sector& sector = level[reached[i]];
-      if (!contains(level, sector, points[k], 0)) continue;
-      for (const SectorId next : acrossStep(level, sector, points[k], points[k + 1])) {
+      const Sector& sector = scene[reached[i]];
+      if (!contains(scene, sector, points[k], 0)) continue;
+      for (const SectorId next : acrossStep(scene, sector, points[k], points[k + 1])) {
         const bool isNew = std::ranges::find(reached, next) == reached.end();
-        if (isNew && contains(level, level[next], points[k + 1], 0)) reached.push_back(next);
+        if (isNew && contains(scene, scene[next], points[k + 1], 0)) reached.push_back(next);
       }
     }
   return std::ranges::find(reached, to) != reached.end();
@@ -110,10 +110,10 @@ bool leadsRound(const Level& level, const Panel& from, SectorId to, const Edge& 
 
 /// Whether air joins the panels across the edge: so far in front of it as authors may be off or, in
 /// case that something else stands there, hardly in front.
-bool isOpen(const Level& level, const Panel& from, const Panel& to, const Edge& edge) {
+bool isOpen(const Scene& scene, const Panel& from, const Panel& to, const Edge& edge) {
   if (from.sector == to.sector) return true;
-  return leadsRound(level, from, to.sector, edge, 5 * kAuthorNoise) ||
-         leadsRound(level, from, to.sector, edge, kAuthorNoise / 100);
+  return leadsRound(scene, from, to.sector, edge, 5 * kAuthorNoise) ||
+         leadsRound(scene, from, to.sector, edge, kAuthorNoise / 100);
 }
 
 /// The edge cut wherever it passes one of the corners: between them it is open or not as a whole.
@@ -137,13 +137,13 @@ std::vector<Edge> cutAt(const std::vector<Vec3>& corners, const Axes& axes, cons
 
 }  // namespace
 
-std::vector<Vec3> cornersOf(const Level& level, const std::vector<std::optional<Panel>>& panels) {
+std::vector<Vec3> cornersOf(const Scene& scene, const std::vector<std::optional<Panel>>& panels) {
   std::vector<Vec3> corners;
   for (const std::optional<Panel>& panel : panels)
     if (panel)
       for (const Edge& edge : panel->edges) corners.push_back(panel->axes.at(edge.a));
-  for (const Segment& wall : level.segments)
-    for (const WallPiece& piece : wall.pieces)
+  for (const Segment& wall : scene.level().segments)
+    for (const WallPiece& piece : scene.piecesOf(wall))
       for (const double z : {piece.zBottom, piece.zTop}) {
         corners.push_back({wall.p0.x, wall.p0.y, z});
         corners.push_back({wall.p1.x, wall.p1.y, z});
@@ -156,7 +156,7 @@ bool areInOnePlane(const Panel& a, const Panel& b) {
          liesInPlaneOf(b, a);
 }
 
-std::vector<Edge> commonEdges(const Level& level, const std::vector<Vec3>& corners,
+std::vector<Edge> commonEdges(const Scene& scene, const std::vector<Vec3>& corners,
                               const Panel& from, const Panel& to) {
   std::vector<Edge> common;
   for (const Edge& edge : from.edges)
@@ -169,7 +169,7 @@ std::vector<Edge> commonEdges(const Level& level, const std::vector<Vec3>& corne
       const std::optional<Edge> shared = overlap(edge, {inPlane(from, a), inPlane(from, b)}, noise);
       if (!shared) continue;
       for (const Edge& part : cutAt(corners, from.axes, *shared))
-        if (isOpen(level, from, to, part)) common.push_back(part);
+        if (isOpen(scene, from, to, part)) common.push_back(part);
     }
   return common;
 }

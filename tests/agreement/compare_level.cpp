@@ -68,11 +68,12 @@ class Comparison {
  public:
   Comparison(const LoadedLevel& loaded, std::string_view name)
       : level_(comparable(loaded.level)),
+        scene_(level_, loaded.geometry),
         textures_(loaded.textures),
         name_(name),
-        light_(bake(level_, level_.bake, 1)),
-        renderer_(level_, textures_, light_),
-        truth_(level_) {}
+        light_(bake(scene_, level_.bake, 1)),
+        renderer_(scene_, textures_, light_),
+        truth_(scene_) {}
 
   Tally run(std::size_t shots) {
     tally_.levels = 1;
@@ -212,6 +213,7 @@ class Comparison {
   }
 
   Level level_;
+  Scene scene_;
   const std::vector<Image>& textures_;
   std::string_view name_;
   BakedLight light_;

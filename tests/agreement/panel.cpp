@@ -74,26 +74,27 @@ std::optional<Vec2> inCorner(const Edge& a, const Edge& b, double margin) {
   return isBeside(a) && isBeside(b) ? std::optional(p) : std::nullopt;
 }
 
-Heights floorOver(const Sector& sector, const Segment& wall) {
-  return {sector.airBottom(wall.p0), sector.airBottom(wall.p1)};
+Heights floorOver(const Scene& scene, const Sector& sector, const Segment& wall) {
+  return {scene.airBottom(sector, wall.p0), scene.airBottom(sector, wall.p1)};
 }
 
-Heights ceilingOver(const Sector& sector, const Segment& wall) {
-  return {sector.airTop(wall.p0), sector.airTop(wall.p1)};
+Heights ceilingOver(const Scene& scene, const Sector& sector, const Segment& wall) {
+  return {scene.airTop(sector, wall.p0), scene.airTop(sector, wall.p1)};
 }
 
 /// The sector whose wedge the sidewall belongs to.
-const Sector& sectorBehind(const Level& level, const Segment& wall, const Surface& sidewall) {
-  for (const WallPiece& piece : wall.pieces)
+const Sector& sectorBehind(const Scene& scene, const Segment& wall,
+                           const SurfaceGeometry& sidewall) {
+  for (const WallPiece& piece : scene.piecesOf(wall))
     if (const Opening* opening = std::get_if<Opening>(&piece.content))
       if (piece.zBottom == sidewall.zBottom && piece.zTop == sidewall.zTop)
-        return level[opening->next];
-  return level[wall.sector];
+        return scene[opening->next];
+  return scene[wall.sector];
 }
 
-Panel wallPanel(const Level& level, const Segment& wall, WallOutline outline) {
-  outline.keepAbove(floorOver(level[wall.sector], wall));
-  outline.keepBelow(ceilingOver(level[wall.sector], wall));
+Panel wallPanel(const Scene& scene, const Segment& wall, WallOutline outline) {
+  outline.keepAbove(floorOver(scene, scene[wall.sector], wall));
+  outline.keepBelow(ceilingOver(scene, scene[wall.sector], wall));
   const Vec2 along = (1 / wall.length) * (wall.p1 - wall.p0);
   const Vec2 normal = turned90(along);
   return {wall.sector,
@@ -111,10 +112,12 @@ Axes axesOf(Vec2 gradient, Vec3 origin) {
   return {origin, {up.y, -up.x, 0}, scale * Vec3{up.x, up.y, steepness}};
 }
 
-Panel flatPanel(const Level& level, const Surface& surface) {
-  const Sector& sector = level[surface.sector];
+Panel flatPanel(const Scene& scene, const Surface& surface) {
+  const Sector& sector = scene[surface.sector];
   const bool isOver = isOverhead(surface.kind);
-  const auto z = [&](Vec2 p) { return isOver ? sector.airTop(p) : sector.airBottom(p); };
+  const auto z = [&](Vec2 p) {
+    return isOver ? scene.airTop(sector, p) : scene.airBottom(sector, p);
+  };
   const std::optional<Slope>& slope = isOver ? sector.ceilingSlope : sector.floorSlope;
   const Vec2 gradient = slope ? slope->gradient : Vec2{};
   const double scale = (isOver ? -1 : 1) / std::sqrt(1 + dot(gradient, gradient));
@@ -122,7 +125,7 @@ Panel flatPanel(const Level& level, const Surface& surface) {
               scale * Vec3{-gradient.x, -gradient.y, 1},
               axesOf(gradient, {0, 0, z({0, 0})}),
               {}};
-  for (const Segment& wall : level.segmentsOf(sector))
+  for (const Segment& wall : scene.segmentsOf(sector))
     panel.edges.push_back({panel.axes.of({wall.p0.x, wall.p0.y, z(wall.p0)}),
                            panel.axes.of({wall.p1.x, wall.p1.y, z(wall.p1)})});
   return panel;
@@ -178,22 +181,24 @@ std::vector<Vec2> Panel::movedInside(Vec2 st, double margin, Vec2 from) const {
   return inside;
 }
 
-Panel panelOf(const Level& level, const Segment& wall) {
-  const Sector& sector = level[wall.sector];
-  return wallPanel(level, wall, {wall.length, sector.floor.z, sector.ceiling.z});
+Panel panelOf(const Scene& scene, const Segment& wall) {
+  const Sector& sector = scene[wall.sector];
+  return wallPanel(scene, wall, {wall.length, sector.floor.z, sector.ceiling.z});
 }
 
-Panel panelOf(const Level& level, const Surface& surface) {
-  if (!surface.segment) return flatPanel(level, surface);
-  const Segment& wall = level[*surface.segment];
-  WallOutline outline(wall.length, surface.zBottom, surface.zTop);
+Panel panelOf(const Scene& scene, SurfaceId id) {
+  const Surface& surface = scene[id];
+  if (!surface.segment) return flatPanel(scene, surface);
+  const Segment& wall = scene[*surface.segment];
+  const SurfaceGeometry& at = scene.geometryOf(id);
+  WallOutline outline(wall.length, at.zBottom, at.zTop);
   if (surface.kind == SurfaceKind::FloorSidewall)
-    outline.keepBelow(floorOver(sectorBehind(level, wall, surface), wall));
+    outline.keepBelow(floorOver(scene, sectorBehind(scene, wall, at), wall));
   if (surface.kind == SurfaceKind::CeilingSidewall) {
-    outline.keepAbove(ceilingOver(sectorBehind(level, wall, surface), wall));
-    outline.keepAbove(floorOver(sectorBehind(level, wall, surface), wall));
+    outline.keepAbove(ceilingOver(scene, sectorBehind(scene, wall, at), wall));
+    outline.keepAbove(floorOver(scene, sectorBehind(scene, wall, at), wall));
   }
-  return wallPanel(level, wall, outline);
+  return wallPanel(scene, wall, outline);
 }
 
 }  // namespace hearth::agreement

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth::agreement {
 
@@ -50,9 +50,9 @@ struct Panel {
 };
 
 /// The part of a floor or ceiling, of a slope or of an upright surface that bounds air.
-Panel panelOf(const Level& level, const Surface& surface);
+Panel panelOf(const Scene& scene, SurfaceId surface);
 
 /// All of a wall that bounds air or opens.
-Panel panelOf(const Level& level, const Segment& wall);
+Panel panelOf(const Scene& scene, const Segment& wall);
 
 }  // namespace hearth::agreement

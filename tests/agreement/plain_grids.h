@@ -9,6 +9,6 @@ namespace hearth::agreement {
 
 /// The axes along which the texels of each surface lie, (0, 0) at their origin; by index of
 /// surface. `panels` are those of the surfaces.
-std::vector<Axes> plainGrids(const Level& level, const std::vector<std::optional<Panel>>& panels);
+std::vector<Axes> plainGrids(const Scene& scene, const std::vector<std::optional<Panel>>& panels);
 
 }  // namespace hearth::agreement

@@ -15,20 +15,20 @@ constexpr double kInsideEdge = 1e-6;  ///< metres that samples keep from the edg
 
 }  // namespace
 
-PlainTexels::PlainTexels(const Level& level)
-    : level_(level), continuations_(level.surfaces.size()) {
-  for (const Surface& surface : level.surfaces) {
-    panels_.emplace_back();
-    if (!isSky(surface.kind)) panels_.back() = panelOf(level, surface);
-  }
-  corners_ = cornersOf(level, panels_);
-  grids_ = plainGrids(level, panels_);
+PlainTexels::PlainTexels(const Scene& scene)
+    : scene_(scene),
+      panels_(scene.level().surfaces.size()),
+      continuations_(scene.level().surfaces.size()) {
+  for (const SurfaceId id : scene.shownSurfaces())
+    if (!isSky(scene[id].kind)) panels_[id.index()] = panelOf(scene, id);
+  corners_ = cornersOf(scene, panels_);
+  grids_ = plainGrids(scene, panels_);
 }
 
 std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) const {
   const std::optional<std::size_t> surface = surfaceOf(hit);
   if (!surface) return std::nullopt;
-  const Vec2 texels = (1 / level_.bake.texel) * grids_[*surface].of(hit.point);
+  const Vec2 texels = (1 / scene_.level().bake.texel) * grids_[*surface].of(hit.point);
   const double i = std::floor(texels.x - 0.5);
   const double j = std::floor(texels.y - 0.5);
   const double fs = texels.x - 0.5 - i;
@@ -39,12 +39,12 @@ std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) const {
 }
 
 std::vector<TexelSample> PlainTexels::samplesOf(const Texel& texel) {
-  const double side = std::sqrt(level_.bake.samples.value());
+  const double side = std::sqrt(scene_.level().bake.samples.value());
   std::vector<TexelSample> samples;
   for (double t = 0.5; t < side; ++t)
     for (double s = 0.5; s < side; ++s) {
       const Vec2 inTexels{texel.i + s / side, texel.j + t / side};
-      const Vec3 center = grids_[texel.surface].at(level_.bake.texel * inTexels);
+      const Vec3 center = grids_[texel.surface].at(scene_.level().bake.texel * inTexels);
       samples.push_back(sampleAt(texel.surface, center));
     }
   return samples;
@@ -68,11 +68,12 @@ std::vector<SurfacePoint> PlainTexels::ringAround(const SurfacePoint& place,
 
 std::optional<std::size_t> PlainTexels::surfaceOf(const SurfacePoint& hit) const {
   for (std::size_t i = 0; i < panels_.size(); ++i) {
-    const Surface& surface = level_.surfaces[i];
+    const Surface& surface = scene_[SurfaceId(i)];
     if (surface.kind != hit.kind || surface.sector != hit.sector) continue;
-    if (surface.segment != hit.segment || isSky(surface.kind)) continue;
+    if (surface.segment != hit.segment || !panels_[i]) continue;
     if (!surface.segment) return i;
-    if (hit.point.z >= surface.zBottom - 1e-6 && hit.point.z <= surface.zTop + 1e-6) return i;
+    const SurfaceGeometry& at = scene_.geometryOf(SurfaceId(i));
+    if (hit.point.z >= at.zBottom - 1e-6 && hit.point.z <= at.zTop + 1e-6) return i;
   }
   return std::nullopt;
 }
@@ -90,7 +91,7 @@ TexelSample PlainTexels::sampleAt(std::size_t surface, Vec3 center) {
   const Panel& panel = *panels_[surface];
   const Vec2 st = panel.axes.of(center);
   const Vec2 nearest = panel.contains(st) ? st : panel.nearestOnEdge(st);
-  const Surface& found = level_.surfaces[surface];
+  const Surface& found = scene_[SurfaceId(surface)];
   TexelSample placed{center, {found.kind, found.sector, found.segment, {}, panel.normal}, {}};
   const std::vector<Vec2> places = panel.movedInside(nearest, kInsideEdge, st);
   placed.place.point = panel.axes.at(places.front());
@@ -118,7 +119,7 @@ std::vector<std::size_t> PlainTexels::reachedFrom(std::size_t surface, Vec3 samp
 
 /// Of walls, those of one run are.
 bool PlainTexels::areInOnePlane(std::size_t a, std::size_t b) const {
-  if (level_.surfaces[a].segment && level_.surfaces[b].segment) return grids_[a] == grids_[b];
+  if (scene_[SurfaceId(a)].segment && scene_[SurfaceId(b)].segment) return grids_[a] == grids_[b];
   return agreement::areInOnePlane(*panels_[a], *panels_[b]);
 }
 
@@ -128,10 +129,10 @@ const std::vector<CommonEdge>& PlainTexels::continuationsOf(std::size_t surface)
     for (std::size_t to = 0; to < panels_.size(); ++to) {
       if (to == surface || !panels_[to] || !areInOnePlane(surface, to)) continue;
       // What hangs in an opening is no part of the wall round it.
-      if ((level_.surfaces[to].kind == SurfaceKind::MaskedMiddle) !=
-          (level_.surfaces[surface].kind == SurfaceKind::MaskedMiddle))
+      if ((scene_[SurfaceId(to)].kind == SurfaceKind::MaskedMiddle) !=
+          (scene_[SurfaceId(surface)].kind == SurfaceKind::MaskedMiddle))
         continue;
-      for (const Edge& edge : commonEdges(level_, corners_, *panels_[surface], *panels_[to]))
+      for (const Edge& edge : commonEdges(scene_, corners_, *panels_[surface], *panels_[to]))
         continuations_[surface]->push_back({to, edge});
     }
   }

@@ -36,8 +36,8 @@ struct TexelPatch {
 /// of them is tried. Slow, and meant to be plain.
 class PlainTexels {
  public:
-  /// Keeps a reference to the level, whose bake must say how many samples a texel has.
-  explicit PlainTexels(const Level& level);
+  /// Keeps the scene, whose level's bake must say how many samples a texel has.
+  explicit PlainTexels(const Scene& scene);
 
   /// None where the hit is on no surface that takes light.
   std::optional<TexelPatch> around(const SurfacePoint& hit) const;
@@ -55,10 +55,11 @@ class PlainTexels {
   std::vector<std::size_t> reachedFrom(std::size_t surface, Vec3 sample, double distance);
   TexelSample sampleAt(std::size_t surface, Vec3 center);
 
-  const Level& level_;
-  std::vector<std::optional<Panel>> panels_;  ///< by index of surface; none for skies
-  std::vector<Vec3> corners_;                 ///< of the panels
-  std::vector<Axes> grids_;  ///< by index of surface; texel (0, 0) at their origins
+  Scene scene_;
+  std::vector<std::optional<Panel>>
+      panels_;                 ///< by index of surface; none for skies, and where nothing shows
+  std::vector<Vec3> corners_;  ///< of the panels
+  std::vector<Axes> grids_;    ///< by index of surface; texel (0, 0) at their origins
   std::vector<std::optional<std::vector<CommonEdge>>> continuations_;  ///< by index, when asked for
 };
 

@@ -64,8 +64,7 @@ TEST(SmallLevels, agreeWhereAHoleTouchesTheBorderInTheMiddleOfATexel) {
 TEST(SmallLevels, moveSamplesIntoTheTipOfASharpCorner) {
   const LoadedLevel loaded =
       test::levelFrom("{'light':1,'sectors':{" + sectorText("a", "0,0, 8,0, 8,0.05", 0, 3) + "}}");
-  const Level& level = loaded.level;
-  const Panel floor = panelOf(level, level[level.sectors[0].floorSurface.value()]);
+  const Panel floor = panelOf(loaded.scene(), loaded.level.sectors[0].floorSurface.value());
   const std::vector<Vec2> places = floor.movedInside({0, 0}, 1e-6, {-0.1, 0.1});
   ASSERT_EQ(places.size(), 1U);
   EXPECT_TRUE(floor.contains(places[0]));

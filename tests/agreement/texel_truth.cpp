@@ -44,7 +44,8 @@ bool PatchLight::clipsBetween(std::size_t channel) const {
   return clipped != 0 && clipped != 4;
 }
 
-TexelTruth::TexelTruth(const Level& level) : level_(level), truth_(level), texels_(level) {}
+TexelTruth::TexelTruth(const Scene& scene)
+    : level_(scene.level()), truth_(level_), texels_(scene) {}
 
 std::optional<PatchLight> TexelTruth::around(const SurfacePoint& hit) {
   const std::optional<TexelPatch> patch = texels_.around(hit);

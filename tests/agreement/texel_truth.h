@@ -34,9 +34,9 @@ struct PatchLight {
 /// What texels are to hold by truth, and what of it is known how well.
 class TexelTruth {
  public:
-  /// Keeps a reference to the level, whose lights must be points and whose bake must say how many
-  /// samples a texel has.
-  explicit TexelTruth(const Level& level);
+  /// Keeps the scene, whose level's lights must be points and whose bake must say how many samples
+  /// a texel has.
+  explicit TexelTruth(const Scene& scene);
 
   /// None where the hit is on no surface that takes light. Of use for as long as this.
   std::optional<PatchLight> around(const SurfacePoint& hit);

@@ -36,14 +36,15 @@ BakedLight noLightOf(const Level& level) {
 int holesIn(const LoadedLevel& loaded, const Camera& camera) {
   const BakedLight light = noLightOf(loaded.level);
   const Image drawn =
-      Renderer(loaded.level, loaded.textures, light).draw(camera, Channel::Overdraw);
+      Renderer(loaded.scene(), loaded.textures, light).draw(camera, Channel::Overdraw);
   return static_cast<int>(std::ranges::count(drawn.pixels(), kHole));
 }
 
 void expectAsTruth(const LoadedLevel& loaded, const Camera& camera, int stride) {
   EXPECT_EQ(holesIn(loaded, camera), 0) << describe(loaded, camera);
   const BakedLight light = noLightOf(loaded.level);
-  const Image drawn = Renderer(loaded.level, loaded.textures, light).draw(camera, LightMode::None);
+  const Image drawn =
+      Renderer(loaded.scene(), loaded.textures, light).draw(camera, LightMode::None);
   const TruthView truth(loaded.level, loaded.textures, shotOf(camera));
   for (int pixel = 0; pixel < camera.width * camera.height; pixel += stride) {
     const int i = pixel % camera.width;

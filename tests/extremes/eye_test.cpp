@@ -51,7 +51,7 @@ TEST(Eye, atAPortalOrBesideItIsInTheRightSectorAndSeesNoHole) {
     for (const double side : {-1.0, 1.0})
       for (const double y : {0.0, 1e-12, 4.0, 8.0}) {
         const Vec3 eye{4 + side * distance, y, 1.5};
-        const auto sector = locatePosition(rooms.level, eye, std::nullopt);
+        const auto sector = locatePosition(rooms.scene(), eye, std::nullopt);
         ASSERT_TRUE(sector) << sector.error();
         if (std::abs(eye.x - 4) > 1e-6) {
           EXPECT_EQ(rooms.level[*sector].name, eye.x < 4 ? "west" : "east");
@@ -115,7 +115,7 @@ TEST(Eye, thatComesNearerInDecimetresSeesNoHole) {
                                       std::pair{64, 40}, std::pair{1, 99}, std::pair{321, 7}})
     for (int step = 0; step <= 80; ++step) {
       const Vec3 eye{step * 0.1, 3.3, 1.5};
-      Camera camera = cameraAt(*locatePosition(rooms.level, eye, std::nullopt), eye, 0);
+      Camera camera = cameraAt(*locatePosition(rooms.scene(), eye, std::nullopt), eye, 0);
       camera.width = width;
       camera.height = height;
       EXPECT_EQ(holesIn(rooms, camera), 0) << eye.x << ' ' << width << 'x' << height;
@@ -125,7 +125,7 @@ TEST(Eye, thatComesNearerInDecimetresSeesNoHole) {
 TEST(Eye, thatCrossesAPortalInMillimetresSeesNoPictureJump) {
   const LoadedLevel rooms = twoRooms();
   const BakedLight light = noLightOf(rooms.level);
-  const Renderer renderer(rooms.level, rooms.textures, light);
+  const Renderer renderer(rooms.scene(), rooms.textures, light);
   // Through its middle, along its line, and through its end.
   const std::pair<Vec3, Vec3> ways[] = {{{3.95, 4, 1.5}, {4.05, 4.01, 1.5}},
                                         {{4, 3, 1.5}, {4, 3.1, 1.5}},
@@ -135,7 +135,7 @@ TEST(Eye, thatCrossesAPortalInMillimetresSeesNoPictureJump) {
       std::optional<Image> before;
       for (int step = 0; step <= 100; ++step) {
         const Vec3 eye = from + (step / 100.0) * (to - from);
-        const auto sector = locatePosition(rooms.level, eye, std::nullopt);
+        const auto sector = locatePosition(rooms.scene(), eye, std::nullopt);
         ASSERT_TRUE(sector) << sector.error();
         const Image now = renderer.draw(cameraAt(*sector, eye, angle), LightMode::None);
         // A millimetre moves edges by less than a pixel: by as many pixels as a column has.

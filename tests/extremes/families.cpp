@@ -81,13 +81,13 @@ std::optional<SurfaceId> wholeOf(const LitLevel& whole, const Surface& piece,
   Vec2 middle;
   for (const Vec2 p : border) middle = middle + (1.0 / static_cast<double>(border.size())) * p;
   const Vec3 p = lit.toWorld(middle);
-  for (std::size_t i = 0; i < whole.level().surfaces.size(); ++i) {
-    const Surface& surface = whole.level().surfaces[i];
-    const auto& other = whole.light().surfaces[i];
+  for (const SurfaceId id : whole.scene().shownSurfaces()) {
+    const Surface& surface = whole.level()[id];
+    const auto& other = whole.light().surfaces[id.index()];
     if (!other || surface.kind != piece.kind || surface.sector != piece.sector) continue;
     if (std::abs(other->distanceInFront(p)) > 1e-6 || dot(other->normal, lit.normal) < 0.5)
       continue;
-    if (other->outline.contains(other->grid.toTexels(p))) return SurfaceId(i);
+    if (other->outline.contains(other->grid.toTexels(p))) return id;
   }
   return std::nullopt;
 }
@@ -125,11 +125,13 @@ bool hasLightInLineWithWall(const Level& level) {
 
 /// Whether the same walls make the same runs, and so have grids alike.
 bool haveSameTexels(const LitLevel& some, const LitLevel& others) {
-  const auto areAlike = [](const auto& a, const auto& b) {
+  const auto areAlike = [&](SurfaceId someId, SurfaceId othersId) {
+    const auto& a = some.light().surfaces[someId.index()];
+    const auto& b = others.light().surfaces[othersId.index()];
     return a.has_value() == b.has_value() &&
            (!a || (a->texels == b->texels && a->continuations.size() == b->continuations.size()));
   };
-  return std::ranges::equal(some.light().surfaces, others.light().surfaces, areAlike);
+  return std::ranges::equal(some.scene().shownSurfaces(), others.scene().shownSurfaces(), areAlike);
 }
 
 /// What a frame looks at, in counts.
@@ -168,8 +170,8 @@ void expectCutsMeanNothing(std::uint64_t seed) {
     EXPECT_EQ(before.look(shot, LightMode::None), after.look(shot, LightMode::None))
         << shotOf(before, shot);
   std::size_t compared = 0;
-  for (std::size_t i = 0; i < after.level().surfaces.size(); ++i)
-    if (after.light().lightmaps[i] && expectSameTexels(before, after, SurfaceId(i))) ++compared;
+  for (const SurfaceId id : after.scene().shownSurfaces())
+    if (after.light().lightmaps[id.index()] && expectSameTexels(before, after, id)) ++compared;
   EXPECT_GE(compared * 10, after.light().stats.litSurfaces * 9) << seed;
 }
 

@@ -79,9 +79,9 @@ TEST(Large, levelOfAHundredThousandSectorsIsLoadedLitAndDrawn) {
   grid->level.lights.push_back(light);
   std::optional<BakedLight> baked;
   expectBounded("one light, texels of a metre: bake",
-                [&] { baked = bake(grid->level, {.texel = 1}, 2); });
+                [&] { baked = bake(grid->scene(), {.texel = 1}, 2); });
   EXPECT_GT(baked->stats.litSurfaces, 0U);
-  const Renderer renderer(grid->level, grid->textures, *baked);
+  const Renderer renderer(grid->scene(), grid->textures, *baked);
   expectBounded("a frame of 320 x 200", [&] {
     (void)renderer.draw({light.sector, light.position, 30, 0, 90, 320, 200}, LightMode::Both);
   });
@@ -98,11 +98,11 @@ TEST(Large, sectorOfTenThousandVerticesIsLitAndDrawn) {
                                      "[{'x': 10, 'y': 3, 'z': 2, 'falloff': 0.1}]");
   std::optional<BakedLight> baked;
   expectBounded("10,000 vertices, texels of 2 m: bake",
-                [&] { baked = bake(disc.level, {.texel = 2}, 2); });
+                [&] { baked = bake(disc.scene(), {.texel = 2}, 2); });
   const Camera camera{SectorId(0), {1, 2, 1.5}, 30, 0, 90, 320, 200};
   EXPECT_EQ(holesIn(disc, camera), 0);
   expectBounded("a frame of 320 x 200", [&] {
-    (void)Renderer(disc.level, disc.textures, *baked).draw(camera, LightMode::Both);
+    (void)Renderer(disc.scene(), disc.textures, *baked).draw(camera, LightMode::Both);
   });
 }
 
@@ -119,7 +119,7 @@ TEST(Large, numberOfLightsIsBaked) {
   }
   std::optional<BakedLight> baked;
   expectBounded("10,000 lights on texels of 2 m: bake",
-                [&] { baked = bake(room.level, {.texel = 2}, 2); });
+                [&] { baked = bake(room.scene(), {.texel = 2}, 2); });
   // Each gives a hundredth of a level: too little alone, 100 levels together.
   for (const auto& map : baked->lightmaps) {
     ASSERT_TRUE(map.has_value());
@@ -140,22 +140,24 @@ void addErrors(const LoadedLevel& loaded, double texel, LightError& error) {
   BakeSettings settings = loaded.level.bake;
   settings.texel = texel;
   settings.samples = 1;
-  const BakedLight light = bake(loaded.level, settings, 2);
+  const BakedLight light = bake(loaded.scene(), settings, 2);
   const TruthLight truth(loaded.level);
+  const std::vector<SurfaceId> shown = loaded.scene().shownSurfaces();
   for (const Shot& shot : loaded.level.shots) {
     const TruthView view(loaded.level, loaded.textures, shot);
     for (double j = 3.5; j < shot.height; j += 23)
       for (double i = 2.5; i < shot.width; i += 17) {
         const TruthHit hit = view.hit(i, j);
         if (isSky(hit.kind)) continue;
-        for (std::size_t id = 0; id < loaded.level.surfaces.size(); ++id) {
-          const Surface& surface = loaded.level.surfaces[id];
+        for (const SurfaceId id : shown) {
+          const Surface& surface = loaded.level[id];
+          const auto& lit = light.surfaces[id.index()];
           if (surface.kind != hit.kind || surface.sector != hit.sector ||
-              surface.segment != hit.segment || !light.surfaces[id])
+              surface.segment != hit.segment || !lit)
             continue;
-          const Vec2 st = light.surfaces[id]->grid.toTexels(hit.point);
-          if (!light.surfaces[id]->outline.contains(st)) continue;
-          const auto& map = light.lightmaps[id];
+          const Vec2 st = lit->grid.toTexels(hit.point);
+          if (!lit->outline.contains(st)) continue;
+          const auto& map = light.lightmaps[id.index()];
           const double miss =
               (map ? map->sample(st.x, st.y) : 0) - std::min(255.0, truth.at(hit).x);
           error.squares += miss * miss;

@@ -81,7 +81,7 @@ Vec3 middleOf(const LitSurface& surface) {
 
 TEST(LightPlace, inAPlaneOrAMicrometreBehindItDoesNotLightItWhateverItIs) {
   const LoadedLevel all = test::levelFrom(roomOfAllKinds());
-  const LitSurfaces surfaces = makeLitSurfaces(all.level, 0.125);
+  const LitSurfaces surfaces = makeLitSurfaces(all.scene(), 0.125);
   std::set<SurfaceKind> kinds;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i]) continue;
@@ -98,7 +98,7 @@ TEST(LightPlace, inAPlaneOrAMicrometreBehindItDoesNotLightItWhateverItIs) {
         return d.message.find("does not light it") != std::string::npos;
       });
       EXPECT_TRUE(warned) << name(surface.kind) << ' ' << behind;
-      const BakedLight light = bake(result.loaded->level, {}, 1);
+      const BakedLight light = bake(result.loaded->scene(), {}, 1);
       EXPECT_FALSE(light.lightmaps[i].has_value()) << name(surface.kind) << ' ' << behind;
       EXPECT_FALSE(levelsOf(light).empty());
       kinds.insert(surface.kind);
@@ -174,9 +174,9 @@ TEST(LightRay, throughTheVeryJointOfTwoWallsIsBlocked) {
   for (const std::string_view samples : {"1", "4", "'auto'"}) {
     const BakedRoom baked(
         rooms, fmt::format("{{'lights': [{}], 'bake': {{'samples': {}}}}}", lights, samples));
-    for (std::size_t i = 0; i < baked.level().surfaces.size(); ++i)
-      if (baked.level().surfaces[i].sector == SectorId(1)) {
-        EXPECT_FALSE(baked.light().lightmaps[i].has_value()) << samples;
+    for (const SurfaceId id : baked.scene().shownSurfaces())
+      if (baked.level()[id].sector == SectorId(1)) {
+        EXPECT_FALSE(baked.light().lightmaps[id.index()].has_value()) << samples;
       }
   }
 }

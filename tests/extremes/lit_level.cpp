@@ -10,10 +10,10 @@ namespace hearth::extremes {
 namespace {
 
 /// The surfaces that a sector's air ends at, in the order of the level.
-std::vector<SurfaceId> surfacesOf(const Level& level, SectorId sector) {
+std::vector<SurfaceId> surfacesOf(const Scene& scene, SectorId sector) {
   std::vector<SurfaceId> surfaces;
-  for (std::size_t i = 0; i < level.surfaces.size(); ++i)
-    if (level.surfaces[i].sector == sector) surfaces.emplace_back(i);
+  for (const SurfaceId id : scene.shownSurfaces())
+    if (scene[id].sector == sector) surfaces.push_back(id);
   return surfaces;
 }
 
@@ -56,8 +56,8 @@ void expectSamePictures(const LitLevel& expected, const LitLevel& actual) {
 void expectSameLight(const LitLevel& expected, const LitLevel& actual,
                      const std::function<SectorId(SectorId)>& actualSector) {
   for (std::size_t i = 0; i < expected.level().sectors.size(); ++i) {
-    const std::vector<SurfaceId> some = surfacesOf(expected.level(), SectorId(i));
-    const std::vector<SurfaceId> others = surfacesOf(actual.level(), actualSector(SectorId(i)));
+    const std::vector<SurfaceId> some = surfacesOf(expected.scene(), SectorId(i));
+    const std::vector<SurfaceId> others = surfacesOf(actual.scene(), actualSector(SectorId(i)));
     ASSERT_EQ(some.size(), others.size()) << expected.level().sectors[i].name;
     for (std::size_t k = 0; k < some.size(); ++k)
       expectSameLightmap(

@@ -12,12 +12,13 @@ namespace hearth::extremes {
 class LitLevel {
  public:
   explicit LitLevel(const LevelFiles& files, int threads = 1)
-      : loaded_(load(files)), light_(bake(loaded_.level, loaded_.level.bake, threads)) {}
+      : loaded_(load(files)), light_(bake(loaded_.scene(), loaded_.level.bake, threads)) {}
 
   const Level& level() const { return loaded_.level; }
+  Scene scene() const { return loaded_.scene(); }
   const LoadedLevel& loaded() const { return loaded_; }
   const BakedLight& light() const { return light_; }
-  Renderer renderer() const { return {loaded_.level, loaded_.textures, light_}; }
+  Renderer renderer() const { return {loaded_.scene(), loaded_.textures, light_}; }
 
   Image look(std::size_t shot, LightMode mode) const {
     return renderer().draw(cameraOf(level().shots[shot]), mode);

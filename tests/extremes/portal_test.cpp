@@ -16,7 +16,7 @@ using test::levelFrom;
 TEST(Portals, ofAGridAreLookedThroughOnceEach) {
   const LoadedLevel grid = levelFrom(levelOf(gridOfRooms(30, 30)));
   const BakedLight light = noLightOf(grid.level);
-  const Renderer renderer(grid.level, grid.textures, light);
+  const Renderer renderer(grid.scene(), grid.textures, light);
   for (double angle = 0; angle < 360; angle += 22.5) {
     const Camera camera{SectorId(0), {0.5, 0.5, 1.5}, angle, 0, 90, 160, 100};
     EXPECT_EQ(holesIn(grid, camera), 0) << angle;
@@ -67,7 +67,7 @@ TEST(Portals, aThousandInOneLineOfSightAreAllLookedThrough) {
   const BakedLight light = noLightOf(row.level);
   FrameScratch scratch;
   Image picture;
-  Renderer(row.level, row.textures, light).draw(camera, LightMode::None, scratch, picture);
+  Renderer(row.scene(), row.textures, light).draw(camera, LightMode::None, scratch, picture);
   EXPECT_EQ(scratch.found().viewports, 1000) << "each room is looked into once";
 }
 

@@ -27,14 +27,14 @@ bool hasLineNear(const Image& lines, int x, int y) {
 
 /// Two ways to the same lines: where the surface changes from pixel to pixel an edge runs, which
 /// the wireframe has from the level's vertices.
-void expectOutlinesOnWireframe(const Renderer& renderer, const Level& level, const Camera& camera) {
+void expectOutlinesOnWireframe(const Renderer& renderer, const Scene& scene, const Camera& camera) {
   const Image lit = renderer.draw(camera, LightMode::Both);
   const Image outlines = renderer.draw(camera, Marks::Outlines);
-  const Image wireframe = drawView(level, camera, View::Wireframe);
+  const Image wireframe = drawView(scene, camera, View::Wireframe);
   for (int y = 0; y < lit.height(); ++y)
     for (int x = 0; x < lit.width(); ++x)
       ASSERT_TRUE(outlines.at(x, y) == lit.at(x, y) || hasLineNear(wireframe, x, y))
-          << level.name << ' ' << x << ',' << y;
+          << scene.level().name << ' ' << x << ',' << y;
 }
 
 void expectQuietCoverage(const Renderer& renderer, const Camera& camera) {
@@ -43,15 +43,15 @@ void expectQuietCoverage(const Renderer& renderer, const Camera& camera) {
     EXPECT_EQ(std::ranges::count(coverage.pixels(), signal), 0);
 }
 
-void expectSaneViews(const Renderer& renderer, const Level& level) {
-  for (const Shot& shot : level.shots) {
+void expectSaneViews(const Renderer& renderer, const Scene& scene) {
+  for (const Shot& shot : scene.level().shots) {
     Camera camera = cameraOf(shot);
-    expectOutlinesOnWireframe(renderer, level, camera);
+    expectOutlinesOnWireframe(renderer, scene, camera);
     expectQuietCoverage(renderer, camera);
     for (const double fov : {1.0, 179.0}) {
       camera.fov = fov;
       EXPECT_EQ(renderer.draw(camera, Marks::Texels).width(), camera.width);
-      for (const View view : kViews) EXPECT_EQ(drawView(level, camera, view).width(), camera.width);
+      for (const View view : kViews) EXPECT_EQ(drawView(scene, camera, view).width(), camera.width);
     }
   }
 }
@@ -62,8 +62,8 @@ TEST(ViewsOfShippedLevels, haveTheirOutlinesOnTheWireframe) {
         loadLevel(HEARTH_SOURCE_DIR "/levels/" + name + ".json").loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 4;
-    const BakedLight light = bake(loaded.level, coarse, 2);
-    expectSaneViews(Renderer(loaded.level, loaded.textures, light), loaded.level);
+    const BakedLight light = bake(loaded.scene(), coarse, 2);
+    expectSaneViews(Renderer(loaded.scene(), loaded.textures, light), loaded.scene());
   }
 }
 
@@ -78,7 +78,7 @@ TEST(ViewsOfRandomLevels, areSaneWhereverAndOfWhateverSize) {
                                             withWallsCut(files)};
     for (const LevelFiles& member : family) {
       const LitLevel lit(member);
-      expectSaneViews(lit.renderer(), lit.level());
+      expectSaneViews(lit.renderer(), lit.scene());
     }
   }
 }

@@ -23,7 +23,7 @@ std::vector<double> placesAlongWall(const LoadedLevel& loaded, const Camera& cam
   const BakedLight light = noLightOf(loaded.level);
   FrameScratch scratch;
   Image picture;
-  Renderer(loaded.level, loaded.textures, light).draw(camera, LightMode::None, scratch, picture);
+  Renderer(loaded.scene(), loaded.textures, light).draw(camera, LightMode::None, scratch, picture);
   std::vector<double> places(static_cast<std::size_t>(camera.width), -1);
   scratch.forEachSpan([&](const Span& span) {
     if (loaded.level[span.surface].segment == SegmentId(0))
@@ -85,7 +85,8 @@ TEST(Wall, slantedWithAVertexThatWasRoundedHidesTheFloorBehindIt) {
     for (double angle = 10; angle <= 30; angle += 0.37) {
       const BakedLight light = noLightOf(room.level);
       const Camera camera = cameraAt({0.2, 0.074 + side, 1.5}, angle);
-      const Image drawn = Renderer(room.level, room.textures, light).draw(camera, LightMode::None);
+      const Image drawn =
+          Renderer(room.scene(), room.textures, light).draw(camera, LightMode::None);
       for (int i = 0; i < drawn.width(); ++i) {
         int wallBegins = 0;
         while (wallBegins < drawn.height() && drawn.at(i, wallBegins).b == 255) ++wallBegins;
@@ -113,7 +114,7 @@ TEST(Wall, ofSolidStepsAndPlainPiecesOfOneZrefShowsEqualColumns) {
           fmt::format("[{0}, {0}, {0}, {1}]", solid, "{'next': 'room', 'texture': '#808080'}"))));
   const BakedLight light = noLightOf(room.level);
   const Image drawn =
-      Renderer(room.level, room.textures, light).draw(cameraAt({0, 0, 1.5}, 0), LightMode::None);
+      Renderer(room.scene(), room.textures, light).draw(cameraAt({0, 0, 1.5}, 0), LightMode::None);
   for (int i = 1; i < drawn.width(); ++i)
     for (int j = 0; j < drawn.height(); ++j)
       ASSERT_EQ(drawn.at(i, j), drawn.at(0, j)) << i << ',' << j;
@@ -138,15 +139,15 @@ TEST(Room, thatIsCutInTwoByAPortalShowsTheSamePicture) {
                         east.sector("east", fmt::format("[{}, {}, {}, {{'next': 'west'}}]", wall(3),
                                                         wall(0), wall(0)))),
                 lights);
-  const BakedLight oneLight = bake(one.level, one.level.bake, 1);
-  const BakedLight twoLight = bake(two.level, two.level.bake, 1);
+  const BakedLight oneLight = bake(one.scene(), one.level.bake, 1);
+  const BakedLight twoLight = bake(two.scene(), two.level.bake, 1);
   for (const Vec3 eye : {Vec3{1, 1, 1.5}, Vec3{3.1, 4, 1}, Vec3{6.7, 7, 2.9}})
     for (double angle = 0; angle < 360; angle += 20)
       for (const LightMode mode : {LightMode::None, LightMode::Only}) {
         Camera camera = cameraAt(eye, angle);
-        const Image expected = Renderer(one.level, one.textures, oneLight).draw(camera, mode);
+        const Image expected = Renderer(one.scene(), one.textures, oneLight).draw(camera, mode);
         camera.sector = SectorId(eye.x > 3 ? 1 : 0);
-        EXPECT_EQ(Renderer(two.level, two.textures, twoLight).draw(camera, mode), expected)
+        EXPECT_EQ(Renderer(two.scene(), two.textures, twoLight).draw(camera, mode), expected)
             << eye.x << ' ' << angle;
       }
 }

@@ -21,7 +21,8 @@ constexpr double kTexels = 24;      ///< across the level, at most
 constexpr std::size_t kLights = 4;  ///< of those that a level has; more only take longer
 
 /// The eyes of player and shots, and a place in the middle of some walls.
-std::vector<Camera> placesOf(const Level& level) {
+std::vector<Camera> placesOf(const Scene& scene) {
+  const Level& level = scene.level();
   std::vector<Camera> cameras;
   if (level.player)
     cameras.push_back({level.player->sector, level.player->eye, level.player->angle});
@@ -31,8 +32,8 @@ std::vector<Camera> placesOf(const Level& level) {
     const Segment& segment = level.segments[i];
     const Vec2 p = lerp(segment.p0, segment.p1, 0.5);
     const Sector& sector = level[segment.sector];
-    const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
-    if (contains(level, sector, Vec3{p.x, p.y, z}, kPositionSlack))  // else the wall is buried
+    const double z = (scene.airBottom(sector, p) + scene.airTop(sector, p)) / 2;
+    if (contains(scene, sector, Vec3{p.x, p.y, z}, kPositionSlack))  // else the wall is buried
       cameras.push_back({segment.sector, {p.x, p.y, z}, compassDegrees(segment.p1 - segment.p0)});
   }
   if (cameras.size() > kPlaces) cameras.resize(kPlaces);
@@ -49,7 +50,8 @@ double coarseTexel(const Level& level) {
   return std::max(level.bake.texel, size / kTexels);
 }
 
-BakedLight coarseLight(Level level, const std::vector<Camera>& places) {
+BakedLight coarseLight(const LoadedLevel& loaded, const std::vector<Camera>& places) {
+  Level level = loaded.level;
   if (level.lights.empty() && !places.empty()) {
     LightSource light;
     light.position = places.front().eye;
@@ -64,7 +66,8 @@ BakedLight coarseLight(Level level, const std::vector<Camera>& places) {
   BakedLight none;
   none.surfaces.resize(level.surfaces.size());
   none.lightmaps.resize(level.surfaces.size());
-  return mistakeInTexel(level, settings.texel) ? none : bake(level, settings, 1);
+  const Scene scene(level, loaded.geometry);
+  return mistakeInTexel(scene, settings.texel) ? none : bake(scene, settings, 1);
 }
 
 }  // namespace
@@ -80,9 +83,9 @@ void expectSaid(const LoadResult& result) {
 }
 
 void expectUsable(const LoadedLevel& loaded) {
-  const std::vector<Camera> places = placesOf(loaded.level);
-  const BakedLight light = coarseLight(loaded.level, places);
-  const Renderer renderer(loaded.level, loaded.textures, light);
+  const std::vector<Camera> places = placesOf(loaded.scene());
+  const BakedLight light = coarseLight(loaded, places);
+  const Renderer renderer(loaded.scene(), loaded.textures, light);
   for (const Camera& camera : places) {
     const Image drawn = renderer.draw(camera, Channel::Overdraw);
     CHECK(std::ranges::find(drawn.pixels(), kHole) == drawn.pixels().end(), camera.eye.x,

@@ -54,8 +54,8 @@ std::uint64_t take(const std::string& bytes, std::size_t at, std::size_t size) {
 std::string sealed(std::string bytes) {
   const std::size_t end = bytes.size() - kChecksumBytes;
   const auto texel = std::bit_cast<double>(take(bytes, kTexelAt, 8));
-  if (!mistakeInTexel(level().level, texel))
-    put(bytes, kGeometryAt, geometryHash(level().level, texel), 8);
+  if (!mistakeInTexel(level().scene(), texel))
+    put(bytes, kGeometryAt, geometryHash(level().scene(), texel), 8);
   put(bytes, kFileBytesAt, bytes.size(), 8);
   put(bytes, end, crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), end), kChecksumBytes);
   return bytes;
@@ -78,9 +78,9 @@ std::string packed(const std::string& bytes) {
 
 void expectUsable(const BakedLight& light, double texel) {
   const Camera camera{SectorId(0), {1, 2, 1.5}, 30, -20, 90, 12, 8};
-  (void)Renderer(level().level, level().textures, light).draw(camera, LightMode::Both);
+  (void)Renderer(level().scene(), level().textures, light).draw(camera, LightMode::Both);
   const auto again =
-      decodeBake(level().level, encodeBake(level().level, light, texel, ""), kMaxLightBytes);
+      decodeBake(level().scene(), encodeBake(level().scene(), light, texel, ""), kMaxLightBytes);
   CHECK(again);
   for (std::size_t i = 0; i < light.lightmaps.size(); ++i)
     CHECK(again->lightmaps[i].has_value() == light.lightmaps[i].has_value() &&
@@ -89,7 +89,7 @@ void expectUsable(const BakedLight& light, double texel) {
 }
 
 void tryOut(const std::string& bytes) {
-  const auto light = decodeBake(level().level, bytes, kMaxLightBytes);
+  const auto light = decodeBake(level().scene(), bytes, kMaxLightBytes);
   if (light)
     expectUsable(*light, std::bit_cast<double>(take(bytes, kTexelAt, 8)));
   else

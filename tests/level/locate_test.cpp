@@ -30,6 +30,7 @@ class LocateTest : public testing::Test {
  protected:
   const Sector& sector(std::size_t i) const { return loaded_.level.sectors[i]; }
   const Level& level() const { return loaded_.level; }
+  Scene scene() const { return loaded_.scene(); }
 
  private:
   LoadedLevel loaded_ = rooms();
@@ -54,30 +55,31 @@ TEST_F(LocateTest, countsEveryBorderAsInside) {
 TEST(BuriedWalls, areNoPartOfTheRoom) {
   const LoadedLevel loaded = roomWithBuriedWalls();
   const Level& level = loaded.level;
+  const Scene scene = loaded.scene();
   const Sector& room = level.sectors[0];
   for (const Vec2 buried : {Vec2{3, 8}, {3.5, 8}, {4, 6}, {4, 5.5}}) {
     EXPECT_FALSE(contains(level, room, buried)) << buried.x << ' ' << buried.y;
-    EXPECT_FALSE(contains(level, room, {buried.x, buried.y, 1}, 1e-6));
+    EXPECT_FALSE(contains(scene, room, {buried.x, buried.y, 1}, 1e-6));
   }
   for (const Vec2 seen : {Vec2{1, 8}, {7, 8}, {2, 6}, {4, 4.5}, {4, 7.5}, {6, 6}, {5, 7}}) {
     EXPECT_TRUE(contains(level, room, seen)) << seen.x << ' ' << seen.y;
-    EXPECT_TRUE(contains(level, room, {seen.x, seen.y, 1}, 1e-6));
+    EXPECT_TRUE(contains(scene, room, {seen.x, seen.y, 1}, 1e-6));
   }
   for (const Vec2 corner : {Vec2{2, 8}, {4, 8}, {4, 7}, {4, 5}, {4, 4}})
     EXPECT_TRUE(contains(level, room, corner)) << corner.x << ' ' << corner.y;
-  EXPECT_TRUE(contains(level, room, {1, 8 + 9e-7, 1}, 1e-6));
-  EXPECT_FALSE(contains(level, room, {3, 8 + 9e-7, 1}, 1e-6));
+  EXPECT_TRUE(contains(scene, room, {1, 8 + 9e-7, 1}, 1e-6));
+  EXPECT_FALSE(contains(scene, room, {3, 8 + 9e-7, 1}, 1e-6));
 }
 
 TEST_F(LocateTest, allowsASlackAndNoMore) {
-  EXPECT_TRUE(contains(level(), sector(0), {8 + 9e-7, 1, 1}, 1e-6));
-  EXPECT_FALSE(contains(level(), sector(0), {8 + 2e-6, 1, 1}, 1e-6));
-  EXPECT_TRUE(contains(level(), sector(0), {7, 1, -9e-7}, 1e-6));
-  EXPECT_FALSE(contains(level(), sector(0), {7, 1, 3.1}, 1e-6));
+  EXPECT_TRUE(contains(scene(), sector(0), {8 + 9e-7, 1, 1}, 1e-6));
+  EXPECT_FALSE(contains(scene(), sector(0), {8 + 2e-6, 1, 1}, 1e-6));
+  EXPECT_TRUE(contains(scene(), sector(0), {7, 1, -9e-7}, 1e-6));
+  EXPECT_FALSE(contains(scene(), sector(0), {7, 1, 3.1}, 1e-6));
 }
 
 TEST_F(LocateTest, leavesPositionsInTheOpenAlone) {
-  EXPECT_EQ(nudgedInside(level(), sector(0), {3, 3, 1}), (Vec3{3, 3, 1}));
+  EXPECT_EQ(nudgedInside(scene(), sector(0), {3, 3, 1}), (Vec3{3, 3, 1}));
 }
 
 TEST_F(LocateTest, movesPositionsOffEveryWallVertexAndFlat) {
@@ -86,7 +88,7 @@ TEST_F(LocateTest, movesPositionsOffEveryWallVertexAndFlat) {
     for (const double fraction : {0.0, 0.3})
       for (const double z : {of.floor.z, of.ceiling.z}) {
         const Vec2 p = lerp(segment.p0, segment.p1, fraction);
-        const Vec3 inside = nudgedInside(level(), of, {p.x, p.y, z});
+        const Vec3 inside = nudgedInside(scene(), of, {p.x, p.y, z});
         EXPECT_LT(length(inside - Vec3{p.x, p.y, z}), 1e-6);
         EXPECT_GT(inside.z, of.floor.z);
         EXPECT_LT(inside.z, of.ceiling.z);

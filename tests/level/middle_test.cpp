@@ -26,12 +26,13 @@ LoadedLevel roomsWith(std::string_view middle, double eastFloor = 0, double east
                  fmt::format("[{0},{0},{0},{{'next':'west','texture':'#808080'}}]", solid))));
 }
 
-/// "from to" of all that there are.
+/// "from to" of all that show.
 std::string heightsOf(const LoadedLevel& loaded) {
   std::string text;
-  for (const Surface& surface : loaded.level.surfaces)
-    if (surface.kind == SurfaceKind::MaskedMiddle)
-      text += fmt::format("{} {};", surface.zBottom, surface.zTop);
+  const Scene scene = loaded.scene();
+  for (const SurfaceId id : scene.shownSurfaces())
+    if (scene[id].kind == SurfaceKind::MaskedMiddle)
+      text += fmt::format("{} {};", scene.geometryOf(id).zBottom, scene.geometryOf(id).zTop);
   return text;
 }
 
@@ -46,33 +47,36 @@ TEST(MiddleTexture, IsCutOffAtItsOpening) {
   EXPECT_EQ(heightsOf(roomsWith("{'name':'#808080','scale':[1,2],'zref':4}", 0, 2.5)), "2 2.5;");
 }
 
-TEST(MiddleTexture, IsNotModelledWhereNothingOfItShows) {
+TEST(MiddleTexture, DoesNotShowWhereItIsOutsideItsOpening) {
   EXPECT_EQ(heightsOf(roomsWith("{'name':'#808080','scale':[1,1],'zref':0}")), "");
   EXPECT_EQ(heightsOf(roomsWith("{'name':'#808080','scale':[1,1],'zref':5}")), "");
   EXPECT_EQ(heightsOf(roomsWith("'#808080 1,1'", 1, 1)), "") << "there is no opening";
 }
 
 TEST(MiddleTexture, LiesInTheWayOfLightFromBothSides) {
-  const Level level = roomsWith("'#808080 1,1'").level;
+  const LoadedLevel rooms = roomsWith("'#808080 1,1'");
+  const Scene scene = rooms.scene();
   int openings = 0;
-  for (const Segment& segment : level.segments)
-    for (const LightOpening& opening : segment.lightOpenings) {
+  for (const Segment& segment : rooms.level.segments)
+    for (const LightOpening& opening : scene.lightOpeningsOf(segment)) {
       ++openings;
-      ASSERT_EQ(opening.maskedMiddles.size(), 1U);
-      EXPECT_EQ(level[opening.maskedMiddles.front()].kind, SurfaceKind::MaskedMiddle);
+      ASSERT_EQ(scene.maskedMiddlesIn(opening).size(), 1U);
+      EXPECT_EQ(scene[scene.maskedMiddlesIn(opening).front()].kind, SurfaceKind::MaskedMiddle);
     }
   EXPECT_EQ(openings, 2);
 }
 
 TEST(MiddleTexture, HasItsHolesWhereItsMappingPutsThem) {
-  Level level =
-      roomsWith("{'name':'#808080','scale':[2,1],'offset':[1,0],'along':0.25,'zref':3}").level;
+  LoadedLevel rooms =
+      roomsWith("{'name':'#808080','scale':[2,1],'offset':[1,0],'along':0.25,'zref':3}");
   TexelHoles holes(4, 2);  // of half a metre each
   holes.make(0, 1);
-  level.holes.assign(level.textures.size(), holes);
-  const auto middle = *std::ranges::find(level.surfaces, SurfaceKind::MaskedMiddle,
-                                         [](const Surface& s) { return s.kind; });
-  const auto isSolid = [&](double y, double z) { return isSolidAt(level, middle, {4, y, z}); };
+  rooms.level.holes.assign(rooms.level.textures.size(), holes);
+  const Scene scene = rooms.scene();
+  const std::vector<SurfaceId> shown = scene.shownSurfaces();
+  const SurfaceId middle = *std::ranges::find(shown, SurfaceKind::MaskedMiddle,
+                                              [&](SurfaceId id) { return scene[id].kind; });
+  const auto isSolid = [&](double y, double z) { return isSolidAt(scene, middle, {4, y, z}); };
   // Its column 0 begins where s + 0.25 is half a metre, and comes again after 2 m.
   EXPECT_TRUE(isSolid(0.24, 2.25));
   EXPECT_FALSE(isSolid(0.26, 2.25));

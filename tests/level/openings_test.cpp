@@ -34,12 +34,13 @@ TEST(PortalHeights, fillTheRangeWhereNothingIsOpen) {
 }
 
 /// "0..1 lower step, 1..2 opening, ..." of the first portal wall of the first sector.
-std::string piecesOf(const Level& level, std::size_t segment) {
+std::string piecesOf(const LoadedLevel& loaded, std::size_t segment) {
+  const Scene scene = loaded.scene();
   std::string text;
-  for (const WallPiece& piece : level.segments[segment].pieces) {
+  for (const WallPiece& piece : scene.piecesOf(scene[SegmentId(segment)])) {
     const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content);
     text += fmt::format("{}{}..{} {}", text.empty() ? "" : ", ", piece.zBottom, piece.zTop,
-                        surface ? name(level[*surface].kind) : "opening");
+                        surface ? name(scene[*surface].kind) : "opening");
   }
   return text;
 }
@@ -58,21 +59,20 @@ LoadedLevel twoRooms(std::string_view wall, double floor, double ceiling,
 constexpr std::string_view kPortal = "{'next':'east','texture':'#808080'}";
 
 TEST(Pieces, ofAPortalAreStepOpeningStep) {
-  EXPECT_EQ(piecesOf(twoRooms(kPortal, 1, 2).level, 1),
-            "0..1 lower step, 1..2 opening, 2..3 upper step");
+  EXPECT_EQ(piecesOf(twoRooms(kPortal, 1, 2), 1), "0..1 lower step, 1..2 opening, 2..3 upper step");
 }
 
 TEST(Pieces, thatDoNotExistAreNotModelled) {
-  EXPECT_EQ(piecesOf(twoRooms(kPortal, 0, 3).level, 1), "0..3 opening");
-  EXPECT_EQ(piecesOf(twoRooms(kPortal, -2, 5).level, 1), "0..3 opening");
-  EXPECT_EQ(piecesOf(twoRooms(kPortal, 1.5, 1.5).level, 1), "0..1.5 lower step, 1.5..3 upper step");
+  EXPECT_EQ(piecesOf(twoRooms(kPortal, 0, 3), 1), "0..3 opening");
+  EXPECT_EQ(piecesOf(twoRooms(kPortal, -2, 5), 1), "0..3 opening");
+  EXPECT_EQ(piecesOf(twoRooms(kPortal, 1.5, 1.5), 1), "0..1.5 lower step, 1.5..3 upper step");
 }
 
 TEST(Pieces, ofAStackKeepToTheirRanges) {
   const std::string_view stack =
       "{'walls':[{'z':0.5,'texture':'#808080'},{'z':2,'next':'east','texture':'#808080'},"
       "{'texture':'#808080'}]}";
-  EXPECT_EQ(piecesOf(twoRooms(stack, 1, 1.75).level, 1),
+  EXPECT_EQ(piecesOf(twoRooms(stack, 1, 1.75), 1),
             "0..0.5 stack solid, 0.5..1 stack lower step, 1..1.75 opening, 1.75..2 stack upper "
             "step, 2..3 stack solid");
 }
@@ -85,13 +85,14 @@ TEST(Pieces, behindTheSectorsOwnSlopeNeedNoTexture) {
                                        ",'slopeFloor':{'z':[0,1,1,0]}"),
                             sectorText("landing", "6,0, 10,0, 10,4, 6,4", 1, 3,
                                        fmt::format("[{0},{0},{0},{{'next':'ramp'}}]", kSolid))));
-  EXPECT_EQ(piecesOf(rooms.level, 1), "1..3 opening");
+  EXPECT_EQ(piecesOf(rooms, 1), "1..3 opening");
 }
 
-TEST(Sidewalls, areModelledOnlyWhereTheyShow) {
+TEST(Sidewalls, showOnlyWhereTheWedgeStandsInTheOpening) {
   const auto sidewalls = [](const LoadedLevel& loaded) {
     int count = 0;
-    for (const Surface& surface : loaded.level.surfaces) count += isSidewall(surface.kind) ? 1 : 0;
+    for (const SurfaceId id : loaded.scene().shownSurfaces())
+      count += isSidewall(loaded.level[id].kind) ? 1 : 0;
     return count;
   };
   EXPECT_EQ(
@@ -113,9 +114,10 @@ TEST(LightOpenings, haveNoTopBetweenSkies) {
   std::string withStep = text;
   withStep.replace(withStep.find("{'next':'b'}"), 12, "{'next':'b','lower':'#808080'}");
   const LoadedLevel rooms = levelFrom(withStep);
-  ASSERT_EQ(rooms.level.segments[1].lightOpenings.size(), 1U);
-  EXPECT_EQ(rooms.level.segments[1].lightOpenings[0].zBottom, 0.5);
-  EXPECT_EQ(rooms.level.segments[1].lightOpenings[0].zTop, std::numeric_limits<double>::infinity());
+  const auto openings = rooms.scene().lightOpeningsOf(rooms.level.segments[1]);
+  ASSERT_EQ(openings.size(), 1U);
+  EXPECT_EQ(openings[0].zBottom, 0.5);
+  EXPECT_EQ(openings[0].zTop, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

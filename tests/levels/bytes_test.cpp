@@ -23,9 +23,11 @@ namespace {
 const std::filesystem::path kTree = HEARTH_SOURCE_DIR;
 const std::filesystem::path kKept = kTree / "tests/levels/bytes.txt";
 
-std::uint64_t hashOf(const BakedLight& light) {
+/// Of the surfaces that show.
+std::uint64_t hashOf(const Scene& scene, const BakedLight& light) {
   Hash hash;
-  for (const std::optional<Lightmap>& map : light.lightmaps) {
+  for (const SurfaceId id : scene.shownSurfaces()) {
+    const std::optional<Lightmap>& map = light.lightmaps[id.index()];
     hash.addWhole(map.has_value());
     if (!map) continue;
     for (const int number :
@@ -104,10 +106,10 @@ void addLevel(const std::filesystem::path& file, std::vector<std::string>& lines
     lines.push_back(fmt::format("{:016x} {}: {}", hash, name, what));
   };
   for (const NamedBake& bakeOf : bakesOf(loaded.level.bake))
-    add("texels, " + bakeOf.name, hashOf(bake(loaded.level, bakeOf.settings, 2)));
-  const BakedLight light = bake(loaded.level, loaded.level.bake, 2);
+    add("texels, " + bakeOf.name, hashOf(loaded.scene(), bake(loaded.scene(), bakeOf.settings, 2)));
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 2);
   for (const NamedDrawing& drawing : drawings()) {
-    const Renderer renderer(loaded.level, loaded.textures, light, drawing.settings);
+    const Renderer renderer(loaded.scene(), loaded.textures, light, drawing.settings);
     for (const Shot& shot : loaded.level.shots)
       add(fmt::format("shot {}, {}", shot.name, drawing.name),
           hashOf(renderer.draw(cameraOf(shot), drawing.mode)));

@@ -26,6 +26,7 @@ class Keep : public testing::Test {
   void SetUp() override { ASSERT_TRUE(result_->loaded.has_value()); }
 
   static const Level& level() { return result_->loaded->level; }
+  static Scene scene() { return result_->loaded->scene(); }
   static inline LoadResult* result_ = nullptr;
 };
 
@@ -35,7 +36,7 @@ TEST_F(Keep, LoadsWithoutAWarning) {
 
 TEST_F(Keep, HasEveryKindOfSurfaceButMiddlesAndStepsBetweenSkiesBelow) {
   std::set<SurfaceKind> kinds;
-  for (const Surface& surface : level().surfaces) kinds.insert(surface.kind);
+  for (const SurfaceId id : scene().shownSurfaces()) kinds.insert(level()[id].kind);
   for (std::size_t i = 0; i < kSurfaceKinds; ++i) {
     const auto kind = static_cast<SurfaceKind>(i);
     const bool isElsewhere = kind == SurfaceKind::MaskedMiddle || kind == SurfaceKind::SkyLowerStep;
@@ -87,7 +88,7 @@ TEST_F(Keep, ItsShotsShowDistanceHeightAndTwelveTextures) {
 }
 
 TEST_F(Keep, IsNeitherDarkNorGlaring) {
-  const BakedLight light = bake(level(), level().bake, 2);
+  const BakedLight light = bake(scene(), level().bake, 2);
   std::int64_t texels = 0;
   std::int64_t lit = 0;
   std::int64_t full = 0;
@@ -120,18 +121,18 @@ class KeepWalk : public Keep {
 
 TEST_F(KeepWalk, LeadsFromTheRoadToWhereverABodyHasRoom) {
   const std::set<std::size_t> reached =
-      test::reachableFrom(test::waysOf(level(), gait()), level().player->sector.index());
+      test::reachableFrom(test::waysOf(scene(), gait()), level().player->sector.index());
   for (std::size_t i = 0; i < level().sectors.size(); ++i)
-    if (test::hasRoom(level(), level().sectors[i], gait())) {
+    if (test::hasRoom(scene(), level().sectors[i], gait())) {
       EXPECT_TRUE(reached.contains(i)) << level().sectors[i].name;
     }
 }
 
 TEST_F(KeepWalk, LeadsBackToTheRoadFromEverywhere) {
-  const test::Ways back = test::reversed(test::waysOf(level(), gait()));
+  const test::Ways back = test::reversed(test::waysOf(scene(), gait()));
   const std::set<std::size_t> homing = test::reachableFrom(back, level().player->sector.index());
   for (std::size_t i = 0; i < level().sectors.size(); ++i)
-    if (test::hasRoom(level(), level().sectors[i], gait())) {
+    if (test::hasRoom(scene(), level().sectors[i], gait())) {
       EXPECT_TRUE(homing.contains(i)) << level().sectors[i].name;
     }
 }
@@ -139,7 +140,7 @@ TEST_F(KeepWalk, LeadsBackToTheRoadFromEverywhere) {
 TEST_F(KeepWalk, KnowsRoomsFromParapets) {
   int rooms = 0;
   for (const Sector& sector : level().sectors) {
-    const bool hasRoom = test::hasRoom(level(), sector, gait());
+    const bool hasRoom = test::hasRoom(scene(), sector, gait());
     rooms += hasRoom;
     if (sector.name.starts_with("parapet") || sector.name.starts_with("rampart")) {
       EXPECT_EQ(hasRoom, sector.name.starts_with("rampart")) << sector.name;

@@ -16,9 +16,10 @@ class KeepTour : public testing::Test {
  protected:
   KeepTour()
       : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/keep.json").loaded.value()),
-        walker_(walkerAt(level(), level().player->sector, level().player->eye, 0, 0)) {}
+        walker_(walkerAt(scene(), level().player->sector, level().player->eye, 0, 0)) {}
 
   const Level& level() const { return loaded_.level; }
+  Scene scene() const { return loaded_.scene(); }
   std::string sector() const { return level()[walker_.sector].name; }
 
   /// Turns to each place in turn and goes straight there.
@@ -30,7 +31,7 @@ class KeepTour : public testing::Test {
         const double angle = std::atan2(apart.y, apart.x) * 180 / std::numbers::pi;
         const double turn = std::remainder(angle - walker_.angle, 360);
         walker_ =
-            walked(level(), walker_,
+            walked(scene(), walker_,
                    {.forward = kFullSpeed, .turn = static_cast<int>(std::lround(1000 * turn))});
       }
       ASSERT_TRUE(isNear(place)) << "stuck in " << sector() << " at " << walker_.feet.x << ", "

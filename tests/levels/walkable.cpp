@@ -13,10 +13,10 @@ namespace {
 constexpr double kRounding = 1e-6;  // metres: heights that are meant to be alike
 
 /// Whether a walker gets through the opening `fraction` of the way along its segment.
-bool isOpenAt(const Level& level, const Segment& segment, const WallPiece& piece, double fraction,
+bool isOpenAt(const Scene& scene, const Segment& segment, const WallPiece& piece, double fraction,
               const Gait& gait) {
-  const AirColumn near = airAt(segment, fraction);
-  const AirColumn far = airAt(level[std::get<Opening>(piece.content).twin], 1 - fraction);
+  const AirColumn near = scene.airAt(segment, fraction);
+  const AirColumn far = scene.airAt(scene[std::get<Opening>(piece.content).twin], 1 - fraction);
   const OpeningSpan span = openingSpan(piece, near, far);
   const double sill = std::max({near.zBottom, far.zBottom, span.zBottom});
   return sill - near.zBottom <= gait.step + kRounding &&
@@ -26,17 +26,17 @@ bool isOpenAt(const Level& level, const Segment& segment, const WallPiece& piece
 /// The doorways of one loop: openings to one sector may run on over several segments in line.
 class Doorways {
  public:
-  Doorways(const Level& level, const Gait& gait) : level_(level), gait_(gait) {}
+  Doorways(const Scene& scene, const Gait& gait) : scene_(scene), gait_(gait) {}
 
   void pass(const Segment& segment, std::set<std::size_t>& ways) {
     std::map<std::size_t, double> reaching;
-    for (const WallPiece& piece : segment.pieces) {
+    for (const WallPiece& piece : scene_.piecesOf(segment)) {
       const auto* opening = std::get_if<Opening>(&piece.content);
       if (!opening) continue;
       const std::size_t next = opening->next.index();
       double width = continues(segment) && open_.contains(next) ? open_[next] : 0;
       for (int i = 0; i < kFractions; ++i) {
-        const bool isOpen = isOpenAt(level_, segment, piece, (i + 0.5) / kFractions, gait_);
+        const bool isOpen = isOpenAt(scene_, segment, piece, (i + 0.5) / kFractions, gait_);
         width = isOpen ? width + segment.length / kFractions : 0;
         if (width >= gait_.doorWidth - kRounding) ways.insert(next);
       }
@@ -56,7 +56,7 @@ class Doorways {
     return dot(before, after) > 0.9999 * last_->length * segment.length;
   }
 
-  const Level& level_;
+  Scene scene_;
   const Gait& gait_;
   const Segment* last_ = nullptr;
   std::map<std::size_t, double> open_;  ///< metres up to the last segment's end, by next sector
@@ -69,21 +69,23 @@ double distanceTo(const Segment& segment, Vec2 p) {
   return std::sqrt(dot(apart, apart));
 }
 
-bool fits(const Level& level, const Sector& sector, Vec2 p, const Gait& gait) {
+bool fits(const Scene& scene, const Sector& sector, Vec2 p, const Gait& gait) {
   constexpr double kSpare = 0.005;
-  return contains(level, sector, p) && sector.airTop(p) - sector.airBottom(p) >= gait.headroom &&
-         std::ranges::all_of(level.segmentsOf(sector), [&](const Segment& segment) {
+  return contains(scene.level(), sector, p) &&
+         scene.airTop(sector, p) - scene.airBottom(sector, p) >= gait.headroom &&
+         std::ranges::all_of(scene.segmentsOf(sector), [&](const Segment& segment) {
            return distanceTo(segment, p) > gait.radius + kSpare;
          });
 }
 
 }  // namespace
 
-Ways waysOf(const Level& level, const Gait& gait) {
+Ways waysOf(const Scene& scene, const Gait& gait) {
+  const Level& level = scene.level();
   Ways ways(level.sectors.size());
   for (std::size_t i = 0; i < level.sectors.size(); ++i) {
-    Doorways doorways(level, gait);
-    for (const Segment& segment : level.segmentsOf(level.sectors[i]))
+    Doorways doorways(scene, gait);
+    for (const Segment& segment : scene.segmentsOf(level.sectors[i]))
       doorways.pass(segment, ways[i]);
   }
   for (const FlatPortal& flatPortal : level.flatPortals)
@@ -111,7 +113,7 @@ std::set<std::size_t> reachableFrom(const Ways& ways, std::size_t start) {
   return found;
 }
 
-bool hasRoom(const Level& level, const Sector& sector, const Gait& gait) {
+bool hasRoom(const Scene& scene, const Sector& sector, const Gait& gait) {
   if (sector.floor.isSky) return false;
   if (sector.floorSlope) {
     const Vec2 gradient = sector.floorSlope->gradient;
@@ -120,7 +122,7 @@ bool hasRoom(const Level& level, const Sector& sector, const Gait& gait) {
   constexpr double kGrid = 0.05;
   for (double x = sector.boxMin.x; x <= sector.boxMax.x; x += kGrid)
     for (double y = sector.boxMin.y; y <= sector.boxMax.y; y += kGrid)
-      if (fits(level, sector, {x, y}, gait)) return true;
+      if (fits(scene, sector, {x, y}, gait)) return true;
   return false;
 }
 

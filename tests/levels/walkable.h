@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth::test {
 
@@ -20,7 +20,7 @@ struct Gait {
 /// For each sector, by its index, those that a walker enters from it: through portals, and down
 /// through flat portals. It may drop any height.
 using Ways = std::vector<std::set<std::size_t>>;
-Ways waysOf(const Level& level, const Gait& gait);
+Ways waysOf(const Scene& scene, const Gait& gait);
 
 /// The same ways, walked backwards.
 Ways reversed(const Ways& ways);
@@ -30,6 +30,6 @@ std::set<std::size_t> reachableFrom(const Ways& ways, std::size_t start);
 
 /// Whether a body can stand in the sector without reaching into another: not on a parapet, in a
 /// window, on a steep roof or in the sky.
-bool hasRoom(const Level& level, const Sector& sector, const Gait& gait);
+bool hasRoom(const Scene& scene, const Sector& sector, const Gait& gait);
 
 }  // namespace hearth::test

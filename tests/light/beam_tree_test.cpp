@@ -32,11 +32,12 @@ std::optional<bool> areLit(const BeamTree& beams, const Level& level, const std:
   return std::nullopt;
 }
 
-BeamTree beamsFrom(const Level& level, Vec3 position, const std::string& name,
+BeamTree beamsFrom(const Scene& scene, Vec3 position, const std::string& name,
                    double reach = kEndless, std::size_t mostBytes = 1 << 20) {
-  const auto sector = std::ranges::find(level.sectors, name, &Sector::name);
-  const SectorId id(static_cast<std::size_t>(sector - level.sectors.begin()));
-  return {level, {position, id}, reach, mostBytes};
+  const std::vector<Sector>& sectors = scene.level().sectors;
+  const auto sector = std::ranges::find(sectors, name, &Sector::name);
+  const SectorId id(static_cast<std::size_t>(sector - sectors.begin()));
+  return {scene, {position, id}, reach, mostBytes};
 }
 
 /// Two rooms side by side, the second with its floor at `z`.
@@ -58,7 +59,7 @@ TEST(BeamTree, seeBesideAPillarAndNotBehindIt) {
       "'ceiling': {'z': 3, 'texture': '#808080'}, 'loops': {"
       "'border': {'v': [0,0, 10,0, 10,10, 0,10], 'walls': {'texture': '#808080'}},"
       "'pillar': {'v': [4,4, 4,6, 6,6, 6,4], 'walls': {'texture': '#808080'}}}}}}");
-  const BeamTree beams = beamsFrom(loaded.level, {1, 5, 2}, "room");
+  const BeamTree beams = beamsFrom(loaded.scene(), {1, 5, 2}, "room");
   const auto outcome = [&](Vec2 least, Vec2 most) {
     return areLit(beams, loaded.level, "room", least, most);
   };
@@ -74,7 +75,7 @@ TEST(BeamTree, seeBesideAPillarAndNotBehindIt) {
 TEST(BeamTree, seeOverAStepFromItsFarEdgeOn) {
   const LoadedLevel loaded = twoRooms(-1);
   // From 1 m above the step's edge and 2 m before it, the floor 1 m below is seen 2 m behind it.
-  const BeamTree beams = beamsFrom(loaded.level, {2, 2, 1}, "west");
+  const BeamTree beams = beamsFrom(loaded.scene(), {2, 2, 1}, "west");
   const auto outcome = [&](double x) {
     return areLit(beams, loaded.level, "east", {x, 2}, {x, 2});
   };
@@ -86,17 +87,17 @@ TEST(BeamTree, seeOverAStepFromItsFarEdgeOn) {
 TEST(BeamTree, seeNothingBeyondTheirReach) {
   const LoadedLevel loaded = twoRooms(0);
   EXPECT_EQ(
-      areLit(beamsFrom(loaded.level, {1, 2, 1}, "west", 2), loaded.level, "east", {5, 1}, {6, 2}),
+      areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", 2), loaded.level, "east", {5, 1}, {6, 2}),
       false);
-  EXPECT_EQ(
-      areLit(beamsFrom(loaded.level, {1, 2, 1}, "west", 4), loaded.level, "east", {5, 1.5}, {6, 2}),
-      true);
+  EXPECT_EQ(areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", 4), loaded.level, "east", {5, 1.5},
+                   {6, 2}),
+            true);
 }
 
 TEST(BeamTree, sayNothingWhereTheyWouldTakeTooMuchMemory) {
   const LoadedLevel loaded = twoRooms(0);
   const auto near = [&](std::size_t mostBytes) {
-    return areLit(beamsFrom(loaded.level, {1, 2, 1}, "west", kEndless, mostBytes), loaded.level,
+    return areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", kEndless, mostBytes), loaded.level,
                   "west", {2.5, 1.5}, {2.6, 1.6});
   };
   EXPECT_EQ(near(1 << 20), true);
@@ -106,13 +107,13 @@ TEST(BeamTree, sayNothingWhereTheyWouldTakeTooMuchMemory) {
 TEST(BeamTree, sayNothingOfALightAlongTheFloor) {
   const LoadedLevel loaded = twoRooms(0);
   EXPECT_EQ(
-      areLit(beamsFrom(loaded.level, {1, 2, 1e-7}, "west"), loaded.level, "west", {2, 1}, {3, 2}),
+      areLit(beamsFrom(loaded.scene(), {1, 2, 1e-7}, "west"), loaded.level, "west", {2, 1}, {3, 2}),
       std::nullopt);
 }
 
 TEST(BeamTree, sayNothingForSureBehindATextureWithHoles) {
   const LoadedLevel loaded = twoRooms(0, ",'middle':'#808080 1,1'");
-  const BeamTree beams = beamsFrom(loaded.level, {1, 2, 1}, "west");
+  const BeamTree beams = beamsFrom(loaded.scene(), {1, 2, 1}, "west");
   EXPECT_EQ(areLit(beams, loaded.level, "east", {5, 1.5}, {6, 2}), std::nullopt);
   EXPECT_EQ(areLit(beams, loaded.level, "west", {2.5, 1.5}, {2.6, 1.6}), true);
 }
@@ -136,7 +137,7 @@ TEST(BeamTree, comeDownThroughAFlatPortalAsFarAsItsEdge) {
                        "[" + kSolid + "," + kSolid + "," + kSolid + ",{'next':'middle'}]") +
       "}}");
   // 2 m above the portal, 1.5 m from its right edge: 3 m below it, light comes 2.25 m beyond that.
-  const BeamTree beams = beamsFrom(loaded.level, {2.5, 1, 5}, "shaft");
+  const BeamTree beams = beamsFrom(loaded.scene(), {2.5, 1, 5}, "shaft");
   const auto outcome = [&](const std::string& name, double x) {
     return areLit(beams, loaded.level, name, {x, 1}, {x, 1});
   };

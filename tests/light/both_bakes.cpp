@@ -35,30 +35,31 @@ RandomLevels::RandomLevels()
 
 RandomLevels::~RandomLevels() { std::filesystem::remove_all(folder_); }
 
-Level RandomLevels::level(std::uint64_t seed) const {
+LoadedLevel RandomLevels::level(std::uint64_t seed) const {
   const RandomLevel random = makeRandomLevel(seed);
   EXPECT_TRUE(writeRandomLevel(folder_, random));
   LoadResult result = loadLevel(folder_ / (random.name + ".json"));
   EXPECT_TRUE(result.loaded) << seed;
-  return std::move(result.loaded->level);
+  return *std::move(result.loaded);
 }
 
-Level withBalls(Level level, std::uint64_t seed) {
-  for (std::size_t i = seed % 2; i < level.lights.size(); i += 2)
-    level.lights[i].radius = 0.03 + 0.11 * static_cast<double>((i + seed) % 5);
-  return level;
+LoadedLevel withBalls(LoadedLevel loaded, std::uint64_t seed) {
+  std::vector<LightSource>& lights = loaded.level.lights;
+  for (std::size_t i = seed % 2; i < lights.size(); i += 2)
+    lights[i].radius = 0.03 + 0.11 * static_cast<double>((i + seed) % 5);
+  return loaded;
 }
 
-void expectSameBakes(const Level& level, const BakeSettings& settings, const std::string& what,
+void expectSameBakes(const Scene& scene, const BakeSettings& settings, const std::string& what,
                      BothCosts& costs) {
-  const LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
-  const LightSights sights(level, settings);
+  const LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
+  const LightSights sights(scene, settings);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i]) continue;
     SCOPED_TRACE(fmt::format("{}, surface {}", what, i));
     const auto baked = [&](Seeing seeing, LightCost& cost) {
       BakeProgress progress;
-      SurfaceLight surface(level, surfaces, sights, settings.lambert, SurfaceId(i), seeing);
+      SurfaceLight surface(scene, surfaces, sights, settings.lambert, SurfaceId(i), seeing);
       std::optional<Lightmap> map = bakeSurface(surface, surfaces[i]->texels, settings, progress);
       for (const LightCost& light : surface.costs()) add(light, cost);
       return map;
@@ -85,14 +86,14 @@ void expectSameRandomBakes(std::uint64_t first, std::uint64_t last) {
   BothCosts points;
   BothCosts balls;
   for (std::uint64_t seed = first; seed < last; ++seed) {
-    const Level level = levels.level(seed);
-    BakeSettings settings = level.bake;
+    const LoadedLevel loaded = levels.level(seed);
+    BakeSettings settings = loaded.level.bake;
     settings.texel = 0.5;
     settings.softSamples = 16;
     settings.samples = kSamples[seed % kSamples.size()];
-    expectSameBakes(level, settings, fmt::format("seed {}", seed), points);
-    expectSameBakes(withBalls(level, seed / 4), settings, fmt::format("seed {} with balls", seed),
-                    balls);
+    expectSameBakes(loaded.scene(), settings, fmt::format("seed {}", seed), points);
+    expectSameBakes(withBalls(loaded, seed / 4).scene(), settings,
+                    fmt::format("seed {} with balls", seed), balls);
     if (testing::Test::HasFatalFailure()) return;
   }
   print("points", points);

@@ -17,14 +17,14 @@ class RandomLevels {
   RandomLevels(const RandomLevels&) = delete;
   RandomLevels& operator=(const RandomLevels&) = delete;
 
-  Level level(std::uint64_t seed) const;
+  LoadedLevel level(std::uint64_t seed) const;
 
  private:
   std::filesystem::path folder_;
 };
 
 /// Every second light a ball; which, and how large, depends on the seed.
-Level withBalls(Level level, std::uint64_t seed);
+LoadedLevel withBalls(LoadedLevel loaded, std::uint64_t seed);
 
 /// What two bakes took.
 struct BothCosts {
@@ -33,7 +33,7 @@ struct BothCosts {
 };
 
 /// Bakes every surface with shafts and with rays alone, and expects the same bytes and counts.
-void expectSameBakes(const Level& level, const BakeSettings& settings, const std::string& what,
+void expectSameBakes(const Scene& scene, const BakeSettings& settings, const std::string& what,
                      BothCosts& costs);
 
 /// For random levels of seeds [first, last), with points and with balls, in all ways of sampling.

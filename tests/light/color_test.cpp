@@ -75,7 +75,7 @@ TEST(ColoredLight, isDrawnInEveryChannelWithTheSectorsLight) {
                                        sectorText("room", "0,0, 6,0, 6,4, 0,4", 0, 3));
   const BakedRoom baked(room, "[{'x':2,'y':2,'z':1,'intensity':200,'color':'#ff8000'}]");
   const std::vector<Image> textures(baked.level().textures.size(), Image(1, 1, Rgb{100, 100, 200}));
-  const Renderer renderer(baked.level(), textures, baked.light());
+  const Renderer renderer(baked.scene(), textures, baked.light());
   const Camera camera{SectorId(0), {3, 2, 1.5}, 0, -40, 90, 9, 9};
   EXPECT_EQ(renderer.draw(camera, LightMode::Only).at(4, 4), (Rgb{251, 151, 51}));
   EXPECT_EQ(renderer.draw(camera, LightMode::Both).at(4, 4), (Rgb{98, 59, 40}));

@@ -45,21 +45,21 @@ constexpr std::string_view kLevel = R"({
 constexpr std::string_view kLights = R"([{"x": 1, "y": 1, "z": 2}])";
 
 /// The level with the first `from` in its text replaced.
-Level with(std::string_view from, std::string_view to, std::string_view lights = kLights) {
+LoadedLevel with(std::string_view from, std::string_view to, std::string_view lights = kLights) {
   std::string text(kLevel);
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
-  return test::levelFrom(text.replace(at, from.size(), to), lights).level;
+  return test::levelFrom(text.replace(at, from.size(), to), lights);
 }
 
-Level original() { return with("all kinds", "all kinds"); }
+LoadedLevel original() { return with("all kinds", "all kinds"); }
 
 TEST(GeometryHash, isTheSameOnEveryMachineAndInEveryBuild) {
-  EXPECT_EQ(geometryHash(original(), kTexel), 0xeddd8dbecbb26ea5U);
+  EXPECT_EQ(geometryHash(original().scene(), kTexel), 0xeddd8dbecbb26ea5U);
 }
 
 TEST(GeometryHash, doesNotKnowNamesTexturesAndLight) {
-  const std::uint64_t hash = geometryHash(original(), kTexel);
+  const std::uint64_t hash = geometryHash(original().scene(), kTexel);
   for (const auto& [from, to] : {
            std::array<std::string_view, 2>{"all kinds", "other"},
            {R"("light": 0.25)", R"("light": 0.75)"},
@@ -77,23 +77,24 @@ TEST(GeometryHash, doesNotKnowNamesTexturesAndLight) {
            {R"("inner")", R"("pillar")"},
            {R"("v": [0,0, 6,0)", R"("v": [-0.0,-0.0, 6,-0.0)"},
        })
-    EXPECT_EQ(geometryHash(with(from, to), kTexel), hash) << to;
-  const Level lit = with("all kinds", "all kinds", R"([{"x": 2, "y": 1, "z": 1, "radius": 0.1},
+    EXPECT_EQ(geometryHash(with(from, to).scene(), kTexel), hash) << to;
+  const LoadedLevel lit =
+      with("all kinds", "all kinds", R"([{"x": 2, "y": 1, "z": 1, "radius": 0.1},
                                                        {"x": 8, "y": 2, "z": 3}])");
-  EXPECT_EQ(geometryHash(lit, kTexel), hash);
+  EXPECT_EQ(geometryHash(lit.scene(), kTexel), hash);
 }
 
 TEST(GeometryHash, doesNotKnowTheNamesOfSectors) {
   std::string text(kLevel);
   for (std::size_t at = 0; (at = text.find("yard", at)) != std::string::npos;)
     text.replace(at, 4, "a court");
-  EXPECT_EQ(geometryHash(test::levelFrom(text, kLights).level, kTexel),
-            geometryHash(original(), kTexel));
+  EXPECT_EQ(geometryHash(test::levelFrom(text, kLights).scene(), kTexel),
+            geometryHash(original().scene(), kTexel));
 }
 
 TEST(GeometryHash, changesWithAllThatDecidesSurfacesAndTheirTexels) {
-  const std::uint64_t hash = geometryHash(original(), kTexel);
-  EXPECT_NE(geometryHash(original(), 0.25), hash) << "size of texels";
+  const std::uint64_t hash = geometryHash(original().scene(), kTexel);
+  EXPECT_NE(geometryHash(original().scene(), 0.25), hash) << "size of texels";
   for (const auto& [from, to] : {
            std::array<std::string_view, 2>{"10,0, 10,4", "10,0, 10,4.0000001"},  // a vertex
            {R"(6,4, 0,4], "walls": {)", R"(6,4, 3,4, 0,4], "walls": {)"},        // a cut wall
@@ -106,15 +107,15 @@ TEST(GeometryHash, changesWithAllThatDecidesSurfacesAndTheirTexels) {
            {R"({"z": 1, "texture")", R"({"z": 1, "next": "yard", "texture")"},  // a link
            {R"(, "parallax": true)", ""},                                       // sky
        })
-    EXPECT_NE(geometryHash(with(from, to), kTexel), hash) << to;
+    EXPECT_NE(geometryHash(with(from, to).scene(), kTexel), hash) << to;
 }
 
 TEST(GeometryHash, changesWhereAFlatPortalIsClosed) {
   std::string text(kLevel);
   for (std::size_t at = 0; (at = text.find(R"("next": "hall-cellar")", at)) != std::string::npos;)
     text.replace(at, 21, R"("texture": "#808080")");
-  EXPECT_NE(geometryHash(test::levelFrom(text, kLights).level, kTexel),
-            geometryHash(original(), kTexel));
+  EXPECT_NE(geometryHash(test::levelFrom(text, kLights).scene(), kTexel),
+            geometryHash(original().scene(), kTexel));
 }
 
 }  // namespace

@@ -28,10 +28,10 @@ std::string lightsOf(std::string_view lights, std::string_view samples) {
 constexpr std::string_view kSampleCounts[] = {"1", "16", "'auto'"};
 
 void expectDark(const BakedRoom& rooms, std::string_view sector) {
-  for (std::size_t i = 0; i < rooms.level().surfaces.size(); ++i)
-    if (rooms.level()[rooms.level().surfaces[i].sector].name == sector) {
-      EXPECT_FALSE(rooms.light().lightmaps[i].has_value())
-          << name(rooms.level().surfaces[i].kind) << " of " << sector;
+  for (const SurfaceId id : rooms.scene().shownSurfaces())
+    if (rooms.level()[rooms.level()[id].sector].name == sector) {
+      EXPECT_FALSE(rooms.light().lightmaps[id.index()].has_value())
+          << name(rooms.level()[id].kind) << " of " << sector;
     }
 }
 
@@ -111,17 +111,16 @@ TEST(Leak, noneIntoAcuteCorners) {
           wedge(degrees),
           lightsOf(fmt::format("{{'x':5,'y':{},'z':1.5,'falloff':2}}", y), samples));
       const TruthLight truth(room.level());
-      for (std::size_t i = 0; i < room.level().surfaces.size(); ++i) {
-        const auto& map = room.light().lightmaps[i];
-        const LitSurface& lit = *room.light().surfaces[i];
+      for (const SurfaceId id : room.scene().shownSurfaces()) {
+        const auto& map = room.light().lightmaps[id.index()];
+        const LitSurface& lit = *room.light().surfaces[id.index()];
         if (!map) continue;
         for (int t = map->rect.j0; t < map->rect.j0 + map->rect.height; ++t)
           for (int s = map->rect.i0; s < map->rect.i0 + map->rect.width; ++s) {
             const Vec2 middle{s + 0.5, t + 0.5};
             if (!lit.outline.contains(middle)) continue;
-            ASSERT_LE(map->at(s, t),
-                      brightestAround(truth, room.level(), lit, SurfaceId(i), middle) + 0.5)
-                << name(room.level().surfaces[i].kind) << ' ' << s << ' ' << t;
+            ASSERT_LE(map->at(s, t), brightestAround(truth, room.level(), lit, id, middle) + 0.5)
+                << name(room.level()[id].kind) << ' ' << s << ' ' << t;
           }
       }
     }

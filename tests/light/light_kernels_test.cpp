@@ -82,9 +82,9 @@ TEST_F(LightKernelsTest, bakeTheSameLight) {
         loadLevel(HEARTH_SOURCE_DIR "/levels/" + std::string(name) + ".json").loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
-    const BakedLight expected = bake(loaded.level, coarse, 2);
+    const BakedLight expected = bake(loaded.scene(), coarse, 2);
     forEachInstructionSet([&](const LightKernels&) {
-      const BakedLight found = bake(loaded.level, coarse, 2);
+      const BakedLight found = bake(loaded.scene(), coarse, 2);
       EXPECT_EQ(found.stats.rays, expected.stats.rays);
       ASSERT_EQ(found.lightmaps.size(), expected.lightmaps.size());
       for (std::size_t i = 0; i < found.lightmaps.size(); ++i) {

@@ -71,8 +71,8 @@ TEST(LightKeys, aBallWithoutSamplesIsAPoint) {
   EXPECT_GT(largestDifference(ball.light(), point.light()), 50);
   for (const std::optional<int> samples : {std::optional(1), std::optional<int>()}) {
     settings.samples = samples;
-    const BakedLight asPoint = bake(ball.level(), settings, 2);
-    EXPECT_EQ(largestDifference(asPoint, bake(point.level(), settings, 2)), 0);
+    const BakedLight asPoint = bake(ball.scene(), settings, 2);
+    EXPECT_EQ(largestDifference(asPoint, bake(point.scene(), settings, 2)), 0);
   }
 }
 
@@ -186,7 +186,7 @@ TEST(CutOff, losesNoMoreThanItsLevelsOfEachLight) {
   const auto lossAt = [&](double cutOff) {
     BakeSettings settings = exact.level().bake;
     settings.cutOff = cutOff;
-    return largestDifference(exact.light(), bake(exact.level(), settings, 2));
+    return largestDifference(exact.light(), bake(exact.scene(), settings, 2));
   };
   EXPECT_EQ(lossAt(0), 0);
   for (const int levels : {20, 30, 40}) {
@@ -199,7 +199,7 @@ TEST(CutOff, savesTheWorkOfLightsThatAreLeftOut) {
   const BakedRoom exact(roomWith(""), "[{'x':0.5,'y':2,'z':2,'falloff':2}]");
   BakeSettings settings = exact.level().bake;
   settings.cutOff = 30;  // 3.75 m
-  EXPECT_LT(bake(exact.level(), settings, 2).lightCosts[0].samples,
+  EXPECT_LT(bake(exact.scene(), settings, 2).lightCosts[0].samples,
             exact.light().lightCosts[0].samples);
 }
 

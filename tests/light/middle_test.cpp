@@ -72,7 +72,7 @@ TEST(MiddleTextures, areSolidWhereTheSettingsSaySo) {
   const BakedRoom room(loaded);
   BakeSettings settings = loaded.level.bake;
   settings.solidMaskedMiddles = true;
-  const BakedLight solid = bake(loaded.level, settings, 2);
+  const BakedLight solid = bake(loaded.scene(), settings, 2);
   const SurfaceId wall = room.surfaceAt(SurfaceKind::Solid, {0, 2, 1.5}, "west").value();
   EXPECT_TRUE(room.light().lightmaps[wall.index()]);
   const auto& lightmap = solid.lightmaps[wall.index()];
@@ -110,18 +110,19 @@ TEST(MiddleTextures, changeNoLightOnTheWallRoundThem) {
 }
 
 TEST(MiddleTextures, areAskedAboutAgainWhenTheirHolesHaveMoved) {
-  Level level = withGaps(rooms(kUprights, "", kLampInEast)).level;
+  LoadedLevel loaded = withGaps(rooms(kUprights, "", kLampInEast));
+  const BakeSettings settings = loaded.level.bake;
   LightMemory memory;
-  ASSERT_TRUE(Rebake(memory, level, level.bake, 2).finish());
-  for (TexelHoles& holes : level.holes) {
+  ASSERT_TRUE(Rebake(memory, loaded.scene(), settings, 2).finish());
+  for (TexelHoles& holes : loaded.level.holes) {
     holes = TexelHoles(2, 1);
     holes.make(1, 0);
   }
-  Rebake rebake(memory, level, level.bake, 2);
+  Rebake rebake(memory, loaded.scene(), settings, 2);
   EXPECT_GT(rebake.texelLightsLeft(), 0);
   const auto again = rebake.finish();
-  const BakedLight fresh = bake(level, level.bake, 2);
-  test::expectSame(level, *again, fresh);
+  const BakedLight fresh = bake(loaded.scene(), settings, 2);
+  test::expectSame(loaded.scene(), *again, fresh);
 }
 
 TEST(GeometryHash, changesWithAMiddleTextureAndItsHoles) {
@@ -129,9 +130,9 @@ TEST(GeometryHash, changesWithAMiddleTextureAndItsHoles) {
   const LoadedLevel uprights = rooms(kUprights, "", "[]");
   const LoadedLevel wider = rooms(",'middle':'#808080 3,2'", "", "[]");
   const double texel = 0.125;
-  EXPECT_NE(geometryHash(none.level, texel), geometryHash(uprights.level, texel));
-  EXPECT_NE(geometryHash(uprights.level, texel), geometryHash(wider.level, texel));
-  EXPECT_NE(geometryHash(uprights.level, texel), geometryHash(withGaps(uprights).level, texel));
+  EXPECT_NE(geometryHash(none.scene(), texel), geometryHash(uprights.scene(), texel));
+  EXPECT_NE(geometryHash(uprights.scene(), texel), geometryHash(wider.scene(), texel));
+  EXPECT_NE(geometryHash(uprights.scene(), texel), geometryHash(withGaps(uprights).scene(), texel));
 }
 
 }  // namespace

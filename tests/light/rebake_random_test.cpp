@@ -67,21 +67,19 @@ class Draft {
   Draft& operator=(const Draft&) = delete;
 
   /// What is in the files now; none where that is no level.
-  std::optional<Level> load() const {
+  std::optional<LoadedLevel> load() const {
     std::ofstream(folder_ / (name_ + ".json")) << level_;
     std::ofstream(folder_ / (name_ + ".lights.json")) << lights_;
-    LoadResult result = loadLevel(folder_ / (name_ + ".json"));
-    if (!result.loaded) return std::nullopt;
-    return std::move(result.loaded->level);
+    return loadLevel(folder_ / (name_ + ".json")).loaded;
   }
 
   /// Changes something, and gives the level that it has become.
-  Level edited() {
+  LoadedLevel edited() {
     while (true) {
       const auto before = std::pair(level_, lights_);
       edit();
       if (before != std::pair(level_, lights_))
-        if (auto level = load()) return *std::move(level);
+        if (auto loaded = load()) return *std::move(loaded);
       std::tie(level_, lights_) = before;  // legal levels only
     }
   }
@@ -173,9 +171,9 @@ BakeSettings settingsFor(const Level& level, std::uint64_t seed) {
   return settings;
 }
 
-std::int64_t allTexelLights(const Level& level, const BakeSettings& settings) {
+std::int64_t allTexelLights(const Scene& scene, const BakeSettings& settings) {
   LightMemory none;
-  return Rebake(none, level, settings, kThreads).texelLightsLeft();
+  return Rebake(none, scene, settings, kThreads).texelLightsLeft();
 }
 
 TEST(Rebake, IsTheFullBakeAfterEachOfManyEdits) {
@@ -186,14 +184,15 @@ TEST(Rebake, IsTheFullBakeAfterEachOfManyEdits) {
     LightMemory memory;
     for (int edit = 0; edit < 20; ++edit) {
       SCOPED_TRACE(fmt::format("level {}, edit {}", seed, edit));
-      const Level level = draft.edited();
-      const BakeSettings settings = settingsFor(level, seed);
-      Rebake rebake(memory, level, settings, kThreads);
+      const LoadedLevel loaded = draft.edited();
+      const Scene scene = loaded.scene();
+      const BakeSettings settings = settingsFor(loaded.level, seed);
+      Rebake rebake(memory, scene, settings, kThreads);
       left += rebake.texelLightsLeft();
-      all += allTexelLights(level, settings);
+      all += allTexelLights(scene, settings);
       const auto light = rebake.finish();
       ASSERT_TRUE(light);
-      test::expectSame(level, *light, bake(level, settings, kThreads));
+      test::expectSame(scene, *light, bake(scene, settings, kThreads));
       if (HasFailure()) return;
     }
   }

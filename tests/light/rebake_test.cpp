@@ -1,5 +1,6 @@
 #include "light/rebake.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include "light/saved_bake.h"
 #include "load/load.h"
 #include "same_bakes.h"
+#include "support/level_text.h"
 
 namespace hearth {
 namespace {
@@ -22,75 +24,76 @@ constexpr int kThreads = 2;
 
 class RebakeOfRooms : public testing::Test {
  protected:
-  static Level rooms() {
-    LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json");
-    return std::move(result.loaded->level);
+  static LoadedLevel rooms() {
+    return loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json").loaded.value();
   }
 
-  Level level_ = rooms();
+  LoadedLevel loaded_ = rooms();
+  Level& level_ = loaded_.level;
+  const Scene scene_ = loaded_.scene();
   BakeSettings settings_ = level_.bake;
   LightMemory memory_;
 };
 
 TEST_F(RebakeOfRooms, AsksForNothingWhereNothingHasChanged) {
-  const auto first = Rebake(memory_, level_, settings_, kThreads).finish();
-  const Level again = rooms();
-  Rebake rebake(memory_, again, settings_, kThreads);
+  const auto first = Rebake(memory_, scene_, settings_, kThreads).finish();
+  const LoadedLevel again = rooms();
+  Rebake rebake(memory_, again.scene(), settings_, kThreads);
   EXPECT_EQ(rebake.texelLightsLeft(), 0);
-  expectSame(again, *rebake.finish(), *first);
+  expectSame(again.scene(), *rebake.finish(), *first);
 }
 
 TEST_F(RebakeOfRooms, AsksForOneLightWhereOneWasMoved) {
-  Rebake first(memory_, level_, settings_, kThreads);
+  Rebake first(memory_, scene_, settings_, kThreads);
   const std::int64_t all = first.texelLightsLeft();
   ASSERT_TRUE(first.finish());
   ASSERT_GE(level_.lights.size(), 2U);
   level_.lights[0].position.z += 0.1;
-  Rebake rebake(memory_, level_, settings_, kThreads);
+  Rebake rebake(memory_, scene_, settings_, kThreads);
   EXPECT_GT(rebake.texelLightsLeft(), 0);
   EXPECT_LT(rebake.texelLightsLeft(), all);
-  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
+  expectSame(scene_, *rebake.finish(), bake(scene_, settings_, kThreads));
 }
 
 TEST_F(RebakeOfRooms, AsksForAllWhereSettingsHaveChanged) {
-  ASSERT_TRUE(Rebake(memory_, level_, settings_, kThreads).finish());
+  ASSERT_TRUE(Rebake(memory_, scene_, settings_, kThreads).finish());
   settings_.samples = 4;
-  Rebake rebake(memory_, level_, settings_, kThreads);
+  Rebake rebake(memory_, scene_, settings_, kThreads);
   EXPECT_GT(rebake.texelLightsLeft(), 0);
-  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
+  expectSame(scene_, *rebake.finish(), bake(scene_, settings_, kThreads));
 }
 
 TEST_F(RebakeOfRooms, TakesEachWayOfSampling) {
   for (const std::optional<int> samples : {std::optional(4), std::optional<int>()}) {
     settings_.samples = samples;
-    ASSERT_TRUE(Rebake(memory_, level_, settings_, kThreads).finish());
+    ASSERT_TRUE(Rebake(memory_, scene_, settings_, kThreads).finish());
     level_.lights[1].intensity += 10;
-    expectSame(level_, *Rebake(memory_, level_, settings_, kThreads).finish(),
-               bake(level_, settings_, kThreads));
+    expectSame(scene_, *Rebake(memory_, scene_, settings_, kThreads).finish(),
+               bake(scene_, settings_, kThreads));
   }
 }
 
 TEST_F(RebakeOfRooms, GivesTheSameLightWhereThereIsNoRoomToRemember) {
   LightMemory small(1000);
-  Rebake first(small, level_, settings_, kThreads);
+  Rebake first(small, scene_, settings_, kThreads);
   const std::int64_t all = first.texelLightsLeft();
   ASSERT_TRUE(first.finish());
   EXPECT_LE(small.bytes(), 1000U);
-  Rebake rebake(small, level_, settings_, kThreads);
+  Rebake rebake(small, scene_, settings_, kThreads);
   EXPECT_GT(rebake.texelLightsLeft(), all / 2);
-  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
+  expectSame(scene_, *rebake.finish(), bake(scene_, settings_, kThreads));
 }
 
 TEST_F(RebakeOfRooms, DoesNothingMoreOnceItIsStopped) {
   std::stop_source stop;
   stop.request_stop();
-  Rebake rebake(memory_, level_, settings_, kThreads);
+  Rebake rebake(memory_, scene_, settings_, kThreads);
   EXPECT_FALSE(rebake.finish(nullptr, stop.get_token()));
   EXPECT_EQ(memory_.bytes(), 0U);
 }
 
 TEST_F(RebakeOfRooms, GoesOnFromWhereItWasStopped) {
-  Rebake first(memory_, level_, settings_, 1);
+  Rebake first(memory_, scene_, settings_, 1);
   const std::int64_t all = first.texelLightsLeft();
   BakeProgress progress;
   std::stop_source stop;
@@ -99,10 +102,10 @@ TEST_F(RebakeOfRooms, GoesOnFromWhereItWasStopped) {
     stop.request_stop();
   });
   const bool isWhole = first.finish(&progress, stop.get_token()).has_value();
-  Rebake rebake(memory_, level_, settings_, kThreads);
+  Rebake rebake(memory_, scene_, settings_, kThreads);
   EXPECT_EQ(rebake.texelLightsLeft() == 0, isWhole);
   EXPECT_LT(rebake.texelLightsLeft(), all);
-  expectSame(level_, *rebake.finish(), bake(level_, settings_, kThreads));
+  expectSame(scene_, *rebake.finish(), bake(scene_, settings_, kThreads));
 }
 
 /// Mean difference of texels, in levels.
@@ -124,17 +127,40 @@ double meanDifference(const BakedLight& a, const BakedLight& b) {
 }
 
 TEST_F(RebakeOfRooms, DraftsWhatIsLeftRoughly) {
-  const BakedLight full = bake(level_, settings_, kThreads);
-  const BakedLight draft = Rebake(memory_, level_, settings_, kThreads).draft();
+  const BakedLight full = bake(scene_, settings_, kThreads);
+  const BakedLight draft = Rebake(memory_, scene_, settings_, kThreads).draft();
   EXPECT_GT(meanDifference(full, draft), 0);
   EXPECT_LT(meanDifference(full, draft), 6);
 }
 
 TEST_F(RebakeOfRooms, DraftsWhatIsKnownAsItIs) {
-  const auto full = Rebake(memory_, level_, settings_, kThreads).finish();
-  const BakedLight draft = Rebake(memory_, level_, settings_, kThreads).draft();
-  EXPECT_EQ(encodeBake(level_, draft, settings_.texel, ""),
-            encodeBake(level_, *full, settings_.texel, ""));
+  const auto full = Rebake(memory_, scene_, settings_, kThreads).finish();
+  const BakedLight draft = Rebake(memory_, scene_, settings_, kThreads).draft();
+  EXPECT_EQ(encodeBake(scene_, draft, settings_.texel, ""),
+            encodeBake(scene_, *full, settings_.texel, ""));
+}
+
+/// Two rooms whose floors are level: no step shows between them.
+LoadedLevel roomsWith(std::string_view portal) {
+  constexpr std::string_view kSolid = "{'texture':'#808080'}";
+  return test::levelFrom(
+      fmt::format("{{'sectors':{{{},{}}}}}",
+                  test::sectorText("west", "0,0, 4,0, 4,4, 0,4", 0, 3,
+                                   fmt::format("[{0},{1},{0},{0}]", kSolid, portal)),
+                  test::sectorText("east", "4,0, 8,0, 8,4, 4,4", 0, 3,
+                                   fmt::format("[{0},{0},{0},{{'next':'west'}}]", kSolid))),
+      "[{'x':2,'y':2,'z':1.5,'intensity':200}]");
+}
+
+TEST(Rebake, givesTheLightOfTheLevelWhereAStepThatDoesNotShowGetsATexture) {
+  LightMemory memory;
+  const LoadedLevel before = roomsWith("{'next':'east'}");
+  const LoadedLevel after = roomsWith("{'next':'east','lower':'#808080'}");
+  ASSERT_LT(before.level.surfaces.size(), after.level.surfaces.size());
+  ASSERT_TRUE(Rebake(memory, before.scene(), before.level.bake, kThreads).finish());
+  Rebake rebake(memory, after.scene(), after.level.bake, kThreads);
+  EXPECT_EQ(rebake.texelLightsLeft(), 0);
+  expectSame(after.scene(), *rebake.finish(), bake(after.scene(), after.level.bake, kThreads));
 }
 
 }  // namespace

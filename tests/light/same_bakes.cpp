@@ -8,9 +8,9 @@
 
 namespace hearth::test {
 
-void expectSame(const Level& level, const BakedLight& rebaked, const BakedLight& baked) {
-  EXPECT_EQ(encodeBake(level, rebaked, level.bake.texel, ""),
-            encodeBake(level, baked, level.bake.texel, ""));
+void expectSame(const Scene& scene, const BakedLight& rebaked, const BakedLight& baked) {
+  EXPECT_EQ(encodeBake(scene, rebaked, scene.level().bake.texel, ""),
+            encodeBake(scene, baked, scene.level().bake.texel, ""));
   EXPECT_EQ(rebaked.lightCosts, baked.lightCosts);
   ASSERT_EQ(rebaked.surfaceCosts.size(), baked.surfaceCosts.size());
   for (std::size_t i = 0; i < baked.surfaceCosts.size(); ++i) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bakery.h"
 
 namespace hearth::test {
 
 /// The same light to the byte, and found with as much work.
-void expectSame(const Level& level, const BakedLight& rebaked, const BakedLight& baked);
+void expectSame(const Scene& scene, const BakedLight& rebaked, const BakedLight& baked);
 
 }  // namespace hearth::test

@@ -12,10 +12,10 @@
 namespace hearth {
 namespace {
 
-BakedLight bakedWith(const Level& level, std::optional<int> samples) {
-  BakeSettings settings = level.bake;
+BakedLight bakedWith(const Scene& scene, std::optional<int> samples) {
+  BakeSettings settings = scene.level().bake;
   settings.samples = samples;
-  return bake(level, settings, availableThreads());
+  return bake(scene, settings, availableThreads());
 }
 
 /// Over all texels of two bakes of one level, in levels.
@@ -48,9 +48,9 @@ struct Costs {
   Cost ofAuto;
 };
 
-Costs costsAgainst(const BakedLight& exact, const Level& level) {
+Costs costsAgainst(const BakedLight& exact, const Scene& scene) {
   const auto measure = [&](std::string_view name, std::optional<int> samples) {
-    const BakedLight light = bakedWith(level, samples);
+    const BakedLight light = bakedWith(scene, samples);
     Cost cost{rmsBetween(light, exact), 0};
     for (const LightCost& ofLight : light.lightCosts) cost.tests += ofLight.samples;
     fmt::print("{:>4} samples: {:.3f} levels rms, {} tests, {} rays\n", name, cost.levelsRms,
@@ -60,16 +60,16 @@ Costs costsAgainst(const BakedLight& exact, const Level& level) {
   return {measure("1", 1), measure("4", 4), measure("16", 16), measure("auto", std::nullopt)};
 }
 
-Level tutorial() {
+LoadedLevel tutorial() {
   const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
   EXPECT_TRUE(result.loaded);
-  return result.loaded ? result.loaded->level : Level{};
+  return result.loaded.value_or(LoadedLevel{});
 }
 
 TEST(Sampling, asShadowsNeedErrsLessThan16ForOneAndAHalfTimesTheTestsOfOne) {
-  Level level = tutorial();
-  for (LightSource& light : level.lights) light.radius = 0;
-  const Costs costs = costsAgainst(bakedWith(level, 196), level);
+  LoadedLevel loaded = tutorial();
+  for (LightSource& light : loaded.level.lights) light.radius = 0;
+  const Costs costs = costsAgainst(bakedWith(loaded.scene(), 196), loaded.scene());
   EXPECT_LT(costs.of4.levelsRms, costs.of1.levelsRms);
   EXPECT_LT(costs.of16.levelsRms, costs.of4.levelsRms);
   EXPECT_EQ(costs.of16.tests, 16 * costs.of1.tests);
@@ -78,9 +78,9 @@ TEST(Sampling, asShadowsNeedErrsLessThan16ForOneAndAHalfTimesTheTestsOfOne) {
 }
 
 TEST(Sampling, asShadowsOfBallsNeedErrsLessThan16ForOneAndAHalfTimesTheTestsOfOne) {
-  Level level = tutorial();
-  level.bake.texel = 0.25;
-  const Costs costs = costsAgainst(bakedWith(level, 64), level);
+  LoadedLevel loaded = tutorial();
+  loaded.level.bake.texel = 0.25;
+  const Costs costs = costsAgainst(bakedWith(loaded.scene(), 64), loaded.scene());
   EXPECT_LE(costs.ofAuto.levelsRms, costs.of16.levelsRms);
   EXPECT_LE(2 * costs.ofAuto.tests, 3 * costs.of1.tests);
 }

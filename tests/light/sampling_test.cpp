@@ -26,7 +26,7 @@ TEST(Sampling, asShadowsNeedIsTheSampleInTheMiddleWhereThereAreNone) {
       "{'bake': {'texel': 0.125}, 'lights': [{'x':2,'y':1.5,'z':1.2,'falloff':0.5}]}");
   BakeSettings settings = room.level().bake;
   settings.samples.reset();
-  const BakedLight light = bake(room.level(), settings, 1);
+  const BakedLight light = bake(room.scene(), settings, 1);
   for (std::size_t s = 0; s < light.lightmaps.size(); ++s) {
     const std::vector<std::uint8_t>& found = light.lightmaps[s]->levels;
     const std::vector<std::uint8_t>& middle = room.light().lightmaps[s]->levels;
@@ -73,7 +73,7 @@ TEST(SamplePlacement, keepsAHairOffBothEdgesOfASharpCorner) {
           fmt::format("0,0, {},{}, {},{}", 4 * a.cos, 4 * a.sin, 4 * b.cos, 4 * b.sin);
       const LoadedLevel loaded = levelFrom(
           fmt::format("{{'light': 0, 'sectors': {{{}}}}}", sectorText("room", vertices, 0, 3)));
-      const LitSurfaces surfaces = makeLitSurfaces(loaded.level, 0.25);
+      const LitSurfaces surfaces = makeLitSurfaces(loaded.scene(), 0.25);
       for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (loaded.level.surfaces[i].kind != SurfaceKind::Floor) continue;
         const LitSurface& floor = *surfaces[i];

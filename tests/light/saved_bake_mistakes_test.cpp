@@ -79,7 +79,7 @@ TEST_F(SavedRoom, isRefusedOrReadWholeBehindARightChecksum) {
     for (int value = 0; value < 256; ++value) {
       std::string altered = bytes;
       altered[i] = static_cast<char>(value);
-      if (const auto read = decodeBake(room_.level(), sealed(std::move(altered)), kMuchLight))
+      if (const auto read = decodeBake(room_.scene(), sealed(std::move(altered)), kMuchLight))
         expectWhole(*read);
     }
 }
@@ -90,7 +90,7 @@ TEST_F(SavedRoom, isRefusedOrReadWholeWithAnyByteOfItsLightmapsAltered) {
     for (const int value : {0, 1, 2, 3, 4, 5, 6, 7, 0x7f, 0x80, 0x81, 0xfe, 0xff}) {
       std::string altered = all;
       altered[i] = static_cast<char>(value);
-      if (const auto read = decodeBake(room_.level(), withLightmaps(altered), kMuchLight))
+      if (const auto read = decodeBake(room_.scene(), withLightmaps(altered), kMuchLight))
         expectWhole(*read);
     }
 }
@@ -135,8 +135,8 @@ TEST_F(SavedRoom, isRefusedWithMoreLightThanTheLevelHas) {
 
 TEST_F(SavedRoom, isRefusedUnreadWithMoreLightThanIsAllowed) {
   const std::uint64_t size = lightmaps().size();
-  EXPECT_TRUE(decodeBake(room_.level(), saved(), size));
-  const auto refused = decodeBake(room_.level(), saved(), size - 1);
+  EXPECT_TRUE(decodeBake(room_.scene(), saved(), size));
+  const auto refused = decodeBake(room_.scene(), saved(), size - 1);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().what,
             fmt::format("has lightmaps of {} bytes, more than {}", size, size - 1));
@@ -146,9 +146,9 @@ TEST_F(SavedRoom, isRefusedUnreadWithMoreLightThanIsAllowed) {
   std::string vast = saved();
   const double texel = 1e-4;
   put(vast, kTexelAt, std::bit_cast<std::uint64_t>(texel), 8);
-  put(vast, kGeometryAt, geometryHash(room_.level(), texel), 8);
+  put(vast, kGeometryAt, geometryHash(room_.scene(), texel), 8);
   put(vast, kLightmapBytesAt, 5'000'000'000, 8);
-  const auto bomb = decodeBake(room_.level(), sealed(vast), kMuchLight);
+  const auto bomb = decodeBake(room_.scene(), sealed(vast), kMuchLight);
   ASSERT_FALSE(bomb);
   EXPECT_EQ(bomb.error().what, "has lightmaps of 5000000000 bytes, more than 16777216");
   EXPECT_TRUE(bomb.error().isTooLarge);
@@ -230,7 +230,7 @@ TEST_F(SavedRoom, isRefusedWithALightmapOfTheSky) {
   BakedLight light = yard.light();
   light.lightmaps[1] = light.lightmaps[0];
   const auto read =
-      decodeBake(yard.level(), encodeBake(yard.level(), light, 0.125, ""), kMuchLight);
+      decodeBake(yard.scene(), encodeBake(yard.scene(), light, 0.125, ""), kMuchLight);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().what, "has a lightmap for surface 1 (sky ceiling) that never shows light");
 }

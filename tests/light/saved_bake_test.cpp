@@ -42,16 +42,17 @@ struct SavedSize {
 /// Bakes, saves, reads and draws.
 SavedSize expectRoundTrip(const LoadedLevel& loaded) {
   const Level& level = loaded.level;
-  const BakedLight light = bake(level, level.bake, 2);
-  const std::string bytes = encodeBake(level, light, level.bake.texel, kSettings);
-  const auto read = decodeBake(level, bytes, kMuchLight);
+  const Scene scene = loaded.scene();
+  const BakedLight light = bake(scene, level.bake, 2);
+  const std::string bytes = encodeBake(scene, light, level.bake.texel, kSettings);
+  const auto read = decodeBake(scene, bytes, kMuchLight);
   EXPECT_TRUE(read) << read.error().what;
   if (!read) return {};
   expectSameLight(light, *read);
   EXPECT_EQ(light.stats.litSurfaces, read->stats.litSurfaces);
   EXPECT_EQ(light.stats.bytes, read->stats.bytes);
-  const Renderer baked(level, loaded.textures, light);
-  const Renderer again(level, loaded.textures, *read);
+  const Renderer baked(scene, loaded.textures, light);
+  const Renderer again(scene, loaded.textures, *read);
   for (const Shot& shot : level.shots)
     EXPECT_EQ(baked.draw(cameraOf(shot), LightMode::Both),
               again.draw(cameraOf(shot), LightMode::Both))
@@ -84,7 +85,7 @@ TEST(SavedBake, ofRandomLevelsDrawTheSamePictures) {
 }
 
 TEST_F(SavedRoom, isReadWithOneChannelAndWithThree) {
-  const auto read = decodeBake(room_.level(), saved(), kMuchLight);
+  const auto read = decodeBake(room_.scene(), saved(), kMuchLight);
   ASSERT_TRUE(read) << read.error().what;
   expectSameLight(room_.light(), *read);
   EXPECT_EQ(read->stats.litSurfaces, 6U);
@@ -94,7 +95,7 @@ TEST_F(SavedRoom, isReadWithOneChannelAndWithThree) {
 TEST_F(SavedRoom, isReadWithItsLightmapsInAnyOrderAndAnyOfThemMissing) {
   BakedLight light = room_.light();
   light.lightmaps[0].reset();
-  const auto read = decodeBake(room_.level(), encodeBake(room_.level(), light, 1, ""), kMuchLight);
+  const auto read = decodeBake(room_.scene(), encodeBake(room_.scene(), light, 1, ""), kMuchLight);
   ASSERT_TRUE(read) << read.error().what;
   expectSameLight(light, *read);
 
@@ -103,7 +104,7 @@ TEST_F(SavedRoom, isReadWithItsLightmapsInAnyOrderAndAnyOfThemMissing) {
   const auto first = bytes.begin();
   const std::ptrdiff_t texels = room_.light().surfaces[0]->texels.count();
   std::rotate(first, first + kMapHeader + texels, first + 2 * kMapHeader + 4 * texels);
-  const auto turned = decodeBake(room_.level(), withLightmaps(bytes), kMuchLight);
+  const auto turned = decodeBake(room_.scene(), withLightmaps(bytes), kMuchLight);
   ASSERT_TRUE(turned) << turned.error().what;
   expectSameLight(room_.light(), *turned);
 }
@@ -112,7 +113,7 @@ TEST_F(SavedRoom, isRefusedByALevelOfOtherGeometry) {
   // A tenth of a millimetre moves no texel and is another room all the same.
   const BakedRoom moved = roomOf("1.9999");
   ASSERT_EQ(moved.light().surfaces[0]->texels, room_.light().surfaces[0]->texels);
-  const auto read = decodeBake(moved.level(), saved(), kMuchLight);
+  const auto read = decodeBake(moved.scene(), saved(), kMuchLight);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().what,
             "was baked for other geometry than the level has now, with the settings "
@@ -124,7 +125,7 @@ TEST_F(SavedRoom, isTakenByALevelOfOtherLightAndTextures) {
   for (std::size_t at = 0; (at = text.find("#808080", at)) != std::string::npos;)
     text.replace(at, 7, "#123456");
   const LoadedLevel other = test::levelFrom(text, "[{'x':0.5,'y':1,'z':1}]");
-  const auto read = decodeBake(other.level, saved(), kMuchLight);
+  const auto read = decodeBake(other.scene(), saved(), kMuchLight);
   ASSERT_TRUE(read) << read.error().what;
   expectSameLight(room_.light(), *read);
 }
@@ -136,11 +137,11 @@ TEST(SavedBake, hasAllTexelsOfEvenLight) {
   const BakedLight& light = room.light();
   EXPECT_EQ(light.stats.bytes, std::ssize(light.lightmaps)) << "one texel a surface";
   const auto encoded = [&](const BakedLight& baked) {
-    return encodeBake(room.level(), baked, room.level().bake.texel, kSettings);
+    return encodeBake(room.scene(), baked, room.level().bake.texel, kSettings);
   };
   EXPECT_EQ(encoded(light), encoded(test::withAllTexels(light)));
   EXPECT_LE(encoded(light).size(), 150U) << "for " << statsOf(test::withAllTexels(light)).bytes;
-  const auto read = decodeBake(room.level(), encoded(light), kMuchLight);
+  const auto read = decodeBake(room.scene(), encoded(light), kMuchLight);
   ASSERT_TRUE(read) << read.error().what;
   expectSameLight(light, *read);
 }

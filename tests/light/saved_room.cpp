@@ -42,7 +42,7 @@ BakedRoom SavedRoom::roomOf(std::string_view eastEnd) {
 }
 
 std::string SavedRoom::saved() const {
-  return encodeBake(room_.level(), room_.light(), 1, kSettings);
+  return encodeBake(room_.scene(), room_.light(), 1, kSettings);
 }
 
 std::string SavedRoom::lightmaps() const {
@@ -71,7 +71,7 @@ std::string SavedRoom::withPacked(std::string_view packed) const {
 }
 
 std::string SavedRoom::mistakeIn(std::string_view bytes) const {
-  const auto read = decodeBake(room_.level(), bytes, kMuchLight);
+  const auto read = decodeBake(room_.scene(), bytes, kMuchLight);
   if (read) return "";
   EXPECT_FALSE(read.error().isTooLarge);
   return read.error().what;

@@ -11,7 +11,7 @@ namespace {
 std::string mistakeIn(const BakeSettings& settings) {
   static const LoadedLevel room = test::levelFrom(
       "{'light': 0.1, 'sectors': {" + test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
-  return mistakeInSettings(room.level, settings).value_or("");
+  return mistakeInSettings(room.scene(), settings).value_or("");
 }
 
 TEST(BakeSettings, ofAFileThatSaysNothingHaveNoMistake) { EXPECT_EQ(mistakeIn({}), ""); }
@@ -54,7 +54,7 @@ TEST(BakeSettings, countTexelsOfSurfacesAndNotOfSkies) {
                            "'walls':{'texture':'#808080'}}}}}}");
   };
   const auto mistake = [&](const char* floor) {
-    return mistakeInSettings(fields(floor).level, {}).value_or("");
+    return mistakeInSettings(fields(floor).scene(), {}).value_or("");
   };
   EXPECT_EQ(mistake("{'parallax':true,'texture':'#808080'}"), "");
   EXPECT_TRUE(mistake("{'texture':'#808080'}").ends_with("use larger ones"));

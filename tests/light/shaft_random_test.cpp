@@ -14,13 +14,13 @@ TEST(Shafts, giveTheBytesOfRaysInManyRandomLevels) { test::expectSameRandomBakes
 TEST(Shafts, giveTheBytesOfRaysWhereLittleIsLeftOfAPortalOrASurface) {
   const test::RandomLevels levels;
   for (const std::uint64_t seed : {6012, 6866, 13760, 17918}) {
-    const Level level = levels.level(seed);
-    BakeSettings settings = level.bake;
+    const LoadedLevel loaded = levels.level(seed);
+    BakeSettings settings = loaded.level.bake;
     settings.texel = 0.5;
     settings.samples = 1;
     settings.softSamples = 0;
     test::BothCosts costs;
-    test::expectSameBakes(level, settings, fmt::format("seed {}", seed), costs);
+    test::expectSameBakes(loaded.scene(), settings, fmt::format("seed {}", seed), costs);
   }
 }
 

@@ -26,7 +26,7 @@ TEST(Shafts, giveTheBytesOfRaysInTheLevelsOfTheTree) {
     BakeSettings settings = result.loaded->level.bake;
     settings.texel = texel;
     BothCosts costs;
-    test::expectSameBakes(result.loaded->level, settings, name, costs);
+    test::expectSameBakes(result.loaded->scene(), settings, name, costs);
     EXPECT_LT(4 * costs.byShafts.rays, costs.byRays.rays) << name;
   }
 }
@@ -52,19 +52,19 @@ TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
   for (const bool areSolid : {false, true}) {
     settings.solidMaskedMiddles = areSolid;
     BothCosts costs;
-    test::expectSameBakes(loaded.level, settings, "grille", costs);
+    test::expectSameBakes(loaded.scene(), settings, "grille", costs);
   }
 }
 
 /// A square on the floor of a room, seen from a light at `from`.
-Shaft::Outcome outcomeOf(const Level& level, Vec3 from, double radius, Vec2 least, Vec2 most) {
+Shaft::Outcome outcomeOf(const Scene& scene, Vec3 from, double radius, Vec2 least, Vec2 most) {
   ShaftTargets targets;
   targets.box.normal = {0, 0, 1};
   for (const Vec2 p : {least, Vec2{most.x, least.y}, most, Vec2{least.x, most.y}})
     targets.box.storage[targets.box.count++] = {p.x, p.y, 0};
   const SectorId room(0);
   targets.sectors = {&room, 1};
-  return Shaft(level).follow({from, radius, {room}, true}, targets, nullptr);
+  return Shaft(scene).follow({from, radius, {room}, true}, targets, nullptr);
 }
 
 /// A room of 10 x 10 m with a square pillar in its middle.
@@ -80,7 +80,7 @@ TEST(Shaft, isLitBesideAPillarDarkBehindItAndUnknownAtTheShadowsEdge) {
   const LoadedLevel loaded = pillarRoom();
   for (const double radius : {0.0, 0.2}) {
     const auto outcome = [&](Vec2 least, Vec2 most) {
-      return outcomeOf(loaded.level, {1, 5, 2}, radius, least, most);
+      return outcomeOf(loaded.scene(), {1, 5, 2}, radius, least, most);
     };
     EXPECT_EQ(outcome({1, 1}, {3, 2}), Shaft::Outcome::Lit);
     EXPECT_EQ(outcome({7, 1e-6}, {9, 0.5}), Shaft::Outcome::Lit) << "up to the wall";
@@ -91,12 +91,12 @@ TEST(Shaft, isLitBesideAPillarDarkBehindItAndUnknownAtTheShadowsEdge) {
 
 TEST(Shaft, isDarkBehindTheEdgeOfAPillarThatTwoOfItsSidesHide) {
   const LoadedLevel loaded = pillarRoom();
-  EXPECT_EQ(outcomeOf(loaded.level, {1, 1, 2}, 0.1, {6.5, 6.5}, {7, 7}), Shaft::Outcome::Dark);
+  EXPECT_EQ(outcomeOf(loaded.scene(), {1, 1, 2}, 0.1, {6.5, 6.5}, {7, 7}), Shaft::Outcome::Dark);
 }
 
 TEST(Shaft, isUnknownWhereALightIsInTheWayOfRounding) {
   const LoadedLevel loaded = pillarRoom();
-  EXPECT_EQ(outcomeOf(loaded.level, {1, 5, 2e-6}, 0, {1, 1}, {9, 3}), Shaft::Outcome::Unknown)
+  EXPECT_EQ(outcomeOf(loaded.scene(), {1, 5, 2e-6}, 0, {1, 1}, {9, 3}), Shaft::Outcome::Unknown)
       << "rays along the floor";
 }
 

@@ -59,7 +59,7 @@ struct Error {
 /// Over points of the far wall from which the ball is seen to rise past the edge.
 Error errorAt(const LoadedLevel& loaded, int softSamples, bool isUpright) {
   const LightSource& light = loaded.level.lights[0];
-  const LightSight sight(loaded.level, light, softSamples);
+  const LightSight sight(loaded.scene(), light, softSamples);
   Error error;
   int points = 0;
   for (double along = 0.1; along < 19; along += 0.0837) {
@@ -101,20 +101,23 @@ TEST(SoftLight, isTheFractionOfABallsVolumeBesideAnEdge) {
 }
 
 /// Texel centres well inside their surfaces, a few of a level.
-std::vector<SamplePoint> placesOn(const Level& level, const LitSurfaces& surfaces) {
+std::vector<SamplePoint> placesOn(const Scene& scene, const LitSurfaces& surfaces) {
   std::vector<SamplePoint> places;
-  for (std::size_t i = 0; i < level.surfaces.size(); i += 5) {
-    if (!surfaces[i]) continue;
-    const TexelRect rect = surfaces[i]->texels;
+  const std::vector<SurfaceId> shown = scene.shownSurfaces();
+  for (std::size_t i = 0; i < shown.size(); i += 5) {
+    const std::optional<LitSurface>& surface = surfaces[shown[i].index()];
+    if (!surface) continue;
+    const TexelRect rect = surface->texels;
     const Vec2 p{rect.i0 + rect.width / 2 + 0.5, rect.j0 + rect.height / 3 + 0.5};
-    if (surfaces[i]->outline.contains(p) && length(surfaces[i]->outline.nearest(p) - p) > 0.1)
-      places.push_back(SamplePlacement(surfaces, SurfaceId(i)).place(p));
+    if (surface->outline.contains(p) && length(surface->outline.nearest(p) - p) > 0.1)
+      places.push_back(SamplePlacement(surfaces, shown[i]).place(p));
   }
   return places;
 }
 
 /// All lights as balls of several sizes, 255 levels at any distance and angle.
-Level withBalls(Level level) {
+LoadedLevel withBalls(LoadedLevel loaded) {
+  Level& level = loaded.level;
   level.bake.lambert = false;
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     level.lights[i].radius = 0.1 + 0.13 * static_cast<double>(i % 4);
@@ -122,16 +125,17 @@ Level withBalls(Level level) {
     level.lights[i].falloff = 0;
     level.lights[i].curve.clear();
   }
-  return level;
+  return loaded;
 }
 
 /// In levels of 255, wherever a ball is seen in part.
-void addErrors(const Level& level, int softSamples, std::vector<double>& errors) {
+void addErrors(const Scene& scene, int softSamples, std::vector<double>& errors) {
+  const Level& level = scene.level();
   const TruthLight truth(level);
-  const LitSurfaces surfaces = makeLitSurfaces(level, 0.25);
-  const std::vector<SamplePoint> places = placesOn(level, surfaces);
+  const LitSurfaces surfaces = makeLitSurfaces(scene, 0.25);
+  const std::vector<SamplePoint> places = placesOn(scene, surfaces);
   for (std::size_t light = 0; light < level.lights.size(); ++light) {
-    const LightSight sight(level, level.lights[light], softSamples);
+    const LightSight sight(scene, level.lights[light], softSamples);
     for (const SamplePoint& at : places) {
       const Surface& surface = level[at.surface];
       const LitSurface& lit = *surfaces[at.surface.index()];
@@ -160,7 +164,7 @@ std::vector<double> errorsOfRandomLevels(std::uint64_t firstSeed, int count, boo
     EXPECT_TRUE(writeRandomLevel(folder, random));
     const LoadResult result = loadLevel(folder / (random.name + ".json"));
     EXPECT_TRUE(result.loaded) << seed;
-    if (result.loaded) addErrors(withBalls(result.loaded->level), softSamples, errors);
+    if (result.loaded) addErrors(withBalls(*result.loaded).scene(), softSamples, errors);
   }
   std::filesystem::remove_all(folder);
   std::ranges::sort(errors);
@@ -212,7 +216,7 @@ TEST(SoftLight, ofABallThatItsCeilingCutsIsThatOfTheRest) {
   const Plane floor{{0, 0, 0}, {0, 0, 1}};
   const Plane wall{{6, 0, 0}, {-1, 0, 0}};
   for (const auto& [samples, bound] : {std::pair{36, 2.0}, std::pair{256, 1.0}}) {
-    const LightSight sight(loaded.level, loaded.level.lights[0], samples);
+    const LightSight sight(loaded.scene(), loaded.level.lights[0], samples);
     for (const auto& [p, plane] :
          {std::pair{Vec3{2.5, 1, 0}, floor}, std::pair{Vec3{6, 1.3, 0.7}, wall},
           std::pair{Vec3{6, 1.3, 2.6}, wall}, std::pair{Vec3{6, 2.0, 2.9}, wall}}) {

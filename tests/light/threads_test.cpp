@@ -80,7 +80,7 @@ struct Watched {
   std::vector<std::int64_t> done;  ///< each value once
 };
 
-Watched watchedBake(const Level& level, const BakeSettings& settings, int threads) {
+Watched watchedBake(const Scene& scene, const BakeSettings& settings, int threads) {
   BakeProgress progress;
   std::vector<std::int64_t> seen = {0};
   std::atomic<bool> isWatching = false;
@@ -92,7 +92,7 @@ Watched watchedBake(const Level& level, const BakeSettings& settings, int thread
     }
   });
   while (!isWatching) std::this_thread::yield();
-  BakedLight light = bake(level, settings, threads, &progress);
+  BakedLight light = bake(scene, settings, threads, &progress);
   watcher.request_stop();
   watcher.join();
   EXPECT_EQ(progress.texelsDone(), progress.texels());
@@ -101,9 +101,9 @@ Watched watchedBake(const Level& level, const BakeSettings& settings, int thread
 
 TEST(BakeProgress, growsToAllTexelsForAnyNumberOfThreads) {
   const LoadedLevel rooms = test::levelFrom(kRooms, lightsWith("1"));
-  const BakedLight unwatched = bake(rooms.level, {}, 1);
+  const BakedLight unwatched = bake(rooms.scene(), {}, 1);
   for (const int threads : {1, 2, 7}) {
-    const Watched watched = watchedBake(rooms.level, {}, threads);
+    const Watched watched = watchedBake(rooms.scene(), {}, threads);
     EXPECT_EQ(watched.texels, watched.light.stats.texels);
     EXPECT_TRUE(std::ranges::is_sorted(watched.done));
     EXPECT_LE(watched.done.back(), watched.texels);
@@ -121,9 +121,9 @@ TEST(BakeProgress, countsEachTileOfASurfaceOnceItIsDone) {
       "{'light': 0.1, 'sectors': {" + test::sectorText("a", "0,0, 9,0, 9,9, 0,9", 0, 1) + "}}",
       "[{'x':1,'y':1,'z':0.5}]");
   const BakeSettings settings{.texel = 0.05};
-  const LitSurfaces surfaces = makeLitSurfaces(room.level, settings.texel);
-  const LightSights sights(room.level, settings);
-  SurfaceLight floor(room.level, surfaces, sights, settings.lambert,
+  const LitSurfaces surfaces = makeLitSurfaces(room.scene(), settings.texel);
+  const LightSights sights(room.scene(), settings);
+  SurfaceLight floor(room.scene(), surfaces, sights, settings.lambert,
                      room.level.sectors[0].floorSurface.value());
   TexelSums sums(floor.texels(), floor.channels());
   BakeProgress progress;

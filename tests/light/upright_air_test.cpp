@@ -45,9 +45,10 @@ TEST(UprightAir, ofAHangingWedgeEndsAtTheStandingOneThatItPassesByNoise) {
                        "'slopeCeil':{'z':[2.0005,2.0005,0,0],'sidewall':'#808080'}") +
       "}}");
   std::vector<double> ends;
-  for (const Surface& surface : loaded.level.surfaces) {
+  for (const SurfaceId id : loaded.scene().shownSurfaces()) {
+    const Surface& surface = loaded.level[id];
     if (!isSidewall(surface.kind)) continue;
-    const auto [low, high] = heightsAt(uprightAir(loaded.level, surface), 0, 4);
+    const auto [low, high] = heightsAt(uprightAir(loaded.scene(), id), 0, 4);
     ends.push_back(surface.kind == SurfaceKind::FloorSidewall ? high : low);
   }
   ASSERT_EQ(ends.size(), 2U);
@@ -62,7 +63,7 @@ TEST(SlopeGrid, runsUphillHoweverGentleTheSlopeOfALargeSector) {
       test::sectorText("plain", "0,0, 1e6,0, 1e6,1e6, 0,1e6", 0, 3, "{'texture':'#808080'}",
                        ",'slopeFloor':{'z':[0,8e-4,8e-4,0]}") +
       "}}");
-  const std::vector<TexelGrid> grids = slopeGrids(loaded.level, true, 1);
+  const std::vector<TexelGrid> grids = slopeGrids(loaded.scene(), true, 1);
   EXPECT_NEAR(grids.front().axisT.x, 1, 1e-9);
   EXPECT_NEAR(grids.front().axisT.z, 8e-10, 1e-12);
 }

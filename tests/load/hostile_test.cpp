@@ -2,7 +2,7 @@
 #include <sys/stat.h>
 
 #include "load_text.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 /// Input that is meant to break the loader is refused in bounded time and memory.
 namespace hearth {
@@ -21,14 +21,14 @@ TEST(Hostile, aHundredThousandNestedArrays) {
 
 TEST(Hostile, aFileOverTheLimitIsNotRead) {
   // A file with a hole of a gigabyte takes no room on the disk, and none in memory.
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto file = folder.write("spaces.json", " ");
   std::filesystem::resize_file(file, std::uintmax_t{1} << 30);
   EXPECT_EQ(onlyMessage(loadLevel(file)), "1073741824 bytes are more than 67108864");
 }
 
 TEST(Hostile, whatIsNoRegularFileIsNotRead) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_EQ(onlyMessage(loadLevel(folder.path())), "not a regular file");
   EXPECT_EQ(onlyMessage(loadLevel("/dev/zero")), "not a regular file");
   ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);

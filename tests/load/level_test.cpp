@@ -143,8 +143,9 @@ TEST(Level, measuresSubWallsFromTheSectorsFloor) {
                              "'texture': '#111111'}"))
           .level;
   const Stack& stack = std::get<Stack>(level.segments[0].kind);
-  EXPECT_EQ(stack.subWalls[0].zTop, 11.5);
-  EXPECT_EQ(stack.subWalls[1].zTop, 13);
+  const Sector& sector = level.sectors[0];
+  EXPECT_EQ(stack.topOf(0, sector.floor.z, sector.ceiling.z), 11.5);
+  EXPECT_EQ(stack.topOf(1, sector.floor.z, sector.ceiling.z), 13);
 }
 
 TEST(Level, needsNoTextureForAStepThatIsRoundingAlone) {
@@ -167,9 +168,11 @@ TEST(Level, needsNoTextureForAStepThatIsRoundingAlone) {
   ASSERT_TRUE(result.loaded) << listed(result);
   EXPECT_NE(-2.5 + 2.8, 0.3);
   EXPECT_NE(-2.5 + 4.2, 1.7);
-  for (const Segment& segment : result.loaded->level.segments)
-    for (std::size_t i = 0; i + 1 < segment.pieces.size(); ++i)
-      EXPECT_EQ(segment.pieces[i].zTop, segment.pieces[i + 1].zBottom);
+  for (const Segment& segment : result.loaded->level.segments) {
+    const std::span<const WallPiece> pieces = result.loaded->scene().piecesOf(segment);
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+      EXPECT_EQ(pieces[i].zTop, pieces[i + 1].zBottom);
+  }
 }
 
 TEST(Level, joinsFlatsOfBothSpellingsIntoOneInterface) {
@@ -231,18 +234,20 @@ TEST(Level, fillsUnknownHeightsOfASlopeFromThePlaneOfTheOthers) {
 }
 
 TEST(Level, keepsAWedgeOnItsFlatWhereNoiseWouldTakeItPast) {
-  const Level level = loadSectors(sectorText("a", "1,12, 1,7, 5,7, 5,12", "{'texture': '#808080'}",
-                                             "'slopeFloor': {'z': [0, 0.5, 0.4998, null]}, "
-                                             "'slopeCeil': {'z': [0, 0.5, 0.4998, null]}"))
-                          .level;
+  const LoadedLevel loaded =
+      loadSectors(sectorText("a", "1,12, 1,7, 5,7, 5,12", "{'texture': '#808080'}",
+                             "'slopeFloor': {'z': [0, 0.5, 0.4998, null]}, "
+                             "'slopeCeil': {'z': [0, 0.5, 0.4998, null]}"));
+  const Level& level = loaded.level;
   EXPECT_NEAR(level.sectors[0].floorSlope.value().zAt({5, 12}), 0, 1e-12);
   EXPECT_NEAR(level.sectors[0].floorSlope.value().zAt({1, 12}), 0.0002, 1e-12);
   EXPECT_NEAR(level.sectors[0].ceilingSlope.value().zAt({5, 12}), 4, 1e-12);
   for (const Segment& segment : level.segments) {
-    EXPECT_GE(segment.air0.zBottom, 0);
-    EXPECT_GE(segment.air1.zBottom, 0);
-    EXPECT_LE(segment.air0.zTop, 4);
-    EXPECT_LE(segment.air1.zTop, 4);
+    const SegmentGeometry& at = loaded.scene().geometryOf(segment);
+    EXPECT_GE(at.air0.zBottom, 0);
+    EXPECT_GE(at.air1.zBottom, 0);
+    EXPECT_LE(at.air0.zTop, 4);
+    EXPECT_LE(at.air1.zTop, 4);
   }
 }
 
@@ -292,7 +297,7 @@ TEST(Level, readsThePlayersBodyAndTheShots) {
 TEST(Level, loadsTheTutorial) {
   const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
   ASSERT_TRUE(result.loaded) << listed(result);
-  expectTwins(result.loaded->level);
+  expectTwins(result.loaded->scene());
   EXPECT_EQ(result.loaded->textures.size(), result.loaded->level.textures.size());
   EXPECT_EQ(result.loaded->files[1].filename(), "tutorial.lights.json");
 }

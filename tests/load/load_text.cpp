@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace hearth {
 
@@ -20,7 +20,7 @@ std::string quoted(std::string_view text) {
 }  // namespace
 
 LoadResult loadText(std::string_view level, std::string_view lights, const LoadLimits& limits) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   if (!lights.empty()) folder.write("level.lights.json", quoted(lights));
   return loadLevel(folder.write("level.json", quoted(level)), limits);
 }
@@ -68,11 +68,11 @@ const Sector& sectorNamed(const Level& level, std::string_view name) {
   std::abort();
 }
 
-void expectTwins(const Level& level) {
-  for (const Segment& segment : level.segments)
-    for (const WallPiece& piece : segment.pieces)
+void expectTwins(const Scene& scene) {
+  for (const Segment& segment : scene.level().segments)
+    for (const WallPiece& piece : scene.piecesOf(segment))
       if (const Opening* opening = std::get_if<Opening>(&piece.content)) {
-        const Segment& twin = level[opening->twin];
+        const Segment& twin = scene[opening->twin];
         EXPECT_EQ(twin.sector, opening->next);
         EXPECT_EQ(twin.p0, segment.p1) << segment.p0.x << ' ' << segment.p0.y;
         EXPECT_EQ(twin.p1, segment.p0) << segment.p1.x << ' ' << segment.p1.y;

@@ -32,6 +32,6 @@ std::size_t countWarnings(const LoadResult& result);
 const Sector& sectorNamed(const Level& level, std::string_view name);
 
 /// Expects of every opening of a level that its twin has the same two end points, to the bit.
-void expectTwins(const Level& level);
+void expectTwins(const Scene& scene);
 
 }  // namespace hearth

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "load/source.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace hearth {
 
@@ -32,7 +32,7 @@ class ReloadLights : public testing::Test {
 
   LoadResult loadAnew() const { return loadLevel(loaded_.path); }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   LoadedLevel loaded_;
   LevelSource source_;
 };

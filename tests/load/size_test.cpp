@@ -48,7 +48,7 @@ TEST(Size, aHundredThousandSectors) {
   EXPECT_LT(watch.seconds(), kSeconds);
   ASSERT_TRUE(result.loaded);
   EXPECT_EQ(result.loaded->level.sectors.size(), 317U * 317U);
-  expectTwins(result.loaded->level);
+  expectTwins(result.loaded->scene());
 }
 
 /// Vertices of a circle; with `step` -1 the other way round.

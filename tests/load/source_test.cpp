@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace hearth {
 
@@ -30,7 +30,7 @@ constexpr std::string_view kLevel = R"({ "light": 0.5, "sectors": {
 } })";
 
 SourcedResult loadSource() {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   folder.write("level.lights.json", R"([ {"x": 1, "y": 3, "z": 1}, {"x": 5, "y": 3, "z": 1} ])");
   return loadLevelWithSource(folder.write("level.json", kLevel));
 }
@@ -75,7 +75,7 @@ TEST(LevelSource, hasSectorsAndLightsInTheOrderOfTheLevel) {
 }
 
 TEST(LevelSource, tellsTheSameAsLoadingAlone) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto file = folder.write("level.json", R"({ "sectors": {}, "colour": 1 })");
   const SourcedResult sourced = loadLevelWithSource(file);
   EXPECT_FALSE(sourced.result.loaded);

@@ -7,7 +7,7 @@
 
 #include "image/image_file.h"
 #include "load_text.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace hearth {
 namespace {
@@ -106,7 +106,7 @@ class TextureSearch : public testing::Test {
   }
 
  private:
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 /// Two rooms whose portal has a texture for a step up.
@@ -139,7 +139,7 @@ class TextureOfAStep : public testing::Test {
     ASSERT_TRUE(writePng(file, image));
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(TextureOfAStep, hasItsHolesWhereItHangsInTheOpening) {
@@ -236,7 +236,7 @@ class TexturesReadInThreads : public testing::Test {
   }
 
  private:
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(TexturesReadInThreads, areThoseOfTheirNames) {

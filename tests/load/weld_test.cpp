@@ -35,14 +35,14 @@ std::string wallList(std::initializer_list<std::string_view> walls) {
 }
 
 TEST(Weld, splitsAPortalWhereTheOtherSideHasVertices) {
-  const Level level = loadSectors(sectorText("a", "0,0, 4,0, 4,4, 0,4",
-                                             wallList({kPlain, "{'next': 'b'}", kPlain, kPlain})) +
-                                  "," +
-                                  sectorText("b", "4,0, 8,0, 8,4, 4,4, 4,3, 4,1",
-                                             wallList({kPlain, kPlain, kPlain, "{'next': 'a'}",
-                                                       "{'next': 'a'}", "{'next': 'a'}"})))
-                          .level;
-  expectTwins(level);
+  const LoadedLevel loaded = loadSectors(
+      sectorText("a", "0,0, 4,0, 4,4, 0,4", wallList({kPlain, "{'next': 'b'}", kPlain, kPlain})) +
+      "," +
+      sectorText(
+          "b", "4,0, 8,0, 8,4, 4,4, 4,3, 4,1",
+          wallList({kPlain, kPlain, kPlain, "{'next': 'a'}", "{'next': 'a'}", "{'next': 'a'}"})));
+  const Level& level = loaded.level;
+  expectTwins(loaded.scene());
   const std::vector<Segment> pieces = piecesOf(level, "a", 1);
   ASSERT_EQ(pieces.size(), 3U);
   const double s[] = {0, 1, 3, 4};
@@ -57,13 +57,12 @@ TEST(Weld, splitsAPortalWhereTheOtherSideHasVertices) {
 }
 
 TEST(Weld, fitsASlantedWallWithARoundedVertexAtOneThird) {
-  const Level level =
-      loadSectors(sectorText("a", "0,0, 10,7, 0,7", wallList({"{'next': 'b'}", kPlain, kPlain})) +
-                  "," +
-                  sectorText("b", "0,0, 10,0, 10,7, 3.3333333333333335,2.3333333333333335",
-                             wallList({kPlain, kPlain, "{'next': 'a'}", "{'next': 'a'}"})))
-          .level;
-  expectTwins(level);
+  const LoadedLevel loaded = loadSectors(
+      sectorText("a", "0,0, 10,7, 0,7", wallList({"{'next': 'b'}", kPlain, kPlain})) + "," +
+      sectorText("b", "0,0, 10,0, 10,7, 3.3333333333333335,2.3333333333333335",
+                 wallList({kPlain, kPlain, "{'next': 'a'}", "{'next': 'a'}"})));
+  const Level& level = loaded.level;
+  expectTwins(loaded.scene());
   const std::vector<Segment> pieces = piecesOf(level, "a", 0);
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_EQ(pieces[0].p1, (Vec2{10.0 / 3, 7.0 / 3}));
@@ -74,14 +73,13 @@ TEST(Weld, fitsASlantedWallWithARoundedVertexAtOneThird) {
 }
 
 TEST(Weld, givesVerticesHalfAMillimetreApartTheCoordinatesOfTheFirstSector) {
-  const Level level =
-      loadSectors(sectorText("a", "0,0, 4,0, 4,4, 0,4",
-                             wallList({kPlain, "{'next': 'b'}", kPlain, kPlain})) +
-                  "," +
-                  sectorText("b", "4.0005,0, 8,0, 8,4, 4.0003,4.0004, 3.9996,2",
-                             wallList({kPlain, kPlain, kPlain, "{'next': 'a'}", "{'next': 'a'}"})))
-          .level;
-  expectTwins(level);
+  const LoadedLevel loaded = loadSectors(
+      sectorText("a", "0,0, 4,0, 4,4, 0,4", wallList({kPlain, "{'next': 'b'}", kPlain, kPlain})) +
+      "," +
+      sectorText("b", "4.0005,0, 8,0, 8,4, 4.0003,4.0004, 3.9996,2",
+                 wallList({kPlain, kPlain, kPlain, "{'next': 'a'}", "{'next': 'a'}"})));
+  const Level& level = loaded.level;
+  expectTwins(loaded.scene());
   const std::vector<Segment> b = segmentsOf(level, "b");
   EXPECT_EQ(b[0].p0, (Vec2{4, 0}));
   EXPECT_EQ(b[3].p0, (Vec2{4, 4}));
@@ -107,45 +105,44 @@ TEST(Weld, measuresItsToleranceByTheShortestEdgeWhereThatIsLess) {
 
 TEST(Weld, handsASplitOnThroughAStackToTheWallOnItsOtherSide) {
   // Seen from b, one wall is a stack that leads to a below and to c above; only c is split.
-  const Level level =
-      loadSectors(
-          sectorText("a", "0,0, 4,0, 4,3, 0,3",
-                     wallList({kPlain, "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
-                     "'ceiling': {'z': 2, 'texture': '#404040'}") +
-          "," +
-          sectorText("b", "4,0, 8,0, 8,3, 4,3",
-                     wallList({kPlain, kPlain, kPlain,
-                               "{'walls': [{'z': 2, 'next': 'a'}, {'next': 'c'}]}"})) +
-          "," +
-          sectorText("c", "0,0, 4,0, 4,1, 4,3, 0,3",
-                     wallList({kPlain, "{'next': 'b', 'texture': '#808080'}",
-                               "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
-                     "'floor': {'z': 2, 'texture': '#404040'}"))
-          .level;
-  expectTwins(level);
+  const LoadedLevel loaded = loadSectors(
+      sectorText("a", "0,0, 4,0, 4,3, 0,3",
+                 wallList({kPlain, "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
+                 "'ceiling': {'z': 2, 'texture': '#404040'}") +
+      "," +
+      sectorText(
+          "b", "4,0, 8,0, 8,3, 4,3",
+          wallList({kPlain, kPlain, kPlain, "{'walls': [{'z': 2, 'next': 'a'}, {'next': 'c'}]}"})) +
+      "," +
+      sectorText("c", "0,0, 4,0, 4,1, 4,3, 0,3",
+                 wallList({kPlain, "{'next': 'b', 'texture': '#808080'}",
+                           "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
+                 "'floor': {'z': 2, 'texture': '#404040'}"));
+  const Level& level = loaded.level;
+  expectTwins(loaded.scene());
   EXPECT_EQ(piecesOf(level, "b", 3).size(), 2U);
   EXPECT_EQ(piecesOf(level, "a", 1).size(), 2U);
   EXPECT_EQ(piecesOf(level, "c", 1).size(), 1U);
 }
 
 TEST(Weld, splitsAStackWhereItsTwoNextSectorsSplitDifferently) {
-  const Level level =
-      loadSectors(sectorText("a", "0,0, 4,0, 4,1.5, 4,3, 0,3",
-                             wallList({kPlain, "{'next': 'b', 'texture': '#808080'}",
-                                       "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
-                             "'ceiling': {'z': 2, 'texture': '#404040'}") +
-                  "," +
-                  sectorText("b", "4,0, 8,0, 8,3, 4,3",
-                             wallList({kPlain, kPlain, kPlain,
-                                       "{'walls': [{'z': 2, 'next': 'a'}, {'next': 'c'}]}"})) +
-                  "," +
-                  sectorText("c", "0,0, 4,0, 4,1, 4,2, 4,3, 0,3",
-                             wallList({kPlain, "{'next': 'b', 'texture': '#808080'}",
-                                       "{'next': 'b', 'texture': '#808080'}",
-                                       "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
-                             "'floor': {'z': 2, 'texture': '#404040'}"))
-          .level;
-  expectTwins(level);
+  const LoadedLevel loaded = loadSectors(
+      sectorText("a", "0,0, 4,0, 4,1.5, 4,3, 0,3",
+                 wallList({kPlain, "{'next': 'b', 'texture': '#808080'}",
+                           "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
+                 "'ceiling': {'z': 2, 'texture': '#404040'}") +
+      "," +
+      sectorText(
+          "b", "4,0, 8,0, 8,3, 4,3",
+          wallList({kPlain, kPlain, kPlain, "{'walls': [{'z': 2, 'next': 'a'}, {'next': 'c'}]}"})) +
+      "," +
+      sectorText("c", "0,0, 4,0, 4,1, 4,2, 4,3, 0,3",
+                 wallList({kPlain, "{'next': 'b', 'texture': '#808080'}",
+                           "{'next': 'b', 'texture': '#808080'}",
+                           "{'next': 'b', 'texture': '#808080'}", kPlain, kPlain}),
+                 "'floor': {'z': 2, 'texture': '#404040'}"));
+  const Level& level = loaded.level;
+  expectTwins(loaded.scene());
   const std::vector<Segment> pieces = piecesOf(level, "b", 3);
   ASSERT_EQ(pieces.size(), 4U);
   EXPECT_EQ(pieces[0].p1, (Vec2{4, 2}));
@@ -249,7 +246,7 @@ TEST(Weld, fitsGridsWhoseVerticesAreAllOffByLessThanAMillimetre) {
         loadText(fmt::format("{{'light': 1, 'sectors': {{{}}}}}", JitteredGrid(seed).text()));
     ASSERT_TRUE(result.loaded) << listed(result);
     EXPECT_EQ(result.diagnostics.size(), 0U) << listed(result);
-    expectTwins(result.loaded->level);
+    expectTwins(result.loaded->scene());
   }
 }
 

@@ -30,9 +30,10 @@ class Coverage : public testing::Test {
   Coverage()
       : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
         light_(withoutLight(loaded_.level)),
-        renderer_(loaded_.level, loaded_.textures, light_) {}
+        renderer_(loaded_.scene(), loaded_.textures, light_) {}
 
   const Level& level() const { return loaded_.level; }
+  Scene scene() const { return loaded_.scene(); }
 
   void expectCoveredOnce(const Camera& camera) const {
     const Image drawn = renderer_.draw(camera, Channel::Overdraw);
@@ -78,7 +79,7 @@ TEST_F(Coverage, isCompleteFromEveryVertexAndEveryMiddleOfAWall) {
     const Sector& sector = level()[segment.sector];
     for (const double fraction : {0.0, 0.5}) {
       const Vec2 p = lerp(segment.p0, segment.p1, fraction);
-      const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
+      const double z = (scene().airBottom(sector, p) + scene().airTop(sector, p)) / 2;
       for (const double angle : {0.0, 45.0, 90.0, 137.0, 180.0, 270.0, 301.0})
         expectCoveredOnce({segment.sector, {p.x, p.y, z}, angle, 0, 100, 61, 31});
     }
@@ -94,7 +95,7 @@ TEST_F(Coverage, isCompleteALittleOffEveryWall) {
       const Vec2 p =
           lerp(segment.p0, segment.p1, 0.37) + (distance / segment.length) * turned90(along);
       if (!contains(level(), sector, p)) continue;
-      const double z = (sector.airBottom(p) + sector.airTop(p)) / 2;
+      const double z = (scene().airBottom(sector, p) + scene().airTop(sector, p)) / 2;
       for (const double turn : {0.0, 90.0, 180.0, 270.0})
         expectCoveredOnce({segment.sector, {p.x, p.y, z}, angle + turn, 0, 90, 61, 31});
     }
@@ -104,7 +105,8 @@ TEST_F(Coverage, isCompleteALittleOffEveryWall) {
 TEST_F(Coverage, isCompleteWithTheEyeOnFloorsAndCeilings) {
   for (const Shot& shot : level().shots) {
     const Sector& sector = level()[shot.sector];
-    for (const double z : {sector.airBottom(shot.eye.xy()), sector.airTop(shot.eye.xy())})
+    for (const double z :
+         {scene().airBottom(sector, shot.eye.xy()), scene().airTop(sector, shot.eye.xy())})
       for (const double pitch : {-60.0, 0.0, 60.0}) {
         Camera camera = cameraOf(shot);
         camera.eye.z = z;
@@ -149,7 +151,7 @@ TEST(CoverageOfWedges, isCompleteWhereHeightsThatAreOffWouldPassTheFloor) {
       "'ceiling': {'texture': '#808080'}, 'slopeFloor': {'z': [0, 0.5, 0.4998, null]}, "
       "'loops': {'border': {'v': [1,12, 1,7, 5,7, 5,12], 'walls': {'texture': '#808080'}}}}}}");
   const BakedLight light = withoutLight(loaded.level);
-  const Renderer renderer(loaded.level, loaded.textures, light);
+  const Renderer renderer(loaded.scene(), loaded.textures, light);
   for (double z = 0.01; z < 0.02; z += 0.0001) {
     const Image drawn =
         renderer.draw({SectorId(0), {4.9, 11.9, z}, 45, 0, 90, 61, 301}, Channel::Overdraw);

@@ -19,16 +19,16 @@ using test::setRows;
 class Drawn {
  public:
   explicit Drawn(LoadedLevel loaded)
-      : loaded_(std::move(loaded)), light_(bake(loaded_.level, loaded_.level.bake, 2)) {}
+      : loaded_(std::move(loaded)), light_(bake(loaded_.scene(), loaded_.level.bake, 2)) {}
 
   Image with(const DrawSettings& settings, const Camera& camera,
              LightMode mode = LightMode::Both) const {
-    return Renderer(loaded_.level, loaded_.textures, light_, settings).draw(camera, mode);
+    return Renderer(loaded_.scene(), loaded_.textures, light_, settings).draw(camera, mode);
   }
   PaintStats workOf(const DrawSettings& settings, const Camera& camera) const {
     FrameScratch scratch;
     Image picture;
-    Renderer(loaded_.level, loaded_.textures, light_, settings)
+    Renderer(loaded_.scene(), loaded_.textures, light_, settings)
         .draw(camera, LightMode::Both, scratch, picture);
     return scratch.painted;
   }

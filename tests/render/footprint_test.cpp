@@ -19,24 +19,24 @@ const Texture kTexture(Image(kTextureSize, kTextureSize));
 
 /// Calls `visit(span, mapping, footprint, raySlope)` for every pixel of surfaces of a kind.
 template <typename Visit>
-void forEachPixel(const Level& level, const Camera& camera, SurfaceKind kind, SectorId sector,
+void forEachPixel(const Scene& scene, const Camera& camera, SurfaceKind kind, SectorId sector,
                   Visit&& visit) {
   VisibilityScratch scratch;
-  const Projection projection = projectionFor(level, camera);
-  for (const Span& span : findVisibleSpans(level, camera, projection, scratch).spans) {
-    const Surface& surface = level[span.surface];
+  const Projection projection = projectionFor(scene, camera);
+  for (const Span& span : findVisibleSpans(scene, camera, projection, scratch).spans) {
+    const Surface& surface = scene[span.surface];
     if (surface.kind != kind || surface.sector != sector) continue;
-    const SpanMapping mapping = mappingOf(level, projection, span, kTexture, nullptr);
-    const Footprint footprint(level, projection, span, kTexture, mapping);
+    const SpanMapping mapping = mappingOf(scene, projection, span, kTexture, nullptr);
+    const Footprint footprint(scene, projection, span, kTexture, mapping);
     for (int row = span.rowBegin; row < span.rowEnd; ++row)
       visit(span, mapping, footprint, projection.raySlopeAt(row + 0.5));
   }
 }
 
-double texelsOf(const Level& level, const Camera& camera, SurfaceKind kind, SectorId sector) {
+double texelsOf(const Scene& scene, const Camera& camera, SurfaceKind kind, SectorId sector) {
   double texels = 0;
   forEachPixel(
-      level, camera, kind, sector,
+      scene, camera, kind, sector,
       [&](const Span&, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
         texels += footprint.texelsAt(mapping.parameterAt(raySlope));
       });
@@ -61,14 +61,15 @@ constexpr double kTexelsPerMetre2 = kTextureSize * kTextureSize;
 
 TEST(Footprint, OfAFloorCoversIt) {
   const LoadedLevel loaded = hallWithDais("");
-  const double texels = texelsOf(loaded.level, kFromTheWest, SurfaceKind::Floor, SectorId(1));
+  const double texels = texelsOf(loaded.scene(), kFromTheWest, SurfaceKind::Floor, SectorId(1));
   EXPECT_NEAR(texels / (6 * kTexelsPerMetre2), 1, 0.02);
 }
 
 TEST(Footprint, OfASlopeCoversTheMapBelowIt) {
   const LoadedLevel loaded =
       hallWithDais(",'slopeFloor':{'z':[0.5,0.5,1.3,1.3],'sidewall':{'name':'#808080'}}");
-  const double texels = texelsOf(loaded.level, kFromTheWest, SurfaceKind::SlopeFloor, SectorId(1));
+  const double texels =
+      texelsOf(loaded.scene(), kFromTheWest, SurfaceKind::SlopeFloor, SectorId(1));
   EXPECT_NEAR(texels / (6 * kTexelsPerMetre2), 1, 0.02);
 }
 
@@ -79,7 +80,7 @@ TEST(Footprint, OfAWallSeenAtAnAngleCoversIt) {
   const Camera camera{SectorId(0), {1, 1, 1.2}, 20, 0, 110, 640, 400};
   double texels = 0;
   forEachPixel(
-      loaded.level, camera, SurfaceKind::Solid, SectorId(0),
+      loaded.scene(), camera, SurfaceKind::Solid, SectorId(0),
       [&](const Span& span, const SpanMapping&, const Footprint& footprint, double raySlope) {
         const Segment& wall = loaded.level[*loaded.level[span.surface].segment];
         if (wall.p0.x == 6 && wall.p1.x == 6) texels += footprint.texelsAt(raySlope);
@@ -94,15 +95,15 @@ TEST(Footprint, OfASkyIsWhatLiesBetweenNeighbouringPixels) {
       ":0,'texture':'#808080'},'ceiling':{'z':2,'texture':'#808080',"
       "'parallax':true}}}}");
   const Camera camera{SectorId(0), {4, 4, 1}, 137, 30, 100, 320, 200};
-  const Projection projection = projectionFor(loaded.level, camera);
+  const Projection projection = projectionFor(loaded.scene(), camera);
   int pixels = 0;
   forEachPixel(
-      loaded.level, camera, SurfaceKind::SkyCeiling, SectorId(0),
+      loaded.scene(), camera, SurfaceKind::SkyCeiling, SectorId(0),
       [&](Span span, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
         const double down =
             mapping.v.at(raySlope - 1 / projection.distancePx()) - mapping.v.at(raySlope);
         span.column += 1;
-        const SpanMapping next = mappingOf(loaded.level, projection, span, kTexture, nullptr);
+        const SpanMapping next = mappingOf(loaded.scene(), projection, span, kTexture, nullptr);
         const double across = next.u.at(raySlope) - mapping.u.at(raySlope);
         EXPECT_NEAR(footprint.texelsAt(raySlope) / std::abs(across * down), 1, 0.02);
         ++pixels;
@@ -117,7 +118,7 @@ TEST(Footprint, ChoosesTheLevelWhoseTexelsAreNearestToAPixelInArea) {
   camera.height = 40;
   int last = 0;
   forEachPixel(
-      loaded.level, camera, SurfaceKind::Floor, SectorId(0),
+      loaded.scene(), camera, SurfaceKind::Floor, SectorId(0),
       [&](const Span&, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
         const double parameter = mapping.parameterAt(raySlope);
         const double pixels = std::log2(footprint.texelsAt(parameter)) / 2;

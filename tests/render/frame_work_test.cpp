@@ -30,7 +30,7 @@ Work workOf(const test::BakedRoom& room, LightMode mode = LightMode::Both, int t
   const std::vector<Image> textures(room.level().textures.size(), Image(1, 1, {200, 150, 100}));
   FrameScratch scratch;
   Work work;
-  Renderer(room.level(), textures, room.light())
+  Renderer(room.scene(), textures, room.light())
       .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, kWidth, kHeight}, mode, scratch, work.picture,
             threads);
   work.found = scratch.found();
@@ -134,13 +134,13 @@ TEST(FrameWork, forEvenLightShowsTheSameAsThatOfAllItsTexels) {
     const LoadedLevel loaded =
         test::levelFrom("{'light':0.3,'sectors':{" + hall() + "}}",
                         fmt::format("[{{'x':4,'y':0,'z':2,'intensity':77,'color':'{}'}}]", color));
-    const BakedLight even = bake(loaded.level, loaded.level.bake, 1);
+    const BakedLight even = bake(loaded.scene(), loaded.level.bake, 1);
     for (const auto& map : even.lightmaps) EXPECT_TRUE(map.value().isEven());
     const BakedLight whole = test::withAllTexels(even);
     const Camera camera{SectorId(0), {1, 0, 1.6}, 20, 0, 90, kWidth, kHeight};
     for (const LightMode mode : {LightMode::Both, LightMode::Only})
-      EXPECT_EQ(Renderer(loaded.level, loaded.textures, even).draw(camera, mode),
-                Renderer(loaded.level, loaded.textures, whole).draw(camera, mode))
+      EXPECT_EQ(Renderer(loaded.scene(), loaded.textures, even).draw(camera, mode),
+                Renderer(loaded.scene(), loaded.textures, whole).draw(camera, mode))
           << color;
   }
 }

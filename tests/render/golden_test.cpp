@@ -22,8 +22,8 @@ class Golden : public testing::Test {
  protected:
   Golden()
       : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
-        light_(bake(loaded_.level, loaded_.level.bake, 2)),
-        renderer_(loaded_.level, loaded_.textures, light_) {}
+        light_(bake(loaded_.scene(), loaded_.level.bake, 2)),
+        renderer_(loaded_.scene(), loaded_.textures, light_) {}
 
   void expectGolden(const std::filesystem::path& file, const Image& drawn) const {
     if (std::getenv("HEARTH_UPDATE_GOLDENS")) {
@@ -87,7 +87,7 @@ TEST_F(Golden, threadsDrawWhatOneDraws) {
 
 TEST_F(Golden, twoThreadsAndSevenBakeTheSame) {
   for (const int threads : {1, 7}) {
-    const BakedLight again = bake(loaded_.level, loaded_.level.bake, threads);
+    const BakedLight again = bake(loaded_.scene(), loaded_.level.bake, threads);
     for (std::size_t i = 0; i < light_.lightmaps.size(); ++i) {
       ASSERT_EQ(again.lightmaps[i].has_value(), light_.lightmaps[i].has_value());
       if (again.lightmaps[i]) {

@@ -61,17 +61,18 @@ TEST(TexelsInView, areAllThatFramesOfRandomLevelsRead) {
   for (std::uint64_t seed = 700; seed < 760; ++seed) {
     const LoadedLevel loaded = levels.load(seed);
     const Level& level = loaded.level;
+    const Scene scene = loaded.scene();
     const BakeSettings bakeSettings = bakeOf(level, seed);
-    const BakedLight whole = bake(level, bakeSettings, 2);
+    const BakedLight whole = bake(scene, bakeSettings, 2);
     for (std::size_t i = 0; i < level.shots.size(); ++i) {
       SCOPED_TRACE(fmt::format("seed {}, shot {}", seed, i));
       const Camera camera = cameraOf(level.shots[i]);
       const DrawSettings& settings = kFrames[(seed + i) % kFrames.size()];
-      const auto inView = texelsInView(level, whole.surfaces, camera, settings);
-      const BakedLight part = bakeOnly(inView, whole.surfaces, level, bakeSettings, 2);
+      const auto inView = texelsInView(scene, whole.surfaces, camera, settings);
+      const BakedLight part = bakeOnly(inView, whole.surfaces, scene, bakeSettings, 2);
       for (const LightMode mode : {LightMode::Both, LightMode::Only})
-        ASSERT_EQ(Renderer(level, loaded.textures, part, settings).draw(camera, mode),
-                  Renderer(level, loaded.textures, whole, settings).draw(camera, mode));
+        ASSERT_EQ(Renderer(scene, loaded.textures, part, settings).draw(camera, mode),
+                  Renderer(scene, loaded.textures, whole, settings).draw(camera, mode));
       read += texelsOf(inView);
       all += whole.stats.texels;
     }

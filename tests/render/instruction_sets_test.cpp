@@ -35,8 +35,8 @@ class InstructionSets : public testing::Test {
         loadLevel(HEARTH_SOURCE_DIR "/levels/" + name + ".json").loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
-    const BakedLight light = bake(loaded.level, coarse, 2);
-    const Renderer renderer(loaded.level, loaded.textures, light, settings);
+    const BakedLight light = bake(loaded.scene(), coarse, 2);
+    const Renderer renderer(loaded.scene(), loaded.textures, light, settings);
     for (const Shot& shot : loaded.level.shots) {
       Camera camera = cameraOf(shot);
       camera.width = 203;  // a last strip of 3 columns

@@ -31,8 +31,8 @@ TEST_P(LightMixture, isThatOfDoublePrecisionButForRoundings) {
       "{'light':0,'sectors':{" + test::sectorText("room", "0,0, 8,0, 8,8, 0,8", 0, 4) + "}}",
       std::string("[{'x':2,'y':3,'z':3,'falloff':0.5,'color':'") + GetParam() + "'}]");
   const Camera camera{SectorId(0), {6, 6, 2}, 225, 0, 90, 323, 200};
-  const BakedLight light = bake(loaded.level, loaded.level.bake, 2);
-  const Renderer renderer(loaded.level, loaded.textures, light);
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 2);
+  const Renderer renderer(loaded.scene(), loaded.textures, light);
   // The channel samples each pixel's light by itself, in double precision.
   EXPECT_LE(
       differing(renderer.draw(camera, LightMode::Only), renderer.draw(camera, Channel::Light)), 10);

@@ -25,12 +25,12 @@ class Lit {
       : loaded_(loadLevel(HEARTH_SOURCE_DIR "/" + path).loaded.value()) {
     BakeSettings settings = loaded_.level.bake;
     settings.texel = texel;
-    light_ = bake(loaded_.level, settings, 2);
+    light_ = bake(loaded_.scene(), settings, 2);
   }
 
   const Level& level() const { return loaded_.level; }
   Renderer renderer(DrawSettings settings = {}) const {
-    return {loaded_.level, loaded_.textures, light_, settings};
+    return {loaded_.scene(), loaded_.textures, light_, settings};
   }
 
  private:
@@ -177,8 +177,8 @@ TEST(MarkedOutlinesOfStacks, AreGreenBetweenTheirParts) {
           "[{'texture': '#808080'}, {'walls': [{'z': 1, 'texture': '#404040'}, "
           "{'texture': '#808080'}]}, {'texture': '#808080'}, {'texture': '#808080'}]") +
       "}}");
-  const BakedLight light = bake(loaded.level, loaded.level.bake, 1);
-  const Image image = Renderer(loaded.level, loaded.textures, light)
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
+  const Image image = Renderer(loaded.scene(), loaded.textures, light)
                           .draw({SectorId(0), {1, 2, 1.5}, 0, 0, 90, 200, 120}, Marks::Outlines);
   for (const int column : {40, 100, 160})
     EXPECT_TRUE(isNear(image, column, 77, kFlatPortalColor)) << column;
@@ -212,7 +212,9 @@ TEST(MarkedCoverage, SignalsPixelsThatNobodyDrawsOrSomeTwice) {
   ShownColumns<ShownTimes> shown(4);
   shown.here() = {{1}, {0}, {1}, {2}};
   std::array<Pixel, 4> column{lit, lit, lit, lit};
-  mark(Level{}, shown, column.data());
+  const Level level{};
+  const Geometry geometry{};
+  mark({level, geometry}, shown, column.data());
   constexpr Rgb kDimmed = {70, 35, 14};
   EXPECT_EQ(colorOf(column[0]), kDimmed);
   EXPECT_EQ(colorOf(column[1]), kHole);

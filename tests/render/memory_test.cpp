@@ -14,8 +14,8 @@ class FramesOfTheTutorial : public testing::Test {
  protected:
   FramesOfTheTutorial()
       : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
-        light_(bake(loaded_.level, loaded_.level.bake, 2)),
-        renderer_(loaded_.level, loaded_.textures, light_) {}
+        light_(bake(loaded_.scene(), loaded_.level.bake, 2)),
+        renderer_(loaded_.scene(), loaded_.textures, light_) {}
 
   static constexpr int kFramesPerTurn = 24;
 
@@ -61,9 +61,9 @@ TEST_F(FramesOfTheTutorial, areThoseOfANewScratch) {
 
 /// Of a renderer and its first frame, in the hall of this level.
 std::size_t bytesOfAFrame(const LoadedLevel& loaded) {
-  const BakedLight light = bake(loaded.level, loaded.level.bake, 1);
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
   const std::size_t before = test::allocatedBytes();
-  (void)Renderer(loaded.level, loaded.textures, light)
+  (void)Renderer(loaded.scene(), loaded.textures, light)
       .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, 320, 200}, LightMode::Both);
   return test::allocatedBytes() - before;
 }

@@ -53,9 +53,9 @@ std::vector<Image> texturesOf(const Level& level) {
 
 Image drawn(const LoadedLevel& loaded, double angle, double x, DrawSettings settings = {},
             LightMode mode = LightMode::None) {
-  const BakedLight light = bake(loaded.level, loaded.level.bake, 1);
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
   const SectorId sector(static_cast<std::size_t>(x / 4));
-  return Renderer(loaded.level, texturesOf(loaded.level), light, settings)
+  return Renderer(loaded.scene(), texturesOf(loaded.level), light, settings)
       .draw({sector, {x, 0.001, 2}, angle, 0, 90, kSize, kSize}, mode);
 }
 
@@ -104,8 +104,8 @@ TEST(MiddleTextures, haveHolesInPicturesOfLightToo) {
 
 TEST(MiddleTextures, areNoOverdraw) {
   const LoadedLevel loaded = rooms(kNearMiddle, kFarMiddle);
-  const BakedLight light = bake(loaded.level, loaded.level.bake, 1);
-  const Renderer renderer(loaded.level, texturesOf(loaded.level), light);
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
+  const Renderer renderer(loaded.scene(), texturesOf(loaded.level), light);
   const Camera camera{SectorId(0), {1, 0, 2}, 0, 0, 90, kSize, kSize};
   const Image overdraw = renderer.draw(camera, Channel::Overdraw);
   for (const Rgb pixel : overdraw.pixels()) ASSERT_EQ(pixel, (Rgb{0, 160, 0}));
@@ -115,10 +115,10 @@ TEST(MiddleTextures, areNoOverdraw) {
 
 TEST(MiddleTextures, areCountedAndCostNothingWhereThereAreNone) {
   const auto spansOf = [](const LoadedLevel& loaded) {
-    const BakedLight light = bake(loaded.level, loaded.level.bake, 1);
+    const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
     FrameScratch scratch;
     Image picture;
-    Renderer(loaded.level, texturesOf(loaded.level), light)
+    Renderer(loaded.scene(), texturesOf(loaded.level), light)
         .draw({SectorId(0), {1, 0, 2}, 0, 0, 90, kSize, kSize}, LightMode::None, scratch, picture);
     return scratch.found().maskedMiddleSpans;
   };

@@ -48,12 +48,12 @@ TEST(PixelRows, HaveThePixelsOfAnImageAndNoOthersAreWritten) {
   const LoadedLevel loaded = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
   BakeSettings coarse = loaded.level.bake;
   coarse.texel = 0.5;
-  const BakedLight light = bake(loaded.level, coarse, 2);
+  const BakedLight light = bake(loaded.scene(), coarse, 2);
   Camera camera = cameraOf(loaded.level.shots.front());
   for (const int pixelSize : {1, 3}) {
     DrawSettings settings;
     settings.pixelSize = pixelSize;
-    const Renderer renderer(loaded.level, loaded.textures, light, settings);
+    const Renderer renderer(loaded.scene(), loaded.textures, light, settings);
     for (const auto& [width, height] : {std::pair(64, 40), {67, 43}, {5, 3}}) {
       camera.width = width;
       camera.height = height;

@@ -20,8 +20,8 @@ class Room {
  public:
   explicit Room(std::string_view text)
       : loaded_(test::levelFrom(text)),
-        light_(bake(loaded_.level, loaded_.level.bake, 1)),
-        renderer_(loaded_.level, loaded_.textures, light_) {}
+        light_(bake(loaded_.scene(), loaded_.level.bake, 1)),
+        renderer_(loaded_.scene(), loaded_.textures, light_) {}
 
   Image look(Vec3 eye, double angle, double pitch = 0, LightMode mode = LightMode::None) const {
     return renderer_.draw({SectorId(0), eye, angle, pitch, 90, 320, 200}, mode);

@@ -49,10 +49,11 @@ bool isNear(const Image& image, int x, int y, Rgb color) {
 
 class Views : public testing::Test {
  protected:
-  Image draw(View view) const { return drawView(level, eastward(level), view); }
+  Image draw(View view) const { return drawView(scene, eastward(level), view); }
 
   LoadedLevel rooms = loaded("tests/levels/rooms.json");
   const Level& level = rooms.level;
+  const Scene scene = rooms.scene();
 };
 
 TEST_F(Views, TheMapHasSouthBelowAndTheWayOutInTheEast) {
@@ -118,11 +119,11 @@ TEST(ViewsOfAFarHorizon, AreFilledByWhatIsNear) {
   camera.width = 200;
   camera.height = 120;
   // 4 m in 120 pixels with 6 % margins are 26.4 pixels a metre about (2, 2).
-  const Image world = drawView(loaded.level, camera, View::World);
+  const Image world = drawView(loaded.scene(), camera, View::World);
   EXPECT_TRUE(isNear(world, 47, 60, kWall));
   EXPECT_TRUE(isNear(world, 153, 60, kWayOn));
   // The way out, 3 m ahead, is as far up as the picture has room: the eye's row is 108.
-  const Image turned = drawView(loaded.level, camera, View::Camera);
+  const Image turned = drawView(loaded.scene(), camera, View::Camera);
   EXPECT_TRUE(isNear(turned, 120, 6, kWayOn));
 }
 
@@ -152,7 +153,7 @@ TEST_F(Views, TheWireframeHasNothingBehindTheEye) {
   camera.eye.x = 7.999;  // before the last wall, which has no edges in this narrow view
   camera.sector = SectorId(1);
   camera.fov = 30;
-  EXPECT_EQ(count(drawView(level, camera, View::Wireframe), Rgb{}), 200 * 120);
+  EXPECT_EQ(count(drawView(scene, camera, View::Wireframe), Rgb{}), 200 * 120);
 }
 
 TEST_F(Views, ArePicturesOfTheCamerasSize) {
@@ -161,7 +162,7 @@ TEST_F(Views, ArePicturesOfTheCamerasSize) {
       Camera camera = eastward(level);
       camera.width = width;
       camera.height = height;
-      const Image image = drawView(level, camera, view);
+      const Image image = drawView(scene, camera, view);
       EXPECT_EQ(image.width(), width);
       EXPECT_EQ(image.height(), height);
     }
@@ -176,7 +177,7 @@ TEST_F(Views, TakeEveryFieldOfViewAndPlace) {
         camera.pitch = 60;
         camera.eye = eye;
         const Rgb background = view == View::Wireframe ? Rgb{} : Rgb{16, 18, 28};
-        EXPECT_GT(count(drawView(level, camera, view), background), 0);
+        EXPECT_GT(count(drawView(scene, camera, view), background), 0);
       }
 }
 

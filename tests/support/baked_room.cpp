@@ -13,7 +13,7 @@ BakedRoom::BakedRoom(std::string_view levelText, std::string_view lightsText, in
     : BakedRoom(levelFrom(levelText, lightsText), threads) {}
 
 BakedRoom::BakedRoom(LoadedLevel loaded, int threads)
-    : loaded_(std::move(loaded)), light_(bake(loaded_.level, loaded_.level.bake, threads)) {}
+    : loaded_(std::move(loaded)), light_(bake(loaded_.scene(), loaded_.level.bake, threads)) {}
 
 double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector, int channel) const {
   const std::optional<SurfaceId> id = surfaceAt(kind, p, sector);
@@ -26,14 +26,14 @@ double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector, int chan
 std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
                                               std::string_view sector) const {
   constexpr double kNear = 1e-6;
-  for (std::size_t i = 0; i < level().surfaces.size(); ++i) {
-    const Surface& surface = level().surfaces[i];
-    const auto& lit = light_.surfaces[i];
+  for (const SurfaceId id : scene().shownSurfaces()) {
+    const Surface& surface = level()[id];
+    const auto& lit = light_.surfaces[id.index()];
     if (surface.kind != kind || !lit || std::abs(lit->distanceInFront(p)) > kNear) continue;
     if (!sector.empty() && level()[surface.sector].name != sector) continue;
     const Vec2 texels = lit->grid.toTexels(p);
     if (lit->outline.contains(texels) || length(lit->outline.nearest(texels) - texels) < kNear)
-      return SurfaceId(i);
+      return id;
   }
   return std::nullopt;
 }

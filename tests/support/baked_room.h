@@ -15,6 +15,7 @@ class BakedRoom {
   explicit BakedRoom(LoadedLevel loaded, int threads = 2);
 
   const Level& level() const { return loaded_.level; }
+  Scene scene() const { return loaded_.scene(); }
   const BakedLight& light() const { return light_; }
 
   /// Baked levels on the surface of a kind that shows at `p`, as the renderer would show them;

@@ -66,7 +66,7 @@ int timesShown(const Image& image, const std::string& text) {
 
 TEST(Atlas, ShowsEveryTexelOfEveryLightmapAsOneSquare) {
   const LoadedLevel rooms = loaded("tests/levels/rooms.json");
-  const BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
+  const BakedLight light = bake(rooms.scene(), {.texel = 0.5}, 1);
   EXPECT_GT(light.stats.litSurfaces, 5U);
   const Image atlas = lightmapAtlas(rooms.level, light).value();
   EXPECT_GT(pixelsPerTexel(light, atlas), 4) << "a texel must be seen";
@@ -75,21 +75,21 @@ TEST(Atlas, ShowsEveryTexelOfEveryLightmapAsOneSquare) {
 
 TEST(Atlas, ShowsManyTexelsSmall) {
   const LoadedLevel rooms = loaded("tests/levels/rooms.json");
-  const BakedLight light = bake(rooms.level, {.texel = 0.01}, 2);
+  const BakedLight light = bake(rooms.scene(), {.texel = 0.01}, 2);
   EXPECT_EQ(pixelsPerTexel(light, lightmapAtlas(rooms.level, light).value()), 1);
 }
 
 TEST(Atlas, ShowsColoredLightInColor) {
   LoadedLevel rooms = loaded("tests/levels/rooms.json");
   rooms.level.lights[0].color[1] = 30;
-  const BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
+  const BakedLight light = bake(rooms.scene(), {.texel = 0.5}, 1);
   ASSERT_GT(light.stats.coloredSurfaces, 0U);
   EXPECT_GT(pixelsPerTexel(light, lightmapAtlas(rooms.level, light).value()), 0);
 }
 
 TEST(Atlas, LabelsEveryLightmap) {
   const LoadedLevel rooms = loaded("tests/levels/rooms.json");
-  const BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
+  const BakedLight light = bake(rooms.scene(), {.texel = 0.5}, 1);
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < light.lightmaps.size(); ++i)
     if (light.lightmaps[i])
@@ -113,7 +113,7 @@ TEST(Atlas, OfADarkLevelIsEmptyButStillAPicture) {
 
 TEST(Atlas, IsRefusedWhereItWouldBeTooLarge) {
   const LoadedLevel rooms = loaded("tests/levels/rooms.json");
-  BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
+  BakedLight light = bake(rooms.scene(), {.texel = 0.5}, 1);
   for (auto& map : light.lightmaps)
     if (map) map = Lightmap{{0, 0, 2, 20000}, std::vector<std::uint8_t>(40000)};
   const auto atlas = lightmapAtlas(rooms.level, light);
@@ -124,9 +124,8 @@ TEST(Atlas, IsRefusedWhereItWouldBeTooLarge) {
 
 TEST(AtlasLabel, NamesKindSectorLoopAndWall) {
   const LoadedLevel tutorial = loaded("levels/tutorial.json");
-  const Level& level = tutorial.level;
   std::map<std::vector<std::string>, int> labels;
-  for (std::size_t i = 0; i < level.surfaces.size(); ++i) ++labels[labelOf(level, SurfaceId(i))];
+  for (const SurfaceId id : tutorial.scene().shownSurfaces()) ++labels[labelOf(tutorial.level, id)];
   using Lines = std::vector<std::string>;
   EXPECT_EQ(labels.count(Lines{"floor", "hall"}), 1U);
   EXPECT_EQ(labels.count(Lines{"solid wall", "hall 0"}), 1U);
@@ -136,10 +135,10 @@ TEST(AtlasLabel, NamesKindSectorLoopAndWall) {
 TEST(AtlasLabel, CutsLongNamesButNotTheNumberOfTheWall) {
   LoadedLevel rooms = loaded("tests/levels/rooms.json");
   for (Sector& sector : rooms.level.sectors) sector.name = std::string(1000, 'm');
-  for (std::size_t i = 0; i < rooms.level.surfaces.size(); ++i) {
-    const std::string where = labelOf(rooms.level, SurfaceId(i)).at(1);
+  for (const SurfaceId id : rooms.scene().shownSurfaces()) {
+    const std::string where = labelOf(rooms.level, id).at(1);
     EXPECT_LT(where.size(), 40U);
-    if (const auto segment = rooms.level.surfaces[i].segment)
+    if (const auto segment = rooms.level[id].segment)
       EXPECT_TRUE(where.ends_with(".. " + std::to_string(rooms.level[*segment].wall))) << where;
     else
       EXPECT_TRUE(where.ends_with("..")) << where;

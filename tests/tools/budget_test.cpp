@@ -44,7 +44,7 @@ TEST(Budget, ofABakeIsSpentOnTheMostAccurateSettings) {
   for (const double factor : {0.1, 1.5, 3.0, 12.0, 100.0}) {
     // The coarse bake takes a second, the level's own 1 / coarse.
     const double budget = 1 + factor / coarse;
-    const FittingBake fitting = bakeFitting(level.level, own, budget, 2, clockOf(1));
+    const FittingBake fitting = bakeFitting(level.scene(), own, budget, 2, clockOf(1));
     EXPECT_LE(fitting.seconds, std::max(budget, 1.0)) << factor;
     EXPECT_LE(fitting.settings.texel, last) << factor;
     EXPECT_GT(fitting.rms, 0);
@@ -59,16 +59,16 @@ TEST(Budget, isNotSpentOnMoreTexelsThanThereCanBe) {
                       test::sectorText("a", "0,0, 90000,0, 90000,90000, 0,90000", 0, 3) + "}}");
   BakeSettings own;
   own.texel = 2;
-  ASSERT_TRUE(mistakeInSettings(field.level, measuredBakes().front().bake.of(own)));
-  const FittingBake fitting = bakeFitting(field.level, own, 1e9, 2, clockOf(1));
-  EXPECT_EQ(mistakeInSettings(field.level, fitting.settings), std::nullopt);
+  ASSERT_TRUE(mistakeInSettings(field.scene(), measuredBakes().front().bake.of(own)));
+  const FittingBake fitting = bakeFitting(field.scene(), own, 1e9, 2, clockOf(1));
+  EXPECT_EQ(mistakeInSettings(field.scene(), fitting.settings), std::nullopt);
   EXPECT_EQ(fitting.settings.texel, own.texel) << "half of it is too fine";
 }
 
 TEST(Budget, ofAFrameIsSpentOnTheMostAccurateSettings) {
   const LoadedLevel level = loaded("tests/levels/rooms.json");
-  const BakedLight light = bake(level.level, level.level.bake, 2);
-  const Renderer renderer(level.level, level.textures, light);
+  const BakedLight light = bake(level.scene(), level.level.bake, 2);
+  const Renderer renderer(level.scene(), level.textures, light);
   const Camera camera = cameraOf(level.level.shots.front());
   const auto fitting = [&](double milliseconds) {
     return frameFitting(renderer, camera, milliseconds, 1, clockOf(0.01));  // 10 ms a frame

@@ -235,8 +235,10 @@ TEST(Layout, ofALevelKeepsToTheLineAndMeansTheSame) {
     ASSERT_TRUE(before.loaded && after.loaded);
     const Level& a = before.loaded->level;
     const Level& b = after.loaded->level;
-    EXPECT_EQ(lightHash(a, a.bake), lightHash(b, b.bake));
-    EXPECT_EQ(planOf(a), planOf(b));
+    const Scene sceneA = before.loaded->scene();
+    const Scene sceneB = after.loaded->scene();
+    EXPECT_EQ(lightHash(sceneA, a.bake), lightHash(sceneB, b.bake));
+    EXPECT_EQ(planOf(sceneA), planOf(sceneB));
     EXPECT_EQ(a.textures, b.textures);
   }
   fs::remove_all(folder);

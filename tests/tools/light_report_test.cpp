@@ -27,7 +27,7 @@ LoadedLevel roomWithCorner(const std::string& lights) {
 }
 
 LightReport reportOf(const LoadedLevel& loaded, const BakeSettings& settings = {.texel = 0.5}) {
-  return lightReport(loaded.level, bake(loaded.level, settings, 2));
+  return lightReport(loaded.scene(), bake(loaded.scene(), settings, 2));
 }
 
 TEST(LightReport, SaysWhySurfacesHaveNoLightmap) {
@@ -75,10 +75,10 @@ TEST(LightReport, CountsLightsThatReachNothing) {
       "[{'x':2,'y':2,'z':1},{'x':2,'y':2,'z':1,'intensity':0},{'x':2,'y':2,'z':1,'color':'#000000'}"
       ","
       "{'x':2,'y':2,'z':1,'curve':[[0,0],[9,0]]},{'x':2,'y':2,'z':1,'curve':[[0,0],[1,9]]}]");
-  BakedLight light = bake(rooms.level, {.texel = 0.5}, 1);
-  EXPECT_EQ(lightReport(rooms.level, light).uselessLights, 3);
+  BakedLight light = bake(rooms.scene(), {.texel = 0.5}, 1);
+  EXPECT_EQ(lightReport(rooms.scene(), light).uselessLights, 3);
   light.lightCosts[0].seenSamples = 0;
-  EXPECT_EQ(lightReport(rooms.level, light).uselessLights, 4);
+  EXPECT_EQ(lightReport(rooms.scene(), light).uselessLights, 4);
 }
 
 TEST(LightReport, OfALevelWithoutLightsCostsNothing) {
@@ -90,11 +90,11 @@ TEST(LightReport, OfALevelWithoutLightsCostsNothing) {
 
 TEST(LightReport, AddsUpToTheStatisticsOfTheBake) {
   const LoadedLevel rooms = loaded("tests/levels/rooms.json");
-  const BakedLight light = bake(rooms.level, {.texel = 0.25}, 2);
-  const LightReport report = lightReport(rooms.level, light);
+  const BakedLight light = bake(rooms.scene(), {.texel = 0.25}, 2);
+  const LightReport report = lightReport(rooms.scene(), light);
   SurfaceReport sum;
   for (const SurfaceReport& kind : report.kinds) sum += kind;
-  EXPECT_EQ(sum.surfaces(), std::ssize(rooms.level.surfaces));
+  EXPECT_EQ(sum.surfaces(), std::ssize(rooms.scene().shownSurfaces()));
   EXPECT_EQ(sum.surfaces() - sum.bare, static_cast<std::int64_t>(light.stats.surfaces));
   EXPECT_EQ(sum.white + sum.colored, static_cast<std::int64_t>(light.stats.litSurfaces));
   EXPECT_EQ(sum.whiteTexels + sum.coloredTexels + sum.skippedTexels, light.stats.texels);

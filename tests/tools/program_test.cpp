@@ -40,11 +40,11 @@ TEST(FormatFeatures, NamesStandInTheOrderOfTheEnumeration) {
 
 TEST(FormatFeatures, SectorsOverlapOnlyWhereTheyShareAir) {
   FeatureCounts counts;
-  countGeometry(loaded("tests/levels/overlap.json").level, counts);
+  countGeometry(loaded("tests/levels/overlap.json").scene(), counts);
   // The two corridors, and the closet in one of them; the cellar only touches.
   EXPECT_EQ(counts[FormatFeature::OverlappingSectors], 2);
   FeatureCounts none;
-  countGeometry(loaded("tests/levels/rooms.json").level, none);
+  countGeometry(loaded("tests/levels/rooms.json").scene(), none);
   EXPECT_EQ(none[FormatFeature::OverlappingSectors], 0);
 }
 

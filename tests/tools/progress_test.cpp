@@ -140,7 +140,7 @@ TEST(ProgressDisplayThread, ShowsABakeWhileItRunsAndWipesTheLineAtItsEnd) {
                                   [&](std::string_view text) { terminal.write(text); });
     clock.now = 1002;
     terminal.waitFor("surfaces ...");
-    const BakedLight light = bake(rooms.level, {.texel = 0.5}, 4, &progress);
+    const BakedLight light = bake(rooms.scene(), {.texel = 0.5}, 4, &progress);
     terminal.waitFor("baking   100 %");
   }
   EXPECT_TRUE(terminal.written().ends_with(" \r")) << terminal.written();

@@ -41,19 +41,19 @@ double meets(const MeshTriangle& triangle, Vec3 origin, Vec3 direction) {
 class Comparison {
  public:
   /// `size` in metres.
-  Comparison(std::string name, double size, const Level& level)
-      : name_(std::move(name)), size_(size), level_(level), mesh_(meshOf(level)) {}
+  Comparison(std::string name, double size, const Scene& scene)
+      : name_(std::move(name)), size_(size), scene_(scene), mesh_(meshOf(scene)) {}
 
   const std::vector<MeshTriangle>& mesh() const { return mesh_; }
 
   void compare(const RaySource::Sample& sample, Counts& counts) const {
     const Vec3 origin = RaySource::asDouble(sample.ray.origin);
     const Vec3 direction = RaySource::asDouble(sample.ray.direction);
-    const auto hit = trace(level_, sample.sector, origin, direction, RayKind::Look);
+    const auto hit = trace(scene_.level(), sample.sector, origin, direction, RayKind::Look);
     ASSERT_TRUE(hit.has_value());
     ++counts.rays;
     ++counts.hits[static_cast<std::size_t>(hit->kind)];
-    const MeshTriangle* met = scene_.firstMet(sample.ray);
+    const MeshTriangle* met = embree_.firstMet(sample.ray);
     const double other = met ? meets(*met, origin, direction) : kNever;
     const double apart = std::abs(hit->t - other) * length(direction);
     if (met && isOn(*met, *hit) && apart <= kNear * size_) return;
@@ -66,7 +66,7 @@ class Comparison {
       ADD_FAILURE() << name_ << ": from " << origin.x << ' ' << origin.y << ' ' << origin.z
                     << " along " << direction.x << ' ' << direction.y << ' ' << direction.z
                     << ": truth " << name(hit->kind) << " at " << hit->t << ", Embree "
-                    << (met ? name(level_[met->surface].kind) : "nothing") << " at " << other
+                    << (met ? name(scene_[met->surface].kind) : "nothing") << " at " << other
                     << ", metres from their edges: " << toEdge;
   }
 
@@ -87,16 +87,16 @@ class Comparison {
   }
 
   bool isOn(const MeshTriangle& triangle, const TruthHit& hit) const {
-    const Surface& surface = level_[triangle.surface];
+    const Surface& surface = scene_[triangle.surface];
     return surface.kind == hit.kind && surface.sector == hit.sector &&
            surface.segment == hit.segment;
   }
 
   std::string name_;
   double size_;  ///< metres
-  const Level& level_;
+  Scene scene_;
   std::vector<MeshTriangle> mesh_;
-  EmbreeScene scene_{mesh_};
+  EmbreeScene embree_{mesh_};
 };
 
 void print(const Counts& counts) {
@@ -104,8 +104,8 @@ void print(const Counts& counts) {
               counts.rays, counts.disagreements, counts.nearEdges, counts.farthest);
 }
 
-std::vector<Scene> allScenes() {
-  std::vector<Scene> scenes;
+std::vector<TestScene> allScenes() {
+  std::vector<TestScene> scenes;
   scenes.push_back(yardScene());
   for (std::uint64_t seed = 1; seed <= 4; ++seed) scenes.push_back(storeysScene(seed));
   for (std::uint64_t seed = 1; seed <= 15; ++seed) scenes.push_back(gridScene(seed));
@@ -117,10 +117,10 @@ template <typename NextRay>
 Counts compareAll(int raysPerLevel, NextRay next) {
   Counts counts;
   std::uint64_t seed = 0;
-  for (Scene& made : allScenes()) {
-    const Level& level = made.level.finished();
-    const Comparison comparison(made.name, made.size, level);
-    RaySource source(level, ++seed);
+  for (TestScene& made : allScenes()) {
+    made.level.finished();
+    const Comparison comparison(made.name, made.size, made.level.scene());
+    RaySource source(made.level.scene(), ++seed);
     for (int i = 0; i < raysPerLevel; ++i)
       comparison.compare(next(source, comparison.mesh()), counts);
   }
@@ -168,8 +168,9 @@ TEST(TruthAgainstEmbree, RaysInRandomLevelsEndAtTheSamePlaces) {
     ASSERT_TRUE(result.loaded.has_value()) << random.name;
     Level level = result.loaded->level;
     level.holes.clear();  // Embree's triangles have none
-    const Comparison comparison(random.name, sizeOf(level), level);
-    RaySource source(level, seed);
+    const Scene scene(level, result.loaded->geometry);
+    const Comparison comparison(random.name, sizeOf(level), scene);
+    RaySource source(scene, seed);
     for (int i = 0; i < 1000; ++i) {
       comparison.compare(source.anywhere(), counts);
       comparison.compare(source.atAnEdgeOf(comparison.mesh()), counts);

@@ -15,7 +15,8 @@ namespace hearth {
 /// Rays from all over a level's air, of coordinates that both tracers take without rounding.
 class RaySource {
  public:
-  RaySource(const Level& level, std::uint64_t seed) : level_(level), random_(seed) {
+  RaySource(const Scene& scene, std::uint64_t seed) : scene_(scene), random_(seed) {
+    const Level& level = scene.level();
     for (std::size_t i = 0; i < level.sectors.size(); ++i)
       for (const auto& triangle : trianglesOf(level, level.sectors[i]))
         places_.push_back({SectorId(i), triangle});
@@ -63,7 +64,7 @@ class RaySource {
     for (;;) {
       const Place& place = places_[random_() % places_.size()];
       const Float3 origin = asFloat(pointAbove(place));
-      if (isWellInside(level_[place.sector], asDouble(origin))) return {place.sector, origin};
+      if (isWellInside(scene_[place.sector], asDouble(origin))) return {place.sector, origin};
     }
   }
 
@@ -76,23 +77,24 @@ class RaySource {
   Vec3 pointAbove(const Place& place) {
     const auto& [a, b, c] = place.triangle;
     const Vec2 xy = lerp(lerp(a, b, 0.5 + 0.5 * unit()), c, 0.5 + 0.5 * unit());
-    const Sector& sector = level_[place.sector];
-    return {xy.x, xy.y, std::lerp(sector.airBottom(xy), sector.airTop(xy), 0.5 + 0.5 * unit())};
+    const Sector& sector = scene_[place.sector];
+    return {xy.x, xy.y,
+            std::lerp(scene_.airBottom(sector, xy), scene_.airTop(sector, xy), 0.5 + 0.5 * unit())};
   }
 
   /// 1 mm from all walls and flats: more than single precision moves them.
   bool isWellInside(const Sector& sector, Vec3 p) const {
     constexpr double kClearance = 1e-3;
-    if (!contains(level_, sector, p, 0)) return false;
-    if (p.z - sector.airBottom(p.xy()) < kClearance) return false;
-    if (sector.airTop(p.xy()) - p.z < kClearance) return false;
-    for (const Segment& segment : level_.segmentsOf(sector))
+    if (!contains(scene_, sector, p, 0)) return false;
+    if (p.z - scene_.airBottom(sector, p.xy()) < kClearance) return false;
+    if (scene_.airTop(sector, p.xy()) - p.z < kClearance) return false;
+    for (const Segment& segment : scene_.segmentsOf(sector))
       if (length(nearestOnSegment(segment.p0, segment.p1, p.xy()) - p.xy()) < kClearance)
         return false;
     return true;
   }
 
-  const Level& level_;
+  Scene scene_;
   std::mt19937_64 random_;
   std::vector<Place> places_;
 };

@@ -75,20 +75,19 @@ void makeStack(TestLevel& level, SectorId id, Random& random) {
   const std::size_t index = random.below(4);
   const Portal* portal = std::get_if<Portal>(&level.wall(id, index).kind);
   if (!portal) return;
-  const double floor = level.sector(id).floor.z;
-  const double height = level.sector(id).ceiling.z - floor;
+  const double height = level.sector(id).ceiling.z - level.sector(id).floor.z;
   Stack stack;
-  stack.subWalls = {{floor + 0.2 * height, Solid{*portal->lower}},
-                    {floor + 0.7 * height, *portal},
-                    {floor + height, Solid{*portal->upper}}};
+  stack.subWalls = {{0.2 * height, Solid{*portal->lower}},
+                    {0.7 * height, *portal},
+                    {height, Solid{*portal->upper}}};
   if (random.chance(0.5)) stack.subWalls.erase(stack.subWalls.begin());
   level.wall(id, index).kind = stack;
 }
 
 }  // namespace
 
-Scene yardScene() {
-  Scene made{"yard", 20, {}};
+TestScene yardScene() {
+  TestScene made{"yard", 20, {}};
   TestLevel& level = made.level;
   const SectorId yard = level.addBox("yard", {0, 0}, {10, 12}, {0, 5});
   level.addLoop(yard, {{2, 2}, {2, 3}, {3, 3.5}, {3, 2}});          // a pillar
@@ -118,8 +117,8 @@ Scene yardScene() {
   return made;
 }
 
-Scene storeysScene(std::uint64_t seed) {
-  Scene made{"storeys " + std::to_string(seed), 30, {}};
+TestScene storeysScene(std::uint64_t seed) {
+  TestScene made{"storeys " + std::to_string(seed), 30, {}};
   Random random(seed);
   const CrookedGrid lowerGrid(4, made.size, random);
   const CrookedGrid upperGrid(3, made.size, random);
@@ -136,10 +135,10 @@ Scene storeysScene(std::uint64_t seed) {
   return made;
 }
 
-Scene gridScene(std::uint64_t seed) {
+TestScene gridScene(std::uint64_t seed) {
   Random random(seed);
   const double size = random.between(10, 100);
-  Scene made{"grid " + std::to_string(seed), size, {}};
+  TestScene made{"grid " + std::to_string(seed), size, {}};
   const CrookedGrid grid(6, size, random);
   const double floors[] = {0, 0, 0.5, 1};
   const double ceilings[] = {2, 3, 3, 4};

@@ -8,7 +8,7 @@
 namespace hearth {
 
 /// Levels that nowhere overlap themselves in space, at most 100 m wide.
-struct Scene {
+struct TestScene {
   std::string name;
   double size = 0;  ///< metres, of its longest side
   TestLevel level;
@@ -16,12 +16,12 @@ struct Scene {
 
 /// A yard and its neighbours: skies of two heights, steps, a closed door, pillars, a pool, slopes,
 /// a wall of three pieces.
-Scene yardScene();
+TestScene yardScene();
 
 /// Two storeys cut differently, joined by flat portals all over.
-Scene storeysScene(std::uint64_t seed);
+TestScene storeysScene(std::uint64_t seed);
 
 /// A grid of crooked cells with heights, slopes, skies and stacks at random.
-Scene gridScene(std::uint64_t seed);
+TestScene gridScene(std::uint64_t seed);
 
 }  // namespace hearth

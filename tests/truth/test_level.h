@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -48,10 +48,13 @@ class TestLevel {
   /// before the next one's.
   const Level& finished();
   const Level& level() const { return level_; }
+  /// Once finished.
+  Scene scene() const { return {level_, geometry_}; }
   const std::vector<Image>& textures() const { return textures_; }
 
  private:
   Level level_;
+  Geometry geometry_;
   std::vector<Image> textures_;
 };
 

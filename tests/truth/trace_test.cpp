@@ -285,8 +285,8 @@ TEST(Trace, SlopesThatContinueEachOtherShowNoSidewall) {
   const Level& level = rooms.level.finished();
   for (double y = 0.01; y < 4; y += 0.01) {
     // To the seam, between the two slopes.
-    const double zFloor = level[rooms.west].airBottom({4, y}) + 1e-10;
-    const double zCeiling = level[rooms.west].airTop({4, y}) - 1e-10;
+    const double zFloor = level[rooms.west].authoredBottom({4, y}) + 1e-10;
+    const double zCeiling = level[rooms.west].authoredTop({4, y}) - 1e-10;
     const TruthHit floor = look(level, rooms.west, {3, y, 2}, {1, 0, zFloor - 2});
     ASSERT_EQ(floor.kind, SurfaceKind::SlopeFloor);
     ASSERT_NEAR(floor.point.x, 4, 1e-8);

@@ -278,12 +278,12 @@ TEST(TruthLight, ALightAtTheEyeLightsAllThatTheEyeSees) {
   std::uniform_real_distribution<double> unit(-1, 1);
   int seen = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Scene scene = gridScene(seed);
+    TestScene scene = gridScene(seed);
     const SectorId sector{random() % 36};
     const Sector& outline = scene.level.finished()[sector];
     const Vec2 middle = 0.5 * (outline.boxMin + outline.boxMax);
-    const double bottom = outline.airBottom(middle);
-    const double top = outline.airTop(middle);
+    const double bottom = outline.authoredBottom(middle);
+    const double top = outline.authoredTop(middle);
     if (top - bottom < 0.1) continue;
     const Vec3 eye{middle.x, middle.y, std::lerp(bottom, top, 0.4)};
     scene.level.addLight(sector, eye, 1);

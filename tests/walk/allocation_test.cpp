@@ -30,15 +30,15 @@ namespace {
 
 TEST(Walker, TakesNoMemoryFromTheHeap) {
   const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
-  const Level& level = result.loaded->level;
-  const Player& player = *level.player;
-  Walker walker = walkerAt(level, player.sector, player.eye, player.angle, 0);
+  const Scene scene = result.loaded->scene();
+  const Player& player = *scene.level().player;
+  Walker walker = walkerAt(scene, player.sector, player.eye, player.angle, 0);
   const long before = allocations;
   for (int tick = 0; tick < 64 * 60; ++tick) {
     WalkInput input{.forward = 127, .turn = tick % 512 - 200, .run = true};
     input.toggleFlight = tick % 1000 == 500;
-    const Walker next = walked(level, walker, input);
-    (void)eyeBetween(level, walker, next, 0.5);
+    const Walker next = walked(scene, walker, input);
+    (void)eyeBetween(scene, walker, next, 0.5);
     walker = next;
   }
   EXPECT_EQ(allocations - before, 0);

@@ -25,17 +25,17 @@ struct Heights {
 };
 
 /// Of the eye above where it would be, in metres, over three seconds after one of speeding up.
-Heights liftsOf(const Level& level, const WalkInput& input, double fraction) {
-  Walker walker = standing(level, "hall", {1, 2, 0});
+Heights liftsOf(const Scene& scene, const WalkInput& input, double fraction) {
+  Walker walker = standing(scene, "hall", {1, 2, 0});
   Gait gait;
   Heights lifts;
   for (int tick = 0; tick < 4 * kTicksPerSecond; ++tick) {
     const Walker before = walker;
-    walker = walked(level, walker, input);
+    walker = walked(scene, walker, input);
     gait = walkedOn(gait, before, walker);
-    const Eye eye = eyeOf(level, walker);
-    const Eye moved = bobbed(level, eye, gait, fraction);
-    EXPECT_TRUE(contains(level, level[moved.sector], moved.point, kPositionSlack));
+    const Eye eye = eyeOf(scene, walker);
+    const Eye moved = bobbed(scene, eye, gait, fraction);
+    EXPECT_TRUE(contains(scene, scene[moved.sector], moved.point, kPositionSlack));
     EXPECT_EQ(moved.point.xy(), eye.point.xy());
     lifts.last = moved.point.z - eye.point.z;
     if (tick < kTicksPerSecond) continue;
@@ -47,24 +47,24 @@ Heights liftsOf(const Level& level, const WalkInput& input, double fraction) {
 
 TEST(Bob, LiftsTheEyeAsTheWalkerIsFast) {
   const LoadedLevel loaded = hall(4);
-  const Heights running = liftsOf(loaded.level, kRun, 1);
+  const Heights running = liftsOf(loaded.scene(), kRun, 1);
   EXPECT_NEAR(running.highest, 0.064, 0.002);
   EXPECT_NEAR(running.lowest, -0.064, 0.002);
-  EXPECT_NEAR(liftsOf(loaded.level, kForward, 1).highest, 0.032, 0.001);
-  EXPECT_NEAR(liftsOf(loaded.level, kRun, 0.25).highest, 0.016, 0.001);
+  EXPECT_NEAR(liftsOf(loaded.scene(), kForward, 1).highest, 0.032, 0.001);
+  EXPECT_NEAR(liftsOf(loaded.scene(), kRun, 0.25).highest, 0.016, 0.001);
 }
 
 TEST(Bob, IsNothingAtRestAndInFlight) {
   const LoadedLevel loaded = hall(4);
-  EXPECT_EQ(liftsOf(loaded.level, {}, 1).highest, 0);
+  EXPECT_EQ(liftsOf(loaded.scene(), {}, 1).highest, 0);
   WalkInput fly = kRun;
   fly.up = kFullSpeed;
-  Walker walker = standing(loaded.level, "hall", {1, 2, 0});
+  Walker walker = standing(loaded.scene(), "hall", {1, 2, 0});
   walker.isFlying = true;
   Gait gait;
   for (int tick = 0; tick < 64; ++tick) {
     const Walker before = walker;
-    walker = walked(loaded.level, walker, fly);
+    walker = walked(loaded.scene(), walker, fly);
     gait = walkedOn(gait, before, walker);
   }
   EXPECT_LT(gait.swing, 0.01);
@@ -73,7 +73,7 @@ TEST(Bob, IsNothingAtRestAndInFlight) {
 TEST(Bob, ComesToRestWithTheWalker) {
   const LoadedLevel loaded = hall(4);
   Gait gait{1.3, 1};
-  const Walker walker = standing(loaded.level, "hall", {1, 2, 0});
+  const Walker walker = standing(loaded.scene(), "hall", {1, 2, 0});
   for (int tick = 0; tick < kTicksPerSecond; ++tick) gait = walkedOn(gait, walker, walker);
   EXPECT_EQ(gait.stride, 1.3);
   EXPECT_LT(gait.swing, 0.001);
@@ -81,7 +81,7 @@ TEST(Bob, ComesToRestWithTheWalker) {
 
 TEST(Bob, StaysBelowTheCeiling) {
   const LoadedLevel loaded = hall(1.8, "'player':{'x':1,'y':2,'z':1.8,'height':1.8,'eye':1.8},");
-  const Heights lifts = liftsOf(loaded.level, kRun, 1);
+  const Heights lifts = liftsOf(loaded.scene(), kRun, 1);
   EXPECT_LT(lifts.highest, 1e-5);
   EXPECT_LT(lifts.lowest, -0.06);
 }

@@ -37,8 +37,8 @@ constexpr std::array<Player, 5> kBodies{{
     {{}, {}, 0, 0.0018, 0.0016, 0.0003, 0.0004},
 }};
 
-bool isIn(const Level& level, SectorId sector, Vec3 p) {
-  return contains(level, level[sector], p, kPositionSlack);
+bool isIn(const Scene& scene, SectorId sector, Vec3 p) {
+  return contains(scene, scene[sector], p, kPositionSlack);
 }
 
 /// Inputs that last, as a player's do: now and then some of them change.
@@ -58,8 +58,8 @@ WalkInput changed(WalkInput input, Random& random) {
 
 class Walk {
  public:
-  Walk(const Level& level, const Solids& solids, const Walker& start, std::uint64_t seed, int lines)
-      : level_(level),
+  Walk(const Scene& scene, const Solids& solids, const Walker& start, std::uint64_t seed, int lines)
+      : scene_(scene),
         solids_(solids),
         walker_(start),
         inputs_(seed),
@@ -72,14 +72,14 @@ class Walk {
     for (int tick = 0; tick < ticks && report_.failures == 0; ++tick) {
       input = changed(input, inputs_);
       const Walker before = walker_;
-      walker_ = walked(level_, before, input);
+      walker_ = walked(scene_, before, input);
       check(before, input);
       if (report_.failures > 0)
         report_.first = fmt::format(
             "{} in tick {}: {} {:.17g},{:.17g},{:.17g} from {} {:.17g},{:.17g},{:.17g} speed "
             "{:.4g},{:.4g},{:.4g} angle {:.17g} crouch {} flying {} ground {}",
-            fault_, tick, level_[walker_.sector].name, walker_.feet.x, walker_.feet.y,
-            walker_.feet.z, level_[before.sector].name, before.feet.x, before.feet.y, before.feet.z,
+            fault_, tick, scene_[walker_.sector].name, walker_.feet.x, walker_.feet.y,
+            walker_.feet.z, scene_[before.sector].name, before.feet.x, before.feet.y, before.feet.z,
             before.velocity.x, before.velocity.y, before.velocity.z, before.angle, before.crouch,
             before.isFlying, before.isOnGround);
     }
@@ -97,11 +97,11 @@ class Walk {
 
   void check(const Walker& before, const WalkInput& input) {
     count(before);
-    expect(isIn(level_, walker_.sector, walker_.feet), "the sector does not contain the feet");
-    const Eye eye = eyeOf(level_, walker_);
-    expect(isIn(level_, eye.sector, eye.point), "the sector does not contain the eye");
-    const Eye between = eyeBetween(level_, before, walker_, checks_.unit());
-    expect(isIn(level_, between.sector, between.point), "an eye between ticks is nowhere");
+    expect(isIn(scene_, walker_.sector, walker_.feet), "the sector does not contain the feet");
+    const Eye eye = eyeOf(scene_, walker_);
+    expect(isIn(scene_, eye.sector, eye.point), "the sector does not contain the eye");
+    const Eye between = eyeBetween(scene_, before, walker_, checks_.unit());
+    expect(isIn(scene_, between.sector, between.point), "an eye between ticks is nowhere");
     expectPhysics(before, input);
     expectFree();
   }
@@ -112,8 +112,8 @@ class Walk {
     report_.inFlight += walker_.isFlying;
     if (walker_.sector == before.sector) return;
     ++report_.crossings;
-    const Sector& from = level_[before.sector];
-    const Sector& to = level_[walker_.sector];
+    const Sector& from = scene_[before.sector];
+    const Sector& to = scene_[walker_.sector];
     report_.throughFlats +=
         (from.floor.flatPortal && from.floor.flatPortal == to.ceiling.flatPortal) ||
         (from.ceiling.flatPortal && from.ceiling.flatPortal == to.floor.flatPortal);
@@ -122,7 +122,7 @@ class Walk {
   /// No farther than the greater of the speeds before and wanted takes the walker, plus what
   /// steps and slopes lift or lower it by.
   void expectPhysics(const Walker& before, const WalkInput& input) {
-    const Body body = bodyOf(level_, walker_.crouch);
+    const Body body = bodyOf(scene_.level(), walker_.crouch);
     const double wanted = walker_.isFlying ? (input.run ? 10 : 5) : (input.run ? 5 : 2.5);
     const double speed = std::max(length(before.velocity.xy()), wanted);
     const Vec3 moved = walker_.feet - before.feet;
@@ -138,7 +138,7 @@ class Walk {
 
   /// A few lines out of the axis, at the feet, the head and between.
   void expectFree() {
-    const Body body = bodyOf(level_, walker_.crouch);
+    const Body body = bodyOf(scene_.level(), walker_.crouch);
     const bool isHeld = !solids_.isBesideOneWay(walker_.feet.xy(), body.radius);
     isClear_ = isHeld && (isClear_ || solids_.isFree(walker_.sector, walker_.feet, body, 90));
     if (!isClear_) {
@@ -150,7 +150,7 @@ class Walk {
       const double z = walker_.feet.z + kEdgeInset + fraction * (body.height - 2 * kEdgeInset);
       const Vec3 axis{walker_.feet.x, walker_.feet.y, z};
       const SectorId sector = solids_.inColumn(walker_.sector, axis);
-      expect(isIn(level_, sector, axis), "the axis is in solid");
+      expect(isIn(scene_, sector, axis), "the axis is in solid");
       const SinCos turn = sinCosDegrees(checks_.real(0, 360));
       const double free = solids_.freeAlong(sector, axis, {turn.cos, turn.sin}, body.radius);
       if (free < body.radius - kEdgeInset)
@@ -160,7 +160,7 @@ class Walk {
     }
   }
 
-  const Level& level_;
+  Scene scene_;
   const Solids& solids_;
   Walker walker_;
   Random inputs_;
@@ -181,20 +181,21 @@ Report failed(std::string why) { return {.failures = 1, .first = std::move(why)}
 
 }  // namespace
 
-std::optional<Level> loadRandom(const RandomLevel& random, const std::filesystem::path& folder) {
+std::optional<LoadedLevel> loadRandom(const RandomLevel& random,
+                                      const std::filesystem::path& folder) {
   if (!writeRandomLevel(folder, random)) return std::nullopt;
   LoadResult result = loadLevel(folder / (random.name + ".json"));
   std::filesystem::remove(folder / (random.name + ".json"));
   std::filesystem::remove(folder / (random.name + ".lights.json"));
   if (!result.loaded) return std::nullopt;
-  return std::move(result.loaded->level);
+  return std::move(result.loaded);
 }
 
-std::optional<Walker> standIn(const Level& level, const Solids& solids, const RandomView& view) {
-  const auto sector = sectorNamed(level, view.sector);
-  if (!sector || !isIn(level, *sector, {view.x, view.y, view.z})) return std::nullopt;
-  const Walker walker = walkerAt(level, *sector, {view.x, view.y, view.z}, view.angle, 0);
-  const Body body = bodyOf(level, walker.crouch);
+std::optional<Walker> standIn(const Scene& scene, const Solids& solids, const RandomView& view) {
+  const auto sector = sectorNamed(scene.level(), view.sector);
+  if (!sector || !isIn(scene, *sector, {view.x, view.y, view.z})) return std::nullopt;
+  const Walker walker = walkerAt(scene, *sector, {view.x, view.y, view.z}, view.angle, 0);
+  const Body body = bodyOf(scene.level(), walker.crouch);
   if (!solids.isFree(walker.sector, walker.feet, body, 720)) return std::nullopt;
   return walker;
 }
@@ -216,22 +217,22 @@ Report& Report::operator+=(const Report& other) {
 Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
                        int ticks, int lines) {
   const RandomLevel random = makeRandomLevel(seed);
-  std::optional<Level> loaded = loadRandom(random, folder);
+  std::optional<LoadedLevel> loaded = loadRandom(random, folder);
   if (!loaded) return failed(fmt::format("seed {} does not load", seed));
-  Level& level = *loaded;
-  const Solids solids(level);
+  const Scene scene = loaded->scene();
+  const Solids solids(scene);
   Random choices(seed);
   Report report;
   for (int i = 0; i < walks; ++i) {
-    level.player = kBodies[static_cast<std::size_t>(i) % kBodies.size()];
+    loaded->level.player = kBodies[static_cast<std::size_t>(i) % kBodies.size()];
     std::optional<Walker> start;
     for (int attempt = 0; !start && attempt < 8; ++attempt)
-      start = standIn(level, solids, choices.pickFrom(random.views));
+      start = standIn(scene, solids, choices.pickFrom(random.views));
     if (!start) {
       ++report.stuck;
       continue;
     }
-    Report one = Walk(level, solids, *start, choices.next(), lines).run(ticks);
+    Report one = Walk(scene, solids, *start, choices.next(), lines).run(ticks);
     if (!one.first.empty()) one.first = fmt::format("seed {} walk {}: {}", seed, i, one.first);
     report += one;
   }

@@ -10,17 +10,16 @@
 namespace hearth {
 namespace {
 
-Level tutorial() {
-  LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
-  return result.loaded->level;
+LoadedLevel tutorial() {
+  return loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
 }
 
 /// A walk that asks for everything now and then.
-Recording someWalk(const Level& level) {
-  const Player& player = *level.player;
+Recording someWalk(const Scene& scene) {
+  const Player& player = *scene.level().player;
   Recording recording;
-  recording.start = {level[player.sector].name, player.eye, player.angle, 0};
-  Walker walker = *startOf(level, recording.start);
+  recording.start = {scene[player.sector].name, player.eye, player.angle, 0};
+  Walker walker = *startOf(scene, recording.start);
   std::mt19937 random(4);
   WalkInput input;
   for (int i = 0; i < 20000; ++i) {
@@ -36,9 +35,9 @@ Recording someWalk(const Level& level) {
       input.crouch = random() % 8 == 0;
     }
     recording.inputs.push_back(input);
-    walker = walked(level, walker, input);
+    walker = walked(scene, walker, input);
   }
-  recording.end = recordedState(level, walker);
+  recording.end = recordedState(scene, walker);
   return recording;
 }
 
@@ -49,19 +48,20 @@ std::string errorOf(const std::string& text) {
 
 class Recordings : public testing::Test {
  protected:
-  const Level level = tutorial();
+  const LoadedLevel loaded = tutorial();
+  const Scene scene = loaded.scene();
   const std::string start = "hearth-walk 1\nstart 1p+0 1p+0 1p+0 0p+0 0p+0 yard\n";
   const std::string end = "end 0p+0 0p+0 0p+0 0p+0 0p+0 0p+0 0p+0 0p+0 0p+0 g yard\n";
 };
 
 TEST_F(Recordings, ComeBackFromTextToTheBit) {
-  const Recording recording = someWalk(level);
+  const Recording recording = someWalk(scene);
   const auto read = readRecording(writeRecording(recording));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(*read, recording);
-  Walker walker = *startOf(level, read->start);
-  for (const WalkInput& input : read->inputs) walker = walked(level, walker, input);
-  EXPECT_EQ(recordedState(level, walker), read->end);
+  Walker walker = *startOf(scene, read->start);
+  for (const WalkInput& input : read->inputs) walker = walked(scene, walker, input);
+  EXPECT_EQ(recordedState(scene, walker), read->end);
 }
 
 TEST_F(Recordings, KeepNamesOfAnyKind) {
@@ -98,13 +98,13 @@ TEST_F(Recordings, AreRefusedBeforeTheyFillTheMemory) {
 }
 
 TEST_F(Recordings, SayWhatOfThemTheLevelDoesNotHave) {
-  EXPECT_FALSE(startOf(level, {"nowhere", {0, 0, 0}, 0, 0}));
-  EXPECT_FALSE(startOf(level, {"yard", {1000, 0, 0}, 0, 0}));
+  EXPECT_FALSE(startOf(scene, {"nowhere", {0, 0, 0}, 0, 0}));
+  EXPECT_FALSE(startOf(scene, {"yard", {1000, 0, 0}, 0, 0}));
 }
 
 /// The same bits in every build: where twenty thousand ticks of everything end.
 TEST_F(Recordings, EndAtTheSameBitsInEveryBuild) {
-  const std::string text = writeRecording(someWalk(level));
+  const std::string text = writeRecording(someWalk(scene));
   EXPECT_EQ(text.substr(text.rfind("end")),
             "end -1.1611660da3dbep+0 1.de7c6c53e4584p+1 -1.6666666666666p+1 1.aec6b42f0b9ap-2 "
             "-1.18e2f6771635ep+1 0p+0 1.06efdf3b645ep+8 -1.97e76c8b4391cp+5 0p+0 g cellar\n");

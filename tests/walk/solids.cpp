@@ -46,7 +46,8 @@ Exit exitOf(const Level& level, const Sector& sector, Vec2 eye, Vec2 direction, 
 }
 
 /// How far of [from, to] along the line is between the sector's floor and ceiling.
-double inAir(const Sector& sector, Vec3 eye, Vec2 direction, double from, double to) {
+double inAir(const Scene& scene, const Sector& sector, Vec3 eye, Vec2 direction, double from,
+             double to) {
   double last = to;
   const auto cut = [&](double clearFrom, double clearTo) {
     if (clearTo >= -kEdgeInset) return;
@@ -57,8 +58,8 @@ double inAir(const Sector& sector, Vec3 eye, Vec2 direction, double from, double
   };
   const Vec2 a = eye.xy() + from * direction;
   const Vec2 b = eye.xy() + to * direction;
-  cut(eye.z - sector.airBottom(a), eye.z - sector.airBottom(b));
-  cut(sector.airTop(a) - eye.z, sector.airTop(b) - eye.z);
+  cut(eye.z - scene.airBottom(sector, a), eye.z - scene.airBottom(sector, b));
+  cut(scene.airTop(sector, a) - eye.z, scene.airTop(sector, b) - eye.z);
   return last;
 }
 
@@ -98,7 +99,7 @@ std::vector<Vec2> placesBeside(Vec2 p, const std::vector<const Segment*>& walls,
 
 /// Heights of a body on `zFeet`: five even ones, and the middle of what it is beside of every piece
 /// of these walls, which may all lie between two of the five.
-std::vector<double> heightsOf(const Body& body, double zFeet,
+std::vector<double> heightsOf(const Scene& scene, const Body& body, double zFeet,
                               const std::vector<const Segment*>& walls) {
   const double zLow = zFeet + kEdgeInset;
   const double zHigh = zFeet + body.height - kEdgeInset;
@@ -106,7 +107,7 @@ std::vector<double> heightsOf(const Body& body, double zFeet,
   for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0})
     heights.push_back(std::lerp(zLow, zHigh, fraction));
   for (const Segment* wall : walls)
-    for (const WallPiece& piece : wall->pieces) {
+    for (const WallPiece& piece : scene.piecesOf(*wall)) {
       const double zBottom = std::max(zLow, piece.zBottom);
       const double zTop = std::min(zHigh, piece.zTop);
       if (zBottom < zTop) heights.push_back(std::midpoint(zBottom, zTop));
@@ -119,35 +120,35 @@ std::vector<double> heightsOf(const Body& body, double zFeet,
 
 }  // namespace
 
-Solids::Solids(const Level& level) : level_(level) {
+Solids::Solids(const Scene& scene) : scene_(scene) {
   const auto opens = [&](const Segment& back, SectorId next, const WallPiece& piece) {
-    return std::ranges::any_of(back.pieces, [&](const WallPiece& other) {
+    return std::ranges::any_of(scene.piecesOf(back), [&](const WallPiece& other) {
       const Opening* opening = std::get_if<Opening>(&other.content);
       return opening && opening->next == next &&
              std::abs(other.zBottom - piece.zBottom) < kEdgeInset &&
              std::abs(other.zTop - piece.zTop) < kEdgeInset;
     });
   };
-  for (const Segment& segment : level.segments)
-    for (const WallPiece& piece : segment.pieces)
+  for (const Segment& segment : scene.level().segments)
+    for (const WallPiece& piece : scene.piecesOf(segment))
       if (const Opening* opening = std::get_if<Opening>(&piece.content))
-        if (!opens(level[opening->twin], segment.sector, piece)) oneWays_.push_back(opening->twin);
+        if (!opens(scene[opening->twin], segment.sector, piece)) oneWays_.push_back(opening->twin);
 }
 
 Solids::Line Solids::follow(SectorId sector, Vec3 from, Vec2 direction, double length) const {
   // From a vertex or a wall itself nobody could say which sector the line is in.
-  from = nudgedInside(level_, level_[sector], from);
+  from = nudgedInside(scene_, scene_[sector], from);
   double free = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Exit exit = exitOf(level_, level_[sector], from.xy(), direction, free);
+    const Exit exit = exitOf(scene_.level(), scene_[sector], from.xy(), direction, free);
     const double to = std::min(exit.distance, length);
-    const double air = inAir(level_[sector], from, direction, free, to);
+    const double air = inAir(scene_, scene_[sector], from, direction, free, to);
     if (air < to) return {air, sector};
     free = std::max(free, to);
     if (exit.distance >= length) return {length, sector};
     std::optional<SectorId> next;
     visitWallColumn(
-        level_, level_[exit.segment], exit.fraction, [](SurfaceId, double, double) {},
+        scene_, scene_[exit.segment], exit.fraction, [](SurfaceId, double, double) {},
         [&](const Opening& opening, double zBottom, double zTop) {
           if (from.z >= zBottom - kEdgeInset && from.z <= zTop + kEdgeInset) next = opening.next;
         });
@@ -163,7 +164,7 @@ double Solids::freeAlong(SectorId sector, Vec3 from, Vec2 direction, double leng
 
 std::optional<SectorId> Solids::sectorAlong(SectorId sector, Vec3 from, Vec3 to) const {
   const SectorId at = inColumn(sector, from);
-  if (!contains(level_, level_[at], from, kPositionSlack)) return std::nullopt;
+  if (!contains(scene_, scene_[at], from, kPositionSlack)) return std::nullopt;
   const Vec2 toThere = to.xy() - from.xy();
   const Line line = follow(at, from, (1 / length(toThere)) * toThere, length(toThere));
   return line.free < length(toThere) ? std::nullopt : std::optional(line.end);
@@ -171,17 +172,17 @@ std::optional<SectorId> Solids::sectorAlong(SectorId sector, Vec3 from, Vec3 to)
 
 bool Solids::isBesideOneWay(Vec2 p, double radius) const {
   return std::ranges::any_of(oneWays_, [&](SegmentId id) {
-    return length(nearestOnSegment(level_[id].p0, level_[id].p1, p) - p) < radius;
+    return length(nearestOnSegment(scene_[id].p0, scene_[id].p1, p) - p) < radius;
   });
 }
 
 SectorId Solids::inColumn(SectorId sector, Vec3 p) const {
   for (int i = 0; i < 1000; ++i) {
-    const Sector& here = level_[sector];
+    const Sector& here = scene_[sector];
     if (here.floor.flatPortal && p.z < here.floor.z)
-      sector = across(level_, level_[*here.floor.flatPortal], Side::Lower, p.xy());
+      sector = across(scene_.level(), scene_[*here.floor.flatPortal], Side::Lower, p.xy());
     else if (here.ceiling.flatPortal && p.z > here.ceiling.z)
-      sector = across(level_, level_[*here.ceiling.flatPortal], Side::Upper, p.xy());
+      sector = across(scene_.level(), scene_[*here.ceiling.flatPortal], Side::Upper, p.xy());
     else
       break;
   }
@@ -190,7 +191,7 @@ SectorId Solids::inColumn(SectorId sector, Vec3 p) const {
 
 std::vector<const Segment*> Solids::wallsWithin(Vec2 p, double radius) const {
   std::vector<const Segment*> walls;
-  for (const Segment& segment : level_.segments)
+  for (const Segment& segment : scene_.level().segments)
     if (length(nearestOnSegment(segment.p0, segment.p1, p) - p) < radius) walls.push_back(&segment);
   return walls;
 }
@@ -200,10 +201,10 @@ bool Solids::isFree(SectorId sector, Vec3 feet, const Body& body, int directions
   const std::vector<const Segment*> walls = wallsWithin(p, body.radius);
   const std::vector<Vec2> lines = linesFrom(p, walls, body.radius, directions);
   const double aside = body.radius * kAsideFraction;
-  for (const double z : heightsOf(body, feet.z, walls)) {
+  for (const double z : heightsOf(scene_, body, feet.z, walls)) {
     const Vec3 axis{p.x, p.y, z};
     const SectorId at = inColumn(sector, axis);
-    if (!contains(level_, level_[at], axis, kPositionSlack)) return false;
+    if (!contains(scene_, scene_[at], axis, kPositionSlack)) return false;
     const auto isFreeAlong = [&](SectorId from, Vec3 eye, double length) {
       return [=, this](Vec2 line) { return freeAlong(from, eye, line, length) >= length; };
     };

@@ -12,7 +12,7 @@ namespace hearth::random_walks {
 
 class Solids {
  public:
-  explicit Solids(const Level& level);
+  explicit Solids(const Scene& scene);
 
   /// How many metres of the level line from `from`, which the sector contains, along a direction of
   /// unit length are in the air: `length` at most.
@@ -42,7 +42,7 @@ class Solids {
   Line follow(SectorId sector, Vec3 from, Vec2 direction, double length) const;
   std::vector<const Segment*> wallsWithin(Vec2 p, double radius) const;
 
-  const Level& level_;
+  Scene scene_;
   std::vector<SegmentId> oneWays_;
 };
 

@@ -20,7 +20,7 @@ TEST(Solids, FindsABarBetweenTheHeightsThatItAlwaysLooksAt) {
       test::sectorText("b", "4,0, 8,0, 8,4, 4,4", 0, 3,
                        "[" + kSolid + "," + kSolid + "," + kSolid + "," + barTo("a") + "]") +
       "}}");
-  const Solids solids(loaded.level);
+  const Solids solids(loaded.scene());
   const SectorId a = test::sectorNamed(loaded.level, "a");
   const Body body = bodyOf(loaded.level, 0);
   EXPECT_FALSE(solids.isFree(a, {3.9, 2, 0}, body, 90)) << "0.2 m high, 0.1 m off";
@@ -32,7 +32,7 @@ TEST(Solids, FindsABarBetweenTheHeightsThatItAlwaysLooksAt) {
 TEST(Solids, FindsAWallThatIsNearerThanTheRadiusByTwoMicrometres) {
   const LoadedLevel loaded = test::levelFrom(
       "{'light':1,'sectors':{" + test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
-  const Solids solids(loaded.level);
+  const Solids solids(loaded.scene());
   const Body body = bodyOf(loaded.level, 0);
   EXPECT_FALSE(solids.isFree(SectorId(0), {2, 0.3 - 2e-6, 0}, body, 90));
   EXPECT_TRUE(solids.isFree(SectorId(0), {2, 0.3 + 1e-9, 0}, body, 90));
@@ -54,7 +54,7 @@ TEST(Solids, FindsAWallWithoutThicknessThatPointsToTheAxis) {
       test::sectorText("c", "2,0, 4,0, 4,2, 2,2", 0, 3,
                        "[" + kSolid + "," + kSolid + "," + kSolid + "," + to("a") + "]") +
       "}}");
-  const Solids solids(loaded.level);
+  const Solids solids(loaded.scene());
   const SectorId a = test::sectorNamed(loaded.level, "a");
   const Body body = bodyOf(loaded.level, 0);
   EXPECT_FALSE(solids.isFree(a, {1.8, 2, 0}, body, 90));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "load/load.h"
 #include "random_levels/random_level.h"
 #include "walk/walker.h"
 #include "walk_tests/solids.h"
@@ -10,9 +11,10 @@
 namespace hearth::random_walks {
 
 /// None where it does not load.
-std::optional<Level> loadRandom(const RandomLevel& random, const std::filesystem::path& folder);
+std::optional<LoadedLevel> loadRandom(const RandomLevel& random,
+                                      const std::filesystem::path& folder);
 
 /// A walker in a view of the level; none where it would have no room.
-std::optional<Walker> standIn(const Level& level, const Solids& solids, const RandomView& view);
+std::optional<Walker> standIn(const Scene& scene, const Solids& solids, const RandomView& view);
 
 }  // namespace hearth::random_walks

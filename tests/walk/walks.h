@@ -21,22 +21,22 @@ inline SectorId sectorNamed(const Level& level, const std::string& name) {
 }
 
 /// Stands on `feet` with the angle given.
-inline Walker standing(const Level& level, const std::string& sector, Vec3 feet, double angle = 0) {
-  const double eyeHeight = level.player.value_or(Player{}).eyeHeight;
-  Walker walker =
-      walkerAt(level, sectorNamed(level, sector), {feet.x, feet.y, feet.z + eyeHeight}, angle, 0);
-  walker = walked(level, walker, {});
+inline Walker standing(const Scene& scene, const std::string& sector, Vec3 feet, double angle = 0) {
+  const double eyeHeight = scene.level().player.value_or(Player{}).eyeHeight;
+  Walker walker = walkerAt(scene, sectorNamed(scene.level(), sector),
+                           {feet.x, feet.y, feet.z + eyeHeight}, angle, 0);
+  walker = walked(scene, walker, {});
   EXPECT_TRUE(walker.isOnGround) << walker.feet.z;
   return walker;
 }
 
 /// After so many ticks of one input, every one of which must leave the walker in its sector.
-inline Walker after(const Level& level, Walker walker, const WalkInput& input, int ticks) {
+inline Walker after(const Scene& scene, Walker walker, const WalkInput& input, int ticks) {
   for (int i = 0; i < ticks; ++i) {
-    walker = walked(level, walker, input);
-    EXPECT_TRUE(contains(level, level[walker.sector], walker.feet, kPositionSlack));
-    const Eye eye = eyeOf(level, walker);
-    EXPECT_TRUE(contains(level, level[eye.sector], eye.point, kPositionSlack));
+    walker = walked(scene, walker, input);
+    EXPECT_TRUE(contains(scene, scene[walker.sector], walker.feet, kPositionSlack));
+    const Eye eye = eyeOf(scene, walker);
+    EXPECT_TRUE(contains(scene, scene[eye.sector], eye.point, kPositionSlack));
   }
   return walker;
 }

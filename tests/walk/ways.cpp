@@ -29,7 +29,7 @@ struct Foothold {
 
 class Search {
  public:
-  Search(const Level& level, const Solids& solids) : level_(level), solids_(solids) {}
+  Search(const Scene& scene, const Solids& solids) : scene_(scene), solids_(solids) {}
 
   bool isOpen(Foothold at, Vec2 direction) const {
     for (double gone = 0; gone < kWay; gone += kStep) {
@@ -45,8 +45,8 @@ class Search {
   std::optional<Foothold> nextAlong(const Foothold& from, Vec2 direction) const {
     const Vec2 p = from.feet.xy() + kStep * direction;
     std::optional<Foothold> best;
-    for (std::size_t i = 0; i < level_.sectors.size(); ++i)
-      for (const double z : {from.feet.z, level_.sectors[i].floor.z}) {
+    for (std::size_t i = 0; i < scene_.level().sectors.size(); ++i)
+      for (const double z : {from.feet.z, scene_.level().sectors[i].floor.z}) {
         const bool isHigher = best && z >= best->feet.z;
         if (z < from.feet.z || z > from.feet.z + body_.step || isHigher) continue;
         if (const auto there = standsAt(from, {p.x, p.y, z})) best = there;
@@ -63,22 +63,22 @@ class Search {
   }
 
   Body stouter() const {
-    Body body = bodyOf(level_, 0);
+    Body body = bodyOf(scene_.level(), 0);
     body.radius += kStouter;
     return body;
   }
 
-  const Level& level_;
+  Scene scene_;
   const Solids& solids_;
   Body body_ = stouter();
 };
 
 /// A walker on the ground, upright, at rest and with room around it.
-std::optional<Walker> wander(const Level& level, const Solids& solids, Walker walker,
+std::optional<Walker> wander(const Scene& scene, const Solids& solids, Walker walker,
                              random_levels::Random& random) {
   WalkInput input{.forward = 127, .turn = static_cast<int>(random.between(-3000, 3000))};
-  for (int i = 0; i < 100; ++i) walker = walked(level, walker, input);
-  for (int i = 0; i < 64; ++i) walker = walked(level, walker, {});
+  for (int i = 0; i < 100; ++i) walker = walked(scene, walker, input);
+  for (int i = 0; i < 64; ++i) walker = walked(scene, walker, {});
   const bool isBesideOneWay = solids.isBesideOneWay(walker.feet.xy(), 0.7);
   if (!walker.isOnGround || walker.crouch > 0 || isBesideOneWay) return std::nullopt;
   return walker;
@@ -95,16 +95,17 @@ WaysReport& WaysReport::operator+=(const WaysReport& other) {
 
 WaysReport tryWays(std::uint64_t seed, const std::filesystem::path& folder, int places) {
   const RandomLevel random = makeRandomLevel(seed);
-  std::optional<Level> level = loadRandom(random, folder);
-  if (!level) return {1, 0, fmt::format("seed {} does not load", seed)};
-  level->player = Player{};
-  const Solids solids(*level);
-  const Search search(*level, solids);
+  std::optional<LoadedLevel> loaded = loadRandom(random, folder);
+  if (!loaded) return {1, 0, fmt::format("seed {} does not load", seed)};
+  loaded->level.player = Player{};
+  const Scene scene = loaded->scene();
+  const Solids solids(scene);
+  const Search search(scene, solids);
   random_levels::Random choices(seed);
   WaysReport report;
   for (int i = 0; i < places; ++i) {
-    const auto start = standIn(*level, solids, choices.pickFrom(random.views));
-    const auto walker = start ? wander(*level, solids, *start, choices) : std::nullopt;
+    const auto start = standIn(scene, solids, choices.pickFrom(random.views));
+    const auto walker = start ? wander(scene, solids, *start, choices) : std::nullopt;
     if (!walker) continue;
     for (int d = 0; d < kDirections; ++d) {
       Walker pushed = *walker;
@@ -114,14 +115,14 @@ WaysReport tryWays(std::uint64_t seed, const std::filesystem::path& folder, int 
       if (!search.isOpen({pushed.sector, pushed.feet}, direction)) continue;
       ++report.asked;
       for (int tick = 0; tick < kTicksPerSecond; ++tick)
-        pushed = walked(*level, pushed, {.forward = kFullSpeed});
+        pushed = walked(scene, pushed, {.forward = kFullSpeed});
       const double ahead = dot(pushed.feet.xy() - walker->feet.xy(), direction);
       report.taken += ahead >= kAhead;
       if (ahead < kAhead && report.first.empty())
         report.first =
             fmt::format("seed {}: {:.3g} m from {:.17g},{:.17g},{:.17g} in {} towards {:.17g}",
                         seed, ahead, walker->feet.x, walker->feet.y, walker->feet.z,
-                        (*level)[walker->sector].name, pushed.angle);
+                        scene[walker->sector].name, pushed.angle);
     }
   }
   return report;

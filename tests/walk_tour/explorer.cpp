@@ -32,8 +32,8 @@ Cell cellOf(const Walker& walker) {
 
 class Search {
  public:
-  Search(const Level& level, const Walker& start, Gait gait, std::mt19937& random)
-      : level_(level), gait_(gait), random_(random) {
+  Search(const Scene& scene, const Walker& start, Gait gait, std::mt19937& random)
+      : scene_(scene), gait_(gait), random_(random) {
     add({start, 0, {}});
   }
 
@@ -81,7 +81,7 @@ class Search {
     Visit visit{visits_[from].walker, from, {}};
     const SectorId before = visit.walker.sector;
     for (int ticks = 8 + upTo(40); ticks > 0 && visit.walker.sector == before; --ticks) {
-      visit.walker = walked(level_, visit.walker, input);
+      visit.walker = walked(scene_, visit.walker, input);
       visit.inputs.push_back(input);
       input.turn = 0;
       input.toggleFlight = false;
@@ -98,52 +98,52 @@ class Search {
     return way;
   }
 
-  const Level& level_;
+  Scene scene_;
   Gait gait_;
   std::mt19937& random_;
   std::vector<Visit> visits_;
   std::map<Cell, std::size_t> cells_;
 };
 
-Walker walkedBy(const Level& level, Walker walker, const std::vector<WalkInput>& inputs) {
-  for (const WalkInput& input : inputs) walker = walked(level, walker, input);
+Walker walkedBy(const Scene& scene, Walker walker, const std::vector<WalkInput>& inputs) {
+  for (const WalkInput& input : inputs) walker = walked(scene, walker, input);
   return walker;
 }
 
 }  // namespace
 
-std::vector<WalkInput> exploration(const Level& level, const Walker& start, Gait gait,
+std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait gait,
                                    const std::vector<SectorId>& noReturn) {
   std::mt19937 random(1);
   std::vector<WalkInput> inputs;
   Walker walker = start;
   std::vector<SectorId> forbidden = noReturn;
   for (;;) {
-    const std::vector<bool> isVisited = visitedSectors(level, start, inputs);
+    const std::vector<bool> isVisited = visitedSectors(scene, start, inputs);
     const auto isNew = [&](const Walker& there) { return !isVisited[there.sector.index()]; };
-    const auto way = Search(level, walker, gait, random).wayTo(isNew, forbidden, kMostTries);
+    const auto way = Search(scene, walker, gait, random).wayTo(isNew, forbidden, kMostTries);
     if (!way && forbidden.empty()) return inputs;
     if (!way) {
       forbidden.clear();
       continue;
     }
     inputs.insert(inputs.end(), way->begin(), way->end());
-    walker = walkedBy(level, walker, *way);
+    walker = walkedBy(scene, walker, *way);
   }
 }
 
-std::optional<std::vector<WalkInput>> wayTo(const Level& level, const Walker& start, Gait gait,
+std::optional<std::vector<WalkInput>> wayTo(const Scene& scene, const Walker& start, Gait gait,
                                             const std::function<bool(const Walker&)>& isThere) {
   std::mt19937 random(1);
-  return Search(level, start, gait, random).wayTo(isThere, {}, kMostTriesOfOne);
+  return Search(scene, start, gait, random).wayTo(isThere, {}, kMostTriesOfOne);
 }
 
-std::vector<bool> visitedSectors(const Level& level, Walker walker,
+std::vector<bool> visitedSectors(const Scene& scene, Walker walker,
                                  const std::vector<WalkInput>& inputs) {
-  std::vector<bool> isVisited(level.sectors.size(), false);
+  std::vector<bool> isVisited(scene.level().sectors.size(), false);
   isVisited[walker.sector.index()] = true;
   for (const WalkInput& input : inputs) {
-    walker = walked(level, walker, input);
+    walker = walked(scene, walker, input);
     isVisited[walker.sector.index()] = true;
   }
   return isVisited;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "walk/walker.h"
 
 namespace hearth::test {
@@ -15,17 +15,17 @@ enum class Gait { OnFoot, Flying };
 /// its time. It tries short stretches at random, from places that it has seldom tried (see
 /// Ecoffet et al., "First return, then explore", 2021), until one leads to a new sector; from there
 /// it begins again. Sectors from which no way leads back come last: `noReturn` are entered only
-/// when no other is left. The same for the same level and walker.
-std::vector<WalkInput> exploration(const Level& level, const Walker& start, Gait gait,
+/// when no other is left. The same for the same scene and walker.
+std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait gait,
                                    const std::vector<SectorId>& noReturn);
 
 /// Inputs with which a walker that starts there comes to where `isThere` holds, found by such a
 /// search; nothing where it finds no way.
-std::optional<std::vector<WalkInput>> wayTo(const Level& level, const Walker& start, Gait gait,
+std::optional<std::vector<WalkInput>> wayTo(const Scene& scene, const Walker& start, Gait gait,
                                             const std::function<bool(const Walker&)>& isThere);
 
 /// By sector: whether the walker's feet have been in it.
-std::vector<bool> visitedSectors(const Level& level, Walker walker,
+std::vector<bool> visitedSectors(const Scene& scene, Walker walker,
                                  const std::vector<WalkInput>& inputs);
 
 }  // namespace hearth::test

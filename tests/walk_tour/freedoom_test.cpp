@@ -51,6 +51,7 @@ class Freedoom : public testing::Test {
   }
 
   const Level& level() const { return loaded_->level; }
+  Scene scene() const { return loaded_->scene(); }
 
   bool isAtExit(const Walker& walker) const {
     const Vec2 along = exit_[1] - exit_[0];
@@ -63,11 +64,11 @@ class Freedoom : public testing::Test {
   Recording found() const {
     const Player& player = level().player.value();
     const RecordedStart start{level()[player.sector].name, player.eye, player.angle, 0};
-    Walker walker = startOf(level(), start).value();
-    const auto way = test::wayTo(level(), walker, test::Gait::OnFoot,
+    Walker walker = startOf(scene(), start).value();
+    const auto way = test::wayTo(scene(), walker, test::Gait::OnFoot,
                                  [this](const Walker& there) { return isAtExit(there); });
-    for (const WalkInput& input : way.value()) walker = walked(level(), walker, input);
-    return {start, *way, recordedState(level(), walker)};
+    for (const WalkInput& input : way.value()) walker = walked(scene(), walker, input);
+    return {start, *way, recordedState(scene(), walker)};
   }
 
  private:
@@ -93,10 +94,10 @@ TEST_F(Freedoom, AWalkLeadsFromTheStartToTheSwitchAtTheEnd) {
   ASSERT_TRUE(recording) << recording.error().line << ": " << recording.error().message;
   EXPECT_EQ(recording->start.eye, level().player->eye);
 
-  Walker walker = startOf(level(), recording->start).value();
-  for (const WalkInput& input : recording->inputs) walker = walked(level(), walker, input);
+  Walker walker = startOf(scene(), recording->start).value();
+  for (const WalkInput& input : recording->inputs) walker = walked(scene(), walker, input);
   EXPECT_TRUE(isAtExit(walker));
-  EXPECT_TRUE(recordedState(level(), walker) == recording->end);
+  EXPECT_TRUE(recordedState(scene(), walker) == recording->end);
 }
 
 }  // namespace

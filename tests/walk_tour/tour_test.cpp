@@ -22,7 +22,7 @@ namespace {
 
 class Tour : public testing::Test {
  protected:
-  Walker startOfPlayer() const { return startOf(level_, start_).value(); }
+  Walker startOfPlayer() const { return startOf(scene_, start_).value(); }
 
   /// Finds a walk and keeps it where that is asked for; reads the one that is kept.
   Recording recording(const std::string& name, test::Gait gait) const {
@@ -30,9 +30,9 @@ class Tour : public testing::Test {
     if (std::getenv("HEARTH_UPDATE_WALKS")) {
       Walker walker = startOfPlayer();
       const std::vector<WalkInput> inputs =
-          test::exploration(level_, walker, gait, {sectorNamed("chasm"), sectorNamed("abyss")});
-      for (const WalkInput& input : inputs) walker = walked(level_, walker, input);
-      std::ofstream(path) << writeRecording({start_, inputs, recordedState(level_, walker)});
+          test::exploration(scene_, walker, gait, {sectorNamed("chasm"), sectorNamed("abyss")});
+      for (const WalkInput& input : inputs) walker = walked(scene_, walker, input);
+      std::ofstream(path) << writeRecording({start_, inputs, recordedState(scene_, walker)});
     }
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
@@ -48,7 +48,7 @@ class Tour : public testing::Test {
 
   std::set<std::string> unvisited(const Recording& recording) const {
     const std::vector<bool> isVisited =
-        test::visitedSectors(level_, startOf(level_, recording.start).value(), recording.inputs);
+        test::visitedSectors(scene_, startOf(scene_, recording.start).value(), recording.inputs);
     std::set<std::string> names;
     for (std::size_t i = 0; i < level_.sectors.size(); ++i)
       if (!isVisited[i]) names.insert(level_.sectors[i].name);
@@ -56,13 +56,14 @@ class Tour : public testing::Test {
   }
 
   RecordedState endOf(const Recording& recording) const {
-    Walker walker = startOf(level_, recording.start).value();
-    for (const WalkInput& input : recording.inputs) walker = walked(level_, walker, input);
-    return recordedState(level_, walker);
+    Walker walker = startOf(scene_, recording.start).value();
+    for (const WalkInput& input : recording.inputs) walker = walked(scene_, walker, input);
+    return recordedState(scene_, walker);
   }
 
   LoadedLevel loaded_ = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
   const Level& level_ = loaded_.level;
+  const Scene scene_ = loaded_.scene();
   RecordedStart start_{level_[level_.player->sector].name, level_.player->eye, level_.player->angle,
                        0};
 };

@@ -14,14 +14,15 @@ using test::sectorText;
 std::string levelText(const std::string& sectors) { return "{'sectors': {" + sectors + "}}"; }
 
 TEST(StandingPlaces, areWhereABodyHasRoom) {
-  const Level level = levelFrom(levelText(sectorText("low", "0,0, 9,0, 9,9, 0,9", 1, 2.7) + "," +
-                                          sectorText("high", "10,0, 19,0, 10,9", 1, 2.8)))
-                          .level;
+  const LoadedLevel loaded =
+      levelFrom(levelText(sectorText("low", "0,0, 9,0, 9,9, 0,9", 1, 2.7) + "," +
+                          sectorText("high", "10,0, 19,0, 10,9", 1, 2.8)));
+  const Level& level = loaded.level;
   const std::vector<Shot> shots = standingPlaces(level, 30, 1, {16, 10});
   ASSERT_EQ(shots.size(), 30U);
   for (const Shot& shot : shots) {
     EXPECT_EQ(level[shot.sector].name, "high");
-    EXPECT_TRUE(contains(level, level[shot.sector], shot.eye, 0));
+    EXPECT_TRUE(contains(loaded.scene(), level[shot.sector], shot.eye, 0));
     EXPECT_NEAR(shot.eye.z, 2.28, 0.01);
     EXPECT_GE(shot.eye.x, 10.1);
     EXPECT_GE(shot.eye.y, 0.1);

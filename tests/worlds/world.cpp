@@ -35,12 +35,13 @@ std::optional<LoadedLevel> importAndLoad(const Archive& archive, World& world,
 
 void measureBakeAndFrames(const LoadedLevel& loaded, World& world) {
   const Level& level = loaded.level;
+  const Scene scene = loaded.scene();
   const double begin = steadySeconds();
-  const BakedLight light = bake(level, level.bake, 1);
+  const BakedLight light = bake(scene, level.bake, 1);
   world.bakeSeconds = steadySeconds() - begin;
   world.texels = light.stats.texels;
 
-  const Renderer renderer(level, loaded.textures, light);
+  const Renderer renderer(scene, loaded.textures, light);
   FrameScratch scratch;
   Image picture;
   std::vector<double> milliseconds;

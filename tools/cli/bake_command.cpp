@@ -29,19 +29,19 @@ void print(const Bake& bake) {
 }
 
 /// With the settings of the command line, or those that fit the time that it gives.
-tl::expected<Bake, std::string> bakeInTime(const Level& level, const OptionValues& values) {
+tl::expected<Bake, std::string> bakeInTime(const Scene& scene, const OptionValues& values) {
   const std::optional<double> budget = values.number(Option::TimeBudget);
-  if (!budget) return bakeFor(level, values, ProgressStyle::Lines);
+  if (!budget) return bakeFor(scene, values, ProgressStyle::Lines);
   for (const Option option :
        {Option::Quality, Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff})
     if (values.has(option))
       return tl::unexpected(fmt::format("give --time-budget or {}, not both", row(option).name));
-  const auto settings = bakeSettingsFor(level, values);
+  const auto settings = bakeSettingsFor(scene, values);
   if (!settings) return tl::unexpected(settings.error());
   const FittingBake fitting =
-      bakeFitting(level, *settings, *budget, threadsFrom(values), steadySeconds);
+      bakeFitting(scene, *settings, *budget, threadsFrom(values), steadySeconds);
   if (!values.has(Option::Quiet)) fmt::print("picked    {}\n", words(fitting));
-  return bakeWith(level, fitting.settings, values, ProgressStyle::Lines);
+  return bakeWith(scene, fitting.settings, values, ProgressStyle::Lines);
 }
 
 ExitStatus runBake(const OptionValues& values) {
@@ -52,13 +52,13 @@ ExitStatus runBake(const OptionValues& values) {
         "-o: {}: light is written as a .bake to draw with or as a .png to look at", *output));
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto bake = bakeInTime(loaded->level, values);
+  const auto bake = bakeInTime(loaded->scene(), values);
   if (!bake) return fail(bake.error());
   if (!values.has(Option::Quiet)) print(*bake);
   if (!output) return ExitStatus::Done;
   const auto written = [&]() -> tl::expected<void, std::string> {
     const ProgressDisplay display(progressStyle(values), Stage::Writing);
-    if (extension == ".bake") return writeBake(*output, loaded->level, *bake);
+    if (extension == ".bake") return writeBake(*output, loaded->scene(), *bake);
     const auto image = lightmapAtlas(loaded->level, bake->light);
     if (!image) return tl::unexpected(image.error());
     return writePng(*output, *image);

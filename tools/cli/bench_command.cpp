@@ -139,7 +139,7 @@ ExitStatus runBench(const OptionValues& values) {
   if (values.has(Option::Only)) return fail("--only: it chooses rows of --peers");
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto settings = bakeSettingsFor(loaded->level, values);
+  const auto settings = bakeSettingsFor(loaded->scene(), values);
   if (!settings) return fail(settings.error());
   const int threads = threadsFrom(values);
   const int repeats = static_cast<int>(values.number(Option::Repeats).value_or(kBenchRepeats));

@@ -30,16 +30,17 @@ std::string kindsInWords() {
 
 /// No finding, as windows and roofs are seen and not entered; but the author of a stair shall see
 /// that nobody can go up.
-void tellWhereNobodyComes(const Level& level) {
+void tellWhereNobodyComes(const Scene& scene) {
   constexpr std::size_t kNamed = 3;
-  const std::vector<SectorId> sectors = outOfReach(level);
+  const std::vector<SectorId> sectors = outOfReach(scene);
   if (sectors.empty()) return;
   std::vector<std::string> names;
   for (const SectorId sector : std::span(sectors).first(std::min(kNamed, sectors.size())))
-    names.push_back(fmt::format("\"{}\"", level[sector].name));
+    names.push_back(fmt::format("\"{}\"", scene[sector].name));
   if (sectors.size() > kNamed) names.push_back(fmt::format("{} others", sectors.size() - kNamed));
+  const std::size_t all = scene.level().sectors.size();
   fmt::print(stderr, "on foot the player comes to {} of {} sectors, not to {}\n",
-             level.sectors.size() - sectors.size(), level.sectors.size(), fmt::join(names, ", "));
+             all - sectors.size(), all, fmt::join(names, ", "));
 }
 
 ExitStatus runLint(const OptionValues& values) {
@@ -50,15 +51,16 @@ ExitStatus runLint(const OptionValues& values) {
     return ExitStatus::BadInput;
   }
   const LintedLevel linted{*opened.result.loaded, opened.source};
-  const auto settings = bakeSettingsFor(linted.level(), values);
+  const auto settings = bakeSettingsFor(linted.scene(), values);
   if (!settings) return fail(settings.error());
 
   print(ofLoader);
   const std::vector<Diagnostic> ofGeometry = lintGeometry(linted);
   print(ofGeometry);
-  const auto light = lightFor(linted.level(), values);
+  const auto light = lightFor(linted.scene(), values);
   if (!light) return fail(light.error());
-  const auto dimmedLight = lightFor(dimmed(linted.level()), values);
+  const Level dimmedLevel = dimmed(linted.level());
+  const auto dimmedLight = lightFor({dimmedLevel, linted.loaded.geometry}, values);
   if (!dimmedLight) return fail(dimmedLight.error());
   const std::vector<Diagnostic> ofLight =
       lintLight(linted, *light, *dimmedLight, *settings, threadsFrom(values));
@@ -66,7 +68,7 @@ ExitStatus runLint(const OptionValues& values) {
   const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
   if (!values.has(Option::Quiet)) {
     if (isClean) fmt::print(stderr, "no findings\n");
-    tellWhereNobodyComes(linted.level());
+    tellWhereNobodyComes(linted.scene());
   }
   return isClean ? ExitStatus::Done : ExitStatus::Differs;
 }

@@ -18,7 +18,7 @@ ExitStatus runMap(const OptionValues& values) {
     return fail("-o: " + output + ": the plan is written as a .svg");
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const std::string plan = planOf(loaded->level);
+  const std::string plan = planOf(loaded->scene());
   const auto written = replaceFile(output, [&](std::ostream& stream) {
     stream << plan;
     return stream.good();

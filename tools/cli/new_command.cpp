@@ -8,7 +8,7 @@
 
 #include "cli/command.h"
 #include "image/replace_file.h"
-#include "level/level.h"
+#include "level/scene.h"
 #include "settings/shell_text.h"
 #include "walk/body.h"
 

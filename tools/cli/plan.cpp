@@ -65,19 +65,19 @@ constexpr std::array kLines = {LineStyle{Line::Opening, "opening", "opening"},
                                LineStyle{Line::OneWay, "oneway", "one-way portal"},
                                LineStyle{Line::Solid, "solid", "wall"}};
 
-bool leadsBack(const Level& level, SectorId to, SegmentId twin) {
-  return std::ranges::any_of(level[twin].pieces, [&](const WallPiece& piece) {
+bool leadsBack(const Scene& scene, SectorId to, SegmentId twin) {
+  return std::ranges::any_of(scene.piecesOf(scene[twin]), [&](const WallPiece& piece) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     return opening && opening->next == to;
   });
 }
 
-Line lineOf(const Level& level, const Segment& segment) {
+Line lineOf(const Scene& scene, const Segment& segment) {
   bool isOpen = false;
   bool shows = false;
-  for (const WallPiece& piece : segment.pieces) {
+  for (const WallPiece& piece : scene.piecesOf(segment)) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
-    if (opening && !leadsBack(level, segment.sector, opening->twin)) return Line::OneWay;
+    if (opening && !leadsBack(scene, segment.sector, opening->twin)) return Line::OneWay;
     (opening ? isOpen : shows) = true;
   }
   if (!isOpen) return Line::Solid;
@@ -110,9 +110,9 @@ std::string hex(Rgb color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r, 
 
 class PlanDrawing {
  public:
-  explicit PlanDrawing(const Level& level)
-      : level_(level),
-        frame_(planFrame(level)),
+  explicit PlanDrawing(const Scene& scene)
+      : scene_(scene),
+        frame_(planFrame(scene.level())),
         size_(frame_.high - frame_.low),
         scale_(kLongerSide / std::max(size_.x, size_.y)) {}
 
@@ -150,30 +150,30 @@ class PlanDrawing {
         "patternTransform=\"rotate(45)\"><rect width=\"2\" height=\"9\" fill=\"#1e6ec8\" "
         "fill-opacity=\".55\"/></pattern></defs>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        width(), height(), escaped(level_.name), kPlanStyle);
+        width(), height(), escaped(scene_.level().name), kPlanStyle);
   }
 
   std::string outline(const Sector& sector) const {
     std::string path;
     for (const Loop& loop : sector.loops) {
       for (std::size_t i = 0; i < loop.count; ++i)
-        (path += i == 0 ? "M" : "L") += point(level_.segments[loop.first.index() + i].p0);
+        (path += i == 0 ? "M" : "L") += point(scene_.level().segments[loop.first.index() + i].p0);
       path += "Z";
     }
     return path;
   }
 
-  static std::string words(const Sector& sector) {
+  std::string words(const Sector& sector) const {
     return fmt::format("{}: floor {:g}, ceiling {:g}, light {:g}", escaped(sector.name),
-                       sector.floor.z, sector.ceiling.z, sector.light);
+                       scene_.zFloor(sector), scene_.zCeiling(sector), sector.light);
   }
 
   /// Between those of the lowest and of the highest floor.
   Rgb colorAt(double z) const {
-    const auto [low, high] = std::ranges::minmax(
-        level_.sectors, {}, [](const Sector& sector) { return sector.floor.z; });
-    const double range = high.floor.z - low.floor.z;
-    const double fraction = range > 0 ? (z - low.floor.z) / range : 1;
+    const auto [low, high] =
+        std::ranges::minmax(scene_.geometry().sectors, {}, &SectorGeometry::zFloor);
+    const double range = high.zFloor - low.zFloor;
+    const double fraction = range > 0 ? (z - low.zFloor) / range : 1;
     const auto mixed = [fraction](std::uint8_t a, std::uint8_t b) {
       return static_cast<std::uint8_t>(std::lround(a + fraction * (b - a)));
     };
@@ -183,13 +183,14 @@ class PlanDrawing {
 
   void drawSectors() {
     std::vector<const Sector*> sectors;
-    for (const Sector& sector : level_.sectors) sectors.push_back(&sector);
-    std::ranges::stable_sort(sectors, {}, [](const Sector* sector) { return sector->floor.z; });
+    for (const Sector& sector : scene_.level().sectors) sectors.push_back(&sector);
+    std::ranges::stable_sort(sectors, {},
+                             [&](const Sector* sector) { return scene_.zFloor(*sector); });
     for (const Sector* sector : sectors) {
       const std::string path = outline(*sector);
       add("<path class=\"sector\" fill-opacity=\".85\" style=\"fill:{}\" d=\"{}\">"
           "<title>{}</title></path>\n",
-          hex(colorAt(sector->floor.z)), path, words(*sector));
+          hex(colorAt(scene_.zFloor(*sector))), path, words(*sector));
       if (sector->floor.flatPortal || sector->ceiling.flatPortal)
         add("<path class=\"sector portalled\" d=\"{}\"><title>{}, flat portal</title></path>\n",
             path, words(*sector));
@@ -198,18 +199,19 @@ class PlanDrawing {
 
   void drawLines(const LineStyle& style) {
     std::string path;
-    for (const Segment& segment : level_.segments)
-      if (lineOf(level_, segment) == style.line)
+    for (const Segment& segment : scene_.level().segments)
+      if (lineOf(scene_, segment) == style.line)
         path += fmt::format("M{}L{}", point(segment.p0), point(segment.p1));
     if (!path.empty()) add("<path class=\"{}\" d=\"{}\"/>\n", style.style, path);
   }
 
   /// Further down where another name or mark is in the way; not at all where there is no room.
   void drawNames() {
-    for (const Sector& sector : level_.sectors) {
+    for (const Sector& sector : scene_.level().sectors) {
       if (!frame_.meets({sector.boxMin, sector.boxMax})) continue;
-      const PlanPlace place = roomiestPlace(level_, sector, frame_);
-      const std::string heights = fmt::format("{:g} to {:g}", sector.floor.z, sector.ceiling.z);
+      const PlanPlace place = roomiestPlace(scene_.level(), sector, frame_);
+      const std::string heights =
+          fmt::format("{:g} to {:g}", scene_.zFloor(sector), scene_.zCeiling(sector));
       const auto letters = static_cast<double>(std::max(sector.name.size(), heights.size()));
       const double room = scale_ * place.room;
       const double size = std::min(kLargestText, 2 * room / (kLetterWidth * letters));
@@ -239,7 +241,7 @@ class PlanDrawing {
   }
 
   void drawLights() {
-    for (const LightSource& light : level_.lights) {
+    for (const LightSource& light : scene_.level().lights) {
       const Vec2 at = toPaper(light.position.xy());
       const double radius = std::max(5.0, scale_ * light.radius);
       taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
@@ -280,10 +282,10 @@ class PlanDrawing {
   }
 
   void drawCameras() {
-    for (const Shot& shot : level_.shots)
+    for (const Shot& shot : scene_.level().shots)
       shots_.push_back(drawCamera("shot", "shot " + shot.name, shot.eye, shot.angle, shot.fov));
-    if (level_.player)
-      drawCamera("player", "player", level_.player->eye, level_.player->angle, kPlayersFov);
+    if (const auto& player = scene_.level().player)
+      drawCamera("player", "player", player->eye, player->angle, kPlayersFov);
   }
 
   /// Beside its sign, where nothing is in the way; else further off, and at last not at all.
@@ -310,7 +312,8 @@ class PlanDrawing {
   }
 
   void drawShotNames() {
-    for (std::size_t i = 0; i < shots_.size(); ++i) drawShotName(level_.shots[i].name, shots_[i]);
+    for (std::size_t i = 0; i < shots_.size(); ++i)
+      drawShotName(scene_.level().shots[i].name, shots_[i]);
   }
 
   /// The words of an entry of the key; the column of the next one.
@@ -355,7 +358,7 @@ class PlanDrawing {
     drawScale(row + 2 * kLegendRow);
   }
 
-  const Level& level_;
+  Scene scene_;
   PlanBox frame_;
   Vec2 size_;
   double scale_;                ///< units per metre
@@ -366,6 +369,6 @@ class PlanDrawing {
 
 }  // namespace
 
-std::string planOf(const Level& level) { return PlanDrawing(level).svg(); }
+std::string planOf(const Scene& scene) { return PlanDrawing(scene).svg(); }
 
 }  // namespace hearth

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -10,6 +10,6 @@ namespace hearth {
 /// their floor's height, higher ones over lower ones, with names and heights where there is room;
 /// walls, steps, portals, one-way portals and flat portals; lights, shots with their names and the
 /// player; a key. Whatever is pointed at tells its name.
-std::string planOf(const Level& level);
+std::string planOf(const Scene& scene);
 
 }  // namespace hearth

@@ -22,11 +22,11 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
                                          const OptionValues& values) {
   const std::optional<std::string> channel = values.text(Option::Channel);
   if (channel)
-    if (auto geometry = drawGeometry(loaded.level, camera, *channel)) return *std::move(geometry);
-  const auto light = lightInView(loaded.level, camera, values);
+    if (auto geometry = drawGeometry(loaded.scene(), camera, *channel)) return *std::move(geometry);
+  const auto light = lightInView(loaded.scene(), camera, values);
   if (!light) return tl::unexpected(light.error());
-  const Renderer renderer(loaded.level, loaded.textures, *light, drawSettingsFrom(values));
-  if (channel) return drawChannel(loaded.level, renderer, camera, *channel, threadsFrom(values));
+  const Renderer renderer(loaded.scene(), loaded.textures, *light, drawSettingsFrom(values));
+  if (channel) return drawChannel(loaded.scene(), renderer, camera, *channel, threadsFrom(values));
   return renderer.draw(camera, lightModeFrom(values));
 }
 
@@ -52,7 +52,7 @@ ExitStatus runShot(const OptionValues& values) {
   if (const auto mistake = mistakeInShotOptions(values)) return fail(*mistake);
   const std::optional<LoadedLevel> loaded = openLevel(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto camera = cameraFor(loaded->level, values, {320, 200});
+  const auto camera = cameraFor(loaded->scene(), values, {320, 200});
   if (!camera) return fail(camera.error());
   const auto image = picture(*loaded, *camera, values);
   if (!image) return fail(image.error());

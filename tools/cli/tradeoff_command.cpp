@@ -49,7 +49,7 @@ tl::expected<TradeoffReport, std::string> measured(const LoadedLevel& loaded,
   if (loaded.level.shots.empty())
     return tl::unexpected(fmt::format(
         "{}: what errors are seen is measured in the level's shots: give it some", values.level));
-  auto trials = trialsFor(loaded.level, values);
+  auto trials = trialsFor(loaded.scene(), values);
   if (!trials) return tl::unexpected(trials.error());
 
   TradeoffReport report;

@@ -43,7 +43,7 @@ bool isLive(const OptionValues& values) {
          !values.has(Option::LightFrom);
 }
 
-tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& values) {
+tl::expected<Plan, std::string> planFor(const Scene& scene, const OptionValues& values) {
   Plan plan;
   if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
   plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
@@ -59,9 +59,9 @@ tl::expected<Plan, std::string> planFor(const Level& level, const OptionValues& 
     plan.replay = std::move(*recording);
     return plan;
   }
-  const auto camera = cameraFor(level, values, kFirstWindowSize);
+  const auto camera = cameraFor(scene, values, kFirstWindowSize);
   if (!camera) return tl::unexpected(camera.error());
-  plan.start = {level[camera->sector].name, camera->eye, camera->angle, camera->pitch};
+  plan.start = {scene[camera->sector].name, camera->eye, camera->angle, camera->pitch};
   plan.settings.fov = camera->fov;
   return plan;
 }
@@ -87,8 +87,8 @@ std::string words(const RecordedState& state) {
 }
 
 /// Where a replay has ended, and whether that is where it was recorded to end.
-ExitStatus judge(const Level& level, const WalkSession& session, const Recording& recording) {
-  const RecordedState end = recordedState(level, session.walker());
+ExitStatus judge(const Scene& scene, const WalkSession& session, const Recording& recording) {
+  const RecordedState end = recordedState(scene, session.walker());
   fmt::print("{} ticks, end: {}\n", recording.inputs.size(), words(end));
   if (end == recording.end) {
     fmt::print("as recorded, to the bit\n");
@@ -98,9 +98,9 @@ ExitStatus judge(const Level& level, const WalkSession& session, const Recording
   return ExitStatus::Differs;
 }
 
-ExitStatus replayHeadless(const Level& level, WalkSession& session, const Recording& recording) {
+ExitStatus replayHeadless(const Scene& scene, WalkSession& session, const Recording& recording) {
   for (const WalkInput& input : recording.inputs) session.tick(input);
-  return judge(level, session, recording);
+  return judge(scene, session, recording);
 }
 
 using SharedLevel = std::shared_ptr<const LoadedLevel>;
@@ -111,7 +111,7 @@ using SharedLitLevel = std::shared_ptr<const LitLevel>;
 tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
                                                     const SharedSource& source,
                                                     const OptionValues& values) {
-  auto light = std::async(std::launch::async, [&] { return lightFor(loaded->level, values); });
+  auto light = std::async(std::launch::async, [&] { return lightFor(loaded->scene(), values); });
   while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     WalkWindow::answerDesktop();
   return light.get().map([&](BakedLight baked) {
@@ -138,12 +138,12 @@ WindowSettings windowSettings(const Plan& plan, const OptionValues& values) {
 }
 
 /// Writes the walk so far where `--record` says.
-ExitStatus keepWalk(const Level& level, const RecordedStart& start, const WalkSession& session,
+ExitStatus keepWalk(const Scene& scene, const RecordedStart& start, const WalkSession& session,
                     const OptionValues& values) {
   const std::optional<std::string> path = values.text(Option::Record);
   if (!path) return ExitStatus::Done;
   const auto written =
-      writeRecordingFile(*path, {start, session.inputs(), recordedState(level, session.walker())});
+      writeRecordingFile(*path, {start, session.inputs(), recordedState(scene, session.walker())});
   return written ? ExitStatus::Done : fail(written.error());
 }
 
@@ -177,8 +177,8 @@ void addConfig(const Config& config, WalkSettings& settings) {
 
 ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, const Plan& plan,
                         WalkSession& session, const OptionValues& values) {
-  const Level& level = loaded->level;
-  auto window = WalkWindow::open(level.name + " - baking", windowSettings(plan, values));
+  const Scene scene = loaded->scene();
+  auto window = WalkWindow::open(loaded->level.name + " - baking", windowSettings(plan, values));
   if (!window)
     return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
                             window.error(), values.program));
@@ -196,31 +196,31 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
     return writeShot(disk, live ? *live->shown()->loaded : *loaded, bookmark);
   };
   if (const auto target = values.number(Option::TargetMs)) {
-    fitFrames(*target, (*lit)->renderer, eyeOf(level, session.walker()), plan, *window,
+    fitFrames(*target, (*lit)->renderer, eyeOf(scene, session.walker()), plan, *window,
               settings.options);
     if (live) live->setOptions(settings.options);
     *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
   }
 
   ScreenshotFiles screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(level, (*lit)->renderer, session, {*window, disk, screenshots}, settings, source);
+  WalkLoop loop(scene, (*lit)->renderer, session, {*window, disk, screenshots}, settings, source);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
-  if (keepWalk(level, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;
+  if (keepWalk(scene, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;
   while (loop.round()) {
     if (live) {
       live->update(loop, session, *window);
     } else if (const auto options = loop.takeChoice()) {
       const auto next = redrawn(**lit, drawSettingsFrom(*options));
-      loop.goOnIn(level, next->renderer, source);
+      loop.goOnIn(scene, next->renderer, source);
       *lit = next;
     }
   }
   if (const auto file = windowFile(plan)) keepWindowPlace(*file, window->place());
   loop.awaitScreenshots();
-  if (!plan.replay) return keepWalk(level, plan.start, session, values);
+  if (!plan.replay) return keepWalk(scene, plan.start, session, values);
   if (!loop.isReplayOver()) return fail("--replay: left before its end");
-  return judge(level, session, *plan.replay);
+  return judge(scene, session, *plan.replay);
 }
 
 ExitStatus runWalk(const OptionValues& values) {
@@ -228,15 +228,15 @@ ExitStatus runWalk(const OptionValues& values) {
   SourcedResult opened = openLevelWithSource(values);
   if (!opened.result.loaded) return ExitStatus::BadInput;
   const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
-  const Level& level = loaded->level;
-  const auto plan = planFor(level, values);
+  const Scene scene = loaded->scene();
+  const auto plan = planFor(scene, values);
   if (!plan) return fail(plan.error());
-  const auto walker = startOf(level, plan->start);
+  const auto walker = startOf(scene, plan->start);
   if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
   WalkSession session(
-      level, *walker,
+      scene, *walker,
       values.has(Option::Record) ? WalkSession::Memory::Inputs : WalkSession::Memory::None);
-  if (values.has(Option::Headless)) return replayHeadless(level, session, *plan->replay);
+  if (values.has(Option::Headless)) return replayHeadless(scene, session, *plan->replay);
   const auto source = std::make_shared<const LevelSource>(std::move(opened.source));
   return walkInWindow(loaded, source, *plan, session, values);
 }

@@ -111,7 +111,7 @@ void BackgroundBaker::run(const std::stop_token& stopOfFirst) {
   attempt([&] { light(true, stopOfFirst); });
   while (const auto job = nextJob())
     attempt([&] {
-      if (job->hasOtherOptions && bakeSettingsFrom(current_->level, options()) != litBy_)
+      if (job->hasOtherOptions && bakeSettingsFrom(current_->scene(), options()) != litBy_)
         isLit_ = false;
       if (job->changed) load(*job->changed);
       if (!isLit_) light(false, job->stop);
@@ -188,16 +188,16 @@ LoadResult BackgroundBaker::loaded(Changed changed) {
 }
 
 void BackgroundBaker::light(bool isFirst, const std::stop_token& stop) {
-  const Level& level = current_->level;
+  const Scene scene = current_->scene();
   const OptionValues values = options();
-  const auto settings = bakeSettingsFor(level, values);
+  const auto settings = bakeSettingsFor(scene, values);
   if (!settings) return refuse(settings.error());
   refusal_.reset();
   const auto cache = values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
   const bool isKept = isFirst && cache && showKept(*cache, *settings);
 
   // Also where the light was kept: from then on an edit asks for little.
-  Rebake rebake(memory_, level, *settings, threadsFrom(values));
+  Rebake rebake(memory_, scene, *settings, threadsFrom(values));
   if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft)) {
     show(rebake.draft(), true);
     if (isOvertaken()) return;
@@ -211,11 +211,11 @@ void BackgroundBaker::light(bool isFirst, const std::stop_token& stop) {
   litBy_ = *settings;
   if (isKept) return;
   const auto lit = show(*std::move(baked), false);
-  if (cache && !unsavedLights()) cache->keep(level, *settings, *lit->light);
+  if (cache && !unsavedLights()) cache->keep(scene, *settings, *lit->light);
 }
 
 bool BackgroundBaker::showKept(const BakeCache& cache, const BakeSettings& settings) {
-  auto light = cache.find(current_->level, settings);
+  auto light = cache.find(current_->scene(), settings);
   if (!light) return false;
   show(*std::move(light), false);
   return true;

@@ -31,7 +31,7 @@ struct LitLevel {
       : loaded(std::move(level)),
         source(std::move(itsSource)),
         light(std::move(baked)),
-        renderer(loaded->level, loaded->textures, *light, settings) {}
+        renderer(loaded->scene(), loaded->textures, *light, settings) {}
   LitLevel(const LitLevel&) = delete;
   LitLevel& operator=(const LitLevel&) = delete;
 

@@ -31,18 +31,18 @@ void printToStderr(const std::vector<std::string>& lines) {
 }
 
 /// The sector of a name if it contains the point, else the first that does.
-std::optional<SectorId> sectorAt(const Level& level, const std::string& name, Vec3 point) {
+std::optional<SectorId> sectorAt(const Scene& scene, const std::string& name, Vec3 point) {
   std::optional<SectorId> found;
-  for (std::size_t i = 0; i < level.sectors.size(); ++i) {
-    if (found && level.sectors[i].name != name) continue;
-    if (contains(level, level.sectors[i], point, kPositionSlack)) found = SectorId(i);
+  for (const Sector& sector : scene.level().sectors) {
+    if (found && sector.name != name) continue;
+    if (contains(scene, sector, point, kPositionSlack)) found = sector.id;
   }
   return found;
 }
 
 }  // namespace
 
-std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const Level& to) {
+std::optional<Walker> carriedOver(const Scene& from, const Walker& walker, const Scene& to) {
   const Eye eye = eyeOf(from, walker);
   Walker carried;
   if (const auto feet = sectorAt(to, from[walker.sector].name, walker.feet)) {
@@ -52,8 +52,8 @@ std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const
   }
   if (const auto head = sectorAt(to, from[eye.sector].name, eye.point))
     carried = walkerAt(to, *head, eye.point, eye.angle, eye.pitch);
-  else if (to.player)
-    carried = walkerAt(to, to.player->sector, to.player->eye, to.player->angle, 0);
+  else if (const auto& player = to.level().player)
+    carried = walkerAt(to, player->sector, player->eye, player->angle, 0);
   else
     return std::nullopt;
   carried.isFlying = walker.isFlying;
@@ -98,7 +98,7 @@ void LiveLevel::update(WalkLoop& loop, WalkSession& session, WindowHost& outside
   if (const auto options = loop.takeChoice()) {
     const auto before = shown_;  // which the loop still draws
     setOptions(*options);
-    loop.goOnIn(shown_->loaded->level, shown_->renderer, shown_->source);
+    loop.goOnIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
   }
   LightsEditor* const lights = loop.lights();
   reload(watch_.changes(), lights);
@@ -143,7 +143,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
   }
   const auto before = std::exchange(shown_, news.level);  // which the loop still draws
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
-  loop.goOnIn(shown_->loaded->level, shown_->renderer, shown_->source);
+  loop.goOnIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
   if (saved_)
     report_ = fmt::format("{}: {} {:.3f} s after it was saved", saved_->filename().string(),
                           news.isDraft ? "a draft is shown" : "shown", secondsSinceSaved(*saved_));
@@ -151,8 +151,8 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
 }
 
 bool LiveLevel::goOnIn(const LitLevel& next, WalkSession& session) const {
-  const auto walker = carriedOver(shown_->loaded->level, session.walker(), next.loaded->level);
-  if (walker) session.goOnIn(next.loaded->level, *walker);
+  const auto walker = carriedOver(shown_->loaded->scene(), session.walker(), next.loaded->scene());
+  if (walker) session.goOnIn(next.loaded->scene(), *walker);
   return walker.has_value();
 }
 

@@ -61,6 +61,6 @@ class LiveLevel {
 /// Where a walker of one version of a level is in another: the same place, if that lies in a sector
 /// still, the one of the same name before others; else where the player starts. None where there is
 /// no such place.
-std::optional<Walker> carriedOver(const Level& from, const Walker& walker, const Level& to);
+std::optional<Walker> carriedOver(const Scene& from, const Walker& walker, const Scene& to);
 
 }  // namespace hearth

@@ -45,25 +45,25 @@ struct Demand {
 };
 
 /// The height that feet come to in a column of air: below flat portals, too.
-double feetAt(const Level& level, SectorId id, Vec2 p) {
-  while (level[id].floor.flatPortal)
-    id = across(level, level[*level[id].floor.flatPortal], Side::Lower, p);
-  return level[id].airBottom(p);
+double feetAt(const Scene& scene, SectorId id, Vec2 p) {
+  while (scene[id].floor.flatPortal)
+    id = across(scene.level(), scene[*scene[id].floor.flatPortal], Side::Lower, p);
+  return scene.airBottom(scene[id], p);
 }
 
 /// Likewise where a head comes to: above flat portals, too.
-double ceilingAt(const Level& level, SectorId id, Vec2 p) {
-  while (level[id].ceiling.flatPortal)
-    id = across(level, level[*level[id].ceiling.flatPortal], Side::Upper, p);
-  return level[id].airTop(p);
+double ceilingAt(const Scene& scene, SectorId id, Vec2 p) {
+  while (scene[id].ceiling.flatPortal)
+    id = across(scene.level(), scene[*scene[id].ceiling.flatPortal], Side::Upper, p);
+  return scene.airTop(scene[id], p);
 }
 
-Demand demandAt(const Level& level, const Segment& segment, const Passage& passage, SectorId next,
+Demand demandAt(const Scene& scene, const Segment& segment, const Passage& passage, SectorId next,
                 double fraction) {
   const Vec2 p = lerp(segment.p0, segment.p1, fraction);
-  const double feet = feetAt(level, segment.sector, p);
+  const double feet = feetAt(scene, segment.sector, p);
   double bottom = passage.zBottom({fraction, fraction});
-  if (bottom == -kNowhere) bottom = feetAt(level, next, p);
+  if (bottom == -kNowhere) bottom = feetAt(scene, next, p);
   return {bottom - feet, passage.zTop({fraction, fraction}) - std::max(bottom, feet)};
 }
 
@@ -82,11 +82,12 @@ struct Hindrance {
 /// reach nobody can.
 class Walks {
  public:
-  Walks(const Level& level, const Body& body) : level_(level), body_(body) {
+  Walks(const Scene& scene, const Body& body) : scene_(scene), body_(body) {
+    const Level& level = scene.level();
     links_.resize(level.sectors.size());
     for (Links& links : linksIfMended_) links.resize(level.sectors.size());
     open_.resize(level.segments.size());
-    for (std::size_t i = 0; i < level.segments.size(); ++i) lookAtWall(SegmentId(i));
+    for (const Segment& segment : level.segments) lookAtWall(segment);
     for (const Sector& sector : level.sectors)
       for (const Loop& loop : sector.loops)
         for (std::uint32_t i = 0; i < loop.count; ++i) lookAtGap(loop, i);
@@ -107,7 +108,7 @@ class Walks {
   /// What would be gained behind a hindrance if all of its kind were mended: a doorway has two
   /// sides that are too narrow, and a stair many steps that are too high, or too low to walk.
   std::vector<SectorId> gainedBehind(const Hindrance& hindrance) {
-    const SectorId from = level_[hindrance.segment].sector;
+    const SectorId from = scene_[hindrance.segment].sector;
     return gainedFrom(linksIfMended_[indexOf(hindrance.kind)], hindrance.next, reachedFrom(from));
   }
 
@@ -121,15 +122,14 @@ class Walks {
                                     kHindranceKinds.begin());
   }
 
-  void lookAtWall(SegmentId id) {
-    const Segment& segment = level_[id];
+  void lookAtWall(const Segment& segment) {
     std::pmr::vector<Passage> passages;
-    findPassages(level_, segment, passages);
+    findPassages(scene_, segment, passages);
     for (const Passage& passage : passages)
       for (std::size_t i = passage.first(); i <= passage.last(); ++i) {
-        const WallPiece& piece = segment.pieces[i];
+        const WallPiece& piece = scene_.piecesOf(segment)[i];
         const SectorId next = std::get<Opening>(piece.content).next;
-        lookAtOpening({{}, id, next, piece.zBottom, {}}, passage);
+        lookAtOpening({{}, segment.id, next, piece.zBottom, {}}, passage);
       }
   }
 
@@ -137,7 +137,7 @@ class Walks {
     std::optional<Hindrance> easiest;
     for (const double fraction : kFractions) {
       hindrance.demand =
-          demandAt(level_, level_[hindrance.segment], passage, hindrance.next, fraction);
+          demandAt(scene_, scene_[hindrance.segment], passage, hindrance.next, fraction);
       if (!isHigh(hindrance.demand) && !isLow(hindrance.demand))
         return open_[hindrance.segment.index()].push_back(hindrance);
       const std::optional<FindingKind> kind = kindOf(hindrance.demand);
@@ -147,7 +147,7 @@ class Walks {
     }
     // Of what goes on below the wall, the walls down there tell.
     const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
-    const bool isWide = level_[hindrance.segment].length >= 2 * body_.radius;
+    const bool isWide = scene_[hindrance.segment].length >= 2 * body_.radius;
     if (easiest && hasBottom && isWide) add(*easiest);
   }
 
@@ -158,7 +158,8 @@ class Walks {
     const double width = widthOfGap(loop, i);
     const bool isNarrow = width < 2 * body_.radius - kSkin;
     for (Hindrance hindrance : open_[segment]) {
-      if (!isNarrow) links_[level_.segments[segment].sector.index()].push_back(hindrance.next);
+      if (!isNarrow)
+        links_[scene_.level().segments[segment].sector.index()].push_back(hindrance.next);
       if (!isNarrow || width < kNarrowestMeant * 2 * body_.radius) continue;
       hindrance.kind = FindingKind::NarrowPassage;
       hindrance.width = width;
@@ -167,7 +168,7 @@ class Walks {
   }
 
   void add(const Hindrance& hindrance) {
-    const SectorId from = level_[hindrance.segment].sector;
+    const SectorId from = scene_[hindrance.segment].sector;
     linksIfMended_[indexOf(hindrance.kind)][from.index()].push_back(hindrance.next);
     hindrances_.push_back(hindrance);
   }
@@ -175,12 +176,12 @@ class Walks {
   /// Metres from wall to wall along the line of a segment that is open; endless where it is open
   /// round a corner, too.
   double widthOfGap(const Loop& loop, std::uint32_t i) const {
-    const Segment& segment = level_.segments[loop.first.index() + i];
+    const Segment& segment = scene_.level().segments[loop.first.index() + i];
     double width = segment.length;
     for (const std::uint32_t step : {1U, loop.count - 1})
       for (std::uint32_t j = (i + step) % loop.count; j != i; j = (j + step) % loop.count) {
         if (open_[loop.first.index() + j].empty()) break;
-        const Segment& next = level_.segments[loop.first.index() + j];
+        const Segment& next = scene_.level().segments[loop.first.index() + j];
         if (!areInLine(segment, next)) return kNowhere;
         width += next.length;
       }
@@ -217,18 +218,20 @@ class Walks {
     for (const SectorId upper : flatPortal.upper)
       for (const SectorId lower : flatPortal.lower) {
         links_[upper.index()].push_back(lower);
-        if (leastHeight(level_[lower]) < body_.height) links_[lower.index()].push_back(upper);
+        if (leastHeight(scene_[lower]) < body_.height) links_[lower.index()].push_back(upper);
       }
   }
 
   double leastHeight(const Sector& sector) const {
     double least = kNowhere;
-    for (const Segment& segment : level_.segmentsOf(sector))
-      least = std::min(least, segment.air0.zTop - segment.air0.zBottom);
+    for (const Segment& segment : scene_.segmentsOf(sector)) {
+      const AirColumn& air = scene_.geometryOf(segment).air0;
+      least = std::min(least, air.zTop - air.zBottom);
+    }
     return least;
   }
 
-  const Level& level_;
+  Scene scene_;
   const Body& body_;
   std::vector<std::vector<Hindrance>> open_;  ///< by segment: what is high enough to walk through
   Links links_;
@@ -248,13 +251,13 @@ double areaOf(const Level& level, const Sector& sector) {
 class HindranceFinder {
  public:
   HindranceFinder(const LintedLevel& linted, Findings& findings)
-      : linted_(linted), level_(linted.level()), findings_(findings) {}
+      : linted_(linted), scene_(linted.scene()), findings_(findings) {}
 
   void look(const Body& body, bool isCrouching) {
-    Walks walks(level_, body);
-    const std::vector<bool> isVisited = walks.reachedFrom(level_.player->sector);
+    Walks walks(scene_, body);
+    const std::vector<bool> isVisited = walks.reachedFrom(scene_.level().player->sector);
     for (const Hindrance& hindrance : walks.hindrances()) {
-      const SectorId from = level_[hindrance.segment].sector;
+      const SectorId from = scene_[hindrance.segment].sector;
       // A crouching body climbs no more than a standing one, and is as wide.
       if (isCrouching && hindrance.kind != FindingKind::LowPassage) continue;
       if (!isVisited[from.index()]) continue;
@@ -269,13 +272,13 @@ class HindranceFinder {
  private:
   double areaOf(const std::vector<SectorId>& sectors) const {
     double area = 0;
-    for (const SectorId sector : sectors) area += hearth::areaOf(level_, level_[sector]);
+    for (const SectorId sector : sectors) area += hearth::areaOf(scene_.level(), scene_[sector]);
     return area;
   }
 
   void report(const Hindrance& hindrance, const Body& body, bool isCrouching) {
     const Place place = describedPart(linted_, hindrance.segment, hindrance.zBottom).place;
-    const std::string& name = level_[hindrance.next].name;
+    const std::string& name = scene_[hindrance.next].name;
     if (hindrance.kind == FindingKind::HighStep)
       findings_.add(hindrance.kind, place,
                     fmt::format("the step to sector \"{}\" is {:.3g} m high, the player climbs "
@@ -299,7 +302,7 @@ class HindranceFinder {
   }
 
   const LintedLevel& linted_;
-  const Level& level_;
+  Scene scene_;
   Findings& findings_;
   std::set<SectorId> told_;  ///< sectors that a finding has spoken of
 };
@@ -307,7 +310,7 @@ class HindranceFinder {
 /// Less is mended by the step with which a walk begins.
 void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings) {
   const Player& player = *linted.level().player;
-  const double floor = feetAt(linted.level(), player.sector, player.eye.xy());
+  const double floor = feetAt(linted.scene(), player.sector, player.eye.xy());
   const double depth = floor - (player.eye.z - body.eyeHeight);
   if (depth <= body.step + kSkin) return;
   findings.add(
@@ -323,10 +326,10 @@ void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings)
 void lookAtHead(const LintedLevel& linted, const Body& crouching, double eyeHeight,
                 Findings& findings) {
   const Player& player = *linted.level().player;
-  const double ceiling = ceilingAt(linted.level(), player.sector, player.eye.xy());
+  const double ceiling = ceilingAt(linted.scene(), player.sector, player.eye.xy());
   const double above = player.eye.z - crouching.eyeHeight + crouching.height - ceiling;
   if (above <= kSkin) return;
-  const double floor = feetAt(linted.level(), player.sector, player.eye.xy());
+  const double floor = feetAt(linted.scene(), player.sector, player.eye.xy());
   findings.add(FindingKind::StuckPlayer, linted.source.level.player->place,
                fmt::format("the player's head is {:.3g} m inside the ceiling, crouching", above),
                fmt::format("write \"z\": {:.6g}, which is {:.3g} m above the floor",
@@ -342,10 +345,10 @@ void findImpassable(const LintedLevel& linted, Findings& findings) {
     finder.look(bodyOf(linted.level(), isCrouching ? 1 : 0), isCrouching);
 }
 
-std::vector<SectorId> outOfReach(const Level& level) {
-  if (!level.player) return {};
+std::vector<SectorId> outOfReach(const Scene& scene) {
+  if (!scene.level().player) return {};
   const std::vector<bool> isReached =
-      Walks(level, bodyOf(level, 1)).reachedFrom(level.player->sector);
+      Walks(scene, bodyOf(scene.level(), 1)).reachedFrom(scene.level().player->sector);
   std::vector<SectorId> unreached;
   for (std::size_t i = 0; i < isReached.size(); ++i)
     if (!isReached[i]) unreached.emplace_back(i);

@@ -1,16 +1,15 @@
 #include "lint/described.h"
 
-#include <algorithm>
-
 namespace hearth {
 
 namespace {
 
-/// Which part of a stack reaches above a height.
-std::size_t partAbove(const Stack& stack, double z) {
-  const auto part = std::ranges::upper_bound(stack.subWalls, z, {}, &SubWall::zTop);
-  return std::min(static_cast<std::size_t>(part - stack.subWalls.begin()),
-                  stack.subWalls.size() - 1);
+/// Which part of a stack in a sector with these flats reaches above a height.
+std::size_t partAbove(const Stack& stack, const SectorGeometry& flats, double z) {
+  std::size_t part = 0;
+  while (part + 1 < stack.subWalls.size() && stack.topOf(part, flats.zFloor, flats.zCeiling) <= z)
+    ++part;
+  return part;
 }
 
 }  // namespace
@@ -21,14 +20,18 @@ DescribedPart describedPart(const LintedLevel& linted, SegmentId segment, double
   if (!stack)
     return {wall.place, std::get_if<SolidDescription>(&wall.kind),
             std::get_if<PortalDescription>(&wall.kind)};
-  const Stack& linked = std::get<Stack>(linted.level()[segment].kind);
-  const SubWallDescription& part = stack->subWalls[partAbove(linked, z)];
+  const Scene scene = linted.scene();
+  const Stack& linked = std::get<Stack>(scene[segment].kind);
+  const SectorGeometry& flats = scene.geometryOf(scene[scene[segment].sector]);
+  const SubWallDescription& part = stack->subWalls[partAbove(linked, flats, z)];
   return {part.place, std::get_if<SolidDescription>(&part.kind),
           std::get_if<PortalDescription>(&part.kind)};
 }
 
-Place placeOf(const LintedLevel& linted, const Surface& surface) {
-  if (surface.segment) return describedPart(linted, *surface.segment, surface.zBottom).place;
+Place placeOf(const LintedLevel& linted, SurfaceId id) {
+  const Surface& surface = linted.level()[id];
+  if (surface.segment)
+    return describedPart(linted, *surface.segment, linted.scene().geometryOf(id).zBottom).place;
   const SectorDescription& sector = linted.source.level.sectors[surface.sector.index()];
   if (surface.kind == SurfaceKind::SlopeFloor) return sector.slopeFloor->place;
   if (surface.kind == SurfaceKind::SlopeCeiling) return sector.slopeCeil->place;

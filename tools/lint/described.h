@@ -15,6 +15,6 @@ struct DescribedPart {
 DescribedPart describedPart(const LintedLevel& linted, SegmentId segment, double z);
 
 /// Where the file has what a surface belongs to: a wall, a part of a stack, a flat or a slope.
-Place placeOf(const LintedLevel& linted, const Surface& surface);
+Place placeOf(const LintedLevel& linted, SurfaceId surface);
 
 }  // namespace hearth

@@ -15,8 +15,10 @@ double rounded(double metres) { return std::round(metres * 1e6) / 1e6; }
 
 }  // namespace
 
-WallTexture textureOf(const LintedLevel& linted, const Surface& surface) {
-  const DescribedPart part = describedPart(linted, *surface.segment, surface.zBottom);
+WallTexture textureOf(const LintedLevel& linted, SurfaceId id) {
+  const Surface& surface = linted.level()[id];
+  const DescribedPart part =
+      describedPart(linted, *surface.segment, linted.scene().geometryOf(id).zBottom);
   if (part.solid) return {&part.solid->texture, "texture"};
   const std::optional<TextureDescription>& upper = part.portal->upper;
   const std::optional<TextureDescription>& lower = part.portal->lower;
@@ -26,8 +28,8 @@ WallTexture textureOf(const LintedLevel& linted, const Surface& surface) {
   return isUpper ? WallTexture{&*upper, "upper"} : WallTexture{&*lower, "lower"};
 }
 
-Hanging hangingOf(const LintedLevel& linted, const Surface& surface) {
-  return {surface.mapping.along, *surface.mapping.zRef,
+Hanging hangingOf(const LintedLevel& linted, SurfaceId surface) {
+  return {linted.level()[surface].mapping.along, *linted.scene().geometryOf(surface).zRef,
           textureOf(linted, surface).described->zRef.has_value()};
 }
 

@@ -19,9 +19,9 @@ struct WallTexture {
   std::string_view key;  ///< of the wall
 };
 
-WallTexture textureOf(const LintedLevel& linted, const Surface& surface);
+WallTexture textureOf(const LintedLevel& linted, SurfaceId surface);
 
-Hanging hangingOf(const LintedLevel& linted, const Surface& surface);
+Hanging hangingOf(const LintedLevel& linted, SurfaceId surface);
 
 /// So many repeats of the image farther back along the wall, and lower; 0 leaves a height alone.
 Hanging movedBack(const Hanging& hanging, Vec2 repeat, double u, double v);

@@ -37,13 +37,13 @@ constexpr double kMostLost = 0.25;
 constexpr double kShadow = 4;
 
 /// The lights of which no sample sees anything, of those given by their indices.
-std::vector<std::size_t> unseenOf(const Level& level, const std::vector<std::size_t>& lights,
+std::vector<std::size_t> unseenOf(const Scene& scene, const std::vector<std::size_t>& lights,
                                   const BakeSettings& settings, int threads) {
   if (lights.empty()) return {};
-  Level only = level;
+  Level only = scene.level();
   only.lights.clear();
-  for (const std::size_t light : lights) only.lights.push_back(level.lights[light]);
-  const BakedLight baked = bake(only, settings, threads);
+  for (const std::size_t light : lights) only.lights.push_back(scene.level().lights[light]);
+  const BakedLight baked = bake({only, scene.geometry()}, settings, threads);
   std::vector<std::size_t> unseen;
   for (std::size_t i = 0; i < lights.size(); ++i)
     if (baked.lightCosts[i].seenSamples == 0) unseen.push_back(lights[i]);
@@ -51,11 +51,11 @@ std::vector<std::size_t> unseenOf(const Level& level, const std::vector<std::siz
 }
 
 /// Likewise, with a coarse bake first, in which most of them are seen.
-std::vector<std::size_t> dimOf(const Level& level, const std::vector<std::size_t>& lights,
+std::vector<std::size_t> dimOf(const Scene& scene, const std::vector<std::size_t>& lights,
                                const BakeSettings& settings, int threads) {
   BakeSettings coarse = settings;
   coarse.texel *= kCoarser;
-  return unseenOf(level, unseenOf(level, lights, coarse, threads), settings, threads);
+  return unseenOf(scene, unseenOf(scene, lights, coarse, threads), settings, threads);
 }
 
 /// Of the texels of a surface that lie on it, those that `isSuch(i, j)`.
@@ -105,15 +105,16 @@ Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
 
 /// The light that brings most to a point of a surface, of those that it sees. Balls of light are
 /// taken for points.
-std::size_t mostAt(const Level& level, Vec3 p, SectorId sector) {
-  const Raytracer raytracer(level);
+std::size_t mostAt(const Scene& scene, Vec3 p, SectorId sector) {
+  const Raytracer raytracer(scene);
   std::size_t best = 0;
   std::pair most(false, 0.0);
-  for (std::size_t i = 0; i < level.lights.size(); ++i) {
-    const LightSource& light = level.lights[i];
+  const std::vector<LightSource>& lights = scene.level().lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const LightSource& light = lights[i];
     const double brought = light.levelAt(length(p - light.position));
     if (most.first && brought <= most.second) continue;
-    const std::pair here(raytracer.sees(Raytracer::sourceOf(level, light), p, sector), brought);
+    const std::pair here(raytracer.sees(Raytracer::sourceOf(scene, light), p, sector), brought);
     if (here > most) best = i, most = here;
   }
   return best;
@@ -176,7 +177,7 @@ class BlackFinder {
   }
 
   void report(std::size_t surface) {
-    findings_.add(FindingKind::Black, placeOf(linted_, level_.surfaces[surface]),
+    findings_.add(FindingKind::Black, placeOf(linted_, SurfaceId(surface)),
                   fmt::format("{} is black: no light reaches it, and its sector has none",
                               nameOf(level_, level_.surfaces[surface])),
                   "give the sector a \"light\", or move a lamp");
@@ -214,7 +215,7 @@ class OverexposedFinder {
     const Lightmap& map = *dimmed_.lightmaps[surface];
     const double fraction = lostFraction(lit, map, 255 * level_[sector].light);
     if (fraction <= kMostLost) return;
-    Glare& glare = glaring_[mostAt(level_, brightestOf(lit, map), sector)];
+    Glare& glare = glaring_[mostAt(linted_.scene(), brightestOf(lit, map), sector)];
     ++glare.surfaces;
     if (fraction <= glare.fraction) return;
     glare.worst = surface;
@@ -257,8 +258,8 @@ void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, 
   std::iota(all.begin(), all.end(), std::size_t{0});
   BakeSettings strong = settings;
   strong.cutOff = std::max(settings.cutOff, kWeak);
-  const std::vector<std::size_t> dim = dimOf(level, all, strong, threads);
-  const std::vector<std::size_t> useless = dimOf(level, dim, settings, threads);
+  const std::vector<std::size_t> dim = dimOf(linted.scene(), all, strong, threads);
+  const std::vector<std::size_t> useless = dimOf(linted.scene(), dim, settings, threads);
   for (const std::size_t light : dim) {
     const bool isUseless = std::ranges::binary_search(useless, light);
     const std::string& sector = level[level.lights[light].sector].name;

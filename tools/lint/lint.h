@@ -12,6 +12,7 @@ struct LintedLevel {
   const LevelSource& source;
 
   const Level& level() const { return loaded.level; }
+  Scene scene() const { return loaded.scene(); }
 };
 
 // What needs no bake.
@@ -31,7 +32,7 @@ void findUnseenTextures(const LintedLevel& linted, Findings& findings);
 void findImpassable(const LintedLevel& linted, Findings& findings);
 /// The sectors that the player cannot come to on foot, in order: fewer than there are rather than
 /// more. None without a player.
-std::vector<SectorId> outOfReach(const Level& level);
+std::vector<SectorId> outOfReach(const Scene& scene);
 /// A player whose feet begin below the floor, or whose head begins above the ceiling.
 void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
 

@@ -64,49 +64,50 @@ class JumpFinder {
  public:
   JumpFinder(const LintedLevel& linted, Findings& findings)
       : linted_(linted),
-        level_(linted.level()),
+        scene_(linted.scene()),
         findings_(findings),
-        linked_(bothWays(linksOf(level_))) {
-    for (const Surface& surface : level_.surfaces)
-      if (isOfWall(surface)) starting_.emplace(segmentOf(surface).p0, &surface);
+        linked_(bothWays(linksOf(scene_.level()))) {
+    for (const SurfaceId surface : scene_.shownSurfaces())
+      if (isOfWall(surface)) starting_.emplace(segmentOf(surface).p0, surface);
   }
 
   void look() {
-    for (const Surface* surface : fromLeftToRight()) {
-      const auto [first, last] = starting_.equal_range(segmentOf(*surface).p1);
-      for (auto next = first; next != last; ++next) lookAtJoint(*surface, *next->second);
+    for (const SurfaceId surface : fromLeftToRight()) {
+      const auto [first, last] = starting_.equal_range(segmentOf(surface).p1);
+      for (auto next = first; next != last; ++next) lookAtJoint(surface, next->second);
     }
   }
 
  private:
-  static bool isOfWall(const Surface& surface) {
-    return isUpright(surface.kind) && !isSidewall(surface.kind) &&
-           surface.kind != SurfaceKind::MaskedMiddle;
+  bool isOfWall(SurfaceId surface) const {
+    const SurfaceKind kind = scene_[surface].kind;
+    return isUpright(kind) && !isSidewall(kind) && kind != SurfaceKind::MaskedMiddle;
   }
 
   /// So that along a row of walls, whatever the order of their sectors, each is mended before the
   /// next one is compared with it.
-  std::vector<const Surface*> fromLeftToRight() const {
-    std::vector<std::pair<double, const Surface*>> ordered;  // by metres along the own line
-    for (const Surface& surface : level_.surfaces) {
+  std::vector<SurfaceId> fromLeftToRight() const {
+    std::vector<std::pair<double, SurfaceId>> ordered;  // by metres along the own line
+    for (const SurfaceId surface : scene_.shownSurfaces()) {
       if (!isOfWall(surface)) continue;
       const Segment& segment = segmentOf(surface);
-      ordered.emplace_back(dot(segment.p0, segment.p1 - segment.p0) / segment.length, &surface);
+      ordered.emplace_back(dot(segment.p0, segment.p1 - segment.p0) / segment.length, surface);
     }
-    std::ranges::stable_sort(ordered, {}, &std::pair<double, const Surface*>::first);
-    std::vector<const Surface*> surfaces;
+    std::ranges::stable_sort(ordered, {}, &std::pair<double, SurfaceId>::first);
+    std::vector<SurfaceId> surfaces;
     for (const auto& [along, surface] : ordered) surfaces.push_back(surface);
     return surfaces;
   }
 
-  const Segment& segmentOf(const Surface& surface) const { return level_[*surface.segment]; }
-  const Image& imageOf(const Surface& surface) const {
-    return linted_.loaded.textures[surface.mapping.texture.index()];
+  const TextureMapping& mappingOf(SurfaceId surface) const { return scene_[surface].mapping; }
+  const Segment& segmentOf(SurfaceId surface) const { return scene_[*scene_[surface].segment]; }
+  const Image& imageOf(SurfaceId surface) const {
+    return linted_.loaded.textures[mappingOf(surface).texture.index()];
   }
 
-  void lookAtJoint(const Surface& left, const Surface& right) {
-    if (!areAlike(left.mapping, right.mapping) || !areInOnePlane(left, right)) return;
-    if (!touch(left, right) || !areSeenTogether(left.sector, right.sector)) return;
+  void lookAtJoint(SurfaceId left, SurfaceId right) {
+    if (!areAlike(mappingOf(left), mappingOf(right)) || !areInOnePlane(left, right)) return;
+    if (!touch(left, right) || !areSeenTogether(scene_[left].sector, scene_[right].sector)) return;
     const ImageEnd jump = jumpAt(left, hangingOf(linted_, left), right, hangingOf(linted_, right));
     if (!isSeen(jump, imageOf(left))) return;
     // What was told before mends walls together: a row of them, or all pieces of one.
@@ -115,12 +116,13 @@ class JumpFinder {
   }
 
   /// From where the image of the left surface ends to where that of the right one begins.
-  ImageEnd jumpAt(const Surface& left, const Hanging& hangingLeft, const Surface& right,
+  ImageEnd jumpAt(SurfaceId left, const Hanging& hangingLeft, SurfaceId right,
                   const Hanging& hangingRight) const {
     const Image& image = imageOf(left);
     const Segment& before = segmentOf(left);
-    const ImageEnd end = imageAt(left.mapping, hangingLeft, before.sBefore + before.length, image);
-    const ImageEnd start = imageAt(right.mapping, hangingRight, segmentOf(right).sBefore, image);
+    const ImageEnd end =
+        imageAt(mappingOf(left), hangingLeft, before.sBefore + before.length, image);
+    const ImageEnd start = imageAt(mappingOf(right), hangingRight, segmentOf(right).sBefore, image);
     // Two heights that were both written down are meant: beams and ribs have stones of their own.
     const bool areMeant = hangingLeft.hasZRef && hangingRight.hasZRef;
     return {start.u - end.u, areMeant ? 0 : start.v - end.v};
@@ -132,13 +134,13 @@ class JumpFinder {
 
   /// One for all pieces of a wall, even where one wall of the file stands for all of a loop.
   using TextureOnWall = std::pair<std::uint32_t, Place>;
-  TextureOnWall onWall(const Surface& surface) const {
-    return {linted_.source.edgeOf[surface.segment->index()],
+  TextureOnWall onWall(SurfaceId surface) const {
+    return {linted_.source.edgeOf[segmentOf(surface).id.index()],
             textureOf(linted_, surface).described->name.place};
   }
 
   /// As it would be with what has been told.
-  Hanging mendedHangingOf(const Surface& surface) const {
+  Hanging mendedHangingOf(SurfaceId surface) const {
     Hanging hanging = hangingOf(linted_, surface);
     const auto mended = mended_.find(onWall(surface));
     if (mended == mended_.end()) return hanging;
@@ -152,7 +154,7 @@ class JumpFinder {
     return a.texture == b.texture && a.repeat == b.repeat;
   }
 
-  bool areInOnePlane(const Surface& left, const Surface& right) const {
+  bool areInOnePlane(SurfaceId left, SurfaceId right) const {
     const Segment& a = segmentOf(left);
     const Segment& b = segmentOf(right);
     const Vec2 along = a.p1 - a.p0;
@@ -160,45 +162,46 @@ class JumpFinder {
            std::abs(cross(along, b.p1 - b.p0)) / a.length <= noiseOf(std::min(a.length, b.length));
   }
 
-  static bool touch(const Surface& left, const Surface& right) {
-    return std::min(left.zTop, right.zTop) - std::max(left.zBottom, right.zBottom) > kAuthorNoise;
+  bool touch(SurfaceId left, SurfaceId right) const {
+    const SurfaceGeometry& a = scene_.geometryOf(left);
+    const SurfaceGeometry& b = scene_.geometryOf(right);
+    return std::min(a.zTop, b.zTop) - std::max(a.zBottom, b.zBottom) > kAuthorNoise;
   }
 
   bool areSeenTogether(SectorId a, SectorId b) const {
     return a == b || std::ranges::binary_search(linked_[a.index()], b);
   }
 
-  void report(const Surface& left, const Surface& right, const ImageEnd& jump,
-              const ImageEnd& rest) {
+  void report(SurfaceId left, SurfaceId right, const ImageEnd& jump, const ImageEnd& rest) {
     const Image& image = imageOf(right);
     const Vec2 joint = segmentOf(right).p0;
     const bool isLevel = pixelsOff(rest.v, image.height()) < 0.5;
     const Hanging mended =
-        movedBack(mendedHangingOf(right), right.mapping.repeat, rest.u, isLevel ? 0 : rest.v);
+        movedBack(mendedHangingOf(right), mappingOf(right).repeat, rest.u, isLevel ? 0 : rest.v);
     mended_.insert_or_assign(onWall(right), mended);
     findings_.add(
         FindingKind::TextureJump, placeOf(linted_, right),
         fmt::format("\"{}\" jumps by {:.0f} pixels along and {:.0f} up at ({}, {}), where it meets "
                     "the {} of sector \"{}\"",
-                    level_.textures[right.mapping.texture.index()],
+                    scene_.level().textures[mappingOf(right).texture.index()],
                     pixelsOff(jump.u, image.width()), pixelsOff(jump.v, image.height()), joint.x,
-                    joint.y, name(left.kind), level_[left.sector].name),
+                    joint.y, name(scene_[left].kind), scene_[scene_[left].sector].name),
         fmt::format("{} {}", standsForAll(right) ? "give each wall its own, and this one" : "write",
                     written(textureOf(linted_, right), mended)));
   }
 
   /// Whether the file has one wall for all of the loop.
-  bool standsForAll(const Surface& surface) const {
-    const Edge& edge = linted_.source.edge(*surface.segment);
+  bool standsForAll(SurfaceId surface) const {
+    const Edge& edge = linted_.source.edge(segmentOf(surface).id);
     return describedLoop(linted_.source.level, linted_.source.outlines, edge).walls.size() == 1;
   }
 
   const LintedLevel& linted_;
-  const Level& level_;
+  Scene scene_;
   Findings& findings_;
   std::vector<std::vector<SectorId>> linked_;
-  std::multimap<Vec2, const Surface*, decltype(&lessXY)> starting_{&lessXY};  ///< by p0
-  std::map<TextureOnWall, Hanging> mended_;                                   ///< as told
+  std::multimap<Vec2, SurfaceId, decltype(&lessXY)> starting_{&lessXY};  ///< by p0
+  std::map<TextureOnWall, Hanging> mended_;                              ///< as told
 };
 
 }  // namespace

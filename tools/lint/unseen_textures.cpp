@@ -25,7 +25,7 @@ class UnseenFinder {
  public:
   UnseenFinder(const LintedLevel& linted, Findings& findings)
       : linted_(linted), findings_(findings) {
-    for (const Surface& surface : linted.level().surfaces) wear(surface);
+    for (const SurfaceId surface : linted.scene().shownSurfaces()) wear(surface);
   }
 
   void lookAtWall(const Segment& segment, const WallDescription& wall) {
@@ -40,11 +40,12 @@ class UnseenFinder {
   }
 
  private:
-  void wear(const Surface& surface) {
+  void wear(SurfaceId id) {
+    const Surface& surface = linted_.level()[id];
     const bool isMiddle = surface.kind == SurfaceKind::MaskedMiddle;
     if (!isMiddle && !isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
     const PortalDescription& portal =
-        *describedPart(linted_, *surface.segment, surface.zBottom).portal;
+        *describedPart(linted_, *surface.segment, linted_.scene().geometryOf(id).zBottom).portal;
     const auto& worn =
         isMiddle ? portal.maskedMiddle : (isLowerStep(surface.kind) ? portal.lower : portal.upper);
     worn_.insert(worn->name.place);
@@ -90,9 +91,8 @@ class UnseenFinder {
 
 void findUnseenTextures(const LintedLevel& linted, Findings& findings) {
   UnseenFinder finder(linted, findings);
-  const Level& level = linted.level();
-  for (std::size_t i = 0; i < level.segments.size(); ++i)
-    finder.lookAtWall(level.segments[i], linted.source.wall(SegmentId(i)));
+  for (const Segment& segment : linted.level().segments)
+    finder.lookAtWall(segment, linted.source.wall(segment.id));
 }
 
 }  // namespace hearth

@@ -10,16 +10,16 @@
 
 namespace hearth {
 
-FittingBake bakeFitting(const Level& level, const BakeSettings& ofLevel, double seconds,
+FittingBake bakeFitting(const Scene& scene, const BakeSettings& ofLevel, double seconds,
                         int threads, const Clock& clock) {
   const MeasuredBake& fastest = measuredBakes().back();
   const double begin = clock();
-  (void)bake(level, fastest.bake.of(ofLevel), threads);
+  (void)bake(scene, fastest.bake.of(ofLevel), threads);
   const double tried = clock() - begin;
   const double ofLevelsOwn = std::max(tried, 1e-6) / fastest.cost;
   const MeasuredBake* found = &bakeWithin((seconds - tried) / ofLevelsOwn);
   // Of a large level, fine texels may be too many for any time.
-  while (found != &fastest && mistakeInSettings(level, found->bake.of(ofLevel))) ++found;
+  while (found != &fastest && mistakeInSettings(scene, found->bake.of(ofLevel))) ++found;
   return {found->bake.of(ofLevel), found->cost * ofLevelsOwn, found->rms};
 }
 

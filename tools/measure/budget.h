@@ -15,7 +15,7 @@ struct FittingBake {
 };
 
 /// Bakes coarsely, to see how long this level takes here; what that takes is part of `seconds`.
-FittingBake bakeFitting(const Level& level, const BakeSettings& ofLevel, double seconds,
+FittingBake bakeFitting(const Scene& scene, const BakeSettings& ofLevel, double seconds,
                         int threads, const Clock& clock);
 
 struct FittingFrame {

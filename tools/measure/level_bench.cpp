@@ -20,10 +20,10 @@ std::vector<int> threadCounts(int threads) {
 BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
                     const DrawSettings& drawSettings, int threads, int repeats,
                     const Clock& clock) {
-  const Level& level = loaded.level;
-  const std::vector<Camera> cameras = camerasOf(level);
-  const BakedLight light = bake(level, settings, threads);
-  const Renderer renderer(level, loaded.textures, light, drawSettings);
+  const Scene scene = loaded.scene();
+  const std::vector<Camera> cameras = camerasOf(loaded.level);
+  const BakedLight light = bake(scene, settings, threads);
+  const Renderer renderer(scene, loaded.textures, light, drawSettings);
 
   std::vector<FrameTimes> frames;
   std::vector<std::vector<double>> bakeSeconds;
@@ -41,7 +41,7 @@ BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
     drawAll();
     for (std::size_t k = 0; k < bakeSeconds.size(); ++k) {
       const double begin = clock();
-      (void)bake(level, settings, threadCounts(threads)[k]);
+      (void)bake(scene, settings, threadCounts(threads)[k]);
       bakeSeconds[k].push_back(clock() - begin);
     }
   }

@@ -20,9 +20,9 @@ BakeSettings settingsOfPairs(const Level& level) {
   return settings;
 }
 
-double secondsOfBake(const Level& level, int threads, const Clock& clock) {
+double secondsOfBake(const Scene& scene, int threads, const Clock& clock) {
   const double begin = clock();
-  (void)bake(level, settingsOfPairs(level), threads);
+  (void)bake(scene, settingsOfPairs(scene.level()), threads);
   return clock() - begin;
 }
 
@@ -32,14 +32,14 @@ struct Groundwork {
   double beams;    ///< finding what lights see
 };
 
-Groundwork groundworkOf(const Level& level, int threads, const Clock& clock) {
-  const BakeSettings settings = settingsOfPairs(level);
-  const LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
-  const LightSights sights(level, settings);
+Groundwork groundworkOf(const Scene& scene, int threads, const Clock& clock) {
+  const BakeSettings settings = settingsOfPairs(scene.level());
+  const LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
+  const LightSights sights(scene, settings);
   const double begin = clock();
   parallelFor(surfaces.size(), threads, [&](std::size_t i) {
     if (!surfaces[i]) return;
-    const SurfaceLight surface(level, surfaces, sights, settings.lambert, SurfaceId(i));
+    const SurfaceLight surface(scene, surfaces, sights, settings.lambert, SurfaceId(i));
     if (surface.facing().empty()) return;
     for (const TexelRect& tile : tilesOf(surface.texels())) (void)samplesOf(surface, tile, 1);
   });
@@ -51,38 +51,38 @@ Groundwork groundworkOf(const Level& level, int threads, const Clock& clock) {
 /// Embree with a level and the rays of its bake.
 class EmbreePeer {
  public:
-  static tl::expected<std::shared_ptr<const EmbreePeer>, std::string> of(const Level& level) {
-    return EmbreeTracer::of(meshInLight(level)).map([&](EmbreeTracer tracer) {
-      return std::make_shared<const EmbreePeer>(level, std::move(tracer));
+  static tl::expected<std::shared_ptr<const EmbreePeer>, std::string> of(const Scene& scene) {
+    return EmbreeTracer::of(meshInLight(scene)).map([&](EmbreeTracer tracer) {
+      return std::make_shared<const EmbreePeer>(scene, std::move(tracer));
     });
   }
 
-  EmbreePeer(const Level& level, EmbreeTracer tracer)
-      : level_(level),
+  EmbreePeer(const Scene& scene, EmbreeTracer tracer)
+      : scene_(scene),
         tracer_(std::move(tracer)),
-        rays_(level, settingsOfPairs(level).texel, tracer_) {}
+        rays_(scene, settingsOfPairs(scene.level()).texel, tracer_) {}
 
-  const Level& level() const { return level_; }
+  const Scene& scene() const { return scene_; }
 
   BakeRays::Traced traced(int threads, const Clock& clock) const {
     return rays_.traceAll(tracer_, threads, clock);
   }
 
  private:
-  const Level& level_;
+  Scene scene_;
   EmbreeTracer tracer_;
   BakeRays rays_;
 };
 
 /// Pairs that a bake answers a second over rays that Embree does.
 Prepared preparePairs(PeerInputs& inputs, const std::filesystem::path& file) {
-  const auto scene = inputs.scene(file);
-  if (!scene) return tl::unexpected(scene.error());
-  return EmbreePeer::of((*scene)->loaded.level).map([&](const auto& peer) -> Measure {
+  const auto level = inputs.level(file);
+  if (!level) return tl::unexpected(level.error());
+  return EmbreePeer::of((*level)->loaded.scene()).map([&](const auto& peer) -> Measure {
     return [peer, &inputs] {
-      const double ofBake = secondsOfBake(peer->level(), 1, inputs.clock());
+      const double ofBake = secondsOfBake(peer->scene(), 1, inputs.clock());
       const BakeRays::Traced traced = peer->traced(1, inputs.clock());
-      const auto [placing, beams] = groundworkOf(peer->level(), 1, inputs.clock());
+      const auto [placing, beams] = groundworkOf(peer->scene(), 1, inputs.clock());
       const double millions = 1e-6 * static_cast<double>(traced.rays);
       return Figures{traced.seconds / ofBake,
                      millions / ofBake,
@@ -106,21 +106,21 @@ Prepared prepareTutorialPairs(PeerInputs& inputs) {
 }
 
 Prepared prepareLargestBake(PeerInputs& inputs) {
-  return inputs.freedoomScene(kLargestMap).map([&](const Scene* scene) -> Measure {
-    return [scene, &inputs] {
-      return Figures{secondsOfBake(scene->loaded.level, kThreads, inputs.clock())};
+  return inputs.freedoomLevel(kLargestMap).map([&](const PeerLevel* level) -> Measure {
+    return [level, &inputs] {
+      return Figures{secondsOfBake(level->loaded.scene(), kThreads, inputs.clock())};
     };
   });
 }
 
 Prepared prepareLargestRays(PeerInputs& inputs) {
-  const auto scene = inputs.freedoomScene(kLargestMap);
-  if (!scene) return tl::unexpected(scene.error());
-  return EmbreePeer::of((*scene)->loaded.level).map([&](const auto& peer) -> Measure {
+  const auto level = inputs.freedoomLevel(kLargestMap);
+  if (!level) return tl::unexpected(level.error());
+  return EmbreePeer::of((*level)->loaded.scene()).map([&](const auto& peer) -> Measure {
     return [peer, &inputs] {
-      const double ofBake = secondsOfBake(peer->level(), kThreads, inputs.clock());
+      const double ofBake = secondsOfBake(peer->scene(), kThreads, inputs.clock());
       const BakeRays::Traced traced = peer->traced(kThreads, inputs.clock());
-      const auto [placing, beams] = groundworkOf(peer->level(), kThreads, inputs.clock());
+      const auto [placing, beams] = groundworkOf(peer->scene(), kThreads, inputs.clock());
       return Figures{ofBake / traced.seconds,
                      ofBake,
                      traced.seconds,

@@ -49,10 +49,10 @@ std::int64_t raysIn(const RayPacket& packet) {
 
 }  // namespace
 
-BakeRays::BakeRays(const Level& level, double texel, const EmbreeTracer& tracer)
-    : level_(level), reached_(level.lights.size() * level.sectors.size(), true) {
-  for (const LightSource& light : level.lights) reach_.push_back(light.reach(0));
-  const LitSurfaces surfaces = makeLitSurfaces(level, texel);
+BakeRays::BakeRays(const Scene& scene, double texel, const EmbreeTracer& tracer)
+    : scene_(scene), reached_(scene.level().lights.size() * scene.level().sectors.size(), true) {
+  for (const LightSource& light : scene.level().lights) reach_.push_back(light.reach(0));
+  const LitSurfaces surfaces = makeLitSurfaces(scene, texel);
   surfaces_.resize(surfaces.size());
   parallelFor(surfaces.size(), availableThreads(), [&](std::size_t i) {
     if (surfaces[i]) surfaces_[i] = samplesOf(surfaces, SurfaceId(i));
@@ -64,14 +64,14 @@ BakeRays::SurfaceSamples BakeRays::samplesOf(const LitSurfaces& surfaces, Surfac
   const LitSurface& surface = *surfaces[id.index()];
   const SamplePlacement placement(surfaces, id);
   SurfaceSamples samples;
-  samples.lights = lightsBefore(level_, surface);
+  samples.lights = lightsBefore(scene_.level(), surface);
   if (samples.lights.empty()) return samples;
   const TexelRect& rect = surface.texels;
   for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
     std::vector<Sample>& row = samples.rows.emplace_back();
     for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
       const SamplePoint at = placement.place({i + 0.5, j + 0.5});
-      row.push_back({at.target, level_[at.surface].sector});
+      row.push_back({at.target, scene_[at.surface].sector});
     }
   }
   return samples;
@@ -80,14 +80,14 @@ BakeRays::SurfaceSamples BakeRays::samplesOf(const LitSurfaces& surfaces, Surfac
 /// At first all sectors count. Rays that `tracer` lets pass are asked for again in the level
 /// itself: over walls beneath a sky, for one, there is nothing else to stop them.
 void BakeRays::findReached(const EmbreeTracer& tracer) {
-  const Raytracer raytracer(level_);
+  const Raytracer raytracer(scene_);
   std::vector<std::atomic<bool>> found(reached_.size());
   parallelFor(surfaces_.size(), availableThreads(), [&](std::size_t i) {
     forEachPacket(surfaces_[i], kRowsApart,
                   [&](std::size_t light, const std::vector<Sample>& row, std::size_t first,
                       RayPacket& packet) {
                     tracer.trace({&packet, 1});
-                    const auto source = Raytracer::sourceOf(level_, level_.lights[light]);
+                    const auto source = Raytracer::sourceOf(scene_, scene_.level().lights[light]);
                     for (std::size_t lane = 0; lane < kLanes; ++lane) {
                       if (!packet.isFree(lane)) continue;
                       const Sample& sample = row[first + lane];
@@ -111,7 +111,7 @@ void BakeRays::forEachPacket(const SurfaceSamples& surface, std::size_t everyRow
           const bool isThere = first + lane < row.size() && takes(light, row[first + lane]);
           packet.valid[lane] = isThere ? -1 : 0;
           const Sample& sample = row[std::min(first + lane, row.size() - 1)];
-          setRay(packet, lane, level_.lights[light].position, sample.target);
+          setRay(packet, lane, scene_.level().lights[light].position, sample.target);
         }
         if (raysIn(packet) > 0) use(light, row, first, packet);
       }
@@ -119,7 +119,7 @@ void BakeRays::forEachPacket(const SurfaceSamples& surface, std::size_t everyRow
 }
 
 bool BakeRays::takes(std::size_t light, const Sample& sample) const {
-  const Vec3 toLight = level_.lights[light].position - sample.target;
+  const Vec3 toLight = scene_.level().lights[light].position - sample.target;
   return reached_[indexOf(light, sample.sector)] && length(toLight) < reach_[light];
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/lit_surface.h"
 #include "measure/frame_times.h"
 #include "peers/embree.h"
@@ -15,8 +15,8 @@ namespace hearth {
 /// sectors into which any of it comes.
 class BakeRays {
  public:
-  /// `tracer` knows the level, and is asked where light may come.
-  BakeRays(const Level& level, double texel, const EmbreeTracer& tracer);
+  /// `tracer` knows the scene, and is asked where light may come.
+  BakeRays(const Scene& scene, double texel, const EmbreeTracer& tracer);
 
   struct Traced {
     std::int64_t rays = 0;
@@ -43,10 +43,10 @@ class BakeRays {
   void forEachPacket(const SurfaceSamples& surface, std::size_t everyRow, Use&& use) const;
   bool takes(std::size_t light, const Sample& sample) const;
   std::size_t indexOf(std::size_t light, SectorId sector) const {
-    return light * level_.sectors.size() + sector.index();
+    return light * scene_.level().sectors.size() + sector.index();
   }
 
-  const Level& level_;
+  Scene scene_;
   std::vector<SurfaceSamples> surfaces_;
   std::vector<double> reach_;  ///< by light, metres
   std::vector<bool> reached_;  ///< by light and sector: whether any of it comes there

@@ -106,7 +106,8 @@ tl::expected<WalkWindow, std::string> openUnseenWindow() {
 /// What the player sees turning at the start, drawn and shown as by a walk.
 class TurningWalk {
  public:
-  TurningWalk(const Scene& scene, WalkWindow window) : scene_(scene), window_(std::move(window)) {}
+  TurningWalk(const PeerLevel& level, WalkWindow window)
+      : level_(level), window_(std::move(window)) {}
 
   /// User time of a frame.
   double milliseconds(LightMode mode) {
@@ -118,18 +119,18 @@ class TurningWalk {
 
  private:
   void drawFrames(int frames, LightMode mode) {
-    const Player& player = *scene_.loaded.level.player;
+    const Player& player = *level_.loaded.level.player;
     for (int i = 0; i < frames; ++i) {
       const double turned = i * (kTurnsPerTic * 360.0 / 256);
       const Camera camera{player.sector, player.eye,  player.angle - turned, 0,
                           kFov,          kSize.width, kSize.height};
       window_.show(kSize, [&](const PixelRows& rows) {
-        scene_.renderer.draw(camera, mode, scratch_, rows);
+        level_.renderer.draw(camera, mode, scratch_, rows);
       });
     }
   }
 
-  const Scene& scene_;
+  const PeerLevel& level_;
   WalkWindow window_;
   FrameScratch scratch_;
 };
@@ -137,11 +138,11 @@ class TurningWalk {
 Prepared prepareDoomFrame(PeerInputs& inputs, const std::string& map) {
   if (!std::filesystem::exists(kDoom))
     return tl::unexpected<std::string>("dsda-doom is not here: apt-get install dsda-doom");
-  const auto scene = inputs.freedoomScene(map);
-  if (!scene) return tl::unexpected(scene.error());
+  const auto level = inputs.freedoomLevel(map);
+  if (!level) return tl::unexpected(level.error());
   auto window = openUnseenWindow();
   if (!window) return tl::unexpected(window.error());
-  const auto walk = std::make_shared<TurningWalk>(**scene, *std::move(window));
+  const auto walk = std::make_shared<TurningWalk>(**level, *std::move(window));
   return [doom = Doom(inputs.folder(), map), walk] {
     return doom.milliseconds().map([&](double ofDoom) {
       const double ofHearth = walk->milliseconds(LightMode::Both);

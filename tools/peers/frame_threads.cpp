@@ -44,8 +44,8 @@ class PhaseTimes {
 /// other.
 class ThreadedFrames {
  public:
-  explicit ThreadedFrames(const Scene& scene)
-      : renderer_(scene.renderer), cameras_(camerasOf(scene.loaded.level)) {
+  explicit ThreadedFrames(const PeerLevel& level)
+      : renderer_(level.renderer), cameras_(camerasOf(level.loaded.level)) {
     for (Camera& camera : cameras_) camera.width = kFullHd.width, camera.height = kFullHd.height;
   }
 
@@ -108,8 +108,8 @@ class ThreadedFrames {
 Prepared prepareThreads(PeerInputs& inputs, double (PhaseTimes::*part)() const) {
   if (availableThreads() < 2)
     return tl::unexpected<std::string>("this machine runs one thread at once");
-  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
-    return [frames = std::make_shared<ThreadedFrames>(*scene), part, &inputs] {
+  return inputs.level(inputs.keepFile()).map([&](const PeerLevel* level) -> Measure {
+    return [frames = std::make_shared<ThreadedFrames>(*level), part, &inputs] {
       frames->measure(inputs.clock());
       return frames->figures(part);
     };

@@ -20,8 +20,8 @@ constexpr int kLargeRounds = 2;
 /// Frames of all shots in one size, on one thread.
 class ShotFrames {
  public:
-  ShotFrames(const Scene& scene, PictureSize size, int rounds)
-      : scene_(scene), cameras_(camerasOf(scene.loaded.level)), rounds_(rounds), frames_(size, 1) {}
+  ShotFrames(const PeerLevel& level, PictureSize size, int rounds)
+      : level_(level), cameras_(camerasOf(level.loaded.level)), rounds_(rounds), frames_(size, 1) {}
 
   FrameBench measure(const Clock& clock) {
     drawAll(clock);  // caches that others have used are warm again
@@ -32,10 +32,10 @@ class ShotFrames {
 
  private:
   void drawAll(const Clock& clock) {
-    for (const Camera& camera : cameras_) frames_.draw(scene_.renderer, camera, clock);
+    for (const Camera& camera : cameras_) frames_.draw(level_.renderer, camera, clock);
   }
 
-  const Scene& scene_;
+  const PeerLevel& level_;
   std::vector<Camera> cameras_;
   int rounds_;
   FrameTimes frames_;
@@ -44,7 +44,7 @@ class ShotFrames {
 /// Large frames, and what the kernel takes for their spans.
 class KernelTimes {
  public:
-  explicit KernelTimes(const Scene& scene) : scene_(scene), kernel_(scene, kLarge) {}
+  explicit KernelTimes(const PeerLevel& level) : level_(level), kernel_(level, kLarge) {}
 
   struct Times {
     FrameBench frame;
@@ -61,24 +61,24 @@ class KernelTimes {
 
  private:
   void drawAll(const Clock& clock, std::vector<double>& ofKernel) {
-    const std::vector<Camera> cameras = camerasOf(scene_.loaded.level);
+    const std::vector<Camera> cameras = camerasOf(level_.loaded.level);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-      frames_.draw(scene_.renderer, cameras[i], clock);
+      frames_.draw(level_.renderer, cameras[i], clock);
       const double begin = clock();
       drawKernelFrame(kernel_.frames()[i], strip_, pixels_);
       ofKernel.push_back(1e3 * (clock() - begin));
     }
   }
 
-  const Scene& scene_;
+  const PeerLevel& level_;
   KernelFrames kernel_;
   FrameTimes frames_{kLarge, 1};
   std::vector<Pixel> strip_;
   std::vector<Pixel> pixels_;
 };
 
-Prepared prepareWrites(tl::expected<const Scene*, std::string> scene, const Clock& clock) {
-  return scene.map([&](const Scene* of) -> Measure {
+Prepared prepareWrites(tl::expected<const PeerLevel*, std::string> level, const Clock& clock) {
+  return level.map([&](const PeerLevel* of) -> Measure {
     const auto frames = std::make_shared<ShotFrames>(*of, kLarge, kLargeRounds);
     return [frames, &clock] {
       const FrameBench frame = frames->measure(clock);
@@ -91,8 +91,8 @@ Prepared prepareWrites(tl::expected<const Scene*, std::string> scene, const Cloc
 }  // namespace
 
 Prepared prepareTutorialFrame(PeerInputs& inputs) {
-  return inputs.scene(inputs.tutorialFile()).map([&](const Scene* scene) -> Measure {
-    const auto frames = std::make_shared<ShotFrames>(*scene, kSmall, kSmallRounds);
+  return inputs.level(inputs.tutorialFile()).map([&](const PeerLevel* level) -> Measure {
+    const auto frames = std::make_shared<ShotFrames>(*level, kSmall, kSmallRounds);
     return [frames, &inputs] {
       const FrameBench frame = frames->measure(inputs.clock());
       return Figures{frame.milliseconds.median, frame.findMilliseconds.median,
@@ -102,16 +102,16 @@ Prepared prepareTutorialFrame(PeerInputs& inputs) {
 }
 
 Prepared prepareKeepWrites(PeerInputs& inputs) {
-  return prepareWrites(inputs.scene(inputs.keepFile()), inputs.clock());
+  return prepareWrites(inputs.level(inputs.keepFile()), inputs.clock());
 }
 
 Prepared prepareGreyKeepWrites(PeerInputs& inputs) {
-  return prepareWrites(inputs.greyScene(inputs.keepFile()), inputs.clock());
+  return prepareWrites(inputs.greyLevel(inputs.keepFile()), inputs.clock());
 }
 
 Prepared prepareKernel(PeerInputs& inputs) {
-  return inputs.scene(inputs.keepFile()).map([&](const Scene* scene) -> Measure {
-    const auto times = std::make_shared<KernelTimes>(*scene);
+  return inputs.level(inputs.keepFile()).map([&](const PeerLevel* level) -> Measure {
+    const auto times = std::make_shared<KernelTimes>(*level);
     return [times, &inputs] {
       const auto [frame, kernel] = times->measure(inputs.clock());
       return Figures{frame.milliseconds.median / kernel, frame.milliseconds.median, kernel,

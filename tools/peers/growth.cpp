@@ -123,8 +123,8 @@ class GrownLevel {
   }
 
   explicit GrownLevel(LoadedLevel level)
-      : scene_(Scene::unlit(std::move(level))),
-        start_(sectorNamed(scene_.loaded.level, nameOf(0, 0))) {}
+      : level_(PeerLevel::unlit(std::move(level))),
+        start_(sectorNamed(level_.loaded.level, nameOf(0, 0))) {}
 
   FrameBench measure(const Clock& clock) {
     drawAll(clock);
@@ -136,10 +136,10 @@ class GrownLevel {
  private:
   void drawAll(const Clock& clock) {
     for (int i = 0; i < kHeadings; ++i)
-      frames_.draw(scene_.renderer, {start_, {0, 0, 1.6}, 360.0 * i / kHeadings}, clock);
+      frames_.draw(level_.renderer, {start_, {0, 0, 1.6}, 360.0 * i / kHeadings}, clock);
   }
 
-  Scene scene_;
+  PeerLevel level_;
   SectorId start_;
   FrameTimes frames_{kSmallPicture, 1};
 };

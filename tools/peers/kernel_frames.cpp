@@ -113,13 +113,13 @@ std::vector<KernelSpan> partsOfUpright(const KernelSpan& whole) {
 
 }  // namespace
 
-KernelFrames::KernelFrames(const Scene& scene, PictureSize size)
-    : scene_(scene), lights_(scene.loaded.level.surfaces.size()) {
-  for (const Image& image : scene.loaded.textures) {
+KernelFrames::KernelFrames(const PeerLevel& level, PictureSize size)
+    : level_(level), lights_(level.loaded.level.surfaces.size()) {
+  for (const Image& image : level.loaded.textures) {
     textures_.emplace_back(image);
     images_.emplace_back(ofPowersOfTwo(image));
   }
-  for (Camera camera : camerasOf(scene.loaded.level)) {
+  for (Camera camera : camerasOf(level.loaded.level)) {
     camera.width = size.width;
     camera.height = size.height;
     frames_.push_back(frameOf(camera));
@@ -129,10 +129,10 @@ KernelFrames::KernelFrames(const Scene& scene, PictureSize size)
 KernelFrame KernelFrames::frameOf(const Camera& camera) {
   FrameScratch scratch;
   Image picture;
-  scene_.renderer.findSpans(camera, scratch, picture);
-  const Projection projection = projectionFor(scene_.loaded.level, camera);
+  level_.renderer.findSpans(camera, scratch, picture);
+  const Projection projection = projectionFor(level_.loaded.scene(), camera);
   const DrawSettings settings;
-  const SpanPainter painter(scene_.loaded.level, textures_, scene_.light, settings, projection,
+  const SpanPainter painter(level_.loaded.scene(), textures_, level_.light, settings, projection,
                             scratch.raySlopes);
   std::vector<float> raySlopes;
   std::vector<float> reciprocals;

@@ -13,8 +13,8 @@ namespace hearth {
 /// openings.
 class KernelFrames {
  public:
-  /// Keeps a reference to the scene. The size is a multiple of strips and of 4 rows.
-  KernelFrames(const Scene& scene, PictureSize size);
+  /// Keeps a reference to the level. The size is a multiple of strips and of 4 rows.
+  KernelFrames(const PeerLevel& level, PictureSize size);
 
   /// By the shots.
   const std::vector<KernelFrame>& frames() const { return frames_; }
@@ -36,7 +36,7 @@ class KernelFrames {
   const float* kept(std::vector<float> values);
   const std::vector<Pixel>& lightOf(SurfaceId surface, const Lightmap& lightmap);
 
-  const Scene& scene_;
+  const PeerLevel& level_;
   std::vector<MipMap> textures_;
   std::vector<Texture> images_;             ///< of sizes that are powers of two
   std::vector<std::vector<Pixel>> lights_;  ///< by SurfaceId, with a border of a texel

@@ -41,25 +41,25 @@ WallPolygon clipped(const WallPolygon& polygon, double z0, double z1, double sig
 
 class Mesher {
  public:
-  explicit Mesher(const Level& level) : level_(level) {}
+  explicit Mesher(const Scene& scene) : scene_(scene) {}
 
   std::vector<MeshTriangle> mesh() {
     // A closed sector has no air from which its flats could be seen.
-    for (const Sector& sector : level_.sectors)
-      if (sector.floor.z < sector.ceiling.z) addFlats(sector);
-    for (const Segment& segment : level_.segments) addWall(segment);
+    for (const Sector& sector : scene_.level().sectors)
+      if (scene_.zFloor(sector) < scene_.zCeiling(sector)) addFlats(sector);
+    for (const Segment& segment : scene_.level().segments) addWall(segment);
     return std::move(triangles_);
   }
 
  private:
   void addFlats(const Sector& sector) {
-    for (const auto& triangle : trianglesOf(level_, sector)) {
+    for (const auto& triangle : trianglesOf(scene_.level(), sector)) {
       if (sector.floorSurface)
         addFlat(triangle, *sector.floorSurface, {0, 0, 1},
-                [&](Vec2 p) { return sector.airBottom(p); });
+                [&](Vec2 p) { return scene_.airBottom(sector, p); });
       if (sector.ceilingSurface)
         addFlat(triangle, *sector.ceilingSurface, {0, 0, -1},
-                [&](Vec2 p) { return sector.airTop(p); });
+                [&](Vec2 p) { return scene_.airTop(sector, p); });
     }
   }
 
@@ -71,34 +71,35 @@ class Mesher {
   }
 
   void addWall(const Segment& segment) {
-    for (const WallPiece& piece : segment.pieces) {
+    const SegmentGeometry& near = scene_.geometryOf(segment);
+    for (const WallPiece& piece : scene_.piecesOf(segment)) {
       WallPolygon polygon{{0, piece.zBottom}, {1, piece.zBottom}, {1, piece.zTop}, {0, piece.zTop}};
-      polygon = clipped(polygon, segment.air0.zBottom, segment.air1.zBottom, 1);
-      polygon = clipped(polygon, segment.air0.zTop, segment.air1.zTop, -1);
+      polygon = clipped(polygon, near.air0.zBottom, near.air1.zBottom, 1);
+      polygon = clipped(polygon, near.air0.zTop, near.air1.zTop, -1);
       if (const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content)) {
         addPolygon(segment, *surface, polygon);
         continue;
       }
       const Opening& opening = std::get<Opening>(piece.content);
-      const Segment& twin = level_[opening.twin];
+      const SegmentGeometry& far = scene_.geometryOf(scene_[opening.twin]);
       if (opening.floorSidewall)
         addPolygon(segment, *opening.floorSidewall,
-                   clipped(polygon, twin.air1.zBottom, twin.air0.zBottom, -1));
+                   clipped(polygon, far.air1.zBottom, far.air0.zBottom, -1));
       if (opening.ceilingSidewall)
         addPolygon(segment, *opening.ceilingSidewall,
-                   clipped(polygon, twin.air1.zTop, twin.air0.zTop, 1));
+                   clipped(polygon, far.air1.zTop, far.air0.zTop, 1));
       if (opening.maskedMiddle) addMaskedMiddle(segment, opening, polygon);
     }
   }
 
   /// As if it had no holes, before which the next sector's wedges stand.
   void addMaskedMiddle(const Segment& segment, const Opening& opening, WallPolygon polygon) {
-    const Surface& middle = level_[*opening.maskedMiddle];
-    const Segment& twin = level_[opening.twin];
+    const SurfaceGeometry& middle = scene_.geometryOf(*opening.maskedMiddle);
+    const SegmentGeometry& far = scene_.geometryOf(scene_[opening.twin]);
     polygon = clipped(polygon, middle.zBottom, middle.zBottom, 1);
     polygon = clipped(polygon, middle.zTop, middle.zTop, -1);
-    if (opening.floorSidewall) polygon = clipped(polygon, twin.air1.zBottom, twin.air0.zBottom, 1);
-    if (opening.ceilingSidewall) polygon = clipped(polygon, twin.air1.zTop, twin.air0.zTop, -1);
+    if (opening.floorSidewall) polygon = clipped(polygon, far.air1.zBottom, far.air0.zBottom, 1);
+    if (opening.ceilingSidewall) polygon = clipped(polygon, far.air1.zTop, far.air0.zTop, -1);
     addPolygon(segment, *opening.maskedMiddle, polygon);
   }
 
@@ -122,7 +123,7 @@ class Mesher {
       triangles_.push_back({c, surface, (towardsSide > 0 ? 1.0 : -1.0) * normal});
   }
 
-  const Level& level_;
+  Scene scene_;
   std::vector<MeshTriangle> triangles_;
 };
 
@@ -156,12 +157,12 @@ std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& s
   return triangles;
 }
 
-std::vector<MeshTriangle> meshOf(const Level& level) { return Mesher(level).mesh(); }
+std::vector<MeshTriangle> meshOf(const Scene& scene) { return Mesher(scene).mesh(); }
 
-std::vector<MeshTriangle> meshInLight(const Level& level) {
-  std::vector<MeshTriangle> mesh = meshOf(level);
+std::vector<MeshTriangle> meshInLight(const Scene& scene) {
+  std::vector<MeshTriangle> mesh = meshOf(scene);
   std::erase_if(mesh, [&](const MeshTriangle& triangle) {
-    const SurfaceKind kind = level[triangle.surface].kind;
+    const SurfaceKind kind = scene[triangle.surface].kind;
     return isSky(kind) || kind == SurfaceKind::MaskedMiddle;
   });
   return mesh;

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -13,12 +13,12 @@ struct MeshTriangle {
   Vec3 normal;  ///< into the air, not of unit length; the triangle is seen from there only
 };
 
-/// All surfaces of a level, skies included, as triangles: from the level's derived walls (which the
-/// truth does not use), and flats cut into trapezoids.
-std::vector<MeshTriangle> meshOf(const Level& level);
+/// All surfaces of a level, skies included, as triangles: from its derived walls (which the truth
+/// does not use), and flats cut into trapezoids.
+std::vector<MeshTriangle> meshOf(const Scene& scene);
 
 /// Of these, what stops light: no skies, nor what hangs in openings and has holes.
-std::vector<MeshTriangle> meshInLight(const Level& level);
+std::vector<MeshTriangle> meshInLight(const Scene& scene);
 
 /// The outline of a sector as triangles on the map.
 std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& sector);

@@ -32,9 +32,10 @@ Measure perChannel(std::size_t bytes, const BakedLight& light) {
 }
 
 Prepared prepareSavedLight(PeerInputs& inputs, const char* map) {
-  return inputs.freedoomScene(map).map([](const Scene* scene) {
-    const Level& level = scene->loaded.level;
-    return perChannel(encodeBake(level, scene->light, level.bake.texel, "").size(), scene->light);
+  return inputs.freedoomLevel(map).map([](const PeerLevel* level) {
+    const double texel = level->loaded.level.bake.texel;
+    const std::string bytes = encodeBake(level->loaded.scene(), level->light, texel, "");
+    return perChannel(bytes.size(), level->light);
   });
 }
 
@@ -47,8 +48,8 @@ std::size_t bytesOf(const BakedLight& light) {
 }
 
 Prepared prepareKeptLight(PeerInputs& inputs, const char* map) {
-  return inputs.freedoomScene(map).map(
-      [](const Scene* scene) { return perChannel(bytesOf(scene->light), scene->light); });
+  return inputs.freedoomLevel(map).map(
+      [](const PeerLevel* level) { return perChannel(bytesOf(level->light), level->light); });
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ tl::expected<LoadedLevel, std::string> loaded(const std::filesystem::path& file)
 
 }  // namespace
 
-Scene::Scene(LoadedLevel level)
+PeerLevel::PeerLevel(LoadedLevel level)
     : loaded(std::move(level)),
-      light(bake(loaded.level, loaded.level.bake, availableThreads())),
-      renderer(loaded.level, loaded.textures, light) {}
+      light(bake(loaded.scene(), loaded.level.bake, availableThreads())),
+      renderer(loaded.scene(), loaded.textures, light) {}
 
-Scene::Scene(LoadedLevel level, Unlit)
-    : loaded(std::move(level)), renderer(loaded.level, loaded.textures, light) {
+PeerLevel::PeerLevel(LoadedLevel level, Unlit)
+    : loaded(std::move(level)), renderer(loaded.scene(), loaded.textures, light) {
   light.surfaces.resize(loaded.level.surfaces.size());
   light.lightmaps.resize(loaded.level.surfaces.size());
 }
@@ -57,27 +57,28 @@ tl::expected<std::filesystem::path, std::string> PeerInputs::freedoomFile(const 
   return level;
 }
 
-tl::expected<const Scene*, std::string> PeerInputs::scene(const std::filesystem::path& file) {
-  std::unique_ptr<Scene>& scene = scenes_[file];
-  if (scene) return scene.get();
+tl::expected<const PeerLevel*, std::string> PeerInputs::level(const std::filesystem::path& file) {
+  std::unique_ptr<PeerLevel>& known = ownLevels_[file];
+  if (known) return known.get();
   return loaded(file).map([&](LoadedLevel level) {
-    scene = std::make_unique<Scene>(std::move(level));
-    return scene.get();
+    known = std::make_unique<PeerLevel>(std::move(level));
+    return known.get();
   });
 }
 
-tl::expected<const Scene*, std::string> PeerInputs::greyScene(const std::filesystem::path& file) {
-  std::unique_ptr<Scene>& scene = greyScenes_[file];
-  if (scene) return scene.get();
+tl::expected<const PeerLevel*, std::string> PeerInputs::greyLevel(
+    const std::filesystem::path& file) {
+  std::unique_ptr<PeerLevel>& known = greyLevels_[file];
+  if (known) return known.get();
   return loaded(file).map([&](LoadedLevel level) {
     for (LightSource& light : level.level.lights) std::ranges::fill(light.color, 255);
-    scene = std::make_unique<Scene>(std::move(level));
-    return scene.get();
+    known = std::make_unique<PeerLevel>(std::move(level));
+    return known.get();
   });
 }
 
-tl::expected<const Scene*, std::string> PeerInputs::freedoomScene(const std::string& map) {
-  return freedoomFile(map).and_then([&](const std::filesystem::path& file) { return scene(file); });
+tl::expected<const PeerLevel*, std::string> PeerInputs::freedoomLevel(const std::string& map) {
+  return freedoomFile(map).and_then([&](const std::filesystem::path& file) { return level(file); });
 }
 
 std::filesystem::path freedoomWad(std::string_view map) {

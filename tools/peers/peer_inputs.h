@@ -16,20 +16,20 @@
 namespace hearth {
 
 /// A level, baked as it says.
-struct Scene {
+struct PeerLevel {
   LoadedLevel loaded;
   BakedLight light;
   Renderer renderer;
 
-  explicit Scene(LoadedLevel level);
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+  explicit PeerLevel(LoadedLevel level);
+  PeerLevel(const PeerLevel&) = delete;
+  PeerLevel& operator=(const PeerLevel&) = delete;
   /// Not lit by anything but its sectors' own light.
-  static Scene unlit(LoadedLevel level) { return {std::move(level), Unlit{}}; }
+  static PeerLevel unlit(LoadedLevel level) { return {std::move(level), Unlit{}}; }
 
  private:
   struct Unlit {};
-  Scene(LoadedLevel level, Unlit);
+  PeerLevel(LoadedLevel level, Unlit);
 };
 
 /// What the rows of the table measure, each made when it is first asked for.
@@ -48,19 +48,19 @@ class PeerInputs {
   tl::expected<std::filesystem::path, std::string> freedoomFile(const std::string& map);
 
   /// The error is what is wrong with the file.
-  tl::expected<const Scene*, std::string> scene(const std::filesystem::path& file);
-  tl::expected<const Scene*, std::string> freedoomScene(const std::string& map);
+  tl::expected<const PeerLevel*, std::string> level(const std::filesystem::path& file);
+  tl::expected<const PeerLevel*, std::string> freedoomLevel(const std::string& map);
   /// With all its lights white: lightmaps have one channel.
-  tl::expected<const Scene*, std::string> greyScene(const std::filesystem::path& file);
+  tl::expected<const PeerLevel*, std::string> greyLevel(const std::filesystem::path& file);
 
  private:
   std::filesystem::path levels_;
   Clock clock_;
   TemporaryFolder folder_;
   std::map<std::string, std::filesystem::path> freedoomFiles_;  ///< by the name of the map
-  using Scenes = std::map<std::filesystem::path, std::unique_ptr<Scene>>;
-  Scenes scenes_;
-  Scenes greyScenes_;
+  using PeerLevels = std::map<std::filesystem::path, std::unique_ptr<PeerLevel>>;
+  PeerLevels ownLevels_;
+  PeerLevels greyLevels_;
 };
 
 /// The map of Freedoom's 68 with the most texels of 1/8 m, 8.9 million: `hearth bake` prints them.

@@ -43,8 +43,8 @@ Measure peakOfBake(const PeerInputs& inputs, const std::filesystem::path& file,
 }
 
 Prepared preparePeak(PeerInputs& inputs, const std::filesystem::path& file) {
-  return inputs.scene(file).map(
-      [&](const Scene* scene) { return peakOfBake(inputs, absolute(file), scene->light); });
+  return inputs.level(file).map(
+      [&](const PeerLevel* level) { return peakOfBake(inputs, absolute(file), level->light); });
 }
 
 /// The same here: loading the level, its light in view, and the frame.
@@ -52,15 +52,16 @@ std::array<double, 3> secondsOfFirstPicture(const PeerInputs& inputs) {
   const Clock& clock = inputs.clock();
   const double begin = clock();
   const LoadedLevel loaded = *loadLevel(inputs.keepFile()).loaded;
+  const Scene scene = loaded.scene();
   const Level& level = loaded.level;
   const double read = clock();
   const Camera camera{level.player->sector, level.player->eye, level.player->angle};
-  LitSurfaces surfaces = makeLitSurfaces(level, level.bake.texel);
-  const auto seen = texelsInView(level, surfaces, camera, {});
+  LitSurfaces surfaces = makeLitSurfaces(scene, level.bake.texel);
+  const auto seen = texelsInView(scene, surfaces, camera, {});
   const BakedLight light =
-      bakeOnly(seen, std::move(surfaces), level, level.bake, availableThreads());
+      bakeOnly(seen, std::move(surfaces), scene, level.bake, availableThreads());
   const double lit = clock();
-  (void)Renderer(level, loaded.textures, light).draw(camera, LightMode::Both);
+  (void)Renderer(scene, loaded.textures, light).draw(camera, LightMode::Both);
   return {read - begin, lit - read, clock() - lit};
 }
 

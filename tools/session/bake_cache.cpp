@@ -127,11 +127,11 @@ std::vector<Entry> entriesIn(const fs::path& folder, std::string_view extension)
 
 }  // namespace
 
-std::uint64_t lightHash(const Level& level, const BakeSettings& settings) {
+std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
   Hash hash;
-  hash.addWhole(geometryHash(level, settings.texel));
-  hash.addWhole(level.lights.size());
-  for (const LightSource& light : level.lights) addLight(hash, light, light.sector.value);
+  hash.addWhole(geometryHash(scene, settings.texel));
+  hash.addWhole(scene.level().lights.size());
+  for (const LightSource& light : scene.level().lights) addLight(hash, light, light.sector.value);
   add(hash, settings);
   return hash.value();
 }
@@ -143,30 +143,30 @@ std::optional<BakeCache> BakeCache::ofUser() {
   return BakeCache(*folder, *program);
 }
 
-fs::path BakeCache::fileOf(const Level& level, const BakeSettings& settings) const {
+fs::path BakeCache::fileOf(const Scene& scene, const BakeSettings& settings) const {
   return folder_ /
-         fmt::format("{:016x}{:016x}{}", program_, lightHash(level, settings), kBakeExtension);
+         fmt::format("{:016x}{:016x}{}", program_, lightHash(scene, settings), kBakeExtension);
 }
 
-std::optional<BakedLight> BakeCache::find(const Level& level, const BakeSettings& settings) const {
-  const fs::path file = fileOf(level, settings);
+std::optional<BakedLight> BakeCache::find(const Scene& scene, const BakeSettings& settings) const {
+  const fs::path file = fileOf(scene, settings);
   const auto bytes = readFile(file, mostBytes_);
   if (!bytes) return std::nullopt;
   // However much light it is: baking it would take as much memory.
-  auto light = decodeBake(level, *bytes, std::numeric_limits<std::uint64_t>::max());
+  auto light = decodeBake(scene, *bytes, std::numeric_limits<std::uint64_t>::max());
   if (!light) return std::nullopt;
   std::error_code error;
   fs::last_write_time(file, fs::file_time_type::clock::now(), error);
   return std::move(*light);
 }
 
-void BakeCache::keep(const Level& level, const BakeSettings& settings,
+void BakeCache::keep(const Scene& scene, const BakeSettings& settings,
                      const BakedLight& light) const {
-  const std::string bytes = encodeBake(level, light, settings.texel, optionsOf(settings));
+  const std::string bytes = encodeBake(scene, light, settings.texel, optionsOf(settings));
   if (bytes.size() > mostBytes_) return;
   std::error_code error;
   if (fs::create_directories(folder_, error)) fs::permissions(folder_, fs::perms::owner_all, error);
-  const fs::path file = fileOf(level, settings);
+  const fs::path file = fileOf(scene, settings);
   // Of a name of its own, as another program may be writing the same bake.
   fs::path part = file;
   part += fmt::format(".{}{}", ::getpid(), kPartExtension);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bakery.h"
 
 namespace hearth {
@@ -29,12 +29,12 @@ class BakeCache {
   static std::optional<BakeCache> ofUser();
 
   /// The light as the program would bake it; none where it is not there, or not whole.
-  std::optional<BakedLight> find(const Level& level, const BakeSettings& settings) const;
+  std::optional<BakedLight> find(const Scene& scene, const BakeSettings& settings) const;
   /// Does its best, and leaves no half of it.
-  void keep(const Level& level, const BakeSettings& settings, const BakedLight& light) const;
+  void keep(const Scene& scene, const BakeSettings& settings, const BakedLight& light) const;
 
  private:
-  std::filesystem::path fileOf(const Level& level, const BakeSettings& settings) const;
+  std::filesystem::path fileOf(const Scene& scene, const BakeSettings& settings) const;
   void makeRoom() const;
 
   std::filesystem::path folder_;
@@ -43,6 +43,6 @@ class BakeCache {
 };
 
 /// A number of all that the light of a level depends on but the program.
-std::uint64_t lightHash(const Level& level, const BakeSettings& settings);
+std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings);
 
 }  // namespace hearth

@@ -9,21 +9,21 @@
 
 namespace hearth {
 
-tl::expected<void, std::string> writeBake(const std::string& path, const Level& level,
+tl::expected<void, std::string> writeBake(const std::string& path, const Scene& scene,
                                           const Bake& bake) {
   const std::string bytes =
-      encodeBake(level, bake.light, bake.settings.texel, optionsOf(bake.settings));
+      encodeBake(scene, bake.light, bake.settings.texel, optionsOf(bake.settings));
   return replaceFile(path, [&](std::ostream& stream) {
     stream.write(bytes.data(), std::ssize(bytes));
     return stream.good();
   });
 }
 
-tl::expected<BakedLight, std::string> readBake(const Level& level, const OptionValues& values) {
+tl::expected<BakedLight, std::string> readBake(const Scene& scene, const OptionValues& values) {
   const std::string path = *values.text(Option::LightFrom);
   const auto bytes = readBytes(path, values);
   if (!bytes) return tl::unexpected(bytes.error());
-  return decodeBake(level, *bytes, maxFileBytes(values)).map_error([&](const BakeMistake& mistake) {
+  return decodeBake(scene, *bytes, maxFileBytes(values)).map_error([&](const BakeMistake& mistake) {
     const std::string remedy =
         mistake.isTooLarge ? fmt::format("raise the limit with {}", row(Option::MaxFileBytes).name)
                            : fmt::format("bake again with `{} bake {} -o {}`", values.program,

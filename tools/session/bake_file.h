@@ -3,7 +3,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bakery.h"
 #include "session/session.h"
 #include "settings/options.h"
@@ -13,11 +13,11 @@ namespace hearth {
 
 /// Writes the bake of a level to `path`: beside it first and then renamed, so that the old file or
 /// none stays when that fails. The error begins with the path.
-tl::expected<void, std::string> writeBake(const std::string& path, const Level& level,
+tl::expected<void, std::string> writeBake(const std::string& path, const Scene& scene,
                                           const Bake& bake);
 
 /// The light of the file that `--light-from` names, which must have been baked for the geometry of
 /// the level. The error begins with the path and ends with what to do.
-tl::expected<BakedLight, std::string> readBake(const Level& level, const OptionValues& values);
+tl::expected<BakedLight, std::string> readBake(const Scene& scene, const OptionValues& values);
 
 }  // namespace hearth

@@ -15,15 +15,15 @@ using CameraResult = tl::expected<Camera, std::string>;
 constexpr double kMaxPitch = 60;  // degrees
 
 /// A camera that looks from `eye`; its sector is still to be found.
-CameraResult located(const Level& level, Camera camera, std::string_view option,
+CameraResult located(const Scene& scene, Camera camera, std::string_view option,
                      std::optional<std::string_view> sectorName) {
-  const auto sector = locatePosition(level, camera.eye, sectorName);
+  const auto sector = locatePosition(scene, camera.eye, sectorName);
   if (!sector) return tl::unexpected(fmt::format("{}: {}", option, sector.error()));
   camera.sector = *sector;
   return camera;
 }
 
-CameraResult fromText(const Level& level, const std::string& text,
+CameraResult fromText(const Scene& scene, const std::string& text,
                       std::optional<std::string_view> sectorName) {
   const auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() < 4 || numbers->size() > 5)
@@ -37,17 +37,17 @@ CameraResult fromText(const Level& level, const std::string& text,
   camera.eye = {n[0], n[1], n[2]};
   camera.angle = n[3];
   camera.pitch = pitch;
-  return located(level, camera, "--camera", sectorName);
+  return located(scene, camera, "--camera", sectorName);
 }
 
-CameraResult fromStart(const Level& level, const std::string& text) {
+CameraResult fromStart(const Scene& scene, const std::string& text) {
   const auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() != 4)
     return tl::unexpected(fmt::format("--start: \"{}\" is not X,Y,Z,ANGLE", text));
   Camera camera;
   camera.eye = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   camera.angle = (*numbers)[3];
-  return located(level, camera, "--start", std::nullopt);
+  return located(scene, camera, "--start", std::nullopt);
 }
 
 CameraResult fromShot(const Level& level, const std::string& name) {
@@ -60,17 +60,18 @@ CameraResult fromShot(const Level& level, const std::string& name) {
                   names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-CameraResult fromPlayer(const Level& level, std::optional<std::string_view> sectorName) {
-  if (!level.player) return tl::unexpected<std::string>("the level has no player: give --camera");
+CameraResult fromPlayer(const Scene& scene, std::optional<std::string_view> sectorName) {
+  const std::optional<Player>& player = scene.level().player;
+  if (!player) return tl::unexpected<std::string>("the level has no player: give --camera");
   Camera camera;
-  camera.sector = level.player->sector;
-  camera.eye = level.player->eye;
-  camera.angle = level.player->angle;
+  camera.sector = player->sector;
+  camera.eye = player->eye;
+  camera.angle = player->angle;
   if (!sectorName) return camera;
-  return located(level, camera, "--sector", sectorName);
+  return located(scene, camera, "--sector", sectorName);
 }
 
-CameraResult placed(const Level& level, const OptionValues& values) {
+CameraResult placed(const Scene& scene, const OptionValues& values) {
   const std::optional<std::string> text = values.text(Option::Camera);
   const std::optional<std::string> shot = values.text(Option::Shot);
   const std::optional<std::string> sector = values.text(Option::Sector);
@@ -79,18 +80,18 @@ CameraResult placed(const Level& level, const OptionValues& values) {
   if (const std::optional<std::string> start = values.text(Option::Start)) {
     if (text || shot || sector)
       return tl::unexpected<std::string>("give --start, or a camera by other options, not both");
-    return fromStart(level, *start);
+    return fromStart(scene, *start);
   }
   const auto sectorName = sector ? std::optional<std::string_view>(*sector) : std::nullopt;
-  if (text) return fromText(level, *text, sectorName);
-  if (shot) return fromShot(level, *shot);
-  return fromPlayer(level, sectorName);
+  if (text) return fromText(scene, *text, sectorName);
+  if (shot) return fromShot(scene.level(), *shot);
+  return fromPlayer(scene, sectorName);
 }
 
 }  // namespace
 
-CameraResult cameraFor(const Level& level, const OptionValues& values, PictureSize standardSize) {
-  CameraResult camera = placed(level, values);
+CameraResult cameraFor(const Scene& scene, const OptionValues& values, PictureSize standardSize) {
+  CameraResult camera = placed(scene, values);
   if (!camera) return camera;
   camera->fov = values.number(Option::Fov).value_or(camera->fov);
   if (!values.has(Option::Shot)) {

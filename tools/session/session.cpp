@@ -33,17 +33,17 @@ std::optional<BakeCache> cacheFor(const OptionValues& values) {
   return values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
 }
 
-BakedLight cachedLight(const Level& level, const BakeSettings& settings,
+BakedLight cachedLight(const Scene& scene, const BakeSettings& settings,
                        const OptionValues& values) {
   const auto cache = cacheFor(values);
   if (cache) {
-    if (auto light = cache->find(level, settings)) {
-      warnIfDark(level, *light, values);
+    if (auto light = cache->find(scene, settings)) {
+      warnIfDark(scene.level(), *light, values);
       return std::move(*light);
     }
   }
-  Bake bake = bakeWith(level, settings, values, ProgressStyle::None);
-  if (cache) cache->keep(level, settings, bake.light);
+  Bake bake = bakeWith(scene, settings, values, ProgressStyle::None);
+  if (cache) cache->keep(scene, settings, bake.light);
   return std::move(bake.light);
 }
 
@@ -92,50 +92,50 @@ int threadsFrom(const OptionValues& values) {
   return static_cast<int>(values.number(Option::Threads).value_or(availableThreads()));
 }
 
-Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValues& values,
+Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
               ProgressStyle inFile) {
   const int threads = threadsFrom(values);
   const auto start = std::chrono::steady_clock::now();
   BakedLight light = whileShown(values, inFile, [&](BakeProgress& progress) {
-    return bake(level, settings, threads, &progress);
+    return bake(scene, settings, threads, &progress);
   });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  warnIfDark(level, light, values);
+  warnIfDark(scene.level(), light, values);
   return Bake{std::move(light), settings, threads, seconds.count()};
 }
 
-tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
+tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
                                         ProgressStyle inFile) {
-  return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
-    return bakeWith(level, settings, values, inFile);
+  return bakeSettingsFor(scene, values).map([&](const BakeSettings& settings) {
+    return bakeWith(scene, settings, values, inFile);
   });
 }
 
-tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values) {
+tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionValues& values) {
   if (!values.has(Option::LightFrom))
-    return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
-      return cachedLight(level, settings, values);
+    return bakeSettingsFor(scene, values).map([&](const BakeSettings& settings) {
+      return cachedLight(scene, settings, values);
     });
   if (const std::string given = typedOptions(values, settingOptions()); !given.empty())
     return tl::unexpected(
         fmt::format("--light-from: this light is baked already; leave out{}", given));
-  return readBake(level, values);
+  return readBake(scene, values);
 }
 
-tl::expected<BakedLight, std::string> lightInView(const Level& level, const Camera& camera,
+tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
                                                   const OptionValues& values) {
-  if (values.has(Option::LightFrom) || cacheFor(values)) return lightFor(level, values);
-  return bakeSettingsFor(level, values).map([&](const BakeSettings& settings) {
-    LitSurfaces surfaces = makeLitSurfaces(level, settings.texel);
+  if (values.has(Option::LightFrom) || cacheFor(values)) return lightFor(scene, values);
+  return bakeSettingsFor(scene, values).map([&](const BakeSettings& settings) {
+    LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
     DrawSettings frame = drawSettingsFrom(values);
     if (values.has(Option::Channel)) frame.pixelSize = 1;  // channels have all pixels
-    const auto seen = texelsInView(level, surfaces, camera, frame);
+    const auto seen = texelsInView(scene, surfaces, camera, frame);
     BakedLight light = whileShown(values, ProgressStyle::None, [&](BakeProgress& progress) {
-      return bakeOnly(seen, std::move(surfaces), level, settings, threadsFrom(values), &progress);
+      return bakeOnly(seen, std::move(surfaces), scene, settings, threadsFrom(values), &progress);
     });
     // Whether anything else is lit shows in a whole bake only.
     if (light.stats.litSurfaces > 0) return light;
-    return bakeWith(level, settings, values, ProgressStyle::None).light;
+    return bakeWith(scene, settings, values, ProgressStyle::None).light;
   });
 }
 

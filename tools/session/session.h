@@ -46,11 +46,11 @@ struct Bake {
 
 /// Bakes with the settings above. A terminal shows the progress of a long bake; where stderr is no
 /// terminal, it is told in the style that is given.
-tl::expected<Bake, std::string> bakeFor(const Level& level, const OptionValues& values,
+tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
                                         ProgressStyle inFile = ProgressStyle::None);
 
 /// The same with other settings.
-Bake bakeWith(const Level& level, const BakeSettings& settings, const OptionValues& values,
+Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
               ProgressStyle inFile);
 
 /// The threads that bake.
@@ -58,15 +58,15 @@ int threadsFrom(const OptionValues& values);
 
 /// The light to draw with: from the file that `--light-from` names, from the user's cache or, if it
 /// is not there, baked and kept there.
-tl::expected<BakedLight, std::string> lightFor(const Level& level, const OptionValues& values);
+tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionValues& values);
 
 /// The same for one picture: where no cache keeps the light for others, only what the camera sees
 /// is baked.
-tl::expected<BakedLight, std::string> lightInView(const Level& level, const Camera& camera,
+tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
                                                   const OptionValues& values);
 
 /// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
-tl::expected<Camera, std::string> cameraFor(const Level& level, const OptionValues& values,
+tl::expected<Camera, std::string> cameraFor(const Scene& scene, const OptionValues& values,
                                             PictureSize standardSize);
 
 }  // namespace hearth

@@ -57,7 +57,7 @@ void copy(const Image& tile, int left, int top, Image& picture) {
 }
 
 /// The four spaces in the quarters of a picture, row by row.
-Image drawAllSpaces(const Level& level, const Camera& camera) {
+Image drawAllSpaces(const Scene& scene, const Camera& camera) {
   Image picture(camera.width, camera.height);
   const std::array<int, 3> xs = {0, camera.width / 2, camera.width};
   const std::array<int, 3> ys = {0, camera.height / 2, camera.height};
@@ -68,7 +68,7 @@ Image drawAllSpaces(const Level& level, const Camera& camera) {
     quarter.width = xs.at(column + 1) - xs.at(column);
     quarter.height = ys.at(row + 1) - ys.at(row);
     if (quarter.width > 0 && quarter.height > 0)
-      copy(drawView(level, quarter, kSpaces.at(i)), xs.at(column), ys.at(row), picture);
+      copy(drawView(scene, quarter, kSpaces.at(i)), xs.at(column), ys.at(row), picture);
   }
   return picture;
 }
@@ -92,14 +92,14 @@ bool isOfCamera(std::string_view channel) {
   return view && (*view == View::Screen || *view == View::Wireframe);
 }
 
-std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
+std::optional<Image> drawGeometry(const Scene& scene, const Camera& camera,
                                   std::string_view channel) {
   if (!isGeometry(channel)) return std::nullopt;
   const View* view = std::get_if<View>(&find(channel)->draws);
-  return view ? drawView(level, camera, *view) : drawAllSpaces(level, camera);
+  return view ? drawView(scene, camera, *view) : drawAllSpaces(scene, camera);
 }
 
-Image drawChannel(const Level& level, const Renderer& renderer, const Camera& camera,
+Image drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
                   std::string_view channel, int threads) {
   const Row* row = find(channel);
   CHECK(row, channel);  // the option takes no other
@@ -107,7 +107,7 @@ Image drawChannel(const Level& level, const Renderer& renderer, const Camera& ca
     return renderer.draw(camera, *marks, threads);
   if (const Channel* numbers = std::get_if<Channel>(&row->draws))
     return renderer.draw(camera, *numbers, threads);
-  return *drawGeometry(level, camera, channel);
+  return *drawGeometry(scene, camera, channel);
 }
 
 }  // namespace hearth

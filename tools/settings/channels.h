@@ -34,12 +34,12 @@ bool isGeometry(std::string_view channel);
 bool isOfCamera(std::string_view channel);
 
 /// A picture of the camera's size, if the channel is one of geometry alone.
-std::optional<Image> drawGeometry(const Level& level, const Camera& camera,
+std::optional<Image> drawGeometry(const Scene& scene, const Camera& camera,
                                   std::string_view channel);
 
-/// The same of any channel. The renderer is the level's. Marks and numbers are drawn on so many
+/// The same of any channel. The renderer is the scene's. Marks and numbers are drawn on so many
 /// threads, and are the same for any number of them.
-Image drawChannel(const Level& level, const Renderer& renderer, const Camera& camera,
+Image drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
                   std::string_view channel, int threads = availableThreads());
 
 }  // namespace hearth

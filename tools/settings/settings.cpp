@@ -31,16 +31,16 @@ constexpr std::array kTextureFilters = {NamedFilter{TextureFilter::Nearest, "nea
                                         NamedFilter{TextureFilter::Mipmapped, "mipmapped"}};
 
 /// Without any, they are no setting.
-bool hasMaskedMiddles(const Level& level) {
-  return std::ranges::any_of(level.surfaces, [](const Surface& surface) {
-    return surface.kind == SurfaceKind::MaskedMiddle;
+bool hasMaskedMiddles(const Scene& scene) {
+  return std::ranges::any_of(scene.shownSurfaces(), [&](SurfaceId surface) {
+    return scene[surface].kind == SurfaceKind::MaskedMiddle;
   });
 }
 
 }  // namespace
 
-BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values) {
-  BakeSettings settings = qualityFrom(values).bake.of(level.bake);
+BakeSettings bakeSettingsFrom(const Scene& scene, const OptionValues& values) {
+  BakeSettings settings = qualityFrom(values).bake.of(scene.level().bake);
   settings.texel = values.number(Option::Texel).value_or(settings.texel);
   if (const auto samples = values.number(Option::Samples))
     settings.samples = static_cast<int>(*samples);
@@ -50,7 +50,7 @@ BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values) {
     settings.softSamples = static_cast<int>(*softSamples);
   settings.cutOff = values.number(Option::CutOff).value_or(settings.cutOff);
   if (const auto shadows = values.text(Option::MiddleShadows))
-    settings.solidMaskedMiddles = *shadows == "solid" && hasMaskedMiddles(level);
+    settings.solidMaskedMiddles = *shadows == "solid" && hasMaskedMiddles(scene);
   if (const auto bounces = values.number(Option::Bounces))
     settings.bounces = static_cast<int>(*bounces);
   if (values.has(Option::Lambert)) settings.lambert = true;
@@ -58,12 +58,12 @@ BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values) {
   return settings;
 }
 
-tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
+tl::expected<BakeSettings, std::string> bakeSettingsFor(const Scene& scene,
                                                         const OptionValues& values) {
   if (values.has(Option::Lambert) && values.has(Option::NoLambert))
     return tl::unexpected<std::string>("give --lambert or --no-lambert, not both");
-  const BakeSettings settings = bakeSettingsFrom(level, values);
-  if (const auto mistake = mistakeInSettings(level, settings))
+  const BakeSettings settings = bakeSettingsFrom(scene, values);
+  if (const auto mistake = mistakeInSettings(scene, settings))
     return tl::unexpected(fmt::format("--{}", *mistake));  // the option of the setting's name
   return settings;
 }

@@ -4,7 +4,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "load/limits.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
@@ -13,11 +13,11 @@
 namespace hearth {
 
 /// The settings of a bake: the command line overrides the file. Errors name the option to change.
-tl::expected<BakeSettings, std::string> bakeSettingsFor(const Level& level,
+tl::expected<BakeSettings, std::string> bakeSettingsFor(const Scene& scene,
                                                         const OptionValues& values);
 
 /// The same without looking for mistakes.
-BakeSettings bakeSettingsFrom(const Level& level, const OptionValues& values);
+BakeSettings bakeSettingsFrom(const Scene& scene, const OptionValues& values);
 
 /// The options that ask for these settings, whatever the file says.
 std::string optionsOf(const BakeSettings& settings);

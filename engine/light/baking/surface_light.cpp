@@ -46,10 +46,10 @@ void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block,
 
 }  // namespace
 
-SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
+SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
                            const LightSights& sights, bool lambert, SurfaceId id, Seeing seeing,
                            LightDependencies* dependencies)
-    : level_(level),
+    : scene_(scene),
       surfaces_(surfaces),
       sights_(sights),
       surface_(*surfaces[id.index()]),
@@ -58,9 +58,9 @@ SurfaceLight::SurfaceLight(const Level& level, const LitSurfaces& surfaces,
       seeing_(seeing),
       dependencies_(dependencies),
       placement_(surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
-      costs_(level.lights.size()) {
-  for (std::size_t i = 0; i < level.lights.size(); ++i)
-    if (isInFront(level.lights[i], radiusOf(i), surface_) && reachesBox(i, cornersOf(surface_)))
+      costs_(scene.level().lights.size()) {
+  for (std::size_t i = 0; i < costs_.size(); ++i)
+    if (isInFront(light(i), radiusOf(i), surface_) && reachesBox(i, cornersOf(surface_)))
       facing_.push_back(i);
 }
 
@@ -74,7 +74,7 @@ int SurfaceLight::channels() const {
 }
 
 bool SurfaceLight::reachesBox(std::size_t light, std::span<const Vec3> corners) const {
-  return distanceToBox(level_.lights[light].position, corners) <
+  return distanceToBox(scene_.level().lights[light].position, corners) <
          sights_.reach[light] + kAuthorNoise;
 }
 
@@ -90,7 +90,7 @@ void SurfaceLight::placeRow(std::span<const double> columns, double row,
 }
 
 SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {
-  return {level_, surface_, std::move(samples), columns, rows};
+  return {scene_.level(), surface_, std::move(samples), columns, rows};
 }
 
 double SurfaceLight::seenFraction(const LightSight& sight, std::size_t index, const SamplePoint& at,
@@ -100,7 +100,7 @@ double SurfaceLight::seenFraction(const LightSight& sight, std::size_t index, co
   LightCost& cost = costs_[index];
   ++cost.samples;
   if (!isInReach(index, at)) return 0;
-  const LightTarget target{at.target, level_[at.surface].sector, {there.anchor, there.normal}};
+  const LightTarget target{at.target, scene_[at.surface].sector, {there.anchor, there.normal}};
   const double seen = known ? sight.seenFraction(target, known->shaft, known->outcome, cost.rays)
                             : sight.seenFraction(target, cost.rays, metBy(index));
   if (seen > 0) ++cost.seenSamples;
@@ -130,8 +130,8 @@ double SurfaceLight::seenFraction(std::size_t light, const SamplePoint& at) {
 }
 
 const Segment* SurfaceLight::wallOf(SurfaceId surface) const {
-  const Surface& there = level_.surfaces[surface.index()];
-  return there.segment ? &level_[*there.segment] : nullptr;
+  const Surface& there = scene_[surface];
+  return there.segment ? &scene_[*there.segment] : nullptr;
 }
 
 /// Of points that are lit, or may lie in those of `beams_` from `first` on.
@@ -150,7 +150,7 @@ SurfaceLight::ByBeams SurfaceLight::findBeams(std::size_t light, SurfaceId surfa
   if (!canShineOn(light, surface))
     return {surface, false, Shaft::Outcome::Dark, true, first, first};
   const BeamTree& beams = *sights_.fine[light].beams();
-  const SectorId sector = level_[surface].sector;
+  const SectorId sector = scene_[surface].sector;
   const LitSurface& there = *surfaces_[surface.index()];
   const BeamTree::Points points = beams.seen(corners);
   if (!beams.knows(sector, {there.anchor, there.normal}, points))
@@ -282,7 +282,7 @@ void SurfaceLight::see(std::size_t light, const SamplePoint& at, double& seen) {
 }
 
 Shaft& SurfaceLight::shaftAt(std::size_t depth) {
-  while (shafts_.size() <= depth) shafts_.emplace_back(level_);
+  while (shafts_.size() <= depth) shafts_.emplace_back(scene_);
   return shafts_[depth];
 }
 
@@ -332,13 +332,13 @@ double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& a
 double SurfaceLight::seenFractionByShaft(const LightSight& sight, std::size_t light,
                                          const SamplePoint& at, std::size_t depth) {
   const ShaftTargets target{TargetBox::ofPoint(at.target, surface_.normal),
-                            {&level_[at.surface].sector, 1}};
+                            {&scene_[at.surface].sector, 1}};
   const Known known{shaftAt(depth), followShaft(depth, light, sight.shaftLight(), target)};
   return seenFraction(sight, light, at, &known);
 }
 
 bool SurfaceLight::isInReach(std::size_t light, const SamplePoint& at) const {
-  const Vec3 toLight = level_.lights[light].position - at.point;
+  const Vec3 toLight = scene_.level().lights[light].position - at.point;
   return dot(toLight, toLight) < sights_.reach[light] * sights_.reach[light];
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/light_cost.h"
 #include "light/lit_surface.h"
 #include "light/rebaking/light_dependencies.h"
@@ -24,8 +24,9 @@ enum class Seeing {
 /// What of the level's lights arrives at points of one surface.
 class SurfaceLight {
  public:
-  /// Keeps references to all but `id`. `dependencies`, if any, is told from what light is found.
-  SurfaceLight(const Level& level, const LitSurfaces& surfaces, const LightSights& sights,
+  /// Keeps references to all but `scene` and `id`. `dependencies`, if any, is told from what light
+  /// is found.
+  SurfaceLight(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
                bool lambert, SurfaceId id, Seeing seeing = Seeing::ByShafts,
                LightDependencies* dependencies = nullptr);
 
@@ -33,7 +34,7 @@ class SurfaceLight {
   AskedRow askedIn(int j) const { return {surface_, j}; }
   /// Indices of the lights that can shine on the surface's plane, and reach as far.
   const std::vector<std::size_t>& facing() const { return facing_; }
-  const LightSource& light(std::size_t index) const { return level_.lights[index]; }
+  const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
   /// Of the ball as which it is seen; 0 of a point.
   double radiusOf(std::size_t light) const;
   /// 3 where one of the facing lights is coloured, else 1.
@@ -126,7 +127,7 @@ class SurfaceLight {
   double seenFractionByShaft(const LightSight& sight, std::size_t light, const SamplePoint& at,
                              std::size_t depth);
 
-  const Level& level_;
+  Scene scene_;
   const LitSurfaces& surfaces_;
   const LightSights& sights_;
   const LitSurface& surface_;

@@ -11,9 +11,9 @@
 
 namespace hearth {
 
-BeamTree::BeamTree(const Level& level, const Raytracer::Source& light, double reach,
+BeamTree::BeamTree(const Scene& scene, const Raytracer::Source& light, double reach,
                    std::size_t mostBytes)
-    : level_(level), light_(light), found_(findLightBeams(level, light, reach, mostBytes)) {
+    : scene_(scene), light_(light), found_(findLightBeams(scene, light, reach, mostBytes)) {
   const std::vector<Beam>& beams = found_.beams;
   for (auto* side : {&sides_.beginX, &sides_.beginY, &sides_.endX, &sides_.endY})
     side->reserve(beams.size());
@@ -50,7 +50,8 @@ BeamTree::Points BeamTree::seen(std::span<const Vec3> corners) const {
 bool BeamTree::knows(SectorId sector, const Plane& plane, const Points& points) const {
   return found_.isComplete && !found_.unknown.contains(sector.value) &&
          plane.inFront(light_.position) >= leastInFront(points.noise, points.reach) &&
-         isAirClear(level_[sector], {light_.position, 0, points.reach, points.noise, points.margin},
+         isAirClear(scene_, scene_[sector],
+                    {light_.position, 0, points.reach, points.noise, points.margin},
                     points.corners);
 }
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/beam_tree/beam.h"
 #include "light/grid/plane.h"
 #include "light/sight/light_kernels.h"
@@ -24,8 +24,8 @@ namespace hearth {
 class BeamTree {
  public:
   /// Finds all beams up to `reach` metres, and may find fewer beyond. Answers nothing if the beams
-  /// would take more than about `mostBytes`. Keeps a reference to the level.
-  BeamTree(const Level& level, const Raytracer::Source& light, double reach, std::size_t mostBytes);
+  /// would take more than about `mostBytes`. Keeps the scene.
+  BeamTree(const Scene& scene, const Raytracer::Source& light, double reach, std::size_t mostBytes);
 
   /// Points, as they are seen from the light: all that lie between some corners.
   struct Points {
@@ -94,7 +94,7 @@ class BeamTree {
   };
   bool addSpanning(Range beams, const Points& points, const Segment* on, Found& found) const;
 
-  const Level& level_;
+  Scene scene_;
   Raytracer::Source light_;
   BeamSet found_;
   /// By beam: its first two bounds, for many beams at once.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -55,8 +56,8 @@ std::vector<Beam> sorted(const std::vector<Beam>& beams) {
 /// Follows what the light sees from its sector on.
 class Finder {
  public:
-  Finder(const Level& level, const Raytracer::Source& light, double reach)
-      : level_(level),
+  Finder(const Scene& scene, const Raytracer::Source& light, double reach)
+      : scene_(scene),
         reach_(reach),
         light_(light.position),
         sector_(light.sector),
@@ -69,7 +70,7 @@ class Finder {
     Vec2 direction = kAhead;
     for (int quarter = 0; quarter < 4; ++quarter, direction = turned90(direction))
       windows_.push_back({sector_, nullptr, direction, turned90(direction), {}, false, {}});
-    const std::size_t most = mostBeams(level_);
+    const std::size_t most = mostBeams(scene_.level());
     while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < mostBytes) {
       const Window window = windows_.back();
       windows_.pop_back();
@@ -147,7 +148,7 @@ class Finder {
     bounds_.clear();
     bounds_.push_back({0, window.begin});
     bounds_.push_back({1, window.end});
-    for (const Segment& wall : level_.segmentsOf(level_[window.sector])) {
+    for (const Segment& wall : scene_.segmentsOf(scene_[window.sector])) {
       const Vec2 a = fromLight(wall.p0);
       const Vec2 b = fromLight(wall.p1);
       if (isNear(a, b)) {
@@ -302,31 +303,34 @@ class Finder {
   }
 
   void goThroughOpenings(const Beam& beam, const Visible& visible) {
-    if (beam.to->lightOpenings.empty() || distanceToWall(light_, beam, *beam.to) > reach_) return;
-    for (const LightOpening& opening : beam.to->lightOpenings) {
+    const std::span<const LightOpening> openings = scene_.lightOpeningsOf(*beam.to);
+    if (openings.empty() || distanceToWall(light_, beam, *beam.to) > reach_) return;
+    for (const LightOpening& opening : openings) {
       planes_.begin(found_.planesOf(beam));
       addBounds(beam, opening);
       if (planes_.leaveNothingOf(beam)) continue;
-      windows_.push_back({opening.next, &level_[opening.twin], visible.begin, visible.end,
+      windows_.push_back({opening.next, &scene_[opening.twin], visible.begin, visible.end,
                           keepPlanes(), beam.isDoubtful || hasHoles(opening), std::nullopt});
     }
   }
 
-  static bool hasHoles(const LightOpening& opening) { return !opening.maskedMiddles.empty(); }
+  bool hasHoles(const LightOpening& opening) const {
+    return !scene_.maskedMiddlesIn(opening).empty();
+  }
 
   void goThroughFlats(const Beam& beam, const Visible& visible) {
-    const Sector& sector = level_[beam.sector];
+    const Sector& sector = scene_[beam.sector];
     if (sector.floor.flatPortal && !sector.floor.isSky)
-      goThroughFlat(beam, visible, {sector.floor.z, true, beam.from, beam.to},
-                    level_[*sector.floor.flatPortal].lower);
+      goThroughFlat(beam, visible, {scene_.zFloor(sector), true, beam.from, beam.to},
+                    scene_[*sector.floor.flatPortal].lower);
     if (sector.ceiling.flatPortal && !sector.ceiling.isSky)
-      goThroughFlat(beam, visible, {sector.ceiling.z, false, beam.from, beam.to},
-                    level_[*sector.ceiling.flatPortal].upper);
+      goThroughFlat(beam, visible, {scene_.zCeiling(sector), false, beam.from, beam.to},
+                    scene_[*sector.ceiling.flatPortal].upper);
   }
 
   void goThroughFlat(const Beam& beam, const Visible& visible, const Hatch& hatch,
                      const std::vector<SectorId>& members) {
-    if (hasSlopeAt(level_, level_[beam.sector], hatch.z)) return forget(members);
+    if (hasSlopeAt(scene_, scene_[beam.sector], hatch.z)) return forget(members);
     const double before = hatch.isFloor ? light_.z - hatch.z : hatch.z - light_.z;
     if (before < -kPositionSlack) return;
     if (before < kPositionSlack) return forget(members);
@@ -335,7 +339,7 @@ class Finder {
     if (planes_.leaveNothingOf(beam)) return;
     const Planes planes = keepPlanes();
     for (const SectorId member : members)
-      if (hasSlopeAt(level_, level_[member], hatch.z) || isAboveWall(level_[member]))
+      if (hasSlopeAt(scene_, scene_[member], hatch.z) || isAboveWall(scene_[member]))
         forget({member});
       else
         windows_.push_back(
@@ -344,7 +348,7 @@ class Finder {
 
   /// Whether the light stands on a wall, as seen on the map.
   bool isAboveWall(const Sector& sector) const {
-    return std::ranges::any_of(level_.segmentsOf(sector), [&](const Segment& wall) {
+    return std::ranges::any_of(scene_.segmentsOf(sector), [&](const Segment& wall) {
       return length(fromLight(nearestOnSegment(wall.p0, wall.p1, light_.xy()))) < kPositionSlack;
     });
   }
@@ -352,9 +356,10 @@ class Finder {
   /// Of the opening, and of slopes on both sides of it.
   void addBounds(const Beam& beam, const LightOpening& opening) {
     const Segment& wall = *beam.to;
-    const Segment& twin = level_[opening.twin];
-    const Sector& sector = level_[beam.sector];
-    const Sector& next = level_[opening.next];
+    const SegmentGeometry& near = scene_.geometryOf(wall);
+    const SegmentGeometry& far = scene_.geometryOf(scene_[opening.twin]);
+    const Sector& sector = scene_[beam.sector];
+    const Sector& next = scene_[opening.next];
     const auto add = [&](double z0, double z1, bool isBelow) {
       planes_.add(beam, wall, {z0, z1, isBelow});
     };
@@ -363,10 +368,10 @@ class Finder {
     const auto meets = [](const Flat& flat, const std::optional<Slope>& slope) {
       return !flat.isSky && (slope || flat.flatPortal);
     };
-    if (meets(sector.floor, sector.floorSlope)) add(wall.air0.zBottom, wall.air1.zBottom, true);
-    if (meets(sector.ceiling, sector.ceilingSlope)) add(wall.air0.zTop, wall.air1.zTop, false);
-    if (next.floorSlope) add(twin.air1.zBottom, twin.air0.zBottom, true);
-    if (next.ceilingSlope) add(twin.air1.zTop, twin.air0.zTop, false);
+    if (meets(sector.floor, sector.floorSlope)) add(near.air0.zBottom, near.air1.zBottom, true);
+    if (meets(sector.ceiling, sector.ceilingSlope)) add(near.air0.zTop, near.air1.zTop, false);
+    if (next.floorSlope) add(far.air1.zBottom, far.air0.zBottom, true);
+    if (next.ceilingSlope) add(far.air1.zTop, far.air0.zTop, false);
   }
 
   /// A direction in which rounding decides which walls rays meet: whatever they can come to from
@@ -380,9 +385,10 @@ class Finder {
       if (!lines_.insert({id.value, direction.x, direction.y}).second) continue;
       found_.beams.push_back(
           {id, nullptr, nullptr, direction, direction, direction, direction, 0, 0, true});
-      for (const Segment& wall : level_.segmentsOf(level_[id]))
-        if (!wall.lightOpenings.empty() && touches(wall, direction))
-          for (const LightOpening& opening : wall.lightOpenings) goTo(opening.next);
+      for (const Segment& wall : scene_.segmentsOf(scene_[id]))
+        if (const auto openings = scene_.lightOpeningsOf(wall);
+            !openings.empty() && touches(wall, direction))
+          for (const LightOpening& opening : openings) goTo(opening.next);
       forEachBehindFlats(id, goTo);
     }
   }
@@ -399,11 +405,11 @@ class Finder {
 
   template <typename Visit>
   void forEachBehindFlats(SectorId id, Visit&& visit) const {
-    const Sector& sector = level_[id];
+    const Sector& sector = scene_[id];
     if (sector.floor.flatPortal)
-      std::ranges::for_each(level_[*sector.floor.flatPortal].lower, visit);
+      std::ranges::for_each(scene_[*sector.floor.flatPortal].lower, visit);
     if (sector.ceiling.flatPortal)
-      std::ranges::for_each(level_[*sector.ceiling.flatPortal].upper, visit);
+      std::ranges::for_each(scene_[*sector.ceiling.flatPortal].upper, visit);
   }
 
   /// Says nothing of sectors any more, and of what rays can come to from there.
@@ -414,11 +420,11 @@ class Finder {
       sectors.pop_back();
       if (!found_.unknown.insert(id.value).second) continue;
       forEachBehindFlats(id, goTo);
-      for (const Segment& wall : level_.segmentsOf(level_[id])) {
+      for (const Segment& wall : scene_.segmentsOf(scene_[id])) {
         const Vec2 a = fromLight(wall.p0);
         const Vec2 b = fromLight(wall.p1);
         if (cross(a, b) < -kNarrow * length(a) * length(b)) continue;
-        for (const LightOpening& opening : wall.lightOpenings) goTo(opening.next);
+        for (const LightOpening& opening : scene_.lightOpeningsOf(wall)) goTo(opening.next);
       }
     }
   }
@@ -429,7 +435,7 @@ class Finder {
     bool isEntrance;
   };
 
-  const Level& level_;
+  Scene scene_;
   double reach_;
   Vec3 light_;
   SectorId sector_;
@@ -449,9 +455,9 @@ class Finder {
 
 }  // namespace
 
-BeamSet findLightBeams(const Level& level, const Raytracer::Source& light, double reach,
+BeamSet findLightBeams(const Scene& scene, const Raytracer::Source& light, double reach,
                        std::size_t mostBytes) {
-  return Finder(level, light, reach).find(mostBytes);
+  return Finder(scene, light, reach).find(mostBytes);
 }
 
 }  // namespace hearth

@@ -12,7 +12,7 @@ namespace hearth {
 /// From the sector of the light on, a window is cut at the vertices of the walls, and the nearest
 /// wall in each part ends a beam. Openings of that wall, and flat portals before it, are windows
 /// into other sectors.
-BeamSet findLightBeams(const Level& level, const Raytracer::Source& light, double reach,
+BeamSet findLightBeams(const Scene& scene, const Raytracer::Source& light, double reach,
                        std::size_t mostBytes);
 
 }  // namespace hearth

@@ -15,17 +15,17 @@ namespace {
 
 class Joiner {
  public:
-  Joiner(const Level& level, const VertexFan& fan,
+  Joiner(const Scene& scene, const VertexFan& fan,
          const std::vector<std::vector<UprightSurface>>& upright, LitSurfaces& surfaces)
-      : level_(level), fan_(fan), upright_(upright), lit_(surfaces) {}
+      : scene_(scene), fan_(fan), upright_(upright), lit_(surfaces) {}
 
   void joinAll() {
-    for (std::size_t i = 0; i < level_.segments.size(); ++i) {
+    for (std::size_t i = 0; i < scene_.level().segments.size(); ++i) {
       joinAbove(SegmentId(i));
       joinAcrossFlatPortals(SegmentId(i));
       joinAfter(SegmentId(i));
-      joinFlats(level_.segments[i], true);
-      joinFlats(level_.segments[i], false);
+      joinFlats(scene_.level().segments[i], true);
+      joinFlats(scene_.level().segments[i], false);
     }
     sortByPlaceInLevel();
   }
@@ -48,8 +48,8 @@ class Joiner {
 
   /// What hangs in an opening continues only its like, not the wall round it.
   bool areAlike(const UprightSurface& a, const UprightSurface& b) const {
-    return (level_[a.id].kind == SurfaceKind::MaskedMiddle) ==
-           (level_[b.id].kind == SurfaceKind::MaskedMiddle);
+    return (scene_[a.id].kind == SurfaceKind::MaskedMiddle) ==
+           (scene_[b.id].kind == SurfaceKind::MaskedMiddle);
   }
 
   /// Of surfaces of one segment, or of two with the same ends.
@@ -68,10 +68,10 @@ class Joiner {
 
   /// Joins the surfaces of this segment to those of the walls that go on below a flat portal.
   void joinAcrossFlatPortals(SegmentId id) {
-    const Sector& sector = level_[level_[id].sector];
+    const Sector& sector = scene_[scene_[id].sector];
     if (!sector.floor.flatPortal) return;
     for (const SegmentId below : fan_.acrossFlatPortals(id)) {
-      const Sector& other = level_[level_[below].sector];
+      const Sector& other = scene_[scene_[below].sector];
       if (other.ceiling.flatPortal != sector.floor.flatPortal) continue;
       for (const UprightSurface& a : upright_[id.index()])
         for (const UprightSurface& b : upright_[below.index()])
@@ -87,11 +87,11 @@ class Joiner {
 
   /// Joins surfaces of this segment to those of walls that continue it beyond its p1.
   void joinAfter(SegmentId id) {
-    for (const VertexFan::Spoke& spoke : fan_.at(level_[id].p1)) {
+    for (const VertexFan::Spoke& spoke : fan_.at(scene_[id].p1)) {
       if (!spoke.startsHere || spoke.segment == id) continue;
       for (const UprightSurface& a : upright_[id.index()])
         for (const UprightSurface& b : upright_[spoke.segment.index()])
-          if (areAlike(a, b) && onOneGrid(a.id, b.id)) joinAtVertex(a, b, level_[id].p1);
+          if (areAlike(a, b) && onOneGrid(a.id, b.id)) joinAtVertex(a, b, scene_[id].p1);
     }
   }
 
@@ -111,7 +111,7 @@ class Joiner {
   }
 
   const Segment& wallOf(const UprightSurface& surface) const {
-    return level_[*level_[surface.id].segment];
+    return scene_[*scene_[surface.id].segment];
   }
 
   bool onOneGrid(SurfaceId a, SurfaceId b) const {
@@ -123,27 +123,27 @@ class Joiner {
   void joinFlats(const Segment& segment, bool floor) {
     const std::optional<SurfaceId> mine = flatOf(segment.sector, floor);
     if (!mine) return;
-    const Sector& sector = level_[segment.sector];
+    const Sector& sector = scene_[segment.sector];
     const auto onMyGrid = [&](Vec2 p) {
-      const double z = floor ? sector.airBottom(p) : sector.airTop(p);
+      const double z = floor ? scene_.airBottom(sector, p) : scene_.airTop(sector, p);
       return lit_[mine->index()]->grid.toTexels({p.x, p.y, z});
     };
-    for (const OpenStretch& open : openAtFoot(level_, segment, floor)) {
+    for (const OpenStretch& open : openAtFoot(scene_, segment, floor)) {
       const std::optional<SurfaceId> other = flatOf(open.next, floor);
       if (!other || other == mine) continue;
-      if (!continueInOnePlane(sector, level_[open.next], floor, segment)) continue;
+      if (!continueInOnePlane(scene_, sector, scene_[open.next], floor, segment)) continue;
       join(*mine, *other, onMyGrid(lerp(segment.p0, segment.p1, open.begin)),
            onMyGrid(lerp(segment.p0, segment.p1, open.end)));
     }
   }
 
   std::optional<SurfaceId> flatOf(SectorId id, bool floor) const {
-    const Sector& sector = level_[id];
+    const Sector& sector = scene_[id];
     const std::optional<SurfaceId> surface = floor ? sector.floorSurface : sector.ceilingSurface;
     return surface && lit_[surface->index()] ? surface : std::nullopt;
   }
 
-  const Level& level_;
+  Scene scene_;
   const VertexFan& fan_;
   const std::vector<std::vector<UprightSurface>>& upright_;
   LitSurfaces& lit_;
@@ -151,10 +151,10 @@ class Joiner {
 
 }  // namespace
 
-void joinContinuations(const Level& level, const VertexFan& fan,
+void joinContinuations(const Scene& scene, const VertexFan& fan,
                        const std::vector<std::vector<UprightSurface>>& upright,
                        LitSurfaces& surfaces) {
-  Joiner(level, fan, upright, surfaces).joinAll();
+  Joiner(scene, fan, upright, surfaces).joinAll();
 }
 
 }  // namespace hearth

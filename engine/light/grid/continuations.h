@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/grid/upright_air.h"
 #include "light/grid/vertex_fan.h"
 #include "light/lit_surface.h"
@@ -18,7 +18,7 @@ struct UprightSurface {
 /// `continuations` in `surfaces`; all other members are set. Walls continue walls beside and above
 /// them, round vertices, and through openings and flat portals; flats and slopes continue through
 /// openings. `upright` is by SegmentId.
-void joinContinuations(const Level& level, const VertexFan& fan,
+void joinContinuations(const Scene& scene, const VertexFan& fan,
                        const std::vector<std::vector<UprightSurface>>& upright,
                        LitSurfaces& surfaces);
 

@@ -117,27 +117,27 @@ struct Joint {
 };
 
 /// By SectorId. A one-way portal joins its two sectors like any other.
-std::vector<std::vector<Joint>> jointsOf(const Level& level, bool floor) {
-  std::vector<std::vector<Joint>> joints(level.sectors.size());
-  for (std::size_t i = 0; i < level.segments.size(); ++i) {
-    const Segment& segment = level.segments[i];
-    for (const OpenStretch& open : openAtFoot(level, segment, floor)) {
-      joints[segment.sector.index()].push_back({open.next, SegmentId(i)});
-      joints[open.next.index()].push_back({segment.sector, SegmentId(i)});
+std::vector<std::vector<Joint>> jointsOf(const Scene& scene, bool floor) {
+  std::vector<std::vector<Joint>> joints(scene.level().sectors.size());
+  for (const Segment& segment : scene.level().segments) {
+    for (const OpenStretch& open : openAtFoot(scene, segment, floor)) {
+      joints[segment.sector.index()].push_back({open.next, segment.id});
+      joints[open.next.index()].push_back({segment.sector, segment.id});
     }
   }
   return joints;
 }
 
 /// The sectors whose slopes continue that of `seed`.
-std::vector<SectorId> slopeRun(const Level& level, const std::vector<std::vector<Joint>>& joints,
+std::vector<SectorId> slopeRun(const Scene& scene, const std::vector<std::vector<Joint>>& joints,
                                SectorId seed, bool floor, std::vector<bool>& taken) {
   std::vector<SectorId> members = {seed};
   taken[seed.index()] = true;
   for (std::size_t i = 0; i < members.size(); ++i) {
     for (const Joint& joint : joints[members[i].index()]) {
-      if (taken[joint.to.index()] || !slopeOf(level[joint.to], floor)) continue;
-      if (!continueInOnePlane(level[seed], level[joint.to], floor, level[joint.along])) continue;
+      if (taken[joint.to.index()] || !slopeOf(scene[joint.to], floor)) continue;
+      if (!continueInOnePlane(scene, scene[seed], scene[joint.to], floor, scene[joint.along]))
+        continue;
       taken[joint.to.index()] = true;
       members.push_back(joint.to);
     }
@@ -161,7 +161,8 @@ std::vector<TexelGrid> wallGrids(const Level& level, const VertexFan& fan, doubl
 
 TexelGrid flatGrid(double z, double texel) { return {{0, 0, z}, {1, 0, 0}, {0, 1, 0}, texel}; }
 
-std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) {
+std::vector<TexelGrid> slopeGrids(const Scene& scene, bool floor, double texel) {
+  const Level& level = scene.level();
   std::vector<SectorId> order;
   for (std::size_t i = 0; i < level.sectors.size(); ++i)
     if (slopeOf(level.sectors[i], floor)) order.push_back(SectorId(i));
@@ -171,22 +172,24 @@ std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel) 
 
   std::vector<TexelGrid> grids(level.sectors.size());
   std::vector<bool> taken(level.sectors.size(), false);
-  const std::vector<std::vector<Joint>> joints = jointsOf(level, floor);
+  const std::vector<std::vector<Joint>> joints = jointsOf(scene, floor);
   for (const SectorId seed : order) {
     if (taken[seed.index()]) continue;
     // In this order the first sector of a run holds the run's first vertex.
     const TexelGrid grid =
         slopeGrid(level[seed], *slopeOf(level[seed], floor), anchorOf(seed), texel);
-    for (const SectorId member : slopeRun(level, joints, seed, floor, taken))
+    for (const SectorId member : slopeRun(scene, joints, seed, floor, taken))
       grids[member.index()] = grid;
   }
   return grids;
 }
 
-bool continueInOnePlane(const Sector& a, const Sector& b, bool floor, const Segment& along) {
+bool continueInOnePlane(const Scene& scene, const Sector& a, const Sector& b, bool floor,
+                        const Segment& along) {
   const double tolerance = noiseOf(along.length);
   const auto isLevelAt = [&](Vec2 p) {
-    const double step = floor ? b.airBottom(p) - a.airBottom(p) : b.airTop(p) - a.airTop(p);
+    const double step = floor ? scene.airBottom(b, p) - scene.airBottom(a, p)
+                              : scene.airTop(b, p) - scene.airTop(a, p);
     return std::abs(step) <= tolerance;
   };
   const auto gradientOf = [&](const Sector& sector) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/grid/vertex_fan.h"
 #include "light/texel_grid.h"
 
@@ -18,10 +18,11 @@ TexelGrid flatGrid(double z, double texel);
 /// vertex, by (x, y), of the run of slopes that continue one another in one plane; axes along the
 /// contour line and the steepest ascent of the slope that has it. Entries of sectors without such a
 /// slope mean nothing.
-std::vector<TexelGrid> slopeGrids(const Level& level, bool floor, double texel);
+std::vector<TexelGrid> slopeGrids(const Scene& scene, bool floor, double texel);
 
 /// True when the floors (ceilings) of two sectors, flats or slopes, are one plane within an
 /// author's tolerance, over the given segment.
-bool continueInOnePlane(const Sector& a, const Sector& b, bool floor, const Segment& along);
+bool continueInOnePlane(const Scene& scene, const Sector& a, const Sector& b, bool floor,
+                        const Segment& along);
 
 }  // namespace hearth

@@ -46,15 +46,16 @@ void keepAtFoot(OpenStretch& open, const AirOver& air, const AirOver& near, bool
 
 }  // namespace
 
-std::vector<OpenStretch> openAtFoot(const Level& level, const Segment& segment, bool floor) {
-  const AirOver near = {segment.air0, segment.air1};
+std::vector<OpenStretch> openAtFoot(const Scene& scene, const Segment& segment, bool floor) {
+  const SegmentGeometry& own = scene.geometryOf(segment);
+  const AirOver near = {own.air0, own.air1};
   std::vector<OpenStretch> found;
-  for (const WallPiece& piece : segment.pieces) {
+  for (const WallPiece& piece : scene.piecesOf(segment)) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     if (!opening) continue;
-    const Segment& twin = level[opening->twin];
+    const SegmentGeometry& far = scene.geometryOf(scene[opening->twin]);
     const AirColumn range = {piece.zBottom, piece.zTop};
-    const std::array<AirOver, 3> airs = {{near, {range, range}, {twin.air1, twin.air0}}};
+    const std::array<AirOver, 3> airs = {{near, {range, range}, {far.air1, far.air0}}};
     OpenStretch open{opening->next, 0, 1};
     keepOpen(open, airs);
     for (const AirOver& air : airs) keepAtFoot(open, air, near, floor, noiseOf(segment.length));

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -15,6 +15,6 @@ struct OpenStretch {
 
 /// The stretches of a segment where nothing stands between the floors (ceilings) of its sector and
 /// the next: neither a step nor a slope.
-std::vector<OpenStretch> openAtFoot(const Level& level, const Segment& segment, bool floor);
+std::vector<OpenStretch> openAtFoot(const Scene& scene, const Segment& segment, bool floor);
 
 }  // namespace hearth

@@ -18,46 +18,46 @@ constexpr double kMostTexels = 4294967296.0;
 constexpr double kFarthestTexel = 1 << 30;
 
 /// Metres. No coordinate of the level is greater.
-double reachOf(const Level& level) {
+double reachOf(const Scene& scene) {
   double reach = 0;
-  for (const Sector& sector : level.sectors)
+  for (const Sector& sector : scene.level().sectors)
     for (const double coordinate : {sector.boxMin.x, sector.boxMin.y, sector.boxMax.x,
-                                    sector.boxMax.y, sector.floor.z, sector.ceiling.z})
+                                    sector.boxMax.y, scene.zFloor(sector), scene.zCeiling(sector)})
       reach = std::max(reach, std::abs(coordinate));
   return reach;
 }
 
 /// At least as many texels as a bake computes: every wall and flat as a rectangle.
-double texelBound(const Level& level, double texel) {
+double texelBound(const Scene& scene, double texel) {
   const auto cells = [texel](double metres) { return metres / texel + 3; };
   double sum = 0;
-  for (const Sector& sector : level.sectors) {
+  for (const Sector& sector : scene.level().sectors) {
     const Vec2 size = sector.boxMax - sector.boxMin;
     sum += 2 * cells(size.x) * cells(size.y);
-    for (const Segment& segment : level.segmentsOf(sector))
-      sum += cells(segment.length) * cells(sector.ceiling.z - sector.floor.z);
+    for (const Segment& segment : scene.segmentsOf(sector))
+      sum += cells(segment.length) * cells(scene.zCeiling(sector) - scene.zFloor(sector));
   }
   return sum;
 }
 
 /// As many as a bake computes. Takes long to count, and a reach within limits.
-double texelsOf(const Level& level, double texel) {
+double texelsOf(const Scene& scene, double texel) {
   double sum = 0;
-  for (const auto& surface : makeLitSurfaces(level, texel))
+  for (const auto& surface : makeLitSurfaces(scene, texel))
     if (surface) sum += static_cast<double>(surface->texels.count());
   return sum;
 }
 
 }  // namespace
 
-std::optional<std::string> mistakeInTexel(const Level& level, double texel) {
+std::optional<std::string> mistakeInTexel(const Scene& scene, double texel) {
   if (!std::isfinite(texel) || texel <= 0) return fmt::format("{} m is no size", texel);
-  if (const double reach = reachOf(level); reach / texel > kFarthestTexel)
+  if (const double reach = reachOf(scene); reach / texel > kFarthestTexel)
     return fmt::format(
         "a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least", reach,
         reach / kFarthestTexel);
-  if (texelBound(level, texel) <= kMostTexels) return std::nullopt;
-  if (const double texels = texelsOf(level, texel); texels > kMostTexels)
+  if (texelBound(scene, texel) <= kMostTexels) return std::nullopt;
+  if (const double texels = texelsOf(scene, texel); texels > kMostTexels)
     return fmt::format("{} m would take {:.3g} texels, more than {:.3g}: use larger ones", texel,
                        texels, kMostTexels);
   return std::nullopt;

@@ -36,22 +36,25 @@ UprightOutline clipped(const UprightOutline& polygon, Line line, double sign) {
 }  // namespace
 
 // Convex, because what limits it from below is a maximum of lines and from above a minimum.
-UprightOutline uprightAir(const Level& level, const Surface& surface) {
-  const Segment& segment = level[*surface.segment];
-  UprightOutline air = {
-      {0, surface.zBottom}, {1, surface.zBottom}, {1, surface.zTop}, {0, surface.zTop}};
-  air = clipped(air, {segment.air0.zBottom, segment.air1.zBottom}, 1);
-  air = clipped(air, {segment.air0.zTop, segment.air1.zTop}, -1);
+UprightOutline uprightAir(const Scene& scene, SurfaceId id) {
+  const Surface& surface = scene[id];
+  const Segment& segment = scene[*surface.segment];
+  const SegmentGeometry& near = scene.geometryOf(segment);
+  const double zBottom = scene.geometryOf(id).zBottom;
+  const double zTop = scene.geometryOf(id).zTop;
+  UprightOutline air = {{0, zBottom}, {1, zBottom}, {1, zTop}, {0, zTop}};
+  air = clipped(air, {near.air0.zBottom, near.air1.zBottom}, 1);
+  air = clipped(air, {near.air0.zTop, near.air1.zTop}, -1);
   if (!isSidewall(surface.kind)) return air;
-  for (const WallPiece& piece : segment.pieces) {
+  for (const WallPiece& piece : scene.piecesOf(segment)) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
-    if (!opening || piece.zBottom != surface.zBottom) continue;
-    const Segment& twin = level[opening->twin];
+    if (!opening || piece.zBottom != zBottom) continue;
+    const SegmentGeometry& far = scene.geometryOf(scene[opening->twin]);
     if (surface.kind == SurfaceKind::FloorSidewall)
-      return clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, -1);
+      return clipped(air, {far.air1.zBottom, far.air0.zBottom}, -1);
     // Wedges may pass each other by an author's noise. Then the lower one shows, as in openingSpan.
-    air = clipped(air, {twin.air1.zBottom, twin.air0.zBottom}, 1);
-    return clipped(air, {twin.air1.zTop, twin.air0.zTop}, 1);
+    air = clipped(air, {far.air1.zBottom, far.air0.zBottom}, 1);
+    return clipped(air, {far.air1.zTop, far.air0.zTop}, 1);
   }
   return air;
 }

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -12,9 +12,9 @@ namespace hearth {
 /// metres).
 using UprightOutline = std::vector<Vec2>;
 
-/// The part of an upright surface that bounds air: what the slopes on both sides leave of it.
-/// Convex; fewer than three points where nothing shows.
-UprightOutline uprightAir(const Level& level, const Surface& surface);
+/// The part of an upright surface, one that shows, that bounds air: what the slopes on both sides
+/// leave of it. Convex; fewer than three points where they leave nothing.
+UprightOutline uprightAir(const Scene& scene, SurfaceId id);
 
 /// The ends of what two convex outlines that do not overlap have in common, if that has a length.
 /// Both are of one segment, or of two with the same ends, `segmentLength` metres long.

@@ -20,11 +20,11 @@ bool standsBefore(const Segment& wall, Vec2 vertex, Vec2 end) {
 
 }  // namespace
 
-VertexFan::VertexFan(const Level& level) : level_(level) {
-  spokes_.reserve(2 * level.segments.size());
-  for (std::size_t i = 0; i < level.segments.size(); ++i) {
-    spokes_.push_back({level.segments[i].p0, SegmentId(i), true});
-    spokes_.push_back({level.segments[i].p1, SegmentId(i), false});
+VertexFan::VertexFan(const Scene& scene) : scene_(scene) {
+  spokes_.reserve(2 * scene.level().segments.size());
+  for (const Segment& segment : scene.level().segments) {
+    spokes_.push_back({segment.p0, segment.id, true});
+    spokes_.push_back({segment.p1, segment.id, false});
   }
   std::stable_sort(spokes_.begin(), spokes_.end(),
                    [](const Spoke& a, const Spoke& b) { return lessXY(a.vertex, b.vertex); });
@@ -40,14 +40,14 @@ std::span<const VertexFan::Spoke> VertexFan::at(Vec2 vertex) const {
 }
 
 std::vector<SegmentId> VertexFan::acrossFlatPortals(SegmentId id) const {
-  const Segment& segment = level_[id];
-  const Sector& sector = level_[segment.sector];
+  const Segment& segment = scene_[id];
+  const Sector& sector = scene_[segment.sector];
   std::vector<SegmentId> found;
   if (!sector.floor.flatPortal && !sector.ceiling.flatPortal) return found;
   for (const Spoke& spoke : at(segment.p0)) {
-    const Segment& other = level_[spoke.segment];
+    const Segment& other = scene_[spoke.segment];
     if (!spoke.startsHere || other.p1 != segment.p1) continue;
-    const Sector& beyond = level_[other.sector];
+    const Sector& beyond = scene_[other.sector];
     const bool below =
         sector.floor.flatPortal && beyond.ceiling.flatPortal == sector.floor.flatPortal;
     const bool above =
@@ -71,7 +71,7 @@ std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 v
     const Air here = reached[i];
     if (here.sector == to) openings.push_back(here.heights);
     for (const Spoke& spoke : at(vertex)) {
-      if (level_[spoke.segment].sector != here.sector) continue;
+      if (scene_[spoke.segment].sector != here.sector) continue;
       if (!turnsOn(here.from, farEnd(spoke))) continue;
       for (const Air& air : beyond(spoke, here.heights))
         if (std::ranges::none_of(reached, [&](const Air& known) { return known.holds(air); }))
@@ -82,19 +82,19 @@ std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 v
 }
 
 Vec2 VertexFan::farEnd(const Spoke& spoke) const {
-  const Segment& segment = level_[spoke.segment];
+  const Segment& segment = scene_[spoke.segment];
   return spoke.startsHere ? segment.p1 : segment.p0;
 }
 
 std::vector<VertexFan::Air> VertexFan::beyond(const Spoke& spoke, Heights near) const {
-  const Segment& segment = level_[spoke.segment];
+  const Segment& segment = scene_[spoke.segment];
   const double fraction = spoke.startsHere ? 0 : 1;
   std::vector<Air> found;
-  for (const WallPiece& piece : segment.pieces) {
+  for (const WallPiece& piece : scene_.piecesOf(segment)) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     if (!opening) continue;
-    const OpeningSpan span =
-        openingSpan(piece, airAt(segment, fraction), airAt(level_[opening->twin], 1 - fraction));
+    const OpeningSpan span = openingSpan(piece, scene_.airAt(segment, fraction),
+                                         scene_.airAt(scene_[opening->twin], 1 - fraction));
     const Heights open = {std::max(near.zBottom, span.zBottom), std::min(near.zTop, span.zTop)};
     if (open.zTop - open.zBottom > kHeightNoise)
       found.push_back({opening->next, open, farEnd(spoke)});

@@ -3,14 +3,14 @@
 #include <span>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
 /// Which segments begin or end at a vertex: neighbours across walls and sectors.
 class VertexFan {
  public:
-  explicit VertexFan(const Level& level);
+  explicit VertexFan(const Scene& scene);
 
   struct Spoke {
     Vec2 vertex;
@@ -53,7 +53,7 @@ class VertexFan {
   /// What air one comes to from those heights through the openings of a segment, at its vertex.
   std::vector<Air> beyond(const Spoke& spoke, Heights near) const;
 
-  const Level& level_;
+  Scene scene_;
   std::vector<Spoke> spokes_;  ///< sorted by vertex
 };
 

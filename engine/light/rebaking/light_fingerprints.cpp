@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <set>
+#include <span>
 #include <variant>
 
 #include "light/geometry_hash.h"
@@ -13,20 +14,20 @@ namespace {
 
 class Printer {
  public:
-  Printer(const Level& level, const LitSurfaces& surfaces) : level_(level), surfaces_(surfaces) {
-    for (const Sector& sector : level.sectors) names_.push_back(hashOf(sector.name));
-    for (const TexelHoles& texture : level.holes) holes_.push_back(hashOf(texture));
-    for (const Sector& sector : level.sectors) outlines_.push_back(outlineOf(sector));
+  Printer(const Scene& scene, const LitSurfaces& surfaces) : scene_(scene), surfaces_(surfaces) {
+    for (const Sector& sector : scene.level().sectors) names_.push_back(hashOf(sector.name));
+    for (const TexelHoles& texture : scene.level().holes) holes_.push_back(hashOf(texture));
+    for (const Sector& sector : scene.level().sectors) outlines_.push_back(outlineOf(sector));
     for (std::size_t i = 0; i < surfaces.size(); ++i) faces_.push_back(faceOf(SurfaceId(i)));
   }
 
   LightFingerprints print() const {
     LightFingerprints prints;
-    for (std::size_t i = 0; i < level_.sectors.size(); ++i)
+    for (std::size_t i = 0; i < scene_.level().sectors.size(); ++i)
       prints.sectors.push_back(printOf(SectorId(i)));
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       prints.surfaces.push_back(printOf(SurfaceId(i)));
-    for (const LightSource& light : level_.lights) prints.lights.push_back(printOf(light));
+    for (const LightSource& light : scene_.level().lights) prints.lights.push_back(printOf(light));
     return prints;
   }
 
@@ -47,31 +48,32 @@ class Printer {
   std::uint64_t outlineOf(const Sector& sector) const {
     const PartNumbers numbers{
         [this](SectorId id) { return names_[id.index()]; },
-        [this](FlatPortalId id) { return hashOf(level_[id].name); },
+        [this](FlatPortalId id) { return hashOf(scene_[id].name); },
         [this](TextureId id) { return holes_[id.index()]; },
     };
     Hash hash;
     hash.addText(sector.name);
-    addGeometry(hash, level_, sector, numbers);
+    addGeometry(hash, scene_, sector, numbers);
     return hash.value();
   }
 
   std::uint64_t printOf(SectorId id) const {
-    const Sector& sector = level_[id];
+    const Sector& sector = scene_[id];
     Hash hash;
     hash.addWhole(outlines_[id.index()]);
-    for (const Segment& segment : level_.segmentsOf(sector)) addOpenings(hash, segment);
+    for (const Segment& segment : scene_.segmentsOf(sector)) addOpenings(hash, segment);
     for (const SectorId next : neighboursOf(sector)) hash.addWhole(outlines_[next.index()]);
     return hash.value();
   }
 
   void addOpenings(Hash& hash, const Segment& segment) const {
-    hash.addWhole(segment.lightOpenings.size());
-    for (const LightOpening& opening : segment.lightOpenings) {
+    const std::span<const LightOpening> openings = scene_.lightOpeningsOf(segment);
+    hash.addWhole(openings.size());
+    for (const LightOpening& opening : openings) {
       hash.addReal(opening.zBottom);
       hash.addReal(opening.zTop);
       hash.addWhole(names_[opening.next.index()]);
-      hash.addWhole(opening.twin.value - level_[opening.next].firstSegment.value);
+      hash.addWhole(opening.twin.value - scene_[opening.next].firstSegment.value);
     }
   }
 
@@ -81,17 +83,17 @@ class Printer {
     const auto addPortal = [&](const auto& kind) {
       if (const Portal* portal = std::get_if<Portal>(&kind)) next.insert(portal->next);
     };
-    for (const Segment& segment : level_.segmentsOf(sector)) {
+    for (const Segment& segment : scene_.segmentsOf(sector)) {
       addPortal(segment.kind);
       if (const Stack* stack = std::get_if<Stack>(&segment.kind))
         for (const SubWall& subWall : stack->subWalls) addPortal(subWall.kind);
     }
     if (sector.floor.flatPortal) {
-      const auto& lower = level_[*sector.floor.flatPortal].lower;
+      const auto& lower = scene_[*sector.floor.flatPortal].lower;
       next.insert(lower.begin(), lower.end());
     }
     if (sector.ceiling.flatPortal) {
-      const auto& upper = level_[*sector.ceiling.flatPortal].upper;
+      const auto& upper = scene_[*sector.ceiling.flatPortal].upper;
       next.insert(upper.begin(), upper.end());
     }
     return next;
@@ -102,7 +104,7 @@ class Printer {
     const auto& surface = surfaces_[id.index()];
     if (!surface) return 0;
     Hash hash;
-    hash.addWhole(names_[level_[id].sector.index()]);
+    hash.addWhole(names_[scene_[id].sector.index()]);
     const TexelGrid& grid = surface->grid;
     for (const Vec3 v : {grid.origin, grid.axisS, grid.axisT, surface->anchor, surface->normal})
       hash.addPoint(v);
@@ -135,7 +137,7 @@ class Printer {
     return hash.value();
   }
 
-  const Level& level_;
+  Scene scene_;
   const LitSurfaces& surfaces_;
   std::vector<std::uint64_t> names_;     ///< by SectorId
   std::vector<std::uint64_t> holes_;     ///< by TextureId
@@ -145,8 +147,8 @@ class Printer {
 
 }  // namespace
 
-LightFingerprints lightFingerprints(const Level& level, const LitSurfaces& surfaces) {
-  return Printer(level, surfaces).print();
+LightFingerprints lightFingerprints(const Scene& scene, const LitSurfaces& surfaces) {
+  return Printer(scene, surfaces).print();
 }
 
 }  // namespace hearth

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/lit_surface.h"
 
 namespace hearth {
@@ -17,6 +17,6 @@ struct LightFingerprints {
   std::vector<std::uint64_t> lights;    ///< in the level's order
 };
 
-LightFingerprints lightFingerprints(const Level& level, const LitSurfaces& surfaces);
+LightFingerprints lightFingerprints(const Scene& scene, const LitSurfaces& surfaces);
 
 }  // namespace hearth

@@ -8,7 +8,8 @@
 
 namespace hearth {
 
-bool isAirClear(const Sector& sector, const TargetRays& rays, std::span<const Vec3> points) {
+bool isAirClear(const Scene& scene, const Sector& sector, const TargetRays& rays,
+                std::span<const Vec3> points) {
   const double least = leastInFront(rays.noise, rays.reach);
   const bool isLevel = !sector.floorSlope && !sector.ceilingSlope;
   const auto isClearOf = [&](const std::optional<Slope>& slope, auto&& inFront) {
@@ -24,9 +25,11 @@ bool isAirClear(const Sector& sector, const TargetRays& rays, std::span<const Ve
     });
   };
   return (sector.floor.isSky ||
-          isClearOf(sector.floorSlope, [&](Vec3 p) { return p.z - sector.airBottom(p.xy()); })) &&
-         (sector.ceiling.isSky ||
-          isClearOf(sector.ceilingSlope, [&](Vec3 p) { return sector.airTop(p.xy()) - p.z; }));
+          isClearOf(sector.floorSlope,
+                    [&](Vec3 p) { return p.z - scene.airBottom(sector, p.xy()); })) &&
+         (sector.ceiling.isSky || isClearOf(sector.ceilingSlope, [&](Vec3 p) {
+            return scene.airTop(sector, p.xy()) - p.z;
+          }));
 }
 
 }  // namespace hearth

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -17,6 +17,7 @@ struct TargetRays {
 
 /// Whether neither floor nor ceiling of the points' sector, slopes included, stops a ray before its
 /// end: they are off all points, or the light is so far before them that rounding does not matter.
-bool isAirClear(const Sector& sector, const TargetRays& rays, std::span<const Vec3> points);
+bool isAirClear(const Scene& scene, const Sector& sector, const TargetRays& rays,
+                std::span<const Vec3> points);
 
 }  // namespace hearth

@@ -40,9 +40,9 @@ struct AirLines {
   EndHeights top;
 };
 
-AirLines airAlong(const Segment& wall, double from, double to) {
-  const AirColumn first = airAt(wall, from);
-  const AirColumn last = airAt(wall, to);
+AirLines airAlong(const Scene& scene, const Segment& wall, double from, double to) {
+  const AirColumn first = scene.airAt(wall, from);
+  const AirColumn last = scene.airAt(wall, to);
   return {{first.zBottom, last.zBottom}, {first.zTop, last.zTop}};
 }
 
@@ -50,40 +50,41 @@ AirLines airAlong(const Segment& wall, double from, double to) {
 bool isSolid(const Flat& flat) { return !flat.isSky && !flat.flatPortal; }
 
 /// What is beyond a flat portal has left the sector through it, and is nothing to the opening.
-void addHeights(const Sector& sector, const LightOpening& opening, Passage& passage) {
-  if (sector.floor.flatPortal && opening.zBottom <= sector.floor.z)
+void addHeights(const Scene& scene, const Sector& sector, const LightOpening& opening,
+                Passage& passage) {
+  if (sector.floor.flatPortal && opening.zBottom <= scene.zFloor(sector))
     passage.isShut |= passage.hull.isBelow(flatLine(opening.zBottom));
   else
     passage.letThroughAbove(flatLine(opening.zBottom));
-  if (sector.ceiling.flatPortal && opening.zTop >= sector.ceiling.z)
+  if (sector.ceiling.flatPortal && opening.zTop >= scene.zCeiling(sector))
     passage.isShut |= passage.hull.isAbove(flatLine(opening.zTop));
   else
     passage.letThroughBelow(flatLine(opening.zTop));
 }
 
 /// Of the sector's own slopes rays meet those that are no skies; of the next sector's all.
-void addSlopes(const Level& level, const Sector& sector, const Segment& wall,
+void addSlopes(const Scene& scene, const Sector& sector, const Segment& wall,
                const LightOpening& opening, Passage& passage) {
   const double from = passage.hull.from;
   const double to = passage.hull.to;
   if (sector.floorSlope || sector.ceilingSlope) {
-    const AirLines near = airAlong(wall, from, to);
+    const AirLines near = airAlong(scene, wall, from, to);
     if (sector.floorSlope && isSolid(sector.floor)) passage.letThroughAbove(near.bottom);
     if (sector.ceilingSlope && isSolid(sector.ceiling)) passage.letThroughBelow(near.top);
   }
-  const Sector& next = level[opening.next];
+  const Sector& next = scene[opening.next];
   if (next.floorSlope || next.ceilingSlope) {
-    const AirLines far = airAlong(level[opening.twin], 1 - from, 1 - to);
+    const AirLines far = airAlong(scene, scene[opening.twin], 1 - from, 1 - to);
     if (next.floorSlope) passage.letThroughAbove(far.bottom);
     if (next.ceilingSlope) passage.letThroughBelow(far.top);
   }
 }
 
 /// Some of what comes to a masked middle texture may meet a hole and some not.
-void addMaskedMiddles(const Level& level, const LightOpening& opening, Passage& passage) {
-  for (const SurfaceId id : opening.maskedMiddles)
-    passage.isOpen &= passage.hull.isAbove(flatLine(level[id].zTop)) ||
-                      passage.hull.isBelow(flatLine(level[id].zBottom));
+void addMaskedMiddles(const Scene& scene, const LightOpening& opening, Passage& passage) {
+  for (const SurfaceId id : scene.maskedMiddlesIn(opening))
+    passage.isOpen &= passage.hull.isAbove(flatLine(scene.geometryOf(id).zTop)) ||
+                      passage.hull.isBelow(flatLine(scene.geometryOf(id).zBottom));
 }
 
 }  // namespace
@@ -140,11 +141,11 @@ const Shaft::MetSector& Shaft::meet(SectorId id) {
     if (sector.id == id) return sector;
   const auto count = [&] { return static_cast<std::uint32_t>(mets_.size()); };
   MetSector met{id, count(), 0, 0};
-  const Sector& sector = level_[id];
+  const Sector& sector = scene_[id];
   if (within_)
     for (const Segment* wall : within_->wallsIn(id)) meetWall(sector, id, *wall);
   else
-    for (const Segment& wall : level_.segmentsOf(sector)) meetWall(sector, id, wall);
+    for (const Segment& wall : scene_.segmentsOf(sector)) meetWall(sector, id, wall);
   met.end = count();
   findScreens(met);
   return sectors_.emplace_back(met);
@@ -194,23 +195,25 @@ void Shaft::meetWall(const Sector& sector, SectorId id, const Segment& wall) {
 }
 
 void Shaft::meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Met& met) {
-  const bool isBelowFlat = sector.floor.flatPortal && slice.isBelow(flatLine(sector.floor.z));
-  const bool isAboveFlat = sector.ceiling.flatPortal && slice.isAbove(flatLine(sector.ceiling.z));
+  const bool isBelowFlat =
+      sector.floor.flatPortal && slice.isBelow(flatLine(scene_.zFloor(sector)));
+  const bool isAboveFlat =
+      sector.ceiling.flatPortal && slice.isAbove(flatLine(scene_.zCeiling(sector)));
   if (isBelowFlat || isAboveFlat) return;  // no ray is in the sector any more
   met.stops = true;
-  for (const LightOpening& opening : met.wall->lightOpenings) {
+  for (const LightOpening& opening : scene_.lightOpeningsOf(*met.wall)) {
     Passage passage{slice};
-    addHeights(sector, opening, passage);
-    addSlopes(level_, sector, *met.wall, opening, passage);
-    addMaskedMiddles(level_, opening, passage);
+    addHeights(scene_, sector, opening, passage);
+    addSlopes(scene_, sector, *met.wall, opening, passage);
+    addMaskedMiddles(scene_, opening, passage);
     if (!passage.isShut) exits_.push_back(&opening);
     if (passage.isOpen) met.stops = false;
   }
 }
 
 Shaft::Met* Shaft::nextInLoop(const MetSector& sector, const Met& met) {
-  const Loop& loop = level_[sector.id].loops[met.wall->loop];
-  const Segment* first = &level_[loop.first];
+  const Loop& loop = scene_[sector.id].loops[met.wall->loop];
+  const Segment* first = &scene_[loop.first];
   const Segment* next = met.wall + 1 == first + loop.count ? first : met.wall + 1;
   for (Met& other : wallsOf(sector))
     if (other.wall == next) return &other;
@@ -298,19 +301,19 @@ void Shaft::visit(const Visit& visit) {
     for (std::uint32_t i = met.firstExit; i < met.lastExit; ++i)
       go({exits_[i]->next, Entry::ThroughWall, exits_[i], met.start, met.end});
   }
-  goThroughFlats(level_[visit.sector]);
+  goThroughFlats(scene_[visit.sector]);
   if (!screens_.empty()) return;
   if (isTarget(visit.sector))
     arrives_ = true;
   else
-    isStopped_ |= !endsOutside(level_[visit.sector]);
+    isStopped_ |= !endsOutside(scene_[visit.sector]);
 }
 
 /// The one wall that all rays leave a sector through, having come into it by a way that has just
 /// been visited; none where some may leave it elsewhere, or stop.
 std::optional<Shaft::Gate> Shaft::gateOf(const Visit& visit) {
   const MetSector sector = meet(visit.sector);
-  if (level_[visit.sector].floor.flatPortal || level_[visit.sector].ceiling.flatPortal)
+  if (scene_[visit.sector].floor.flatPortal || scene_[visit.sector].ceiling.flatPortal)
     return std::nullopt;
   const Met* gate = nullptr;
   for (const Met& met : wallsOf(sector)) {
@@ -327,16 +330,17 @@ std::optional<Shaft::Gate> Shaft::gateOf(const Visit& visit) {
 void Shaft::goThroughFlats(const Sector& sector) {
   // A slope may come through the plane of the portal, and stop rays there.
   const auto goTo = [&](const std::vector<SectorId>& members, double z) {
-    isStopped_ |= hasSlopeAt(level_, sector, z);
+    isStopped_ |= hasSlopeAt(scene_, sector, z);
     for (const SectorId member : members) {
-      isStopped_ |= hasSlopeAt(level_, level_[member], z);
+      isStopped_ |= hasSlopeAt(scene_, scene_[member], z);
       go({member, Entry::ThroughFlat, nullptr, {}, {}});
     }
   };
-  if (sector.floor.flatPortal && hull_->zMin() < sector.floor.z)
-    goTo(level_[*sector.floor.flatPortal].lower, sector.floor.z);
-  if (sector.ceiling.flatPortal && hull_->zMax() > sector.ceiling.z)
-    goTo(level_[*sector.ceiling.flatPortal].upper, sector.ceiling.z);
+  const auto [zFloor, zCeiling] = scene_.geometryOf(sector);
+  if (sector.floor.flatPortal && hull_->zMin() < zFloor)
+    goTo(scene_[*sector.floor.flatPortal].lower, zFloor);
+  if (sector.ceiling.flatPortal && hull_->zMax() > zCeiling)
+    goTo(scene_[*sector.ceiling.flatPortal].upper, zCeiling);
 }
 
 /// Whether no target can be in the sector: all are beside it, or beyond a flat portal of it.
@@ -349,16 +353,17 @@ bool Shaft::endsOutside(const Sector& sector) const {
          all([&](Vec3 p) { return p.x > sector.boxMax.x + margin; }) ||
          all([&](Vec3 p) { return p.y < sector.boxMin.y - margin; }) ||
          all([&](Vec3 p) { return p.y > sector.boxMax.y + margin; }) ||
-         (sector.floor.flatPortal && all([&](Vec3 p) { return p.z < sector.floor.z - margin; })) ||
+         (sector.floor.flatPortal &&
+          all([&](Vec3 p) { return p.z < scene_.zFloor(sector) - margin; })) ||
          (sector.ceiling.flatPortal &&
-          all([&](Vec3 p) { return p.z > sector.ceiling.z + margin; }));
+          all([&](Vec3 p) { return p.z > scene_.zCeiling(sector) + margin; }));
 }
 
 /// Whether no flat or slope of the targets' sector stops a ray before its target.
 bool Shaft::areTargetsClear() const {
   const TargetRays rays{light_->center, light_->radius, hull_->reach(), hull_->noise(),
                         hull_->margin()};
-  return isAirClear(level_[targets_->sectors.front()], rays, targets_->box.corners());
+  return isAirClear(scene_, scene_[targets_->sectors.front()], rays, targets_->box.corners());
 }
 
 }  // namespace hearth

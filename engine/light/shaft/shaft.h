@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/shaft/shaft_hull.h"
 #include "light/sight/id_set.h"
 
@@ -34,7 +34,7 @@ struct ShaftTargets {
 /// the screen leave the sector through it or end there.
 class Shaft {
  public:
-  explicit Shaft(const Level& level) : level_(level) {}
+  explicit Shaft(const Scene& scene) : scene_(scene) {}
 
   enum class Outcome { Dark, Lit, Unknown };
 
@@ -115,7 +115,7 @@ class Shaft {
   bool isTarget(SectorId id) const;
   bool areTargetsClear() const;
 
-  const Level& level_;
+  Scene scene_;
   const Shaft* within_ = nullptr;
   const ShaftLight* light_ = nullptr;
   const ShaftTargets* targets_ = nullptr;

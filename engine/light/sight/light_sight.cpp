@@ -27,26 +27,26 @@ Plane planeOf(const Segment& segment) {
   return {{segment.p0.x, segment.p0.y, 0}, {-along.y, along.x, 0}};
 }
 
-Plane planeOf(const Flat& flat, const std::optional<Slope>& slope, bool isFloor) {
+/// Of a flat at this height, or the slope on it.
+Plane planeOf(double zFlat, const std::optional<Slope>& slope, bool isFloor) {
   const Vec2 gradient = slope ? slope->gradient : Vec2{};
-  const double z = slope ? slope->zAt({0, 0}) : flat.z;
+  const double z = slope ? slope->zAt({0, 0}) : zFlat;
   const double scale = (isFloor ? 1 : -1) / std::sqrt(1 + dot(gradient, gradient));
   return {{0, 0, z}, scale * Vec3{-gradient.x, -gradient.y, 1}};
 }
 
 /// The planes of all walls, flats and slopes of the sector that come into the ball. Skies do not.
-std::vector<Plane> planesInside(const Level& level, const Sector& sector, Vec3 center,
+std::vector<Plane> planesInside(const Scene& scene, const Sector& sector, Vec3 center,
                                 double radius) {
   std::vector<Plane> planes;
-  for (const Segment& segment : level.segmentsOf(sector))
+  for (const Segment& segment : scene.segmentsOf(sector))
     if (length(nearestOnSegment(segment.p0, segment.p1, center.xy()) - center.xy()) <= radius)
       planes.push_back(planeOf(segment));
-  const auto addFlat = [&](const Flat& flat, const std::optional<Slope>& slope, bool isFloor) {
-    const Plane plane = planeOf(flat, slope, isFloor);
+  const auto addFlat = [&](const Flat& flat, const Plane& plane) {
     if (!flat.isSky && std::abs(plane.inFront(center)) <= radius) planes.push_back(plane);
   };
-  addFlat(sector.floor, sector.floorSlope, true);
-  addFlat(sector.ceiling, sector.ceilingSlope, false);
+  addFlat(sector.floor, planeOf(scene.zFloor(sector), sector.floorSlope, true));
+  addFlat(sector.ceiling, planeOf(scene.zCeiling(sector), sector.ceilingSlope, false));
   return planes;
 }
 
@@ -172,10 +172,10 @@ DiscCells::Distances DiscCells::distancesOf(const std::vector<Vec2>& points) {
   return distances;
 }
 
-LightSight::LightSight(const Level& level, const LightSource& light, int softSamples,
+LightSight::LightSight(const Scene& scene, const LightSource& light, int softSamples,
                        bool solidMaskedMiddles)
-    : raytracer_(level, solidMaskedMiddles),
-      center_(Raytracer::sourceOf(level, light)),
+    : raytracer_(scene, solidMaskedMiddles),
+      center_(Raytracer::sourceOf(scene, light)),
       radius_(softSamples == 0 ? 0 : light.radius),
       cells_(static_cast<int>(std::lround(std::sqrt(softSamples)))),
       discCells_(radius_ > 0 ? cells_ : 0) {
@@ -183,7 +183,7 @@ LightSight::LightSight(const Level& level, const LightSource& light, int softSam
   sectors_ = {center_.sector};
   if (radius_ == 0) return;
   SectorSet met;
-  planes_ = planesInside(level, level[center_.sector], center_.position, radius_);
+  planes_ = planesInside(scene, scene[center_.sector], center_.position, radius_);
   isCutByPlanes_ = true;
   for (int i = 0; pointCount_ < kPointsPerSample * softSamples; ++i) {
     const Vec3 p = spreadPoint(i);
@@ -289,10 +289,10 @@ double LightSight::seenOfDisc(const LightTarget& target, Sees&& sees) const {
 }
 
 struct LightSight::Beams {
-  Beams(const Level& in, double asFarAs, std::size_t bytes)
-      : level(in), reach(asFarAs), mostBytes(bytes) {}
+  Beams(const Scene& in, double asFarAs, std::size_t bytes)
+      : scene(in), reach(asFarAs), mostBytes(bytes) {}
 
-  const Level& level;
+  Scene scene;
   double reach;
   std::size_t mostBytes;
   std::atomic_flag isBegun;
@@ -303,15 +303,15 @@ struct LightSight::Beams {
 LightSight::~LightSight() = default;
 LightSight::LightSight(LightSight&&) noexcept = default;
 
-void LightSight::useBeams(const Level& level, double reach, std::size_t mostBytes) {
-  if (radius_ == 0) beams_ = std::make_unique<Beams>(level, reach, mostBytes);
+void LightSight::useBeams(const Scene& scene, double reach, std::size_t mostBytes) {
+  if (radius_ == 0) beams_ = std::make_unique<Beams>(scene, reach, mostBytes);
 }
 
 const BeamTree* LightSight::beams() const {
   if (!beams_) return nullptr;
   std::call_once(beams_->isFound, [this] {
     beams_->isBegun.test_and_set();
-    beams_->found.emplace(beams_->level, center_, beams_->reach, beams_->mostBytes);
+    beams_->found.emplace(beams_->scene, center_, beams_->reach, beams_->mostBytes);
   });
   return &*beams_->found;
 }
@@ -320,16 +320,16 @@ void LightSight::findBeamsUnlessBegun() const {
   if (beams_ && !beams_->isBegun.test_and_set()) beams();
 }
 
-LightSights::LightSights(const Level& level, const BakeSettings& settings) {
+LightSights::LightSights(const Scene& scene, const BakeSettings& settings) {
   // Of all lights together; an equal part for each, so that the order in which they are found
   // does not matter.
   constexpr std::size_t kMostBytesOfBeams = std::size_t{256} << 20;
-  for (const LightSource& light : level.lights) {
-    fine.emplace_back(level, light, settings.softSamples, settings.solidMaskedMiddles);
-    rough.emplace_back(level, light, (settings.softSamples + 3) / 4, settings.solidMaskedMiddles);
+  for (const LightSource& light : scene.level().lights) {
+    fine.emplace_back(scene, light, settings.softSamples, settings.solidMaskedMiddles);
+    rough.emplace_back(scene, light, (settings.softSamples + 3) / 4, settings.solidMaskedMiddles);
     reach.push_back(light.reach(settings.cutOff));
-    fine.back().useBeams(level, reach.back() + kAuthorNoise,
-                         kMostBytesOfBeams / level.lights.size());
+    fine.back().useBeams(scene, reach.back() + kAuthorNoise,
+                         kMostBytesOfBeams / scene.level().lights.size());
   }
 }
 

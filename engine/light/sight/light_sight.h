@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/beam_tree/beam_tree.h"
 #include "light/grid/plane.h"
 #include "light/sight/raytracer.h"
@@ -53,7 +53,7 @@ class LightSight {
   /// cells, and shadows' edges cut these exactly where they run straight. Where a ball is cut by
   /// more than planes, or seen from too near, 32 times as many points are spread over it instead.
   /// With 0 it is a point. `solidMaskedMiddles`: see BakeSettings.
-  LightSight(const Level& level, const LightSource& light, int softSamples,
+  LightSight(const Scene& scene, const LightSource& light, int softSamples,
              bool solidMaskedMiddles = false);
   ~LightSight();
   LightSight(LightSight&&) noexcept;
@@ -68,7 +68,7 @@ class LightSight {
   const ShaftLight& shaftLight() const { return shaftLight_; }
   /// Has what a point of light sees found as beams, when it is first asked for. Of a ball nothing
   /// is found.
-  void useBeams(const Level& level, double reach, std::size_t mostBytes);
+  void useBeams(const Scene& scene, double reach, std::size_t mostBytes);
   /// None where they are not used. Any thread may ask.
   const BeamTree* beams() const;
   /// Has them found now, if they are used and no thread has begun: so threads that will need those
@@ -107,7 +107,7 @@ class LightSight {
 
 /// How points see the lights of a level, in their order.
 struct LightSights {
-  LightSights(const Level& level, const BakeSettings& settings);
+  LightSights(const Scene& scene, const BakeSettings& settings);
 
   std::vector<LightSight> fine;
   /// With a quarter of the samples to a ball: for points of which the mean is taken.

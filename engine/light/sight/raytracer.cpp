@@ -23,11 +23,11 @@ struct Exit {
 
 /// All walls of a sector.
 struct AllWalls {
-  const Level& level;
+  Scene scene;
 
   template <typename Visit>
   void visit(SectorId sector, Visit&& visit) const {
-    for (const Segment& wall : level.segmentsOf(level[sector])) visit(wall);
+    for (const Segment& wall : scene.segmentsOf(scene[sector])) visit(wall);
   }
 };
 
@@ -44,9 +44,9 @@ struct ShaftWalls {
 template <typename Walls>
 class Walk {
  public:
-  Walk(const Level& level, Walls walls, const Raytracer::Source& source, Vec3 target,
+  Walk(const Scene& scene, Walls walls, const Raytracer::Source& source, Vec3 target,
        bool solidMaskedMiddles, SectorSet* met)
-      : level_(level),
+      : scene_(scene),
         walls_(walls),
         solidMaskedMiddles_(solidMaskedMiddles),
         met_(met),
@@ -61,7 +61,7 @@ class Walk {
     const Segment& wall = *gate.wall;
     sector_ = gate.opening->next;
     t_ = crossingOf(wall, sideOf(wall.p0), sideOf(wall.p1));
-    entry_ = &level_[gate.opening->twin];
+    entry_ = &scene_[gate.opening->twin];
   }
 
   /// Whether the ray's end is a point on the border of the air of `goal` that it reaches.
@@ -96,7 +96,7 @@ class Walk {
 
  private:
   /// No line through a level that means something crosses so many sectors.
-  std::size_t stepLimit() const { return 4 * level_.segments.size() + 16; }
+  std::size_t stepLimit() const { return 4 * scene_.level().segments.size() + 16; }
 
   /// Within kArrival of the ray's end. (Asked of each ray, so without root and division.)
   bool isNearEnd(double t) const { return (1 - t) * (1 - t) * length2_ <= kArrival * kArrival; }
@@ -153,13 +153,13 @@ class Walk {
   /// Where, up to tEnd, the ray first meets the sector's floor or ceiling (slopes included, which
   /// may come through one another; skies are none to light).
   std::optional<FlatHit> meetsFlat(double tEnd) const {
-    const Sector& sector = level_[sector_];
+    const Sector& sector = scene_[sector_];
     std::optional<FlatHit> first;
     if (!sector.floor.isSky && (delta_.z < 0 || sector.floorSlope))
-      if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return sector.airBottom(p); }))
+      if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return scene_.airBottom(sector, p); }))
         first = FlatHit{*t, true};
     if (!sector.ceiling.isSky && (delta_.z > 0 || sector.ceilingSlope))
-      if (const auto t = meetsPlane(tEnd, -1, [&](Vec2 p) { return sector.airTop(p); }))
+      if (const auto t = meetsPlane(tEnd, -1, [&](Vec2 p) { return scene_.airTop(sector, p); }))
         if (!first || *t < first->t) first = FlatHit{*t, false};
     return first;
   }
@@ -174,24 +174,25 @@ class Walk {
   }
 
   const std::vector<SectorId>& membersBehind(const Flat& flat, bool isFloor) const {
-    const FlatPortal& flatPortal = level_[*flat.flatPortal];
+    const FlatPortal& flatPortal = scene_[*flat.flatPortal];
     return isFloor ? flatPortal.lower : flatPortal.upper;
   }
 
   /// A surface can lie in the very plane of a flat portal: a slope that touches it.
   bool liesBehindFlatPortal(SectorId goal) const {
-    const Sector& sector = level_[sector_];
-    const auto leadsToGoal = [&](const Flat& flat, bool isFloor) {
-      return flat.flatPortal && std::abs(zAt(1) - flat.z) <= kArrival &&
+    const Sector& sector = scene_[sector_];
+    const auto leadsToGoal = [&](const Flat& flat, double z, bool isFloor) {
+      return flat.flatPortal && std::abs(zAt(1) - z) <= kArrival &&
              std::ranges::find(membersBehind(flat, isFloor), goal) !=
                  membersBehind(flat, isFloor).end() &&
-             contains(level_, level_[goal], planAt(1));
+             contains(scene_.level(), scene_[goal], planAt(1));
     };
-    return leadsToGoal(sector.floor, true) || leadsToGoal(sector.ceiling, false);
+    return leadsToGoal(sector.floor, scene_.zFloor(sector), true) ||
+           leadsToGoal(sector.ceiling, scene_.zCeiling(sector), false);
   }
 
   bool crossFlatPortal(FlatHit hit) {
-    const Sector& sector = level_[sector_];
+    const Sector& sector = scene_[sector_];
     const Flat& flat = hit.isFloor ? sector.floor : sector.ceiling;
     if (!flat.flatPortal) return false;
     sector_ = memberAt(flat, hit);
@@ -204,15 +205,15 @@ class Walk {
   /// one whose outline the ray's crossings say, so that it leaves what it was in.
   SectorId memberAt(const Flat& flat, FlatHit hit) const {
     for (const SectorId member : membersBehind(flat, hit.isFloor))
-      if (isInside(level_[member], hit.t)) return member;
-    return across(level_, level_[*flat.flatPortal], hit.isFloor ? Side::Lower : Side::Upper,
+      if (isInside(scene_[member], hit.t)) return member;
+    return across(scene_.level(), scene_[*flat.flatPortal], hit.isFloor ? Side::Lower : Side::Upper,
                   planAt(hit.t));
   }
 
   /// Whether the ray leaves the sector once more often than it comes in, beyond t.
   bool isInside(const Sector& sector, double t) const {
     int leaves = 0;
-    for (const Segment& segment : level_.segmentsOf(sector)) {
+    for (const Segment& segment : scene_.segmentsOf(sector)) {
       const double side0 = sideOf(segment.p0);
       const double side1 = sideOf(segment.p1);
       if ((side0 >= 0) == (side1 >= 0) || crossingOf(segment, side0, side1) <= t) continue;
@@ -224,12 +225,12 @@ class Walk {
   /// Goes through the opening of the exit at the ray's height, if there is one.
   bool pass(const Exit& exit) {
     const double slack = isAtEnd(exit.t) ? kArrival : 0;
-    for (const LightOpening& opening : exit.segment->lightOpenings) {
+    for (const LightOpening& opening : scene_.lightOpeningsOf(*exit.segment)) {
       if (!isOpenAt(opening, exit.t, slack)) continue;
       if (slack == 0 && isStoppedByMaskedMiddle(opening, exit.t)) return false;
       sector_ = opening.next;
       t_ = exit.t;
-      entry_ = &level_[opening.twin];
+      entry_ = &scene_[opening.twin];
       return true;
     }
     return false;
@@ -239,27 +240,27 @@ class Walk {
   bool isOpenAt(const LightOpening& opening, double t, double slack) const {
     const double z = zAt(t);
     if (z < opening.zBottom - slack || z > opening.zTop + slack) return false;
-    const Sector& next = level_[opening.next];
+    const Sector& next = scene_[opening.next];
     if (!next.floorSlope && !next.ceilingSlope) return true;
-    const Segment& twin = level_[opening.twin];
+    const Segment& twin = scene_[opening.twin];
     const double fraction = length(planAt(t) - twin.p0) / twin.length;
-    const AirColumn air = airAt(twin, std::clamp(fraction, 0.0, 1.0));
+    const AirColumn air = scene_.airAt(twin, std::clamp(fraction, 0.0, 1.0));
     return (!next.floorSlope || z >= air.zBottom - slack) &&
            (!next.ceilingSlope || z <= air.zTop + slack);
   }
 
   /// Whether the ray meets what hangs in an opening, on either side, and is no hole.
   bool isStoppedByMaskedMiddle(const LightOpening& opening, double t) const {
-    return std::ranges::any_of(opening.maskedMiddles, [&](SurfaceId id) {
-      const Surface& middle = level_[id];
+    return std::ranges::any_of(scene_.maskedMiddlesIn(opening), [&](SurfaceId id) {
+      const SurfaceGeometry& middle = scene_.geometryOf(id);
       const Vec2 p = planAt(t);
       const double z = zAt(t);
       return middle.zBottom <= z && z <= middle.zTop &&
-             (solidMaskedMiddles_ || isSolidAt(level_, middle, {p.x, p.y, z}));
+             (solidMaskedMiddles_ || isSolidAt(scene_, id, {p.x, p.y, z}));
     });
   }
 
-  const Level& level_;
+  Scene scene_;
   Walls walls_;
   bool solidMaskedMiddles_;
   SectorSet* met_;
@@ -275,27 +276,27 @@ class Walk {
 
 }  // namespace
 
-Raytracer::Source Raytracer::sourceOf(const Level& level, const LightSource& light) {
-  const Sector& sector = level[light.sector];
-  const Vec3 inside = nudgedInside(level, sector, light.position);
-  const bool aboveSky = sector.ceiling.isSky && light.position.z > sector.ceiling.z;
-  const bool belowSky = sector.floor.isSky && light.position.z < sector.floor.z;
+Raytracer::Source Raytracer::sourceOf(const Scene& scene, const LightSource& light) {
+  const Sector& sector = scene[light.sector];
+  const Vec3 inside = nudgedInside(scene, sector, light.position);
+  const bool aboveSky = sector.ceiling.isSky && light.position.z > scene.zCeiling(sector);
+  const bool belowSky = sector.floor.isSky && light.position.z < scene.zFloor(sector);
   return {{inside.x, inside.y, aboveSky || belowSky ? light.position.z : inside.z}, light.sector};
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
-  return Walk(level_, AllWalls{level_}, source, target, solidMaskedMiddles_, met).arrivesAt(sector);
+  return Walk(scene_, AllWalls{scene_}, source, target, solidMaskedMiddles_, met).arrivesAt(sector);
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const {
-  Walk walk(level_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
+  Walk walk(scene_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
   return walk.arrivesAt(sector);
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
                                             SectorSet& met) const {
-  return Walk(level_, AllWalls{level_}, source, point, solidMaskedMiddles_, &met).sectorAtEnd();
+  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, &met).sectorAtEnd();
 }
 
 }  // namespace hearth

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/shaft/shaft.h"
 #include "light/sight/id_set.h"
 
@@ -14,15 +14,15 @@ namespace hearth {
 class Raytracer {
  public:
   /// `solidMaskedMiddles`: see BakeSettings.
-  explicit Raytracer(const Level& level, bool solidMaskedMiddles = false)
-      : level_(level), solidMaskedMiddles_(solidMaskedMiddles) {}
+  explicit Raytracer(const Scene& scene, bool solidMaskedMiddles = false)
+      : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles) {}
 
   /// Where the line from a light to a point starts.
   struct Source {
     Vec3 position;  ///< inside `sector` (above or below it where that is sky), off its walls
     SectorId sector;
   };
-  static Source sourceOf(const Level& level, const LightSource& light);
+  static Source sourceOf(const Scene& scene, const LightSource& light);
 
   /// True when the line from the source first meets a surface at `target`, a point on the border of
   /// the air of `sector`. The caller has made sure that the surface there faces the source.
@@ -36,7 +36,7 @@ class Raytracer {
   std::optional<SectorId> sectorAt(const Source& source, Vec3 point, SectorSet& met) const;
 
  private:
-  const Level& level_;
+  Scene scene_;
   bool solidMaskedMiddles_;
 };
 

@@ -32,21 +32,22 @@ const Spot kSpots[] = {
 };
 
 /// What the middle of a shot shows.
-TruthHit middleOf(const Level& level, const std::string& name) {
-  const auto shot = std::ranges::find(level.shots, name, &Shot::name);
+TruthHit middleOf(const Scene& scene, const std::string& name) {
+  const auto shot = std::ranges::find(scene.level().shots, name, &Shot::name);
   const Camera camera = cameraOf(*shot);
-  const Projection projection = projectionFor(level, camera);
+  const Projection projection = projectionFor(scene, camera);
   const Vec2 ray = projection.rayOf(camera.width / 2.0);
-  return *trace(level, camera.sector, projection.eye(),
+  return *trace(scene.level(), camera.sector, projection.eye(),
                 {ray.x, ray.y, projection.raySlopeAt(camera.height / 2.0)}, RayKind::Look);
 }
 
 TEST(DarkSpots, AreNamedEachWithItsReason) {
   const LoadedLevel place = loaded("levels/dark-spots.json");
   const Level& level = place.level;
-  const BakedLight light = bake(level, level.bake, 2);
+  const Scene scene = place.scene();
+  const BakedLight light = bake(scene, level.bake, 2);
   for (const Spot& spot : kSpots) {
-    const Inspection found = inspect(level, light, level.bake, middleOf(level, spot.shot));
+    const Inspection found = inspect(scene, light, level.bake, middleOf(scene, spot.shot));
     EXPECT_EQ(surfaceWords(level, found.place), spot.surface);
     EXPECT_TRUE(reasonWords(level, found.place, found.lights.at(0)).starts_with(spot.reason))
         << reasonWords(level, found.place, found.lights[0]);
@@ -58,10 +59,11 @@ TEST(DarkSpots, AreNamedEachWithItsReason) {
 TEST(DarkSpots, HaveOnlyTheLightOfTheirRoomNear) {
   const LoadedLevel place = loaded("levels/dark-spots.json");
   const Level& level = place.level;
-  const BakedLight light = bake(level, level.bake, 2);
+  const Scene scene = place.scene();
+  const BakedLight light = bake(scene, level.bake, 2);
   std::vector<std::size_t> near;
   for (const Spot& spot : kSpots)
-    for (const auto& finding : inspect(level, light, level.bake, middleOf(level, spot.shot)).lights)
+    for (const auto& finding : inspect(scene, light, level.bake, middleOf(scene, spot.shot)).lights)
       if (finding.comesNear) near.push_back(finding.light);
   EXPECT_EQ(near, (std::vector<std::size_t>{5, 6, 7, 8, 9}));
 }
@@ -71,12 +73,13 @@ template <typename Change>
 double afterAdvice(const std::string& shot, Change&& change) {
   LoadedLevel place = loaded("levels/dark-spots.json");
   Level& level = place.level;
-  const BakedLight light = bake(level, level.bake, 2);
-  const TruthHit spot = middleOf(level, shot);
-  const Inspection before = inspect(level, light, level.bake, spot);
+  const Scene scene = place.scene();
+  const BakedLight light = bake(scene, level.bake, 2);
+  const TruthHit spot = middleOf(scene, shot);
+  const Inspection before = inspect(scene, light, level.bake, spot);
   LightSource& lamp = level.lights[before.lights.at(0).light];
   change(lamp, before.lights[0]);
-  return brightest(inspect(level, light, level.bake, spot).sum);
+  return brightest(inspect(scene, light, level.bake, spot).sum);
 }
 
 TEST(DarkSpots, AreLitByWhatTheirReasonsAdvise) {

@@ -23,15 +23,16 @@ TruthHit lookedAt(const Level& level, const std::string& sector, Vec3 eye, Vec3 
   return *trace(level, sectorNamed(level, sector), eye, direction, RayKind::Look);
 }
 
-Inspection inspected(const Level& level, const TruthHit& place) {
-  return inspect(level, bake(level, level.bake, 1), level.bake, place);
+Inspection inspected(const Scene& scene, const TruthHit& place) {
+  const BakeSettings& settings = scene.level().bake;
+  return inspect(scene, bake(scene, settings, 1), settings, place);
 }
 
 /// The only finding of a level of one light, in words.
 std::string reasonAt(const LoadedLevel& loaded, const std::string& sector, Vec3 eye,
                      Vec3 direction) {
   const Level& level = loaded.level;
-  const Inspection found = inspected(level, lookedAt(level, sector, eye, direction));
+  const Inspection found = inspected(loaded.scene(), lookedAt(level, sector, eye, direction));
   EXPECT_EQ(found.lights.size(), 1);
   return reasonWords(level, found.place, found.lights.at(0));
 }
@@ -99,10 +100,10 @@ TEST(Inspect, namesALightThatIsTooWeakAndTellsHowWeak) {
             "too weak here: 0.33 of 255 at 8 m; intensity 580 instead of 3 would give 64");
   const Level& level = loaded.level;
   const TruthHit place = lookedAt(level, "west", {2.5, 2, 1.5}, {1, 0, 0});
-  EXPECT_NEAR(inspected(level, place).sum.x, 1.0 / 3, 1e-12) << "which is something";
+  EXPECT_NEAR(inspected(loaded.scene(), place).sum.x, 1.0 / 3, 1e-12) << "which is something";
   BakeSettings cut = level.bake;
   cut.cutOff = 1;
-  EXPECT_EQ(inspect(level, bake(level, cut, 1), cut, place).sum, Vec3{});
+  EXPECT_EQ(inspect(loaded.scene(), bake(loaded.scene(), cut, 1), cut, place).sum, Vec3{});
 }
 
 TEST(Inspect, tellsWhatWouldMakeAFaintLightEnough) {
@@ -138,7 +139,8 @@ TEST(Inspect, namesALightWhoseWayLeadsElsewhere) {
 TEST(Inspect, tellsWhichFractionOfABallIsSeen) {
   const LoadedLevel loaded = halves("", lamp(8, 2, 1.5, ",'radius':0.4"), 1.5);
   const Level& level = loaded.level;
-  const Inspection found = inspected(level, lookedAt(level, "west", {1, 2, 1.5}, {-1, 0, 0}));
+  const Inspection found =
+      inspected(loaded.scene(), lookedAt(level, "west", {1, 2, 1.5}, {-1, 0, 0}));
   EXPECT_NEAR(found.lights.at(0).seenFraction, 0.5, 0.02) << "the half above the floor";
   EXPECT_TRUE(reasonWords(level, found.place, found.lights[0]).ends_with(" % of it seen"));
   EXPECT_NEAR(found.sum.x, 255 * found.lights[0].seenFraction, 1e-9);
@@ -151,7 +153,7 @@ TEST(Inspect, saysNothingOfSkies) {
       "'loops':{'border':{'v':[0,0, 4,0, 4,4, 0,4],'walls':{'texture':'#808080'}}}}}}",
       lamp(1, 1, 1));
   const Inspection found =
-      inspected(loaded.level, lookedAt(loaded.level, "yard", {2, 2, 1}, {0, 0, 1}));
+      inspected(loaded.scene(), lookedAt(loaded.level, "yard", {2, 2, 1}, {0, 0, 1}));
   EXPECT_FALSE(found.lightmap);
   EXPECT_TRUE(found.lights.empty());
 }
@@ -164,7 +166,8 @@ TEST(Inspect, hasTheBrightestFirstAndThenWhatWouldBe) {
   const Level& level = loaded.level;
   const TruthHit wall = lookedAt(level, "east", {6, 2, 1}, {1, 0, 0});
   std::vector<std::size_t> order;
-  for (const LightFinding& finding : inspected(level, wall).lights) order.push_back(finding.light);
+  for (const LightFinding& finding : inspected(loaded.scene(), wall).lights)
+    order.push_back(finding.light);
   EXPECT_EQ(order, (std::vector<std::size_t>{3, 1, 0, 2}));
 }
 
@@ -172,16 +175,16 @@ TEST(Inspect, hasTheBrightestFirstAndThenWhatWouldBe) {
 
 /// Calls `check(hit, column, row)` for some pixels of all shots of a level.
 template <typename Check>
-void forPixelsOfShots(const Level& level, Check&& check) {
-  for (const Shot& shot : level.shots) {
+void forPixelsOfShots(const Scene& scene, Check&& check) {
+  for (const Shot& shot : scene.level().shots) {
     Camera camera = cameraOf(shot);
     camera.width = 11;
     camera.height = 7;
-    const Projection projection = projectionFor(level, camera);
+    const Projection projection = projectionFor(scene, camera);
     for (int row = 0; row < camera.height; ++row)
       for (int column = 0; column < camera.width; ++column) {
         const Vec2 ray = projection.rayOf(column + 0.5);
-        const auto hit = trace(level, camera.sector, projection.eye(),
+        const auto hit = trace(scene.level(), camera.sector, projection.eye(),
                                {ray.x, ray.y, projection.raySlopeAt(row + 0.5)}, RayKind::Look);
         check(*hit, camera, column, row);
       }
@@ -189,13 +192,15 @@ void forPixelsOfShots(const Level& level, Check&& check) {
 }
 
 void expectAsDefined(const std::string& path) {
-  const Level level = loaded(path).level;
+  const LoadedLevel place = loaded(path);
+  const Level& level = place.level;
+  const Scene scene = place.scene();
   const TruthLight truth(level, kInspectedBallPoints);
-  const BakedLight light = bake(level, level.bake, 2);
+  const BakedLight light = bake(scene, level.bake, 2);
   int lit = 0;
-  forPixelsOfShots(level, [&](const TruthHit& hit, const Camera&, int, int) {
+  forPixelsOfShots(scene, [&](const TruthHit& hit, const Camera&, int, int) {
     if (isSky(hit.kind)) return;
-    const Inspection found = inspect(level, light, level.bake, hit);
+    const Inspection found = inspect(scene, light, level.bake, hit);
     const Vec3 sum = truth.at(hit);
     ASSERT_NEAR(length(found.sum - sum), 0, 1e-9) << surfaceWords(level, hit);
     ASSERT_EQ(found.lights.size(), level.lights.size());
@@ -214,13 +219,14 @@ TEST(Inspect, hasOfTheLightmapWhatPicturesHave) {
   for (const char* path : {"levels/tutorial.json", "levels/gaol.json"}) {
     const LoadedLevel place = loaded(path);
     const Level& level = place.level;
-    const BakedLight light = bake(level, level.bake, 2);
-    const Renderer renderer(level, place.textures, light);
+    const Scene scene = place.scene();
+    const BakedLight light = bake(scene, level.bake, 2);
+    const Renderer renderer(scene, place.textures, light);
     Image picture;
-    forPixelsOfShots(level, [&](const TruthHit& hit, const Camera& camera, int column, int row) {
+    forPixelsOfShots(scene, [&](const TruthHit& hit, const Camera& camera, int column, int row) {
       if (column == 0 && row == 0) picture = renderer.draw(camera, Channel::Light);
       if (isSky(hit.kind)) return;
-      const auto found = inspect(level, light, level.bake, hit).lightmap;
+      const auto found = inspect(scene, light, level.bake, hit).lightmap;
       ASSERT_TRUE(found) << surfaceWords(level, hit);
       const Rgb pixel = picture.at(column, row);
       ASSERT_NEAR(found->shown.x, pixel.r, 1) << surfaceWords(level, hit);

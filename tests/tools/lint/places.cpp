@@ -38,9 +38,10 @@ std::vector<std::string> placesInLight(std::string_view levelText, std::string_v
   const SourcedResult sourced = levelWithSourceFrom(levelText, lightsText);
   const LintedLevel linted{*sourced.result.loaded, sourced.source};
   const BakeSettings& settings = linted.level().bake;
-  const auto baked = [&](const Level& level) { return bake(level, settings, kThreads); };
-  return placesOf(
-      lintLight(linted, baked(linted.level()), baked(dimmed(linted.level())), settings, kThreads));
+  const auto baked = [&](const Scene& scene) { return bake(scene, settings, kThreads); };
+  const Level dimmedLevel = dimmed(linted.level());
+  return placesOf(lintLight(linted, baked(linted.scene()),
+                            baked({dimmedLevel, linted.loaded.geometry}), settings, kThreads));
 }
 
 std::string firstMessage(GeometryLint lint, std::string_view levelText) {

@@ -264,7 +264,7 @@ TEST(SectorsOutOfReach, AreThoseThatNoFeetComeTo) {
   const auto unreached = [](const std::string& text) {
     const LoadedLevel loaded = levelFrom(text);
     std::vector<std::string> names;
-    for (const SectorId sector : outOfReach(loaded.level))
+    for (const SectorId sector : outOfReach(loaded.scene()))
       names.push_back(loaded.level[sector].name);
     return names;
   };

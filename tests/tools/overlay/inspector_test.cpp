@@ -27,8 +27,8 @@ class InspectorTest : public testing::Test {
   InspectorTest()
       : sourced_(loadLevelWithSource(HEARTH_SOURCE_DIR "/tests/levels/rooms.json")),
         place_(*sourced_.result.loaded),
-        light_(bake(place_.level, place_.level.bake, 1)),
-        renderer_(place_.level, place_.textures, light_),
+        light_(bake(place_.scene(), place_.level.bake, 1)),
+        renderer_(place_.scene(), place_.textures, light_),
         camera_{place_.level.player->sector,
                 place_.level.player->eye,
                 place_.level.player->angle,
@@ -47,7 +47,7 @@ class InspectorTest : public testing::Test {
         now_ += 0.02,
         [this] {
           const auto copied =
-              inspector_.show({place_.level, renderer_, place_.level.bake, &sourced_.source,
+              inspector_.show({place_.scene(), renderer_, place_.level.bake, &sourced_.source,
                                areLightsEdited_ ? &tool_ : nullptr, isInPicture_},
                               camera_);
           if (copied) copied_.insert(*copied);
@@ -78,7 +78,7 @@ class InspectorTest : public testing::Test {
   void expectFoundAt(int x, int y) {
     ASSERT_TRUE(inspector_.found());
     const Vec3 point = inspector_.found()->place.point;
-    const Projection projection = projectionFor(place_.level, camera_);
+    const Projection projection = projectionFor(place_.scene(), camera_);
     const CameraPoint seen = projection.toCamera(point.xy());
     EXPECT_NEAR(projection.columnOf(seen), x + 0.5, 1e-6);
     EXPECT_NEAR(projection.rowOf(point.z, seen.depth), y + 0.5, 1e-6);

@@ -52,7 +52,7 @@ class LightsSectionTest : public testing::Test {
 
   void frame() {
     overlay_.draw(
-        now_ += 0.02, [&] { showLights(&tool_, rooms_.level, camera_); }, picture_);
+        now_ += 0.02, [&] { showLights(&tool_, rooms_.scene(), camera_); }, picture_);
   }
   void send(const Event& event) {
     overlay_.take(event);
@@ -185,7 +185,7 @@ TEST_F(LightsSectionTest, HidesTheMarksWhichAreNotPickedThen) {
   const auto isMarked = [&] {
     Image picture(camera_.width, camera_.height);
     const Image before = picture;
-    tool_.draw(rooms_.level, camera_, view, picture);
+    tool_.draw(rooms_.scene(), camera_, view, picture);
     return picture != before;
   };
   EXPECT_TRUE(isMarked());

@@ -31,7 +31,8 @@ class QualityTest : public testing::Test {
     const BakeSettings ofLevel;
     Level level;
     level.bake = ofLevel;
-    const QualityInLevel inLevel{ofLevel, bakeSettingsFrom(level, choice_.options),
+    const Geometry geometry{};
+    const QualityInLevel inLevel{ofLevel, bakeSettingsFrom({level, geometry}, choice_.options),
                                  drawSettingsFrom(choice_.options), canBake_};
     overlay_.draw(
         now_ += 0.02, [&] { wasChosen_ |= showQuality(inLevel, choice_); }, picture_);

@@ -12,16 +12,16 @@ namespace {
 
 TEST(BakeRays, AreFreeWhereTheBakeFindsLight) {
   const LoadedLevel loaded = hearth::loaded("tests/levels/rooms.json");
-  const Level& level = loaded.level;
-  const auto tracer = EmbreeTracer::of(meshInLight(level));
+  const Scene scene = loaded.scene();
+  const auto tracer = EmbreeTracer::of(meshInLight(scene));
   ASSERT_TRUE(tracer) << tracer.error();
-  BakeSettings settings = level.bake;
+  BakeSettings settings = loaded.level.bake;
   settings.samples = 1;
   settings.softSamples = 0;
   LightCost bySamples;
-  for (const LightCost& cost : bake(level, settings, 2).lightCosts) bySamples += cost;
+  for (const LightCost& cost : bake(scene, settings, 2).lightCosts) bySamples += cost;
   const auto traced =
-      BakeRays(level, settings.texel, *tracer).traceAll(*tracer, 2, [] { return 0.0; });
+      BakeRays(scene, settings.texel, *tracer).traceAll(*tracer, 2, [] { return 0.0; });
   EXPECT_LT(traced.rays, bySamples.samples) << "no pairs where no light comes";
   EXPECT_GT(traced.rays, traced.free);
   // In edges of shadows single precision decides otherwise, and over walls under the sky, where no

@@ -21,8 +21,8 @@ int difference(Pixel pixel, Rgb color) {
 
 class KernelOfTheTutorial : public testing::Test {
  protected:
-  Scene scene_{loaded("levels/tutorial.json")};
-  KernelFrames kernel_{scene_, kSize};
+  PeerLevel level_{loaded("levels/tutorial.json")};
+  KernelFrames kernel_{level_, kSize};
 };
 
 TEST_F(KernelOfTheTutorial, HasEveryPixelOfEachFrameOnce) {
@@ -36,13 +36,13 @@ TEST_F(KernelOfTheTutorial, HasEveryPixelOfEachFrameOnce) {
 }
 
 TEST_F(KernelOfTheTutorial, DrawsNearlyTheSameColors) {
-  const std::vector<Camera> cameras = camerasOf(scene_.loaded.level);
+  const std::vector<Camera> cameras = camerasOf(level_.loaded.level);
   ASSERT_EQ(kernel_.frames().size(), cameras.size());
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     Camera camera = cameras[i];
     camera.width = kSize.width;
     camera.height = kSize.height;
-    const Image picture = scene_.renderer.draw(camera, LightMode::Both);
+    const Image picture = level_.renderer.draw(camera, LightMode::Both);
     std::vector<Pixel> strip;
     std::vector<Pixel> pixels(picture.pixels().size(), kUntouched);
     drawKernelFrame(kernel_.frames()[i], strip, pixels);

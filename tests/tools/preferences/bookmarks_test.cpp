@@ -85,11 +85,11 @@ TEST_F(BookmarksTest, SayWhenTheyCannotBeKept) {
 
 TEST_F(BookmarksTest, LeadBackToTheirPlace) {
   const LoadedLevel loaded = level(rooms());
-  Walker walker = walkerAt(loaded.level, SectorId(0), {3.12345678, 4, 1.6}, 12.3456, 7);
+  Walker walker = walkerAt(loaded.scene(), SectorId(0), {3.12345678, 4, 1.6}, 12.3456, 7);
   walker.isFlying = true;
-  const Bookmark mark = bookmarkOf(loaded.level, walker, 75, "here");
+  const Bookmark mark = bookmarkOf(loaded.scene(), walker, 75, "here");
   EXPECT_EQ(mark, (Bookmark{"here", "hall", {3.123, 4, 1.6}, 12.35, 7, 75, true}));
-  const auto back = walkerAt(loaded.level, mark);
+  const auto back = walkerAt(loaded.scene(), mark);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->feet.x, 3.123);
   EXPECT_EQ(back->angle, 12.35);
@@ -101,16 +101,16 @@ TEST_F(BookmarksTest, AreTheVeryPlaceWhereTheSectorEndsCloseBy) {
   std::string narrower = rooms();
   narrower.replace(narrower.find("9,0, 9,9"), 8, "8.9997,0, 8.9997,9");
   const LoadedLevel loaded = level(narrower);
-  const Walker walker = walkerAt(loaded.level, SectorId(0), {8.9996, 4, 1.6}, 0, 0);
-  EXPECT_EQ(bookmarkOf(loaded.level, walker, 90, "").eye.x, 8.9996);
+  const Walker walker = walkerAt(loaded.scene(), SectorId(0), {8.9996, 4, 1.6}, 0, 0);
+  EXPECT_EQ(bookmarkOf(loaded.scene(), walker, 90, "").eye.x, 8.9996);
 }
 
 TEST_F(BookmarksTest, LeadNowhereWhereTheLevelHasChanged) {
   const LoadedLevel loaded = level(rooms());
   mark_.eye.x = 20;
-  EXPECT_FALSE(walkerAt(loaded.level, mark_));
+  EXPECT_FALSE(walkerAt(loaded.scene(), mark_));
   mark_.sector = "cellar";
-  EXPECT_FALSE(walkerAt(loaded.level, mark_));
+  EXPECT_FALSE(walkerAt(loaded.scene(), mark_));
 }
 
 TEST_F(BookmarksTest, BecomeShotsAndLeaveTheRestOfTheFile) {

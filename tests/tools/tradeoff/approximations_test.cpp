@@ -88,11 +88,11 @@ class ShippedLevel {
 
  private:
   BakedLight bakeWith(const OptionValues& values) const {
-    return bake(loaded_.level, bakeSettingsFor(loaded_.level, values).value(), 2);
+    return bake(loaded_.scene(), bakeSettingsFor(loaded_.scene(), values).value(), 2);
   }
 
   std::vector<Image> picturesOf(const BakedLight& light, const DrawSettings& settings) const {
-    const Renderer renderer(loaded_.level, loaded_.textures, light, settings);
+    const Renderer renderer(loaded_.scene(), loaded_.textures, light, settings);
     std::vector<Image> pictures;
     for (const Shot& shot : loaded_.level.shots)
       pictures.push_back(renderer.draw(cameraOf(shot), LightMode::Both));

@@ -88,7 +88,7 @@ TEST(MeasuredSettings, ofBakesAreOffByAsMuchAsTheySay) {
   for (const MeasuredSetting& of : measuredSettings()) {
     OptionValues values;
     values.set(of.setting, std::string(of.value));
-    const auto bake = bakeSettingsFor(level.level, values).value();
+    const auto bake = bakeSettingsFor(level.scene(), values).value();
     // What takes long is left out; no masked middle texture hangs in this level.
     if (bake == level.level.bake || of.cost > 4 || of.setting == Option::MiddleShadows) continue;
     trials.push_back({std::string(of.value), bake, {}});

@@ -34,7 +34,7 @@ class AutomapTest : public testing::Test {
   /// 100 x 100 pixels, 10 to the metre.
   Image draw(double metres = 10) const {
     Image picture(100, 100, kPaper);
-    drawAutomap(picture, level_, seen_, eye_, metres);
+    drawAutomap(picture, scene_, seen_, eye_, metres);
     return picture;
   }
   static bool has(const Image& picture, Rgb color) {
@@ -43,6 +43,7 @@ class AutomapTest : public testing::Test {
 
   LoadedLevel house_ = house();
   const Level& level_ = house_.level;
+  const Scene scene_ = house_.scene();
   SectorId west_ = sectorNamed(level_, "west");
   SectorId east_ = sectorNamed(level_, "east");
   SectorId upstairs_ = sectorNamed(level_, "upstairs");
@@ -69,7 +70,7 @@ TEST_F(AutomapTest, TellsStepsFromWallsAndPlainOpenings) {
   EXPECT_EQ(draw().at(70, 40), kStepColor) << "seen from both sides, the step is what counts";
   const auto kindAtX4 = [&](SectorId sector) {
     for (const Segment& segment : level_.segmentsOf(level_[sector]))
-      if (segment.p0.x == 4 && segment.p1.x == 4) return wallKind(segment);
+      if (segment.p0.x == 4 && segment.p1.x == 4) return wallKind(scene_, segment);
     return WallKind::Solid;
   };
   EXPECT_EQ(kindAtX4(west_), WallKind::Step);
@@ -121,7 +122,7 @@ TEST_F(AutomapTest, FlatPortalsAreDotted) {
   SeenSectors seen(rooms.level);
   seen.add(rooms.level.player->sector);
   Image picture(200, 200, kPaper);
-  drawAutomap(picture, rooms.level, seen, {rooms.level.player->sector, rooms.level.player->eye},
+  drawAutomap(picture, rooms.scene(), seen, {rooms.level.player->sector, rooms.level.player->eye},
               10);
   EXPECT_TRUE(has(picture, kMapFlatPortalColor));
 }
@@ -131,7 +132,7 @@ TEST_F(AutomapTest, AnyPictureAndAnyPlaceWillDo) {
   eye_.point = {1e6, -1e6, 1.6};
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 100}, {300, 2}}) {
     Image picture(width, height, kPaper);
-    drawAutomap(picture, level_, seen_, eye_, 2);
+    drawAutomap(picture, scene_, seen_, eye_, 2);
     EXPECT_EQ(picture.width(), width);
   }
 }

@@ -270,7 +270,7 @@ TEST_F(LiveWalk, GoesBackToTheStartWhereThereIsNoRoomAnyMore) {
   const LoadedLevel loaded = load();
   Walker walker = session_->walker();
   walker.feet = walker.feet + Vec3{1000, 0, 0};
-  const auto carried = carriedOver(loaded.level, walker, loaded.level);
+  const auto carried = carriedOver(loaded.scene(), walker, loaded.scene());
   ASSERT_TRUE(carried);
   EXPECT_EQ(carried->feet, session_->walker().feet);
 }

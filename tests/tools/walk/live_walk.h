@@ -53,11 +53,11 @@ class LiveWalk : public testing::Test {
     ASSERT_TRUE(lit) << lit.error();
     const Player& player = *loaded->level.player;
     session_ = std::make_unique<WalkSession>(
-        loaded->level, walkerAt(loaded->level, player.sector, player.eye, player.angle, 0),
+        loaded->scene(), walkerAt(loaded->scene(), player.sector, player.eye, player.angle, 0),
         WalkSession::Memory::None);
     screenshots_ = std::make_unique<ScreenshotFiles>(folder_, "live");
     const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
-    loop_ = std::make_unique<WalkLoop>(loaded->level, (*lit)->renderer, *session_,
+    loop_ = std::make_unique<WalkLoop>(loaded->scene(), (*lit)->renderer, *session_,
                                        WalkHost{stage_, disk_, *screenshots_}, settings);
     loop_->round();
   }
@@ -103,9 +103,9 @@ class LiveWalk : public testing::Test {
   Image fresh() const { return fresh(values_); }
   Image fresh(const OptionValues& values) const {
     const LoadedLevel loaded = load();
-    const BakedLight light = bake(loaded.level, *bakeSettingsFor(loaded.level, values), 2);
+    const BakedLight light = bake(loaded.scene(), *bakeSettingsFor(loaded.scene(), values), 2);
     const Eye eye = session_->eye(1);
-    return Renderer(loaded.level, loaded.textures, light, drawSettingsFrom(values))
+    return Renderer(loaded.scene(), loaded.textures, light, drawSettingsFrom(values))
         .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
                stage_.window->height},
               LightMode::Both);

@@ -17,7 +17,7 @@ namespace hearth::test {
 /// A level with its light.
 struct Place {
   explicit Place(const std::string& path)
-      : loaded(hearth::loaded(path)), light(bake(loaded.level, loaded.level.bake, 2)) {}
+      : loaded(hearth::loaded(path)), light(bake(loaded.scene(), loaded.level.bake, 2)) {}
 
   LoadedLevel loaded;
   BakedLight light;
@@ -34,13 +34,13 @@ class StagedWalk {
   explicit StagedWalk(const WalkSettings& settings = {}, const Place& place = rooms(),
                       WalkSession::Memory memory = WalkSession::Memory::Inputs)
       : place_(place),
-        renderer_(place.loaded.level, place.loaded.textures, place.light),
-        start_(walkerAt(level(), level().player->sector, level().player->eye, level().player->angle,
+        renderer_(place.loaded.scene(), place.loaded.textures, place.light),
+        start_(walkerAt(scene(), level().player->sector, level().player->eye, level().player->angle,
                         0)),
-        session_(level(), start_, memory),
+        session_(scene(), start_, memory),
         screenshots_(testing::TempDir(), "walk"),
         settings_(settings),
-        loop_(level(), renderer_, session_, {stage, disk_, screenshots_}, settings) {
+        loop_(scene(), renderer_, session_, {stage, disk_, screenshots_}, settings) {
     isOn = loop_.round();  // starts the clock
   }
 
@@ -69,6 +69,7 @@ class StagedWalk {
   }
 
   const Level& level() const { return place_.loaded.level; }
+  Scene scene() const { return place_.loaded.scene(); }
   const Walker& start() const { return start_; }
   const Walker& walker() const { return session_.walker(); }
   const std::vector<WalkInput>& inputs() const { return session_.inputs(); }

@@ -16,8 +16,8 @@ using test::down;
 using test::motion;
 using Walk = test::StagedWalk;
 
-Walker walkedFor(const Level& level, Walker walker, const WalkInput& input, int ticks) {
-  for (int i = 0; i < ticks; ++i) walker = walked(level, walker, input);
+Walker walkedFor(const Scene& scene, Walker walker, const WalkInput& input, int ticks) {
+  for (int i = 0; i < ticks; ++i) walker = walked(scene, walker, input);
   return walker;
 }
 
@@ -32,7 +32,7 @@ TEST(WalkTime, AKeyWalksByTicksWhateverTheFramesTake) {
     const auto passed = static_cast<int>(walk.inputs().size());
     EXPECT_NEAR(passed, ticks, 1) << seconds;  // times that are not exact round down
     EXPECT_EQ(walk.walker(),
-              walkedFor(walk.level(), walk.start(), {.forward = 127, .turn = -2000}, passed))
+              walkedFor(walk.scene(), walk.start(), {.forward = 127, .turn = -2000}, passed))
         << seconds;
   };
   expectTicks(48, 48, 1.0 / 64);

@@ -77,9 +77,9 @@ TEST(WalkOverlay, ShowsChannelsWithTheOptionsThatDrawThemAgain) {
   WalkSettings settings;
   settings.view.channel = "spaces";
   test::StagedWalk walk(settings);
-  const Eye eye = eyeOf(walk.level(), walk.start());
+  const Eye eye = eyeOf(walk.scene(), walk.start());
   const Camera camera{eye.sector, eye.point, eye.angle, eye.pitch, settings.fov, 64, 40};
-  EXPECT_EQ(walk.stage.shown, drawGeometry(walk.level(), camera, "spaces"));
+  EXPECT_EQ(walk.stage.shown, drawGeometry(walk.scene(), camera, "spaces"));
   walk.now(down(Key::F12));
   walk.loop().awaitScreenshots();
   ASSERT_EQ(walk.stage.printed.size(), 1);
@@ -109,15 +109,15 @@ TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
     Image picture(size.width, size.height);
     panel.draw(
         1, [] {}, picture);
-    const Eye eye = eyeOf(walk.level(), walk.start());
+    const Eye eye = eyeOf(walk.scene(), walk.start());
     const Camera camera{eye.sector, eye.point,    eye.angle,
                         eye.pitch,  settings.fov, panel.leaves(size.width),
                         size.height};
     EXPECT_EQ(walk.stage.shown.width(), size.width);
-    EXPECT_TRUE(beginsWith(walk.stage.shown, *drawGeometry(walk.level(), camera, "spaces")));
+    EXPECT_TRUE(beginsWith(walk.stage.shown, *drawGeometry(walk.scene(), camera, "spaces")));
     walk.now(down(Key::F1));
     EXPECT_TRUE(
-        beginsWith(walk.stage.shown, *drawGeometry(walk.level(),
+        beginsWith(walk.stage.shown, *drawGeometry(walk.scene(),
                                                    {eye.sector, eye.point, eye.angle, eye.pitch,
                                                     settings.fov, size.width, size.height},
                                                    "spaces")));
@@ -135,13 +135,14 @@ TEST(WalkOverlay, CoversChannelsOfGeometryWhereThereIsNoRoomBeside) {
 
 TEST(Channels, HaveTheFourSpacesInTheirQuarters) {
   const Level& level = test::rooms().loaded.level;
+  const Scene scene = test::rooms().loaded.scene();
   const Camera camera{level.player->sector, level.player->eye, level.player->angle, 0, 90, 61, 41};
-  const Image all = *drawGeometry(level, camera, "spaces");
+  const Image all = *drawGeometry(scene, camera, "spaces");
   const auto expectAt = [&](std::string_view name, int left, int top, int width, int height) {
     Camera quarter = camera;
     quarter.width = width;
     quarter.height = height;
-    const Image one = *drawGeometry(level, quarter, name);
+    const Image one = *drawGeometry(scene, quarter, name);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         ASSERT_EQ(all.at(left + x, top + y), one.at(x, y)) << name << ' ' << x << ',' << y;
@@ -152,8 +153,8 @@ TEST(Channels, HaveTheFourSpacesInTheirQuarters) {
   expectAt("screen", 30, 20, 31, 21);
   Camera tiny = camera;
   tiny.width = tiny.height = 1;
-  EXPECT_EQ(drawGeometry(level, tiny, "spaces")->width(), 1);
-  EXPECT_FALSE(drawGeometry(level, camera, "depth"));
+  EXPECT_EQ(drawGeometry(scene, tiny, "spaces")->width(), 1);
+  EXPECT_FALSE(drawGeometry(scene, camera, "depth"));
 }
 
 TEST(WalkOverlay, PinsAPlaceByAClickAndLetsGoOfItByEsc) {

@@ -91,11 +91,11 @@ class LevelCheck {
     const auto loaded = openLevel(values_);
     if (!loaded) return refused();
     if (const auto mistake = mistakeInShots(loaded->level)) return refused(*mistake);
-    const auto light = lightFor(loaded->level, values_);
+    const auto light = lightFor(loaded->scene(), values_);
     if (!light) return refused(light.error());
 
     removeFailed(folders_.failed);
-    const Renderer renderer(loaded->level, loaded->textures, *light, drawSettingsFrom(values_));
+    const Renderer renderer(loaded->scene(), loaded->textures, *light, drawSettingsFrom(values_));
     for (const Shot& shot : loaded->level.shots)
       judge(shot.name, renderer.draw(cameraOf(shot), LightMode::Both));
     for (const std::string& name : staleGoldens(folders_.golden, loaded->level.shots))

@@ -19,21 +19,22 @@ using WallKey = std::tuple<SectorId, std::uint32_t, std::uint32_t>;
 WallKey keyOf(const Segment& segment) { return {segment.sector, segment.loop, segment.wall}; }
 
 /// Whether an opening of the segment has none that leads back.
-bool isOneWay(const Level& level, const Segment& segment) {
-  return std::ranges::any_of(segment.pieces, [&](const WallPiece& piece) {
+bool isOneWay(const Scene& scene, const Segment& segment) {
+  return std::ranges::any_of(scene.piecesOf(segment), [&](const WallPiece& piece) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
-    return opening && std::ranges::none_of(level[opening->twin].pieces, [&](const WallPiece& back) {
+    return opening &&
+           std::ranges::none_of(scene.piecesOf(scene[opening->twin]), [&](const WallPiece& back) {
              const Opening* leading = std::get_if<Opening>(&back.content);
              return leading && leading->next == segment.sector;
            });
   });
 }
 
-void countWalls(const Level& level, FeatureCounts& counts) {
+void countWalls(const Scene& scene, FeatureCounts& counts) {
   std::set<WallKey> oneWay;
   std::set<WallKey> split;
-  for (const Segment& segment : level.segments) {
-    if (isOneWay(level, segment)) oneWay.insert(keyOf(segment));
+  for (const Segment& segment : scene.level().segments) {
+    if (isOneWay(scene, segment)) oneWay.insert(keyOf(segment));
     if (segment.sBefore > 0 && !std::holds_alternative<Solid>(segment.kind))
       split.insert(keyOf(segment));
   }
@@ -41,8 +42,8 @@ void countWalls(const Level& level, FeatureCounts& counts) {
   counts.add(FormatFeature::PortalSplitDifferently, std::ssize(split));
 }
 
-void countSurfaces(const Level& level, FeatureCounts& counts) {
-  for (const Surface& surface : level.surfaces) switch (surface.kind) {
+void countSurfaces(const Scene& scene, FeatureCounts& counts) {
+  for (const SurfaceId surface : scene.shownSurfaces()) switch (scene[surface].kind) {
       case SurfaceKind::LowerStep:
       case SurfaceKind::StackLowerStep:
         counts.add(FormatFeature::StepUp);
@@ -94,8 +95,8 @@ void countSector(const Level& level, const Sector& sector, FeatureCounts& counts
 
 /// Whether both sectors have air at `p`, more than an author's noise of it.
 bool bothHaveAirAt(const Level& level, const Sector& a, const Sector& b, Vec2 p) {
-  const double bottom = std::max(a.airBottom(p), b.airBottom(p));
-  const double top = std::min(a.airTop(p), b.airTop(p));
+  const double bottom = std::max(a.authoredBottom(p), b.authoredBottom(p));
+  const double top = std::min(a.authoredTop(p), b.authoredTop(p));
   return top - bottom > kAuthorNoise && contains(level, a, p) && contains(level, b, p);
 }
 
@@ -119,8 +120,8 @@ bool overlap(const Level& level, const Sector& a, const Sector& b) {
       const double side0 = hearth::cross(s.p1 - s.p0, t.p0 - s.p0);
       const double side1 = hearth::cross(s.p1 - s.p0, t.p1 - s.p0);
       const Vec2 p = lerp(t.p0, t.p1, side0 / (side0 - side1));
-      const double bottom = std::max(a.airBottom(p), b.airBottom(p));
-      if (std::min(a.airTop(p), b.airTop(p)) - bottom > kAuthorNoise) return true;
+      const double bottom = std::max(a.authoredBottom(p), b.authoredBottom(p));
+      if (std::min(a.authoredTop(p), b.authoredTop(p)) - bottom > kAuthorNoise) return true;
     }
   return false;
 }
@@ -144,9 +145,10 @@ void countOverlaps(const Level& level, FeatureCounts& counts) {
 
 }  // namespace
 
-void countGeometry(const Level& level, FeatureCounts& counts) {
-  countWalls(level, counts);
-  countSurfaces(level, counts);
+void countGeometry(const Scene& scene, FeatureCounts& counts) {
+  const Level& level = scene.level();
+  countWalls(scene, counts);
+  countSurfaces(scene, counts);
   for (const Sector& sector : level.sectors) countSector(level, sector, counts);
   countOverlaps(level, counts);
   for (const FlatPortal& flatPortal : level.flatPortals)

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "level/level.h"
+#include "level/scene.h"
 
 namespace hearth {
 
@@ -141,7 +141,7 @@ class FeatureCounts {
 };
 
 /// Counts what the linked level still knows.
-void countGeometry(const Level& level, FeatureCounts& counts);
+void countGeometry(const Scene& scene, FeatureCounts& counts);
 
 /// Counts what only the texts of the files tell, of the level and, if it has any, of its lights:
 /// spellings. They have been loaded without errors.

@@ -27,12 +27,12 @@ Contents contentsOf(const LoadedLevel& loaded, const LevelSource& source, const 
   const Level& level = loaded.level;
   Contents contents;
   contents.settings = bake.settings;
-  contents.light = lightReport(level, bake.light);
+  contents.light = lightReport(loaded.scene(), bake.light);
   for (const Sector& sector : level.sectors) contents.loops += std::ssize(sector.loops);
   for (const Image& image : loaded.textures)
     contents.textureBytes += std::int64_t{3} * image.width() * image.height();
 
-  countGeometry(level, contents.features);
+  countGeometry(loaded.scene(), contents.features);
   std::vector<std::string_view> texts;
   for (const Document& document : source.documents) texts.push_back(document.text);
   countSpellings(texts, contents.features);
@@ -42,11 +42,13 @@ Contents contentsOf(const LoadedLevel& loaded, const LevelSource& source, const 
 nlohmann::ordered_json toJson(Vec3 v) { return {v.x, v.y, v.z}; }
 
 /// The texel grids that a saved bake must have: engine/light/saved_bake.md describes the keys.
-nlohmann::ordered_json toJson(const Level& level, const LitSurfaces& surfaces) {
+nlohmann::ordered_json toJson(const Scene& scene, const LitSurfaces& surfaces) {
   auto list = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!surfaces[i]) continue;
-    const LitSurface& lit = *surfaces[i];
+  const std::vector<SurfaceId> shown = scene.shownSurfaces();
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const SurfaceId id = shown[i];
+    if (!surfaces[id.index()]) continue;
+    const LitSurface& lit = *surfaces[id.index()];
     const TexelRect& rect = lit.texels;
     auto outlines = nlohmann::ordered_json::array();
     for (const std::vector<Vec2>& polygon : lit.outline.polygons()) {
@@ -54,8 +56,8 @@ nlohmann::ordered_json toJson(const Level& level, const LitSurfaces& surfaces) {
       for (const Vec2 p : polygon) points.push_back({p.x, p.y});
     }
     list.push_back({{"surface", i},
-                    {"kind", name(level.surfaces[i].kind)},
-                    {"sector", level[level.surfaces[i].sector].name},
+                    {"kind", name(scene[id].kind)},
+                    {"sector", scene[scene[id].sector].name},
                     {"origin", toJson(lit.grid.origin)},
                     {"axisS", toJson(lit.grid.axisS)},
                     {"axisT", toJson(lit.grid.axisT)},
@@ -133,7 +135,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
     object["models"][std::string(name)] = {{"used", used}, {"of", of}, {"rest", rest}};
   object["bake"] = {
       {"texelMetres", contents.settings.texel},
-      {"geometry", fmt::format("{:016x}", geometryHash(level, contents.settings.texel))}};
+      {"geometry", fmt::format("{:016x}", geometryHash(loaded.scene(), contents.settings.texel))}};
   for (const auto& [feature, name] : kFormatFeatures)
     object["features"][std::string(name)] = contents.features[feature];
   return object;
@@ -185,7 +187,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("lights", std::ssize(level.lights));
   line("shots", std::ssize(level.shots));
   line("textures", std::ssize(level.textures));
-  line("surfaces", std::ssize(level.surfaces));
+  line("surfaces", contents.light.all.surfaces());
   fmt::print("\nrequires\n");
   line("bytes of textures", contents.textureBytes);
   line("bytes of lightmaps", contents.light.all.bytes);
@@ -208,7 +210,7 @@ ExitStatus runInfo(const OptionValues& values) {
   const auto [result, source] = openLevelWithSource(values);
   const std::optional<LoadedLevel>& loaded = result.loaded;
   if (!loaded) return ExitStatus::BadInput;
-  const auto bake = bakeFor(loaded->level, values);
+  const auto bake = bakeFor(loaded->scene(), values);
   if (!bake) return fail(bake.error());
   const Contents contents = contentsOf(*loaded, source, *bake);
   if (!values.has(Option::Json)) {
@@ -217,7 +219,7 @@ ExitStatus runInfo(const OptionValues& values) {
   }
   nlohmann::ordered_json object = toJson(*loaded, contents);
   if (values.has(Option::Surfaces))
-    object["bake"]["surfaces"] = toJson(loaded->level, bake->light.surfaces);
+    object["bake"]["surfaces"] = toJson(loaded->scene(), bake->light.surfaces);
   fmt::print("{}\n", object.dump(2));
   return ExitStatus::Done;
 }

@@ -80,14 +80,14 @@ double LightKindReport::raysPerSample() const {
   return samples == 0 ? 0 : static_cast<double>(rays) / static_cast<double>(samples);
 }
 
-LightReport lightReport(const Level& level, const BakedLight& light) {
+LightReport lightReport(const Scene& scene, const BakedLight& light) {
   LightReport report;
-  for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
-    const SurfaceReport surface = reportOf(light, i);
-    report.kinds[static_cast<std::size_t>(level.surfaces[i].kind)] += surface;
+  for (const SurfaceId id : scene.shownSurfaces()) {
+    const SurfaceReport surface = reportOf(light, id.index());
+    report.kinds[static_cast<std::size_t>(scene[id].kind)] += surface;
     report.all += surface;
   }
-  addLights(level, light, report);
+  addLights(scene.level(), light, report);
   return report;
 }
 
@@ -95,6 +95,9 @@ std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport
   const Level& level = loaded.level;
   const auto count = [](const auto& range, auto&& isUsed) {
     return static_cast<std::int64_t>(std::ranges::count_if(range, isUsed));
+  };
+  const auto surfacesOf = [&](SurfaceKind kind) {
+    return light.kinds[static_cast<std::size_t>(kind)].surfaces();
   };
   const auto sectorsWith = [&](auto&& isUsed) { return count(level.sectors, isUsed); };
   const std::int64_t sectors = std::ssize(level.sectors);
@@ -112,15 +115,14 @@ std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport
       {"walls that are stacks", walls.stacks, walls.all,
        "are one piece from floor to ceiling: none to look for in their columns"},
       {"surfaces that are sidewalls",
-       count(level.surfaces, [](const Surface& s) { return isSidewall(s.kind); }),
-       std::ssize(level.surfaces), "are of walls and planes: no slope shows its side there"},
-      {"surfaces that are middle textures",
-       count(level.surfaces, [](const Surface& s) { return s.kind == SurfaceKind::MaskedMiddle; }),
-       std::ssize(level.surfaces), "have nothing behind them to be drawn before them"},
+       surfacesOf(SurfaceKind::FloorSidewall) + surfacesOf(SurfaceKind::CeilingSidewall),
+       light.all.surfaces(), "are of walls and planes: no slope shows its side there"},
+      {"surfaces that are middle textures", surfacesOf(SurfaceKind::MaskedMiddle),
+       light.all.surfaces(), "have nothing behind them to be drawn before them"},
       {"images that a surface wears", static_cast<std::int64_t>(loaded.decodedImages),
        count(level.textures, [](const std::string& name) { return !name.starts_with('#'); }),
        "show nowhere, and are not read"},
-      {"surfaces with a lightmap", light.all.white + light.all.colored, std::ssize(level.surfaces),
+      {"surfaces with a lightmap", light.all.white + light.all.colored, light.all.surfaces(),
        "take no light (the table says why), and no bytes"},
       {"lightmaps of three channels", light.all.colored, light.all.white + light.all.colored,
        "take white light alone, in one channel"},

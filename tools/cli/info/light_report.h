@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "light/bakery.h"
 #include "load/load.h"
 
@@ -50,7 +50,7 @@ struct LightReport {
   std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
 };
 
-LightReport lightReport(const Level& level, const BakedLight& light);
+LightReport lightReport(const Scene& scene, const BakedLight& light);
 
 /// How many there are of a part of the level that could be modelled, and how many are.
 struct FeatureUse {

@@ -29,7 +29,7 @@ class Stopwatch {
   double secondsToBake(const BakeSettings& settings, BakedLight& light) const {
     light = {};
     const double begin = bench_.clock();
-    light = bake(loaded_.level, settings, bench_.threads);
+    light = bake(loaded_.scene(), settings, bench_.threads);
     return bench_.clock() - begin;
   }
 
@@ -66,7 +66,7 @@ class Measurement {
         bench_(bench),
         watch_(loaded, truth, bench),
         bakeSeconds_{watch_.secondsToBake(base.bake, light_)},
-        renderer_(loaded.level, loaded.textures, light_, base.draw) {
+        renderer_(loaded.scene(), loaded.textures, light_, base.draw) {
     for (const Camera& camera : watch_.cameras()) drawBase(camera);
   }
 
@@ -82,7 +82,7 @@ class Measurement {
       trial->texels = light.stats.texels;
       trial->rays = light.stats.rays;
       trial->bytes = light.stats.bytes;
-      const Renderer renderer(loaded_.level, loaded_.textures, light, trial->trial.draw);
+      const Renderer renderer(loaded_.scene(), loaded_.textures, light, trial->trial.draw);
       if (!isBaseBake || trial->trial.draw != base_.draw) trial->frameCost = costOfFrame(renderer);
       countWork(renderer, *trial);
       trial->errors = errorsOf(renderer);

@@ -36,7 +36,7 @@ const std::array<Choices, 3> kFrameTrials{{
 
 class Trials {
  public:
-  Trials(const Level& level, const OptionValues& values) : level_(level), values_(values) {}
+  Trials(const Scene& scene, const OptionValues& values) : scene_(scene), values_(values) {}
 
   /// Returns what is wrong with the settings, or nothing. Those that were tried are left out.
   std::optional<std::string> add(const Choices& choices) {
@@ -46,7 +46,7 @@ class Trials {
       values.set(setting, std::string(value));
       options += fmt::format("{}{} {}", options.empty() ? "" : " ", row(setting).name, value);
     }
-    const auto bake = bakeSettingsFor(level_, values);
+    const auto bake = bakeSettingsFor(scene_, values);
     if (!bake) return bake.error();
     const Trial trial{std::move(options), *bake, drawSettingsFrom(values)};
     const auto isTrial = [&](const Trial& other) {
@@ -59,7 +59,7 @@ class Trials {
   std::vector<Trial> taken() { return std::move(trials_); }
 
  private:
-  const Level& level_;
+  Scene scene_;
   const OptionValues& values_;
   std::vector<Trial> trials_;
 };
@@ -80,9 +80,9 @@ std::vector<Choices> allChoices() {
 
 }  // namespace
 
-tl::expected<std::vector<Trial>, std::string> trialsFor(const Level& level,
+tl::expected<std::vector<Trial>, std::string> trialsFor(const Scene& scene,
                                                         const OptionValues& values) {
-  Trials trials(level, values);
+  Trials trials(scene, values);
   for (const Choices& choices : allChoices())
     if (const auto mistake = trials.add(choices)) return tl::unexpected(*mistake);
   return trials.taken();

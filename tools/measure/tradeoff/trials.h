@@ -19,7 +19,7 @@ struct Trial {
 
 /// The level's own settings first, then the qualities, then each approximation by itself, then
 /// combinations of those that most time goes into. None twice; `values` hold for all.
-tl::expected<std::vector<Trial>, std::string> trialsFor(const Level& level,
+tl::expected<std::vector<Trial>, std::string> trialsFor(const Scene& scene,
                                                         const OptionValues& values);
 
 }  // namespace hearth

@@ -21,11 +21,12 @@ int main(int argc, char** argv) {
   if (!file.loaded) return 2;
 
   const hearth::Level& level = file.loaded->level;
+  const hearth::Scene scene = file.loaded->scene();
   if (level.shots.empty()) return fail("the level has no shots");
-  if (const auto mistake = mistakeInSettings(level, level.bake)) return fail(*mistake);
-  const hearth::BakedLight light = bake(level, level.bake, hearth::availableThreads());
+  if (const auto mistake = mistakeInSettings(scene, level.bake)) return fail(*mistake);
+  const hearth::BakedLight light = bake(scene, level.bake, hearth::availableThreads());
 
-  const hearth::Renderer renderer(level, file.loaded->textures, light);
+  const hearth::Renderer renderer(scene, file.loaded->textures, light);
   const auto picture = renderer.draw(cameraOf(level.shots.front()), hearth::LightMode::Both);
   const auto written = hearth::writePng(argv[2], picture);
   return written ? 0 : fail(written.error());

@@ -31,9 +31,9 @@ double missedBy(double z, double zBottom, double zTop) {
 }
 
 /// The surface of that kind which the piece has, if any.
-std::optional<SurfaceId> surfaceIn(const Level& level, const WallPiece& piece, SurfaceKind kind) {
+std::optional<SurfaceId> surfaceIn(const Scene& scene, const WallPiece& piece, SurfaceKind kind) {
   if (const SurfaceId* surface = std::get_if<SurfaceId>(&piece.content))
-    return level[*surface].kind == kind ? std::optional(*surface) : std::nullopt;
+    return scene[*surface].kind == kind ? std::optional(*surface) : std::nullopt;
   const Opening& opening = std::get<Opening>(piece.content);
   if (kind == SurfaceKind::FloorSidewall) return opening.floorSidewall;
   if (kind == SurfaceKind::CeilingSidewall) return opening.ceilingSidewall;
@@ -42,13 +42,13 @@ std::optional<SurfaceId> surfaceIn(const Level& level, const WallPiece& piece, S
 
 /// Which of the level's surfaces a ray has hit. Of several of a kind one above the other that which
 /// is nearest to the height: rounding may put the hit beside it.
-std::optional<SurfaceId> surfaceOf(const Level& level, const TruthHit& hit) {
-  const Sector& sector = level[hit.sector];
+std::optional<SurfaceId> surfaceOf(const Scene& scene, const TruthHit& hit) {
+  const Sector& sector = scene[hit.sector];
   if (!hit.segment) return isOverhead(hit.kind) ? sector.ceilingSurface : sector.floorSurface;
   std::optional<SurfaceId> nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const WallPiece& piece : level[*hit.segment].pieces) {
-    const auto surface = surfaceIn(level, piece, hit.kind);
+  for (const WallPiece& piece : scene.piecesOf(scene[*hit.segment])) {
+    const auto surface = surfaceIn(scene, piece, hit.kind);
     const double miss = missedBy(hit.point.z, piece.zBottom, piece.zTop);
     if (!surface || miss >= least) continue;
     nearest = surface;
@@ -57,9 +57,9 @@ std::optional<SurfaceId> surfaceOf(const Level& level, const TruthHit& hit) {
   return nearest;
 }
 
-std::optional<LightmapFinding> lightmapAt(const Level& level, const BakedLight& light,
+std::optional<LightmapFinding> lightmapAt(const Scene& scene, const BakedLight& light,
                                           const TruthHit& hit) {
-  const auto id = surfaceOf(level, hit);
+  const auto id = surfaceOf(scene, hit);
   if (!id || !light.surfaces[id->index()]) return std::nullopt;
   const LitSurface& surface = *light.surfaces[id->index()];
   const TexelRect& rect = surface.texels;
@@ -87,12 +87,12 @@ std::optional<LightmapFinding> lightmapAt(const Level& level, const BakedLight& 
 /// The lights of a level, as one place of a surface has them.
 class Follower {
  public:
-  Follower(const Level& level, const BakeSettings& settings, const SurfacePoint& place)
-      : level_(level), settings_(settings), place_(place), outlook_(level, place) {}
+  Follower(const Scene& scene, const BakeSettings& settings, const SurfacePoint& place)
+      : scene_(scene), settings_(settings), place_(place), outlook_(scene, place) {}
 
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
-    const LightSource& light = level_.lights[index];
+    const LightSource& light = scene_.level().lights[index];
     const double distance = length(light.position - place_.point);
     return {index, LightReason::NotReached, distance, light.levelAt(distance),
             TruthSource::unshaded(light, place_, settings_.lambert)};
@@ -100,7 +100,7 @@ class Follower {
 
   /// Returns how many rays that took, at most.
   int follow(LightFinding& finding) const {
-    const LightSource& light = level_.lights[finding.light];
+    const LightSource& light = scene_.level().lights[finding.light];
     followToPlace(finding);
     finding.comesNear = finding.seenFraction > 0 && finding.level > 0;
     if (finding.comesNear || finding.level * brightestFraction(light) < kVisibleLevel)
@@ -125,19 +125,19 @@ class Follower {
     LightSource lifted = light;
     lifted.radius = 0;
     lifted.position.z += lift;
-    return contains(level_, level_[light.sector], lifted.position, 0) &&
-           TruthSource(level_, lifted, 1).seenFraction(place_) > 0;
+    return contains(scene_, scene_[light.sector], lifted.position, 0) &&
+           TruthSource(scene_.level(), lifted, 1).seenFraction(place_) > 0;
   }
 
   void followToPlace(LightFinding& finding) const {
-    const LightSource& light = level_.lights[finding.light];
+    const LightSource& light = scene_.level().lights[finding.light];
     const double front = dot(place_.normal, light.position - place_.point);
     finding.reason = LightReason::InPlane;
     if (std::abs(front) <= kInPlane) return;
     finding.reason = LightReason::FacesAway;
     if (front + light.radius <= kInPlane) return;
 
-    const TruthSource source(level_, light, kInspectedBallPoints);
+    const TruthSource source(scene_.level(), light, kInspectedBallPoints);
     finding.seenFraction = source.seenFraction(place_);
     if (finding.seenFraction == 0 && front < 0) return;
     const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
@@ -153,7 +153,7 @@ class Follower {
     if (!isBefore) finding.blocker.reset();
   }
 
-  const Level& level_;
+  Scene scene_;
   const BakeSettings& settings_;
   const SurfacePoint& place_;
   Outlook outlook_;
@@ -161,9 +161,10 @@ class Follower {
 
 double total(Vec3 levels) { return levels.x + levels.y + levels.z; }
 
-void findLights(const Level& level, const BakeSettings& settings, Inspection& found) {
-  const Follower follower(level, settings, found.place);
-  for (std::size_t i = 0; i < level.lights.size(); ++i) found.lights.push_back(follower.glance(i));
+void findLights(const Scene& scene, const BakeSettings& settings, Inspection& found) {
+  const Follower follower(scene, settings, found.place);
+  for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
+    found.lights.push_back(follower.glance(i));
   std::ranges::stable_sort(found.lights, std::greater{}, &LightFinding::level);
   std::size_t followed = 0;
   for (int rays = 0; followed < found.lights.size() && rays < kMostRays; ++followed) {
@@ -185,12 +186,12 @@ double brightestFraction(const LightSource& light) {
   return std::max({light.fraction(0), light.fraction(1), light.fraction(2)});
 }
 
-Inspection inspect(const Level& level, const BakedLight& light, const BakeSettings& settings,
+Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,
                    const TruthHit& place) {
   Inspection found{place, std::nullopt, {}, 0, {}};
   if (isSky(place.kind)) return found;
-  found.lightmap = lightmapAt(level, light, place);
-  findLights(level, settings, found);
+  found.lightmap = lightmapAt(scene, light, place);
+  findLights(scene, settings, found);
   return found;
 }
 

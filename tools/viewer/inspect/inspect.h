@@ -70,7 +70,7 @@ double brightestFraction(const LightSource& light);
 
 /// Follows the lights of the level, which is baked so, to a place of it; the more of them, the
 /// longer that takes, up to some tens of milliseconds.
-Inspection inspect(const Level& level, const BakedLight& light, const BakeSettings& settings,
+Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,
                    const TruthHit& place);
 
 }  // namespace hearth

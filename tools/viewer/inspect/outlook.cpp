@@ -33,11 +33,11 @@ std::vector<Vec3> directionsRound(Vec3 pole) {
 
 }  // namespace
 
-Outlook::Outlook(const Level& level, const SurfacePoint& place) : level_(level) {
+Outlook::Outlook(const Scene& scene, const SurfacePoint& place) : scene_(scene) {
   const Vec3 eye = place.point + kAuthorNoise * place.normal;
-  if (!contains(level, level[place.sector], eye, 0)) return;
+  if (!contains(scene, scene[place.sector], eye, 0)) return;
   for (const Vec3 direction : directionsRound(place.normal)) {
-    const auto met = trace(level, place.sector, eye, direction, RayKind::Look);
+    const auto met = trace(scene.level(), place.sector, eye, direction, RayKind::Look);
     if (met && !isSky(met->kind)) seen_.push_back(*met);
   }
 }
@@ -45,7 +45,7 @@ Outlook::Outlook(const Level& level, const SurfacePoint& place) : level_(level) 
 bool Outlook::isLitBy(const LightSource& light) const {
   LightSource point = light;
   point.radius = 0;
-  const TruthSource source(level_, point, 1);
+  const TruthSource source(scene_.level(), point, 1);
   return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
     const double level = light.levelAt(length(light.position - place.point));
     return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "level/scene.h"
 #include "truth/trace.h"
 
 namespace hearth {
@@ -9,14 +10,14 @@ namespace hearth {
 /// What a point of a surface sees round it: points of other surfaces, in fixed directions.
 class Outlook {
  public:
-  /// Keeps a reference to the level.
-  Outlook(const Level& level, const SurfacePoint& place);
+  /// Keeps the scene.
+  Outlook(const Scene& scene, const SurfacePoint& place);
 
   /// Whether any of them gets visible light from it, a ball being a point.
   bool isLitBy(const LightSource& light) const;
 
  private:
-  const Level& level_;
+  Scene scene_;
   std::vector<SurfacePoint> seen_;
 };
 

@@ -29,9 +29,9 @@ bool Inspector::letGo() { return std::exchange(pinned_, std::nullopt).has_value(
 
 Inspector::Look Inspector::lookThrough(Pixel pixel, const InspectedLevel& in,
                                        const Camera& camera) const {
-  const Projection projection = projectionFor(in.level, camera);
+  const Projection projection = projectionFor(in.scene, camera);
   const Vec2 ray = projection.rayOf(pixel.x + 0.5);
-  return {in.level[camera.sector].name,
+  return {in.scene[camera.sector].name,
           projection.eye(),
           {ray.x, ray.y, projection.raySlopeAt(pixel.y + 0.5)}};
 }
@@ -41,11 +41,11 @@ void Inspector::find(const Look& look, const InspectedLevel& in) {
   if (found_ && look_ == look) return;
   look_ = look;
   found_.reset();
-  const auto sector = findSector(in.level, look.sector);
-  if (!sector || !contains(in.level, in.level[*sector], look.eye, kPositionSlack)) return;
-  const Vec3 eye = nudgedInside(in.level, in.level[*sector], look.eye);
-  if (const auto hit = trace(in.level, *sector, eye, look.direction, RayKind::Look))
-    found_ = inspect(in.level, in.renderer.light(), in.settings, *hit);
+  const auto sector = findSector(in.scene.level(), look.sector);
+  if (!sector || !contains(in.scene, in.scene[*sector], look.eye, kPositionSlack)) return;
+  const Vec3 eye = nudgedInside(in.scene, in.scene[*sector], look.eye);
+  if (const auto hit = trace(in.scene.level(), *sector, eye, look.direction, RayKind::Look))
+    found_ = inspect(in.scene, in.renderer.light(), in.settings, *hit);
 }
 
 std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
@@ -63,13 +63,14 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
   if (!found_) return std::nullopt;
   const Texture& texture = in.renderer.texture(found_->place.texture->texture);
   LightsTool* const lights = in.lights && in.lights->editor().isOpen() ? in.lights : nullptr;
-  const InspectorRequest asked = showInspection(*found_,
-                                                {in.level, texture, in.source, lights != nullptr,
-                                                 lights ? lights->editor().picked() : std::nullopt},
-                                                pinned_.has_value());
-  if (in.isInPicture) drawLightRays(*found_, asked.light, in.level, camera);
+  const InspectorRequest asked =
+      showInspection(*found_,
+                     {in.scene.level(), texture, in.source, lights != nullptr,
+                      lights ? lights->editor().picked() : std::nullopt},
+                     pinned_.has_value());
+  if (in.isInPicture) drawLightRays(*found_, asked.light, in.scene, camera);
   if (lights && asked.picked) lights->pick(*asked.picked);
-  if (lights && asked.addsLight) lights->addBefore(in.level, found_->place);
+  if (lights && asked.addsLight) lights->addBefore(in.scene, found_->place);
   if (asked.letsGo) letGo();
   return asked.copied;
 }

@@ -14,7 +14,7 @@ namespace hearth {
 
 /// A level as it is walked in.
 struct InspectedLevel {
-  const Level& level;
+  Scene scene;
   const Renderer& renderer;
   const BakeSettings& settings;  ///< of its bake
   const LevelSource* source;     ///< the way back to its files, if there is one

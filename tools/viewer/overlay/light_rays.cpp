@@ -33,10 +33,10 @@ enum class Stroke { Whole, Dashed };
 /// Draws lines of the world into the picture of a camera.
 class WorldLines {
  public:
-  WorldLines(const Level& level, const Camera& camera)
-      : level_(level),
+  WorldLines(const Scene& scene, const Camera& camera)
+      : scene_(scene),
         camera_(camera),
-        projection_(projectionFor(level, camera)),
+        projection_(projectionFor(scene, camera)),
         list_(*ImGui::GetBackgroundDrawList()),
         scale_(letterScale(camera.height)) {}
 
@@ -98,7 +98,8 @@ class WorldLines {
 
   bool isHidden(Vec3 p) const {
     const Vec3 direction = p - projection_.eye();
-    const auto met = trace(level_, camera_.sector, projection_.eye(), direction, RayKind::Look);
+    const auto met =
+        trace(scene_.level(), camera_.sector, projection_.eye(), direction, RayKind::Look);
     return met && (1 - met->t) * length(direction) > kAuthorNoise;
   }
 
@@ -106,7 +107,7 @@ class WorldLines {
     return IM_COL32(color.r, color.g, color.b, isHidden(p) ? kHiddenAlpha : 255);
   }
 
-  const Level& level_;
+  Scene scene_;
   const Camera& camera_;
   Projection projection_;
   ImDrawList& list_;
@@ -126,14 +127,14 @@ void drawRay(const LightFinding& finding, const LightSource& light, Vec3 place, 
 
 Rgb colorOf(const LightSource& light) { return {light.color[0], light.color[1], light.color[2]}; }
 
-void drawLightRays(const Inspection& found, std::optional<std::size_t> pointed, const Level& level,
+void drawLightRays(const Inspection& found, std::optional<std::size_t> pointed, const Scene& scene,
                    const Camera& camera) {
-  WorldLines lines(level, camera);
+  WorldLines lines(scene, camera);
   const std::size_t listed = listedLights(found);
   for (std::size_t i = 0; i < listed; ++i) {
     const LightFinding& finding = found.lights[i];
     if (!pointed || *pointed == i)
-      drawRay(finding, level.lights[finding.light], found.place.point, lines);
+      drawRay(finding, scene.level().lights[finding.light], found.place.point, lines);
   }
   lines.drawRing(found.place.point, kPlace);
 }

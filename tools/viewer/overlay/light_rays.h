@@ -16,7 +16,7 @@ Rgb colorOf(const LightSource& light);
 /// Draws the ways of the listed lights to the place into the picture, beneath the panel: in a
 /// light's colour as far as it comes, red and dashed from there on, with a cross where it is
 /// stopped. What walls hide from the eye is dim. Of one light alone if the pointer is on it.
-void drawLightRays(const Inspection& found, std::optional<std::size_t> pointed, const Level& level,
+void drawLightRays(const Inspection& found, std::optional<std::size_t> pointed, const Scene& scene,
                    const Camera& camera);
 
 }  // namespace hearth

@@ -31,9 +31,9 @@ bool showButton(const char* name, bool isEnabled) {
   return isPressed;
 }
 
-void showButtons(LightsTool& tool, const Level& level, const Camera& camera) {
+void showButtons(LightsTool& tool, const Scene& scene, const Camera& camera) {
   LightsEditor& editor = tool.editor();
-  if (showButton("add", true)) tool.addBefore(level, camera);
+  if (showButton("add", true)) tool.addBefore(scene, camera);
   showTip("Before the eye. Inspector adds one before a surface that is clicked on.");
   ImGui::SameLine();
   if (showButton("delete", editor.picked().has_value())) {
@@ -47,7 +47,7 @@ void showButtons(LightsTool& tool, const Level& level, const Camera& camera) {
   if (showButton("redo", editor.canRedo())) editor.redo();
   showTip("Ctrl+Y, or Ctrl+Shift+Z");
   ImGui::SameLine();
-  if (showButton("save", editor.isUnsaved())) tool.save(level);
+  if (showButton("save", editor.isUnsaved())) tool.save(scene);
   showTip("Ctrl+S");
   ImGui::SameLine();
   bool areShown = tool.areMarksShown();
@@ -292,7 +292,7 @@ void showNews(LightsEditor& editor) {
 
 }  // namespace
 
-void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
+void showLights(LightsTool* tool, const Scene& scene, const Camera& camera) {
   CalledSection none;
   CalledSection& section = tool ? tool->section() : none;
   const bool isCalled = section.isCalled();
@@ -303,7 +303,7 @@ void showLights(LightsTool* tool, const Level& level, const Camera& camera) {
         "cannot be edited.");
   LightsEditor& editor = tool->editor();
   if (!editor.isOpen()) return showNews(editor);
-  showButtons(*tool, level, camera);
+  showButtons(*tool, scene, camera);
   showList(*tool, isCalled && editor.picked());
   if (editor.picked()) editPicked(editor);
   showNews(editor);

@@ -33,10 +33,10 @@ constexpr double kFirstFalloff = 0.5;
 constexpr double kMostBefore = 1;
 
 /// The sector of a point that the eye sees.
-std::optional<SectorId> seenAt(const Level& level, const Camera& camera, Vec3 point) {
-  const Vec3 eye = nudgedInside(level, level[camera.sector], camera.eye);
+std::optional<SectorId> seenAt(const Scene& scene, const Camera& camera, Vec3 point) {
+  const Vec3 eye = nudgedInside(scene, scene[camera.sector], camera.eye);
   SectorSet met;
-  return Raytracer(level).sectorAt({eye, camera.sector}, point, met);
+  return Raytracer(scene).sectorAt({eye, camera.sector}, point, met);
 }
 
 /// A drag along both sides of a map goes where the mouse has gone farther.
@@ -76,12 +76,12 @@ void drawMark(Image& picture, Vec2 pixel, const Mark& mark) {
 }
 
 /// What the loader will say of the first light that it has no sector for.
-std::optional<std::string> mistakeInPlaces(const Level& level, const LightsDescription& described) {
-  const Locator locator(level);
+std::optional<std::string> mistakeInPlaces(const Scene& scene, const LightsDescription& described) {
+  const Locator locator(scene);
   for (std::size_t i = 0; i < described.lights.size(); ++i) {
     const LightDescription& light = described.lights[i];
     std::optional<SectorId> sector;
-    if (light.sector) sector = findSector(level, light.sector->name);
+    if (light.sector) sector = findSector(scene.level(), light.sector->name);
     if (light.sector && !sector)
       return fmt::format("light {}: there is no sector \"{}\"", i, light.sector->name);
     const auto found = locator.locate(light.source.position, sector, PositionOf::Light);
@@ -159,7 +159,7 @@ std::optional<LightsTool::Drag> LightsTool::drag() const {
   return Drag{editor_.pickedLight().source.position, grip_->axis};
 }
 
-bool LightsTool::take(const KeyEvent& key, const Level& level) {
+bool LightsTool::take(const KeyEvent& key, const Scene& scene) {
   if (grip_ && axisOf(key)) return true;
   if (!key.hasCtrl || !editor_.isOpen()) return false;
   switch (key.letter) {
@@ -173,7 +173,7 @@ bool LightsTool::take(const KeyEvent& key, const Level& level) {
       editor_.redo();
       return true;
     case 's':
-      save(level);
+      save(scene);
       return true;
     default:
       return key.key == Key::LeftCtrl || key.key == Key::RightCtrl;
@@ -201,9 +201,9 @@ void LightsTool::pick(std::size_t light) {
 
 // --- The file ------------------------------------------------------------------------------------
 
-void LightsTool::save(const Level& level) {
+void LightsTool::save(const Scene& scene) {
   release();
-  if (const auto mistake = mistakeInPlaces(level, editor_.lights()))
+  if (const auto mistake = mistakeInPlaces(scene, editor_.lights()))
     editor_.refuse("not saved: " + *mistake);
   else
     editor_.save();
@@ -211,35 +211,35 @@ void LightsTool::save(const Level& level) {
 
 // --- New lights ----------------------------------------------------------------------------------
 
-void LightsTool::addBefore(const Level& level, const Camera& camera) {
+void LightsTool::addBefore(const Scene& scene, const Camera& camera) {
   const Projection view(camera, camera.eye);
   Vec3 position;
   std::optional<SectorId> sector;
   for (std::size_t i = 0; i < kAhead.size() && !sector; ++i) {
     const Vec2 plan = camera.eye.xy() + kAhead.at(i) * view.direction();
     position = {plan.x, plan.y, camera.eye.z};
-    sector = seenAt(level, camera, position);
+    sector = seenAt(scene, camera, position);
   }
-  add(level, position, sector);
+  add(scene, position, sector);
 }
 
-void LightsTool::addBefore(const Level& level, const SurfacePoint& place) {
-  const Vec3 begin = nudgedInside(level, level[place.sector], place.point);
-  const auto met = trace(level, place.sector, begin, place.normal, RayKind::Look);
+void LightsTool::addBefore(const Scene& scene, const SurfacePoint& place) {
+  const Vec3 begin = nudgedInside(scene, scene[place.sector], place.point);
+  const auto met = trace(scene.level(), place.sector, begin, place.normal, RayKind::Look);
   const double free = met ? met->t : kMostBefore;  // the normal is a unit
   const Vec3 position = place.point + std::min(kMostBefore, free / 2) * place.normal;
-  add(level, position, sectorAt(level, place.sector, begin, position));
+  add(scene, position, sectorAt(scene.level(), place.sector, begin, position));
 }
 
 /// Names the sector where a position alone does not say which.
-void LightsTool::add(const Level& level, Vec3 position, std::optional<SectorId> sector) {
+void LightsTool::add(const Scene& scene, Vec3 position, std::optional<SectorId> sector) {
   release();
   LightDescription light;
   light.source.falloff = kFirstFalloff;
   light.source.position = {toMillimetres(position.x), toMillimetres(position.y),
                            toMillimetres(position.z)};
-  const std::string name = sector ? level[*sector].name : "";
-  const Locator locator(level);
+  const std::string name = sector ? scene[*sector].name : "";
+  const Locator locator(scene);
   if (sector && !locator.locate(light.source.position, std::nullopt, PositionOf::Light))
     light.sector = NameReference{name, {}};
   editor_.add(light, sector ? "in " + name : "");
@@ -248,7 +248,7 @@ void LightsTool::add(const Level& level, Vec3 position, std::optional<SectorId> 
 
 // --- Marks ---------------------------------------------------------------------------------------
 
-void LightsTool::draw(const Level& level, const Camera& camera, const MarkerSpace& space,
+void LightsTool::draw(const Scene& scene, const Camera& camera, const MarkerSpace& space,
                       Image& picture) const {
   if (!editor_.isOpen() || !areMarksShown_) return;
   constexpr Rgb kRim = {0, 0, 0};
@@ -257,7 +257,7 @@ void LightsTool::draw(const Level& level, const Camera& camera, const MarkerSpac
     const LightSource& light = editor_.lights().lights[i].source;
     const auto pixel = space.pixelOf(light.position);
     if (!pixel || !isNear(*pixel, picture)) return;
-    const bool isHidden = !space.isMap() && !seenAt(level, camera, light.position);
+    const bool isHidden = !space.isMap() && !seenAt(scene, camera, light.position);
     const bool isPicked = editor_.picked() == i;
     const Rgb rim = isHidden ? colorOf(light) : kRim;
     drawMark(picture, *pixel, {colorOf(light), isPicked ? kPickedRim : rim, isHidden});

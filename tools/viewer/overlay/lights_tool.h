@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 #include "load/limits.h"
 #include "render/camera.h"
 #include "truth/trace.h"
@@ -37,7 +37,7 @@ class LightsTool {
   bool take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
   /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
   /// is one of these, or Ctrl by itself, or an axis of a drag.
-  bool take(const KeyEvent& key, const Level& level);
+  bool take(const KeyEvent& key, const Scene& scene);
   /// Of these Ctrl+S, which no field of text is to keep for itself.
   static bool isSave(const KeyEvent& key);
   /// Ends a drag.
@@ -50,25 +50,25 @@ class LightsTool {
   };
   std::optional<Drag> drag() const;
 
-  /// A mark for each light: hollow and dim where `level` hides it from the camera, but on the map.
-  void draw(const Level& level, const Camera& camera, const MarkerSpace& space,
+  /// A mark for each light: hollow and dim where `scene` hides it from the camera, but on the map.
+  void draw(const Scene& scene, const Camera& camera, const MarkerSpace& space,
             Image& picture) const;
 
-  /// Writes the file, unless a light lies where `level` has no air for it: it could not be opened
+  /// Writes the file, unless a light lies where `scene` has no air for it: it could not be opened
   /// again.
-  void save(const Level& level);
+  void save(const Scene& scene);
 
   /// As by a click on its mark. Nothing where there is no such light any more.
   void pick(std::size_t light);
   /// Puts a light before the eye.
-  void addBefore(const Level& level, const Camera& camera);
+  void addBefore(const Scene& scene, const Camera& camera);
   /// Puts a light a metre before a surface, or half as far as there is air.
-  void addBefore(const Level& level, const SurfacePoint& place);
+  void addBefore(const Scene& scene, const SurfacePoint& place);
 
  private:
   std::optional<std::size_t> lightAt(Vec2 pixel, const MarkerSpace& space, int pictureHeight) const;
   void dragTo(const PointerEvent& event, const MarkerSpace& space);
-  void add(const Level& level, Vec3 position, std::optional<SectorId> sector);
+  void add(const Scene& scene, Vec3 position, std::optional<SectorId> sector);
 
   /// What holds the light that is dragged.
   struct Grip {

@@ -48,15 +48,15 @@ std::optional<Bookmark> bookmarkFrom(const json& value) {
 
 }  // namespace
 
-Bookmark bookmarkOf(const Level& level, const Walker& walker, double fov, std::string name) {
+Bookmark bookmarkOf(const Scene& scene, const Walker& walker, double fov, std::string name) {
   constexpr double kPerMetre = 1000;
   constexpr double kPerDegree = 100;
-  const Eye eye = eyeOf(level, walker);
+  const Eye eye = eyeOf(scene, walker);
   const Vec3 near{rounded(eye.point.x, kPerMetre), rounded(eye.point.y, kPerMetre),
                   rounded(eye.point.z, kPerMetre)};
-  const bool isIn = contains(level, level[eye.sector], near, kPositionSlack);
+  const bool isIn = contains(scene, scene[eye.sector], near, kPositionSlack);
   return {std::move(name),
-          level[eye.sector].name,
+          scene[eye.sector].name,
           isIn ? near : eye.point,
           rounded(eye.angle, kPerDegree),
           rounded(eye.pitch, kPerDegree),
@@ -64,10 +64,10 @@ Bookmark bookmarkOf(const Level& level, const Walker& walker, double fov, std::s
           walker.isFlying};
 }
 
-tl::expected<Walker, std::string> walkerAt(const Level& level, const Bookmark& bookmark) {
-  const auto sector = locatePosition(level, bookmark.eye, bookmark.sector);
+tl::expected<Walker, std::string> walkerAt(const Scene& scene, const Bookmark& bookmark) {
+  const auto sector = locatePosition(scene, bookmark.eye, bookmark.sector);
   if (!sector) return tl::make_unexpected(fmt::format("{}: {}", bookmark.name, sector.error()));
-  Walker walker = walkerAt(level, *sector, bookmark.eye, bookmark.angle, bookmark.pitch);
+  Walker walker = walkerAt(scene, *sector, bookmark.eye, bookmark.angle, bookmark.pitch);
   walker.isFlying = bookmark.isFlying;
   return walker;
 }

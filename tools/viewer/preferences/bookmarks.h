@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "viewer/host/storage.h"
 #include "walk/walker.h"
 
@@ -27,10 +27,10 @@ struct Bookmark {
 
 /// Where the walker is, to the millimetre and a hundredth of a degree, so that it can be read.
 /// Where the sector ends within a millimetre it is the very place.
-Bookmark bookmarkOf(const Level& level, const Walker& walker, double fov, std::string name);
+Bookmark bookmarkOf(const Scene& scene, const Walker& walker, double fov, std::string name);
 
 /// The walker at a bookmark; the error says what of it the level does not have any more.
-tl::expected<Walker, std::string> walkerAt(const Level& level, const Bookmark& bookmark);
+tl::expected<Walker, std::string> walkerAt(const Scene& scene, const Bookmark& bookmark);
 
 /// The bookmarks of a level, in a file of the program's own.
 class Bookmarks {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -22,10 +23,10 @@ constexpr double kBodyBelowEye = 1.6;
 
 class AutomapDrawer {
  public:
-  AutomapDrawer(Image& picture, const Level& level, const SeenSectors& seen, const Eye& eye,
+  AutomapDrawer(Image& picture, const Scene& scene, const SeenSectors& seen, const Eye& eye,
                 double metres)
       : picture_(picture),
-        level_(level),
+        scene_(scene),
         seen_(seen),
         eye_(eye),
         lineWidth_(captionScale(picture)),
@@ -45,21 +46,21 @@ class AutomapDrawer {
  private:
   template <typename Draw>
   void forSeenSegments(bool isOwnStorey, Draw&& draw) const {
-    for (std::size_t i = 0; i < level_.sectors.size(); ++i) {
-      const Sector& sector = level_.sectors[i];
-      if (!seen_.has(SectorId(i)) || isOnOwnStorey(sector) != isOwnStorey) continue;
-      for (const Segment& segment : level_.segmentsOf(sector)) draw(sector, segment);
+    for (const Sector& sector : scene_.level().sectors) {
+      if (!seen_.has(sector.id) || isOnOwnStorey(sector) != isOwnStorey) continue;
+      for (const Segment& segment : scene_.segmentsOf(sector)) draw(sector, segment);
     }
   }
 
   bool isOnOwnStorey(const Sector& sector) const {
-    return sector.floor.z <= eye_.point.z && sector.ceiling.z >= eye_.point.z - kBodyBelowEye;
+    return scene_.zFloor(sector) <= eye_.point.z &&
+           scene_.zCeiling(sector) >= eye_.point.z - kBodyBelowEye;
   }
 
   void drawWalls(WallKind kind, bool isOwnStorey) {
     const Rgb color = colorOf(kind);
     forSeenSegments(isOwnStorey, [&](const Sector&, const Segment& segment) {
-      if (wallKind(segment) == kind)
+      if (wallKind(scene_, segment) == kind)
         drawLine(segment.p0, segment.p1, isOwnStorey ? color : dimmed(color));
     });
   }
@@ -120,7 +121,7 @@ class AutomapDrawer {
   }
 
   Image& picture_;
-  const Level& level_;
+  Scene scene_;
   const SeenSectors& seen_;
   const Eye& eye_;
   int lineWidth_;  ///< pixels
@@ -139,12 +140,13 @@ SeenSectors::SeenSectors(const Level& level, const SeenSectors& before) : SeenSe
 
 void SeenSectors::add(const Span& span) { add((*level_)[span.surface].sector); }
 
-WallKind wallKind(const Segment& segment) {
+WallKind wallKind(const Scene& scene, const Segment& segment) {
   const auto isOpen = [](const WallPiece& piece) {
     return std::holds_alternative<Opening>(piece.content);
   };
-  if (std::ranges::none_of(segment.pieces, isOpen)) return WallKind::Solid;
-  return std::ranges::all_of(segment.pieces, isOpen) ? WallKind::Opening : WallKind::Step;
+  const std::span<const WallPiece> pieces = scene.piecesOf(segment);
+  if (std::ranges::none_of(pieces, isOpen)) return WallKind::Solid;
+  return std::ranges::all_of(pieces, isOpen) ? WallKind::Opening : WallKind::Step;
 }
 
 double zoomedIn(double metres) { return std::max(kFewestMetres, metres / kZoomStep); }
@@ -154,9 +156,9 @@ MapScale mapScale(int width, int height, const Eye& eye, double metres) {
   return {{width / 2.0, height / 2.0}, eye.point.xy(), std::min(width, height) / metres};
 }
 
-void drawAutomap(Image& picture, const Level& level, const SeenSectors& seen, const Eye& eye,
+void drawAutomap(Image& picture, const Scene& scene, const SeenSectors& seen, const Eye& eye,
                  double metres) {
-  AutomapDrawer(picture, level, seen, eye, metres).draw();
+  AutomapDrawer(picture, scene, seen, eye, metres).draw();
 }
 
 }  // namespace hearth

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "level/level.h"
+#include "level/scene.h"
 #include "render/span.h"
 #include "walk/walker.h"
 
@@ -32,7 +32,7 @@ enum class WallKind {
   Step,     ///< opens, but not over the whole height
   Opening,  ///< opens all of it
 };
-WallKind wallKind(const Segment& segment);
+WallKind wallKind(const Scene& scene, const Segment& segment);
 
 inline constexpr Rgb kSolidColor = {255, 255, 255};
 inline constexpr Rgb kStepColor = {255, 160, 48};
@@ -61,7 +61,7 @@ MapScale mapScale(int width, int height, const Eye& eye, double metres);
 /// Draws the map over a picture that it darkens: x to the right, y down, the player in the middle,
 /// an arrow that points where the player looks. Only sectors that were seen; those that lie wholly
 /// above or below the player's body are dim. Outlines of flat portals are dotted over the walls.
-void drawAutomap(Image& picture, const Level& level, const SeenSectors& seen, const Eye& eye,
+void drawAutomap(Image& picture, const Scene& scene, const SeenSectors& seen, const Eye& eye,
                  double metres);
 
 }  // namespace hearth

@@ -53,10 +53,10 @@ void copy(const Image& picture, const PixelRows& rows) {
 
 }  // namespace
 
-WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, WalkSession& session,
+WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& session,
                    const WalkHost& host, const WalkSettings& settings,
                    std::shared_ptr<const LevelSource> source)
-    : level_(&level),
+    : scene_(scene),
       renderer_(&renderer),
       source_(std::move(source)),
       session_(session),
@@ -64,22 +64,22 @@ WalkLoop::WalkLoop(const Level& level, const Renderer& renderer, WalkSession& se
       storage_(host.storage),
       screenshots_(host.screenshots),
       settings_(settings),
-      seen_(level),
-      panel_(bakeSettingsFrom(level, settings.options)) {
-  scene_.view = settings.view;
+      seen_(scene.level()),
+      panel_(bakeSettingsFrom(scene, settings.options)) {
+  frame_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);
   controls_.setPreferences(settings.preferences);
   written_ = settings.preferences;
-  title_.reserve(level.name.size() + 64);  // so that no frame has to
-  window_.setTitle(level.name);
+  title_.reserve(scene.level().name.size() + 64);  // so that no frame has to
+  window_.setTitle(scene.level().name);
 }
 
-void WalkLoop::goOnIn(const Level& level, const Renderer& renderer,
+void WalkLoop::goOnIn(const Scene& scene, const Renderer& renderer,
                       std::shared_ptr<const LevelSource> source) {
-  level_ = &level;
+  scene_ = scene;
   renderer_ = &renderer;
   source_ = std::move(source);
-  seen_ = SeenSectors(level, seen_);
+  seen_ = SeenSectors(scene.level(), seen_);
   panel_.forget();
   shown_.reset();
 }
@@ -119,7 +119,7 @@ bool WalkLoop::round() {
 
 void WalkLoop::take(const Event& event) {
   if (const auto* window = std::get_if<WindowEvent>(&event)) take(*window);
-  if (panel_.take(event, panelScene(), settings_.preferences)) return;
+  if (panel_.take(event, panelSubject(), settings_.preferences)) return;
   if (const auto* button = std::get_if<MouseButtonEvent>(&event); button && button->isDown)
     captureMouse(true);
   if (const std::optional<Action> action = controls_.take(event)) act(*action);
@@ -136,7 +136,7 @@ void WalkLoop::take(WindowEvent event) {
 }
 
 void WalkLoop::act(Action action) {
-  WalkView& view = scene_.view;
+  WalkView& view = frame_.view;
   switch (action) {
     case Action::ShowBoth:
       show(LightMode::Both);
@@ -195,8 +195,8 @@ void WalkLoop::leave() {
 }
 
 void WalkLoop::show(LightMode mode) {
-  scene_.view.mode = mode;
-  scene_.view.channel = {};
+  frame_.view.mode = mode;
+  frame_.view.channel = {};
 }
 
 void WalkLoop::captureMouse(bool isCaptured) {
@@ -220,7 +220,7 @@ void WalkLoop::togglePanel() {
 
 void WalkLoop::bookmark(const std::string& name) {
   const auto added =
-      settings_.bookmarks.add(bookmarkOf(*level_, session_.walker(), settings_.fov, name));
+      settings_.bookmarks.add(bookmarkOf(scene_, session_.walker(), settings_.fov, name));
   say(added ? fmt::format("bookmarked as {}", name) : added.error());
 }
 
@@ -235,9 +235,9 @@ void WalkLoop::goToNextBookmark() {
 /// A recording has no jumps: it would not lead where it led.
 void WalkLoop::goTo(const Bookmark& bookmark) {
   if (!canJump()) return say("no jumps in a walk that is recorded or replayed");
-  const auto walker = walkerAt(*level_, bookmark);
+  const auto walker = walkerAt(scene_, bookmark);
   if (!walker) return say(walker.error());
-  session_.goOnIn(*level_, *walker);
+  session_.goOnIn(scene_, *walker);
   settings_.fov = bookmark.fov;
   say(bookmark.name);
 }
@@ -263,12 +263,12 @@ WalkInput WalkLoop::nextInput(int ticksDue) {
 }
 
 void WalkLoop::say(std::string message, double now) {
-  scene_.message = std::move(message);
+  frame_.message = std::move(message);
   messageBegin_ = now;
 }
 
 void WalkLoop::updateMessage(double now) {
-  if (now < messageBegin_ || now >= messageBegin_ + kMessageSeconds) scene_.message.clear();
+  if (now < messageBegin_ || now >= messageBegin_ + kMessageSeconds) frame_.message.clear();
   if (const auto news = screenshots_.news()) {
     tell(*news);
     say(news->text, now);
@@ -279,8 +279,8 @@ void WalkLoop::updateMessage(double now) {
 void WalkLoop::updateNotes(double now) {
   if (!begin_) begin_ = now;
   if (now >= *begin_ + kFirstNotesSeconds) settings_.notes.clear();
-  scene_.notes = settings_.notes;
-  scene_.notes.insert(scene_.notes.end(), notes_.begin(), notes_.end());
+  frame_.notes = settings_.notes;
+  frame_.notes.insert(frame_.notes.end(), notes_.begin(), notes_.end());
 }
 
 void WalkLoop::tell(const Screenshots::News& news) {
@@ -296,7 +296,7 @@ void WalkLoop::awaitScreenshots() {
 /// Of geometry the panel covers nothing, if it leaves any room.
 Camera WalkLoop::cameraIn(PictureSize picture) const {
   const Eye eye = session_.eye(fractionOfTick_, settings_.preferences.viewBob);
-  const int beside = isGeometry(scene_.view.channel) ? panel_.leaves(picture.width) : 0;
+  const int beside = isGeometry(frame_.view.channel) ? panel_.leaves(picture.width) : 0;
   return {eye.sector,    eye.point,     eye.angle,
           eye.pitch,     settings_.fov, beside > 0 ? beside : picture.width,
           picture.height};
@@ -305,10 +305,10 @@ Camera WalkLoop::cameraIn(PictureSize picture) const {
 void WalkLoop::drawOrRest(double now) {
   const std::optional<PictureSize> window = window_.windowSize();
   if (window) {
-    scene_.size = settings_.size.value_or(*window);
-    scene_.camera = cameraIn(scene_.size);
+    frame_.size = settings_.size.value_or(*window);
+    frame_.camera = cameraIn(frame_.size);
   }
-  if (!window || (shown_ == scene_ && !panel_.isStale(now))) return window_.rest(kTickSeconds);
+  if (!window || (shown_ == frame_ && !panel_.isStale(now))) return window_.rest(kTickSeconds);
   const double period = settings_.frameCap > 0 ? 1 / settings_.frameCap : 0;
   const double wait = nextFrame_ - now;
   if (wait > 0 && wait <= period) return window_.rest(std::min(wait, kTickSeconds));
@@ -318,7 +318,7 @@ void WalkLoop::drawOrRest(double now) {
 }
 
 void WalkLoop::draw(double now) {
-  const Scene drawn = scene_;  // which the overlay may change
+  const Frame drawn = frame_;  // which the overlay may change
   if (isCovered())
     drawImage(now);
   else
@@ -333,30 +333,30 @@ void WalkLoop::drawImage(double now) {
     const double end = window_.seconds();
     return end - std::exchange(begin, end);
   };
-  const int threads = threadsFor(scene_.size, settings_.threads);
-  renderer_->findSpans(scene_.camera, scratch_, picture_, threads);
+  const int threads = threadsFor(frame_.size, settings_.threads);
+  renderer_->findSpans(frame_.camera, scratch_, picture_, threads);
   parts.find = lap();
-  if (scene_.view.channel.empty())
-    renderer_->paintSpans(scene_.camera, scene_.view.mode, scratch_, picture_, threads);
+  if (frame_.view.channel.empty())
+    renderer_->paintSpans(frame_.camera, frame_.view.mode, scratch_, picture_, threads);
   else
-    picture_ = drawChannel(*level_, *renderer_, scene_.camera, scene_.view.channel, threads);
+    picture_ = drawChannel(scene_, *renderer_, frame_.camera, frame_.view.channel, threads);
   parts.paint = lap();
   if (std::exchange(wantsScreenshot_, false)) screenshots_.take(picture_, cameraText());
-  widen(picture_, scene_.size.width);
+  widen(picture_, frame_.size.width);
   seeWhatIsDrawn();
   drawCaptions();
   drawPanel(now);
   parts.cover = lap();
   count(now, begin);
-  window_.show(scene_.size, [this](const PixelRows& rows) { copy(picture_, rows); });
+  window_.show(frame_.size, [this](const PixelRows& rows) { copy(picture_, rows); });
   parts.show = lap();
   figures_.frames.add(parts);
 }
 
 void WalkLoop::drawRows(double now) {
-  const PictureSize size{scene_.camera.width, scene_.camera.height};
+  const PictureSize size{frame_.camera.width, frame_.camera.height};
   window_.show(size, [&](const PixelRows& rows) {
-    renderer_->draw(scene_.camera, scene_.view.mode, scratch_, rows,
+    renderer_->draw(frame_.camera, frame_.view.mode, scratch_, rows,
                     threadsFor(size, settings_.threads));
     seeWhatIsDrawn();
     count(now, window_.seconds());
@@ -364,7 +364,7 @@ void WalkLoop::drawRows(double now) {
 }
 
 void WalkLoop::seeWhatIsDrawn() {
-  seen_.add(scene_.camera.sector);
+  seen_.add(frame_.camera.sector);
   seen_.add(session_.walker().sector);
   scratch_.forEachSpan([this](const Span& span) { seen_.add(span); });
 }
@@ -373,59 +373,59 @@ void WalkLoop::count(double begin, double end) {
   const auto mean = rate_.count(begin, end);
   if (!mean) return;
   title_.clear();
-  fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", level_->name,
+  fmt::format_to(std::back_inserter(title_), "{} - {:.1f} ms, {:.0f} frames/s", scene_.level().name,
                  1e3 * mean->drawSeconds, mean->framesPerSecond);
   window_.setTitle(title_);
 }
 
 /// Whether a frame is kept as a picture, or something is drawn over it.
 bool WalkLoop::isCovered() const {
-  const WalkView& view = scene_.view;
+  const WalkView& view = frame_.view;
   return wantsScreenshot_ || panel_.isOpen() || view.isMapShown || view.areKeysShown ||
-         !view.channel.empty() || !scene_.notes.empty() || !scene_.message.empty();
+         !view.channel.empty() || !frame_.notes.empty() || !frame_.message.empty();
 }
 
 /// The list of keys and the panel would be in each other's way.
 void WalkLoop::drawCaptions() {
-  if (scene_.view.isMapShown)
-    drawAutomap(picture_, *level_, seen_, session_.eye(fractionOfTick_), scene_.view.mapMetres);
-  panel_.drawMarks(panelScene(), picture_);
-  if (scene_.view.areKeysShown && !panel_.isOpen())
+  if (frame_.view.isMapShown)
+    drawAutomap(picture_, scene_, seen_, session_.eye(fractionOfTick_), frame_.view.mapMetres);
+  panel_.drawMarks(panelSubject(), picture_);
+  if (frame_.view.areKeysShown && !panel_.isOpen())
     drawKeys(picture_, keyList(settings_.preferences.keys));
   const int width = panel_.leaves(picture_.width());
-  if (!scene_.notes.empty() && width > 0) drawNotes(picture_, scene_.notes, width);
-  if (!scene_.message.empty()) drawMessage(picture_, scene_.message);
+  if (!frame_.notes.empty() && width > 0) drawNotes(picture_, frame_.notes, width);
+  if (!frame_.message.empty()) drawMessage(picture_, frame_.message);
 }
 
 // --- The panel -----------------------------------------------------------------------------------
 
 void WalkLoop::drawPanel(double now) {
   if (!panel_.isOpen()) return;
-  const bool isPainted = scene_.view.channel.empty();  // span by span, as is counted
+  const bool isPainted = frame_.view.channel.empty();  // span by span, as is counted
   figures_.counters = countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
   figures_.lightmapBytes = renderer_->light().stats.bytes;
   figures_.residentBytes = window_.residentBytes();
-  grant(panel_.draw(now, panelScene(), figures_, settings_, scene_.view, picture_), now);
+  grant(panel_.draw(now, panelSubject(), figures_, settings_, frame_.view, picture_), now);
 }
 
-PanelScene WalkLoop::panelScene() const {
-  return {*level_,
+PanelSubject WalkLoop::panelSubject() const {
+  return {scene_,
           *renderer_,
           source_.get(),
-          scene_.camera,
-          scene_.size,
+          frame_.camera,
+          frame_.size,
           markerSpace(),
-          !scene_.view.isMapShown && isOfCamera(scene_.view.channel),
+          !frame_.view.isMapShown && isOfCamera(frame_.view.channel),
           {canJump(), settings_.writeShot != nullptr}};
 }
 
 /// None while the picture shows neither what the camera sees nor the map.
 std::optional<MarkerSpace> WalkLoop::markerSpace() const {
-  const WalkView& view = scene_.view;
+  const WalkView& view = frame_.view;
   if (view.isMapShown)
-    return MarkerSpace(mapScale(scene_.size.width, scene_.size.height,
+    return MarkerSpace(mapScale(frame_.size.width, frame_.size.height,
                                 session_.eye(fractionOfTick_), view.mapMetres));
-  return isOfCamera(view.channel) ? std::optional(MarkerSpace(scene_.camera)) : std::nullopt;
+  return isOfCamera(view.channel) ? std::optional(MarkerSpace(frame_.camera)) : std::nullopt;
 }
 
 void WalkLoop::grant(const PanelWishes& wishes, double now) {
@@ -460,15 +460,15 @@ void WalkLoop::writePreferences() {
 
 /// The options with which `hearth shot` draws this picture.
 std::string WalkLoop::cameraText() const {
-  const Camera& camera = scene_.camera;
+  const Camera& camera = frame_.camera;
   const std::string drawOptions = optionsOf(renderer_->settings());
-  const std::string what = scene_.view.channel.empty()
-                               ? fmt::format("--light {}", nameOf(scene_.view.mode))
-                               : fmt::format("--channel {}", scene_.view.channel);
+  const std::string what = frame_.view.channel.empty()
+                               ? fmt::format("--light {}", nameOf(frame_.view.mode))
+                               : fmt::format("--channel {}", frame_.view.channel);
   return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}", camera.eye.x,
                      camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
-                     shellWord((*level_)[camera.sector].name), camera.fov, camera.width,
-                     camera.height, what, drawOptions.empty() ? "" : " " + drawOptions);
+                     shellWord(scene_[camera.sector].name), camera.fov, camera.width, camera.height,
+                     what, drawOptions.empty() ? "" : " " + drawOptions);
 }
 
 }  // namespace hearth

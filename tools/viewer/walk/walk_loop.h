@@ -39,9 +39,9 @@ struct WalkHost {
 /// changes.
 class WalkLoop {
  public:
-  /// All but the settings must outlive the loop. `source`, if any, is that of the level: without
-  /// it no places in its files can be copied.
-  WalkLoop(const Level& level, const Renderer& renderer, WalkSession& session, const WalkHost& host,
+  /// All but the settings must outlive the loop, the scene's level and geometry too. `source`, if
+  /// any, is that of the level: without it no places in its files can be copied.
+  WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& session, const WalkHost& host,
            const WalkSettings& settings, std::shared_ptr<const LevelSource> source = nullptr);
 
   /// From now on these inputs, one for each tick, take the place of the user's; the walk ends with
@@ -50,7 +50,7 @@ class WalkLoop {
   bool isReplayOver() const { return replay_ && replay_->empty(); }
 
   /// From now on in another version of the level, where the session has gone on already.
-  void goOnIn(const Level& level, const Renderer& renderer,
+  void goOnIn(const Scene& scene, const Renderer& renderer,
               std::shared_ptr<const LevelSource> source);
 
   /// The options that have been chosen since the last call, if any. Their owner sees to the rest.
@@ -74,14 +74,14 @@ class WalkLoop {
 
  private:
   /// What a picture depends on besides the level.
-  struct Scene {
+  struct Frame {
     PictureSize size{};
     Camera camera;  ///< of the picture or, of a channel of geometry, of what the panel leaves of it
     WalkView view;
     std::string message;
     std::vector<std::string> notes;
 
-    friend bool operator==(const Scene&, const Scene&) = default;
+    friend bool operator==(const Frame&, const Frame&) = default;
   };
 
   void take(const Event& event);
@@ -112,14 +112,14 @@ class WalkLoop {
   bool isCovered() const;
   void drawCaptions();
   void drawPanel(double now);
-  PanelScene panelScene() const;
+  PanelSubject panelSubject() const;
   std::optional<MarkerSpace> markerSpace() const;
   void grant(const PanelWishes& wishes, double now);
   void grant(const BookmarkWish& wish);
   void writePreferences();
   std::string cameraText() const;
 
-  const Level* level_;
+  Scene scene_;
   const Renderer* renderer_;
   std::shared_ptr<const LevelSource> source_;
   WalkSession& session_;
@@ -135,12 +135,12 @@ class WalkLoop {
   double fractionOfTick_ = 0;  ///< how far the view is from the tick before the last to the last
   bool hasLeft_ = false;
 
-  Scene scene_;  ///< the next picture's
+  Frame frame_;  ///< the next picture's
   double messageBegin_ = 0;
   std::optional<double> begin_;     ///< of the walk, in seconds of the clock
   std::vector<std::string> notes_;  ///< of the level and its bake
   bool wantsScreenshot_ = false;
-  std::optional<Scene> shown_;  ///< the last picture's; none where it must be drawn again
+  std::optional<Frame> shown_;  ///< the last picture's; none where it must be drawn again
   double nextFrame_ = 0;        ///< when it may be drawn, in seconds of the clock
   FrameScratch scratch_;
   Image picture_;

@@ -35,53 +35,53 @@ void WalkPanel::editLights(Storage& storage, const std::filesystem::path& file,
   lights_.emplace(storage, file, limits);
 }
 
-bool WalkPanel::take(const Event& event, const PanelScene& scene, Preferences& preferences) {
+bool WalkPanel::take(const Event& event, const PanelSubject& subject, Preferences& preferences) {
   if (!isOpen()) return false;
   if (preferencesSection_.take(event, preferences)) {
     overlay_.refresh();
     return true;
   }
-  point(event, scene);
+  point(event, subject);
   const auto* key = std::get_if<KeyEvent>(&event);
   const bool isKeyOfLights = lights_ && key && key->isDown;
   if (isKeyOfLights && LightsTool::isSave(*key)) {
     overlay_.refresh();
-    return lights_->take(*key, scene.level);
+    return lights_->take(*key, subject.scene);
   }
   if (overlay_.take(event)) return true;
-  return isKeyOfLights && lights_->take(*key, scene.level);
+  return isKeyOfLights && lights_->take(*key, subject.scene);
 }
 
 /// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
 /// about what shows there.
-void WalkPanel::point(const Event& event, const PanelScene& scene) {
-  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(scene.size.width);
+void WalkPanel::point(const Event& event, const PanelSubject& subject) {
+  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(subject.size.width);
   const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
   if (pointed && pointed->kind == PointerEvent::Kind::Press) pages_.turnTo(kLightPage);
-  const bool isOfLight = pointed && scene.space && lights_ &&
-                         lights_->take(*pointed, *scene.space, scene.camera.height);
-  inspector_.take(event, scene.isLevelShown && !isOfLight ? panelLeft : 0);
+  const bool isOfLight = pointed && subject.space && lights_ &&
+                         lights_->take(*pointed, *subject.space, subject.camera.height);
+  inspector_.take(event, subject.isLevelShown && !isOfLight ? panelLeft : 0);
 }
 
-void WalkPanel::drawMarks(const PanelScene& scene, Image& picture) const {
-  if (isOpen() && lights_ && scene.space)
-    lights_->draw(scene.level, scene.camera, *scene.space, picture);
+void WalkPanel::drawMarks(const PanelSubject& subject, Image& picture) const {
+  if (isOpen() && lights_ && subject.space)
+    lights_->draw(subject.scene, subject.camera, *subject.space, picture);
 }
 
-PanelWishes WalkPanel::draw(double now, const PanelScene& scene, const Figures& figures,
+PanelWishes WalkPanel::draw(double now, const PanelSubject& subject, const Figures& figures,
                             WalkSettings& settings, WalkView& view, Image& picture) {
   PanelWishes wishes;
   if (!isOpen()) return wishes;
-  if (settings.canBake) bake_ = bakeSettingsFrom(scene.level, settings.options);
+  if (settings.canBake) bake_ = bakeSettingsFrom(subject.scene, settings.options);
   const std::array<Page, 6> pages = {{
-      {"Light", [&] { wishes.copied = showLightPage(scene); }},
+      {"Light", [&] { wishes.copied = showLightPage(subject); }},
       {"View", [&] { showView(view.mode, view.channel); }},
-      {"Quality", [&] { wishes.areOptionsNew = showQualityOf(scene, settings); }},
+      {"Quality", [&] { wishes.areOptionsNew = showQualityOf(subject, settings); }},
       {"Figures", [&] { showFigures(figures); }},
       {"Comfort",
        [&] { wishes.arePreferencesNew = preferencesSection_.show(settings.preferences); }},
       {"Bookmarks",
-       [&] { wishes.bookmark = bookmarksSection_.show(settings.bookmarks, scene.bookmarks); }},
+       [&] { wishes.bookmark = bookmarksSection_.show(settings.bookmarks, subject.bookmarks); }},
   }};
   overlay_.draw(
       now, [&] { pages_.show(pages); }, picture);
@@ -89,19 +89,20 @@ PanelWishes WalkPanel::draw(double now, const PanelScene& scene, const Figures& 
 }
 
 /// Returns what is to be copied.
-std::optional<std::string> WalkPanel::showLightPage(const PanelScene& scene) {
+std::optional<std::string> WalkPanel::showLightPage(const PanelSubject& subject) {
   LightsTool* const lights = lights_ ? &*lights_ : nullptr;
   auto copied = inspector_.show(
-      {scene.level, scene.renderer, bake_, scene.source, lights, scene.isLevelShown}, scene.camera);
-  showLights(lights, scene.level, scene.camera);
-  if (lights && scene.space) drawDragAxes(*lights, *scene.space, scene.size.height);
+      {subject.scene, subject.renderer, bake_, subject.source, lights, subject.isLevelShown},
+      subject.camera);
+  showLights(lights, subject.scene, subject.camera);
+  if (lights && subject.space) drawDragAxes(*lights, *subject.space, subject.size.height);
   return copied;
 }
 
-bool WalkPanel::showQualityOf(const PanelScene& scene, WalkSettings& settings) {
+bool WalkPanel::showQualityOf(const PanelSubject& subject, WalkSettings& settings) {
   QualityChoice choice{settings.options, settings.fov, settings.frameCap};
-  const bool isNew =
-      showQuality({scene.level.bake, bake_, scene.renderer.settings(), settings.canBake}, choice);
+  const bool isNew = showQuality(
+      {subject.scene.level().bake, bake_, subject.renderer.settings(), settings.canBake}, choice);
   settings.options = choice.options;
   settings.fov = choice.fov;
   settings.frameCap = choice.frameCap;

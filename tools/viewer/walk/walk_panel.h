@@ -24,8 +24,8 @@
 namespace hearth {
 
 /// What the panel is about, and the picture that it lies over.
-struct PanelScene {
-  const Level& level;
+struct PanelSubject {
+  Scene scene;
   const Renderer& renderer;
   const LevelSource* source;  ///< the way back to the level's files, if there is one
   const Camera& camera;
@@ -56,7 +56,7 @@ class WalkPanel {
   int leaves(int pictureWidth) const { return overlay_.leaves(pictureWidth); }
 
   /// Returns whether the event was for the panel alone. Keys are chosen in `preferences`.
-  bool take(const Event& event, const PanelScene& scene, Preferences& preferences);
+  bool take(const Event& event, const PanelSubject& subject, Preferences& preferences);
   /// Ends what the mouse holds.
   void releasePointer();
   /// Lets go of the place that is inspected. Returns whether there was one.
@@ -72,16 +72,16 @@ class WalkPanel {
   bool hasUnsavedLights() { return lights_ && lights()->isUnsaved(); }
 
   /// Marks the lights while the panel is open.
-  void drawMarks(const PanelScene& scene, Image& picture) const;
+  void drawMarks(const PanelSubject& subject, Image& picture) const;
   /// Draws the panel, if it is open, and changes the settings and the view by what is chosen in it.
   /// `now` in seconds.
-  PanelWishes draw(double now, const PanelScene& scene, const Figures& figures,
+  PanelWishes draw(double now, const PanelSubject& subject, const Figures& figures,
                    WalkSettings& settings, WalkView& view, Image& picture);
 
  private:
-  void point(const Event& event, const PanelScene& scene);
-  std::optional<std::string> showLightPage(const PanelScene& scene);
-  bool showQualityOf(const PanelScene& scene, WalkSettings& settings);
+  void point(const Event& event, const PanelSubject& subject);
+  std::optional<std::string> showLightPage(const PanelSubject& subject);
+  bool showQualityOf(const PanelSubject& subject, WalkSettings& settings);
 
   Overlay overlay_;
   Pages pages_;

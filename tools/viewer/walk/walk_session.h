@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "level/level.h"
+#include "level/scene.h"
 #include "walk/bob.h"
 #include "walk/recording.h"
 #include "walk/walker.h"
@@ -16,20 +16,20 @@ class WalkSession {
  public:
   enum class Memory { None, Inputs };
 
-  WalkSession(const Level& level, const Walker& start, Memory memory)
-      : level_(&level), memory_(memory), before_(start), after_(start) {}
+  WalkSession(const Scene& scene, const Walker& start, Memory memory)
+      : scene_(scene), memory_(memory), before_(start), after_(start) {}
 
   void tick(const WalkInput& input) {
     before_ = after_;
     gaitBefore_ = gait_;
-    after_ = walked(*level_, after_, input);
+    after_ = walked(scene_, after_, input);
     gait_ = walkedOn(gait_, before_, after_);
     if (memory_ == Memory::Inputs) inputs_.push_back(input);
   }
 
-  /// Goes on in another level from where `walker` stands in it.
-  void goOnIn(const Level& level, const Walker& walker) {
-    level_ = &level;
+  /// Goes on in another scene from where `walker` stands in it.
+  void goOnIn(const Scene& scene, const Walker& walker) {
+    scene_ = scene;
     before_ = after_ = walker;
     gaitBefore_ = gait_ = {};
   }
@@ -41,18 +41,18 @@ class WalkSession {
   const Walker& walker() const { return after_; }
   /// `fraction` of a tick after the tick before the last. So the view lags by a tick at most, and
   /// moves evenly at any rate of frames.
-  Eye eye(double fraction) const { return eyeBetween(*level_, before_, after_, fraction); }
+  Eye eye(double fraction) const { return eyeBetween(scene_, before_, after_, fraction); }
   /// The same, with a head bob of this strength (0..1).
   Eye eye(double fraction, double bob) const {
     if (bob == 0) return eye(fraction);
     const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, fraction),
                     std::lerp(gaitBefore_.swing, gait_.swing, fraction)};
-    return bobbed(*level_, eye(fraction), gait, bob);
+    return bobbed(scene_, eye(fraction), gait, bob);
   }
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 
  private:
-  const Level* level_;
+  Scene scene_;
   Memory memory_;
   Walker before_;
   Walker after_;

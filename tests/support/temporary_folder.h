@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
-namespace hearth {
+namespace hearth::test {
 
 /// A folder of its own for one test, gone afterwards.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hearth_load_XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "hearth_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) std::abort();
     path_ = name;
   }
@@ -35,4 +35,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace hearth
+}  // namespace hearth::test

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "load/link.h"
-#include "math/check.h"
 
 namespace hearth {
 
@@ -24,23 +23,20 @@ StepWords wordsOf(SurfaceKind step) {
   return {"ceiling", "lower", "above", "upper"};
 }
 
-class FaultReporter {
+class MissingTextureReporter {
  public:
-  explicit FaultReporter(Linking& linking) : linking_(linking) {}
+  explicit MissingTextureReporter(Linking& linking) : linking_(linking) {}
 
-  void tell(const MissingTexture& fault) {
-    const Segment& segment = linking_.level[fault.segment];
-    const std::optional<SectorId> next = nextOf(segment, fault.subWall);
+  void tell(const MissingTexture& missing) {
+    const Segment& segment = linking_.level[missing.segment];
+    const std::optional<SectorId> next = nextOf(segment, missing.subWall);
     if (linking_.isDoubtful[segment.sector.index()]) return;
     if (next && linking_.isDoubtful[next->index()]) return;
-    if (isSidewall(fault.kind) && next)
-      tellSidewall(*next, segment.sector, fault.kind == SurfaceKind::FloorSidewall);
+    if (isSidewall(missing.kind) && next)
+      tellSidewall(*next, segment.sector, missing.kind == SurfaceKind::FloorSidewall);
     else
-      tellStep(fault, next);
+      tellStep(missing, next);
   }
-
-  /// Linking has found every portal's twin, or made it solid.
-  void tell(const MissingTwin& fault) { CHECK(false, fault.segment, fault.subWall); }
 
  private:
   static std::optional<SectorId> nextOf(const Segment& segment, std::uint32_t subWall) {
@@ -60,28 +56,28 @@ class FaultReporter {
         "give the slope a \"sidewall\"");
   }
 
-  void tellStep(const MissingTexture& fault, std::optional<SectorId> next) {
-    const std::uint32_t edge = linking_.edgeOf[fault.segment.index()];
-    if (!steps_.insert({edge, fault.subWall, fault.kind}).second) return;
-    const WallDescription& wall = linking_.describedWall(fault.segment);
+  void tellStep(const MissingTexture& missing, std::optional<SectorId> next) {
+    const std::uint32_t edge = linking_.edgeOf[missing.segment.index()];
+    if (!steps_.insert({edge, missing.subWall, missing.kind}).second) return;
+    const WallDescription& wall = linking_.describedWall(missing.segment);
     const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
-    const StepWords words = wordsOf(fault.kind);
-    linking_.report.error(stack ? stack->subWalls[fault.subWall].place : wall.place,
+    const StepWords words = wordsOf(missing.kind);
+    linking_.report.error(stack ? stack->subWalls[missing.subWall].place : wall.place,
                           fmt::format("the {} of sector \"{}\" is {}{}: the wall {} the opening "
                                       "shows and has no texture",
                                       words.flat, next ? linking_.level[*next].name : "",
-                                      words.lies, heightsOf(fault, next), words.where),
+                                      words.lies, heightsOf(missing, next), words.where),
                           fmt::format("give the wall \"{}\" or \"texture\"", words.key));
   }
 
   /// Of the two flats, where these are all that makes the step: one of them may be the mistake.
-  std::string heightsOf(const MissingTexture& fault, std::optional<SectorId> next) const {
+  std::string heightsOf(const MissingTexture& missing, std::optional<SectorId> next) const {
     const bool isStep =
-        fault.kind == SurfaceKind::LowerStep || fault.kind == SurfaceKind::UpperStep;
+        missing.kind == SurfaceKind::LowerStep || missing.kind == SurfaceKind::UpperStep;
     if (!next || !isStep) return "";
-    const Sector& here = linking_.level[linking_.level[fault.segment].sector];
+    const Sector& here = linking_.level[linking_.level[missing.segment].sector];
     const Sector& there = linking_.level[*next];
-    const bool isFloor = fault.kind == SurfaceKind::LowerStep;
+    const bool isFloor = missing.kind == SurfaceKind::LowerStep;
     if (isFloor ? here.floorSlope || there.floorSlope : here.ceilingSlope || there.ceilingSlope)
       return "";
     return fmt::format(" ({} m, here {} m)", isFloor ? there.floor.z : there.ceiling.z,
@@ -95,10 +91,9 @@ class FaultReporter {
 
 }  // namespace
 
-void reportFaults(Linking& linking, std::span<const LevelFault> faults) {
-  FaultReporter reporter(linking);
-  for (const LevelFault& fault : faults)
-    std::visit([&](const auto& found) { reporter.tell(found); }, fault);
+void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing) {
+  MissingTextureReporter reporter(linking);
+  for (const MissingTexture& each : missing) reporter.tell(each);
 }
 
 }  // namespace hearth

@@ -1,0 +1,314 @@
+#include "level/geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "level/openings.h"
+#include "level/scene.h"
+#include "math/check.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+/// A height that changes evenly along a segment, from p0 to p1.
+struct Line {
+  double at0;
+  double at1;
+  double at(double fraction) const { return std::lerp(at0, at1, fraction); }
+};
+
+Line flat(double z) { return {z, z}; }
+
+/// The greatest height, anywhere along a segment, of what lies below all of `upper` and above all
+/// of `lower`. That height is concave along the segment, so it is greatest at an end or where two
+/// lines cross.
+double tallest(std::span<const Line> upper, std::span<const Line> lower) {
+  const auto heightAt = [&](double fraction) {
+    double top = kEndless;
+    double bottom = -kEndless;
+    for (const Line& line : upper) top = std::min(top, line.at(fraction));
+    for (const Line& line : lower) bottom = std::max(bottom, line.at(fraction));
+    return top - bottom;
+  };
+  double best = std::max(heightAt(0), heightAt(1));
+  for (const std::span<const Line> lines : {upper, lower})
+    for (const Line& a : lines)
+      for (const Line& b : lines) {
+        const double fraction = (a.at0 - b.at0) / ((a.at0 - b.at0) - (a.at1 - b.at1));
+        if (fraction > 0 && fraction < 1) best = std::max(best, heightAt(fraction));
+      }
+  return best;
+}
+
+double tallest(std::initializer_list<Line> upper, std::initializer_list<Line> lower) {
+  return tallest(std::span(upper.begin(), upper.size()), std::span(lower.begin(), lower.size()));
+}
+
+/// Within the flats, as walls are: rounding may take the end of a wedge past the flat that it
+/// stands on or hangs from.
+AirColumn airColumnAt(const Scene& scene, const Sector& sector, Vec2 p) {
+  return {std::max(scene.airBottom(sector, p), scene.zFloor(sector)),
+          std::min(scene.airTop(sector, p), scene.zCeiling(sector))};
+}
+
+/// Derives the pieces and light openings of one segment, bottom to top, in place.
+class SegmentDeriver {
+ public:
+  SegmentDeriver(const Level& level, Geometry& geometry, SegmentId id,
+                 std::vector<MissingTexture>* missing)
+      : scene_(level, geometry),
+        geometry_(geometry),
+        segment_(level[id]),
+        sector_(level[level[id].sector]),
+        own_(geometry.segments[id.index()]),
+        missing_(missing) {}
+
+  void derive() {
+    own_.pieceCount = 0;
+    own_.lightOpeningCount = 0;
+    const auto parts = scene_.level().partsOf(segment_);
+    if (const Stack* stack = std::get_if<Stack>(&segment_.kind)) return deriveStack(*stack, parts);
+    const Range range{scene_.zFloor(sector_), scene_.zCeiling(sector_), true, true, false, 0};
+    if (const Portal* portal = std::get_if<Portal>(&segment_.kind))
+      addPortal(*portal, parts[0], range);
+    else
+      addSolid(parts[0], range);
+  }
+
+ private:
+  /// Heights of a wall or sub-wall, and which of the sector's flats it reaches.
+  struct Range {
+    double zBottom;
+    double zTop;
+    bool atFloor;
+    bool atCeiling;
+    bool inStack;
+    std::uint32_t subWall;
+  };
+
+  void deriveStack(const Stack& stack, std::span<const WallPart> parts) {
+    double zBottom = scene_.zFloor(sector_);
+    for (std::size_t i = 0; i < stack.subWalls.size(); ++i) {
+      const double zTop = stack.topOf(i, scene_.zFloor(sector_), scene_.zCeiling(sector_));
+      const bool isLast = i + 1 == stack.subWalls.size();
+      const Range range{zBottom, zTop, i == 0, isLast, true, static_cast<std::uint32_t>(i)};
+      if (const Portal* portal = std::get_if<Portal>(&stack.subWalls[i].kind))
+        addPortal(*portal, parts[i], range);
+      else
+        addSolid(parts[i], range);
+      zBottom = zTop;
+    }
+  }
+
+  void addSolid(const WallPart& part, const Range& range) {
+    const SurfaceKind kind = range.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid;
+    addSurface(kind, part.solid, range.zBottom, range.zTop, range.zTop, range);
+  }
+
+  void addPortal(const Portal& portal, const WallPart& part, const Range& range) {
+    const Sector& next = scene_[portal.next];
+    const SectorGeometry& nextAt = scene_.geometryOf(next);
+    const PortalHeights heights = portalHeights(
+        range.zBottom, range.zTop, fitted(nextAt.zFloor, range), fitted(nextAt.zCeiling, range));
+    const bool bothSkyFloors = range.atFloor && sector_.floor.isSky && next.floor.isSky;
+    const bool bothSkyCeilings = range.atCeiling && sector_.ceiling.isSky && next.ceiling.isSky;
+
+    hide(part);
+    addSurface(range.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, part.lower,
+               heights.zBottom, heights.zLowerTop, nextAt.zFloor, range);
+    if (!part.twin) return;
+    const std::optional<SurfaceId> maskedMiddle =
+        part.maskedMiddle
+            ? showMaskedMiddle(*part.maskedMiddle, heights.zLowerTop, heights.zUpperBottom)
+            : std::nullopt;
+    addOpening({portal.next, *part.twin, {}, {}, maskedMiddle}, part, heights.zLowerTop,
+               heights.zUpperBottom, range);
+    addLightOpening({0, 0, portal.next, *part.twin, part.firstMaskedMiddle, 0}, maskedMiddle, range,
+                    bothSkyFloors, bothSkyCeilings);
+    addSurface(range.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, part.upper,
+               heights.zUpperBottom, heights.zTop, nextAt.zCeiling, range);
+  }
+
+  /// A height of the next sector, or the end of the range that differs from it by rounding alone:
+  /// that of a sub-wall is a sum.
+  static double fitted(double z, const Range& range) {
+    for (const double end : {range.zBottom, range.zTop})
+      if (std::abs(z - end) <= kHeightNoise) return end;
+    return z;
+  }
+
+  Line nearBottom() const { return {own_.air0.zBottom, own_.air1.zBottom}; }
+  Line nearTop() const { return {own_.air0.zTop, own_.air1.zTop}; }
+
+  /// True where some of [zBottom, zTop] lies between the sector's own slopes.
+  bool isInAir(double zBottom, double zTop) const {
+    return tallest({flat(zTop), nearTop()}, {flat(zBottom), nearBottom()}) > 0;
+  }
+
+  void hide(const WallPart& part) {
+    for (const auto& id :
+         {part.lower, part.upper, part.maskedMiddle, part.floorSidewall, part.ceilingSidewall})
+      if (id) geometry_.surfaces[id->index()] = {};
+  }
+
+  /// `kind` is that of the texture which is missing where there is no surface.
+  void addSurface(SurfaceKind kind, std::optional<SurfaceId> id, double zBottom, double zTop,
+                  double defaultZRef, const Range& range) {
+    if (id) geometry_.surfaces[id->index()] = {};
+    if (!isInAir(zBottom, zTop)) return;
+    if (!id) return miss(kind, range);
+    show(*id, zBottom, zTop, defaultZRef);
+    addPiece({zBottom, zTop, *id});
+  }
+
+  void show(SurfaceId id, double zBottom, double zTop, std::optional<double> defaultZRef) {
+    const Surface& surface = scene_[id];
+    SurfaceGeometry& at = geometry_.surfaces[id.index()];
+    at = {true, zBottom, zTop, surface.mapping.zRef};
+    if (!at.zRef && !isSky(surface.kind)) at.zRef = defaultZRef;
+  }
+
+  void miss(SurfaceKind kind, const Range& range) {
+    CHECK(missing_, "a step without a texture shows", segment_.id, range.subWall, name(kind));
+    missing_->push_back({segment_.id, range.subWall, kind});
+  }
+
+  void addPiece(const WallPiece& piece) {
+    geometry_.pieces[Geometry::kPiecesPerPart * segment_.firstPart + own_.pieceCount++] = piece;
+  }
+
+  /// What of an image shows that hangs in an opening of these heights, from its zref on down.
+  std::optional<SurfaceId> showMaskedMiddle(SurfaceId id, double zBottom, double zTop) {
+    const TextureMapping& mapping = scene_[id].mapping;
+    const double zRef = mapping.zRef.value_or(zTop);
+    zTop = std::min(zTop, zRef);
+    zBottom = std::max(zBottom, zRef - mapping.repeat.y);
+    if (!isInAir(zBottom, zTop)) return std::nullopt;
+    show(id, zBottom, zTop, zRef);
+    return id;
+  }
+
+  /// `opening` without its sidewalls.
+  void addOpening(Opening opening, const WallPart& part, double zBottom, double zTop,
+                  const Range& range) {
+    if (zBottom >= zTop) return;
+    const Sector& next = scene_[opening.next];
+    const SegmentGeometry& far = geometry_.segments[opening.twin.index()];
+    const Line farBottom{far.air1.zBottom, far.air0.zBottom};
+    const Line farTop{far.air1.zTop, far.air0.zTop};
+    const Line low = flat(zBottom);
+    const Line high = flat(zTop);
+    if (next.floorSlope &&
+        tallest({high, nearTop(), farBottom}, {low, nearBottom()}) > kHeightNoise)
+      opening.floorSidewall =
+          showSidewall(SurfaceKind::FloorSidewall, part.floorSidewall, *next.floorSlope,
+                       scene_.zFloor(next), zBottom, zTop, range);
+    if (next.ceilingSlope && tallest({high, nearTop()}, {low, nearBottom(), farTop}) > kHeightNoise)
+      opening.ceilingSidewall =
+          showSidewall(SurfaceKind::CeilingSidewall, part.ceilingSidewall, *next.ceilingSlope,
+                       scene_.zCeiling(next), zBottom, zTop, range);
+    addPiece({zBottom, zTop, opening});
+  }
+
+  std::optional<SurfaceId> showSidewall(SurfaceKind kind, std::optional<SurfaceId> id,
+                                        const Slope& slope, double zFlat, double zBottom,
+                                        double zTop, const Range& range) {
+    if (id)
+      show(*id, zBottom, zTop, slope.isRelative ? std::nullopt : std::optional(zFlat));
+    else
+      miss(kind, range);
+    return id;
+  }
+
+  /// Light passes from the higher floor to the lower ceiling, and between skies without end.
+  void addLightOpening(LightOpening opening, std::optional<SurfaceId> maskedMiddle,
+                       const Range& range, bool bothSkyFloors, bool bothSkyCeilings) {
+    const SectorGeometry& next = scene_.geometryOf(scene_[opening.next]);
+    opening.zBottom = bothSkyFloors ? -kEndless : std::max(range.zBottom, next.zFloor);
+    opening.zTop = bothSkyCeilings ? kEndless : std::min(range.zTop, next.zCeiling);
+    if (opening.zBottom >= opening.zTop) return;
+    if (maskedMiddle)
+      geometry_.maskedMiddles[opening.firstMaskedMiddle + opening.maskedMiddleCount++] =
+          *maskedMiddle;
+    geometry_.lightOpenings[segment_.firstPart + own_.lightOpeningCount++] = opening;
+  }
+
+  Scene scene_;
+  Geometry& geometry_;
+  const Segment& segment_;
+  const Sector& sector_;
+  SegmentGeometry& own_;
+  std::vector<MissingTexture>* missing_;  ///< none where textures are known to be there
+};
+
+/// Light through an opening meets what hangs in it on the other side, too. After all pieces.
+void addMaskedMiddlesOfTwins(const Scene& scene, const Segment& segment, Geometry& geometry) {
+  const std::span<LightOpening> openings{geometry.lightOpenings.data() + segment.firstPart,
+                                         scene.geometryOf(segment).lightOpeningCount};
+  for (LightOpening& light : openings)
+    for (const WallPiece& piece : scene.piecesOf(scene[light.twin])) {
+      const Opening* back = std::get_if<Opening>(&piece.content);
+      if (back && back->maskedMiddle && back->twin == segment.id)
+        geometry.maskedMiddles[light.firstMaskedMiddle + light.maskedMiddleCount++] =
+            *back->maskedMiddle;
+    }
+}
+
+/// What follows from a sector's flats in the sector itself, its walls apart.
+void deriveAir(const Scene& scene, const Sector& sector, Geometry& geometry) {
+  const auto [zFloor, zCeiling] = scene.geometryOf(sector);
+  if (sector.floorSurface)
+    geometry.surfaces[sector.floorSurface->index()] = {true, zFloor, zFloor, {}};
+  if (sector.ceilingSurface)
+    geometry.surfaces[sector.ceilingSurface->index()] = {true, zCeiling, zCeiling, {}};
+  for (const Segment& segment : scene.segmentsOf(sector)) {
+    SegmentGeometry& at = geometry.segments[segment.id.index()];
+    at.air0 = airColumnAt(scene, sector, segment.p0);
+    at.air1 = airColumnAt(scene, sector, segment.p1);
+    at.airRises = at.air0 != at.air1;
+  }
+}
+
+}  // namespace
+
+Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing) {
+  Geometry geometry;
+  for (const Sector& sector : level.sectors)
+    geometry.sectors.push_back({sector.floor.z, sector.ceiling.z});
+  geometry.segments.resize(level.segments.size());
+  geometry.surfaces.resize(level.surfaces.size());
+  geometry.pieces.resize(Geometry::kPiecesPerPart * level.parts.size());
+  geometry.lightOpenings.resize(level.parts.size());
+  geometry.maskedMiddles.resize(level.maskedMiddlesInOpenings);
+  const Scene scene(level, geometry);
+  for (const Sector& sector : level.sectors) deriveAir(scene, sector, geometry);
+  for (const Segment& segment : level.segments)
+    SegmentDeriver(level, geometry, segment.id, &missing).derive();
+  for (const Segment& segment : level.segments) addMaskedMiddlesOfTwins(scene, segment, geometry);
+  return geometry;
+}
+
+void moveFlats(const Level& level, SectorId id, SectorGeometry heights, Geometry& geometry) {
+  const Sector& sector = level[id];
+  CHECK(heights.zFloor <= heights.zCeiling, sector.name, heights.zFloor, heights.zCeiling);
+  geometry.sectors[id.index()] = heights;
+  const Scene scene(level, geometry);
+  deriveAir(scene, sector, geometry);
+  const auto visit = [&](const auto& function) {
+    for (const Segment& segment : level.segmentsOf(sector)) function(segment);
+    for (const SegmentId entrance : level.entrancesOf(sector))
+      if (level[entrance].sector != id) function(level[entrance]);
+  };
+  visit([&](const Segment& segment) {
+    SegmentDeriver(level, geometry, segment.id, nullptr).derive();
+  });
+  visit([&](const Segment& segment) { addMaskedMiddlesOfTwins(scene, segment, geometry); });
+}
+
+}  // namespace hearth

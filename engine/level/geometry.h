@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "level/ids.h"
+#include "level/level.h"
+
+namespace hearth {
+
+/// Part of a wall that leads on to `next`.
+struct Opening {
+  SectorId next;
+  SegmentId twin;  ///< the segment of `next` with the same two end points, the other way round
+  /// What of the next sector's wedges can stand in the opening; none where it has no slope.
+  std::optional<SurfaceId> floorSidewall;
+  std::optional<SurfaceId> ceilingSidewall;
+  std::optional<SurfaceId> maskedMiddle;  ///< what hangs in it, seen from this side
+
+  friend bool operator==(const Opening&, const Opening&) = default;
+};
+
+/// What a segment holds between two heights: something that shows, or a way on.
+struct WallPiece {
+  double zBottom;  ///< absolute
+  double zTop;     ///< absolute, > zBottom
+  std::variant<SurfaceId, Opening> content;
+
+  friend bool operator==(const WallPiece&, const WallPiece&) = default;
+};
+
+/// What light passes: as the openings, but endless above (below) between two skies.
+struct LightOpening {
+  double zBottom;  ///< absolute, or -infinity
+  double zTop;     ///< absolute, or +infinity
+  SectorId next;
+  SegmentId twin;
+  std::uint32_t firstMaskedMiddle = 0;  ///< see Scene::maskedMiddlesIn
+  std::uint32_t maskedMiddleCount = 0;
+};
+
+/// The sector's air at one end of a segment: between its floor and its ceiling, slopes included.
+struct AirColumn {
+  double zBottom;
+  double zTop;
+
+  friend constexpr bool operator==(AirColumn, AirColumn) = default;
+};
+
+/// The absolute heights of a sector's flats.
+struct SectorGeometry {
+  double zFloor;
+  double zCeiling;
+
+  friend bool operator==(const SectorGeometry&, const SectorGeometry&) = default;
+};
+
+struct SegmentGeometry {
+  AirColumn air0{};       ///< at p0
+  AirColumn air1{};       ///< at p1
+  bool airRises = false;  ///< the two differ: over a slope
+  std::uint32_t pieceCount = 0;
+  std::uint32_t lightOpeningCount = 0;
+
+  friend bool operator==(const SegmentGeometry&, const SegmentGeometry&) = default;
+};
+
+struct SurfaceGeometry {
+  bool shows = false;  ///< if not, the rest says nothing
+  /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
+  /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.
+  /// Masked middle textures: those of the image in its opening.
+  double zBottom = 0;
+  double zTop = 0;
+  /// Of an upright surface: the absolute height at which v is 0. None for sky, and for a sidewall
+  /// that follows its slope's edge.
+  std::optional<double> zRef;
+
+  friend bool operator==(const SurfaceGeometry&, const SurfaceGeometry&) = default;
+};
+
+/// All that follows from the heights of a level's flats, in flat arrays: what of each wall shows
+/// and where it opens. `Scene` reads it. Its arrays have room for every part of a wall that can
+/// show at other heights, so `moveFlats` takes no memory.
+struct Geometry {
+  static constexpr std::size_t kPiecesPerPart = 3;  ///< lower step, opening, upper step
+
+  std::vector<SectorGeometry> sectors;    ///< by SectorId
+  std::vector<SegmentGeometry> segments;  ///< by SegmentId
+  std::vector<SurfaceGeometry> surfaces;  ///< by SurfaceId
+  /// Those of a segment begin at `kPiecesPerPart` times its first part.
+  std::vector<WallPiece> pieces;
+  std::vector<LightOpening> lightOpenings;  ///< those of a segment begin at its first part
+  std::vector<SurfaceId> maskedMiddles;     ///< of all light openings
+};
+
+/// A place where something can be seen that has no texture.
+struct MissingTexture {
+  SegmentId segment;      ///< on which it shows; for a sidewall, that of the viewing sector
+  std::uint32_t subWall;  ///< 0 for a wall that is no stack
+  SurfaceKind kind;
+};
+
+/// The geometry at the heights that the author gave. Adds to `missing` what shows and has no
+/// texture; with any, do not use the geometry.
+///
+/// Expects a level that `linkSurfaces` has completed.
+Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing);
+
+/// Moves the flats of one sector to `heights`, and derives anew what follows from them: the sector
+/// and the walls that lead into it. Takes time for these alone. Stacks move with their floor.
+///
+/// Expects: zFloor <= zCeiling, sub-walls of stacks between them, textures where steps show. Flats
+/// that are sky, flat portals or carry a slope stay where they are.
+void moveFlats(const Level& level, SectorId sector, SectorGeometry heights, Geometry& geometry);
+
+}  // namespace hearth

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "level/geometry.h"
+#include "level/level.h"
+
+namespace hearth {
+
+/// A level with its flats at the heights of a geometry: what is lit, drawn and walked. A view of
+/// both, which must outlive it; passed and kept by value like a pointer.
+class Scene {
+ public:
+  Scene(const Level& level, const Geometry& geometry) : level_(&level), geometry_(&geometry) {}
+
+  const Level& level() const { return *level_; }
+  const Geometry& geometry() const { return *geometry_; }
+
+  const Sector& operator[](SectorId id) const { return (*level_)[id]; }
+  const Segment& operator[](SegmentId id) const { return (*level_)[id]; }
+  const Surface& operator[](SurfaceId id) const { return (*level_)[id]; }
+  const FlatPortal& operator[](FlatPortalId id) const { return (*level_)[id]; }
+
+  std::span<const Segment> segmentsOf(const Sector& sector) const {
+    return level_->segmentsOf(sector);
+  }
+
+  const SectorGeometry& geometryOf(const Sector& sector) const {
+    return geometry_->sectors[sector.id.index()];
+  }
+  const SegmentGeometry& geometryOf(const Segment& segment) const {
+    return geometry_->segments[segment.id.index()];
+  }
+  const SurfaceGeometry& geometryOf(SurfaceId id) const { return geometry_->surfaces[id.index()]; }
+
+  double zFloor(const Sector& sector) const { return geometryOf(sector).zFloor; }
+  double zCeiling(const Sector& sector) const { return geometryOf(sector).zCeiling; }
+
+  /// The surfaces that show, in their order. Saved bakes and `hearth info` number them so: these
+  /// numbers do not depend on what would show at other heights.
+  std::vector<SurfaceId> shownSurfaces() const {
+    std::vector<SurfaceId> shown;
+    for (std::size_t i = 0; i < geometry_->surfaces.size(); ++i)
+      if (geometry_->surfaces[i].shows) shown.emplace_back(i);
+    return shown;
+  }
+
+  /// Heights of the sector's air above a point in plan: slopes included.
+  double airBottom(const Sector& sector, Vec2 p) const {
+    return sector.floorSlope ? sector.floorSlope->zAt(p) : zFloor(sector);
+  }
+  double airTop(const Sector& sector, Vec2 p) const {
+    return sector.ceilingSlope ? sector.ceilingSlope->zAt(p) : zCeiling(sector);
+  }
+
+  /// The air of a segment's sector, `fraction` (0..1) of the way from p0 to p1.
+  AirColumn airAt(const Segment& segment, double fraction) const {
+    const SegmentGeometry& at = geometryOf(segment);
+    if (!at.airRises) return at.air0;
+    return {std::lerp(at.air0.zBottom, at.air1.zBottom, fraction),
+            std::lerp(at.air0.zTop, at.air1.zTop, fraction)};
+  }
+
+  /// Bottom to top; they cover the segment's air without a gap.
+  std::span<const WallPiece> piecesOf(const Segment& segment) const {
+    return {geometry_->pieces.data() + Geometry::kPiecesPerPart * segment.firstPart,
+            geometryOf(segment).pieceCount};
+  }
+  std::span<const LightOpening> lightOpeningsOf(const Segment& segment) const {
+    return {geometry_->lightOpenings.data() + segment.firstPart,
+            geometryOf(segment).lightOpeningCount};
+  }
+  /// What hangs in an opening, seen from either side.
+  std::span<const SurfaceId> maskedMiddlesIn(const LightOpening& opening) const {
+    return {geometry_->maskedMiddles.data() + opening.firstMaskedMiddle, opening.maskedMiddleCount};
+  }
+
+ private:
+  const Level* level_;
+  const Geometry* geometry_;
+};
+
+}  // namespace hearth
