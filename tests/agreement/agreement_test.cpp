@@ -6,6 +6,7 @@
 
 #include "agreement/compare_level.h"
 #include "random_levels/random_level.h"
+#include "support/in_tree.h"
 
 namespace hearth::agreement {
 namespace {
@@ -23,7 +24,7 @@ TEST(Agreement, isCompleteOnRandomLevels) {
 }
 
 TEST(Agreement, isCompleteOnTheTutorial) {
-  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
+  const LoadResult result = loadLevel(test::inTree("levels/tutorial.json"));
   ASSERT_TRUE(result.loaded);
   const Tally tally = compareLevel(*result.loaded, "tutorial", 100);
   EXPECT_GE(tally.views, 20);
@@ -33,7 +34,7 @@ TEST(Agreement, isCompleteOnTheTutorial) {
 }
 
 TEST(Agreement, takesBallsForPointsAndAutoForOneSample) {
-  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json");
+  const LoadResult result = loadLevel(test::inTree("tests/levels/rooms.json"));
   ASSERT_TRUE(result.loaded);
   LoadedLevel level = *result.loaded;
   const std::string expected = table(compareLevel(level, "points", 1));

@@ -13,6 +13,7 @@
 #include "as_truth.h"
 #include "light/bakery.h"
 #include "rooms.h"
+#include "support/in_tree.h"
 #include "truth/truth_light.h"
 #include "truth/truth_view.h"
 
@@ -45,7 +46,7 @@ void expectBounded(std::string_view what, const std::function<void()>& work) {
 }
 
 LoadedLevel shippedLevel(std::string_view name) {
-  return loadLevel(fmt::format("{}/levels/{}.json", HEARTH_SOURCE_DIR, name)).loaded.value();
+  return loadLevel(test::inTree(fmt::format("levels/{}.json", name))).loaded.value();
 }
 
 TEST(Large, picturesOfEveryShotHaveNoHole) {

@@ -11,6 +11,7 @@
 #include "changes.h"
 #include "math/check.h"
 #include "random_levels/random_level.h"
+#include "support/in_tree.h"
 
 namespace hearth::extremes {
 
@@ -70,7 +71,7 @@ LevelFiles randomFiles(std::uint64_t seed) {
 }
 
 LevelFiles filesOf(std::string_view level, std::string_view lights) {
-  return {parsed(level).dump(), asObject(parsed(lights)).dump(), HEARTH_SOURCE_DIR "/textures"};
+  return {parsed(level).dump(), asObject(parsed(lights)).dump(), test::inTree("textures")};
 }
 
 LoadResult tryLoad(const LevelFiles& files) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 /// Levels of one purpose, from text.
@@ -18,8 +19,8 @@ inline std::string portalTo(std::string_view next) {
 
 /// `sectors`: of the form of test::sectorText, with commas between.
 inline std::string levelOf(std::string_view sectors, std::string_view light = "0.5") {
-  return fmt::format("{{'light': {}, 'textures': '{}/textures', 'sectors': {{{}}}}}", light,
-                     HEARTH_SOURCE_DIR, sectors);
+  return fmt::format("{{'light': {}, 'textures': '{}', 'sectors': {{{}}}}}", light,
+                     test::inTree("textures").string(), sectors);
 }
 
 /// A box of air in which floor, ceiling and walls look different, with images if `textures` are

@@ -11,6 +11,7 @@
 #include "changes.h"
 #include "lit_level.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 
 namespace hearth::extremes {
 namespace {
@@ -58,8 +59,7 @@ void expectSaneViews(const Renderer& renderer, const Scene& scene) {
 
 TEST(ViewsOfShippedLevels, haveTheirOutlinesOnTheWireframe) {
   for (const std::string name : {"tutorial", "gaol", "keep"}) {
-    const LoadedLevel loaded =
-        loadLevel(HEARTH_SOURCE_DIR "/levels/" + name + ".json").loaded.value();
+    const LoadedLevel loaded = loadLevel(test::inTree("levels/" + name + ".json")).loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 4;
     const BakedLight light = bake(loaded.scene(), coarse, 2);

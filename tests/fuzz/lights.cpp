@@ -3,11 +3,12 @@
 
 #include "fuzzed_level.h"
 #include "scratch_folder.h"
+#include "support/in_tree.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const hearth::fuzz::ScratchFolder folder;
-  static const auto level = folder.write(
-      "level.json", hearth::fuzz::bytesOf(HEARTH_SOURCE_DIR "/tests/levels/rooms.json"));
+  static const auto level =
+      folder.write("level.json", hearth::fuzz::bytesOf(test::inTree("tests/levels/rooms.json")));
   (void)folder.write("level.lights.json", hearth::fuzz::asText(data, size));
   const hearth::LoadResult result = hearth::loadLevel(level);
   hearth::fuzz::expectSaid(result);

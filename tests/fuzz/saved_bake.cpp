@@ -15,6 +15,7 @@
 #include "load/load.h"
 #include "math/check.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -34,7 +35,7 @@ constexpr std::uint64_t kMaxLightBytes = 1 << 23;
 /// The level is the program's argument to every input, so it is loaded once.
 const LoadedLevel& level() {
   static const LoadedLevel loaded =
-      loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json").loaded.value();
+      loadLevel(test::inTree("tests/levels/rooms.json")).loaded.value();
   return loaded;
 }
 

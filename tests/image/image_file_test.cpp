@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "support/in_tree.h"
+
 namespace hearth {
 namespace {
 
@@ -331,7 +333,7 @@ TEST_F(ImageFile, RefusesAJpegThatEndsWithinTheCountsOfSuchATable) {
 }
 
 TEST_F(ImageFile, ReadsAJpegWithoutItsTablesTheSameEachTime) {
-  Bytes bytes = bytesOf(std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/baseline.jpg"));
+  Bytes bytes = bytesOf(test::inTree("tests/image/baseline.jpg"));
   // Its scan names the tables of number 3, which it does not give.
   const Bytes scan = {0xFF, 0xDA, 0x00, 0x0C, 0x03};
   const auto at = std::search(bytes.begin(), bytes.end(), scan.begin(), scan.end());
@@ -355,7 +357,7 @@ TEST_F(ImageFile, RefusesAJpegThatEndsWithinAnApplicationSegment) {
 }
 
 TEST_F(ImageFile, ReadsAJpegWhoseScanEndsInANumberTheSameEachTime) {
-  const auto file = std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/short_scan.jpg");
+  const auto file = test::inTree("tests/image/short_scan.jpg");
   const auto first = readImage(file, kMaxPixels);
   for (int i = 0; i < 3; ++i) {
     const auto again = readImage(file, kMaxPixels);
@@ -367,7 +369,7 @@ TEST_F(ImageFile, ReadsAJpegWhoseScanEndsInANumberTheSameEachTime) {
 }
 
 TEST_F(ImageFile, RefusesAJpegWithSuchATableBetweenItsScans) {
-  const auto file = std::filesystem::path(HEARTH_SOURCE_DIR "/tests/image/baseline.jpg");
+  const auto file = test::inTree("tests/image/baseline.jpg");
   Bytes bytes = bytesOf(file);
   ASSERT_TRUE(readImage(file, kMaxPixels));
   const Bytes table = jpegWithTable(255, 255);

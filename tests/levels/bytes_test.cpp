@@ -16,11 +16,12 @@
 #include "load/load.h"
 #include "math/hash.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
 
-const std::filesystem::path kTree = HEARTH_SOURCE_DIR;
+const std::filesystem::path kTree = test::inTree("");
 const std::filesystem::path kKept = kTree / "tests/levels/bytes.txt";
 
 /// Of the surfaces that show.

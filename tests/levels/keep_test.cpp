@@ -11,6 +11,7 @@
 
 #include "light/bakery.h"
 #include "load/load.h"
+#include "support/in_tree.h"
 #include "truth/truth_view.h"
 #include "walkable.h"
 
@@ -20,7 +21,7 @@ namespace {
 class Keep : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    result_ = new LoadResult(loadLevel(HEARTH_SOURCE_DIR "/levels/keep.json"));
+    result_ = new LoadResult(loadLevel(test::inTree("levels/keep.json")));
   }
   static void TearDownTestSuite() { delete result_; }
   void SetUp() override { ASSERT_TRUE(result_->loaded.has_value()); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "load/load.h"
+#include "support/in_tree.h"
 #include "walk/walker.h"
 
 namespace hearth {
@@ -15,7 +16,7 @@ namespace {
 class KeepTour : public testing::Test {
  protected:
   KeepTour()
-      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/keep.json").loaded.value()),
+      : loaded_(loadLevel(test::inTree("levels/keep.json")).loaded.value()),
         walker_(walkerAt(scene(), level().player->sector, level().player->eye, 0, 0)) {}
 
   const Level& level() const { return loaded_.level; }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/baked_room.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -148,14 +149,14 @@ TEST(BakedRoomTest, letsLightThroughOneWayPortalsOnlyTheirWay) {
 
 std::string skyRooms(double eastCeiling, bool eastSky) {
   return fmt::format(
-      "{{'light':0,'textures':'{}/textures','sectors':{{'west':{{'ceiling':{{'z':3,'texture':'sky',"
+      "{{'light':0,'textures':'{}','sectors':{{'west':{{'ceiling':{{'z':3,'texture':'sky',"
       "'parallax':true}},'floor':{{'texture':'#808080'}},'loops':{{'border':{{'v':[0,0, 6,0, 6,4, "
       "0,4],'walls':[{{'texture':'#808080'}},{{'next':'east','texture':'#808080'}},{{'texture':"
       "'#808080'}},{{'texture':'#808080'}}]}}}}}},'east':{{'ceiling':{{'z':{},'texture':'sky',"
       "'parallax':{}}},'floor':{{'texture':'#808080'}},'loops':{{'border':{{'v':[6,0, 10,0, 10,4, "
       "6,4],'walls':[{{'texture':'#808080'}},{{'texture':'#808080'}},{{'texture':'#808080'}},"
       "{{'next':'west','texture':'#808080'}}]}}}}}}}}}}",
-      HEARTH_SOURCE_DIR, eastCeiling, eastSky);
+      test::inTree("textures").string(), eastCeiling, eastSky);
 }
 
 TEST(BakedRoomTest, letsLightPassSkies) {

@@ -15,6 +15,7 @@
 #include "light/bakery.h"
 #include "light/baking/light_sum.h"
 #include "load/load.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -79,7 +80,7 @@ class LightKernelsTest : public testing::Test {
 TEST_F(LightKernelsTest, bakeTheSameLight) {
   for (const char* name : {"tutorial", "gaol"}) {
     const LoadedLevel loaded =
-        loadLevel(HEARTH_SOURCE_DIR "/levels/" + std::string(name) + ".json").loaded.value();
+        loadLevel(test::inTree("levels/" + std::string(name) + ".json")).loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
     const BakedLight expected = bake(loaded.scene(), coarse, 2);

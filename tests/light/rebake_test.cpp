@@ -13,6 +13,7 @@
 #include "light/saved_bake.h"
 #include "load/load.h"
 #include "same_bakes.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -25,7 +26,7 @@ constexpr int kThreads = 2;
 class RebakeOfRooms : public testing::Test {
  protected:
   static LoadedLevel rooms() {
-    return loadLevel(HEARTH_SOURCE_DIR "/tests/levels/rooms.json").loaded.value();
+    return loadLevel(test::inTree("tests/levels/rooms.json")).loaded.value();
   }
 
   LoadedLevel loaded_ = rooms();

@@ -8,6 +8,7 @@
 #include "light/bakery.h"
 #include "load/load.h"
 #include "math/parallel.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -61,7 +62,7 @@ Costs costsAgainst(const BakedLight& exact, const Scene& scene) {
 }
 
 LoadedLevel tutorial() {
-  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
+  const LoadResult result = loadLevel(test::inTree("levels/tutorial.json"));
   EXPECT_TRUE(result.loaded);
   return result.loaded.value_or(LoadedLevel{});
 }

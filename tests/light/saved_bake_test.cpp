@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "saved_room.h"
 #include "support/baked_room.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -61,7 +62,7 @@ SavedSize expectRoundTrip(const LoadedLevel& loaded) {
 }
 
 TEST(SavedBake, ofTheTutorialDrawsTheSamePictures) {
-  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
+  const LoadResult result = loadLevel(test::inTree("levels/tutorial.json"));
   ASSERT_TRUE(result.loaded);
   EXPECT_LE(expectRoundTrip(*result.loaded).perLevel(), 0.3);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "both_bakes.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -21,7 +22,7 @@ TEST(Shafts, giveTheBytesOfRaysInTheLevelsOfTheTree) {
   for (const auto& [name, texel] :
        {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/gaol.json", 0.25},
         std::pair{"levels/keep.json", 1.0}}) {
-    const LoadResult result = loadLevel(std::filesystem::path(HEARTH_SOURCE_DIR) / name);
+    const LoadResult result = loadLevel(test::inTree(name));
     ASSERT_TRUE(result.loaded);
     BakeSettings settings = result.loaded->level.bake;
     settings.texel = texel;

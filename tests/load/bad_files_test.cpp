@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "load/load.h"
+#include "support/in_tree.h"
 
 /// Every file in bad/ breaks one rule (twelve_mistakes.json: twelve). The messages that it must
 /// give, all of them and no other, stand beside it in a file that ends in `.expected`.
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFolder = fs::path(HEARTH_SOURCE_DIR) / "tests/load/bad";
+const fs::path kFolder = test::inTree("tests/load/bad");
 
 std::vector<std::string> linesOf(const fs::path& file) {
   std::vector<std::string> lines;

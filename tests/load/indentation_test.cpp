@@ -9,6 +9,7 @@
 #include <string>
 
 #include "load/parse.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -63,7 +64,7 @@ std::string saidOf(const std::string& text) {
 }
 
 std::string tutorial() {
-  std::ifstream in(HEARTH_SOURCE_DIR "/levels/tutorial.json", std::ios::binary);
+  std::ifstream in(test::inTree("levels/tutorial.json"), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

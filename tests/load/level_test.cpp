@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "load_text.h"
+#include "support/in_tree.h"
 
 /// What levels that follow the rules become.
 namespace hearth {
@@ -295,7 +296,7 @@ TEST(Level, readsThePlayersBodyAndTheShots) {
 }
 
 TEST(Level, loadsTheTutorial) {
-  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
+  const LoadResult result = loadLevel(test::inTree("levels/tutorial.json"));
   ASSERT_TRUE(result.loaded) << listed(result);
   expectTwins(result.loaded->scene());
   EXPECT_EQ(result.loaded->textures.size(), result.loaded->level.textures.size());

@@ -11,6 +11,7 @@
 #include "load/load.h"
 #include "render/frame_scratch.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -28,7 +29,7 @@ BakedLight withoutLight(const Level& level) {
 class Coverage : public testing::Test {
  protected:
   Coverage()
-      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
+      : loaded_(loadLevel(test::inTree("levels/tutorial.json")).loaded.value()),
         light_(withoutLight(loaded_.level)),
         renderer_(loaded_.scene(), loaded_.textures, light_) {}
 

@@ -8,6 +8,7 @@
 #include "render/renderer.h"
 #include "render/row_kernels.h"
 #include "row_batches.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -58,7 +59,7 @@ Drawn room() {
 }
 
 TEST(DrawSettings, EachChangesAShotOfTheTutorial) {
-  const Drawn tutorial(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value());
+  const Drawn tutorial(loadLevel(test::inTree("levels/tutorial.json")).loaded.value());
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Bilinear}));
   EXPECT_TRUE(tutorial.changesAnyShot({.textureFilter = TextureFilter::Mipmapped}));
   EXPECT_TRUE(tutorial.changesAnyShot({.lightFilter = LightFilter::Nearest}));

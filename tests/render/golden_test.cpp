@@ -14,6 +14,7 @@
 #include "image/image_file.h"
 #include "load/load.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 class Golden : public testing::Test {
  protected:
   Golden()
-      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
+      : loaded_(loadLevel(test::inTree("levels/tutorial.json")).loaded.value()),
         light_(bake(loaded_.scene(), loaded_.level.bake, 2)),
         renderer_(loaded_.scene(), loaded_.textures, light_) {}
 
@@ -55,7 +56,7 @@ TEST_F(Golden, channelsAreAsKept) {
       {"depth", Channel::Depth},      {"uv", Channel::Uv},
       {"normal", Channel::Normal},    {"light", Channel::Light},
       {"overdraw", Channel::Overdraw}};
-  const std::filesystem::path folder = HEARTH_SOURCE_DIR "/tests/render/golden";
+  const std::filesystem::path folder = test::inTree("tests/render/golden");
   for (const std::string_view name : {"arrival", "gallery", "cellar"})
     for (const Shot& shot : loaded_.level.shots)
       for (const auto& [channelName, channel] : kChannels) {
@@ -69,7 +70,7 @@ TEST_F(Golden, channelsAreAsKept) {
 }
 
 TEST_F(Golden, lightModesAreAsKept) {
-  const std::filesystem::path folder = HEARTH_SOURCE_DIR "/tests/render/golden";
+  const std::filesystem::path folder = test::inTree("tests/render/golden");
   const Shot& shot = loaded_.level.shots.front();
   expectGolden(folder / "arrival-none.png", renderer_.draw(cameraOf(shot), LightMode::None));
   expectGolden(folder / "arrival-only.png", renderer_.draw(cameraOf(shot), LightMode::Only));

@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "render/row_kernels.h"
 #include "row_batches.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -31,8 +32,7 @@ class InstructionSets : public testing::Test {
 
   void expectTheSamePictures(const std::string& name, const DrawSettings& settings,
                              LightMode mode) {
-    const LoadedLevel loaded =
-        loadLevel(HEARTH_SOURCE_DIR "/levels/" + name + ".json").loaded.value();
+    const LoadedLevel loaded = loadLevel(test::inTree("levels/" + name + ".json")).loaded.value();
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
     const BakedLight light = bake(loaded.scene(), coarse, 2);

@@ -13,6 +13,7 @@
 #include "load/load.h"
 #include "render/renderer.h"
 #include "render/segment_colors.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -22,7 +23,7 @@ namespace {
 class Lit {
  public:
   Lit(const std::string& path, double texel)
-      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/" + path).loaded.value()) {
+      : loaded_(loadLevel(test::inTree(path)).loaded.value()) {
     BakeSettings settings = loaded_.level.bake;
     settings.texel = texel;
     light_ = bake(loaded_.scene(), settings, 2);

@@ -6,6 +6,7 @@
 #include "render/renderer.h"
 #include "rooms_behind_a_door.h"
 #include "support/allocations.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 class FramesOfTheTutorial : public testing::Test {
  protected:
   FramesOfTheTutorial()
-      : loaded_(loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value()),
+      : loaded_(loadLevel(test::inTree("levels/tutorial.json")).loaded.value()),
         light_(bake(loaded_.scene(), loaded_.level.bake, 2)),
         renderer_(loaded_.scene(), loaded_.textures, light_) {}
 

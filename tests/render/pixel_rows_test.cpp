@@ -9,6 +9,7 @@
 
 #include "load/load.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -45,7 +46,7 @@ void expectTheSame(const Image& expected, const Memory& memory) {
 }
 
 TEST(PixelRows, HaveThePixelsOfAnImageAndNoOthersAreWritten) {
-  const LoadedLevel loaded = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
+  const LoadedLevel loaded = loadLevel(test::inTree("levels/tutorial.json")).loaded.value();
   BakeSettings coarse = loaded.level.bake;
   coarse.texel = 0.5;
   const BakedLight light = bake(loaded.scene(), coarse, 2);

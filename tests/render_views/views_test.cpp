@@ -9,6 +9,7 @@
 
 #include "load/load.h"
 #include "render/line.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -21,7 +22,7 @@ constexpr View kViews[] = {View::World, View::Camera, View::DepthSpace, View::Sc
                            View::Wireframe};
 
 LoadedLevel loaded(const std::string& path) {
-  LoadResult result = loadLevel(std::string(HEARTH_SOURCE_DIR) + "/" + path);
+  LoadResult result = loadLevel(test::inTree(path));
   return std::move(result.loaded).value();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "image/image_file.h"
+#include "support/in_tree.h"
 #include "textures/turn.h"
 
 namespace hearth::textures {
@@ -56,8 +57,7 @@ double meanLevel(const Image& image) {
 /// To the pixel: how a PNG is packed is zlib's business.
 TEST(Textures, AreThoseOfTheTexturesFolder) {
   for (const Texture& texture : makeAll()) {
-    const auto kept =
-        std::filesystem::path(HEARTH_SOURCE_DIR) / "textures" / (texture.name + ".png");
+    const auto kept = test::inTree("textures") / (texture.name + ".png");
     const auto image = readImage(kept, 1 << 20);
     ASSERT_TRUE(image) << image.error();
     EXPECT_TRUE(*image == texture.image)
@@ -69,7 +69,7 @@ TEST(Textures, AreAllInTheTexturesFolder) {
   std::set<std::string> made;
   for (const Texture& texture : makeAll()) made.insert(texture.name + ".png");
   std::set<std::string> kept;
-  for (const auto& file : std::filesystem::directory_iterator(HEARTH_SOURCE_DIR "/textures"))
+  for (const auto& file : std::filesystem::directory_iterator(test::inTree("textures")))
     if (file.path().extension() == ".png") kept.insert(file.path().filename());
   EXPECT_EQ(made, kept);
 }

@@ -9,6 +9,7 @@
 #include "cli/check/golden_picture.h"
 #include "image/image_file.h"
 #include "settings/shell_text.h"
+#include "support/in_tree.h"
 #include "text/base64.h"
 
 namespace hearth {
@@ -73,10 +74,8 @@ TEST_F(GoldenPicture, IsStaleWhenNoShotDrawsIt) {
 /// Two goldens that pass for each other would show that the check sees nothing.
 TEST_F(GoldenPicture, EveryTwoOfTheProjectDiffer) {
   std::vector<std::filesystem::path> goldens;
-  for (const char* folder :
-       {"/levels/tutorial.golden", "/levels/keep.golden", "/tests/render/golden"})
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(HEARTH_SOURCE_DIR) + folder))
+  for (const char* folder : {"levels/tutorial.golden", "levels/keep.golden", "tests/render/golden"})
+    for (const auto& entry : std::filesystem::directory_iterator(test::inTree(folder)))
       // Overdraw is the same green everywhere: each pixel is drawn once.
       if (!entry.path().string().ends_with("-overdraw.png")) goldens.push_back(entry.path());
   ASSERT_GE(goldens.size(), 48U);

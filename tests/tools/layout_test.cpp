@@ -13,6 +13,7 @@
 #include "load/parse.h"
 #include "random_levels/random_level.h"
 #include "session/bake_cache.h"
+#include "support/in_tree.h"
 #include "text/json_layout.h"
 
 namespace hearth {
@@ -246,8 +247,7 @@ TEST(Layout, ofALevelKeepsToTheLineAndMeansTheSame) {
 
 TEST(Layout, isThatOfTheShippedLevels) {
   std::size_t files = 0;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(fs::path(HEARTH_SOURCE_DIR) / "levels")) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(test::inTree("levels"))) {
     if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".schema")
       continue;
     std::ifstream in(entry.path(), std::ios::binary);

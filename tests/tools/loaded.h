@@ -5,12 +5,13 @@
 #include <string>
 
 #include "load/load.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 
 /// A level file of the project, by its path from the top folder.
 inline LoadedLevel loaded(const std::string& path) {
-  LoadResult result = loadLevel(std::string(HEARTH_SOURCE_DIR) + "/" + path);
+  LoadResult result = loadLevel(test::inTree(path));
   for (const Diagnostic& diagnostic : result.diagnostics)
     if (diagnostic.isError) ADD_FAILURE() << format(diagnostic);
   return std::move(result.loaded).value();

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "support/in_tree.h"
 #include "walks.h"
 
 namespace {
@@ -29,7 +30,7 @@ namespace hearth {
 namespace {
 
 TEST(Walker, TakesNoMemoryFromTheHeap) {
-  const LoadResult result = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json");
+  const LoadResult result = loadLevel(test::inTree("levels/tutorial.json"));
   const Scene scene = result.loaded->scene();
   const Player& player = *scene.level().player;
   Walker walker = walkerAt(scene, player.sector, player.eye, player.angle, 0);

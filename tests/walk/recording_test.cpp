@@ -5,14 +5,13 @@
 #include <filesystem>
 #include <random>
 
+#include "support/in_tree.h"
 #include "walks.h"
 
 namespace hearth {
 namespace {
 
-LoadedLevel tutorial() {
-  return loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
-}
+LoadedLevel tutorial() { return loadLevel(test::inTree("levels/tutorial.json")).loaded.value(); }
 
 /// A walk that asks for everything now and then.
 Recording someWalk(const Scene& scene) {

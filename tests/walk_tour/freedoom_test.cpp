@@ -19,6 +19,7 @@
 #include "import/doom/map.h"
 #include "import/doom/pieces.h"
 #include "load/load.h"
+#include "support/in_tree.h"
 #include "walk/recording.h"
 
 namespace hearth {
@@ -26,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRecording = HEARTH_SOURCE_DIR "/tests/walk_tour/freedoom2-map01.txt";
+const std::filesystem::path kRecording = test::inTree("tests/walk_tour/freedoom2-map01.txt");
 
 /// Lines of this type end the map when they are used (https://doomwiki.org/wiki/Linedef_type), ...
 constexpr std::uint16_t kExitSwitch = 11;

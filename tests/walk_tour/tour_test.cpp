@@ -15,6 +15,7 @@
 
 #include "explorer.h"
 #include "load/load.h"
+#include "support/in_tree.h"
 #include "walk/recording.h"
 
 namespace hearth {
@@ -26,7 +27,7 @@ class Tour : public testing::Test {
 
   /// Finds a walk and keeps it where that is asked for; reads the one that is kept.
   Recording recording(const std::string& name, test::Gait gait) const {
-    const std::string path = HEARTH_SOURCE_DIR "/tests/walk_tour/" + name;
+    const std::filesystem::path path = test::inTree("tests/walk_tour/" + name);
     if (std::getenv("HEARTH_UPDATE_WALKS")) {
       Walker walker = startOfPlayer();
       const std::vector<WalkInput> inputs =
@@ -61,7 +62,7 @@ class Tour : public testing::Test {
     return recordedState(scene_, walker);
   }
 
-  LoadedLevel loaded_ = loadLevel(HEARTH_SOURCE_DIR "/levels/tutorial.json").loaded.value();
+  LoadedLevel loaded_ = loadLevel(test::inTree("levels/tutorial.json")).loaded.value();
   const Level& level_ = loaded_.level;
   const Scene scene_ = loaded_.scene();
   RecordedStart start_{level_[level_.player->sector].name, level_.player->eye, level_.player->angle,

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "places.h"
+#include "support/in_tree.h"
 
 namespace hearth::test {
 
@@ -9,7 +10,7 @@ namespace {
 
 /// The text of a level, with the project's images. Bricks repeat after 1.6 m.
 std::string withImages(std::string_view text) {
-  return with(text, "FOLDER", std::string(HEARTH_SOURCE_DIR) + "/textures");
+  return with(text, "FOLDER", test::inTree("textures").string());
 }
 
 /// A room whose north wall has two parts, 1 and 3 m long.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "desktop/disk.h"
+#include "support/in_tree.h"
 #include "viewer/inspect/places.h"
 #include "viewer/inspect/words.h"
 #include "viewer/overlay/overlay.h"
@@ -25,7 +26,7 @@ constexpr int kColumn = 95;
 class InspectorTest : public testing::Test {
  protected:
   InspectorTest()
-      : sourced_(loadLevelWithSource(HEARTH_SOURCE_DIR "/tests/levels/rooms.json")),
+      : sourced_(loadLevelWithSource(test::inTree("tests/levels/rooms.json"))),
         place_(*sourced_.result.loaded),
         light_(bake(place_.scene(), place_.level.bake, 1)),
         renderer_(place_.scene(), place_.textures, light_),
@@ -92,7 +93,7 @@ class InspectorTest : public testing::Test {
   Overlay overlay_;
   Inspector inspector_;
   Disk disk_;
-  LightsTool tool_{disk_, HEARTH_SOURCE_DIR "/tests/levels/rooms.lights.json", {}};
+  LightsTool tool_{disk_, test::inTree("tests/levels/rooms.lights.json"), {}};
   bool isInPicture_ = true;
   bool areLightsEdited_ = true;
   Image picture_;

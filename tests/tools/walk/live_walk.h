@@ -18,6 +18,7 @@
 #include "desktop/screenshot_files.h"
 #include "settings/settings.h"
 #include "stage.h"
+#include "support/in_tree.h"
 
 namespace hearth::test {
 
@@ -34,7 +35,7 @@ class LiveWalk : public testing::Test {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     for (const char* name : {"rooms.json", "rooms.lights.json"})
-      fs::copy(fs::path(HEARTH_SOURCE_DIR "/tests/levels") / name, folder_);
+      fs::copy(test::inTree("tests/levels") / name, folder_);
     values_.level = (folder_ / "rooms.json").string();
     values_.set(Option::NoCache, "");
   }
