@@ -24,7 +24,7 @@ class Locator {
     std::string advice;
   };
 
-  /// `level` is finished.
+  /// The scene's level and geometry must outlive it.
   explicit Locator(const Scene& scene);
 
   tl::expected<SectorId, Failure> locate(Vec3 p, std::optional<SectorId> sector,

@@ -19,6 +19,8 @@ constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 /// Positive when `b` lies clockwise of `a` as seen on the map (y down).
 constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+/// Of length 1; `a` is not 0.
+inline Vec2 unit(Vec2 a) { return (1 / length(a)) * a; }
 /// `a` turned by +90 degrees: from +x towards +y.
 constexpr Vec2 turned90(Vec2 a) { return {-a.y, a.x}; }
 constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) { return a + t * (b - a); }
