@@ -40,14 +40,19 @@ void findRaySlopes(std::vector<double>& raySlopes, const Projection& projection,
 /// How many squares of pixels cover so many pixels.
 int squaresIn(int pixels, int pixelSize) { return (pixels + pixelSize - 1) / pixelSize; }
 
-int widthOf(const Image& picture) { return picture.width(); }
-int widthOf(const PixelRows& picture) { return picture.width; }
-int heightOf(const Image& picture) { return picture.height(); }
-int heightOf(const PixelRows& picture) { return picture.height; }
+void checkSize(const PixelRows& picture, const Camera& camera) {
+  CHECK(picture.width == camera.width && picture.height == camera.height, picture.width,
+        picture.height, camera.width, camera.height);
+}
 
-void fit(Image& picture, const Camera& camera) {
-  if (picture.width() != camera.width || picture.height() != camera.height)
-    picture = Image(camera.width, camera.height);
+/// A picture of its own, which `draw(scratch, rows)` draws.
+template <typename Draw>
+Image singlePicture(const Camera& camera, Draw&& draw) {
+  FrameScratch scratch;
+  PixelBuffer memory;
+  const PixelRows picture = memory.rows(camera.width, camera.height);
+  draw(scratch, picture);
+  return imageOf(picture);
 }
 
 /// Into parts of about as many strips, which threads take.
@@ -93,11 +98,11 @@ void paintParts(FrameScratch& scratch, int strips, int threads, PaintPart&& pain
 
 /// Draws a picture strip by strip, with `paint(span, batch, strip, stats)` for each span. Strips
 /// that spans fill begin as they happen to be, unless `paint` asks what was there.
-template <typename Picture, typename Paint>
-void paintStrips(FrameScratch& scratch, int pixelSize, Picture& picture, int threads,
+template <typename Paint>
+void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture, int threads,
                  bool paintAsks, Paint&& paint) {
-  const int strips = Strip::countIn(squaresIn(widthOf(picture), pixelSize));
-  const int rows = squaresIn(heightOf(picture), pixelSize);
+  const int strips = Strip::countIn(squaresIn(picture.width, pixelSize));
+  const int rows = squaresIn(picture.height, pixelSize);
   paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
     RowBatch batch{};
     for (int i = range.begin; i < range.end; ++i) {
@@ -123,17 +128,17 @@ void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int col
 /// Marks what is lit already.
 template <typename Shown>
 void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& scratch,
-                 Image& picture, int threads) {
-  const int strips = Strip::countIn(picture.width());
+                 const PixelRows& picture, int threads) {
+  const int strips = Strip::countIn(picture.width);
   paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
     RowBatch batch{};
-    ShownColumns<Shown> shown(picture.height());
+    ShownColumns<Shown> shown(picture.height);
     if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
     for (int i = range.begin; i < range.end; ++i) {
-      strip.begin(i, picture.height(), kHole);
+      strip.begin(i, picture.height, kHole);
       for (const Span& span : scratch.spansOf(i))
         painter.paint(span, LightMode::Both, batch, strip, stats);
-      const int end = std::min((i + 1) * Strip::kColumns, picture.width());
+      const int end = std::min((i + 1) * Strip::kColumns, picture.width);
       for (int column = i * Strip::kColumns; column < end; ++column) {
         noteColumn(painter, scratch, column, shown);
         mark(scene, shown, strip.at(column, 0));
@@ -165,34 +170,19 @@ Renderer::Renderer(const Scene& scene, const std::vector<Image>& textures, const
                             : MipMap(image));
 }
 
-void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
-                    int threads) const {
-  findSpans(camera, scratch, picture, threads);
+void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
+                    const PixelRows& picture, int threads) const {
+  findSpans(camera, scratch, threads);
   paintSpans(camera, mode, scratch, picture, threads);
 }
 
-void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
-                    const PixelRows& picture, int threads) const {
-  CHECK(picture.width == camera.width && picture.height == camera.height, picture.width,
-        picture.height);
-  findSpans(camera, settings_.pixelSize, scratch, threads);
-  paint(camera, mode, scratch, picture, threads);
-}
-
-void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, Image& picture,
-                         int threads) const {
-  fit(picture, camera);
+void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, int threads) const {
   findSpans(camera, settings_.pixelSize, scratch, threads);
 }
 
 void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
-                          Image& picture, int threads) const {
-  paint(camera, mode, scratch, picture, threads);
-}
-
-template <typename Picture>
-void Renderer::paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
-                     int threads) const {
+                          const PixelRows& picture, int threads) const {
+  checkSize(picture, camera);
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(scene_, camera, pixelSize);
   const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
@@ -202,17 +192,9 @@ void Renderer::paint(const Camera& camera, LightMode mode, FrameScratch& scratch
               });
 }
 
-Image Renderer::draw(const Camera& camera, LightMode mode) const {
-  FrameScratch scratch;
-  Image picture;
-  draw(camera, mode, scratch, picture);
-  return picture;
-}
-
-Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
-  FrameScratch scratch;
-  Image picture;
-  fit(picture, camera);
+void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch,
+                    const PixelRows& picture, int threads) const {
+  checkSize(picture, camera);
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(scene_, camera);
   const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
@@ -221,13 +203,11 @@ Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
               [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
                 paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
               });
-  return picture;
 }
 
-Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
-  FrameScratch scratch;
-  Image picture;
-  fit(picture, camera);
+void Renderer::draw(const Camera& camera, Marks marks, FrameScratch& scratch,
+                    const PixelRows& picture, int threads) const {
+  checkSize(picture, camera);
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(scene_, camera);
   const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
@@ -242,7 +222,24 @@ Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
       paintMarked<ShownTimes>(scene_, painter, scratch, picture, threads);
       break;
   }
-  return picture;
+}
+
+Image Renderer::draw(const Camera& camera, LightMode mode) const {
+  return singlePicture(camera, [&](FrameScratch& scratch, const PixelRows& picture) {
+    draw(camera, mode, scratch, picture);
+  });
+}
+
+Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
+  return singlePicture(camera, [&](FrameScratch& scratch, const PixelRows& picture) {
+    draw(camera, channel, scratch, picture, threads);
+  });
+}
+
+Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
+  return singlePicture(camera, [&](FrameScratch& scratch, const PixelRows& picture) {
+    draw(camera, marks, scratch, picture, threads);
+  });
 }
 
 void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,

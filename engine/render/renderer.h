@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/pixel_rows.h"
 #include "level/scene.h"
 #include "light/bakery.h"
 #include "render/camera.h"
 #include "render/channel.h"
 #include "render/draw_settings.h"
 #include "render/frame_scratch.h"
-#include "render/pixel_rows.h"
 #include "render/texture.h"
 
 namespace hearth {
@@ -29,21 +29,21 @@ class Renderer {
   const BakedLight& light() const { return light_; }
   const Texture& texture(TextureId id) const { return textures_[id.index()].full(); }
 
-  /// The camera's eye is in its sector, within kPositionSlack. `picture` gets the camera's size,
-  /// and the same pixels whatever the number of threads. Channels and marks are drawn with all
+  /// The camera's eye is in its sector, within kPositionSlack. `picture` has the camera's size. It
+  /// gets the same pixels whatever the number of threads. Channels and marks are drawn with all
   /// pixels, whatever the settings.
-  void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
-            int threads = 1) const;
-  /// The same pixels, straight into rows of the camera's size.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, const PixelRows& picture,
             int threads = 1) const;
-  /// The two phases of `draw`, to be timed apart: what shows where, into the scratch and a picture
-  /// of the camera's size; and, once that is found for the same camera, the pixels.
-  void findSpans(const Camera& camera, FrameScratch& scratch, Image& picture,
-                 int threads = 1) const;
-  void paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch, Image& picture,
-                  int threads = 1) const;
-  /// Single pictures.
+  void draw(const Camera& camera, Channel channel, FrameScratch& scratch, const PixelRows& picture,
+            int threads = 1) const;
+  void draw(const Camera& camera, Marks marks, FrameScratch& scratch, const PixelRows& picture,
+            int threads = 1) const;
+  /// The two phases of a frame, to be timed apart: what shows where, into the scratch; and, once
+  /// that is found for the same camera, the pixels.
+  void findSpans(const Camera& camera, FrameScratch& scratch, int threads = 1) const;
+  void paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
+                  const PixelRows& picture, int threads = 1) const;
+  /// Single pictures, for files.
   Image draw(const Camera& camera, LightMode mode) const;
   Image draw(const Camera& camera, Channel channel, int threads = 1) const;
   Image draw(const Camera& camera, Marks marks, int threads = 1) const;
@@ -51,9 +51,6 @@ class Renderer {
  private:
   /// The first phase of a frame of squares of pixels.
   void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch, int threads) const;
-  template <typename Picture>
-  void paint(const Camera& camera, LightMode mode, FrameScratch& scratch, Picture& picture,
-             int threads) const;
 
   Scene scene_;
   std::vector<MipMap> textures_;

@@ -3,7 +3,6 @@
 #include "render/strip.h"
 
 #include <algorithm>
-#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/strip.cpp"
@@ -16,8 +15,7 @@ namespace {
 
 #if HWY_TARGET == HWY_SCALAR
 
-int copyToImage(const Pixel*, std::size_t, Image&, int) { return 0; }
-int copyToRows(const Pixel*, std::size_t, const PixelRows&, int) { return 0; }
+int copyBlocks(const Pixel*, std::size_t, const PixelRows&, int) { return 0; }
 
 #else
 
@@ -50,21 +48,9 @@ HWY_INLINE Block transposed(const Pixel* column, std::size_t next) {
            hn::BitCast(kFour, hn::InterleaveUpper(kTwo, abLower, cdLower))}};
 }
 
-/// Bytes of four pixels by their numbers; 128 is a byte of 0.
-HWY_INLINE Bytes picked(FourPixels pixels, Bytes numbers) {
-  return hn::TableLookupBytesOr0(hn::BitCast(kBytes, pixels), numbers);
-}
-
-/// Writes a row of eight pixels as 24 bytes.
-HWY_INLINE void writeRow(FourPixels left, FourPixels right, std::uint8_t* to) {
-  constexpr std::uint8_t x = 128;
-  alignas(16) constexpr std::uint8_t kLeft[] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, x, x, x, x};
-  alignas(16) constexpr std::uint8_t kRight[] = {x, x, x, x, x, x, x, x, x, x, x, x, 0, 1, 2, 4};
-  alignas(16) constexpr std::uint8_t kRest[] = {5, 6, 8, 9, 10, 12, 13, 14, x, x, x, x, x, x, x, x};
-  hn::StoreU(hn::Or(picked(left, hn::Load(kBytes, kLeft)), picked(right, hn::Load(kBytes, kRight))),
-             kBytes, to);
-  const hn::Half<decltype(kBytes)> half;
-  hn::StoreU(hn::LowerHalf(half, picked(right, hn::Load(kBytes, kRest))), half, to + 16);
+/// Bytes of four pixels by their numbers.
+HWY_INLINE FourPixels picked(FourPixels pixels, Bytes numbers) {
+  return hn::BitCast(kFour, hn::TableLookupBytes(hn::BitCast(kBytes, pixels), numbers));
 }
 
 /// Writes a row of eight pixels with red and blue changed about.
@@ -72,33 +58,22 @@ HWY_INLINE void writeRow(FourPixels left, FourPixels right, Pixel* to) {
   alignas(16) constexpr std::uint8_t kTurned[] = {2,  1, 0, 3,  6,  5,  4,  7,
                                                   10, 9, 8, 11, 14, 13, 12, 15};
   const Bytes turned = hn::Load(kBytes, kTurned);
-  hn::StoreU(hn::BitCast(kFour, picked(left, turned)), kFour, to);
-  hn::StoreU(hn::BitCast(kFour, picked(right, turned)), kFour, to + 4);
+  hn::StoreU(picked(left, turned), kFour, to);
+  hn::StoreU(picked(right, turned), kFour, to + 4);
 }
 
-/// Copies eight columns to a picture of this height, and says how many rows: multiples of four.
-template <typename T>
-HWY_INLINE int copyBlocks(const Pixel* pixels, std::size_t rowsPerColumn, int height, T* to,
-                          std::size_t perRow) {
-  const int rows = height / 4 * 4;
+/// Copies eight columns to a picture, and says how many rows: multiples of four.
+int copyBlocks(const Pixel* pixels, std::size_t rowsPerColumn, const PixelRows& picture,
+               int firstColumn) {
+  const int rows = picture.height / 4 * 4;
+  Pixel* to = picture.at(firstColumn, 0);
   for (int row = 0; row < rows; row += 4) {
     const Block left = transposed(pixels + row, rowsPerColumn);
     const Block right = transposed(pixels + 4 * rowsPerColumn + row, rowsPerColumn);
-    for (int i = 0; i < 4; ++i, to += perRow) writeRow(left.rows[i], right.rows[i], to);
+    for (int i = 0; i < 4; ++i, to += picture.pixelsPerRow)
+      writeRow(left.rows[i], right.rows[i], to);
   }
   return rows;
-}
-
-int copyToImage(const Pixel* pixels, std::size_t rowsPerColumn, Image& picture, int firstColumn) {
-  return copyBlocks(pixels, rowsPerColumn, picture.height(),
-                    reinterpret_cast<std::uint8_t*>(&picture.at(firstColumn, 0)),
-                    static_cast<std::size_t>(picture.width()) * sizeof(Rgb));
-}
-
-int copyToRows(const Pixel* pixels, std::size_t rowsPerColumn, const PixelRows& picture,
-               int firstColumn) {
-  return copyBlocks(pixels, rowsPerColumn, picture.height, picture.at(firstColumn, 0),
-                    picture.pixelsPerRow);
 }
 
 #endif
@@ -112,47 +87,21 @@ namespace hearth {
 
 namespace {
 
-HWY_EXPORT(copyToImage);
-HWY_EXPORT(copyToRows);
+HWY_EXPORT(copyBlocks);
 
-std::uint32_t turned(Pixel pixel) {
-  const Rgb color = colorOf(pixel);
-  return pixelOf({color.b, color.g, color.r});
-}
+std::uint32_t turned(Pixel pixel) { return packed(colorOf(pixel)); }
 
 }  // namespace
-
-void Strip::copyTo(Image& picture, int pixelSize) const {
-  if (pixelSize > 1) return copySquaresTo(picture, pixelSize);
-  const int columns = std::min(kColumns, picture.width() - firstColumn_);
-  const int copied =
-      columns == kColumns
-          ? HWY_DYNAMIC_DISPATCH(copyToImage)(pixels_.data(), rowsPerColumn_, picture, firstColumn_)
-          : 0;
-  for (int row = copied; row < picture.height(); ++row)
-    for (int i = 0; i < columns; ++i) picture.at(firstColumn_ + i, row) = colorOf(pixelAt(i, row));
-}
 
 void Strip::copyTo(const PixelRows& picture, int pixelSize) const {
   if (pixelSize > 1) return copySquaresTo(picture, pixelSize);
   const int columns = std::min(kColumns, picture.width - firstColumn_);
   const int copied =
       columns == kColumns
-          ? HWY_DYNAMIC_DISPATCH(copyToRows)(pixels_.data(), rowsPerColumn_, picture, firstColumn_)
+          ? HWY_DYNAMIC_DISPATCH(copyBlocks)(pixels_.data(), rowsPerColumn_, picture, firstColumn_)
           : 0;
   for (int row = copied; row < picture.height; ++row)
     for (int i = 0; i < columns; ++i) *picture.at(firstColumn_ + i, row) = turned(pixelAt(i, row));
-}
-
-void Strip::copySquaresTo(Image& picture, int size) const {
-  const int left = firstColumn_ * size;
-  const int width = std::min(kColumns * size, picture.width() - left);
-  for (int top = 0; top < picture.height(); top += size) {
-    Rgb* const first = &picture.at(left, top);
-    writeRow(first, width, size, top / size);
-    for (int row = top + 1; row < std::min(top + size, picture.height()); ++row)
-      std::copy_n(first, width, &picture.at(left, row));
-  }
 }
 
 void Strip::copySquaresTo(const PixelRows& picture, int size) const {
@@ -164,16 +113,6 @@ void Strip::copySquaresTo(const PixelRows& picture, int size) const {
     for (int row = top + 1; row < std::min(top + size, picture.height); ++row)
       std::copy_n(first, width, picture.at(left, row));
   }
-}
-
-/// Four bytes at once, except for the last pixel: the fourth is the next one's first, which comes
-/// after.
-void Strip::writeRow(Rgb* to, int width, int size, int row) const {
-  Rgb* const last = to + width - 1;
-  const Pixel* pixel = &pixels_[static_cast<std::size_t>(row)];
-  for (; to + size <= last; pixel += rowsPerColumn_)
-    for (int i = 0; i < size; ++i, ++to) std::memcpy(static_cast<void*>(to), pixel, sizeof *pixel);
-  std::fill(to, last + 1, colorOf(*pixel));
 }
 
 }  // namespace hearth

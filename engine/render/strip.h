@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "render/pixel_rows.h"
+#include "image/pixel_rows.h"
 #include "render/texture.h"
 
 namespace hearth {
@@ -40,7 +40,6 @@ class Strip {
   }
 
   /// Each pixel as a square of pixels of the picture, whose edge may cut it.
-  void copyTo(Image& picture, int pixelSize) const;
   void copyTo(const PixelRows& picture, int pixelSize) const;
 
  private:
@@ -48,9 +47,7 @@ class Strip {
   /// that are powers of two, and 4 rows can be read at once.
   static constexpr std::size_t kSpareRows = 16;
 
-  void copySquaresTo(Image& picture, int size) const;
   void copySquaresTo(const PixelRows& picture, int size) const;
-  void writeRow(Rgb* to, int width, int size, int row) const;
   Pixel pixelAt(int column, int row) const {
     return pixels_[static_cast<std::size_t>(column) * rowsPerColumn_ +
                    static_cast<std::size_t>(row)];

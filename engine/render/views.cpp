@@ -8,6 +8,7 @@
 
 #include "level/openings.h"
 #include "level/plan_frame.h"
+#include "math/check.h"
 #include "math/tolerance.h"
 #include "render/line.h"
 #include "render/renderer.h"
@@ -36,16 +37,16 @@ Rgb dimmed(Rgb color) {
   return {dim(color.r), dim(color.g), dim(color.b)};
 }
 
-void drawLine(Image& image, Vec2 a, Vec2 b, Rgb color) {
-  forEachPixelOfLine(a, b, image.width(), image.height(),
-                     [&](int x, int y, double) { image.at(x, y) = color; });
+void drawLine(const PixelRows& picture, Vec2 a, Vec2 b, Rgb color) {
+  forEachPixelOfLine(a, b, picture.width, picture.height,
+                     [&](int x, int y, double) { *picture.at(x, y) = packed(color); });
 }
 
 /// The eye, as a small cross.
-void drawEye(Image& image, Vec2 p) {
+void drawEye(const PixelRows& picture, Vec2 p) {
   constexpr double kArm = 3;  // pixels
-  drawLine(image, p - Vec2{kArm, 0}, p + Vec2{kArm, 0}, kEye);
-  drawLine(image, p - Vec2{0, kArm}, p + Vec2{0, kArm}, kEye);
+  drawLine(picture, p - Vec2{kArm, 0}, p + Vec2{kArm, 0}, kEye);
+  drawLine(picture, p - Vec2{0, kArm}, p + Vec2{0, kArm}, kEye);
 }
 
 /// Walls that lead on come last: they stay visible where they share a line with others.
@@ -109,28 +110,27 @@ Fit fitPlan(const Scene& scene, const Camera& camera) {
   return {scale, frame.low + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
 }
 
-Image drawWorld(const Scene& scene, const Camera& camera, const Projection& projection) {
-  Image image(camera.width, camera.height, kBackground);
+void drawWorld(const Scene& scene, const Camera& camera, const Projection& projection,
+               const PixelRows& picture) {
   const Fit fit = fitPlan(scene, camera);
   const double far = (camera.width + camera.height) / fit.scale;  // metres, past every edge
   const Vec2 origin = fit({0, 0});
-  drawLine(image, {0, origin.y}, {image.width() + 0.0, origin.y}, kAxis);
-  drawLine(image, {origin.x, 0}, {origin.x, image.height() + 0.0}, kAxis);
+  drawLine(picture, {0, origin.y}, {picture.width + 0.0, origin.y}, kAxis);
+  drawLine(picture, {origin.x, 0}, {origin.x, picture.height + 0.0}, kAxis);
 
   const Vec2 eye = camera.eye.xy();
   for (const double column : {0.0, camera.width + 0.0}) {
     const Vec2 ray = projection.rayOf(column);
-    drawLine(image, fit(eye), fit(eye + (far / length(ray)) * ray), kFieldOfView);
+    drawLine(picture, fit(eye), fit(eye + (far / length(ray)) * ray), kFieldOfView);
   }
-  drawLine(image, fit(eye), fit(eye + far * projection.direction()), kAxis);
+  drawLine(picture, fit(eye), fit(eye + far * projection.direction()), kAxis);
 
   forWallsThenWaysOn(scene, [&](const Segment& segment) {
-    drawLine(image, fit(segment.p0), fit(segment.p1), colorOf(scene, segment));
+    drawLine(picture, fit(segment.p0), fit(segment.p1), colorOf(scene, segment));
   });
   const double arrow = 12 / fit.scale;  // metres that 12 pixels are
-  drawLine(image, fit(eye), fit(eye + arrow * projection.direction()), kEye);
-  drawEye(image, fit(eye));
-  return image;
+  drawLine(picture, fit(eye), fit(eye + arrow * projection.direction()), kEye);
+  drawEye(picture, fit(eye));
 }
 
 // --- Camera ----------------------------------------------------------------------------------
@@ -174,30 +174,29 @@ double fitView(const Scene& scene, const Camera& camera, const Projection& proje
          (1 - kMargin);
 }
 
-Image drawCamera(const Scene& scene, const Camera& camera, const Projection& projection) {
-  Image image(camera.width, camera.height, kBackground);
+void drawCamera(const Scene& scene, const Camera& camera, const Projection& projection,
+                const PixelRows& picture) {
   const double edge = slantOfEdge(camera, projection);
   const Vec2 eye = {camera.width / 2.0, camera.height * 0.9};
   const double scale = fitView(scene, camera, projection, eye.y);
   const auto toPicture = [&](CameraPoint p) { return eye + scale * Vec2{p.lateral, -p.depth}; };
 
   const double far = (camera.width + camera.height) / scale;
-  drawLine(image, {0, eye.y}, {image.width() + 0.0, eye.y}, kAxis);
-  drawLine(image, eye, toPicture({far, 0}), kAxis);
-  drawLine(image, eye, toPicture({far, far * edge}), kFieldOfView);
-  drawLine(image, eye, toPicture({far, -far * edge}), kFieldOfView);
+  drawLine(picture, {0, eye.y}, {picture.width + 0.0, eye.y}, kAxis);
+  drawLine(picture, eye, toPicture({far, 0}), kAxis);
+  drawLine(picture, eye, toPicture({far, far * edge}), kFieldOfView);
+  drawLine(picture, eye, toPicture({far, -far * edge}), kFieldOfView);
   forWallsThenWaysOn(scene, [&](const Segment& segment) {
-    drawLine(image, toPicture(projection.toCamera(segment.p0)),
+    drawLine(picture, toPicture(projection.toCamera(segment.p0)),
              toPicture(projection.toCamera(segment.p1)), dimmed(colorOf(scene, segment)));
   });
   forWallsThenWaysOn(scene, [&](const Segment& segment) {
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
     if (seen.part)
-      drawLine(image, toPicture(seen.at(seen.part->from)), toPicture(seen.at(seen.part->to)),
+      drawLine(picture, toPicture(seen.at(seen.part->from)), toPicture(seen.at(seen.part->to)),
                colorOf(scene, segment));
   });
-  drawEye(image, eye);
-  return image;
+  drawEye(picture, eye);
 }
 
 // --- What is in view -------------------------------------------------------------------------
@@ -267,8 +266,8 @@ void forSegmentsInView(const Scene& scene, const Camera& camera, const Projectio
 
 // --- Depth space -----------------------------------------------------------------------------
 
-Image drawDepthSpace(const Scene& scene, const Camera& camera, const Projection& projection) {
-  Image image(camera.width, camera.height, kBackground);
+void drawDepthSpace(const Scene& scene, const Camera& camera, const Projection& projection,
+                    const PixelRows& picture) {
   const ShownPixels shown(scene, camera, projection);
   double nearest = 0;  // the greatest 1/depth, which goes to the lower edge
   forSegmentsInView(scene, camera, projection, shown, kNearPlane,
@@ -279,18 +278,17 @@ Image drawDepthSpace(const Scene& scene, const Camera& camera, const Projection&
 
   const double top = kMargin * camera.height;  // where 1/depth is 0
   const double scale = nearest > 0 ? (camera.height - 2 * top) / nearest : 0;
-  drawLine(image, {0, top}, {image.width() + 0.0, top}, kAxis);
-  drawLine(image, {camera.width / 2.0, 0}, {camera.width / 2.0, image.height() + 0.0}, kAxis);
+  drawLine(picture, {0, top}, {picture.width + 0.0, top}, kAxis);
+  drawLine(picture, {camera.width / 2.0, 0}, {camera.width / 2.0, picture.height + 0.0}, kAxis);
   forSegmentsInView(scene, camera, projection, shown, kNearPlane,
                     [&](const Segment& segment, const ViewedSegment& seen) {
                       const auto toPicture = [&](double fraction) {
                         const CameraPoint p = seen.at(fraction);
                         return Vec2{projection.columnOf(p), top + scale / p.depth};
                       };
-                      drawLine(image, toPicture(seen.part->from), toPicture(seen.part->to),
+                      drawLine(picture, toPicture(seen.part->from), toPicture(seen.part->to),
                                colorOf(scene, segment));
                     });
-  return image;
 }
 
 // --- Screen ----------------------------------------------------------------------------------
@@ -384,20 +382,19 @@ void plotEdges(const Scene& scene, const Projection& projection, const Camera& c
 }
 
 /// Dim where something hides an edge.
-Image drawScreen(const Scene& scene, const Camera& camera, const Projection& projection) {
-  Image image(camera.width, camera.height, kBackground);
+void drawScreen(const Scene& scene, const Camera& camera, const Projection& projection,
+                const PixelRows& picture) {
   const ShownPixels shown(scene, camera, projection);
   const auto draw = [&](const Segment& segment, const ViewedSegment& seen) {
     plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
-      Rgb& pixel = image.at(x, y);
+      std::uint32_t& pixel = *picture.at(x, y);
       if (shown.shows(x, y, segment.sector, depth))
-        pixel = color;
-      else if (pixel == kBackground)
-        pixel = dimmed(color);
+        pixel = packed(color);
+      else if (pixel == packed(kBackground))
+        pixel = packed(dimmed(color));
     });
   };
   forSegmentsInView(scene, camera, projection, shown, kNearPlaneOfScreen, draw);
-  return image;
 }
 
 // --- Wireframe -----------------------------------------------------------------------------------
@@ -412,35 +409,44 @@ Rgb faded(Rgb color, double depth) {
   return {fade(color.r), fade(color.g), fade(color.b)};
 }
 
-Image drawWireframe(const Scene& scene, const Camera& camera, const Projection& projection) {
-  Image image(camera.width, camera.height);
+void drawWireframe(const Scene& scene, const Camera& camera, const Projection& projection,
+                   const PixelRows& picture) {
   const double edge = slantOfEdge(camera, projection);
   forWallsThenWaysOn(scene, [&](const Segment& segment) {
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlaneOfScreen);
     if (!seen.part) return;
-    plotEdges(scene, projection, camera, segment, seen,
-              [&](int x, int y, double depth, Rgb color) { image.at(x, y) = faded(color, depth); });
+    plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
+      *picture.at(x, y) = packed(faded(color, depth));
+    });
   });
-  return image;
 }
 
 }  // namespace
 
-Image drawView(const Scene& scene, const Camera& camera, View view) {
+void drawView(const Scene& scene, const Camera& camera, View view, const PixelRows& picture) {
+  CHECK(picture.width == camera.width && picture.height == camera.height, picture.width,
+        picture.height, camera.width, camera.height);
+  picture.fill(view == View::Wireframe ? Rgb{} : kBackground);
   const Projection projection = projectionFor(scene, camera);
   switch (view) {
     case View::World:
-      return drawWorld(scene, camera, projection);
+      return drawWorld(scene, camera, projection, picture);
     case View::Camera:
-      return drawCamera(scene, camera, projection);
+      return drawCamera(scene, camera, projection, picture);
     case View::DepthSpace:
-      return drawDepthSpace(scene, camera, projection);
+      return drawDepthSpace(scene, camera, projection, picture);
     case View::Screen:
-      return drawScreen(scene, camera, projection);
+      return drawScreen(scene, camera, projection, picture);
     case View::Wireframe:
-      return drawWireframe(scene, camera, projection);
+      return drawWireframe(scene, camera, projection, picture);
   }
-  return {};
+}
+
+Image drawView(const Scene& scene, const Camera& camera, View view) {
+  PixelBuffer memory;
+  const PixelRows picture = memory.rows(camera.width, camera.height);
+  drawView(scene, camera, view, picture);
+  return imageOf(picture);
 }
 
 }  // namespace hearth

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 #include "level/scene.h"
 #include "render/camera.h"
 
@@ -19,8 +19,10 @@ enum class View : std::uint8_t {
   Wireframe,   ///< edges of all walls in the field of view, hidden or not, dimmer when far
 };
 
-/// Draws a picture of the camera's size. The camera's sector contains its eye. Distant or huge
-/// geometry is clipped; lines past the range of double are left out.
+/// Draws a picture, which has the camera's size. The camera's sector contains its eye. Distant or
+/// huge geometry is clipped; lines past the range of double are left out.
+void drawView(const Scene& scene, const Camera& camera, View view, const PixelRows& picture);
+/// A single picture, for a file.
 Image drawView(const Scene& scene, const Camera& camera, View view);
 
 }  // namespace hearth

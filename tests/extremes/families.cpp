@@ -7,6 +7,7 @@
 #include <string>
 
 #include "agreement/compare_level.h"
+#include "support/canvas.h"
 #include "truth/truth_view.h"
 
 namespace hearth::extremes {
@@ -137,8 +138,9 @@ bool haveSameTexels(const LitLevel& some, const LitLevel& others) {
 /// What a frame looks at, in counts.
 FrameStats workOf(const LitLevel& lit, std::size_t shot) {
   FrameScratch scratch;
-  Image picture;
-  lit.renderer().draw(cameraOf(lit.level().shots[shot]), LightMode::Both, scratch, picture);
+  const Camera camera = cameraOf(lit.level().shots[shot]);
+  test::Canvas picture(camera.width, camera.height);
+  lit.renderer().draw(camera, LightMode::Both, scratch, picture);
   return scratch.found();
 }
 
@@ -183,9 +185,10 @@ void expectThreadsMeanNothing(std::uint64_t seed) {
     const LitLevel many(files, threads);
     expectSameLight(one, many, sameSector);
     FrameScratch scratch;
-    Image picture;
+    test::Canvas picture(camera.width, camera.height);
     many.renderer().draw(camera, LightMode::Both, scratch, picture, threads);
-    EXPECT_EQ(picture, one.look(1, LightMode::Both)) << seed << ", " << threads << " threads";
+    EXPECT_EQ(picture.image(), one.look(1, LightMode::Both))
+        << seed << ", " << threads << " threads";
   }
 }
 

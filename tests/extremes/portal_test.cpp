@@ -7,6 +7,7 @@
 #include "as_truth.h"
 #include "changes.h"
 #include "rooms.h"
+#include "support/canvas.h"
 
 namespace hearth::extremes {
 namespace {
@@ -21,7 +22,7 @@ TEST(Portals, ofAGridAreLookedThroughOnceEach) {
     const Camera camera{SectorId(0), {0.5, 0.5, 1.5}, angle, 0, 90, 160, 100};
     EXPECT_EQ(holesIn(grid, camera), 0) << angle;
     FrameScratch scratch;
-    Image picture;
+    test::Canvas picture(camera.width, camera.height);
     renderer.draw(camera, LightMode::None, scratch, picture);
     // A column's ray enters a room at most once. Rooms are looked into again for what is seen past
     // another corner, but no more often than there are columns.
@@ -66,7 +67,7 @@ TEST(Portals, aThousandInOneLineOfSightAreAllLookedThrough) {
   EXPECT_EQ(holesIn(row, camera), 0);
   const BakedLight light = noLightOf(row.level);
   FrameScratch scratch;
-  Image picture;
+  test::Canvas picture(camera.width, camera.height);
   Renderer(row.scene(), row.textures, light).draw(camera, LightMode::None, scratch, picture);
   EXPECT_EQ(scratch.found().viewports, 1000) << "each room is looked into once";
 }

@@ -8,6 +8,7 @@
 #include "as_truth.h"
 #include "render/column_hits.h"
 #include "rooms.h"
+#include "support/canvas.h"
 
 namespace hearth::extremes {
 namespace {
@@ -22,7 +23,7 @@ Camera cameraAt(Vec3 eye, double angle, double pitch = 0) {
 std::vector<double> placesAlongWall(const LoadedLevel& loaded, const Camera& camera) {
   const BakedLight light = noLightOf(loaded.level);
   FrameScratch scratch;
-  Image picture;
+  test::Canvas picture(camera.width, camera.height);
   Renderer(loaded.scene(), loaded.textures, light).draw(camera, LightMode::None, scratch, picture);
   std::vector<double> places(static_cast<std::size_t>(camera.width), -1);
   scratch.forEachSpan([&](const Span& span) {

@@ -8,6 +8,7 @@
 #include "render/renderer.h"
 #include "render/row_kernels.h"
 #include "row_batches.h"
+#include "support/canvas.h"
 #include "support/in_tree.h"
 #include "support/level_text.h"
 
@@ -28,7 +29,7 @@ class Drawn {
   }
   PaintStats workOf(const DrawSettings& settings, const Camera& camera) const {
     FrameScratch scratch;
-    Image picture;
+    test::Canvas picture(camera.width, camera.height);
     Renderer(loaded_.scene(), loaded_.textures, light_, settings)
         .draw(camera, LightMode::Both, scratch, picture);
     return scratch.painted;

@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "rooms_behind_a_door.h"
 #include "support/baked_room.h"
+#include "support/canvas.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -29,13 +30,10 @@ struct Work {
 Work workOf(const test::BakedRoom& room, LightMode mode = LightMode::Both, int threads = 1) {
   const std::vector<Image> textures(room.level().textures.size(), Image(1, 1, {200, 150, 100}));
   FrameScratch scratch;
-  Work work;
+  test::Canvas picture(kWidth, kHeight);
   Renderer(room.scene(), textures, room.light())
-      .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, kWidth, kHeight}, mode, scratch, work.picture,
-            threads);
-  work.found = scratch.found();
-  work.painted = scratch.painted;
-  return work;
+      .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, kWidth, kHeight}, mode, scratch, picture, threads);
+  return {scratch.found(), scratch.painted, picture.image()};
 }
 
 test::BakedRoom levelOf(const std::string& sectors, std::string_view lights = "[]") {

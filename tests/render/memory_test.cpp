@@ -30,15 +30,21 @@ class FramesOfTheTutorial : public testing::Test {
       Camera camera =
           cameraOf(loaded_.level.shots[static_cast<std::size_t>(frame / kFramesPerTurn)]);
       camera.angle += frame % kFramesPerTurn * 360.0 / kFramesPerTurn;
-      renderer_.draw(camera, LightMode::Both, scratch_, picture_);
+      draw(camera);
     }
+  }
+
+  PixelRows draw(const Camera& camera) {
+    const PixelRows picture = memory_.rows(camera.width, camera.height);
+    renderer_.draw(camera, LightMode::Both, scratch_, picture);
+    return picture;
   }
 
   LoadedLevel loaded_;
   BakedLight light_;
   Renderer renderer_;
   FrameScratch scratch_;
-  Image picture_;
+  PixelBuffer memory_;
 };
 
 TEST_F(FramesOfTheTutorial, takeNoMemoryOnceTheirScratchHasGrown) {
@@ -54,8 +60,7 @@ TEST_F(FramesOfTheTutorial, areThoseOfANewScratch) {
       Camera camera = cameraOf(shot);
       camera.width /= shrink;
       camera.height /= shrink;
-      renderer_.draw(camera, LightMode::Both, scratch_, picture_);
-      EXPECT_EQ(picture_, renderer_.draw(camera, LightMode::Both)) << shot.name;
+      EXPECT_EQ(imageOf(draw(camera)), renderer_.draw(camera, LightMode::Both)) << shot.name;
     }
   }
 }

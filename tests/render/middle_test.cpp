@@ -5,6 +5,7 @@
 
 #include "render/renderer.h"
 #include "support/baked_room.h"
+#include "support/canvas.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -117,7 +118,7 @@ TEST(MiddleTextures, areCountedAndCostNothingWhereThereAreNone) {
   const auto spansOf = [](const LoadedLevel& loaded) {
     const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
     FrameScratch scratch;
-    Image picture;
+    test::Canvas picture(kSize, kSize);
     Renderer(loaded.scene(), texturesOf(loaded.level), light)
         .draw({SectorId(0), {1, 0, 2}, 0, 0, 90, kSize, kSize}, LightMode::None, scratch, picture);
     return scratch.found().maskedMiddleSpans;

@@ -1,6 +1,6 @@
 // Pictures drawn straight into memory of others.
 
-#include "render/pixel_rows.h"
+#include "image/pixel_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -24,12 +24,6 @@ struct Memory {
 
   static std::size_t perRow(int width) { return static_cast<std::size_t>(width) + 5; }
 
-  Rgb colorAt(int x, int y) const {
-    const std::uint32_t pixel = *rows.at(x, y);
-    return {static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
-            static_cast<std::uint8_t>(pixel)};
-  }
-
   std::vector<std::uint32_t> pixels;
   PixelRows rows;
 };
@@ -38,7 +32,7 @@ void expectTheSame(const Image& expected, const Memory& memory) {
   int different = 0;
   for (int y = 0; y < expected.height(); ++y) {
     for (int x = 0; x < expected.width(); ++x)
-      if (memory.colorAt(x, y) != expected.at(x, y)) ++different;
+      if (unpacked(*memory.rows.at(x, y)) != expected.at(x, y)) ++different;
     for (int x = expected.width(); x < expected.width() + 5; ++x)
       if (*memory.rows.at(x, y) != kUntouched) ++different;
   }

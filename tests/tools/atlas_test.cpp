@@ -7,6 +7,7 @@
 
 #include "cli/lightmap_atlas.h"
 #include "loaded.h"
+#include "support/canvas.h"
 #include "text/drawn_text.h"
 
 namespace hearth {
@@ -49,7 +50,7 @@ int pixelsPerTexel(const BakedLight& light, const Image& image) {
 int timesShown(const Image& image, const std::string& text) {
   constexpr int kAir = 8;  // pixels; more than a blank in a longer text
   const Rgb background = image.at(0, 0);
-  Image wanted(textWidth(text) + 2 * kAir, kTextHeight, background);
+  test::Canvas wanted(textWidth(text) + 2 * kAir, kTextHeight, background);
   drawText(wanted, kAir, 0, text, {1, 2, 3});
   const auto isAt = [&](int x0, int y0) {
     for (int y = 0; y < wanted.height(); ++y)
@@ -177,7 +178,7 @@ TEST(Shelves, AreAboutAsWideAsHigh) {
 TEST(TextImage, DrawsEverySignInsideItsWidthAndHeight) {
   for (int sign = 0; sign < 256; ++sign) {
     const std::string text(1, static_cast<char>(sign));
-    Image image(40, 40);
+    test::Canvas image(40, 40);
     drawText(image, 10, 10, text, {255, 255, 255});
     int drawn = 0;
     for (int y = 0; y < 40; ++y)
@@ -192,10 +193,10 @@ TEST(TextImage, DrawsEverySignInsideItsWidthAndHeight) {
 }
 
 TEST(TextImage, IsCutOffAtTheImagesBorder) {
-  Image image(5, 5);
+  test::Canvas image(5, 5);
   drawText(image, -3, -3, "WWWW", {255, 255, 255});
   drawText(image, 100, 100, "W", {255, 255, 255});
-  EXPECT_NE(image, Image(5, 5));
+  EXPECT_NE(image.image(), Image(5, 5));
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ void measureBakeAndFrames(const LoadedLevel& loaded, World& world) {
 
   const Renderer renderer(scene, loaded.textures, light);
   FrameScratch scratch;
-  Image picture;
+  PixelBuffer memory;
+  const PixelRows picture = memory.rows(kFrame.width, kFrame.height);
   std::vector<double> milliseconds;
   for (const Shot& shot : level.shots) {
     Camera camera = cameraOf(shot);

@@ -55,25 +55,27 @@ bool fits(const Shelves& shelves, std::int64_t side) {
 }
 
 /// The texels of a lightmap, each as a square of so many pixels.
-void drawMap(Image& image, int x, int y, const Entry& entry, int pixelsPerTexel) {
+void drawMap(const PixelRows& picture, int x, int y, const Entry& entry, int pixelsPerTexel) {
   const auto& [map, isTurned, label] = entry;
   for (int row = 0; row < map.rect.height * pixelsPerTexel; ++row)
     for (int column = 0; column < map.rect.width * pixelsPerTexel; ++column) {
       const int fromTop = row / pixelsPerTexel;
       const int i = map.rect.i0 + column / pixelsPerTexel;
       const int j = map.rect.j0 + (isTurned ? map.rect.height - 1 - fromTop : fromTop);
-      image.at(x + column, y + row) = {map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)};
+      *picture.at(x + column, y + row) =
+          packed({map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)});
     }
 }
 
-void draw(Image& image, const AtlasPlace& place, const Entry& entry, int pixelsPerTexel) {
+void draw(const PixelRows& picture, const AtlasPlace& place, const Entry& entry,
+          int pixelsPerTexel) {
   const int x = static_cast<int>(place.x);
   int y = static_cast<int>(place.y);
   for (const std::string& line : entry.label) {
-    drawText(image, x, y, line, kLabel);
+    drawText(picture, x, y, line, kLabel);
     y += kLineHeight;
   }
-  drawMap(image, x, y, entry, pixelsPerTexel);
+  drawMap(picture, x, y, entry, pixelsPerTexel);
 }
 
 std::string shortened(std::string text) {
@@ -129,11 +131,13 @@ tl::expected<Image, std::string> lightmapAtlas(const Level& level, const BakedLi
         fmt::format("-o: the lightmaps fill a picture of {}x{}, more than {} pixels a side: larger "
                     "--texel makes it smaller",
                     shelves.size.width, shelves.size.height, kMaxPictureSide));
-  Image image(static_cast<int>(shelves.size.width), static_cast<int>(shelves.size.height),
-              kBackground);
+  PixelBuffer memory;
+  const PixelRows picture =
+      memory.rows(static_cast<int>(shelves.size.width), static_cast<int>(shelves.size.height));
+  picture.fill(kBackground);
   for (std::size_t i = 0; i < entries.size(); ++i)
-    draw(image, shelves.places[i], entries[i], pixelsPerTexel);
-  return image;
+    draw(picture, shelves.places[i], entries[i], pixelsPerTexel);
+  return imageOf(picture);
 }
 
 }  // namespace hearth

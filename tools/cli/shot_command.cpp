@@ -26,8 +26,12 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
   const auto light = lightInView(loaded.scene(), camera, values);
   if (!light) return tl::unexpected(light.error());
   const Renderer renderer(loaded.scene(), loaded.textures, *light, drawSettingsFrom(values));
-  if (channel) return drawChannel(loaded.scene(), renderer, camera, *channel, threadsFrom(values));
-  return renderer.draw(camera, lightModeFrom(values));
+  if (!channel) return renderer.draw(camera, lightModeFrom(values));
+  FrameScratch scratch;
+  PixelBuffer memory;
+  const PixelRows rows = memory.rows(camera.width, camera.height);
+  drawChannel(loaded.scene(), renderer, camera, *channel, scratch, rows, threadsFrom(values));
+  return imageOf(rows);
 }
 
 /// A name that promises a picture of another kind. Any other name is the user's business.

@@ -27,7 +27,8 @@ FittingFrame frameFitting(const Renderer& renderer, const Camera& camera, double
                           int threads, const Clock& clock) {
   constexpr int kFrames = 5;
   FrameScratch scratch;
-  Image picture;
+  PixelBuffer memory;
+  const PixelRows picture = memory.rows(camera.width, camera.height);
   renderer.draw(camera, LightMode::Both, scratch, picture, threads);  // takes the memory
   std::vector<double> times;
   for (int i = 0; i < kFrames; ++i) {

@@ -53,9 +53,10 @@ void FrameTimes::draw(const Renderer& renderer, Camera camera, const Clock& cloc
   camera.width = bench_.size.width;
   camera.height = bench_.size.height;
   const double begin = clock();
-  renderer.findSpans(camera, scratch_, picture_, bench_.threads);
+  renderer.findSpans(camera, scratch_, bench_.threads);
   const double found = clock();
-  renderer.paintSpans(camera, LightMode::Both, scratch_, picture_, bench_.threads);
+  renderer.paintSpans(camera, LightMode::Both, scratch_, picture_.rows(camera.width, camera.height),
+                      bench_.threads);
   findMilliseconds_.push_back(1e3 * (found - begin));
   colorMilliseconds_.push_back(1e3 * (clock() - found));
   const FrameCounters ofFrame = countersOf(scratch_.found(), scratch_.painted);

@@ -78,7 +78,7 @@ class FrameTimes {
   std::vector<double> writeMilliseconds_;
   std::vector<std::uint32_t> memory_;
   FrameScratch scratch_;
-  Image picture_;
+  PixelBuffer picture_;
 };
 
 }  // namespace hearth

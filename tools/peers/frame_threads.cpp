@@ -66,7 +66,7 @@ class ThreadedFrames {
   /// Its threads go on from frame to frame, as long as these ask for as many.
   struct Canvas {
     FrameScratch scratch;
-    Image picture;
+    PixelBuffer memory;
   };
 
   void drawAll(const Clock& clock) {
@@ -89,10 +89,11 @@ class ThreadedFrames {
   }
 
   void find(const Camera& camera, int threads, Canvas& canvas) const {
-    renderer_.findSpans(camera, canvas.scratch, canvas.picture, threads);
+    renderer_.findSpans(camera, canvas.scratch, threads);
   }
   void color(const Camera& camera, int threads, Canvas& canvas) const {
-    renderer_.paintSpans(camera, LightMode::Both, canvas.scratch, canvas.picture, threads);
+    renderer_.paintSpans(camera, LightMode::Both, canvas.scratch,
+                         canvas.memory.rows(camera.width, camera.height), threads);
   }
 
   const Renderer& renderer_;

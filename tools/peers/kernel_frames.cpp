@@ -128,8 +128,7 @@ KernelFrames::KernelFrames(const PeerLevel& level, PictureSize size)
 
 KernelFrame KernelFrames::frameOf(const Camera& camera) {
   FrameScratch scratch;
-  Image picture;
-  level_.renderer.findSpans(camera, scratch, picture);
+  level_.renderer.findSpans(camera, scratch);
   const Projection projection = projectionFor(level_.loaded.scene(), camera);
   const DrawSettings settings;
   const SpanPainter painter(level_.loaded.scene(), textures_, level_.light, settings, projection,

@@ -51,14 +51,8 @@ const Row* find(std::string_view name) {
   return found == kRows.end() ? nullptr : found;
 }
 
-void copy(const Image& tile, int left, int top, Image& picture) {
-  for (int y = 0; y < tile.height(); ++y)
-    for (int x = 0; x < tile.width(); ++x) picture.at(left + x, top + y) = tile.at(x, y);
-}
-
 /// The four spaces in the quarters of a picture, row by row.
-Image drawAllSpaces(const Scene& scene, const Camera& camera) {
-  Image picture(camera.width, camera.height);
+void drawAllSpaces(const Scene& scene, const Camera& camera, const PixelRows& picture) {
   const std::array<int, 3> xs = {0, camera.width / 2, camera.width};
   const std::array<int, 3> ys = {0, camera.height / 2, camera.height};
   for (std::size_t i = 0; i < kSpaces.size(); ++i) {
@@ -68,9 +62,17 @@ Image drawAllSpaces(const Scene& scene, const Camera& camera) {
     quarter.width = xs.at(column + 1) - xs.at(column);
     quarter.height = ys.at(row + 1) - ys.at(row);
     if (quarter.width > 0 && quarter.height > 0)
-      copy(drawView(scene, quarter, kSpaces.at(i)), xs.at(column), ys.at(row), picture);
+      drawView(scene, quarter, kSpaces.at(i),
+               picture.part(xs.at(column), ys.at(row), quarter.width, quarter.height));
   }
-  return picture;
+}
+
+void drawGeometry(const Row& row, const Scene& scene, const Camera& camera,
+                  const PixelRows& picture) {
+  if (const View* view = std::get_if<View>(&row.draws))
+    drawView(scene, camera, *view, picture);
+  else
+    drawAllSpaces(scene, camera, picture);
 }
 
 }  // namespace
@@ -95,19 +97,23 @@ bool isOfCamera(std::string_view channel) {
 std::optional<Image> drawGeometry(const Scene& scene, const Camera& camera,
                                   std::string_view channel) {
   if (!isGeometry(channel)) return std::nullopt;
-  const View* view = std::get_if<View>(&find(channel)->draws);
-  return view ? drawView(scene, camera, *view) : drawAllSpaces(scene, camera);
+  PixelBuffer memory;
+  const PixelRows picture = memory.rows(camera.width, camera.height);
+  drawGeometry(*find(channel), scene, camera, picture);
+  return imageOf(picture);
 }
 
-Image drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
-                  std::string_view channel, int threads) {
+void drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
+                 std::string_view channel, FrameScratch& scratch, const PixelRows& picture,
+                 int threads) {
   const Row* row = find(channel);
   CHECK(row, channel);  // the option takes no other
   if (const Marks* marks = std::get_if<Marks>(&row->draws))
-    return renderer.draw(camera, *marks, threads);
-  if (const Channel* numbers = std::get_if<Channel>(&row->draws))
-    return renderer.draw(camera, *numbers, threads);
-  return *drawGeometry(scene, camera, channel);
+    renderer.draw(camera, *marks, scratch, picture, threads);
+  else if (const Channel* numbers = std::get_if<Channel>(&row->draws))
+    renderer.draw(camera, *numbers, scratch, picture, threads);
+  else
+    drawGeometry(*row, scene, camera, picture);
 }
 
 }  // namespace hearth

@@ -37,9 +37,10 @@ bool isOfCamera(std::string_view channel);
 std::optional<Image> drawGeometry(const Scene& scene, const Camera& camera,
                                   std::string_view channel);
 
-/// The same of any channel. The renderer is the scene's. Marks and numbers are drawn on so many
-/// threads, and are the same for any number of them.
-Image drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
-                  std::string_view channel, int threads = availableThreads());
+/// Draws any channel, into a picture of the camera's size. The renderer is the scene's. Marks and
+/// numbers are drawn on so many threads, and are the same for any number of them.
+void drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
+                 std::string_view channel, FrameScratch& scratch, const PixelRows& picture,
+                 int threads = availableThreads());
 
 }  // namespace hearth

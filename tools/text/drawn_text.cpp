@@ -28,16 +28,19 @@ std::string printable(std::string_view text) {
   return ascii;
 }
 
-void fill(Image& image, int left, int top, int right, int bottom, Rgb color) {
-  for (int y = std::max(0, top); y < std::min(image.height(), bottom); ++y)
-    for (int x = std::max(0, left); x < std::min(image.width(), right); ++x) image.at(x, y) = color;
+void fill(const PixelRows& picture, int left, int top, int right, int bottom, Rgb color) {
+  left = std::max(0, left);
+  right = std::min(picture.width, right);
+  if (left >= right) return;
+  for (int y = std::max(0, top); y < std::min(picture.height, bottom); ++y)
+    std::fill(picture.at(left, y), picture.at(right, y), packed(color));
 }
 
 }  // namespace
 
 int textWidth(std::string_view text) { return stb_easy_font_width(printable(text).data()); }
 
-void drawText(Image& image, int x, int y, std::string_view text, Rgb color, int scale) {
+void drawText(const PixelRows& picture, int x, int y, std::string_view text, Rgb color, int scale) {
   std::string letters = printable(text);
   std::vector<Vertex> vertices(letters.size() * kVerticesPerLetter);
   const int rectangles = stb_easy_font_print(0, 0, letters.data(), nullptr, vertices.data(),
@@ -47,7 +50,8 @@ void drawText(Image& image, int x, int y, std::string_view text, Rgb color, int 
   for (std::size_t i = 0; i < static_cast<std::size_t>(rectangles); ++i) {
     const Vertex& from = vertices[4 * i];
     const Vertex& to = vertices[4 * i + 2];
-    fill(image, x + scaled(from.x), y + scaled(from.y), x + scaled(to.x), y + scaled(to.y), color);
+    fill(picture, x + scaled(from.x), y + scaled(from.y), x + scaled(to.x), y + scaled(to.y),
+         color);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 
 namespace hearth {
 
@@ -12,8 +12,9 @@ inline constexpr int kTextHeight = 9;
 /// Pixels that `drawText` takes. Signs that are not printable ASCII show as `?`, one for each byte.
 int textWidth(std::string_view text);
 
-/// Draws one line of small letters, its left top corner at (x, y). What lies outside the image is
-/// cut off. With `scale`, each of their pixels is a square of so many.
-void drawText(Image& image, int x, int y, std::string_view text, Rgb color, int scale = 1);
+/// Draws one line of small letters, its left top corner at (x, y). What lies outside the picture
+/// is cut off. With `scale`, each of their pixels is a square of so many.
+void drawText(const PixelRows& picture, int x, int y, std::string_view text, Rgb color,
+              int scale = 1);
 
 }  // namespace hearth

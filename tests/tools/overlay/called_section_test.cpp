@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 
+#include "support/canvas.h"
 #include "viewer/overlay/overlay.h"
 
 namespace hearth {
@@ -13,7 +14,7 @@ namespace {
 TEST(CalledSection, IsOpenedAndScrolledToTheTop) {
   Overlay overlay;
   overlay.toggle();
-  Image picture(700, 400);
+  test::Canvas picture(700, 400);
   CalledSection section;
   bool closes = false;
   bool isOpen = false;

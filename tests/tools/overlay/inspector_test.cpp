@@ -8,6 +8,7 @@
 #include <string>
 
 #include "desktop/disk.h"
+#include "support/canvas.h"
 #include "support/in_tree.h"
 #include "viewer/inspect/places.h"
 #include "viewer/inspect/words.h"
@@ -43,7 +44,7 @@ class InspectorTest : public testing::Test {
   }
 
   void frame() {
-    picture_ = renderer_.draw(camera_, LightMode::Both);
+    renderer_.draw(camera_, LightMode::Both, scratch_, picture_);
     overlay_.draw(
         now_ += 0.02,
         [this] {
@@ -96,7 +97,8 @@ class InspectorTest : public testing::Test {
   LightsTool tool_{disk_, test::inTree("tests/levels/rooms.lights.json"), {}};
   bool isInPicture_ = true;
   bool areLightsEdited_ = true;
-  Image picture_;
+  FrameScratch scratch_;
+  test::Canvas picture_{camera_.width, camera_.height};
   double now_ = 1;
   std::set<std::string> copied_;
 };

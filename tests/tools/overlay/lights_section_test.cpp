@@ -13,6 +13,7 @@
 
 #include "desktop/disk.h"
 #include "loaded.h"
+#include "support/canvas.h"
 #include "viewer/overlay/overlay.h"
 #include "walk/stage.h"
 
@@ -93,7 +94,7 @@ class LightsSectionTest : public testing::Test {
   Disk disk_;
   LightsTool tool_;
   Overlay overlay_;
-  Image picture_ = Image(700, 600);
+  test::Canvas picture_{700, 600};
   int left_ = 0;
   double now_ = 1;
 };
@@ -183,10 +184,10 @@ TEST_F(LightsSectionTest, HidesTheMarksWhichAreNotPickedThen) {
   const MarkerSpace view(camera_);
   const PointerEvent press{PointerEvent::Kind::Press, *view.pixelOf(light().position)};
   const auto isMarked = [&] {
-    Image picture(camera_.width, camera_.height);
-    const Image before = picture;
+    test::Canvas picture(camera_.width, camera_.height);
+    const Image before = picture.image();
     tool_.draw(rooms_.scene(), camera_, view, picture);
-    return picture != before;
+    return picture.image() != before;
   };
   EXPECT_TRUE(isMarked());
   for (int x = 220; x < 260 && tool_.areMarksShown(); x += 8) click(x, kButtons);

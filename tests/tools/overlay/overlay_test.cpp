@@ -14,6 +14,7 @@
 
 #include "settings/channels.h"
 #include "settings/options.h"
+#include "support/canvas.h"
 #include "viewer/overlay/figures_section.h"
 #include "viewer/overlay/view_section.h"
 #include "walk/stage.h"
@@ -44,7 +45,7 @@ TEST(OverlayTest, TakesNothingWhileItIsClosed) {
 TEST(OverlayTest, TakesTheMouseAndLeavesTheKeys) {
   Overlay overlay;
   overlay.toggle();
-  Image picture(640, 400);
+  test::Canvas picture(640, 400);
   overlay.draw(1, showNothing, picture);
   EXPECT_TRUE(overlay.take(test::motion(3, 3)));
   EXPECT_TRUE(overlay.take(test::pressAt(1, 1)));
@@ -58,7 +59,7 @@ TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
   overlay.toggle();
   std::array<char, 32> field{};
   auto frame = [&, now = 1.0]() mutable {
-    Image picture(640, 400);
+    test::Canvas picture(640, 400);
     const auto section = [&field] {
       ImGui::SetNextItemWidth(100);
       ImGui::InputText("field", field.data(), field.size());
@@ -91,7 +92,7 @@ TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
 TEST(OverlayTest, IsDrawnAtTheRightAndNowhereElse) {
   Overlay overlay;
   overlay.toggle();
-  Image picture(1280, 720, kGrey);
+  test::Canvas picture(1280, 720, kGrey);
   overlay.draw(1, showNothing, picture);
   const int left = overlay.leaves(1280);
   EXPECT_GT(left, 1280 / 2);
@@ -107,18 +108,21 @@ TEST(OverlayTest, ShowsInPicturesOfAnySize) {
   double now = 1;
   for (const auto& [width, height] :
        {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}, {3840, 2160}, {640, 400}}) {
-    Image picture(width, height, kGrey);
+    test::Canvas around(width + 2, height + 2, kGrey);
+    const PixelRows& rows = around;
+    const PixelRows picture = rows.part(1, 1, width, height);
     overlay.draw(
         now += 0.1, [] { showFigures({}); }, picture);
-    EXPECT_EQ(picture.width(), width);
-    EXPECT_NE(picture, Image(width, height, kGrey));
+    EXPECT_NE(imageOf(picture), Image(width, height, kGrey));
+    picture.fill(kGrey);
+    EXPECT_EQ(around.image(), Image(width + 2, height + 2, kGrey)) << "nothing beside it";
   }
 }
 
 TEST(OverlayTest, IsStaleAfterAnEventAndFourTimesASecond) {
   Overlay overlay;
   overlay.toggle();
-  Image picture(320, 200);
+  test::Canvas picture(320, 200);
   for (int i = 0; i < 10; ++i) overlay.draw(1, showNothing, picture);
   EXPECT_FALSE(overlay.isStale(1.2));
   EXPECT_TRUE(overlay.isStale(1.25));
@@ -138,7 +142,7 @@ TEST(ViewSectionTest, LetsChooseEveryChannelAndEveryMode) {
     for (const Event& event : test::clickAt(x, y)) {
       overlay.take(event);
       for (int i = 0; i < 2; ++i) {
-        Image picture(500, 300);
+        test::Canvas picture(500, 300);
         overlay.draw(
             now += 0.02, [&] { showView(mode, channel); }, picture);
       }
@@ -194,7 +198,7 @@ TEST(FiguresTest, HaveABarWhosePartsAreAsHighAsTheyTookLong) {
   overlay.toggle();
   Figures figures;
   figures.frames.add({.find = 4e-3, .paint = 3e-3, .cover = 1e-3, .show = 2e-3});  // of 10 ms
-  Image picture(1280, 720);
+  test::Canvas picture(1280, 720);
   for (int i = 0; i < 3; ++i)
     overlay.draw(
         1 + i, [&] { showFigures(figures); }, picture);

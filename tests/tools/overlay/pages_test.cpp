@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "image/pixel_rows.h"
 #include "viewer/overlay/overlay.h"
 #include "walk/stage.h"
 
@@ -44,7 +45,8 @@ class PagesTest : public testing::Test {
                                {"C", [this] { shown_ = 2; }}}};
   Overlay overlay_;
   Pages pages_;
-  Image picture_{700, 400};
+  PixelBuffer memory_;
+  PixelRows picture_ = memory_.rows(700, 400);
   std::optional<std::size_t> shown_;
   double now_ = 1;
 };
@@ -52,7 +54,7 @@ class PagesTest : public testing::Test {
 TEST_F(PagesTest, ShowTheFirst) { EXPECT_EQ(shown_, 0); }
 
 TEST_F(PagesTest, AreTurnedByTheirTabs) {
-  const int left = overlay_.leaves(picture_.width());
+  const int left = overlay_.leaves(picture_.width);
   clickAt(left + 33, 17);
   EXPECT_EQ(shown_, 1);
   clickAt(left + 15, 17);
@@ -70,7 +72,7 @@ TEST_F(PagesTest, AreTurnedByTheProgram) {
 TEST_F(PagesTest, StayTurnedWhereLettersGrow) {
   pages_.turnTo(2);
   frames();
-  picture_ = Image(1600, 1440);
+  picture_ = memory_.rows(1600, 1440);
   frames();
   EXPECT_EQ(shown_, 2);
 }

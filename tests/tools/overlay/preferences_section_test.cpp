@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "support/canvas.h"
 #include "viewer/overlay/bookmarks_section.h"
 #include "viewer/overlay/overlay.h"
 #include "walk/stage.h"
@@ -41,7 +42,7 @@ class SectionTest : public testing::Test {
   }
 
   Overlay overlay_;
-  Image picture_{900, 900};
+  test::Canvas picture_{900, 900};
   int left_ = 0;
   double now_ = 1;
 };

@@ -7,6 +7,7 @@
 
 #include "measure/tradeoff/approximations.h"
 #include "settings/settings.h"
+#include "support/canvas.h"
 #include "viewer/overlay/overlay.h"
 #include "viewer/overlay/quality_section.h"
 #include "walk/stage.h"
@@ -66,7 +67,7 @@ class QualityTest : public testing::Test {
   }
 
   Overlay overlay_;
-  Image picture_ = Image(700, 900);
+  test::Canvas picture_{700, 900};
   QualityChoice choice_;
   bool canBake_ = true;
   bool wasChosen_ = false;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "settings/options.h"
+#include "support/canvas.h"
 
 namespace hearth {
 namespace {
@@ -32,6 +33,12 @@ const std::vector<std::uint8_t>& texels() {
 }
 
 GlyphAtlas atlas() { return {8, 4, texels()}; }
+
+/// The highest byte of a pixel means nothing, so it may be any.
+void fill(const PixelRows& rows, const Image& picture) {
+  for (int y = 0; y < rows.height; ++y)
+    for (int x = 0; x < rows.width; ++x) *rows.at(x, y) = 0xB5000000 | packed(picture.at(x, y));
+}
 
 /// Lists as ImGui makes them.
 class Drawing {
@@ -69,13 +76,15 @@ class Drawing {
 
   ImDrawList& list() { return list_; }
 
-  Image painted(Image picture) {
+  Image painted(const Image& start) {
+    test::Canvas picture(start.width(), start.height());
+    fill(picture, start);
     ImDrawList* lists[] = {&list_};
     ImDrawData data;
     data.CmdLists = lists;
     data.CmdListsCount = 1;
     TrianglePainter().paint(data, atlas(), picture);
-    return picture;
+    return picture.image();
   }
 
  private:
@@ -351,6 +360,60 @@ TEST(Triangles, BlendByTheirAlphaAndThatOfTheTexel) {
   const Image picture = drawing.painted(Image(2, 1, {100, 100, 200}));
   EXPECT_EQ(picture.at(0, 0), (Rgb{120, 100, 160}));  // a fifth
   EXPECT_EQ(picture.at(1, 0), (Rgb{250, 3, 6}));      // 247 of 255
+}
+
+/// Of levels of a channel, rounded to the nearest: there is no half of 255.
+std::uint8_t exactMix(int below, int above, int alpha) {
+  return static_cast<std::uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
+}
+
+/// Pictures of a row for each colour that is drawn, over all levels of each channel.
+constexpr int kColorStep = 5;
+constexpr int kColors = 255 / kColorStep + 1;
+
+std::array<int, 3> colorAbove(int row) {
+  const int level = row * kColorStep;
+  return {level, 255 - level, (level + 130) % 256};
+}
+
+Rgb colorBelow(int column) {
+  const auto times = [column](int odd) { return static_cast<std::uint8_t>(column * odd); };
+  return {times(1), times(3), times(5)};
+}
+
+Image allLevels() {
+  Image picture(256, kColors);
+  for (int y = 0; y < kColors; ++y)
+    for (int x = 0; x < 256; ++x) picture.at(x, y) = colorBelow(x);
+  return picture;
+}
+
+Image withColors(const Image& levels, int alpha) {
+  Drawing drawing;
+  for (int y = 0; y < kColors; ++y) {
+    const auto [r, g, b] = colorAbove(y);
+    const auto top = static_cast<float>(y);
+    drawing.rectangle({0, top}, {256, top + 1}, {0, 0}, {0, 0}, IM_COL32(r, g, b, alpha));
+  }
+  drawing.command();
+  return drawing.painted(levels);
+}
+
+TEST(Triangles, OfRectanglesMixEveryLevelByEveryAlphaRoundedExactly) {
+  const Image levels = allLevels();
+  for (int alpha = 0; alpha < 256; ++alpha) {
+    const Image picture = withColors(levels, alpha);
+    int wrong = 0;
+    for (int y = 0; y < kColors; ++y)
+      for (int x = 0; x < 256; ++x) {
+        const Rgb below = colorBelow(x);
+        const auto [r, g, b] = colorAbove(y);
+        const Rgb exact{exactMix(below.r, r, alpha), exactMix(below.g, g, alpha),
+                        exactMix(below.b, b, alpha)};
+        wrong += picture.at(x, y) == exact ? 0 : 1;
+      }
+    ASSERT_EQ(wrong, 0) << "alpha " << alpha;
+  }
 }
 
 TEST(Triangles, ShowEveryTexelOfTheAtlasOnceWhereThatIsTheirSize) {

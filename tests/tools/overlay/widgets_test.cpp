@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/canvas.h"
 #include "viewer/overlay/overlay.h"
 
 namespace hearth {
@@ -12,7 +13,7 @@ namespace {
 TEST(Widgets, BreakTextAtBlanksAlone) {
   Overlay overlay;
   overlay.toggle();
-  Image picture(700, 400);
+  test::Canvas picture(700, 400);
   const auto broken = [&](std::string_view text, float count) {
     std::string lines;
     overlay.draw(

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "loaded.h"
+#include "support/canvas.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -33,9 +34,9 @@ class AutomapTest : public testing::Test {
  protected:
   /// 100 x 100 pixels, 10 to the metre.
   Image draw(double metres = 10) const {
-    Image picture(100, 100, kPaper);
+    test::Canvas picture(100, 100, kPaper);
     drawAutomap(picture, scene_, seen_, eye_, metres);
-    return picture;
+    return picture.image();
   }
   static bool has(const Image& picture, Rgb color) {
     return std::ranges::find(picture.pixels(), color) != picture.pixels().end();
@@ -121,19 +122,22 @@ TEST_F(AutomapTest, FlatPortalsAreDotted) {
   const LoadedLevel rooms = loaded("tests/levels/rooms.json");
   SeenSectors seen(rooms.level);
   seen.add(rooms.level.player->sector);
-  Image picture(200, 200, kPaper);
+  test::Canvas picture(200, 200, kPaper);
   drawAutomap(picture, rooms.scene(), seen, {rooms.level.player->sector, rooms.level.player->eye},
               10);
-  EXPECT_TRUE(has(picture, kMapFlatPortalColor));
+  EXPECT_TRUE(has(picture.image(), kMapFlatPortalColor));
 }
 
 TEST_F(AutomapTest, AnyPictureAndAnyPlaceWillDo) {
   seen_.add(west_);
   eye_.point = {1e6, -1e6, 1.6};
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 100}, {300, 2}}) {
-    Image picture(width, height, kPaper);
+    test::Canvas around(width + 2, height + 2, kPaper);
+    const PixelRows& rows = around;
+    const PixelRows picture = rows.part(1, 1, width, height);
     drawAutomap(picture, scene_, seen_, eye_, 2);
-    EXPECT_EQ(picture.width(), width);
+    picture.fill(kPaper);
+    EXPECT_EQ(around.image(), Image(width + 2, height + 2, kPaper)) << "nothing beside it";
   }
 }
 

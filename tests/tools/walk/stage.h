@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 #include "viewer/host/window_host.h"
 #include "viewer/input/event.h"
 
@@ -24,14 +24,12 @@ class Stage : public WindowHost {
   void rest(double) override { ++rests; }
   std::optional<PictureSize> windowSize() override { return window; }
   void show(PictureSize size, const DrawRows& draw) override {
-    const auto width = static_cast<std::size_t>(size.width);
-    rows_.resize(width * static_cast<std::size_t>(size.height));
-    const PixelRows rows{rows_.data(), width, size.width, size.height};
+    const PixelRows rows = memory_.rows(size.width, size.height);
     draw(rows);
     if (shown.width() != size.width || shown.height() != size.height)
       shown = Image(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) shown.at(x, y) = colorAt(rows, x, y);
+      for (int x = 0; x < size.width; ++x) shown.at(x, y) = unpacked(*rows.at(x, y));
     ++frames;
   }
   void setTitle(const std::string& text) override { title = text; }
@@ -55,14 +53,8 @@ class Stage : public WindowHost {
   std::string clipboard;
 
  private:
-  static Rgb colorAt(const PixelRows& rows, int x, int y) {
-    const std::uint32_t pixel = *rows.at(x, y);
-    return {static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
-            static_cast<std::uint8_t>(pixel)};
-  }
-
   std::size_t taken_ = 0;
-  std::vector<std::uint32_t> rows_;
+  PixelBuffer memory_;
 };
 
 inline Event down(Key key) { return KeyEvent{.key = key}; }

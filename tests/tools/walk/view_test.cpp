@@ -7,6 +7,7 @@
 
 #include "desktop/screenshot_files.h"
 #include "image/image_file.h"
+#include "support/canvas.h"
 #include "viewer/walk/captions.h"
 #include "viewer/walk/frame_rate.h"
 #include "viewer/walk/placement.h"
@@ -95,19 +96,24 @@ TEST_F(ScreenshotsTest, SayWhatIsWrong) {
       << news->text;
 }
 
+constexpr Rgb kPaper = {200, 200, 200};
+
 TEST(Captions, StaysInsidePicturesOfAnySize) {
   for (const auto& [width, height] : {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}}) {
-    Image picture(width, height, {200, 200, 200});
+    test::Canvas around(width + 2, height + 2, kPaper);
+    const PixelRows& rows = around;
+    const PixelRows picture = rows.part(1, 1, width, height);
     drawKeys(picture, keyList({}));
     drawMessage(picture, "a message that is longer than the picture is wide");
-    EXPECT_EQ(picture.width(), width);
-    EXPECT_NE(picture, Image(width, height, {200, 200, 200}));
+    EXPECT_NE(imageOf(picture), Image(width, height, kPaper));
+    picture.fill(kPaper);
+    EXPECT_EQ(around.image(), Image(width + 2, height + 2, kPaper)) << "nothing beside it";
   }
 }
 
 TEST(Captions, HasRoomForAllKeysInASmallPicture) {
-  const Image plain(320, 200, {200, 200, 200});
-  Image picture = plain;
+  const Image plain(320, 200, kPaper);
+  test::Canvas picture(320, 200, kPaper);
   drawKeys(picture, keyList({}));
   for (int x = 0; x < 320; ++x) {
     EXPECT_EQ(picture.at(x, 0), plain.at(x, 0));
@@ -119,10 +125,19 @@ TEST(Captions, HasRoomForAllKeysInASmallPicture) {
   }
 }
 
+TEST(Captions, DarkenToAQuarterOfEachChannel) {
+  test::Canvas picture(4, 1, {255, 7, 3});
+  darken(picture, 1, -1, 3, 2);
+  EXPECT_EQ(picture.at(0, 0), (Rgb{255, 7, 3}));
+  EXPECT_EQ(picture.at(1, 0), (Rgb{63, 1, 0}));
+  EXPECT_EQ(picture.at(2, 0), (Rgb{63, 1, 0}));
+  EXPECT_EQ(picture.at(3, 0), (Rgb{255, 7, 3}));
+}
+
 TEST(Captions, IsLargerInLargerPictures) {
-  EXPECT_EQ(captionScale(Image(320, 200)), 1);
-  EXPECT_EQ(captionScale(Image(1920, 1080)), 3);
-  EXPECT_EQ(captionScale(Image(600, 4000)), 1);
+  EXPECT_EQ(captionScale(test::Canvas(320, 200)), 1);
+  EXPECT_EQ(captionScale(test::Canvas(1920, 1080)), 3);
+  EXPECT_EQ(captionScale(test::Canvas(600, 4000)), 1);
 }
 
 }  // namespace

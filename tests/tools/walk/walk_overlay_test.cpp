@@ -8,6 +8,7 @@
 
 #include "settings/channels.h"
 #include "staged_walk.h"
+#include "support/canvas.h"
 
 namespace hearth {
 namespace {
@@ -106,7 +107,7 @@ TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
     for (int i = 0; i < 4; ++i) walk.now();
     Overlay panel;  // of the same size
     panel.toggle();
-    Image picture(size.width, size.height);
+    test::Canvas picture(size.width, size.height);
     panel.draw(
         1, [] {}, picture);
     const Eye eye = eyeOf(walk.scene(), walk.start());

@@ -43,7 +43,7 @@ class Stopwatch {
   }
 
   const PaintStats& draw(const Renderer& renderer, const Camera& camera) {
-    renderer.draw(camera, LightMode::Both, scratch_, picture_);
+    renderer.draw(camera, LightMode::Both, scratch_, memory_.rows(camera.width, camera.height));
     return scratch_.painted;
   }
 
@@ -52,7 +52,7 @@ class Stopwatch {
   const TrialBench& bench_;
   std::vector<Camera> cameras_;
   FrameScratch scratch_;
-  Image picture_;
+  PixelBuffer memory_;
 };
 
 /// Trials, each compared with the base.

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "render/pixel_rows.h"
+#include "image/pixel_rows.h"
 #include "settings/options.h"
 #include "viewer/input/event.h"
 

@@ -57,21 +57,21 @@ struct Mark {
   bool isHidden;  ///< then it is hollow
 };
 
-void drawMark(Image& picture, Vec2 pixel, const Mark& mark) {
-  const int scale = letterScale(picture.height());
+void drawMark(const PixelRows& picture, Vec2 pixel, const Mark& mark) {
+  const int scale = letterScale(picture.height);
   const int half = scale * kHalfDiagonal;
   const int left = static_cast<int>(std::lround(pixel.x));
   const int top = static_cast<int>(std::lround(pixel.y));
-  for (int y = std::max(0, top - half); y <= std::min(picture.height() - 1, top + half); ++y)
-    for (int x = std::max(0, left - half); x <= std::min(picture.width() - 1, left + half); ++x) {
+  for (int y = std::max(0, top - half); y <= std::min(picture.height - 1, top + half); ++y)
+    for (int x = std::max(0, left - half); x <= std::min(picture.width - 1, left + half); ++x) {
       const int fromMiddle = std::abs(x - left) + std::abs(y - top);
       if (fromMiddle > half) continue;
       const bool isRim = fromMiddle > half - 2 * scale;
-      Rgb& shown = picture.at(x, y);
+      std::uint32_t& shown = *picture.at(x, y);
       if (!mark.isHidden)
-        shown = isRim ? mark.rim : mark.color;
+        shown = packed(isRim ? mark.rim : mark.color);
       else if (isRim)
-        shown = mixed(mark.rim, shown);
+        shown = packed(mixed(mark.rim, unpacked(shown)));
     }
 }
 
@@ -91,9 +91,9 @@ std::optional<std::string> mistakeInPlaces(const Scene& scene, const LightsDescr
   return std::nullopt;
 }
 
-bool isNear(Vec2 pixel, const Image& picture) {
-  return pixel.x > -kReach && pixel.y > -kReach && pixel.x < picture.width() + kReach &&
-         pixel.y < picture.height() + kReach;
+bool isNear(Vec2 pixel, const PixelRows& picture) {
+  return pixel.x > -kReach && pixel.y > -kReach && pixel.x < picture.width + kReach &&
+         pixel.y < picture.height + kReach;
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ void LightsTool::add(const Scene& scene, Vec3 position, std::optional<SectorId> 
 // --- Marks ---------------------------------------------------------------------------------------
 
 void LightsTool::draw(const Scene& scene, const Camera& camera, const MarkerSpace& space,
-                      Image& picture) const {
+                      const PixelRows& picture) const {
   if (!editor_.isOpen() || !areMarksShown_) return;
   constexpr Rgb kRim = {0, 0, 0};
   constexpr Rgb kPickedRim = {255, 255, 255};

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 #include "level/scene.h"
 #include "load/limits.h"
 #include "render/camera.h"
@@ -52,7 +52,7 @@ class LightsTool {
 
   /// A mark for each light: hollow and dim where `scene` hides it from the camera, but on the map.
   void draw(const Scene& scene, const Camera& camera, const MarkerSpace& space,
-            Image& picture) const;
+            const PixelRows& picture) const;
 
   /// Writes the file, unless a light lies where `scene` has no air for it: it could not be opened
   /// again.

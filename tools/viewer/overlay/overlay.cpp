@@ -189,11 +189,11 @@ int Overlay::leaves(int pictureWidth) const {
   return isOpen_ ? std::max(0, pictureWidth - panelWidth_) : pictureWidth;
 }
 
-void Overlay::draw(double now, const std::function<void()>& sections, Image& picture) {
-  if (const int scale = letterScale(picture.height()); scale != scale_) begin(scale);
+void Overlay::draw(double now, const std::function<void()>& sections, const PixelRows& picture) {
+  if (const int scale = letterScale(picture.height); scale != scale_) begin(scale);
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = {static_cast<float>(picture.width()), static_cast<float>(picture.height())};
+  io.DisplaySize = {static_cast<float>(picture.width), static_cast<float>(picture.height)};
   io.DeltaTime = static_cast<float>(std::max(now - drawn_, kShortestSeconds));
   for (std::size_t i = 0; i < kButtons; ++i) io.MouseDown[i] = isHeld_[i] || wasPressed_[i];
   std::ranges::fill(wasPressed_, false);

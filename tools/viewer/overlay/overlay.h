@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 #include "viewer/input/event.h"
 #include "viewer/overlay/triangle_painter.h"
 
@@ -42,7 +42,7 @@ class Overlay {
   bool hasPopup() const { return hasPopup_; }
 
   /// Draws the panel with what `sections` puts into it by calls of ImGui. Only while open.
-  void draw(double now, const std::function<void()>& sections, Image& picture);
+  void draw(double now, const std::function<void()>& sections, const PixelRows& picture);
 
  private:
   void begin(int scale);

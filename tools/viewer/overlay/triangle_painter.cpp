@@ -95,10 +95,10 @@ std::optional<Corner> cornerOf(const ImDrawVert& vertex, const GlyphAtlas& atlas
   return Corner{*x, *y, *u, *v, rgbaOf(vertex.col)};
 }
 
-Area areaOf(const ImVec4& clip, const Image& picture) {
+Area areaOf(const ImVec4& clip, const PixelRows& picture) {
   if (!(clip.x < clip.z && clip.y < clip.w)) return {};
-  return {firstPixelFrom(clip.x, picture.width()), firstPixelFrom(clip.y, picture.height()),
-          firstPixelFrom(clip.z, picture.width()), firstPixelFrom(clip.w, picture.height())};
+  return {firstPixelFrom(clip.x, picture.width), firstPixelFrom(clip.y, picture.height),
+          firstPixelFrom(clip.z, picture.width), firstPixelFrom(clip.w, picture.height)};
 }
 
 /// Of the pixel's centre, in 1/16 pixel.
@@ -111,34 +111,29 @@ unsigned coverAt(const GlyphAtlas& atlas, int column, int row) {
                      static_cast<std::size_t>(column)];
 }
 
-void blend(Rgb& pixel, Rgba color, unsigned alpha) {
+void blend(std::uint32_t& pixel, Rgba color, unsigned alpha) {
   const auto mixed = [alpha](unsigned below, unsigned above) {
     return static_cast<std::uint8_t>(per255(above * alpha + below * (255 - alpha)));
   };
-  pixel = {mixed(pixel.r, color.r), mixed(pixel.g, color.g), mixed(pixel.b, color.b)};
+  const Rgb below = unpacked(pixel);
+  pixel = packed({mixed(below.r, color.r), mixed(below.g, color.g), mixed(below.b, color.b)});
 }
 
-/// As `blend` does, byte by byte in chunks of whole pixels, which compilers turn into vectors.
-void blendRow(std::span<Rgb> pixels, Rgba color, unsigned alpha) {
-  static_assert(sizeof(Rgb) == 3);
+/// As `blend` does, two channels at once: a product of 16 bits has room for one of them, so red and
+/// blue share a word. The highest byte of a pixel means nothing.
+void blendRow(std::span<std::uint32_t> pixels, Rgba color, unsigned alpha) {
   if (alpha == 0) return;
-  constexpr std::size_t kPixels = 16;
-  std::array<std::uint16_t, 3 * kPixels> above{};
-  for (std::size_t i = 0; i < above.size(); i += 3) {
-    above[i] = static_cast<std::uint16_t>(color.r * alpha + 128);
-    above[i + 1] = static_cast<std::uint16_t>(color.g * alpha + 128);
-    above[i + 2] = static_cast<std::uint16_t>(color.b * alpha + 128);
+  constexpr std::uint32_t kRedBlue = 0xFF00FF;
+  const std::uint32_t half = 0x800080;
+  const std::uint32_t aboveRedBlue = (std::uint32_t{color.r} << 16 | color.b) * alpha + half;
+  const std::uint32_t aboveGreen = color.g * alpha + (half & 0xFF);
+  const std::uint32_t rest = 255 - alpha;
+  for (std::uint32_t& pixel : pixels) {
+    const std::uint32_t redBlue = aboveRedBlue + (pixel & kRedBlue) * rest;
+    const std::uint32_t green = aboveGreen + (pixel >> 8 & 0xFF) * rest;
+    pixel = (redBlue + (redBlue >> 8 & kRedBlue)) >> 8 & kRedBlue;
+    pixel |= (green + (green >> 8)) & 0xFF00;
   }
-  const auto rest = static_cast<std::uint16_t>(255 - alpha);
-  std::size_t begin = 0;
-  for (; begin + kPixels <= pixels.size(); begin += kPixels) {
-    auto* bytes = reinterpret_cast<std::uint8_t*>(&pixels[begin]);
-    for (std::size_t i = 0; i < above.size(); ++i) {
-      const auto sum = static_cast<std::uint16_t>(above[i] + bytes[i] * rest);
-      bytes[i] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(sum + (sum >> 8)) >> 8);
-    }
-  }
-  for (Rgb& pixel : pixels.subspan(begin)) blend(pixel, color, alpha);
 }
 
 // --- Rectangles ----------------------------------------------------------------------------------
@@ -173,7 +168,7 @@ int firstCentreFrom(std::int64_t edge) {
 }
 
 void paintRectangle(const Rectangle& rectangle, const Area& clip, const GlyphAtlas& atlas,
-                    std::vector<int>& texelColumns, Image& picture) {
+                    std::vector<int>& texelColumns, const PixelRows& picture) {
   const Corner& from = rectangle.from;
   const Corner& to = rectangle.to;
   const int left = std::max(clip.left, firstCentreFrom(from.x));
@@ -186,7 +181,7 @@ void paintRectangle(const Rectangle& rectangle, const Area& clip, const GlyphAtl
   for (int x = left; x < (isPlain ? left + 1 : right); ++x)
     texelColumns.push_back(texelAt(x, from.x, to.x, from.u, to.u));
   for (int y = top; y < bottom; ++y) {
-    const std::span row(&picture.at(left, y), static_cast<std::size_t>(right - left));
+    const std::span row(picture.at(left, y), static_cast<std::size_t>(right - left));
     const int texelRow = texelAt(y, from.y, to.y, from.v, to.v);
     const auto alphaOf = [&](int column) {
       return per255(from.color.a * coverAt(atlas, column, texelRow));
@@ -234,7 +229,7 @@ class Triangle {
   Triangle(const std::array<Corner, 3>& corners, std::int64_t area)
       : corners_(corners), area_(area) {}
 
-  void paint(const Area& clip, const GlyphAtlas& atlas, Image& picture) const {
+  void paint(const Area& clip, const GlyphAtlas& atlas, const PixelRows& picture) const {
     const auto& [a, b, c] = corners_;
     const int top = std::max(clip.top, firstCentreFrom(std::min({a.y, b.y, c.y})));
     const int bottom = std::min(clip.bottom, firstCentreFrom(std::max({a.y, b.y, c.y})));
@@ -247,7 +242,7 @@ class Triangle {
   }
 
  private:
-  void paintPixel(int x, int y, const GlyphAtlas& atlas, Image& picture) const {
+  void paintPixel(int x, int y, const GlyphAtlas& atlas, const PixelRows& picture) const {
     const Corner& a = corners_[0];
     const Corner& b = corners_[1];
     const Corner& c = corners_[2];
@@ -265,7 +260,7 @@ class Triangle {
     const auto row = sum([](const Corner& at) { return at.v; }) / area_ / kPerTexel;
     const Rgba color{channel(&Rgba::r), channel(&Rgba::g), channel(&Rgba::b), channel(&Rgba::a)};
     const unsigned cover = coverAt(atlas, static_cast<int>(column), static_cast<int>(row));
-    blend(picture.at(x, y), color, per255(color.a * cover));
+    blend(*picture.at(x, y), color, per255(color.a * cover));
   }
 
   std::array<Corner, 3> corners_;
@@ -273,7 +268,7 @@ class Triangle {
 };
 
 void paintTriangle(const Corner& a, const Corner& b, const Corner& c, const Area& clip,
-                   const GlyphAtlas& atlas, Image& picture) {
+                   const GlyphAtlas& atlas, const PixelRows& picture) {
   const std::int64_t area = doubleArea(a, b, c.x, c.y);
   if (area > 0) Triangle({a, b, c}, area).paint(clip, atlas, picture);
   if (area < 0) Triangle({a, c, b}, -area).paint(clip, atlas, picture);
@@ -324,7 +319,8 @@ class Triangles {
 
 }  // namespace
 
-void TrianglePainter::paint(const ImDrawData& data, const GlyphAtlas& atlas, Image& picture) {
+void TrianglePainter::paint(const ImDrawData& data, const GlyphAtlas& atlas,
+                            const PixelRows& picture) {
   CHECK(atlas.width > 0 && atlas.width <= kMostTexels, atlas.width);
   CHECK(atlas.height > 0 && atlas.height <= kMostTexels, atlas.height);
   const auto paintCommand = [&](const Triangles& triangles, const Area& clip) {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 
 struct ImDrawData;
 
@@ -36,7 +36,7 @@ class TrianglePainter {
   static constexpr int kFarthest = 1 << 15;    ///< pixels
 
   /// The picture is no larger than kMaxPictureSide, the atlas not empty.
-  void paint(const ImDrawData& data, const GlyphAtlas& atlas, Image& picture);
+  void paint(const ImDrawData& data, const GlyphAtlas& atlas, const PixelRows& picture);
 
  private:
   std::vector<int> texelColumns_;  ///< of one rectangle's columns

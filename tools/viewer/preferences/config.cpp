@@ -171,4 +171,11 @@ tl::expected<void, std::string> writeConfig(Storage& storage, const fs::path& fi
   return storage.write(file, edited(*text, before, after));
 }
 
+tl::expected<void, std::string> ConfigFile::write(const Preferences& preferences) {
+  if (file_.empty()) return {};
+  auto written = writeConfig(storage_, file_, written_, preferences);
+  if (written) written_ = preferences;
+  return written;
+}
+
 }  // namespace hearth

@@ -27,4 +27,20 @@ Config readConfig(Storage& storage, const std::filesystem::path& file);
 tl::expected<void, std::string> writeConfig(Storage& storage, const std::filesystem::path& file,
                                             const Preferences& before, const Preferences& after);
 
+/// The file of a program that may change it.
+class ConfigFile {
+ public:
+  /// `asRead`: the preferences that it holds. Without a name there is no file to write.
+  ConfigFile(Storage& storage, std::filesystem::path file, const Preferences& asRead)
+      : storage_(storage), file_(std::move(file)), written_(asRead) {}
+
+  /// As `writeConfig` does.
+  tl::expected<void, std::string> write(const Preferences& preferences);
+
+ private:
+  Storage& storage_;
+  std::filesystem::path file_;
+  Preferences written_;  ///< as the file has them
+};
+
 }  // namespace hearth

@@ -23,17 +23,17 @@ constexpr double kBodyBelowEye = 1.6;
 
 class AutomapDrawer {
  public:
-  AutomapDrawer(Image& picture, const Scene& scene, const SeenSectors& seen, const Eye& eye,
-                double metres)
+  AutomapDrawer(const PixelRows& picture, const Scene& scene, const SeenSectors& seen,
+                const Eye& eye, double metres)
       : picture_(picture),
         scene_(scene),
         seen_(seen),
         eye_(eye),
         lineWidth_(captionScale(picture)),
-        scale_(mapScale(picture.width(), picture.height(), eye, metres)) {}
+        scale_(mapScale(picture.width, picture.height, eye, metres)) {}
 
   void draw() {
-    darken(picture_, 0, 0, picture_.width(), picture_.height());
+    darken(picture_, 0, 0, picture_.width, picture_.height);
     // Other storeys first, and walls last: they stay visible where they share a line.
     for (const bool isOwnStorey : {false, true}) {
       for (const WallKind kind : {WallKind::Opening, WallKind::Step, WallKind::Solid})
@@ -90,17 +90,17 @@ class AutomapDrawer {
 
   /// From a to b on the level's map; `gap` > 1 leaves out dots of the line.
   void drawLine(Vec2 a, Vec2 b, Rgb color, int gap = 1) {
-    forEachPixelOfLine(scale_.toPicture(a), scale_.toPicture(b), picture_.width(),
-                       picture_.height(), [&](int x, int y, double) {
+    forEachPixelOfLine(scale_.toPicture(a), scale_.toPicture(b), picture_.width, picture_.height,
+                       [&](int x, int y, double) {
                          const int dot = (x + y) / (2 * lineWidth_);
                          if (dot % gap == 0) drawDot(x, y, color);
                        });
   }
 
   void drawDot(int left, int top, Rgb color) {
-    for (int y = top; y < std::min(top + lineWidth_, picture_.height()); ++y)
-      for (int x = left; x < std::min(left + lineWidth_, picture_.width()); ++x)
-        picture_.at(x, y) = color;
+    for (int y = top; y < std::min(top + lineWidth_, picture_.height); ++y)
+      for (int x = left; x < std::min(left + lineWidth_, picture_.width); ++x)
+        *picture_.at(x, y) = packed(color);
   }
 
   static Rgb colorOf(WallKind kind) {
@@ -120,7 +120,7 @@ class AutomapDrawer {
     return {dim(color.r), dim(color.g), dim(color.b)};
   }
 
-  Image& picture_;
+  PixelRows picture_;
   Scene scene_;
   const SeenSectors& seen_;
   const Eye& eye_;
@@ -156,8 +156,8 @@ MapScale mapScale(int width, int height, const Eye& eye, double metres) {
   return {{width / 2.0, height / 2.0}, eye.point.xy(), std::min(width, height) / metres};
 }
 
-void drawAutomap(Image& picture, const Scene& scene, const SeenSectors& seen, const Eye& eye,
-                 double metres) {
+void drawAutomap(const PixelRows& picture, const Scene& scene, const SeenSectors& seen,
+                 const Eye& eye, double metres) {
   AutomapDrawer(picture, scene, seen, eye, metres).draw();
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 #include "level/scene.h"
 #include "render/span.h"
 #include "walk/walker.h"
@@ -61,7 +61,7 @@ MapScale mapScale(int width, int height, const Eye& eye, double metres);
 /// Draws the map over a picture that it darkens: x to the right, y down, the player in the middle,
 /// an arrow that points where the player looks. Only sectors that were seen; those that lie wholly
 /// above or below the player's body are dim. Outlines of flat portals are dotted over the walls.
-void drawAutomap(Image& picture, const Scene& scene, const SeenSectors& seen, const Eye& eye,
-                 double metres);
+void drawAutomap(const PixelRows& picture, const Scene& scene, const SeenSectors& seen,
+                 const Eye& eye, double metres);
 
 }  // namespace hearth

@@ -62,26 +62,24 @@ std::vector<std::string> brokenAt(std::string_view text, int width) {
 
 }  // namespace
 
-int captionScale(const Image& picture) {
-  return std::max(1,
-                  std::min(picture.width() / kWidthPerScale, picture.height() / kPixelsPerScale));
+int captionScale(const PixelRows& picture) {
+  return std::max(1, std::min(picture.width / kWidthPerScale, picture.height / kPixelsPerScale));
 }
 
-void darken(Image& picture, int left, int top, int right, int bottom) {
-  const auto dark = [](std::uint8_t level) { return static_cast<std::uint8_t>(level / 4); };
-  for (int y = std::max(0, top); y < std::min(picture.height(), bottom); ++y)
-    for (int x = std::max(0, left); x < std::min(picture.width(), right); ++x) {
-      Rgb& pixel = picture.at(x, y);
-      pixel = {dark(pixel.r), dark(pixel.g), dark(pixel.b)};
+void darken(const PixelRows& picture, int left, int top, int right, int bottom) {
+  for (int y = std::max(0, top); y < std::min(picture.height, bottom); ++y)
+    for (int x = std::max(0, left); x < std::min(picture.width, right); ++x) {
+      std::uint32_t& pixel = *picture.at(x, y);
+      pixel = pixel >> 2 & 0x3F3F3F;  // a quarter of each channel
     }
 }
 
-void drawKeys(Image& picture, std::span<const KeyListRow> rows) {
+void drawKeys(const PixelRows& picture, std::span<const KeyListRow> rows) {
   const int scale = captionScale(picture);
-  const KeyListSize size = keyListSize(rows, picture.height() / scale);
+  const KeyListSize size = keyListSize(rows, picture.height / scale);
   const int width = scale * (size.names + kLineGap + size.help);
-  const int left = std::max(0, (picture.width() - width) / 2);
-  int y = std::max(0, (picture.height() - scale * size.height) / 2);
+  const int left = std::max(0, (picture.width - width) / 2);
+  int y = std::max(0, (picture.height - scale * size.height) / 2);
   const int margin = scale * kMargin;
   darken(picture, left - margin, y - margin, left + width + margin,
          y + scale * size.height + margin);
@@ -92,7 +90,7 @@ void drawKeys(Image& picture, std::span<const KeyListRow> rows) {
   }
 }
 
-void drawNotes(Image& picture, std::span<const std::string> notes, int width) {
+void drawNotes(const PixelRows& picture, std::span<const std::string> notes, int width) {
   const int scale = captionScale(picture);
   const int margin = scale * kMargin;
   std::vector<std::string> lines;
@@ -100,7 +98,7 @@ void drawNotes(Image& picture, std::span<const std::string> notes, int width) {
     const std::vector<std::string> broken = brokenAt(note, (width - 2 * margin) / scale);
     lines.insert(lines.end(), broken.begin(), broken.end());
   }
-  const int most = std::max(1, (picture.height() / 2 - 2 * margin) / (scale * kLine));
+  const int most = std::max(1, (picture.height / 2 - 2 * margin) / (scale * kLine));
   if (std::ssize(lines) > most) lines.resize(static_cast<std::size_t>(most));
   darken(picture, 0, 0, width, static_cast<int>(lines.size()) * scale * kLine + 2 * margin);
   int y = margin;
@@ -110,11 +108,11 @@ void drawNotes(Image& picture, std::span<const std::string> notes, int width) {
   }
 }
 
-void drawMessage(Image& picture, std::string_view text) {
+void drawMessage(const PixelRows& picture, std::string_view text) {
   const int scale = captionScale(picture);
   const int margin = scale * kMargin;
-  const int top = picture.height() - scale * kLine - margin;
-  darken(picture, 0, top - margin, margin + scale * textWidth(text) + margin, picture.height());
+  const int top = picture.height - scale * kLine - margin;
+  darken(picture, 0, top - margin, margin + scale * textWidth(text) + margin, picture.height);
   drawText(picture, margin, top, text, kTextColor, scale);
 }
 

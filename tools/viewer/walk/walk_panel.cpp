@@ -63,13 +63,13 @@ void WalkPanel::point(const Event& event, const PanelSubject& subject) {
   inspector_.take(event, subject.isLevelShown && !isOfLight ? panelLeft : 0);
 }
 
-void WalkPanel::drawMarks(const PanelSubject& subject, Image& picture) const {
+void WalkPanel::drawMarks(const PanelSubject& subject, const PixelRows& picture) const {
   if (isOpen() && lights_ && subject.space)
     lights_->draw(subject.scene, subject.camera, *subject.space, picture);
 }
 
 PanelWishes WalkPanel::draw(double now, const PanelSubject& subject, const Figures& figures,
-                            WalkSettings& settings, WalkView& view, Image& picture) {
+                            WalkSettings& settings, WalkView& view, const PixelRows& picture) {
   PanelWishes wishes;
   if (!isOpen()) return wishes;
   if (settings.canBake) bake_ = bakeSettingsFrom(subject.scene, settings.options);

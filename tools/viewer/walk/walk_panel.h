@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "image/image.h"
+#include "image/pixel_rows.h"
 #include "load/limits.h"
 #include "load/source.h"
 #include "render/renderer.h"
@@ -72,11 +72,11 @@ class WalkPanel {
   bool hasUnsavedLights() { return lights_ && lights()->isUnsaved(); }
 
   /// Marks the lights while the panel is open.
-  void drawMarks(const PanelSubject& subject, Image& picture) const;
+  void drawMarks(const PanelSubject& subject, const PixelRows& picture) const;
   /// Draws the panel, if it is open, and changes the settings and the view by what is chosen in it.
   /// `now` in seconds.
   PanelWishes draw(double now, const PanelSubject& subject, const Figures& figures,
-                   WalkSettings& settings, WalkView& view, Image& picture);
+                   WalkSettings& settings, WalkView& view, const PixelRows& picture);
 
  private:
   void point(const Event& event, const PanelSubject& subject);

@@ -34,6 +34,12 @@ struct WalkView {
   double mapMetres = kFirstMapMetres;
   bool areKeysShown = false;
 
+  /// The level itself, lit so.
+  void show(LightMode light) {
+    mode = light;
+    channel = {};
+  }
+
   friend bool operator==(const WalkView&, const WalkView&) = default;
 };
 

@@ -1,0 +1,40 @@
+#include "viewer/walk/frame_painter.h"
+
+#include "settings/channels.h"
+
+namespace hearth {
+
+void FramePainter::goOnIn(const Scene& scene, const Renderer& renderer) {
+  scene_ = scene;
+  renderer_ = &renderer;
+  seen_ = SeenSectors(scene.level(), seen_);
+}
+
+void FramePainter::find(const WalkFrame& frame, int threads) {
+  renderer_->findSpans(frame.camera, scratch_, threads);
+}
+
+void FramePainter::paint(const WalkFrame& frame, const PixelRows& picture, int threads) {
+  const WalkView& view = frame.view;
+  if (view.channel.empty())
+    renderer_->paintSpans(frame.camera, view.mode, scratch_, picture, threads);
+  else
+    drawChannel(scene_, *renderer_, frame.camera, view.channel, scratch_, picture, threads);
+}
+
+void FramePainter::noteSeen(const WalkFrame& frame, SectorId player) {
+  seen_.add(frame.camera.sector);
+  seen_.add(player);
+  scratch_.forEachSpan([this](const Span& span) { seen_.add(span); });
+}
+
+void FramePainter::drawMap(const WalkFrame& frame, const Eye& eye, const PixelRows& picture) const {
+  drawAutomap(picture, scene_, seen_, eye, frame.view.mapMetres);
+}
+
+FrameCounters FramePainter::counters(const WalkFrame& frame) const {
+  const bool isPainted = frame.view.channel.empty();  // span by span, as is counted
+  return countersOf(scratch_.found(), isPainted ? scratch_.painted : PaintStats{});
+}
+
+}  // namespace hearth

@@ -1,0 +1,39 @@
+#include "viewer/walk/walk_frame.h"
+
+#include <fmt/format.h>
+
+#include "settings/settings.h"
+#include "settings/shell_text.h"
+
+namespace hearth {
+
+namespace {
+
+std::string_view nameOf(LightMode mode) {
+  switch (mode) {
+    case LightMode::Both:
+      return "both";
+    case LightMode::None:
+      return "none";
+    case LightMode::Only:
+      return "only";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string shotOptionsOf(const WalkFrame& frame, std::string_view sector,
+                          const DrawSettings& settings) {
+  const Camera& camera = frame.camera;
+  const std::string drawOptions = optionsOf(settings);
+  const std::string what = frame.view.channel.empty()
+                               ? fmt::format("--light {}", nameOf(frame.view.mode))
+                               : fmt::format("--channel {}", frame.view.channel);
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}", camera.eye.x,
+                     camera.eye.y, camera.eye.z, camera.angle, camera.pitch, shellWord(sector),
+                     camera.fov, camera.width, camera.height, what,
+                     drawOptions.empty() ? "" : " " + drawOptions);
+}
+
+}  // namespace hearth

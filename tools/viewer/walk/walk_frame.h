@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/draw_settings.h"
+#include "settings/options.h"
+#include "viewer/walk/walk_settings.h"
+
+namespace hearth {
+
+/// What a picture of a walk depends on besides the level.
+struct WalkFrame {
+  PictureSize size{};
+  Camera camera;  ///< of the picture or, of a channel of geometry, of what the panel leaves of it
+  WalkView view;
+  std::string message;
+  std::vector<std::string> notes;
+
+  friend bool operator==(const WalkFrame&, const WalkFrame&) = default;
+};
+
+/// The options with which `hearth shot` draws what the camera sees. `sector` is its sector's name.
+std::string shotOptionsOf(const WalkFrame& frame, std::string_view sector,
+                          const DrawSettings& settings);
+
+}  // namespace hearth

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "image/pixel_rows.h"
+#include "viewer/host/screenshots.h"
+#include "viewer/host/window_host.h"
+#include "viewer/overlay/figures_section.h"
+#include "viewer/walk/frame_pacer.h"
+#include "viewer/walk/frame_painter.h"
+#include "viewer/walk/frame_rate.h"
+#include "viewer/walk/walk_frame.h"
+#include "viewer/walk/walk_panel.h"
+#include "viewer/walk/walk_session.h"
+
+namespace hearth {
+
+/// Shows the frames of a walk in its window, with captions and the panel over them.
+class WalkScreen {
+ public:
+  /// All must outlive it, the scene's level and geometry too.
+  WalkScreen(const Scene& scene, const Renderer& renderer, const WalkSession& session,
+             WindowHost& window, Screenshots& screenshots);
+
+  /// From now on in another version of the level.
+  void goOnIn(const Scene& scene, const Renderer& renderer);
+
+  const Renderer& renderer() const { return painter_.renderer(); }
+
+  /// The next frame is drawn though it may be equal to the last one.
+  void redraw() { shown_.reset(); }
+  /// Keeps the next frame as a picture.
+  void keepNext();
+  /// How far a bake is, for the panel.
+  void setBake(const std::optional<StageProgress>& bake) { figures_.bake = bake; }
+
+  /// Draws a frame, unless it would look like the last one or comes too soon: then it rests until
+  /// an event comes or a tick is due. The panel may change settings and view. `eye` is the middle
+  /// of the map.
+  PanelWishes show(WalkFrame& frame, const Eye& eye, const PanelSubject& subject, WalkPanel& panel,
+                   WalkSettings& settings, double now);
+
+ private:
+  bool isCovered(const WalkFrame& frame, const WalkPanel& panel) const;
+  void drawUncovered(const WalkFrame& frame, const WalkSettings& settings, double now);
+  PanelWishes drawCovered(WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
+                          WalkPanel& panel, WalkSettings& settings, double now);
+  void keepScreenshot(const WalkFrame& frame, const PixelRows& picture);
+  void drawCaptions(const WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
+                    const WalkPanel& panel, const Preferences& preferences,
+                    const PixelRows& picture) const;
+  void count(double begin, double end);
+
+  Scene scene_;
+  const WalkSession& session_;
+  WindowHost& window_;
+  Screenshots& screenshots_;
+  FramePacer pacer_;
+  FramePainter painter_;
+  std::optional<WalkFrame> shown_;  ///< the last one; none where it must be drawn again
+  PixelBuffer memory_;              ///< of pictures that something is drawn over
+  bool keepsNext_ = false;
+  Figures figures_;
+  FrameRate rate_;
+  std::string title_;
+};
+
+}  // namespace hearth
