@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/scene.h"
+#include "light/light_cost.h"
+#include "light/lit_surface.h"
+#include "light/rebaking/light_dependencies.h"
+#include "light/sampling/sample_blocks.h"
+#include "light/sampling/sample_placement.h"
+#include "light/shaft/shaft.h"
+#include "light/sight/light_sight.h"
+
+namespace hearth {
+
+/// Calls `visit(index)` for the samples of a block.
+template <typename Visit>
+void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block, Visit&& visit) {
+  for (int j = block.row; j < block.row + block.rows; ++j)
+    for (int i = block.column; i < block.column + block.columns; ++i) visit(blocks.index(i, j));
+}
+
+/// What is known of a sample's rays.
+struct KnownRays {
+  const Shaft& shaft;
+  Shaft::Outcome outcome;
+};
+
+/// Which fraction of a light single samples on one surface see, by rays.
+class SampleRays {
+ public:
+  /// Keeps references to `surfaces` and `sights`. `dependencies`, if any, is told from what light
+  /// is found.
+  SampleRays(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
+             SurfaceId id, LightDependencies* dependencies)
+      : scene_(scene),
+        surfaces_(surfaces),
+        sights_(sights),
+        id_(id),
+        dependencies_(dependencies),
+        costs_(scene.level().lights.size()) {}
+
+  const Scene& scene() const { return scene_; }
+  SurfaceId id() const { return id_; }
+  const LitSurface& surface(SurfaceId id) const { return *surfaces_[id.index()]; }
+  const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
+  const LightSight& sight(std::size_t light) const { return sights_.fine[light]; }
+  /// With fewer rays to a ball.
+  const LightSight& roughSight(std::size_t light) const { return sights_.rough[light]; }
+  double reach(std::size_t light) const { return sights_.reach[light]; }
+  /// Of the ball as which a light is seen; 0 of a point.
+  double radiusOf(std::size_t light) const { return sight(light).shaftLight().radius; }
+  /// Told of sectors that rays of the light come into; if any.
+  SectorSet* sectorsMetBy(std::size_t light) {
+    return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;
+  }
+
+  /// Whether any of a light can shine on the plane of a surface: what continues this one may lie a
+  /// tolerance off its plane.
+  bool canShineOn(std::size_t light, SurfaceId surface) const;
+
+  /// Which fraction of a light the point sees, 0..1.
+  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
+                      const KnownRays* known);
+  /// Of a light that nothing is before: all, unless it is too far away.
+  double unhiddenFraction(std::size_t light, const SamplePoint& at);
+
+  void countSamples(std::size_t light, std::int64_t samples) { costs_[light].samples += samples; }
+  /// In the order of the level's lights.
+  const std::vector<LightCost>& costs() const { return costs_; }
+
+ private:
+  bool isInReach(std::size_t light, const SamplePoint& at) const;
+
+  Scene scene_;
+  const LitSurfaces& surfaces_;
+  const LightSights& sights_;
+  SurfaceId id_;
+  LightDependencies* dependencies_;
+  std::vector<LightCost> costs_;
+};
+
+/// Whether any of the light can shine on the plane of the surface. Of a ball that can be a part,
+/// but none where its middle lies in the plane.
+bool isInFront(const LightSource& light, double radius, const LitSurface& surface);
+
+}  // namespace hearth

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <deque>
+#include <span>
+
+#include "light/baking/sample_rays.h"
+
+namespace hearth {
+
+/// Which fraction of a light samples see, by shafts to blocks of them, and by rays where these do
+/// not decide.
+class SampleShafts {
+ public:
+  /// Keeps a reference to `rays`.
+  explicit SampleShafts(SampleRays& rays) : rays_(rays) {}
+
+  /// Of the samples of a block, into `seen` by their indices.
+  void find(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+            std::span<double> seen) {
+    find(light, blocks, block, 0, seen);
+  }
+
+  /// Of one sample. Worth it for a ball, which takes many rays.
+  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at) {
+    return seenFraction(sight, light, at, 0);
+  }
+
+  /// Notes what rays of a light to a block can come into.
+  void noteSectors(std::size_t light, const ShaftTargets& targets) {
+    follow(0, light, rays_.sight(light).shaftLight(), targets);
+  }
+
+  /// A shaft for rays whose outcome is known from elsewhere.
+  const Shaft& any() { return shaftAt(0); }
+
+ private:
+  Shaft& shaftAt(std::size_t depth);
+  Shaft::Outcome follow(std::size_t depth, std::size_t light, const ShaftLight& from,
+                        const ShaftTargets& targets);
+  void find(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+            std::size_t depth, std::span<double> seen);
+  void findEach(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
+                const KnownRays& known, std::span<double> seen);
+  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
+                      std::size_t depth);
+
+  SampleRays& rays_;
+  std::deque<Shaft> shafts_;  ///< to a block, to its part, to a part of this and so on
+};
+
+}  // namespace hearth
