@@ -246,7 +246,7 @@ def panel_rows(display, walk):
 
 
 # Where the tabs of the panel are, in pixels left of the right edge.
-TABS = {"Light": 435, "Quality": 350, "Comfort": 220, "Bookmarks": 150}
+TABS = {"Light": 435, "Quality": 350, "Preferences": 206, "Bookmarks": 122}
 
 
 def turn_to(display, walk, page):
@@ -264,7 +264,7 @@ def opens_the_overlay(display, walk):
     width = walk.geometry()[2]
     settled(display)
     rows = panel_rows(display, walk)
-    turn_to(display, walk, "Comfort")
+    turn_to(display, walk, "Preferences")
     wait_for("a click on a tab shows its page",
              lambda: len(panel_rows(display, walk)) > len(rows))
     turn_to(display, walk, "Light")
@@ -382,7 +382,7 @@ def rebinds_a_key_in_the_overlay(display, hearth, level, folder):
         settled(display)
         display.do("key", "F1")
         right = walk.geometry()[2]
-        turn_to(display, walk, "Comfort")
+        turn_to(display, walk, "Preferences")
         # Takes the key of stepping to the left.
         display.do("mousemove", "--window", walk.window, str(right - 225), "174")
         settled(display)

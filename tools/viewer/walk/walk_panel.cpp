@@ -78,7 +78,7 @@ PanelWishes WalkPanel::draw(double now, const PanelSubject& subject, const Figur
       {"View", [&] { showView(view.mode, view.channel); }},
       {"Quality", [&] { wishes.areOptionsNew = showQualityOf(subject, settings); }},
       {"Figures", [&] { showFigures(figures); }},
-      {"Comfort",
+      {"Preferences",
        [&] { wishes.arePreferencesNew = preferencesSection_.show(settings.preferences); }},
       {"Bookmarks",
        [&] { wishes.bookmark = bookmarksSection_.show(settings.bookmarks, subject.bookmarks); }},
