@@ -7,8 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const hearth::fuzz::ScratchFolder folder;
-  static const auto picture [[maybe_unused]] =
-      folder.write("grille.png", hearth::fuzz::bytesOf(test::inTree("textures/grille.png")));
+  static const auto picture [[maybe_unused]] = folder.write(
+      "grille.png", hearth::fuzz::bytesOf(hearth::test::inTree("textures/grille.png")));
   const auto file = folder.write("level.json", hearth::fuzz::asText(data, size));
   const hearth::LoadResult result = hearth::loadLevel(file);
   hearth::fuzz::expectSaid(result);

@@ -7,8 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const hearth::fuzz::ScratchFolder folder;
-  static const auto level =
-      folder.write("level.json", hearth::fuzz::bytesOf(test::inTree("tests/levels/rooms.json")));
+  static const auto level = folder.write(
+      "level.json", hearth::fuzz::bytesOf(hearth::test::inTree("tests/levels/rooms.json")));
   (void)folder.write("level.lights.json", hearth::fuzz::asText(data, size));
   const hearth::LoadResult result = hearth::loadLevel(level);
   hearth::fuzz::expectSaid(result);

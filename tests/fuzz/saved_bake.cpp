@@ -63,7 +63,7 @@ std::string sealed(std::string bytes) {
 }
 
 /// With what stands in place of the packed lightmaps packed, so that the fuzzer reaches them.
-std::string packed(const std::string& bytes) {
+std::string deflated(const std::string& bytes) {
   const std::size_t end = bytes.size() - kChecksumBytes;
   const std::size_t begin =
       std::min<std::size_t>(kHeaderBytes + take(bytes, kSettingsBytesAt, 4), end);
@@ -105,6 +105,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   hearth::tryOut(bytes);
   if (size < hearth::kHeaderBytes + hearth::kChecksumBytes) return 0;
   hearth::tryOut(hearth::sealed(bytes));
-  hearth::tryOut(hearth::sealed(hearth::packed(bytes)));
+  hearth::tryOut(hearth::sealed(hearth::deflated(bytes)));
   return 0;
 }

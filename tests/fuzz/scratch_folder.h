@@ -35,7 +35,7 @@ class ScratchFolder {
       std::filesystem::temp_directory_path() / fmt::format("hearth-fuzz-{}", ::getpid());
 };
 
-inline std::string bytesOf(const char* file) {
+inline std::string bytesOf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
