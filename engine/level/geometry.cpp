@@ -275,6 +275,11 @@ void deriveAir(const Scene& scene, const Sector& sector, Geometry& geometry) {
   }
 }
 
+/// Whether a flat stays where it was authored.
+bool isFixed(const Flat& flat, const std::optional<Slope>& slope) {
+  return flat.isSky || flat.flatPortal || slope;
+}
+
 }  // namespace
 
 Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing) {
@@ -297,6 +302,10 @@ Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing
 void moveFlats(const Level& level, SectorId id, SectorGeometry heights, Geometry& geometry) {
   const Sector& sector = level[id];
   CHECK(heights.zFloor <= heights.zCeiling, sector.name, heights.zFloor, heights.zCeiling);
+  CHECK(!isFixed(sector.floor, sector.floorSlope) || heights.zFloor == sector.floor.z, sector.name,
+        heights.zFloor);
+  CHECK(!isFixed(sector.ceiling, sector.ceilingSlope) || heights.zCeiling == sector.ceiling.z,
+        sector.name, heights.zCeiling);
   geometry.sectors[id.index()] = heights;
   const Scene scene(level, geometry);
   deriveAir(scene, sector, geometry);

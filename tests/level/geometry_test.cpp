@@ -184,37 +184,42 @@ bool holdPositions(const Level& level, SectorId sector, SectorGeometry heights) 
                              [&](const Shot& shot) { return isHeld(shot.sector, shot.eye); });
 }
 
-/// Moves as many sectors as can be, and makes a level that is authored so.
-Authored moveMany(const LoadedLevel& loaded, random_levels::Random& random, Geometry& geometry) {
-  Authored authored{loaded.level, loaded.geometry};
+/// A level of which as many sectors as can be are moved, and one that is authored so.
+struct BothWays {
+  LoadedLevel loaded;
+  Geometry geometry;
+  Authored authored;
+
+  Scene moved() const { return {loaded.level, geometry}; }
+};
+
+BothWays movedAtRandom(const LoadedLevel& loaded, std::uint64_t seed) {
+  BothWays both{loaded, loaded.geometry, {loaded.level, loaded.geometry}};
+  random_levels::Random random(seed);
   for (const Sector& sector : loaded.level.sectors) {
     const auto heights = otherHeights(loaded.level, sector, random);
     if (!heights || !holdPositions(loaded.level, sector.id, *heights)) continue;
-    auto next = authoredAt(authored.level, sector.id, *heights);
+    auto next = authoredAt(both.authored.level, sector.id, *heights);
     if (!next) continue;
-    authored = *std::move(next);
-    moveFlats(loaded.level, sector.id, *heights, geometry);
+    both.authored = *std::move(next);
+    moveFlats(loaded.level, sector.id, *heights, both.geometry);
   }
-  return authored;
+  return both;
 }
 
 TEST_F(MovedFlatsOfRandomLevels, areLitAndDrawnLikeThoseOfALevelThatIsAuthoredSo) {
   for (std::uint64_t seed = 300; seed < 330; ++seed) {
     SCOPED_TRACE(seed);
-    const LoadedLevel loaded = load(seed);
-    random_levels::Random random(seed);
-    Geometry geometry = loaded.geometry;
-    const Authored authored = moveMany(loaded, random, geometry);
-    const Scene moved(loaded.level, geometry);
-    BakeSettings settings = loaded.level.bake;
+    const BothWays both = movedAtRandom(load(seed), seed);
+    BakeSettings settings = both.loaded.level.bake;
     settings.texel = 0.5;
-    const BakedLight light = bake(moved, settings, 2);
-    const BakedLight expected = bake(authored.scene(), settings, 2);
-    ASSERT_EQ(encodeBake(moved, light, settings.texel, ""),
-              encodeBake(authored.scene(), expected, settings.texel, ""));
-    const Renderer renderer(moved, loaded.textures, light);
-    const Renderer reference(authored.scene(), loaded.textures, expected);
-    for (const Shot& shot : loaded.level.shots)
+    const BakedLight light = bake(both.moved(), settings, 2);
+    const BakedLight expected = bake(both.authored.scene(), settings, 2);
+    ASSERT_EQ(encodeBake(both.moved(), light, settings.texel, ""),
+              encodeBake(both.authored.scene(), expected, settings.texel, ""));
+    const Renderer renderer(both.moved(), both.loaded.textures, light);
+    const Renderer reference(both.authored.scene(), both.loaded.textures, expected);
+    for (const Shot& shot : both.loaded.level.shots)
       ASSERT_TRUE(renderer.draw(cameraOf(shot), LightMode::Both) ==
                   reference.draw(cameraOf(shot), LightMode::Both))
           << shot.name;
@@ -225,21 +230,18 @@ TEST_F(MovedFlatsOfRandomLevels, areLitAndDrawnLikeThoseOfALevelThatIsAuthoredSo
 TEST_F(MovedFlatsOfRandomLevels, areWalkedOnLikeThoseOfALevelThatIsAuthoredSo) {
   for (std::uint64_t seed = 400; seed < 430; ++seed) {
     SCOPED_TRACE(seed);
-    const LoadedLevel loaded = load(seed);
+    const BothWays both = movedAtRandom(load(seed), seed);
     random_levels::Random random(seed);
-    Geometry geometry = loaded.geometry;
-    const Authored authored = moveMany(loaded, random, geometry);
-    const Scene moved(loaded.level, geometry);
-    const Shot& start = loaded.level.shots.front();
-    Walker walker = walkerAt(moved, start.sector, start.eye, start.angle, 0);
-    Walker reference = walkerAt(authored.scene(), start.sector, start.eye, start.angle, 0);
+    const Shot& start = both.loaded.level.shots.front();
+    Walker walker = walkerAt(both.moved(), start.sector, start.eye, start.angle, 0);
+    Walker reference = walkerAt(both.authored.scene(), start.sector, start.eye, start.angle, 0);
     for (int tick = 0; tick < 500; ++tick) {
       WalkInput input;
       input.forward = static_cast<int>(random.between(0, 127));
       input.turn = static_cast<int>(random.between(-3000, 3000));
       input.jump = random.chance(0.02);
-      walker = walked(moved, walker, input);
-      reference = walked(authored.scene(), reference, input);
+      walker = walked(both.moved(), walker, input);
+      reference = walked(both.authored.scene(), reference, input);
       ASSERT_TRUE(walker == reference) << tick;
     }
   }
