@@ -126,7 +126,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   source_.edgeOf = std::move(linking.edgeOf);
   return LoadedLevel{std::move(linking.level),
                      std::move(linking.geometry),
-                     std::move(textures.images),
+                     SharedImages(std::move(textures.images)),
                      file_,
                      lights_,
                      files_,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
+#include "image/shared_images.h"
 #include "level/scene.h"
 #include "load/diagnostic.h"
 #include "load/limits.h"
@@ -16,8 +16,8 @@ namespace hearth {
 
 struct LoadedLevel {
   Level level;
-  Geometry geometry;            ///< of the level as authored
-  std::vector<Image> textures;  ///< by TextureId; one black pixel where no surface wears it
+  Geometry geometry;      ///< of the level as authored
+  SharedImages textures;  ///< by TextureId; one black pixel where no surface wears it
   std::filesystem::path path;
   std::filesystem::path lights;  ///< file of its lights: where one belongs if there is none
   /// All that was read: the level first, then its lights if it has any, then the images. A program

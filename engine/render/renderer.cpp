@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "level/locate.h"
 #include "math/check.h"
@@ -160,15 +161,22 @@ Camera inSquares(Camera camera, int pixelSize) {
   return camera;
 }
 
-Renderer::Renderer(const Scene& scene, const std::vector<Image>& textures, const BakedLight& light,
-                   DrawSettings settings)
-    : scene_(scene), light_(light), settings_(settings) {
-  textures_.reserve(textures.size());
-  for (const Image& image : textures)
-    textures_.push_back(settings.textureFilter == TextureFilter::Mipmapped
-                            ? MipMap::withAllSizes(image)
-                            : MipMap(image));
+DrawnTextures drawnTextures(const std::vector<Image>& images, TextureFilter filter) {
+  std::vector<MipMap> textures;
+  textures.reserve(images.size());
+  for (const Image& image : images)
+    textures.push_back(filter == TextureFilter::Mipmapped ? MipMap::withAllSizes(image)
+                                                          : MipMap(image));
+  return std::make_shared<const std::vector<MipMap>>(std::move(textures));
 }
+
+Renderer::Renderer(const Scene& scene, DrawnTextures textures, const BakedLight& light,
+                   DrawSettings settings)
+    : scene_(scene), textures_(std::move(textures)), light_(light), settings_(settings) {}
+
+Renderer::Renderer(const Scene& scene, const std::vector<Image>& images, const BakedLight& light,
+                   DrawSettings settings)
+    : Renderer(scene, drawnTextures(images, settings.textureFilter), light, settings) {}
 
 void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
                     const PixelRows& picture, int threads) const {
@@ -185,7 +193,7 @@ void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& sc
   checkSize(picture, camera);
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(scene_, camera, pixelSize);
-  const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   paintStrips(scratch, pixelSize, picture, threads, false,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
                 painter.paint(span, mode, batch, strip, stats);
@@ -197,7 +205,7 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   checkSize(picture, camera);
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(scene_, camera);
-  const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   const std::vector<std::size_t> numbers = numbersOfShown(scene_);
   paintStrips(scratch, 1, picture, threads, true,
               [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
@@ -210,7 +218,7 @@ void Renderer::draw(const Camera& camera, Marks marks, FrameScratch& scratch,
   checkSize(picture, camera);
   findSpans(camera, 1, scratch, threads);
   const Projection projection = projectionFor(scene_, camera);
-  const SpanPainter painter(scene_, textures_, light_, settings_, projection, scratch.raySlopes);
+  const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   switch (marks) {
     case Marks::Texels:
       paintMarked<ShownTexel>(scene_, painter, scratch, picture, threads);

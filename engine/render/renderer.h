@@ -20,14 +20,18 @@ inline constexpr Rgb kHole = {255, 0, 255};
 /// Draws a level. Holds no state between frames: many cameras can share one renderer.
 class Renderer {
  public:
-  /// The scene's level and geometry, and the light, must outlive the renderer. `textures` are by
-  /// TextureId, and copied.
-  Renderer(const Scene& scene, const std::vector<Image>& textures, const BakedLight& light,
+  /// The scene's level and geometry, and the light, must outlive the renderer. `textures` are made
+  /// for the texture filter of the settings.
+  Renderer(const Scene& scene, DrawnTextures textures, const BakedLight& light,
+           DrawSettings settings);
+  /// With textures of its own, from images by TextureId.
+  Renderer(const Scene& scene, const std::vector<Image>& images, const BakedLight& light,
            DrawSettings settings = {});
 
   const DrawSettings& settings() const { return settings_; }
   const BakedLight& light() const { return light_; }
-  const Texture& texture(TextureId id) const { return textures_[id.index()].full(); }
+  const DrawnTextures& textures() const { return textures_; }
+  const Texture& texture(TextureId id) const { return (*textures_)[id.index()].full(); }
 
   /// The camera's eye is in its sector, within kPositionSlack. `picture` has the camera's size. It
   /// gets the same pixels whatever the number of threads. Channels and marks are drawn with all
@@ -53,7 +57,7 @@ class Renderer {
   void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch, int threads) const;
 
   Scene scene_;
-  std::vector<MipMap> textures_;
+  DrawnTextures textures_;
   const BakedLight& light_;
   DrawSettings settings_;
 };

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "image/halved.h"
 #include "image/image.h"
+#include "render/draw_settings.h"
 
 namespace hearth {
 
@@ -71,5 +73,10 @@ class MipMap {
  private:
   std::vector<Texture> levels_;
 };
+
+/// The textures of a level as renderers read them, by TextureId. All renderers of a level can share
+/// them.
+using DrawnTextures = std::shared_ptr<const std::vector<MipMap>>;
+DrawnTextures drawnTextures(const std::vector<Image>& images, TextureFilter filter);
 
 }  // namespace hearth

@@ -64,7 +64,9 @@ TEST(Large, pictureOfACheckeredFloorTurnsSlowlyAsTruth) {
       Box{.x0 = -50, .y0 = -50, .x1 = 50, .y1 = 50, .floorTexture = "'brick'"}.sector("hall")));
   Image checker(2, 2, {255, 255, 255});
   checker.at(0, 0) = checker.at(1, 1) = {0, 0, 0};
-  hall.textures[1] = checker;
+  std::vector<Image> images = hall.textures;
+  images[1] = checker;
+  hall.textures = SharedImages(std::move(images));
   for (double angle = 30; angle < 31; angle += 0.13)
     expectAsTruth(hall, {SectorId(0), {0.3, 0.7, 1.6}, angle, -10, 90, 1920, 1200}, 11);
 }

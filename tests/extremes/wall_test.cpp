@@ -166,7 +166,9 @@ TEST(Texture, ofAnySizeOffsetAndScaleIsDrawnAsTruth) {
           for (int x = 0; x < width; ++x)
             image.at(x, y) = {static_cast<std::uint8_t>(x * 20), static_cast<std::uint8_t>(y),
                               static_cast<std::uint8_t>(y >> 8)};
-        room.textures[0] = image;
+        std::vector<Image> images = room.textures;
+        images[0] = image;
+        room.textures = SharedImages(std::move(images));
         expectAsTruth(room, cameraAt({3, 3, 1.5}, 20, -20), 7);
       }
 }

@@ -102,7 +102,7 @@ class TextureSearch : public testing::Test {
             "\"wall\"}, \"loops\": {\"border\": {\"v\": [0,0, 1,0, 1,1], \"walls\": {\"texture\": "
             "\"wall\"}}}}}}"));
     EXPECT_TRUE(result.loaded) << listed(result);
-    return result.loaded ? result.loaded->textures.at(0).at(0, 0) : Rgb{};
+    return result.loaded ? result.loaded->textures[0].at(0, 0) : Rgb{};
   }
 
  private:

@@ -93,7 +93,7 @@ Image chessBoard() {
 TEST(DrawSettings, MipmappedShowsMeansOfWhatIsFarAndTexelsOfWhatIsNear) {
   LoadedLevel hall = test::levelFrom(
       "{'sectors':{" + test::sectorText("hall", "0,0, 90,0, 90,20, 0,20", 0, 8) + "}}");
-  hall.textures.assign(hall.textures.size(), chessBoard());
+  hall.textures = SharedImages(std::vector<Image>(hall.textures.size(), chessBoard()));
   const Drawn drawn(std::move(hall));
   const Camera camera = cameraAt({1, 10, 1}, 0);
   const Image exact = drawn.with({}, camera, LightMode::None);

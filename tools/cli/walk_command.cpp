@@ -115,9 +115,10 @@ tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
   while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     WalkWindow::answerDesktop();
   return light.get().map([&](BakedLight baked) {
-    return std::make_shared<const LitLevel>(loaded, source,
-                                            std::make_shared<const BakedLight>(std::move(baked)),
-                                            drawSettingsFrom(values));
+    const DrawSettings settings = drawSettingsFrom(values);
+    return std::make_shared<const LitLevel>(
+        loaded, source, drawnTextures(loaded->textures, settings.textureFilter),
+        std::make_shared<const BakedLight>(std::move(baked)), settings);
   });
 }
 

@@ -31,7 +31,12 @@ void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
 }  // namespace
 
 std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings) {
-  return std::make_shared<const LitLevel>(lit.loaded, lit.source, lit.light, settings);
+  const bool areAlike = settings.textureFilter == lit.renderer.settings().textureFilter;
+  return std::make_shared<const LitLevel>(
+      lit.loaded, lit.source,
+      areAlike ? lit.renderer.textures()
+               : drawnTextures(lit.loaded->textures, settings.textureFilter),
+      lit.light, settings);
 }
 
 BackgroundBaker::BackgroundBaker(const OptionValues& values,
@@ -227,14 +232,25 @@ std::shared_ptr<const LitLevel> BackgroundBaker::show(BakedLight light, bool isD
   const OptionValues values = options();
   if (const auto warning = warningIfDark(current_->level, light, values); warning && !isDraft)
     news.warnings.push_back(*warning);
-  auto lit = std::make_shared<const LitLevel>(current_, source_,
-                                              std::make_shared<const BakedLight>(std::move(light)),
-                                              drawSettingsFrom(values));
+  const DrawSettings settings = drawSettingsFrom(values);
+  auto lit = std::make_shared<const LitLevel>(
+      current_, source_, texturesFor(settings.textureFilter),
+      std::make_shared<const BakedLight>(std::move(light)), settings);
   news.level = lit;
   tell(std::move(news));
   const std::scoped_lock lock(mutex_);
   hasShownDraft_ = isDraft;
   return lit;
+}
+
+/// An edit of lights leaves them as they are.
+const DrawnTextures& BackgroundBaker::texturesFor(TextureFilter filter) {
+  if (!textures_ || filter != filter_ || !images_.areOne(current_->textures)) {
+    textures_ = drawnTextures(current_->textures, filter);
+    images_ = current_->textures;
+    filter_ = filter;
+  }
+  return textures_;
 }
 
 void BackgroundBaker::setProgress(std::shared_ptr<const BakeProgress> progress) {

@@ -27,11 +27,12 @@ namespace hearth {
 /// A version of a level with its light, as it is drawn.
 struct LitLevel {
   LitLevel(std::shared_ptr<const LoadedLevel> level, std::shared_ptr<const LevelSource> itsSource,
-           std::shared_ptr<const BakedLight> baked, const DrawSettings& settings)
+           DrawnTextures textures, std::shared_ptr<const BakedLight> baked,
+           const DrawSettings& settings)
       : loaded(std::move(level)),
         source(std::move(itsSource)),
         light(std::move(baked)),
-        renderer(loaded->scene(), loaded->textures, *light, settings) {}
+        renderer(loaded->scene(), std::move(textures), *light, settings) {}
   LitLevel(const LitLevel&) = delete;
   LitLevel& operator=(const LitLevel&) = delete;
 
@@ -105,6 +106,7 @@ class BackgroundBaker {
   void light(bool isFirst, const std::stop_token& stop);
   bool isAsked() const { return asked_ || areOptionsNew_ || isOver_; }
   OptionValues options() const;
+  const DrawnTextures& texturesFor(TextureFilter filter);
   bool showKept(const BakeCache& cache, const BakeSettings& settings);
   std::shared_ptr<const LitLevel> show(BakedLight light, bool isDraft);
   void setProgress(std::shared_ptr<const BakeProgress> progress);
@@ -134,6 +136,9 @@ class BackgroundBaker {
   std::vector<std::string> mistakes_;   ///< of the files as they were read last
   std::optional<std::string> refusal_;  ///< why the level is not lit
   LightMemory memory_;
+  SharedImages images_;  ///< that `textures_` are made of, for this filter
+  TextureFilter filter_{};
+  DrawnTextures textures_;
 
   std::jthread thread_;  ///< last, so that it ends first
 };

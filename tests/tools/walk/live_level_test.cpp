@@ -38,6 +38,17 @@ TEST_F(LiveWalk, ShowsALightThatWasChangedAndSaved) {
   EXPECT_EQ(stage_.shown, fresh());
 }
 
+TEST_F(LiveWalk, SharesItsTexturesWithTheLevelBeforeWhereOnlyLightsWereSaved) {
+  begin();
+  const auto before = live_->shown();
+  Json lights = read(lightsFile());
+  lights[0]["intensity"] = 40;
+  write(lightsFile(), lights.dump());
+  ASSERT_TRUE(isTold("rooms.lights.json: shown"));
+  EXPECT_TRUE(live_->shown()->loaded->textures.areOne(before->loaded->textures));
+  EXPECT_EQ(live_->shown()->renderer.textures(), before->renderer.textures());
+}
+
 TEST_F(LiveWalk, ShowsAFileThatWasPutInPlaceOfTheOld) {
   begin();
   Json lights = read(lightsFile());

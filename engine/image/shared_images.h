@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "image/image.h"
+
+namespace hearth {
+
+/// Images that do not change. Copies share them.
+class SharedImages {
+ public:
+  SharedImages() : SharedImages(std::vector<Image>{}) {}
+  explicit SharedImages(std::vector<Image> images)
+      : images_(std::make_shared<const std::vector<Image>>(std::move(images))) {}
+
+  operator const std::vector<Image>&() const { return *images_; }
+  const Image& operator[](std::size_t index) const { return (*images_)[index]; }
+  std::size_t size() const { return images_->size(); }
+  auto begin() const { return images_->begin(); }
+  auto end() const { return images_->end(); }
+
+  /// Whether one is a copy of the other.
+  bool areOne(const SharedImages& other) const { return images_ == other.images_; }
+
+ private:
+  std::shared_ptr<const std::vector<Image>> images_;
+};
+
+}  // namespace hearth
