@@ -74,7 +74,7 @@ class SegmentDeriver {
     own_.lightOpeningCount = 0;
     const auto parts = scene_.level().partsOf(segment_);
     if (const Stack* stack = std::get_if<Stack>(&segment_.kind)) return deriveStack(*stack, parts);
-    const Range range{scene_.zFloor(sector_), scene_.zCeiling(sector_), true, true, false, 0};
+    const Range range{scene_.zFloor(sector_), scene_.zCeiling(sector_), false, 0};
     if (const Portal* portal = std::get_if<Portal>(&segment_.kind))
       addPortal(*portal, parts[0], range);
     else
@@ -82,12 +82,10 @@ class SegmentDeriver {
   }
 
  private:
-  /// Heights of a wall or sub-wall, and which of the sector's flats it reaches.
+  /// Heights of a wall or sub-wall.
   struct Range {
     double zBottom;
     double zTop;
-    bool atFloor;
-    bool atCeiling;
     bool inStack;
     std::uint32_t subWall;
   };
@@ -96,8 +94,7 @@ class SegmentDeriver {
     double zBottom = scene_.zFloor(sector_);
     for (std::size_t i = 0; i < stack.subWalls.size(); ++i) {
       const double zTop = stack.topOf(i, scene_.zFloor(sector_), scene_.zCeiling(sector_));
-      const bool isLast = i + 1 == stack.subWalls.size();
-      const Range range{zBottom, zTop, i == 0, isLast, true, static_cast<std::uint32_t>(i)};
+      const Range range{zBottom, zTop, true, static_cast<std::uint32_t>(i)};
       if (const Portal* portal = std::get_if<Portal>(&stack.subWalls[i].kind))
         addPortal(*portal, parts[i], range);
       else
@@ -107,18 +104,15 @@ class SegmentDeriver {
   }
 
   void addSolid(const WallPart& part, const Range& range) {
+    hide(part);
     const SurfaceKind kind = range.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid;
     addSurface(kind, part.solid, range.zBottom, range.zTop, range.zTop, range);
   }
 
   void addPortal(const Portal& portal, const WallPart& part, const Range& range) {
-    const Sector& next = scene_[portal.next];
-    const SectorGeometry& nextAt = scene_.geometryOf(next);
+    const SectorGeometry& nextAt = scene_.geometryOf(scene_[portal.next]);
     const PortalHeights heights = portalHeights(
         range.zBottom, range.zTop, fitted(nextAt.zFloor, range), fitted(nextAt.zCeiling, range));
-    const bool bothSkyFloors = range.atFloor && sector_.floor.isSky && next.floor.isSky;
-    const bool bothSkyCeilings = range.atCeiling && sector_.ceiling.isSky && next.ceiling.isSky;
-
     hide(part);
     addSurface(range.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, part.lower,
                heights.zBottom, heights.zLowerTop, nextAt.zFloor, range);
@@ -129,8 +123,8 @@ class SegmentDeriver {
             : std::nullopt;
     addOpening({portal.next, *part.twin, {}, {}, maskedMiddle}, part, heights.zLowerTop,
                heights.zUpperBottom, range);
-    addLightOpening({0, 0, portal.next, *part.twin, part.firstMaskedMiddle, 0}, maskedMiddle, range,
-                    bothSkyFloors, bothSkyCeilings);
+    addLightOpening({0, 0, portal.next, *part.twin, part.firstMaskedMiddle, 0}, part, maskedMiddle,
+                    range);
     addSurface(range.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, part.upper,
                heights.zUpperBottom, heights.zTop, nextAt.zCeiling, range);
   }
@@ -152,15 +146,14 @@ class SegmentDeriver {
   }
 
   void hide(const WallPart& part) {
-    for (const auto& id :
-         {part.lower, part.upper, part.maskedMiddle, part.floorSidewall, part.ceilingSidewall})
+    for (const auto& id : {part.solid, part.lower, part.upper, part.maskedMiddle,
+                           part.floorSidewall, part.ceilingSidewall})
       if (id) geometry_.surfaces[id->index()] = {};
   }
 
   /// `kind` is that of the texture which is missing where there is no surface.
   void addSurface(SurfaceKind kind, std::optional<SurfaceId> id, double zBottom, double zTop,
                   double defaultZRef, const Range& range) {
-    if (id) geometry_.surfaces[id->index()] = {};
     if (!isInAir(zBottom, zTop)) return;
     if (!id) return miss(kind, range);
     show(*id, zBottom, zTop, defaultZRef);
@@ -227,11 +220,14 @@ class SegmentDeriver {
   }
 
   /// Light passes from the higher floor to the lower ceiling, and between skies without end.
-  void addLightOpening(LightOpening opening, std::optional<SurfaceId> maskedMiddle,
-                       const Range& range, bool bothSkyFloors, bool bothSkyCeilings) {
+  void addLightOpening(LightOpening opening, const WallPart& part,
+                       std::optional<SurfaceId> maskedMiddle, const Range& range) {
     const SectorGeometry& next = scene_.geometryOf(scene_[opening.next]);
-    opening.zBottom = bothSkyFloors ? -kEndless : std::max(range.zBottom, next.zFloor);
-    opening.zTop = bothSkyCeilings ? kEndless : std::min(range.zTop, next.zCeiling);
+    const auto isBeforeSky = [&](std::optional<SurfaceId> step) {
+      return step && isSky(scene_[*step].kind);
+    };
+    opening.zBottom = isBeforeSky(part.lower) ? -kEndless : std::max(range.zBottom, next.zFloor);
+    opening.zTop = isBeforeSky(part.upper) ? kEndless : std::min(range.zTop, next.zCeiling);
     if (opening.zBottom >= opening.zTop) return;
     if (maskedMiddle)
       geometry_.maskedMiddles[opening.firstMaskedMiddle + opening.maskedMiddleCount++] =
