@@ -33,6 +33,8 @@ struct Eye {
   Vec3 point;       ///< metres, absolute
   double angle = 0;
   double pitch = 0;
+
+  friend bool operator==(const Eye&, const Eye&) = default;
 };
 
 Eye eyeOf(const Scene& scene, const Walker& walker);

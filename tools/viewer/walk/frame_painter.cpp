@@ -28,8 +28,8 @@ void FramePainter::noteSeen(const WalkFrame& frame, SectorId player) {
   scratch_.forEachSpan([this](const Span& span) { seen_.add(span); });
 }
 
-void FramePainter::drawMap(const WalkFrame& frame, const Eye& eye, const PixelRows& picture) const {
-  drawAutomap(picture, scene_, seen_, eye, frame.view.mapMetres);
+void FramePainter::drawMap(const WalkFrame& frame, const PixelRows& picture) const {
+  drawAutomap(picture, scene_, seen_, frame.eye, frame.view.mapMetres);
 }
 
 FrameCounters FramePainter::counters(const WalkFrame& frame) const {

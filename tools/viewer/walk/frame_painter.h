@@ -28,8 +28,8 @@ class FramePainter {
   /// Remembers what the camera has seen, and the sector of the player.
   void noteSeen(const WalkFrame& frame, SectorId player);
 
-  /// The map round an eye, over the picture.
-  void drawMap(const WalkFrame& frame, const Eye& eye, const PixelRows& picture) const;
+  /// The map, over the picture.
+  void drawMap(const WalkFrame& frame, const PixelRows& picture) const;
 
   /// Of the frame that was drawn last.
   FrameCounters counters(const WalkFrame& frame) const;

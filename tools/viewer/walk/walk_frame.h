@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/camera.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
 #include "viewer/walk/walk_settings.h"
+#include "walk/walker.h"
 
 namespace hearth {
 
@@ -14,6 +16,7 @@ namespace hearth {
 struct WalkFrame {
   PictureSize size{};
   Camera camera;  ///< of the picture or, of a channel of geometry, of what the panel leaves of it
+  Eye eye;        ///< that no step moves: the middle of the map
   WalkView view;
   std::string message;
   std::vector<std::string> notes;

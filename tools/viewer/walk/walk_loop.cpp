@@ -18,10 +18,10 @@ std::string lineOf(const Screenshots::News& news) {
 }
 
 /// None while the picture shows neither what the camera sees nor the map.
-std::optional<MarkerSpace> markerSpaceOf(const WalkFrame& frame, const Eye& eye) {
+std::optional<MarkerSpace> markerSpaceOf(const WalkFrame& frame) {
   const WalkView& view = frame.view;
   if (view.isMapShown)
-    return MarkerSpace(mapScale(frame.size.width, frame.size.height, eye, view.mapMetres));
+    return MarkerSpace(mapScale(frame.size.width, frame.size.height, frame.eye, view.mapMetres));
   return isOfCamera(view.channel) ? std::optional(MarkerSpace(frame.camera)) : std::nullopt;
 }
 
@@ -89,8 +89,7 @@ bool WalkLoop::round() {
   updateNotices(now);
   if (hasLeft_) return false;
   aimCamera();
-  grant(
-      screen_.show(frame_, session_.eye(fractionOfTick_), panelSubject(), panel_, settings_, now));
+  grant(screen_.show(frame_, panelSubject(), panel_, settings_, now));
   return true;
 }
 
@@ -230,6 +229,7 @@ void WalkLoop::aimCamera() {
   const std::optional<PictureSize> window = window_.windowSize();
   if (!window) return;
   frame_.size = settings_.size.value_or(*window);
+  frame_.eye = session_.eye(fractionOfTick_);
   const Eye eye = session_.eye(fractionOfTick_, settings_.preferences.viewBob);
   const int beside = isGeometry(frame_.view.channel) ? panel_.leaves(frame_.size.width) : 0;
   frame_.camera = {eye.sector,        eye.point,     eye.angle,
@@ -245,7 +245,7 @@ PanelSubject WalkLoop::panelSubject() const {
           source_.get(),
           frame_.camera,
           frame_.size,
-          markerSpaceOf(frame_, session_.eye(fractionOfTick_)),
+          markerSpaceOf(frame_),
           !frame_.view.isMapShown && isOfCamera(frame_.view.channel),
           {bookmarks_.canJump(), settings_.writeShot != nullptr}};
 }

@@ -39,8 +39,8 @@ void WalkScreen::keepNext() {
   redraw();
 }
 
-PanelWishes WalkScreen::show(WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
-                             WalkPanel& panel, WalkSettings& settings, double now) {
+PanelWishes WalkScreen::show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
+                             WalkSettings& settings, double now) {
   PanelWishes wishes;
   if (!window_.windowSize() || (shown_ == frame && !panel.isStale(now))) {
     window_.rest(kTickSeconds);
@@ -52,7 +52,7 @@ PanelWishes WalkScreen::show(WalkFrame& frame, const Eye& eye, const PanelSubjec
   }
   WalkFrame drawn = frame;  // which the panel may change
   if (isCovered(frame, panel))
-    wishes = drawCovered(frame, eye, subject, panel, settings, now);
+    wishes = drawCovered(frame, subject, panel, settings, now);
   else
     drawUncovered(frame, settings, now);
   shown_ = std::move(drawn);
@@ -78,8 +78,8 @@ void WalkScreen::drawUncovered(const WalkFrame& frame, const WalkSettings& setti
 }
 
 /// In memory of its own: a window's is not to be read.
-PanelWishes WalkScreen::drawCovered(WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
-                                    WalkPanel& panel, WalkSettings& settings, double now) {
+PanelWishes WalkScreen::drawCovered(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
+                                    WalkSettings& settings, double now) {
   FrameParts parts;
   double begin = window_.seconds();
   const auto lap = [&] {
@@ -97,7 +97,7 @@ PanelWishes WalkScreen::drawCovered(WalkFrame& frame, const Eye& eye, const Pane
   keepScreenshot(frame, ofCamera);
   picture.part(ofCamera.width, 0, width - ofCamera.width, height).fill({});
   painter_.noteSeen(frame, session_.walker().sector);
-  drawCaptions(frame, eye, subject, panel, settings.preferences, picture);
+  drawCaptions(frame, subject, panel, settings.preferences, picture);
   figures_.counters = painter_.counters(frame);
   figures_.lightmapBytes = renderer().light().stats.bytes;
   figures_.residentBytes = window_.residentBytes();
@@ -117,10 +117,10 @@ void WalkScreen::keepScreenshot(const WalkFrame& frame, const PixelRows& picture
 }
 
 /// The list of keys and the panel would be in each other's way.
-void WalkScreen::drawCaptions(const WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
+void WalkScreen::drawCaptions(const WalkFrame& frame, const PanelSubject& subject,
                               const WalkPanel& panel, const Preferences& preferences,
                               const PixelRows& picture) const {
-  if (frame.view.isMapShown) painter_.drawMap(frame, eye, picture);
+  if (frame.view.isMapShown) painter_.drawMap(frame, picture);
   panel.drawMarks(subject, picture);
   if (frame.view.areKeysShown && !panel.isOpen()) drawKeys(picture, keyList(preferences.keys));
   const int width = panel.leaves(picture.width);

@@ -36,20 +36,18 @@ class WalkScreen {
   void setBake(const std::optional<StageProgress>& bake) { figures_.bake = bake; }
 
   /// Draws a frame, unless it would look like the last one or comes too soon: then it rests until
-  /// an event comes or a tick is due. The panel may change settings and view. `eye` is the middle
-  /// of the map.
-  PanelWishes show(WalkFrame& frame, const Eye& eye, const PanelSubject& subject, WalkPanel& panel,
+  /// an event comes or a tick is due. The panel may change settings and view.
+  PanelWishes show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
                    WalkSettings& settings, double now);
 
  private:
   bool isCovered(const WalkFrame& frame, const WalkPanel& panel) const;
   void drawUncovered(const WalkFrame& frame, const WalkSettings& settings, double now);
-  PanelWishes drawCovered(WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
-                          WalkPanel& panel, WalkSettings& settings, double now);
+  PanelWishes drawCovered(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
+                          WalkSettings& settings, double now);
   void keepScreenshot(const WalkFrame& frame, const PixelRows& picture);
-  void drawCaptions(const WalkFrame& frame, const Eye& eye, const PanelSubject& subject,
-                    const WalkPanel& panel, const Preferences& preferences,
-                    const PixelRows& picture) const;
+  void drawCaptions(const WalkFrame& frame, const PanelSubject& subject, const WalkPanel& panel,
+                    const Preferences& preferences, const PixelRows& picture) const;
   void count(double begin, double end);
 
   Scene scene_;
