@@ -7,23 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "support/padded_rows.h"
+
 namespace hearth {
 namespace {
 
-constexpr std::uint32_t kUntouched = 0xAABBCCDD;
+using test::kUntouched;
+using test::PaddedRows;
+
 constexpr Rgb kColor = {10, 200, 30};
-
-/// Rows, each with two pixels behind it that do not belong to it.
-struct Memory {
-  Memory(int width, int height)
-      : pixels(perRow(width) * static_cast<std::size_t>(height), kUntouched),
-        rows{pixels.data(), perRow(width), width, height} {}
-
-  static std::size_t perRow(int width) { return static_cast<std::size_t>(width) + 2; }
-
-  std::vector<std::uint32_t> pixels;
-  PixelRows rows;
-};
 
 /// All of them different, with something in the highest bits.
 void number(const PixelRows& rows) {
@@ -45,7 +37,7 @@ TEST(Pixels, MeanNothingByTheirHighestBits) {
 }
 
 TEST(PixelRows, HaveTheSamePixelsInAPart) {
-  const Memory memory(5, 4);
+  const PaddedRows memory(5, 4);
   const PixelRows part = memory.rows.part(1, 2, 3, 2);
   EXPECT_EQ(part.width, 3);
   EXPECT_EQ(part.height, 2);
@@ -55,18 +47,20 @@ TEST(PixelRows, HaveTheSamePixelsInAPart) {
 }
 
 TEST(PixelRows, AreFilledAndNothingBesideThem) {
-  const Memory memory(4, 3);
+  const PaddedRows memory(4, 3);
   memory.rows.part(1, 1, 2, 2).fill(kColor);
   for (std::size_t i = 0; i < memory.pixels.size(); ++i) {
-    const bool isInside = (i / 6 == 1 || i / 6 == 2) && (i % 6 == 1 || i % 6 == 2);
+    const std::size_t x = i % memory.rows.pixelsPerRow;
+    const std::size_t y = i / memory.rows.pixelsPerRow;
+    const bool isInside = (y == 1 || y == 2) && (x == 1 || x == 2);
     EXPECT_EQ(memory.pixels[i], isInside ? packed(kColor) : kUntouched) << i;
   }
 }
 
 TEST(PixelRows, AreCopiedToOthersOfAnyLengthAndNothingBesideThem) {
-  const Memory from(3, 2);
+  const PaddedRows from(3, 2);
   number(from.rows);
-  const Memory to(7, 4);
+  const PaddedRows to(7, 4);
   copy(from.rows, to.rows.part(2, 1, 3, 2));
   EXPECT_EQ(imageOf(to.rows.part(2, 1, 3, 2)), imageOf(from.rows));
   to.rows.part(2, 1, 3, 2).fill({});
@@ -74,13 +68,13 @@ TEST(PixelRows, AreCopiedToOthersOfAnyLengthAndNothingBesideThem) {
 }
 
 TEST(PixelRows, AreNotCopiedToOthersOfAnotherSize) {
-  const Memory from(3, 2);
-  EXPECT_DEATH(copy(from.rows, Memory(2, 2).rows), "width");
-  EXPECT_DEATH(copy(from.rows, Memory(3, 1).rows), "height");
+  const PaddedRows from(3, 2);
+  EXPECT_DEATH(copy(from.rows, PaddedRows(2, 2).rows), "width");
+  EXPECT_DEATH(copy(from.rows, PaddedRows(3, 1).rows), "height");
 }
 
 TEST(PixelRows, AreAnImageOfTheirColours) {
-  const Memory memory(5, 4);
+  const PaddedRows memory(5, 4);
   number(memory.rows);
   const Image image = imageOf(memory.rows.part(1, 2, 3, 2));
   ASSERT_EQ(image.width(), 3);

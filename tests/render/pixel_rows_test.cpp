@@ -10,30 +10,20 @@
 #include "load/load.h"
 #include "render/renderer.h"
 #include "support/in_tree.h"
+#include "support/padded_rows.h"
 
 namespace hearth {
 namespace {
 
-constexpr std::uint32_t kUntouched = 0xAABBCCDD;
+using test::kUntouched;
+using test::PaddedRows;
 
-/// The rows of a picture, each with some pixels behind it that do not belong to it.
-struct Memory {
-  Memory(int width, int height)
-      : pixels(perRow(width) * static_cast<std::size_t>(height), kUntouched),
-        rows{pixels.data(), perRow(width), width, height} {}
-
-  static std::size_t perRow(int width) { return static_cast<std::size_t>(width) + 5; }
-
-  std::vector<std::uint32_t> pixels;
-  PixelRows rows;
-};
-
-void expectTheSame(const Image& expected, const Memory& memory) {
+void expectTheSame(const Image& expected, const PaddedRows& memory) {
   int different = 0;
   for (int y = 0; y < expected.height(); ++y) {
     for (int x = 0; x < expected.width(); ++x)
       if (unpacked(*memory.rows.at(x, y)) != expected.at(x, y)) ++different;
-    for (int x = expected.width(); x < expected.width() + 5; ++x)
+    for (int x = expected.width(); x < expected.width() + PaddedRows::kPadding; ++x)
       if (*memory.rows.at(x, y) != kUntouched) ++different;
   }
   EXPECT_EQ(different, 0) << expected.width() << 'x' << expected.height();
@@ -53,7 +43,7 @@ TEST(PixelRows, HaveThePixelsOfAnImageAndNoOthersAreWritten) {
       camera.width = width;
       camera.height = height;
       FrameScratch scratch;
-      Memory memory(width, height);
+      PaddedRows memory(width, height);
       renderer.draw(camera, LightMode::Both, scratch, memory.rows, 2);
       expectTheSame(renderer.draw(camera, LightMode::Both), memory);
     }
