@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures each setting by itself, and prints the rows of tools/measure/tradeoff/measured_settings.cpp.
+"""Measures each setting by itself, and prints the rows of tools/settings/measured_settings.cpp.
 
 usage: tools/measure_settings.py [OPTION OF `hearth tradeoff`...]
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "math/parallel.h"
 #include "render/column_hits.h"
 #include "render/strip.h"
 #include "render/strip_spans.h"
@@ -21,16 +19,14 @@ struct FrameColumns {
   StripSpans strips;
 };
 
-/// What frames are drawn in. A caller that keeps it from frame to frame takes no memory and
-/// starts no threads anew; each thread that draws needs its own. No frame depends on an earlier
-/// one.
+/// What frames are drawn in. A caller that keeps it from frame to frame takes no memory anew; each
+/// thread that draws frames needs its own. No frame depends on an earlier one.
 struct FrameScratch {
   std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
   std::vector<double> raySlopes;          ///< of the centres of rows, see Projection::raySlopeAt
   std::vector<Strip> strips;              ///< one for each part that threads take
   std::vector<PaintStats> stripsPainted;  ///< by the same parts
   PaintStats painted;                     ///< in the last frame
-  std::unique_ptr<Workers> workers;       ///< as many as drew the last frame
 
   /// What finding the spans of the last frame took; sectors, windows and segments once for each
   /// part that they are seen in.

@@ -21,15 +21,19 @@ namespace {
 
 /// Into how many parts threads divide so many strips: several to each thread, so that none has to
 /// wait long for one whose strips are dearer.
-int partsOf(int strips, int threads) {
+int partsOf(int strips, const Workers* workers) {
   constexpr int kPartsPerThread = 4;
+  const int threads = workers ? workers->threads() : 1;
   return threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
 }
 
-Workers& workersOf(FrameScratch& scratch, int threads) {
-  if (!scratch.workers || scratch.workers->threads() != threads)
-    scratch.workers = std::make_unique<Workers>(threads);
-  return *scratch.workers;
+/// Calls work(i) for all parts of a frame.
+template <typename Work>
+void runAll(std::size_t parts, Workers* workers, const Work& work) {
+  if (workers)
+    workers->run(parts, std::cref(work));  // by reference: a copy would take memory in every frame
+  else
+    for (std::size_t i = 0; i < parts; ++i) work(i);
 }
 
 void findRaySlopes(std::vector<double>& raySlopes, const Projection& projection, int height) {
@@ -57,9 +61,9 @@ Image singlePicture(const Camera& camera, Draw&& draw) {
 }
 
 /// Into parts of about as many strips, which threads take.
-void divideColumns(std::vector<FrameColumns>& parts, int width, int threads) {
+void divideColumns(std::vector<FrameColumns>& parts, int width, const Workers* workers) {
   const int strips = Strip::countIn(width);
-  const int count = partsOf(strips, threads);
+  const int count = partsOf(strips, workers);
   parts.resize(static_cast<std::size_t>(count));
   const auto columnOf = [&](int part) {
     return std::min(width, strips * part / count * Strip::kColumns);
@@ -77,8 +81,8 @@ struct StripRange {
 /// Calls `paintPart(range, strip, stats)` for parts of a picture of so many strips, which threads
 /// take: neighbouring strips, drawn one after the other in the same memory.
 template <typename PaintPart>
-void paintParts(FrameScratch& scratch, int strips, int threads, PaintPart&& paintPart) {
-  const int parts = partsOf(strips, threads);
+void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&& paintPart) {
+  const int parts = partsOf(strips, workers);
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
   scratch.stripsPainted.assign(static_cast<std::size_t>(parts), {});
@@ -91,8 +95,7 @@ void paintParts(FrameScratch& scratch, int strips, int threads, PaintPart&& pain
     paintPart(StripRange{firstOf(part), firstOf(part + 1)}, scratch.strips[part], stats);
     scratch.stripsPainted[part] = stats;
   };
-  // By reference: a copy would take memory in every frame.
-  workersOf(scratch, threads).run(static_cast<std::size_t>(parts), std::cref(paint));
+  runAll(static_cast<std::size_t>(parts), workers, paint);
   scratch.painted = {};
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
@@ -100,11 +103,11 @@ void paintParts(FrameScratch& scratch, int strips, int threads, PaintPart&& pain
 /// Draws a picture strip by strip, with `paint(span, batch, strip, stats)` for each span. Strips
 /// that spans fill begin as they happen to be, unless `paint` asks what was there.
 template <typename Paint>
-void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture, int threads,
+void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture, Workers* workers,
                  bool paintAsks, Paint&& paint) {
   const int strips = Strip::countIn(squaresIn(picture.width, pixelSize));
   const int rows = squaresIn(picture.height, pixelSize);
-  paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
+  paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
     RowBatch batch{};
     for (int i = range.begin; i < range.end; ++i) {
       if (!paintAsks && scratch.isFilled(i, rows))
@@ -129,9 +132,9 @@ void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int col
 /// Marks what is lit already.
 template <typename Shown>
 void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& scratch,
-                 const PixelRows& picture, int threads) {
+                 const PixelRows& picture, Workers* workers) {
   const int strips = Strip::countIn(picture.width);
-  paintParts(scratch, strips, threads, [&](StripRange range, Strip& strip, PaintStats& stats) {
+  paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
     RowBatch batch{};
     ShownColumns<Shown> shown(picture.height);
     if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
@@ -179,55 +182,55 @@ Renderer::Renderer(const Scene& scene, const std::vector<Image>& images, const B
     : Renderer(scene, drawnTextures(images, settings.textureFilter), light, settings) {}
 
 void Renderer::draw(const Camera& camera, LightMode mode, FrameScratch& scratch,
-                    const PixelRows& picture, int threads) const {
-  findSpans(camera, scratch, threads);
-  paintSpans(camera, mode, scratch, picture, threads);
+                    const PixelRows& picture, Workers* workers) const {
+  findSpans(camera, scratch, workers);
+  paintSpans(camera, mode, scratch, picture, workers);
 }
 
-void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, int threads) const {
-  findSpans(camera, settings_.pixelSize, scratch, threads);
+void Renderer::findSpans(const Camera& camera, FrameScratch& scratch, Workers* workers) const {
+  findSpans(camera, settings_.pixelSize, scratch, workers);
 }
 
 void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
-                          const PixelRows& picture, int threads) const {
+                          const PixelRows& picture, Workers* workers) const {
   checkSize(picture, camera);
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(scene_, camera, pixelSize);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
-  paintStrips(scratch, pixelSize, picture, threads, false,
+  paintStrips(scratch, pixelSize, picture, workers, false,
               [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
                 painter.paint(span, mode, batch, strip, stats);
               });
 }
 
 void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch,
-                    const PixelRows& picture, int threads) const {
+                    const PixelRows& picture, Workers* workers) const {
   checkSize(picture, camera);
-  findSpans(camera, 1, scratch, threads);
+  findSpans(camera, 1, scratch, workers);
   const Projection projection = projectionFor(scene_, camera);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   const std::vector<std::size_t> numbers = numbersOfShown(scene_);
-  paintStrips(scratch, 1, picture, threads, true,
+  paintStrips(scratch, 1, picture, workers, true,
               [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
                 paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
               });
 }
 
 void Renderer::draw(const Camera& camera, Marks marks, FrameScratch& scratch,
-                    const PixelRows& picture, int threads) const {
+                    const PixelRows& picture, Workers* workers) const {
   checkSize(picture, camera);
-  findSpans(camera, 1, scratch, threads);
+  findSpans(camera, 1, scratch, workers);
   const Projection projection = projectionFor(scene_, camera);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   switch (marks) {
     case Marks::Texels:
-      paintMarked<ShownTexel>(scene_, painter, scratch, picture, threads);
+      paintMarked<ShownTexel>(scene_, painter, scratch, picture, workers);
       break;
     case Marks::Outlines:
-      paintMarked<ShownSurface>(scene_, painter, scratch, picture, threads);
+      paintMarked<ShownSurface>(scene_, painter, scratch, picture, workers);
       break;
     case Marks::Coverage:
-      paintMarked<ShownTimes>(scene_, painter, scratch, picture, threads);
+      paintMarked<ShownTimes>(scene_, painter, scratch, picture, workers);
       break;
   }
 }
@@ -238,29 +241,28 @@ Image Renderer::draw(const Camera& camera, LightMode mode) const {
   });
 }
 
-Image Renderer::draw(const Camera& camera, Channel channel, int threads) const {
+Image Renderer::draw(const Camera& camera, Channel channel, Workers* workers) const {
   return singlePicture(camera, [&](FrameScratch& scratch, const PixelRows& picture) {
-    draw(camera, channel, scratch, picture, threads);
+    draw(camera, channel, scratch, picture, workers);
   });
 }
 
-Image Renderer::draw(const Camera& camera, Marks marks, int threads) const {
+Image Renderer::draw(const Camera& camera, Marks marks, Workers* workers) const {
   return singlePicture(camera, [&](FrameScratch& scratch, const PixelRows& picture) {
-    draw(camera, marks, scratch, picture, threads);
+    draw(camera, marks, scratch, picture, workers);
   });
 }
 
 void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,
-                         int threads) const {
+                         Workers* workers) const {
   const Projection projection = projectionFor(scene_, camera, pixelSize);
   const Camera squares = inSquares(camera, pixelSize);
-  divideColumns(scratch.parts, squares.width, threads);
+  divideColumns(scratch.parts, squares.width, workers);
   const auto findPart = [&](std::size_t i) {
     auto& [range, visibility, strips] = scratch.parts[i];
     strips.sort(findVisibleSpans(scene_, squares, projection, range, visibility), range);
   };
-  // By reference: a copy would take memory in every frame.
-  workersOf(scratch, threads).run(scratch.parts.size(), std::cref(findPart));
+  runAll(scratch.parts.size(), workers, findPart);
   findRaySlopes(scratch.raySlopes, projection, squares.height);
 }
 

@@ -6,6 +6,7 @@
 #include "image/pixel_rows.h"
 #include "level/scene.h"
 #include "light/bakery.h"
+#include "math/parallel.h"
 #include "render/camera.h"
 #include "render/channel.h"
 #include "render/draw_settings.h"
@@ -33,28 +34,29 @@ class Renderer {
   const DrawnTextures& textures() const { return textures_; }
   const Texture& texture(TextureId id) const { return (*textures_)[id.index()].full(); }
 
-  /// The camera's eye is in its sector, within kPositionSlack. `picture` has the camera's size. It
-  /// gets the same pixels whatever the number of threads. Channels and marks are drawn with all
-  /// pixels, whatever the settings.
+  /// The camera's eye is in its sector, within kPositionSlack. `picture` has the camera's size. The
+  /// calling thread draws, together with the workers if there are any; the pixels are the same.
+  /// Channels and marks are drawn with all pixels, whatever the settings.
   void draw(const Camera& camera, LightMode mode, FrameScratch& scratch, const PixelRows& picture,
-            int threads = 1) const;
+            Workers* workers = nullptr) const;
   void draw(const Camera& camera, Channel channel, FrameScratch& scratch, const PixelRows& picture,
-            int threads = 1) const;
+            Workers* workers = nullptr) const;
   void draw(const Camera& camera, Marks marks, FrameScratch& scratch, const PixelRows& picture,
-            int threads = 1) const;
+            Workers* workers = nullptr) const;
   /// The two phases of a frame, to be timed apart: what shows where, into the scratch; and, once
   /// that is found for the same camera, the pixels.
-  void findSpans(const Camera& camera, FrameScratch& scratch, int threads = 1) const;
+  void findSpans(const Camera& camera, FrameScratch& scratch, Workers* workers = nullptr) const;
   void paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
-                  const PixelRows& picture, int threads = 1) const;
+                  const PixelRows& picture, Workers* workers = nullptr) const;
   /// Single pictures, for files.
   Image draw(const Camera& camera, LightMode mode) const;
-  Image draw(const Camera& camera, Channel channel, int threads = 1) const;
-  Image draw(const Camera& camera, Marks marks, int threads = 1) const;
+  Image draw(const Camera& camera, Channel channel, Workers* workers = nullptr) const;
+  Image draw(const Camera& camera, Marks marks, Workers* workers = nullptr) const;
 
  private:
   /// The first phase of a frame of squares of pixels.
-  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch, int threads) const;
+  void findSpans(const Camera& camera, int pixelSize, FrameScratch& scratch,
+                 Workers* workers) const;
 
   Scene scene_;
   DrawnTextures textures_;

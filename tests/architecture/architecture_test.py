@@ -31,7 +31,7 @@ LAYERS |= {
     "lint": ["level", "light", "load", "math", "walk"],
     "import": ["files", "text", "image", "level", "load", "math"],
     "measure": ["settings", "text", "image", "level", "light", "load", "math", "render", "truth"],
-    "viewer": ["measure", "settings", "text", *ENGINE],
+    "viewer": ["settings", "text", *ENGINE],
     "desktop": ["files", "measure", "session", "settings", "text", "viewer", *ENGINE],
     "cli": ["desktop", "files", "import", "lint", "measure", "session", "settings", "text", "viewer", *ENGINE],
     "peers": ["cli", "desktop", "files", "import", "measure", "session", "settings", *ENGINE],

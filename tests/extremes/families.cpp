@@ -186,7 +186,8 @@ void expectThreadsMeanNothing(std::uint64_t seed) {
     expectSameLight(one, many, sameSector);
     FrameScratch scratch;
     test::Canvas picture(camera.width, camera.height);
-    many.renderer().draw(camera, LightMode::Both, scratch, picture, threads);
+    Workers workers(threads);
+    many.renderer().draw(camera, LightMode::Both, scratch, picture, &workers);
     EXPECT_EQ(picture.image(), one.look(1, LightMode::Both))
         << seed << ", " << threads << " threads";
   }

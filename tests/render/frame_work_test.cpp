@@ -30,9 +30,11 @@ struct Work {
 Work workOf(const test::BakedRoom& room, LightMode mode = LightMode::Both, int threads = 1) {
   const std::vector<Image> textures(room.level().textures.size(), Image(1, 1, {200, 150, 100}));
   FrameScratch scratch;
+  Workers workers(threads);
   test::Canvas picture(kWidth, kHeight);
   Renderer(room.scene(), textures, room.light())
-      .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, kWidth, kHeight}, mode, scratch, picture, threads);
+      .draw({SectorId(0), {1, 0, 1.6}, 0, 0, 90, kWidth, kHeight}, mode, scratch, picture,
+            &workers);
   return {scratch.found(), scratch.painted, picture.image()};
 }
 

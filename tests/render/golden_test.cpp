@@ -83,7 +83,8 @@ TEST_F(Golden, threadsDrawWhatOneDraws) {
     for (const int threads : {2, 7}) {
       const Camera camera = cameraOf(shot);
       const PixelRows picture = memory.rows(camera.width, camera.height);
-      renderer_.draw(camera, LightMode::Both, scratch, picture, threads);
+      Workers workers(threads);
+      renderer_.draw(camera, LightMode::Both, scratch, picture, &workers);
       EXPECT_EQ(imageOf(picture), renderer_.draw(camera, LightMode::Both)) << shot.name;
     }
 }

@@ -251,10 +251,12 @@ TEST(Marks, DoNotDependOnTheNumberOfThreads) {
   const Renderer renderer = lit.renderer();
   for (const Shot& shot : lit.level().shots)
     for (const Marks marks : {Marks::Texels, Marks::Outlines, Marks::Coverage})
-      for (const int threads : {2, 5, 64})
-        EXPECT_EQ(renderer.draw(cameraOf(shot), marks, threads),
+      for (const int threads : {2, 5, 64}) {
+        Workers workers(threads);
+        EXPECT_EQ(renderer.draw(cameraOf(shot), marks, &workers),
                   renderer.draw(cameraOf(shot), marks))
             << shot.name << ' ' << threads;
+      }
 }
 
 TEST(Marks, ArePicturesOfTheCamerasSize) {

@@ -43,8 +43,9 @@ TEST(PixelRows, HaveThePixelsOfAnImageAndNoOthersAreWritten) {
       camera.width = width;
       camera.height = height;
       FrameScratch scratch;
+      Workers workers(2);
       PaddedRows memory(width, height);
-      renderer.draw(camera, LightMode::Both, scratch, memory.rows, 2);
+      renderer.draw(camera, LightMode::Both, scratch, memory.rows, &workers);
       expectTheSame(renderer.draw(camera, LightMode::Both), memory);
     }
   }

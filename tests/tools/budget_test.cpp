@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "loaded.h"
-#include "measure/tradeoff/measured_front.h"
+#include "settings/measured_front.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -71,7 +71,7 @@ TEST(Budget, ofAFrameIsSpentOnTheMostAccurateSettings) {
   const Renderer renderer(level.scene(), level.textures, light);
   const Camera camera = cameraOf(level.level.shots.front());
   const auto fitting = [&](double milliseconds) {
-    return frameFitting(renderer, camera, milliseconds, 1, clockOf(0.01));  // 10 ms a frame
+    return frameFitting(renderer, camera, milliseconds, nullptr, clockOf(0.01));  // 10 ms a frame
   };
   EXPECT_EQ(fitting(10).draw, DrawSettings{});
   EXPECT_DOUBLE_EQ(fitting(10).milliseconds, 10);

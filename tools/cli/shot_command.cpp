@@ -30,7 +30,8 @@ tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera
   FrameScratch scratch;
   PixelBuffer memory;
   const PixelRows rows = memory.rows(camera.width, camera.height);
-  drawChannel(loaded.scene(), renderer, camera, *channel, scratch, rows, threadsFrom(values));
+  Workers workers(threadsFrom(values));
+  drawChannel(loaded.scene(), renderer, camera, *channel, scratch, rows, &workers);
   return imageOf(rows);
 }
 

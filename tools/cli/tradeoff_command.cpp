@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
-#include "measure/tradeoff/approximations.h"
 #include "measure/tradeoff/page.h"
 #include "measure/tradeoff/report.h"
 #include "measure/tradeoff/trials.h"
 #include "session/session.h"
+#include "settings/approximations.h"
 
 namespace hearth {
 

@@ -48,7 +48,6 @@ tl::expected<Plan, std::string> planFor(const Scene& scene, const OptionValues& 
   if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
   plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
   plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
-  plan.settings.threads = threadsFrom(values);
   plan.settings.view.mode = lightModeFrom(values);
   plan.settings.options = values;
   plan.settings.canBake = isLive(values);
@@ -150,13 +149,13 @@ ExitStatus keepWalk(const Scene& scene, const RecordedStart& start, const WalkSe
 
 /// Adds options with which a frame fits the time.
 void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, const Plan& plan,
-               WalkWindow& window, OptionValues& options) {
+               WalkWindow& window, Workers* workers, OptionValues& options) {
   const auto [width, height] =
       plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
   const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
                       plan.settings.fov, width,     height};
-  const int threads = threadsFor({width, height}, plan.settings.threads);
-  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds, threads, steadySeconds);
+  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds,
+                                            workersFor({width, height}, workers), steadySeconds);
   fmt::print("picked {}\n", words(fitting));
   std::fflush(stdout);  // before the walk, not after it
   for (const Option option : notStandard(fitting.draw))
@@ -196,15 +195,17 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   settings.writeShot = [&disk, &live, &loaded](const Bookmark& bookmark) {
     return writeShot(disk, live ? *live->shown()->loaded : *loaded, bookmark);
   };
+  Workers workers(threadsFrom(values));
   if (const auto target = values.number(Option::TargetMs)) {
-    fitFrames(*target, (*lit)->renderer, eyeOf(scene, session.walker()), plan, *window,
+    fitFrames(*target, (*lit)->renderer, eyeOf(scene, session.walker()), plan, *window, &workers,
               settings.options);
     if (live) live->setOptions(settings.options);
     *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
   }
 
   ScreenshotFiles screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(scene, (*lit)->renderer, session, {*window, disk, screenshots}, settings, source);
+  WalkLoop loop(scene, (*lit)->renderer, session, {*window, disk, screenshots, &workers}, settings,
+                source);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
   if (keepWalk(scene, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "measure/tradeoff/measured_front.h"
+#include "settings/measured_front.h"
 #include "settings/settings.h"
 
 namespace hearth {
@@ -24,16 +24,16 @@ FittingBake bakeFitting(const Scene& scene, const BakeSettings& ofLevel, double 
 }
 
 FittingFrame frameFitting(const Renderer& renderer, const Camera& camera, double milliseconds,
-                          int threads, const Clock& clock) {
+                          Workers* workers, const Clock& clock) {
   constexpr int kFrames = 5;
   FrameScratch scratch;
   PixelBuffer memory;
   const PixelRows picture = memory.rows(camera.width, camera.height);
-  renderer.draw(camera, LightMode::Both, scratch, picture, threads);  // takes the memory
+  renderer.draw(camera, LightMode::Both, scratch, picture, workers);  // takes the memory
   std::vector<double> times;
   for (int i = 0; i < kFrames; ++i) {
     const double begin = clock();
-    renderer.draw(camera, LightMode::Both, scratch, picture, threads);
+    renderer.draw(camera, LightMode::Both, scratch, picture, workers);
     times.push_back(1e3 * (clock() - begin));
   }
   const double exact = std::max(spreadOf(times).median, 1e-6);

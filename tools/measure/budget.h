@@ -26,7 +26,7 @@ struct FittingFrame {
 
 /// Draws what the camera sees a few times. `renderer` draws exactly.
 FittingFrame frameFitting(const Renderer& renderer, const Camera& camera, double milliseconds,
-                          int threads, const Clock& clock);
+                          Workers* workers, const Clock& clock);
 
 /// What was picked and what is expected of it, in one line.
 std::string words(const FittingBake& fitting);

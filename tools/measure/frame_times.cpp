@@ -7,34 +7,8 @@
 
 namespace hearth {
 
-FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
-  const auto mean = [](auto count) { return static_cast<double>(count); };
-  return {{{"viewports", mean(found.viewports)},
-           {"flatPortals", mean(found.flatPortals)},
-           {"windows", mean(found.windows)},
-           {"segments", mean(found.segments)},
-           {"wallColumns", mean(found.wallColumns)},
-           {"stackColumns", mean(found.stackColumns)},
-           {"slopeColumns", mean(found.slopeColumns)},
-           {"spans", mean(found.spans)},
-           {"slopeSpans", mean(painted.slopeSpans)},
-           {"lightmapSpans", mean(painted.lightmapSpans)},
-           {"coloredSpans", mean(painted.coloredSpans)},
-           {"lightmapPixels", mean(painted.lightmapPixels)},
-           {"pixels", mean(painted.pixels)}}};
-}
-
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-Spread spreadOf(std::vector<double> values) {
-  std::ranges::sort(values);
-  const auto at = [&](double fraction) {
-    const auto index = std::ceil(fraction * static_cast<double>(values.size())) - 1;
-    return values[static_cast<std::size_t>(std::max(0.0, index))];
-  };
-  return {at(0.5), at(0.95)};
 }
 
 std::vector<Camera> camerasOf(const Level& level) {
@@ -45,18 +19,19 @@ std::vector<Camera> camerasOf(const Level& level) {
   return cameras;
 }
 
-FrameTimes::FrameTimes(PictureSize size, int threads)
-    : bench_{size, threads, {}, {}, {}, {}, countersOf({}, {})},
+FrameTimes::FrameTimes(PictureSize size, Workers* workers)
+    : workers_(workers),
+      bench_{size, workers ? workers->threads() : 1, {}, {}, {}, {}, countersOf({}, {})},
       memory_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
 
 void FrameTimes::draw(const Renderer& renderer, Camera camera, const Clock& clock) {
   camera.width = bench_.size.width;
   camera.height = bench_.size.height;
   const double begin = clock();
-  renderer.findSpans(camera, scratch_, bench_.threads);
+  renderer.findSpans(camera, scratch_, workers_);
   const double found = clock();
   renderer.paintSpans(camera, LightMode::Both, scratch_, picture_.rows(camera.width, camera.height),
-                      bench_.threads);
+                      workers_);
   findMilliseconds_.push_back(1e3 * (found - begin));
   colorMilliseconds_.push_back(1e3 * (clock() - found));
   const FrameCounters ofFrame = countersOf(scratch_.found(), scratch_.painted);

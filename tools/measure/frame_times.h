@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <string_view>
 #include <vector>
 
+#include "math/spread.h"
+#include "render/frame_stats.h"
 #include "render/renderer.h"
 #include "settings/options.h"
 
@@ -15,25 +15,6 @@ namespace hearth {
 using Clock = std::function<double()>;
 /// One that nobody sets.
 double steadySeconds();
-
-struct Spread {
-  double median = 0;
-  double p95 = 0;  ///< which 95 of 100 do not exceed
-};
-
-/// Of at least one value.
-Spread spreadOf(std::vector<double> values);
-
-/// Of the work of a frame, mean over the shots, which neither size of machine nor chance changes.
-struct FrameCounter {
-  std::string_view name;  ///< stable: scripts read it
-  double mean = 0;
-
-  friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
-};
-using FrameCounters = std::array<FrameCounter, 13>;
-/// Those of one frame.
-FrameCounters countersOf(const FrameStats& found, const PaintStats& painted);
 
 /// Frames of one size, of all shots of a level.
 struct FrameBench {
@@ -55,10 +36,11 @@ struct FrameBench {
 /// Those of a level's shots; of a level without shots what its player sees.
 std::vector<Camera> camerasOf(const Level& level);
 
-/// Frames of one size on so many threads, with all times that were taken.
+/// Frames of one size, with all times that were taken.
 class FrameTimes {
  public:
-  FrameTimes(PictureSize size, int threads);
+  /// The workers, if any, help to draw. They must outlive it.
+  explicit FrameTimes(PictureSize size, Workers* workers = nullptr);
 
   /// Draws a frame, and then writes memory of its size.
   void draw(const Renderer& renderer, Camera camera, const Clock& clock);
@@ -72,6 +54,7 @@ class FrameTimes {
  private:
   void write(const Clock& clock);
 
+  Workers* workers_;
   FrameBench bench_;
   std::vector<double> findMilliseconds_;
   std::vector<double> colorMilliseconds_;

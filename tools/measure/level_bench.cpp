@@ -27,8 +27,10 @@ BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
 
   std::vector<FrameTimes> frames;
   std::vector<std::vector<double>> bakeSeconds;
+  Workers workers(threads);
   for (const int count : threadCounts(threads)) {
-    for (const PictureSize size : kSizes) frames.emplace_back(size, count);
+    for (const PictureSize size : kSizes)
+      frames.emplace_back(size, count == 1 ? nullptr : &workers);
     bakeSeconds.emplace_back();
   }
   const auto drawAll = [&] {

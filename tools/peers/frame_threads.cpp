@@ -63,7 +63,6 @@ class ThreadedFrames {
   }
 
  private:
-  /// Its threads go on from frame to frame, as long as these ask for as many.
   struct Canvas {
     FrameScratch scratch;
     PixelBuffer memory;
@@ -71,29 +70,29 @@ class ThreadedFrames {
 
   void drawAll(const Clock& clock) {
     for (const Camera& camera : cameras_) {
-      draw(camera, 1, ofPair_[0], one_, clock);
-      draw(camera, 2, ofTwo_, two_, clock);
+      draw(camera, nullptr, ofPair_[0], one_, clock);
+      draw(camera, &workers_, ofTwo_, two_, clock);
       const auto each = [&](auto&& work) {
         workers_.run(ofPair_.size(), [&](std::size_t i) { work(ofPair_[i]); });
       };
       pair_.add(
-          clock, [&] { each([&](Canvas& canvas) { find(camera, 1, canvas); }); },
-          [&] { each([&](Canvas& canvas) { color(camera, 1, canvas); }); });
+          clock, [&] { each([&](Canvas& canvas) { find(camera, nullptr, canvas); }); },
+          [&] { each([&](Canvas& canvas) { color(camera, nullptr, canvas); }); });
     }
   }
 
-  void draw(const Camera& camera, int threads, Canvas& canvas, PhaseTimes& times,
+  void draw(const Camera& camera, Workers* workers, Canvas& canvas, PhaseTimes& times,
             const Clock& clock) const {
     times.add(
-        clock, [&] { find(camera, threads, canvas); }, [&] { color(camera, threads, canvas); });
+        clock, [&] { find(camera, workers, canvas); }, [&] { color(camera, workers, canvas); });
   }
 
-  void find(const Camera& camera, int threads, Canvas& canvas) const {
-    renderer_.findSpans(camera, canvas.scratch, threads);
+  void find(const Camera& camera, Workers* workers, Canvas& canvas) const {
+    renderer_.findSpans(camera, canvas.scratch, workers);
   }
-  void color(const Camera& camera, int threads, Canvas& canvas) const {
+  void color(const Camera& camera, Workers* workers, Canvas& canvas) const {
     renderer_.paintSpans(camera, LightMode::Both, canvas.scratch,
-                         canvas.memory.rows(camera.width, camera.height), threads);
+                         canvas.memory.rows(camera.width, camera.height), workers);
   }
 
   const Renderer& renderer_;

@@ -21,7 +21,7 @@ constexpr int kLargeRounds = 2;
 class ShotFrames {
  public:
   ShotFrames(const PeerLevel& level, PictureSize size, int rounds)
-      : level_(level), cameras_(camerasOf(level.loaded.level)), rounds_(rounds), frames_(size, 1) {}
+      : level_(level), cameras_(camerasOf(level.loaded.level)), rounds_(rounds), frames_(size) {}
 
   FrameBench measure(const Clock& clock) {
     drawAll(clock);  // caches that others have used are warm again
@@ -72,7 +72,7 @@ class KernelTimes {
 
   const PeerLevel& level_;
   KernelFrames kernel_;
-  FrameTimes frames_{kLarge, 1};
+  FrameTimes frames_{kLarge};
   std::vector<Pixel> strip_;
   std::vector<Pixel> pixels_;
 };

@@ -141,7 +141,7 @@ class GrownLevel {
 
   PeerLevel level_;
   SectorId start_;
-  FrameTimes frames_{kSmallPicture, 1};
+  FrameTimes frames_{kSmallPicture};
 };
 
 Prepared prepareGrowth(PeerInputs& inputs, const Layout& layout) {

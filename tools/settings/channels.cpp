@@ -105,13 +105,13 @@ std::optional<Image> drawGeometry(const Scene& scene, const Camera& camera,
 
 void drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
                  std::string_view channel, FrameScratch& scratch, const PixelRows& picture,
-                 int threads) {
+                 Workers* workers) {
   const Row* row = find(channel);
   CHECK(row, channel);  // the option takes no other
   if (const Marks* marks = std::get_if<Marks>(&row->draws))
-    renderer.draw(camera, *marks, scratch, picture, threads);
+    renderer.draw(camera, *marks, scratch, picture, workers);
   else if (const Channel* numbers = std::get_if<Channel>(&row->draws))
-    renderer.draw(camera, *numbers, scratch, picture, threads);
+    renderer.draw(camera, *numbers, scratch, picture, workers);
   else
     drawGeometry(*row, scene, camera, picture);
 }

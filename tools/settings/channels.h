@@ -37,10 +37,10 @@ bool isOfCamera(std::string_view channel);
 std::optional<Image> drawGeometry(const Scene& scene, const Camera& camera,
                                   std::string_view channel);
 
-/// Draws any channel, into a picture of the camera's size. The renderer is the scene's. Marks and
-/// numbers are drawn on so many threads, and are the same for any number of them.
+/// Draws any channel, into a picture of the camera's size. The renderer is the scene's. The
+/// workers, if any, help with marks and numbers.
 void drawChannel(const Scene& scene, const Renderer& renderer, const Camera& camera,
                  std::string_view channel, FrameScratch& scratch, const PixelRows& picture,
-                 int threads = availableThreads());
+                 Workers* workers = nullptr);
 
 }  // namespace hearth

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "measure/tradeoff/approximations.h"
+#include "settings/approximations.h"
 #include "settings/settings.h"
 #include "support/canvas.h"
 #include "viewer/overlay/overlay.h"

@@ -1,4 +1,4 @@
-#include "measure/tradeoff/approximations.h"
+#include "settings/approximations.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "../loaded.h"
 #include "cli/command.h"
-#include "measure/tradeoff/measured_settings.h"
 #include "render/renderer.h"
+#include "settings/measured_settings.h"
 #include "settings/settings.h"
 
 namespace hearth {

@@ -9,8 +9,8 @@
 
 #include "../loaded.h"
 #include "measure/tradeoff/measure_trials.h"
-#include "measure/tradeoff/measured_front.h"
-#include "measure/tradeoff/measured_settings.h"
+#include "settings/measured_front.h"
+#include "settings/measured_settings.h"
 
 namespace hearth {
 namespace {

@@ -11,8 +11,9 @@ INSTANTIATE_TEST_SUITE_P(OfThreads, WalkMemory, testing::Values(1, 2));
 
 TEST_P(WalkMemory, ASecondAt1920x1080TakesNone) {
   const test::Place tutorial("levels/tutorial.json");
-  test::StagedWalk walk({.size = PictureSize{1920, 1080}, .threads = GetParam()}, tutorial,
-                        WalkSession::Memory::None);
+  Workers workers(GetParam());
+  test::StagedWalk walk({.size = PictureSize{1920, 1080}}, tutorial, WalkSession::Memory::None,
+                        &workers);
   walk.stage.title.reserve(100);
   walk.now(test::down(Key::Tab));  // the map is drawn, too
   const auto turnThereAndBack = [&] {

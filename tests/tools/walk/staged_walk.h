@@ -32,7 +32,8 @@ inline const Place& rooms() {
 class StagedWalk {
  public:
   explicit StagedWalk(const WalkSettings& settings = {}, const Place& place = rooms(),
-                      WalkSession::Memory memory = WalkSession::Memory::Inputs)
+                      WalkSession::Memory memory = WalkSession::Memory::Inputs,
+                      Workers* workers = nullptr)
       : place_(place),
         renderer_(place.loaded.scene(), place.loaded.textures, place.light),
         start_(walkerAt(scene(), level().player->sector, level().player->eye, level().player->angle,
@@ -40,7 +41,7 @@ class StagedWalk {
         session_(scene(), start_, memory),
         screenshots_(testing::TempDir(), "walk"),
         settings_(settings),
-        loop_(scene(), renderer_, session_, {stage, disk_, screenshots_}, settings) {
+        loop_(scene(), renderer_, session_, {stage, disk_, screenshots_, workers}, settings) {
     isOn = loop_.round();  // starts the clock
   }
 

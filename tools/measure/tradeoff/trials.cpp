@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "measure/tradeoff/approximations.h"
+#include "settings/approximations.h"
 #include "settings/quality.h"
 
 namespace hearth {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "math/spread.h"
 #include "viewer/overlay/widgets.h"
 
 namespace hearth {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "measure/frame_times.h"
+#include "render/frame_stats.h"
 #include "text/progress_text.h"
 #include "viewer/overlay/frame_history.h"
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "measure/tradeoff/approximations.h"
-#include "measure/tradeoff/measured_front.h"
-#include "measure/tradeoff/measured_settings.h"
+#include "settings/approximations.h"
+#include "settings/measured_front.h"
+#include "settings/measured_settings.h"
 #include "settings/quality.h"
 #include "settings/settings.h"
 #include "viewer/overlay/widgets.h"

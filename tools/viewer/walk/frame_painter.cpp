@@ -1,8 +1,15 @@
 #include "viewer/walk/frame_painter.h"
 
+#include <cstdint>
+
 #include "settings/channels.h"
 
 namespace hearth {
+
+Workers* workersFor(PictureSize picture, Workers* workers) {
+  constexpr std::int64_t kFewPixels = 128'000;
+  return std::int64_t{picture.width} * picture.height < kFewPixels ? nullptr : workers;
+}
 
 void FramePainter::goOnIn(const Scene& scene, const Renderer& renderer) {
   scene_ = scene;
@@ -10,16 +17,17 @@ void FramePainter::goOnIn(const Scene& scene, const Renderer& renderer) {
   seen_ = SeenSectors(scene.level(), seen_);
 }
 
-void FramePainter::find(const WalkFrame& frame, int threads) {
-  renderer_->findSpans(frame.camera, scratch_, threads);
+void FramePainter::find(const WalkFrame& frame) {
+  renderer_->findSpans(frame.camera, scratch_, workersFor(frame.size, workers_));
 }
 
-void FramePainter::paint(const WalkFrame& frame, const PixelRows& picture, int threads) {
+void FramePainter::paint(const WalkFrame& frame, const PixelRows& picture) {
+  Workers* const workers = workersFor(frame.size, workers_);
   const WalkView& view = frame.view;
   if (view.channel.empty())
-    renderer_->paintSpans(frame.camera, view.mode, scratch_, picture, threads);
+    renderer_->paintSpans(frame.camera, view.mode, scratch_, picture, workers);
   else
-    drawChannel(scene_, *renderer_, frame.camera, view.channel, scratch_, picture, threads);
+    drawChannel(scene_, *renderer_, frame.camera, view.channel, scratch_, picture, workers);
 }
 
 void FramePainter::noteSeen(const WalkFrame& frame, SectorId player) {

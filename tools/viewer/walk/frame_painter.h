@@ -2,19 +2,24 @@
 
 #include "image/pixel_rows.h"
 #include "level/scene.h"
-#include "measure/frame_times.h"
+#include "render/frame_stats.h"
 #include "render/renderer.h"
 #include "viewer/walk/automap.h"
 #include "viewer/walk/walk_frame.h"
 
 namespace hearth {
 
+/// The workers that help to draw a picture: none if it is small. A tenth of a millisecond goes by
+/// before all of them are at work, and that is not worth their while for less than twice 64,000
+/// pixels (0.6 ms).
+Workers* workersFor(PictureSize picture, Workers* workers);
+
 /// Draws the frames of a walk, and remembers which sectors they have shown.
 class FramePainter {
  public:
-  /// The scene's level and geometry, and the renderer, must outlive it.
-  FramePainter(const Scene& scene, const Renderer& renderer)
-      : scene_(scene), renderer_(&renderer), seen_(scene.level()) {}
+  /// All must outlive it, the scene's level and geometry too.
+  FramePainter(const Scene& scene, const Renderer& renderer, Workers* workers)
+      : scene_(scene), renderer_(&renderer), workers_(workers), seen_(scene.level()) {}
 
   /// From now on of another version of the level.
   void goOnIn(const Scene& scene, const Renderer& renderer);
@@ -22,8 +27,8 @@ class FramePainter {
   const Renderer& renderer() const { return *renderer_; }
 
   /// The two phases of what the camera sees, into a picture of the camera's size.
-  void find(const WalkFrame& frame, int threads);
-  void paint(const WalkFrame& frame, const PixelRows& picture, int threads);
+  void find(const WalkFrame& frame);
+  void paint(const WalkFrame& frame, const PixelRows& picture);
 
   /// Remembers what the camera has seen, and the sector of the player.
   void noteSeen(const WalkFrame& frame, SectorId player);
@@ -37,6 +42,7 @@ class FramePainter {
  private:
   Scene scene_;
   const Renderer* renderer_;
+  Workers* workers_;
   FrameScratch scratch_;
   SeenSectors seen_;
 };

@@ -40,7 +40,7 @@ WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& se
       config_(host.storage, settings.config, settings.preferences),
       bookmarks_(session, settings_),
       notices_(settings.notes),
-      screen_(scene, renderer, session, host.window, host.screenshots),
+      screen_(scene, renderer, session, host),
       panel_(bakeSettingsFrom(scene, settings.options)) {
   frame_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);

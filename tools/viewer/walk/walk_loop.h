@@ -11,9 +11,7 @@
 #include "load/source.h"
 #include "render/renderer.h"
 #include "settings/options.h"
-#include "viewer/host/screenshots.h"
-#include "viewer/host/storage.h"
-#include "viewer/host/window_host.h"
+#include "viewer/host/walk_host.h"
 #include "viewer/overlay/marker_space.h"
 #include "viewer/preferences/config.h"
 #include "viewer/walk/controls.h"
@@ -27,13 +25,6 @@
 #include "walk/walk_clock.h"
 
 namespace hearth {
-
-/// What a walk runs in.
-struct WalkHost {
-  WindowHost& window;
-  Storage& storage;
-  Screenshots& screenshots;
-};
 
 /// A walk, round by round: events, the ticks that are due, a picture where it would be another
 /// than the last. Waits for nothing but that the window takes the picture, and rests while nothing

@@ -18,12 +18,12 @@ constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
 }  // namespace
 
 WalkScreen::WalkScreen(const Scene& scene, const Renderer& renderer, const WalkSession& session,
-                       WindowHost& window, Screenshots& screenshots)
+                       const WalkHost& host)
     : scene_(scene),
       session_(session),
-      window_(window),
-      screenshots_(screenshots),
-      painter_(scene, renderer) {
+      window_(host.window),
+      screenshots_(host.screenshots),
+      painter_(scene, renderer, host.workers) {
   title_.reserve(scene.level().name.size() + 64);  // so that no frame has to
   window_.setTitle(scene.level().name);
 }
@@ -54,7 +54,7 @@ PanelWishes WalkScreen::show(WalkFrame& frame, const PanelSubject& subject, Walk
   if (isCovered(frame, panel))
     wishes = drawCovered(frame, subject, panel, settings, now);
   else
-    drawUncovered(frame, settings, now);
+    drawUncovered(frame, now);
   shown_ = std::move(drawn);
   return wishes;
 }
@@ -67,11 +67,10 @@ bool WalkScreen::isCovered(const WalkFrame& frame, const WalkPanel& panel) const
 }
 
 /// Straight into the window's memory.
-void WalkScreen::drawUncovered(const WalkFrame& frame, const WalkSettings& settings, double now) {
+void WalkScreen::drawUncovered(const WalkFrame& frame, double now) {
   window_.show(frame.size, [&](const PixelRows& rows) {
-    const int threads = threadsFor(frame.size, settings.threads);
-    painter_.find(frame, threads);
-    painter_.paint(frame, rows, threads);
+    painter_.find(frame);
+    painter_.paint(frame, rows);
     painter_.noteSeen(frame, session_.walker().sector);
     count(now, window_.seconds());
   });
@@ -87,12 +86,11 @@ PanelWishes WalkScreen::drawCovered(WalkFrame& frame, const PanelSubject& subjec
     return end - std::exchange(begin, end);
   };
   const auto [width, height] = frame.size;
-  const int threads = threadsFor(frame.size, settings.threads);
   const PixelRows picture = memory_.rows(width, height);
   const PixelRows ofCamera = picture.part(0, 0, frame.camera.width, height);
-  painter_.find(frame, threads);
+  painter_.find(frame);
   parts.find = lap();
-  painter_.paint(frame, ofCamera, threads);
+  painter_.paint(frame, ofCamera);
   parts.paint = lap();
   keepScreenshot(frame, ofCamera);
   picture.part(ofCamera.width, 0, width - ofCamera.width, height).fill({});

@@ -4,8 +4,7 @@
 #include <string>
 
 #include "image/pixel_rows.h"
-#include "viewer/host/screenshots.h"
-#include "viewer/host/window_host.h"
+#include "viewer/host/walk_host.h"
 #include "viewer/overlay/figures_section.h"
 #include "viewer/walk/frame_pacer.h"
 #include "viewer/walk/frame_painter.h"
@@ -21,7 +20,7 @@ class WalkScreen {
  public:
   /// All must outlive it, the scene's level and geometry too.
   WalkScreen(const Scene& scene, const Renderer& renderer, const WalkSession& session,
-             WindowHost& window, Screenshots& screenshots);
+             const WalkHost& host);
 
   /// From now on in another version of the level.
   void goOnIn(const Scene& scene, const Renderer& renderer);
@@ -42,7 +41,7 @@ class WalkScreen {
 
  private:
   bool isCovered(const WalkFrame& frame, const WalkPanel& panel) const;
-  void drawUncovered(const WalkFrame& frame, const WalkSettings& settings, double now);
+  void drawUncovered(const WalkFrame& frame, double now);
   PanelWishes drawCovered(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
                           WalkSettings& settings, double now);
   void keepScreenshot(const WalkFrame& frame, const PixelRows& picture);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -17,14 +15,6 @@
 #include "viewer/walk/automap.h"
 
 namespace hearth {
-
-/// How many of `most` threads draw a picture. A tenth of a millisecond goes by before all of them
-/// are at work; less than three times that is not worth their while.
-inline int threadsFor(PictureSize picture, int most) {
-  constexpr std::int64_t kPixelsForEach = 64'000;  // drawn in some 0.6 ms
-  const std::int64_t pixels = std::int64_t{picture.width} * picture.height;
-  return static_cast<int>(std::clamp<std::int64_t>(pixels / kPixelsForEach, 1, most));
-}
 
 /// What shows over and of the picture, as keys change it.
 struct WalkView {
@@ -47,7 +37,6 @@ struct WalkSettings {
   std::optional<PictureSize> size = {};  ///< of the picture; without it that of the window
   double fov = 90;                       ///< degrees, horizontal
   double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
-  int threads = 1;                       ///< that may draw
   WalkView view = {};
   OptionValues options = {};                             ///< by which the level is lit and drawn
   std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited

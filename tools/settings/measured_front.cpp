@@ -1,4 +1,4 @@
-#include "measure/tradeoff/measured_front.h"
+#include "settings/measured_front.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "measure/tradeoff/approximations.h"
+#include "settings/approximations.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "measure/tradeoff/measured_settings.h"
+#include "settings/measured_settings.h"
 
 #include <algorithm>
 #include <array>

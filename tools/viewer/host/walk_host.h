@@ -1,0 +1,18 @@
+#pragma once
+
+#include "math/parallel.h"
+#include "viewer/host/screenshots.h"
+#include "viewer/host/storage.h"
+#include "viewer/host/window_host.h"
+
+namespace hearth {
+
+/// What a walk runs in. It starts no threads of its own.
+struct WalkHost {
+  WindowHost& window;
+  Storage& storage;
+  Screenshots& screenshots;
+  Workers* workers = nullptr;  ///< that help to draw, if any
+};
+
+}  // namespace hearth
