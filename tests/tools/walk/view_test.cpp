@@ -8,6 +8,7 @@
 #include "desktop/screenshot_files.h"
 #include "image/image_file.h"
 #include "support/canvas.h"
+#include "support/temporary_folder.h"
 #include "viewer/walk/captions.h"
 #include "viewer/walk/frame_rate.h"
 #include "viewer/walk/placement.h"
@@ -56,12 +57,10 @@ TEST(FrameRateTest, StartsAnewAfterARestAndWhenTheClockIsSetBack) {
 }
 
 class ScreenshotsTest : public testing::Test {
- protected:
-  ScreenshotsTest() { std::filesystem::create_directories(folder_); }
-  ~ScreenshotsTest() override { std::filesystem::remove_all(folder_); }
+  test::TemporaryFolder temporary_;
 
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
-                                  testing::UnitTest::GetInstance()->current_test_info()->name();
+ protected:
+  std::filesystem::path folder_ = temporary_.path();
 };
 
 TEST_F(ScreenshotsTest, NeverReplaceAFile) {
