@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <system_error>
 #include <vector>
 
+#include "files/replace_file.h"
 #include "image/jpeg_tables.h"
-#include "image/replace_file.h"
 #include "math/check.h"
 
 namespace hearth {
@@ -104,27 +100,21 @@ constexpr std::int64_t kMaxExtraBytes = std::int64_t{4} << 20;
 
 constexpr const char* kDamaged = "is damaged or cut short; save it anew as PNG";
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, FileCloser>;
-
 int readSome(void* file, char* bytes, int size) {
-  return static_cast<int>(
-      std::fread(bytes, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(file)));
+  auto* const stream = static_cast<std::istream*>(file);
+  stream->read(bytes, size);
+  return static_cast<int>(stream->gcount());
 }
 
 void skip(void* file, int bytes) {
-  auto* const stream = static_cast<std::FILE*>(file);
-  std::fseek(stream, bytes, SEEK_CUR);
+  auto* const stream = static_cast<std::istream*>(file);
+  stream->clear();  // a stream that has reached its end does not go back
+  stream->seekg(bytes, std::ios::cur);
   // Seeking forgets that the end was reached, and stb, which reads no more then, would wait for it.
-  if (const int next = std::getc(stream); next != EOF) std::ungetc(next, stream);
+  stream->peek();
 }
 
-int atEnd(void* file) {
-  auto* const stream = static_cast<std::FILE*>(file);
-  return std::feof(stream) != 0 || std::ferror(stream) != 0 ? 1 : 0;
-}
+int atEnd(void* file) { return static_cast<std::istream*>(file)->good() ? 0 : 1; }
 
 /// What stb reads a file through. Not a constant: the loader would have to write its addresses.
 stbi_io_callbacks fileCallbacks() { return {readSome, skip, atEnd}; }
@@ -137,29 +127,32 @@ tl::unexpected<std::string> failure(const std::filesystem::path& path, const std
   return tl::make_unexpected(fmt::format("{}: {}", path.string(), what));
 }
 
-/// Opens a regular file: reading a directory fails late, and reading a pipe may wait for ever.
-tl::expected<File, std::string> openRegular(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) {
-    return failure(path, "there is no such file; check the path and its spelling");
-  }
-  if (error) return failure(path, fmt::format("cannot be read: {}", error.message()));
-  if (!std::filesystem::is_regular_file(status)) {
-    return failure(path, "is not a file; give the path of a picture");
-  }
-  File file(std::fopen(path.c_str(), "rb"));
-  if (!file) return failure(path, fmt::format("cannot be read: {}", std::strerror(errno)));
-  return file;
+using File = std::unique_ptr<std::istream>;
+
+tl::expected<File, std::string> open(const FileSource& files, const std::filesystem::path& path) {
+  return files.open(path).map_error([&](const ReadFailure& failed) {
+    std::string what = failed.what;
+    if (failed.fault == ReadFault::Missing)
+      what = "there is no such file; check the path and its spelling";
+    if (failed.fault == ReadFault::NotRegular) what = "is not a file; give the path of a picture";
+    return failure(path, what).value();
+  });
 }
 
-tl::expected<ImageSize, std::string> sizeOf(std::FILE* file, const std::filesystem::path& path) {
+std::uint64_t bytesOf(std::istream& file) {
+  file.clear();  // small files have been read to their end
+  file.seekg(0, std::ios::end);
+  const std::streamoff bytes = file.tellg();
+  return bytes < 0 ? 0 : static_cast<std::uint64_t>(bytes);
+}
+
+tl::expected<ImageSize, std::string> sizeOf(std::istream& file, const std::filesystem::path& path) {
   if (!haveSoundTables(file, JpegPart::Header)) return failure(path, kDamaged);
   ImageSize size;
   int channels = 0;
   const stbi_io_callbacks callbacks = fileCallbacks();
   const int known =
-      stbi_info_from_callbacks(&callbacks, file, &size.width, &size.height, &channels);
+      stbi_info_from_callbacks(&callbacks, &file, &size.width, &size.height, &channels);
   if (known == 0 || size.width <= 0 || size.height <= 0) {
     return failure(path,
                    "is not a PNG, JPEG, BMP or TGA picture, or its header is damaged or claims an "
@@ -169,7 +162,8 @@ tl::expected<ImageSize, std::string> sizeOf(std::FILE* file, const std::filesyst
 }
 
 /// Refuses, before any memory is taken, what is too large or cannot be true.
-tl::expected<void, std::string> checkSize(ImageSize size, std::int64_t maxPixels,
+tl::expected<void, std::string> checkSize(ImageSize size, std::uint64_t fileBytes,
+                                          std::int64_t maxPixels,
                                           const std::filesystem::path& path) {
   const std::int64_t pixels = std::int64_t{size.width} * size.height;
   if (pixels > maxPixels) {
@@ -177,13 +171,10 @@ tl::expected<void, std::string> checkSize(ImageSize size, std::int64_t maxPixels
                                      "smaller or raise the limit",
                                      size.width, size.height, maxPixels));
   }
-  std::error_code error;
-  const std::uintmax_t fileBytes = std::filesystem::file_size(path, error);
-  if (error) return failure(path, fmt::format("cannot be read: {}", error.message()));
   const bool tooShort =
-      fileBytes < static_cast<std::uintmax_t>((pixels - 1) / kMaxPixelsPerByte + 1);
+      fileBytes < static_cast<std::uint64_t>((pixels - 1) / kMaxPixelsPerByte + 1);
   const bool tooLong =
-      fileBytes > static_cast<std::uintmax_t>(pixels) * kMaxBytesPerPixel + kMaxExtraBytes;
+      fileBytes > static_cast<std::uint64_t>(pixels) * kMaxBytesPerPixel + kMaxExtraBytes;
   if (tooShort || tooLong) {
     return failure(path,
                    fmt::format("claims {} x {} pixels, which its {} bytes cannot hold or do not "
@@ -232,23 +223,24 @@ bool encodePng(std::ostream& stream, const Image& image) {
 
 }  // namespace
 
-tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path) {
-  const auto file = openRegular(path);
+tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path,
+                                                   const FileSource& files) {
+  const auto file = open(files, path);
   if (!file) return tl::make_unexpected(file.error());
-  return sizeOf(file->get(), path);
+  return sizeOf(**file, path);
 }
 
 tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
-                                           std::int64_t maxPixels) {
-  const auto file = openRegular(path);
+                                           std::int64_t maxPixels, const FileSource& files) {
+  const auto file = open(files, path);
   if (!file) return tl::make_unexpected(file.error());
-  const auto size = sizeOf(file->get(), path);
+  const auto size = sizeOf(**file, path);
   if (!size) return tl::make_unexpected(size.error());
-  if (const auto checked = checkSize(*size, maxPixels, path); !checked) {
+  if (const auto checked = checkSize(*size, bytesOf(**file), maxPixels, path); !checked) {
     return tl::make_unexpected(checked.error());
   }
 
-  if (!haveSoundTables(file->get(), JpegPart::All)) return failure(path, kDamaged);
+  if (!haveSoundTables(**file, JpegPart::All)) return failure(path, kDamaged);
   const stbi_io_callbacks callbacks = fileCallbacks();
   ImageSize decoded;
   int channels = 0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "files/file_source.h"
 #include "image/image.h"
 
 namespace hearth {
@@ -20,7 +21,8 @@ struct ImageSize {
 /// The size of a PNG, JPEG, BMP or TGA picture from the first bytes of its file; nothing is
 /// decoded. The kind is told by the content, not by the name. Errors are one sentence that begins
 /// with the path.
-tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path);
+tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path,
+                                                   const FileSource& files = DiskFiles());
 
 /// Reads a picture as 8-bit RGB: 16 bits are cut to their high byte, grey is widened. Pixels whose
 /// alpha is less than half are holes; else alpha is ignored. Pictures of more than `maxPixels` are
@@ -28,7 +30,8 @@ tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& 
 /// memory taken. A PNG that is cut short is refused; the other kinds may read as black or grey
 /// where data is missing. Errors are one sentence that begins with the path.
 tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
-                                           std::int64_t maxPixels);
+                                           std::int64_t maxPixels,
+                                           const FileSource& files = DiskFiles());
 
 /// Writes a PNG, the same bytes for the same picture, and never half of it: see replaceFile. Only a
 /// picture with holes has alpha.

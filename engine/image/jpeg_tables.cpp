@@ -13,6 +13,8 @@ constexpr int kLastRestart = 0xD7;
 constexpr int kEndOfImage = 0xD9;
 constexpr int kStartOfScan = 0xDA;
 
+constexpr int kEnd = std::istream::traits_type::eof();
+
 constexpr int kMostSymbols = 255;
 constexpr int kCodeLengths = 16;
 
@@ -20,7 +22,7 @@ constexpr int kCodeLengths = 16;
 /// and ends at the next marker.
 class TableChecker {
  public:
-  explicit TableChecker(std::FILE* file) : file_(file) {}
+  explicit TableChecker(std::istream& file) : file_(file) {}
 
   bool check(JpegPart part) {
     if (nextMarker() != kStartOfImage) return true;
@@ -37,48 +39,53 @@ class TableChecker {
  private:
   /// The code after the next 0xFF, except restart markers inside scans; 0 at the file's end.
   int nextMarker() {
-    for (int byte = std::getc(file_); byte != EOF; byte = std::getc(file_)) {
+    for (int byte = file_.get(); byte != kEnd; byte = file_.get()) {
       if (byte != 0xFF) continue;
-      while (byte == 0xFF) byte = std::getc(file_);
+      while (byte == 0xFF) byte = file_.get();
       if (byte > 0 && (byte < kFirstRestart || byte > kLastRestart)) return byte;
     }
     return 0;
   }
 
   int read16() {
-    const int high = std::getc(file_);
-    const int low = std::getc(file_);
-    return low == EOF ? 0 : high << 8 | low;
+    const int high = file_.get();
+    const int low = file_.get();
+    return low == kEnd ? 0 : high << 8 | low;
   }
 
   void skipSegment() {
     const int length = read16();
-    if (length > 2) std::fseek(file_, length - 2, SEEK_CUR);
+    if (length > 2) file_.seekg(length - 2, std::ios::cur);
   }
 
   /// Reads a segment of tables.
   bool areSound() {
     for (int left = read16() - 2; left > 0;) {
       int symbols = 0;
-      std::getc(file_);  // class and number of the table
-      for (int i = 0; i < kCodeLengths; ++i) symbols += std::max(std::getc(file_), 0);
+      file_.get();  // class and number of the table
+      for (int i = 0; i < kCodeLengths; ++i) symbols += std::max(file_.get(), 0);
       if (symbols > kMostSymbols) return false;
-      if (std::feof(file_) != 0) return true;  // cut short, which is told later
-      std::fseek(file_, symbols, SEEK_CUR);
+      if (!file_) return true;  // cut short, which is told later
+      file_.seekg(symbols, std::ios::cur);
       left -= 1 + kCodeLengths + symbols;
     }
     return true;
   }
 
-  std::FILE* file_;
+  std::istream& file_;
 };
+
+void rewind(std::istream& file) {
+  file.clear();
+  file.seekg(0);
+}
 
 }  // namespace
 
-bool haveSoundTables(std::FILE* file, JpegPart part) {
-  std::rewind(file);
+bool haveSoundTables(std::istream& file, JpegPart part) {
+  rewind(file);
   const bool areSound = TableChecker(file).check(part);
-  std::rewind(file);
+  rewind(file);
   return areSound;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdio>
+#include <istream>
 
 namespace hearth {
 
@@ -13,6 +13,6 @@ enum class JpegPart {
 /// kinds. stb_image 2.27 overruns its tables above 256 symbols and uses the 256th as a sentinel, so
 /// call this before it decodes. Real pictures need fewer. Reads from the start of the file, and
 /// rewinds it.
-bool haveSoundTables(std::FILE* file, JpegPart part);
+bool haveSoundTables(std::istream& file, JpegPart part);
 
 }  // namespace hearth

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 class Loader {
  public:
   Loader(const fs::path& file, const LoadLimits& limits,
-         const std::optional<std::string>& unsavedLights)
-      : file_(file), limits_(limits), unsavedLights_(unsavedLights) {
+         const std::optional<std::string>& unsavedLights, const FileSource& files)
+      : file_(file), limits_(limits), unsavedLights_(unsavedLights), from_(files) {
     source_.documents.reserve(2);  // values point into them
   }
 
@@ -47,6 +47,7 @@ class Loader {
   const fs::path& file_;
   const LoadLimits& limits_;
   std::optional<std::string> unsavedLights_;
+  const FileSource& from_;
   Report report_;
   LevelSource source_;
   std::vector<fs::path> files_;
@@ -59,15 +60,14 @@ std::optional<JsonValue> Loader::rootOf(const fs::path& path,
   const auto index = static_cast<std::uint32_t>(source_.documents.size());
   Document& document = source_.documents.emplace_back();
   files_.push_back(path);
-  if (!readDocument(path, unsaved, limits_, document, index, report_)) return std::nullopt;
+  if (!readDocument(from_, path, unsaved, limits_, document, index, report_)) return std::nullopt;
   return JsonValue(document, index, 0);
 }
 
 LightsDescription Loader::readLightsOf(const LevelDescription& description) {
   lights_ =
       description.lights ? file_.parent_path() / description.lights->name : lightsBeside(file_);
-  std::error_code ignored;
-  if (!unsavedLights_ && !fs::exists(lights_, ignored)) {
+  if (!unsavedLights_ && from_.kindOf(lights_) == FileKind::None) {
     if (description.lights)
       report_.error(description.lights->place, fmt::format("there is no file {}", lights_.string()),
                     "correct the path, which is relative to the level file");
@@ -112,7 +112,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   const bool isEmpty = linking.level.segments.empty();
   if (!isEmpty) addSurfacesAndGeometry(linking);
   TextureFiles textures =
-      readTextures(report_, table, linking.scene(), file_, description.textures, limits_);
+      readTextures(report_, table, linking.scene(), {from_, file_, description.textures}, limits_);
   if (isEmpty) return std::nullopt;
   validatePortals(linking);
   linkPositions(linking, lights);
@@ -140,13 +140,14 @@ fs::path lightsBeside(const fs::path& level) {
   return level.parent_path() / (level.stem().string() + ".lights.json");
 }
 
-LoadResult loadLevel(const fs::path& file, const LoadLimits& limits) {
-  return Loader(file, limits, {}).load().result;
+LoadResult loadLevel(const fs::path& file, const LoadLimits& limits, const FileSource& files) {
+  return Loader(file, limits, {}, files).load().result;
 }
 
 SourcedResult loadLevelWithSource(const fs::path& file, const LoadLimits& limits,
-                                  const std::optional<std::string>& unsavedLights) {
-  return Loader(file, limits, unsavedLights).load();
+                                  const std::optional<std::string>& unsavedLights,
+                                  const FileSource& files) {
+  return Loader(file, limits, unsavedLights, files).load();
 }
 
 }  // namespace hearth

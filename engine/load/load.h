@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "files/file_source.h"
 #include "image/shared_images.h"
 #include "level/scene.h"
 #include "load/diagnostic.h"
@@ -42,6 +43,7 @@ std::filesystem::path lightsBeside(const std::filesystem::path& level);
 /// Reads a level with its lights and textures. All mistakes are reported together, each at its
 /// place; there is no level unless there is none. Up to four threads read the images, one for each
 /// core. levels/README.md says what the files hold.
-LoadResult loadLevel(const std::filesystem::path& file, const LoadLimits& limits = {});
+LoadResult loadLevel(const std::filesystem::path& file, const LoadLimits& limits = {},
+                     const FileSource& files = DiskFiles());
 
 }  // namespace hearth

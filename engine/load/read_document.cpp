@@ -12,15 +12,9 @@ namespace hearth {
 
 namespace {
 
-std::string adviceOn(ReadFault fault, std::filesystem::path path) {
+std::string_view adviceOn(ReadFault fault) {
   switch (fault) {
-    case ReadFault::Missing: {
-      path += ".json";
-      std::error_code ignored;
-      if (std::filesystem::exists(path, ignored))
-        return fmt::format("did you mean {}?", path.string());
-      return "name a JSON file";
-    }
+    case ReadFault::Missing:
     case ReadFault::NotRegular:
       return "name a JSON file";
     case ReadFault::TooLong:
@@ -33,31 +27,35 @@ std::string adviceOn(ReadFault fault, std::filesystem::path path) {
   return "";
 }
 
+/// With the extension that may have been left out.
+std::string adviceOn(const ReadFailure& failure, const FileSource& files,
+                     std::filesystem::path path) {
+  path += ".json";
+  if (failure.fault == ReadFault::Missing && files.kindOf(path) != FileKind::None)
+    return fmt::format("did you mean {}?", path.string());
+  return std::string(adviceOn(failure.fault));
+}
+
 }  // namespace
 
-bool readDocument(const std::filesystem::path& path, const LoadLimits& limits, Document& document,
-                  std::uint32_t documentIndex, Report& report) {
+bool readDocument(const FileSource& files, const std::filesystem::path& path,
+                  const std::optional<std::string>& unsaved, const LoadLimits& limits,
+                  Document& document, std::uint32_t documentIndex, Report& report) {
   constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // places are offsets of 32 bits
-  return readDocument(path, readFile(path, std::min(limits.fileBytes, kMostPlaces)), document,
-                      documentIndex, report);
+  document.file = path.string();
+  if (unsaved) return readText(*unsaved, document, documentIndex, report);
+  auto bytes = files.read(path, std::min(limits.fileBytes, kMostPlaces));
+  if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
+  report.error({documentIndex, 0}, bytes.error().what, adviceOn(bytes.error(), files, path));
+  return false;
 }
 
 bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadFailure> bytes,
                   Document& document, std::uint32_t documentIndex, Report& report) {
   document.file = path.string();
-  if (!bytes) {
-    report.error({documentIndex, 0}, bytes.error().what, adviceOn(bytes.error().fault, path));
-    return false;
-  }
-  return readText(*std::move(bytes), document, documentIndex, report);
-}
-
-bool readDocument(const std::filesystem::path& path, const std::optional<std::string>& unsaved,
-                  const LoadLimits& limits, Document& document, std::uint32_t documentIndex,
-                  Report& report) {
-  if (!unsaved) return readDocument(path, limits, document, documentIndex, report);
-  document.file = path.string();
-  return readText(*unsaved, document, documentIndex, report);
+  if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
+  report.error({documentIndex, 0}, bytes.error().what, std::string(adviceOn(bytes.error().fault)));
+  return false;
 }
 
 bool readText(std::string text, Document& document, std::uint32_t documentIndex, Report& report) {

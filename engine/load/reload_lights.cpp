@@ -1,4 +1,3 @@
-#include <system_error>
 #include <utility>
 
 #include "load/link.h"
@@ -29,16 +28,16 @@ Level levelWith(const LightsDescription& lights, const LoadedLevel& loaded,
 
 std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
                                        const LoadLimits& limits,
-                                       const std::optional<std::string>& unsavedLights) {
+                                       const std::optional<std::string>& unsavedLights,
+                                       const FileSource& files) {
   if (source.documents.size() <= kLights) return std::nullopt;
   const std::filesystem::path& file = loaded.files[kLights];
-  std::error_code error;
-  if (!unsavedLights && !std::filesystem::exists(file, error)) return std::nullopt;
+  if (!unsavedLights && files.kindOf(file) == FileKind::None) return std::nullopt;
 
   Report report;
   Document document;
   LightsDescription lights;
-  if (readDocument(file, unsavedLights, limits, document, kLights, report))
+  if (readDocument(files, file, unsavedLights, limits, document, kLights, report))
     lights = readLights(report, JsonValue(document, kLights, 0), limits);
   const bool wasBright = saysNothingOfLight(source.level, source.lights);
   if (!report.hasErrors() && saysNothingOfLight(source.level, lights) != wasBright)

@@ -35,7 +35,8 @@ struct SourcedResult {
 /// `loadLevel`, for a caller that reports on the level's files as well. Holds all of their text.
 /// With `unsavedLights` the lights file is taken to hold this text, even if there is none yet.
 SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadLimits& limits = {},
-                                  const std::optional<std::string>& unsavedLights = {});
+                                  const std::optional<std::string>& unsavedLights = {},
+                                  const FileSource& files = DiskFiles());
 
 /// The level with what its lights file says now: what loading gives where no other file has
 /// changed, and much sooner; it tells of that file alone. `source` is that of `loaded`, and becomes
@@ -44,6 +45,7 @@ SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadL
 /// above.
 std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
                                        const LoadLimits& limits = {},
-                                       const std::optional<std::string>& unsavedLights = {});
+                                       const std::optional<std::string>& unsavedLights = {},
+                                       const FileSource& files = DiskFiles());
 
 }  // namespace hearth

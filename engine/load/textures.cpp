@@ -27,10 +27,10 @@ bool hasKnownExtension(const fs::path& path) {
 
 class ImageFinder {
  public:
-  ImageFinder(const fs::path& levelFile, const std::optional<NameReference>& folder) {
-    const fs::path home = levelFile.parent_path();
-    if (folder)
-      folders_ = {home / folder->name};
+  explicit ImageFinder(const TexturePlace& place) : files_(place.files) {
+    const fs::path home = place.level.parent_path();
+    if (place.folder)
+      folders_ = {home / place.folder->name};
     else
       folders_ = {home / ".." / "textures", home};
   }
@@ -39,8 +39,7 @@ class ImageFinder {
     for (const fs::path& folder : folders_)
       for (const std::string_view extension : kExtensions) {
         const fs::path candidate = folder / fmt::format("{}{}", name, extension);
-        std::error_code ignored;  // what cannot be asked about does not exist for us
-        if (fs::is_regular_file(candidate, ignored)) return candidate;
+        if (files_.kindOf(candidate) == FileKind::Regular) return candidate;
       }
     return std::nullopt;
   }
@@ -48,14 +47,9 @@ class ImageFinder {
   /// Names of all images that could be meant.
   std::vector<std::string> known() const {
     std::vector<std::string> names;
-    for (const fs::path& folder : folders_) {
-      std::error_code ignored;
-      for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
-           entry.increment(ignored)) {
-        const fs::path& path = entry->path();
-        if (hasKnownExtension(path)) names.push_back(path.stem().string());
-      }
-    }
+    for (const fs::path& folder : folders_)
+      for (const fs::path& name : files_.namesIn(folder))
+        if (hasKnownExtension(name)) names.push_back(name.stem().string());
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
@@ -72,14 +66,16 @@ class ImageFinder {
   /// The one that the level names.
   std::string named() const { return folders_.front().lexically_normal().string(); }
 
-  bool hasFolder() const { return std::ranges::any_of(folders_, exists); }
-
- private:
-  static bool exists(const fs::path& folder) {
-    std::error_code ignored;
-    return fs::is_directory(folder.empty() ? "." : folder, ignored);
+  bool hasFolder() const {
+    return std::ranges::any_of(folders_, [this](const fs::path& folder) { return exists(folder); });
   }
 
+ private:
+  bool exists(const fs::path& folder) const {
+    return files_.kindOf(folder.empty() ? "." : folder) == FileKind::Folder;
+  }
+
+  const FileSource& files_;
   std::vector<fs::path> folders_;
 };
 
@@ -126,18 +122,19 @@ struct Mistake {
 /// None of an image of which only the header is read.
 using ImageRead = tl::expected<std::optional<Image>, Mistake>;
 
-ImageRead readFrom(const fs::path& path, bool isWorn, const LoadLimits& limits) {
+ImageRead readFrom(const FileSource& files, const fs::path& path, bool isWorn,
+                   const LoadLimits& limits) {
   const auto mistake = [](std::string message, std::string advice) {
     return tl::unexpected(Mistake{std::move(message), std::move(advice)});
   };
-  const auto size = readImageSize(path);
+  const auto size = readImageSize(path, files);
   if (!size) return mistake(size.error(), "replace the image");
   if (std::int64_t{size->width} * size->height > limits.imagePixels)
     return mistake(fmt::format("{} has {} x {} pixels, more than {}", path.string(), size->width,
                                size->height, limits.imagePixels),
                    "raise the limit with --max-image-pixels");
   if (!isWorn) return std::nullopt;
-  auto image = readImage(path, limits.imagePixels);
+  auto image = readImage(path, limits.imagePixels, files);
   if (!image) return mistake(image.error(), "replace the image");
   return *std::move(image);
 }
@@ -164,13 +161,14 @@ std::vector<std::optional<fs::path>> pathsOf(std::span<const NameReference> name
 }
 
 /// By TextureId.
-std::vector<ImageRead> readAll(std::span<const std::optional<fs::path>> paths,
+std::vector<ImageRead> readAll(const FileSource& files,
+                               std::span<const std::optional<fs::path>> paths,
                                const std::vector<bool>& worn, const LoadLimits& limits) {
   // Each may take as much memory for a while as a decoder is allowed.
   constexpr int kMostThreads = 4;
   std::vector<ImageRead> reads(paths.size());
   parallelFor(paths.size(), std::min(kMostThreads, availableThreads()), [&](std::size_t i) {
-    if (paths[i]) reads[i] = readFrom(*paths[i], worn[i], limits);
+    if (paths[i]) reads[i] = readFrom(files, *paths[i], worn[i], limits);
   });
   return reads;
 }
@@ -211,12 +209,11 @@ TextureId TextureTable::idOf(const NameReference& name) {
 }
 
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
-                          const fs::path& levelFile, const std::optional<NameReference>& folder,
-                          const LoadLimits& limits) {
-  const ImageFinder finder(levelFile, folder);
+                          const TexturePlace& place, const LoadLimits& limits) {
+  const ImageFinder finder(place);
   const std::vector<NameReference>& names = table.names();
   const std::vector<std::optional<fs::path>> paths = pathsOf(names, finder);
-  std::vector<ImageRead> reads = readAll(paths, wornIn(scene, names.size()), limits);
+  std::vector<ImageRead> reads = readAll(place.files, paths, wornIn(scene, names.size()), limits);
   bool hasFolder = true;
   TextureFiles textures;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -236,11 +233,11 @@ TextureFiles readTextures(Report& report, const TextureTable& table, const Scene
       continue;
     }
     if (!paths[i] && hasFolder) {
-      hasFolder = !folder || finder.hasFolder();
+      hasFolder = !place.folder || finder.hasFolder();
       if (hasFolder)
         reportMissing(report, name, finder);
       else
-        reportMissingFolder(report, *folder, finder);
+        reportMissingFolder(report, *place.folder, finder);
     }
     if (!paths[i]) continue;
     textures.files.push_back(*paths[i]);

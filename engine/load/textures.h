@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "files/file_source.h"
 #include "image/image.h"
 #include "level/scene.h"
 #include "level/texel_holes.h"
@@ -40,12 +41,18 @@ struct TextureFiles {
   std::size_t decoded = 0;                   ///< files of which more than the header was read
 };
 
+/// Where the images of a level lie.
+struct TexturePlace {
+  const FileSource& files;
+  const std::filesystem::path& level;          ///< its file
+  const std::optional<NameReference>& folder;  ///< that the level file names, if it does
+};
+
 /// Reads the images of surfaces that show. Of the others only the header is read, and they are one
-/// black pixel. Up to four threads read them. `folder` is what the level file names, if it does. A
-/// missing or broken image is reported where it is first used.
+/// black pixel. Up to four threads read them. A missing or broken image is reported where it is
+/// first used.
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
-                          const std::filesystem::path& levelFile,
-                          const std::optional<NameReference>& folder, const LoadLimits& limits);
+                          const TexturePlace& place, const LoadLimits& limits);
 
 /// By TextureId, of images that a masked middle texture shows; none of the others.
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images);

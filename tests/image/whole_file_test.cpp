@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "image/read_file.h"
-#include "image/replace_file.h"
+#include "files/read_file.h"
+#include "files/replace_file.h"
 
 namespace hearth {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/command.h"
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 #include "load/read_document.h"
 #include "session/session.h"
 #include "text/json_layout.h"
@@ -19,7 +19,7 @@ namespace {
 std::optional<std::string> readJson(const std::string& path, const LoadLimits& limits) {
   std::array<Document, 1> documents;
   Report report;
-  const bool isRead = readDocument(path, limits, documents[0], 0, report);
+  const bool isRead = readDocument(DiskFiles(), path, {}, limits, documents[0], 0, report);
   for (const Diagnostic& diagnostic : report.resolve(documents))
     fmt::print(stderr, "{}\n", format(diagnostic));
   if (!isRead || report.hasErrors()) return std::nullopt;

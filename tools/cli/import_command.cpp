@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "cli/command.h"
-#include "image/read_file.h"
+#include "files/read_file.h"
 #include "import/doom/import_map.h"
 #include "import/doom/map.h"
 #include "session/session.h"

@@ -5,7 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/plan.h"
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 #include "session/session.h"
 
 namespace hearth {

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "cli/command.h"
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 #include "level/scene.h"
 #include "settings/shell_text.h"
 #include "walk/body.h"

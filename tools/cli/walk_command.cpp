@@ -17,7 +17,7 @@
 #include "desktop/screenshot_files.h"
 #include "desktop/window.h"
 #include "desktop/window_place.h"
-#include "files/user_folders.h"
+#include "folders/user_folders.h"
 #include "measure/budget.h"
 #include "render/renderer.h"
 #include "session/session.h"

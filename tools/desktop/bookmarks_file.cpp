@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "files/user_folders.h"
+#include "folders/user_folders.h"
 #include "math/hash.h"
 
 namespace hearth {

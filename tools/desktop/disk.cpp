@@ -3,7 +3,7 @@
 #include <ostream>
 #include <system_error>
 
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 
 namespace hearth {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 
 namespace hearth {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "files/temporary_folder.h"
+#include "folders/temporary_folder.h"
 #include "light/bakery.h"
 #include "load/load.h"
 #include "measure/frame_times.h"

@@ -16,8 +16,8 @@
 #include <system_error>
 #include <vector>
 
-#include "files/user_folders.h"
-#include "image/read_file.h"
+#include "files/read_file.h"
+#include "folders/user_folders.h"
 #include "light/geometry_hash.h"
 #include "light/saved_bake.h"
 #include "math/hash.h"

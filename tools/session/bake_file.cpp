@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 #include "light/saved_bake.h"
 #include "session/read_bytes.h"
 #include "settings/shell_text.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "image/read_file.h"
+#include "files/read_file.h"
 #include "load/limits.h"
 
 namespace hearth {

@@ -9,10 +9,10 @@
 #include <system_error>
 
 #include "cli/check/golden_picture.h"
+#include "files/read_file.h"
+#include "files/replace_file.h"
 #include "image/compare.h"
 #include "image/image_file.h"
-#include "image/read_file.h"
-#include "image/replace_file.h"
 #include "render/renderer.h"
 #include "session/session.h"
 #include "settings/shell_text.h"

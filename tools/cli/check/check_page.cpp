@@ -8,7 +8,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 #include "text/base64.h"
 #include "text/html.h"
 

@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "files/temporary_folder.h"
-#include "image/replace_file.h"
+#include "files/replace_file.h"
+#include "folders/temporary_folder.h"
 #include "import/doom/convert.h"
 #include "import/doom/ground_plan.h"
 #include "import/doom/map.h"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "image/read_file.h"
+#include "files/read_file.h"
 
 namespace hearth::doom {
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 #include "measure/tradeoff/plot.h"
 #include "text/html.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "image/read_file.h"
+#include "files/read_file.h"
 
 namespace hearth {
 

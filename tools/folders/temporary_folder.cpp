@@ -1,4 +1,4 @@
-#include "files/temporary_folder.h"
+#include "folders/temporary_folder.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "files/user_folders.h"
+#include "folders/user_folders.h"
 
 #include <cstdlib>
 

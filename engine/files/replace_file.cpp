@@ -1,4 +1,4 @@
-#include "image/replace_file.h"
+#include "files/replace_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "image/read_file.h"
+#include "files/read_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -22,13 +22,6 @@ tl::unexpected<ReadFailure> failure(ReadFault fault, std::string what) {
   return tl::make_unexpected(ReadFailure{fault, std::move(what)});
 }
 
-tl::unexpected<ReadFailure> failed() {
-  const int reason = errno;
-  if (reason == ENOENT || reason == ENOTDIR) return failure(ReadFault::Missing, "no such file");
-  return failure(ReadFault::Failed,
-                 "cannot be read: " + std::error_code(reason, std::generic_category()).message());
-}
-
 bool isSame(const struct stat& a, const struct stat& b) {
   return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec &&
          a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
@@ -36,24 +29,30 @@ bool isSame(const struct stat& a, const struct stat& b) {
 
 }  // namespace
 
+tl::unexpected<ReadFailure> failedRead(int reason) {
+  if (reason == ENOENT || reason == ENOTDIR) return failure(ReadFault::Missing, "no such file");
+  return failure(ReadFault::Failed,
+                 "cannot be read: " + std::error_code(reason, std::generic_category()).message());
+}
+
 tl::expected<std::string, ReadFailure> readFile(const std::filesystem::path& path,
                                                 std::uint64_t maxBytes) {
   // Not to wait for the other end of a pipe.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return failed();
+  if (descriptor < 0) return failedRead(errno);
   const OpenFile file(::fdopen(descriptor, "rb"));
-  if (!file) return failed();
+  if (!file) return failedRead(errno);
   struct stat before {};
-  if (::fstat(descriptor, &before) != 0) return failed();
+  if (::fstat(descriptor, &before) != 0) return failedRead(errno);
   if (!S_ISREG(before.st_mode)) return failure(ReadFault::NotRegular, "not a regular file");
   const auto size = static_cast<std::uint64_t>(before.st_size);
   if (size > maxBytes)
     return failure(ReadFault::TooLong, fmt::format("{} bytes are more than {}", size, maxBytes));
   std::string bytes(size, '\0');
   const bool isWhole = std::fread(bytes.data(), 1, size, file.get()) == size;
-  if (std::ferror(file.get()) != 0) return failed();
+  if (std::ferror(file.get()) != 0) return failedRead(errno);
   struct stat after {};
-  if (::fstat(descriptor, &after) != 0) return failed();
+  if (::fstat(descriptor, &after) != 0) return failedRead(errno);
   if (!isWhole || !isSame(before, after))
     return failure(ReadFault::Changed, "was changed while it was read");
   return bytes;

@@ -1,0 +1,131 @@
+// Levels need no disk: a program gives their files.
+
+#include "files/file_source.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "load_text.h"
+#include "support/in_tree.h"
+
+namespace hearth {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MemoryFiles final : public FileSource {
+ public:
+  void add(const fs::path& path, std::string bytes) { files_[path] = std::move(bytes); }
+  void remove(const fs::path& path) { files_.erase(path); }
+  std::string& at(const fs::path& path) { return files_.at(path); }
+
+  FileKind kindOf(const fs::path& path) const override {
+    if (find(path)) return FileKind::Regular;
+    return namesIn(path).empty() ? FileKind::None : FileKind::Folder;
+  }
+  tl::expected<std::string, ReadFailure> read(const fs::path& path,
+                                              std::uint64_t maxBytes) const override {
+    const std::string* bytes = find(path);
+    if (!bytes) return failedRead(ENOENT);
+    if (bytes->size() > maxBytes)
+      return tl::make_unexpected(ReadFailure{ReadFault::TooLong, "too long"});
+    return *bytes;
+  }
+  tl::expected<std::unique_ptr<std::istream>, ReadFailure> open(
+      const fs::path& path) const override {
+    const std::string* bytes = find(path);
+    if (!bytes) return failedRead(ENOENT);
+    return std::make_unique<std::istringstream>(*bytes);
+  }
+  std::vector<fs::path> namesIn(const fs::path& folder) const override {
+    std::vector<fs::path> names;
+    for (const auto& [path, bytes] : files_)
+      if (path.parent_path() == folder.lexically_normal()) names.push_back(path.filename());
+    return names;
+  }
+
+ private:
+  const std::string* find(const fs::path& path) const {
+    const auto found = files_.find(path.lexically_normal());
+    return found == files_.end() ? nullptr : &found->second;
+  }
+
+  std::map<fs::path, std::string> files_;
+};
+
+constexpr std::uint64_t kMaxBytes = 1 << 24;
+
+class LevelInMemory : public testing::Test {
+ protected:
+  LevelInMemory() {
+    for (const fs::path& file : onDisk_.files) {
+      const fs::path folder = file.extension() == ".json" ? "levels" : "textures";
+      memory_.add(folder / file.filename(), *DiskFiles().read(file, kMaxBytes));
+    }
+  }
+
+  LoadResult load() const { return loadLevel("levels/tutorial.json", {}, memory_); }
+
+  LoadedLevel onDisk_ = *loadLevel(test::inTree("levels/tutorial.json")).loaded;
+  MemoryFiles memory_;
+};
+
+TEST_F(LevelInMemory, isTheLevelOnTheDisk) {
+  const LoadResult result = load();
+  ASSERT_TRUE(result.loaded) << listed(result);
+  const LoadedLevel& loaded = *result.loaded;
+  EXPECT_EQ(loaded.level.sectors.size(), onDisk_.level.sectors.size());
+  EXPECT_EQ(loaded.level.lights.size(), onDisk_.level.lights.size());
+  EXPECT_GT(loaded.level.lights.size(), 0U);
+  EXPECT_EQ(loaded.lights, "levels/tutorial.lights.json");
+  EXPECT_EQ(loaded.files.size(), onDisk_.files.size());
+  ASSERT_EQ(loaded.textures.size(), onDisk_.textures.size());
+  for (std::size_t i = 0; i < loaded.textures.size(); ++i)
+    EXPECT_EQ(loaded.textures[i], onDisk_.textures[i]) << i;
+}
+
+TEST_F(LevelInMemory, isRefusedWhereAnImageIsMissing) {
+  const fs::path image = *std::ranges::find_if(
+      onDisk_.files, [](const fs::path& file) { return file.extension() == ".png"; });
+  memory_.remove("textures" / image.filename());
+  const LoadResult result = load();
+  EXPECT_FALSE(result.loaded);
+  EXPECT_NE(listed(result).find("there is no image \"" + image.stem().string() + "\""),
+            std::string::npos)
+      << listed(result);
+}
+
+TEST_F(LevelInMemory, isRefusedWhereAnImageIsCutShort) {
+  const fs::path image = *std::ranges::find_if(
+      onDisk_.files, [](const fs::path& file) { return file.extension() == ".png"; });
+  std::string& bytes = memory_.at("textures" / image.filename());
+  bytes.resize(bytes.size() / 2);
+  const LoadResult result = load();
+  EXPECT_FALSE(result.loaded);
+  EXPECT_NE(listed(result).find("is damaged or cut short"), std::string::npos) << listed(result);
+}
+
+TEST_F(LevelInMemory, isSuggestedWhereItsExtensionIsLeftOut) {
+  const LoadResult result = loadLevel("levels/tutorial", {}, memory_);
+  EXPECT_NE(listed(result).find("did you mean levels/tutorial.json?"), std::string::npos)
+      << listed(result);
+}
+
+TEST(DiskFiles, TellFoldersAndPipesFromFiles) {
+  const DiskFiles disk;
+  EXPECT_EQ(disk.kindOf(test::inTree("levels/tutorial.json")), FileKind::Regular);
+  EXPECT_EQ(disk.kindOf(test::inTree("levels")), FileKind::Folder);
+  EXPECT_EQ(disk.kindOf(test::inTree("levels/none.json")), FileKind::None);
+  EXPECT_EQ(disk.kindOf("/dev/null"), FileKind::Other);
+  EXPECT_EQ(disk.open("/dev/null").error().fault, ReadFault::NotRegular);
+  EXPECT_EQ(disk.open(test::inTree("levels/none.json")).error().fault, ReadFault::Missing);
+  EXPECT_TRUE(disk.namesIn(test::inTree("levels/none")).empty());
+}
+
+}  // namespace
+}  // namespace hearth
