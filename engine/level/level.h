@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "level/bake_settings.h"
 #include "level/ids.h"
 #include "level/light_source.h"
 #include "level/sector.h"

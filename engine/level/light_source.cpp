@@ -31,12 +31,12 @@ double reachOf(const std::vector<CurvePoint>& curve, double level) {
 
 }  // namespace
 
-double LightSource::levelAt(double distance) const {
+double LightSource::brightnessAt(double distance) const {
   return curve.empty() ? intensity / (distance * falloff + 1) : curveAt(curve, distance);
 }
 
 double LightSource::reach(double level) const {
-  const double most = std::max({fraction(0), fraction(1), fraction(2)});
+  const double most = std::max({colorFactor(0), colorFactor(1), colorFactor(2)});
   if (most == 0) return 0;
   const double white = level / most;
   if (!curve.empty()) return reachOf(curve, white);

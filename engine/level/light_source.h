@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "level/ids.h"
@@ -27,33 +26,15 @@ struct LightSource {
   double radius = 0;  ///< metres
 
   /// Light in levels at `distance` metres, before colour.
-  double levelAt(double distance) const;
+  double brightnessAt(double distance) const;
   /// The distance, in metres, beyond which no channel exceeds `level`: 0 if none ever does,
   /// infinity if one always does.
   double reach(double level) const;
   /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
-  double fraction(int channel) const { return color[channel] / 255.0; }
+  double colorFactor(int channel) const { return color[channel] / 255.0; }
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
 
   friend bool operator==(const LightSource&, const LightSource&) = default;
-};
-
-/// How a bake samples light. Files give it, the command line overrides it.
-struct BakeSettings {
-  double texel = 0.125;  ///< metres
-  /// Per texel, a square number; none for as many as the edges of shadows need.
-  std::optional<int> samples = 1;
-  /// Per sample and light with a radius, a square number; 0 for lights without one. 36 are the
-  /// fewest that are less than a level off beside straight edges.
-  int softSamples = 36;
-  /// Levels. From where on a light has no more than so many, it is left out.
-  double cutOff = 0;
-  bool lambert = false;  ///< multiply by the cosine at the surface
-  int bounces = 0;
-  /// No light passes through the holes of masked middle textures, and no texel is asked for one.
-  bool solidMaskedMiddles = false;
-
-  friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
 };
 
 }  // namespace hearth

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "level/bake_settings.h"
 #include "level/scene.h"
 #include "light/bake_progress.h"
 #include "light/light_cost.h"

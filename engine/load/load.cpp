@@ -6,9 +6,9 @@
 #include <string>
 
 #include "level/link_surfaces.h"
-#include "load/link.h"
-#include "load/read.h"
-#include "load/read_document.h"
+#include "load/json/read_document.h"
+#include "load/link/link.h"
+#include "load/read/read.h"
 #include "load/source.h"
 #include "math/check.h"
 

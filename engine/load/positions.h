@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "level/scene.h"
-#include "load/box_tree.h"
+#include "math/box_tree.h"
 
 namespace hearth {
 

@@ -1,8 +1,8 @@
 #include <utility>
 
-#include "load/link.h"
-#include "load/read.h"
-#include "load/read_document.h"
+#include "load/json/read_document.h"
+#include "load/link/link.h"
+#include "load/read/read.h"
 #include "load/source.h"
 
 namespace hearth {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "load/description.h"
-#include "load/document.h"
+#include "load/json/document.h"
+#include "load/link/outline.h"
 #include "load/load.h"
-#include "load/outline.h"
+#include "load/read/description.h"
 
 namespace hearth {
 

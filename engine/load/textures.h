@@ -12,9 +12,9 @@
 #include "level/scene.h"
 #include "level/texel_holes.h"
 #include "level/texture_mapping.h"
-#include "load/description.h"
+#include "load/json/report.h"
 #include "load/limits.h"
-#include "load/report.h"
+#include "load/read/description.h"
 
 namespace hearth {
 

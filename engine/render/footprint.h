@@ -19,7 +19,7 @@ class Footprint {
   double texelsAt(double parameter) const;
   /// The mip level whose texels are nearest to a pixel in area: 0 is the full size. It rises or
   /// falls along the span, but not both.
-  int levelAt(double parameter) const;
+  int mipLevelAt(double parameter) const;
 
  private:
   double texels_;        ///< under a pixel; of a plane 1 m deep

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/column_hits.h"
+#include "render/segment_columns.h"
 #include "render/strip.h"
 #include "render/strip_spans.h"
 #include "render/visibility_scratch.h"

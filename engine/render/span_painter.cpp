@@ -24,9 +24,9 @@ void count(const Span& span, const Material& material, PaintStats& stats) {
 
 /// The size of the texture that fits the first row. Only the rows that it fits stay in the batch.
 const Texture& fitting(const MipMap& texture, const Footprint& footprint, RowBatch& batch) {
-  const int level = footprint.levelAt(batch.parameters[0]);
+  const int level = footprint.mipLevelAt(batch.parameters[0]);
   const std::span parameters(batch.parameters, batch.count);
-  const auto fits = [&](double parameter) { return footprint.levelAt(parameter) == level; };
+  const auto fits = [&](double parameter) { return footprint.mipLevelAt(parameter) == level; };
   batch.count =
       static_cast<std::size_t>(std::ranges::partition_point(parameters, fits) - parameters.begin());
   return texture.level(level);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "render/column_hits.h"
+#include "render/segment_columns.h"
 #include "render/span.h"
 #include "render/strip.h"
 

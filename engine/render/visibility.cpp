@@ -13,7 +13,7 @@
 #include "math/check.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
-#include "render/column_hits.h"
+#include "render/segment_columns.h"
 
 namespace hearth {
 

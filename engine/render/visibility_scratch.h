@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "level/scene.h"
-#include "render/column_hits.h"
+#include "render/segment_columns.h"
 #include "render/span.h"
 
 namespace hearth {

@@ -59,7 +59,7 @@ double TruthSource::unshaded(const LightSource& light, const SurfacePoint& place
   if (std::abs(dot(place.normal, toLight)) <= kInPlane) return 0;
   const double distance = length(toLight);
   const double cosine = lambert ? std::max(0.0, dot(place.normal, toLight)) / distance : 1;
-  return light.levelAt(distance) * cosine;
+  return light.brightnessAt(distance) * cosine;
 }
 
 bool TruthSource::sees(const Origin& origin, const SurfacePoint& place) const {
@@ -87,7 +87,8 @@ Vec3 TruthLight::at(const SurfacePoint& place) const {
   Vec3 sum;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const LightSource& light = level_.lights[i];
-    sum = sum + from(i, place) * Vec3{light.fraction(0), light.fraction(1), light.fraction(2)};
+    sum = sum +
+          from(i, place) * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
   }
   return sum;
 }

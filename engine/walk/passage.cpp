@@ -26,20 +26,20 @@ bool areJoined(const Scene& scene, const Segment& segment, std::size_t lower, st
 }
 
 /// Where along a line from `at0` to `at1` it is at most `limit`.
-Fractions whereAtMost(double at0, double at1, double limit) {
+Interval whereAtMost(double at0, double at1, double limit) {
   if (at0 <= limit && at1 <= limit) return {0, 1};
   if (at0 > limit && at1 > limit) return {1, 0};
   const double fraction = (limit - at0) / (at1 - at0);
-  return at0 <= limit ? Fractions{0, fraction} : Fractions{fraction, 1};
+  return at0 <= limit ? Interval{0, fraction} : Interval{fraction, 1};
 }
 
 }  // namespace
 
-Fractions common(Fractions a, Fractions b) {
+Interval common(Interval a, Interval b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-Fractions chordOf(Vec2 a, Vec2 b, double radius) {
+Interval chordOf(Vec2 a, Vec2 b, double radius) {
   const Vec2 along = b - a;
   const double size = length(along);
   if (size == 0) return {1, 0};
@@ -84,8 +84,8 @@ Passage::Passage(const Scene& scene, const Segment& segment, std::size_t first, 
   }
 }
 
-Fractions Passage::openTo(const UprightBody& body) const {
-  Fractions open{0, 1};
+Interval Passage::openTo(const UprightBody& body) const {
+  Interval open{0, 1};
   for (const Line& bottom : bottoms_.lines)
     open = common(open, whereAtMost(bottom.at0, bottom.at1, body.zClimb + kSkin));
   for (const Line& top : tops_.lines)
@@ -97,7 +97,7 @@ Fractions Passage::openTo(const UprightBody& body) const {
   return open;
 }
 
-double Passage::zBottom(Fractions within) const {
+double Passage::zBottom(Interval within) const {
   double z = -kNowhere;
   for (const Line& line : bottoms_.lines)
     if (line.at0 > -kNowhere)
@@ -106,7 +106,7 @@ double Passage::zBottom(Fractions within) const {
   return z;
 }
 
-double Passage::zTop(Fractions within) const {
+double Passage::zTop(Interval within) const {
   double z = kNowhere;
   for (const Line& line : tops_.lines)
     if (line.at0 < kNowhere)

@@ -8,17 +8,17 @@
 
 namespace hearth {
 
-/// Fractions of a segment, 0 at its p0 and 1 at its p1; empty unless low < high.
-struct Fractions {
+/// Of a segment, as fractions of the way from its p0 (0) to its p1 (1); empty unless low < high.
+struct Interval {
   double low;
   double high;
   bool isEmpty() const { return !(low < high); }
 };
 
-Fractions common(Fractions a, Fractions b);
+Interval common(Interval a, Interval b);
 
 /// The part of a segment within `radius` of the origin, its ends being given relative to that.
-Fractions chordOf(Vec2 a, Vec2 b, double radius);
+Interval chordOf(Vec2 a, Vec2 b, double radius);
 
 /// The upright room that a body takes up and may rise to.
 struct UprightBody {
@@ -36,12 +36,12 @@ class Passage {
   Passage(const Scene& scene, const Segment& segment, std::size_t first, std::size_t last);
 
   /// Where along the segment the body fits through, having stepped up if need be.
-  Fractions openTo(const UprightBody& body) const;
+  Interval openTo(const UprightBody& body) const;
 
   /// The highest bottom and the lowest top within an interval of the segment; infinite where the
   /// opening goes on through a flat portal of the sector.
-  double zBottom(Fractions within) const;
-  double zTop(Fractions within) const;
+  double zBottom(Interval within) const;
+  double zTop(Interval within) const;
 
   std::size_t first() const { return first_; }
   std::size_t last() const { return last_; }

@@ -56,7 +56,7 @@ void Surroundings::lookRound(const Sector& sector) {
 void Surroundings::lookAtWall(const Segment& segment) {
   const Vec2 a = segment.p0 - reach_.center;
   const Vec2 b = segment.p1 - reach_.center;
-  const Fractions chord = chordOf(a, b, radius_);
+  const Interval chord = chordOf(a, b, radius_);
   if (chord.isEmpty() || signedDistance(a, b) < -reach_.travel - kSkin) return;
   passages_.clear();
   open_.clear();
@@ -66,10 +66,10 @@ void Surroundings::lookAtWall(const Segment& segment) {
   if (isAbove(sector)) return lookAtWallAbove(segment, chord);
 
   for (const Passage& passage : passages_) {
-    const Fractions open = passage.openTo(reach_.body);
+    const Interval open = passage.openTo(reach_.body);
     if (open.isEmpty()) continue;
     open_.push_back(open);
-    const Fractions reached = common(open, chord);
+    const Interval reached = common(open, chord);
     if (reached.isEmpty()) continue;
     bear(passage.zBottom(reached));
     zCap_ = std::min(zCap_, passage.zTop(reached));
@@ -101,7 +101,7 @@ bool Surroundings::isOpenAt(const Segment& segment, double fraction) {
   passages_.clear();
   findPassages(scene_, segment, passages_);
   return std::ranges::any_of(passages_, [&](const Passage& passage) {
-    const Fractions open = passage.openTo(reach_.body);
+    const Interval open = passage.openTo(reach_.body);
     return open.low <= fraction && fraction <= open.high;
   });
 }
@@ -124,7 +124,7 @@ void Surroundings::bear(double z) {
 }
 
 /// A wall that the body is above: its top bears.
-void Surroundings::lookAtWallBelow(const Segment& segment, Fractions chord) {
+void Surroundings::lookAtWallBelow(const Segment& segment, Interval chord) {
   const bool isOpen = !passages_.empty() && passages_.back().zTop(chord) == kNowhere;
   const double zTop =
       isOpen ? passages_.back().zBottom(chord) : scene_.zCeiling(scene_[segment.sector]);
@@ -132,7 +132,7 @@ void Surroundings::lookAtWallBelow(const Segment& segment, Fractions chord) {
 }
 
 /// A wall that the body is below.
-void Surroundings::lookAtWallAbove(const Segment& segment, Fractions chord) {
+void Surroundings::lookAtWallAbove(const Segment& segment, Interval chord) {
   const bool isOpen = !passages_.empty() && passages_.front().zBottom(chord) == -kNowhere;
   const double zBottom =
       isOpen ? passages_.front().zTop(chord) : scene_.zFloor(scene_[segment.sector]);
@@ -140,8 +140,8 @@ void Surroundings::lookAtWallAbove(const Segment& segment, Fractions chord) {
 }
 
 /// What of a wall no passage leaves open.
-void Surroundings::block(const Segment& segment, Fractions chord) {
-  std::ranges::sort(open_, {}, &Fractions::low);
+void Surroundings::block(const Segment& segment, Interval chord) {
+  std::ranges::sort(open_, {}, &Interval::low);
   double from = chord.low;
   const auto blockUpTo = [&](double to) {
     if (!(from < to)) return;
@@ -151,7 +151,7 @@ void Surroundings::block(const Segment& segment, Fractions chord) {
     blockers_.push_back(
         {from == 0 ? a : a + from * along, to == 1 ? segment.p1 - reach_.center : a + to * along});
   };
-  for (const Fractions& open : open_) {
+  for (const Interval& open : open_) {
     blockUpTo(std::min(open.low, chord.high));
     from = std::max(from, open.high);
   }
@@ -209,7 +209,7 @@ double Surroundings::highest(const Sector& sector, const Slope& slope, double si
   if (contains(scene_.level(), sector, p)) take(p);
   if (contains(scene_.level(), sector, p + uphill)) take(p + uphill);
   for (const Segment& segment : scene_.segmentsOf(sector)) {
-    const Fractions chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
+    const Interval chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
     if (chord.isEmpty()) continue;
     take(lerp(segment.p0, segment.p1, chord.low));
     take(lerp(segment.p0, segment.p1, chord.high));

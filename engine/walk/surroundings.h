@@ -57,8 +57,8 @@ class Surroundings {
   void lookRound(const Sector& sector);
   void lookAtWall(const Segment& segment);
   void lookAtVertex(const Segment& before, const Segment& after);
-  void lookAtWallBelow(const Segment& segment, Fractions chord);
-  void lookAtWallAbove(const Segment& segment, Fractions chord);
+  void lookAtWallBelow(const Segment& segment, Interval chord);
+  void lookAtWallAbove(const Segment& segment, Interval chord);
   void takeFlats(const Sector& sector);
   bool isBelow(const Sector& sector) const;
   bool isAbove(const Sector& sector) const;
@@ -66,7 +66,7 @@ class Surroundings {
   void followFlat(FlatPortalId id, Side to);
   bool touches(const Sector& sector) const;
   void bear(double z);
-  void block(const Segment& segment, Fractions chord);
+  void block(const Segment& segment, Interval chord);
   void takeSlopes(const Sector& sector);
   void blockWhereAbove0(const Sector& sector, double valueAtCenter, Vec2 gradient);
   double highest(const Sector& sector, const Slope& slope, double sign) const;
@@ -81,7 +81,7 @@ class Surroundings {
   std::pmr::vector<SectorId> sectors_{&arena_};
   std::pmr::vector<Blocker> blockers_{&arena_};
   std::pmr::vector<Passage> passages_{&arena_};  // of the wall that is looked at
-  std::pmr::vector<Fractions> open_{&arena_};
+  std::pmr::vector<Interval> open_{&arena_};
   double zSupport_ = -kNowhere;
   bool isBuried_ = false;
   double zCap_ = kNowhere;

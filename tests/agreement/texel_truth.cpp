@@ -78,7 +78,7 @@ const TexelLight& TexelTruth::lightOf(const Texel& texel) {
 
 void TexelTruth::add(Channels& sum, std::size_t light, double level) const {
   for (int channel = 0; channel < 3; ++channel)
-    sum[static_cast<std::size_t>(channel)] += level * level_.lights[light].fraction(channel);
+    sum[static_cast<std::size_t>(channel)] += level * level_.lights[light].colorFactor(channel);
 }
 
 Channels TexelTruth::hairSlack(const PatchLight& patch) const {

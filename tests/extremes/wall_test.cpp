@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "as_truth.h"
-#include "render/column_hits.h"
+#include "render/segment_columns.h"
 #include "rooms.h"
 #include "support/canvas.h"
 

@@ -26,7 +26,7 @@ std::string portal(std::string_view next) {
 }
 
 /// 255 at the light, half of it at 1 m.
-double levelAt(Vec3 light, Vec3 p) { return 255 / (length(p - light) + 1); }
+double brightnessAt(Vec3 light, Vec3 p) { return 255 / (length(p - light) + 1); }
 
 /// A room of 6 x 4 x 3 m at the origin, open to a second one of 4 x 4 m beyond x = 6.
 std::string twoRooms(double floor, double ceiling, std::string_view moreOfSecond = "") {
@@ -49,7 +49,8 @@ TEST(BakedRoomTest, fallsOffWithDistanceOnEverySideOfABox) {
                                 std::pair{SurfaceKind::Solid, Vec3{6, 2.9, 0.3}},
                                 std::pair{SurfaceKind::Solid, Vec3{3.3, 0, 2.6}},
                                 std::pair{SurfaceKind::Solid, Vec3{3.3, 4, 1.1}}})
-    EXPECT_NEAR(room.at(kind, p), levelAt(light, p), 1) << name(kind) << ' ' << p.x << ' ' << p.y;
+    EXPECT_NEAR(room.at(kind, p), brightnessAt(light, p), 1)
+        << name(kind) << ' ' << p.x << ' ' << p.y;
 }
 
 TEST(BakedRoomTest, addsLightsAndClampsAtFull) {
@@ -66,8 +67,8 @@ TEST(BakedRoomTest, lightsBothStepsOfAPortal) {
   const BakedRoom rooms(twoRooms(0.8, 2.2), "[{'x':2,'y':2,'z':1.5,'falloff':1}]");
   const Vec3 lower{6, 1.3, 0.4};
   const Vec3 upper{6, 2.7, 2.6};
-  EXPECT_NEAR(rooms.at(SurfaceKind::LowerStep, lower), levelAt(light, lower), 1);
-  EXPECT_NEAR(rooms.at(SurfaceKind::UpperStep, upper), levelAt(light, upper), 1);
+  EXPECT_NEAR(rooms.at(SurfaceKind::LowerStep, lower), brightnessAt(light, lower), 1);
+  EXPECT_NEAR(rooms.at(SurfaceKind::UpperStep, upper), brightnessAt(light, upper), 1);
 }
 
 TEST(BakedRoomTest, castsAStepsShadowToWhereTheLineOverItsEdgeFalls) {
@@ -100,7 +101,7 @@ TEST(BakedRoomTest, lightsPiecesOfAStackWithinTheirOwnHeights) {
                          fmt::format("[{0},{0},{0},{1}]", kSolid, portal("west")))),
       "[{'x':3,'y':2,'z':1.5,'falloff':1}]");
   for (const Vec3 p : {Vec3{6, 1, 0.05}, Vec3{6, 1, 0.95}, Vec3{6, 3, 1.85}, Vec3{6, 3, 2.9}})
-    EXPECT_NEAR(rooms.at(SurfaceKind::StackSolid, p), levelAt(light, p), 1) << p.z;
+    EXPECT_NEAR(rooms.at(SurfaceKind::StackSolid, p), brightnessAt(light, p), 1) << p.z;
 }
 
 TEST(BakedRoomTest, lightsSlopesAndTheirSidewalls) {
@@ -109,8 +110,8 @@ TEST(BakedRoomTest, lightsSlopesAndTheirSidewalls) {
                         "[{'x':2,'y':2,'z':2.5,'falloff':1}]");
   const Vec3 side{6, 1.2, 0.6};
   const Vec3 slope{8, 2.5, 0.5};
-  EXPECT_NEAR(rooms.at(SurfaceKind::FloorSidewall, side), levelAt(light, side), 1);
-  EXPECT_NEAR(rooms.at(SurfaceKind::SlopeFloor, slope), levelAt(light, slope), 1);
+  EXPECT_NEAR(rooms.at(SurfaceKind::FloorSidewall, side), brightnessAt(light, side), 1);
+  EXPECT_NEAR(rooms.at(SurfaceKind::SlopeFloor, slope), brightnessAt(light, slope), 1);
 }
 
 TEST(BakedRoomTest, stopsLightAtASlope) {

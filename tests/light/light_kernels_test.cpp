@@ -109,7 +109,7 @@ TEST_F(LightKernelsTest, findLevelsAsALightSourceHasThem) {
     kernels.findLevels(distances.data(), kCount, source.intensity, source.falloff, levels.data());
     for (std::size_t i = 0; i < kCount; ++i) {
       EXPECT_EQ(distances[i], length(light_ - samples_.at(i)));
-      EXPECT_EQ(levels[i], source.levelAt(distances[i]));
+      EXPECT_EQ(levels[i], source.brightnessAt(distances[i]));
     }
   });
 }
@@ -162,7 +162,7 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
 }
 
 TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
-  CornerDirections corners;
+  CornerOffsets corners;
   for (const std::size_t count : {1, 3, 8}) {
     corners.count = count;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -199,7 +199,7 @@ TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
 /// A bit for each bound that has a corner behind it, or nearer than its slack: begin and end of the
 /// beam, its planes and its walls.
 TEST_F(LightKernelsTest, findBoundsThatPartABox) {
-  CornerDirections corners;
+  CornerOffsets corners;
   for (std::size_t i = 0; i < 8; ++i) {
     corners.x[i] = (i & 1) != 0 ? 3 : 5;
     corners.y[i] = (i & 2) != 0 ? -1 : 1;
@@ -252,7 +252,7 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
 
 /// Two beams side by side: whatever is in front of both bounds of one is lit.
 TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
-  const std::vector<DirectionBound> bounds = {
+  const std::vector<BoundingPlane> bounds = {
       {{1, 0, 0}, 0, 2}, {{0, 1, 0}, -10, 2}, {{-1, 0.2, 0}, 3, 1}};
   const std::vector<PartingBounds> beams = {{2, false}, {1, false}};
   const std::vector<PartingBounds> doubtful = {{2, true}, {1, true}};
@@ -263,7 +263,7 @@ TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
     kernels.findSeen(samples_.arrays(), kCount, light_, beams, bounds.data(), seen.data());
     kernels.findSeen(samples_.arrays(), kCount, light_, doubtful, bounds.data(), inDoubt.data());
     for (std::size_t i = 0; i < kCount; ++i) {
-      const auto isIn = [&](const DirectionBound& bound, double slack) {
+      const auto isIn = [&](const BoundingPlane& bound, double slack) {
         return dot(bound.normal, samples_.at(i) - light_) - bound.offset > slack;
       };
       const bool isLit = (isIn(bounds[0], 2) && isIn(bounds[1], 2)) || isIn(bounds[2], 1);

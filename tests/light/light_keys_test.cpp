@@ -27,13 +27,13 @@ int largestDifference(const BakedLight& a, const BakedLight& b) {
   for (std::size_t s = 0; s < a.lightmaps.size(); ++s) {
     if (!a.surfaces[s]) continue;
     const TexelRect& rect = a.surfaces[s]->texels;
-    const auto levelAt = [](const std::optional<Lightmap>& map, int i, int j) {
+    const auto valueAt = [](const std::optional<Lightmap>& map, int i, int j) {
       return map ? map->at(i, j) : 0;
     };
     for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
       for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
         largest = std::max(largest,
-                           std::abs(levelAt(a.lightmaps[s], i, j) - levelAt(b.lightmaps[s], i, j)));
+                           std::abs(valueAt(a.lightmaps[s], i, j) - valueAt(b.lightmaps[s], i, j)));
   }
   return largest;
 }
@@ -171,7 +171,7 @@ TEST(Texels, areOffByHalfALevel) {
       for (int i = surface.texels.i0 + 2; i < surface.texels.i0 + surface.texels.width - 2; ++i) {
         const int j = surface.texels.j0 + 4;
         const double distance = length(surface.toWorld({i + 0.5, j + 0.5}) - light.position);
-        const double exact = light.levelAt(distance) * light.fraction(2);
+        const double exact = light.brightnessAt(distance) * light.colorFactor(2);
         error = std::max(error, std::abs(baked.lightmaps[s]->at(i, j, 2) - exact));
       }
     }

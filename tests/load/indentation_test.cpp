@@ -1,4 +1,4 @@
-#include "load/indentation.h"
+#include "load/json/indentation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "load/parse.h"
+#include "load/json/parse.h"
 #include "support/in_tree.h"
 
 namespace hearth {

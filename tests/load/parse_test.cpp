@@ -1,4 +1,4 @@
-#include "load/parse.h"
+#include "load/json/parse.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "load/plane_fit.h"
+#include "load/link/plane_fit.h"
 
 #include <gtest/gtest.h>
 

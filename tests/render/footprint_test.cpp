@@ -122,7 +122,7 @@ TEST(Footprint, ChoosesTheLevelWhoseTexelsAreNearestToAPixelInArea) {
       [&](const Span&, const SpanMapping& mapping, const Footprint& footprint, double raySlope) {
         const double parameter = mapping.parameterAt(raySlope);
         const double pixels = std::log2(footprint.texelsAt(parameter)) / 2;
-        const int level = footprint.levelAt(parameter);
+        const int level = footprint.mipLevelAt(parameter);
         EXPECT_EQ(level, std::max(0L, std::lround(pixels))) << pixels;
         last = std::max(last, level);
       });

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "render/camera.h"
-#include "render/column_hits.h"
+#include "render/segment_columns.h"
 
 namespace hearth {
 namespace {

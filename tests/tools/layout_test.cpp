@@ -9,8 +9,8 @@
 #include <random>
 
 #include "cli/plan.h"
+#include "load/json/parse.h"
 #include "load/load.h"
-#include "load/parse.h"
 #include "random_levels/random_level.h"
 #include "session/bake_cache.h"
 #include "support/in_tree.h"

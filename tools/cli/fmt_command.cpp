@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 #include "files/replace_file.h"
-#include "load/read_document.h"
+#include "load/json/read_document.h"
 #include "session/session.h"
 #include "text/json_layout.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "load/report.h"
+#include "load/json/report.h"
 
 /// What `hearth lint` finds: mistakes of authors that the loader takes.
 namespace hearth {

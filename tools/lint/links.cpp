@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "load/link.h"
+#include "load/link/link.h"
 
 namespace hearth {
 

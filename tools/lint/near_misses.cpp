@@ -8,7 +8,7 @@
 #include "level/locate.h"
 #include "lint/links.h"
 #include "lint/lint.h"
-#include "load/box_tree.h"
+#include "math/box_tree.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 

@@ -5,7 +5,7 @@
 #include "level/twins.h"
 #include "lint/links.h"
 #include "lint/lint.h"
-#include "load/link.h"
+#include "load/link/link.h"
 
 namespace hearth {
 

@@ -127,7 +127,7 @@ void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights
         if (seen[index] > 0)
           sums.add(rect.i0 + i, rect.j0 + j, surface.light(light),
                    settings.samples.value_or(1) * seen[index] *
-                       surface.fullLevel(light, blocks.samples()[index]));
+                       surface.fullBrightness(light, blocks.samples()[index]));
       }
   }
 }

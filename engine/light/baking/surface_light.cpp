@@ -95,11 +95,11 @@ double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& a
                                      : rays_.seenFraction(sight, light, at, nullptr);
 }
 
-double SurfaceLight::fullLevel(std::size_t index, const SamplePoint& at) const {
+double SurfaceLight::fullBrightness(std::size_t index, const SamplePoint& at) const {
   const Vec3 toLight = light(index).position - at.point;
   const double distance = length(toLight);
   if (distance >= rays_.reach(index)) return 0;
-  const double level = light(index).levelAt(distance);
+  const double level = light(index).brightnessAt(distance);
   if (!lambert_) return level;
   // The middle of a ball can lie behind a plane that a part of it lights.
   return level * std::max(0.0, dot(toLight, rays_.surface(at.surface).normal) / distance);
@@ -117,7 +117,7 @@ const std::vector<double>& SurfaceLight::levels(std::size_t index, const SampleB
     kernels.findLevels(distances_.data(), count, source.intensity, source.falloff, levels_.data());
   else
     for (std::size_t i = 0; i < count; ++i)
-      levels_[i] = seen_[i] > 0 ? source.levelAt(distances_[i]) : 0;
+      levels_[i] = seen_[i] > 0 ? source.brightnessAt(distances_[i]) : 0;
   if (lambert_)
     for (const auto& [surface, first, ofRun] : blocks.runs())
       kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,

@@ -55,7 +55,7 @@ class SurfaceLight {
   double roughlySeenFraction(std::size_t light, const SamplePoint& at);
 
   /// What all of the light would bring to the point, in levels, before colour.
-  double fullLevel(std::size_t light, const SamplePoint& at) const;
+  double fullBrightness(std::size_t light, const SamplePoint& at) const;
   /// What it brings to each of the samples of which seenFractions() was asked last. Good until the
   /// next call.
   const std::vector<double>& levels(std::size_t light, const SampleBlocks& blocks);

@@ -41,14 +41,14 @@ void TexelSums::add(int i, int j, const LightSource& light, double level) {
   for (int channel = 0; channel < channels_; ++channel) {
     double& units = sums_[index(i, j, channel)];
     LightSum sum(units);
-    sum.add(level * light.fraction(channel));
+    sum.add(level * light.colorFactor(channel));
     units = sum.units();
   }
 }
 
 void TexelSums::addRow(int i, int j, const LightSource& light, std::span<const double> levels) {
   for (int channel = 0; channel < channels_; ++channel)
-    lightKernels().addToSums(levels.data(), levels.size(), light.fraction(channel),
+    lightKernels().addToSums(levels.data(), levels.size(), light.colorFactor(channel),
                              &sums_[index(i, j, channel)]);
 }
 

@@ -30,7 +30,7 @@ class BeamTree {
   /// Points, as they are seen from the light: all that lie between some corners.
   struct Points {
     std::span<const Vec3> corners;
-    CornerDirections directions;
+    CornerOffsets directions;
     double reach = 0;   ///< metres, at least those to the farthest
     double noise = 0;   ///< metres by which rounding moves a crossing at the most
     double margin = 0;  ///< metres from the bounds of a beam within which nothing is said
@@ -69,7 +69,7 @@ class BeamTree {
   };
   /// Memory of findSeen(), to be kept from call to call.
   struct Parting {
-    std::vector<DirectionBound> bounds;
+    std::vector<BoundingPlane> bounds;
     std::vector<PartingBounds> beams;
   };
   /// What is seen by each of some samples among `points`, by the same beams: kUnknownFraction where

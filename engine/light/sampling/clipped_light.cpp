@@ -90,11 +90,11 @@ class ClippedLight {
     const auto [entry, isNew] = between_.try_emplace({cells(p.x), cells(p.y)});
     if (!isNew) return entry->second;
     const SamplePoint at = surface_.place(corner(p.x, p.y));
-    return entry->second = levelAt(light, at, surface_.roughlySeenFraction(light, at));
+    return entry->second = brightnessAt(light, at, surface_.roughlySeenFraction(light, at));
   }
 
-  double levelAt(std::size_t light, const SamplePoint& at, double seen) const {
-    return seen > 0 ? seen * surface_.fullLevel(light, at) : 0;
+  double brightnessAt(std::size_t light, const SamplePoint& at, double seen) const {
+    return seen > 0 ? seen * surface_.fullBrightness(light, at) : 0;
   }
 
   /// The mean over a square cell from `p` on, cut in four wherever its corners differ by much.
@@ -158,7 +158,7 @@ class ClippedLight {
     if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return;
     std::vector<double> full;
     full.reserve(corners_.size());
-    for (const SamplePoint& at : corners_) full.push_back(surface_.fullLevel(light, at));
+    for (const SamplePoint& at : corners_) full.push_back(surface_.fullBrightness(light, at));
     addTexels(light, sums, [&](int i, int j) {
       const int lit = lattice.litCorners(i, j);
       if (lit == 0) return 0.0;
@@ -176,7 +176,7 @@ class ClippedLight {
   void addSoft(std::size_t light, TexelSums& sums) {
     std::vector<double> levels = surface_.seenFractions(light, blocks_);
     for (std::size_t i = 0; i < levels.size(); ++i)
-      levels[i] = levelAt(light, corners_[i], levels[i]);
+      levels[i] = brightnessAt(light, corners_[i], levels[i]);
     addTexels(light, sums, [&](int i, int j) {
       return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(levels, i, j));
     });

@@ -55,7 +55,7 @@ HWY_INLINE hn::Vec<D> dotOf(D d, const Directions<D>& direction, Vec3 v) {
 /// In lanes that are beams: how far in front of an upright plane through the light the foremost of
 /// the corners is.
 template <typename D>
-HWY_INLINE hn::Vec<D> foremost(D d, const CornerDirections& corners, hn::Vec<D> normalX,
+HWY_INLINE hn::Vec<D> foremost(D d, const CornerOffsets& corners, hn::Vec<D> normalX,
                                hn::Vec<D> normalY) {
   const auto inFront = [&](std::size_t k) HWY_ATTR {
     return hn::Add(hn::Mul(hn::Set(d, corners.x[k]), normalX),
@@ -66,7 +66,7 @@ HWY_INLINE hn::Vec<D> foremost(D d, const CornerDirections& corners, hn::Vec<D> 
   return most;
 }
 
-std::size_t findSpanning(const CornerDirections& corners, const BeamSides& beams, std::size_t count,
+std::size_t findSpanning(const CornerOffsets& corners, const BeamSides& beams, std::size_t count,
                          double margin, std::uint32_t* spanning) {
   std::size_t found = 0;
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
@@ -85,7 +85,7 @@ std::size_t findSpanning(const CornerDirections& corners, const BeamSides& beams
   return found;
 }
 
-std::uint32_t findParting(const CornerDirections& corners, const BeamBounds& bounds,
+std::uint32_t findParting(const CornerOffsets& corners, const BeamBounds& bounds,
                           std::uint32_t asked, double margin, double reach) {
   using Tag = hn::CappedTag<double, 8>;
   const Tag d;
@@ -111,16 +111,16 @@ std::uint32_t findParting(const CornerDirections& corners, const BeamBounds& bou
 }
 
 void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
-              std::span<const PartingBounds> beams, const DirectionBound* bounds, double* seen) {
+              std::span<const PartingBounds> beams, const BoundingPlane* bounds, double* seen) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
     const auto directions = directionsTo(d, samples, k, light);
     auto areLit = hn::FirstN(d, 0);
     auto areUnknown = areLit;
-    const DirectionBound* next = bounds;
+    const BoundingPlane* next = bounds;
     for (const PartingBounds& beam : beams) {
       auto areInside = hn::FirstN(d, beam.isDoubtful ? 0 : hn::Lanes(d));
       auto areNear = hn::FirstN(d, hn::Lanes(d));
-      for (const DirectionBound& bound : std::span(next, beam.count)) {
+      for (const BoundingPlane& bound : std::span(next, beam.count)) {
         const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
         areInside = hn::And(areInside, hn::Gt(inFront, hn::Set(d, bound.slack)));
         areNear = hn::And(areNear, hn::Ge(inFront, hn::Set(d, -bound.slack)));

@@ -22,7 +22,7 @@ struct SampleArrays {
 
 /// Vectors from a light to the corners of what holds some points, one to eight. Unused entries
 /// repeat the first.
-struct CornerDirections {
+struct CornerOffsets {
   double x[8];
   double y[8];
   double z[8];
@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAllBounds = kBehindBound - 1;
 /// A plane in coordinates relative to the light: a vector v is in front of it if
 /// dot(normal, v) > offset. Within `slack` rounding decides; both are metres times the length of
 /// the normal.
-struct DirectionBound {
+struct BoundingPlane {
   Vec3 normal;
   double offset;
   double slack;
@@ -66,21 +66,20 @@ inline constexpr double kUnknownFraction = -1;
 struct LightKernels {
   /// The indices of beams that have no side with all corners behind it, in rising order. Returns
   /// how many they are; `spanning` has room for `count`. `margin` is that of rays to the corners.
-  std::size_t (*findSpanning)(const CornerDirections& corners, const BeamSides& beams,
+  std::size_t (*findSpanning)(const CornerOffsets& corners, const BeamSides& beams,
                               std::size_t count, double margin, std::uint32_t* spanning);
   /// A bit for each of the bounds of a beam that has some corners behind it, perhaps; or
   /// kBehindBound. Of those alone that have a bit in `asked`.
-  std::uint32_t (*findParting)(const CornerDirections& corners, const BeamBounds& bounds,
+  std::uint32_t (*findParting)(const CornerOffsets& corners, const BeamBounds& bounds,
                                std::uint32_t asked, double margin, double reach);
   /// For each of the samples 1 where one of the beams of a point of light holds it for sure, 0
   /// where none can, and else kUnknownFraction. The bounds of the beams follow one another.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,
-                   std::span<const PartingBounds> beams, const DirectionBound* bounds,
-                   double* seen);
+                   std::span<const PartingBounds> beams, const BoundingPlane* bounds, double* seen);
   /// Metres from a light.
   void (*findDistances)(const SampleArrays& samples, std::size_t count, Vec3 light,
                         double* distances);
-  /// intensity / (distance * falloff + 1), see LightSource::levelAt.
+  /// intensity / (distance * falloff + 1), see LightSource::brightnessAt.
   void (*findLevels)(const double* distances, std::size_t count, double intensity, double falloff,
                      double* levels);
   /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.

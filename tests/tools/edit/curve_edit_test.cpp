@@ -28,7 +28,8 @@ TEST(CurveEdit, KeepsTheLightAndTheOrderWhereverAPointIsAdded) {
     EXPECT_EQ(after.curve.size(), before.curve.size() + 1);
     EXPECT_TRUE(std::ranges::is_sorted(after.curve, {}, &CurvePoint::distance)) << i;
     for (const double distance : {0.0, 0.5, 1.0, 1.2, 4.0, 10.0, 11.0})
-      EXPECT_NEAR(after.levelAt(distance), before.levelAt(distance), 2e-3) << i << ' ' << distance;
+      EXPECT_NEAR(after.brightnessAt(distance), before.brightnessAt(distance), 2e-3)
+          << i << ' ' << distance;
   }
 }
 

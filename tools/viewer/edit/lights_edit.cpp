@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "load/read.h"
-#include "load/read_document.h"
+#include "load/json/read_document.h"
+#include "load/read/read.h"
 #include "text/json_text.h"
 #include "viewer/edit/light_name.h"
 

@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 #include <utility>
 
-#include "load/description.h"
 #include "load/limits.h"
+#include "load/read/description.h"
 #include "viewer/edit/edit_history.h"
 
 namespace hearth {

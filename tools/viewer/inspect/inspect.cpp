@@ -94,7 +94,7 @@ class Follower {
   LightFinding glance(std::size_t index) const {
     const LightSource& light = scene_.level().lights[index];
     const double distance = length(light.position - place_.point);
-    return {index, LightReason::NotReached, distance, light.levelAt(distance),
+    return {index, LightReason::NotReached, distance, light.brightnessAt(distance),
             TruthSource::unshaded(light, place_, settings_.lambert)};
   }
 
@@ -142,7 +142,7 @@ class Follower {
     if (finding.seenFraction == 0 && front < 0) return;
     const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
     const double level = isCutOff ? 0 : finding.unshaded * finding.seenFraction;
-    finding.adds = level * Vec3{light.fraction(0), light.fraction(1), light.fraction(2)};
+    finding.adds = level * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
     finding.reason = LightReason::TooWeak;
     if (isCutOff || finding.unshaded * brightestFraction(light) < kVisibleLevel) return;
     finding.reason = LightReason::Lights;
@@ -183,7 +183,7 @@ void findLights(const Scene& scene, const BakeSettings& settings, Inspection& fo
 }  // namespace
 
 double brightestFraction(const LightSource& light) {
-  return std::max({light.fraction(0), light.fraction(1), light.fraction(2)});
+  return std::max({light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)});
 }
 
 Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,

@@ -47,7 +47,7 @@ bool Outlook::isLitBy(const LightSource& light) const {
   point.radius = 0;
   const TruthSource source(scene_.level(), point, 1);
   return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
-    const double level = light.levelAt(length(light.position - place.point));
+    const double level = light.brightnessAt(length(light.position - place.point));
     return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;
   });
 }

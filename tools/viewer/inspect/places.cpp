@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "load/report.h"
+#include "load/json/report.h"
 #include "viewer/inspect/words.h"
 
 namespace hearth {

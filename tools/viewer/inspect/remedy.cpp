@@ -27,7 +27,7 @@ std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& fi
   const double cosine = finding.level > 0 ? finding.unshaded / finding.level : 1;
   const double needed = kClearLevel / (fraction * cosine);
   if (!light.curve.empty()) return Remedy{.curveLevel = roundedUp(needed)};
-  // What makes `levelAt` the level that is needed.
+  // What makes `brightnessAt` the level that is needed.
   const double falloff = (light.intensity / needed - 1) / finding.distance;
   if (falloff >= kLeastFalloff) return Remedy{.falloff = roundedDown(falloff)};
   return Remedy{.intensity = roundedUp(needed * (finding.distance * light.falloff + 1))};

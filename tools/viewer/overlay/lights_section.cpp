@@ -60,8 +60,8 @@ void showButtons(LightsTool& tool, const Scene& scene, const Camera& camera) {
 // --- The list ------------------------------------------------------------------------------------
 
 ImVec4 swatchOf(const LightSource& light) {
-  return {static_cast<float>(light.fraction(0)), static_cast<float>(light.fraction(1)),
-          static_cast<float>(light.fraction(2)), 1};
+  return {static_cast<float>(light.colorFactor(0)), static_cast<float>(light.colorFactor(1)),
+          static_cast<float>(light.colorFactor(2)), 1};
 }
 
 void showRow(LightsTool& tool, std::size_t i) {
@@ -175,7 +175,7 @@ bool showColor(LightSource& light) {
   showLabel("color");
   std::array<float, 3> fractions{};
   for (int i = 0; i < 3; ++i)
-    fractions.at(static_cast<std::size_t>(i)) = static_cast<float>(light.fraction(i));
+    fractions.at(static_cast<std::size_t>(i)) = static_cast<float>(light.colorFactor(i));
   if (!ImGui::ColorEdit3("##color", fractions.data(),
                          ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar))
     return false;

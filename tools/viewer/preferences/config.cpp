@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "load/fields.h"
-#include "load/read_document.h"
+#include "load/json/fields.h"
+#include "load/json/read_document.h"
 #include "load/suggest.h"
 #include "text/json_edit.h"
 

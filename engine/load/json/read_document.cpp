@@ -1,0 +1,72 @@
+#include "load/json/read_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "load/json/parse.h"
+
+namespace hearth {
+
+namespace {
+
+std::string_view adviceOn(ReadFault fault) {
+  switch (fault) {
+    case ReadFault::Missing:
+    case ReadFault::NotRegular:
+      return "name a JSON file";
+    case ReadFault::TooLong:
+      return "raise the limit with --max-file-bytes";
+    case ReadFault::Changed:
+      return "try again";
+    case ReadFault::Failed:
+      return "make it readable";
+  }
+  return "";
+}
+
+/// With the extension that may have been left out.
+std::string adviceOn(const ReadFailure& failure, const FileSource& files,
+                     std::filesystem::path path) {
+  path += ".json";
+  if (failure.fault == ReadFault::Missing && files.kindOf(path) != FileKind::None)
+    return fmt::format("did you mean {}?", path.string());
+  return std::string(adviceOn(failure.fault));
+}
+
+}  // namespace
+
+bool readDocument(const FileSource& files, const std::filesystem::path& path,
+                  const std::optional<std::string>& unsaved, const LoadLimits& limits,
+                  Document& document, std::uint32_t documentIndex, Report& report) {
+  constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // places are offsets of 32 bits
+  document.file = path.string();
+  if (unsaved) return readText(*unsaved, document, documentIndex, report);
+  auto bytes = files.read(path, std::min(limits.fileBytes, kMostPlaces));
+  if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
+  report.error({documentIndex, 0}, bytes.error().what, adviceOn(bytes.error(), files, path));
+  return false;
+}
+
+bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadFailure> bytes,
+                  Document& document, std::uint32_t documentIndex, Report& report) {
+  document.file = path.string();
+  if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
+  report.error({documentIndex, 0}, bytes.error().what, std::string(adviceOn(bytes.error().fault)));
+  return false;
+}
+
+bool readText(std::string text, Document& document, std::uint32_t documentIndex, Report& report) {
+  document.text = std::move(text);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (document.text.starts_with(kByteOrderMark)) document.text.erase(0, kByteOrderMark.size());
+  if (document.text.starts_with(kByteOrderMark)) {  // which the JSON library would pass over
+    report.error({documentIndex, 0}, "not valid JSON: a second byte order mark", "remove it");
+    return false;
+  }
+  return parse(document, documentIndex, report);
+}
+
+}  // namespace hearth

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "level/level.h"
+#include "level/scene.h"
+#include "load/json/report.h"
+#include "load/link/outline.h"
+#include "load/link/weld.h"
+#include "load/read/description.h"
+#include "load/textures.h"
+
+namespace hearth {
+
+/// Sectors by name.
+class SectorNames {
+ public:
+  explicit SectorNames(const LevelDescription& description);
+
+  bool has(const std::string& name) const { return ids_.contains(name); }
+  /// Reports a name that no sector has. Nothing for one that several have: that has been reported.
+  std::optional<SectorId> link(Report& report, const NameReference& name) const;
+  /// Reports it for a wall of the sector named `own`, which it does not mean; rather one of those
+  /// `behind` the wall.
+  void reportUnknown(Report& report, const NameReference& name, std::string_view own,
+                     std::span<const std::string_view> behind) const;
+
+ private:
+  std::unordered_map<std::string, std::optional<SectorId>> ids_;  ///< none: several sectors
+  std::vector<std::string_view> names_;
+};
+
+/// A level on its way from names to ids.
+struct Linking {
+  const LevelDescription& description;
+  Report& report;
+  const SectorNames& names;
+  TextureTable& textures;
+  Level level;
+  Geometry geometry;  ///< of the linked level
+  Outlines outlines;
+  std::vector<std::optional<Wall>> walls;  ///< by edge; none where the file's could not be linked
+  std::vector<std::uint32_t> edgeOf;       ///< by segment
+  /// By sector: whether a mistake in its heights or outline has been reported. Then nothing is said
+  /// about what shows in it.
+  std::vector<bool> isDoubtful;
+
+  Scene scene() const { return {level, geometry}; }
+
+  const LoopDescription& describedLoop(const Edge& edge) const {
+    return hearth::describedLoop(description, outlines, edge);
+  }
+  const WallDescription& describedWall(const Edge& edge) const {
+    return describedLoop(edge).wall(edge.wall);
+  }
+  const WallDescription& describedWall(SegmentId segment) const {
+    return describedWall(outlines.edges[edgeOf[segment.index()]]);
+  }
+};
+
+/// The sectors that a wall leads to, each once.
+std::vector<SectorId> targetsOf(const Wall& wall);
+
+// The steps of linking, in this order. Each reports what it cannot link and puts a stand-in in its
+// place, so that the next ones and `linkSurfaces` find a level without holes.
+
+/// Heights, textures, flat portals and light of all sectors.
+void linkFlats(Linking& linking);
+/// Names of walls to ids, sub-walls to absolute heights.
+void linkWalls(Linking& linking);
+/// Fits the outlines of linked sectors together and makes the level's loops and segments of them.
+/// A portal that has no wall of the next sector behind it becomes solid.
+void linkSegments(Linking& linking);
+/// The planes of slopes, the origins of relative flats.
+void linkSlopes(Linking& linking);
+
+// What is asked of the linked level.
+
+/// One-way portals, pairs that open different heights: warnings. After `deriveGeometry`.
+void validatePortals(Linking& linking);
+/// Members of one side that overlap, sides that cover different areas.
+void validateFlatPortals(Linking& linking);
+/// Sectors without height whose flat portals lead round in a ring.
+void validateRings(Linking& linking);
+/// Coordinates beyond kPreciseReach: a warning, once.
+void validateReach(Linking& linking);
+/// A light that lies on a surface of its sector: a warning. After `deriveGeometry`.
+void validateLight(Report& report, const Scene& scene, Place place, const LightSource& light);
+/// Tells of what shows without a texture, at its cause.
+void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing);
+/// Sectors of player, shots and lights. After `deriveGeometry`. A position is not looked for where
+/// a mistake has been reported about a sector that may hold it.
+void linkPositions(Linking& linking, const LightsDescription& lights);
+/// Of these the lights, and how they are baked.
+void linkLights(Linking& linking, const LightsDescription& lights);
+/// Whether neither level nor lights say anything of light: then all is fully bright.
+bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights);
+
+}  // namespace hearth

@@ -1,0 +1,88 @@
+#include "load/link/link.h"
+#include "load/positions.h"
+
+namespace hearth {
+
+namespace {
+
+class PositionLinker {
+ public:
+  explicit PositionLinker(Linking& linking) : linking_(linking), locator_(linking.scene()) {
+    for (const bool isDoubtful : linking.isDoubtful) anyDoubtful_ |= isDoubtful;
+  }
+
+  void linkPlayer(const PlayerDescription& described) {
+    const auto sector =
+        locate(described.place, described.eye, described.sector, PositionOf::Camera);
+    if (!sector) return;
+    linking_.level.player = Player{*sector,          described.eye,       described.angle,
+                                   described.height, described.eyeHeight, described.radius,
+                                   described.step};
+  }
+
+  void linkShot(const ShotDescription& described) {
+    const auto sector =
+        locate(described.cameraPlace, described.eye, described.sector, PositionOf::Camera);
+    if (!sector) return;
+    linking_.level.shots.push_back({described.name, *sector, described.eye, described.angle,
+                                    described.pitch, described.fov, described.width,
+                                    described.height});
+  }
+
+  void linkLights(const LightsDescription& lights) {
+    for (const LightDescription& light : lights.lights) linkLight(light);
+    linking_.level.bake = lights.bake;
+  }
+
+ private:
+  void linkLight(const LightDescription& described) {
+    const auto sector =
+        locate(described.place, described.source.position, described.sector, PositionOf::Light);
+    if (!sector) return;
+    linking_.level.lights.push_back(described.source);
+    linking_.level.lights.back().sector = *sector;
+    validateLight(linking_.report, linking_.scene(), described.place, linking_.level.lights.back());
+  }
+
+  std::optional<SectorId> locate(Place place, Vec3 p, const std::optional<NameReference>& name,
+                                 PositionOf what) {
+    std::optional<SectorId> sector;
+    if (name) {
+      sector = linking_.names.link(linking_.report, *name);
+      if (!sector) return std::nullopt;
+    }
+    // It may be in a sector about which a mistake has been reported.
+    if (sector ? linking_.isDoubtful[sector->index()] : anyDoubtful_) return std::nullopt;
+    if (linking_.report.isFull()) return std::nullopt;
+    const auto found = locator_.locate(p, sector, what);
+    if (found) return *found;
+    linking_.report.error(place, found.error().message, found.error().advice);
+    return std::nullopt;
+  }
+
+  Linking& linking_;
+  Locator locator_;
+  bool anyDoubtful_ = false;
+};
+
+}  // namespace
+
+void linkPositions(Linking& linking, const LightsDescription& lights) {
+  PositionLinker linker(linking);
+  if (linking.description.player) linker.linkPlayer(*linking.description.player);
+  for (const ShotDescription& shot : linking.description.shots) linker.linkShot(shot);
+  linker.linkLights(lights);
+}
+
+void linkLights(Linking& linking, const LightsDescription& lights) {
+  PositionLinker(linking).linkLights(lights);
+}
+
+bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
+  if (!lights.lights.empty() || description.light) return false;
+  for (const SectorDescription& sector : description.sectors)
+    if (sector.light) return false;
+  return true;
+}
+
+}  // namespace hearth

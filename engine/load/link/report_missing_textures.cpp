@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <set>
+#include <tuple>
+
+#include "load/link/link.h"
+
+namespace hearth {
+
+namespace {
+
+/// Which flat of the next sector lets a step show, and where the step is.
+struct StepWords {
+  std::string_view flat;
+  std::string_view lies;
+  std::string_view where;
+  std::string_view key;
+};
+
+StepWords wordsOf(SurfaceKind step) {
+  if (step == SurfaceKind::LowerStep || step == SurfaceKind::StackLowerStep)
+    return {"floor", "higher", "below", "lower"};
+  return {"ceiling", "lower", "above", "upper"};
+}
+
+class MissingTextureReporter {
+ public:
+  explicit MissingTextureReporter(Linking& linking) : linking_(linking) {}
+
+  void tell(const MissingTexture& missing) {
+    const Segment& segment = linking_.level[missing.segment];
+    const std::optional<SectorId> next = nextOf(segment, missing.subWall);
+    if (linking_.isDoubtful[segment.sector.index()]) return;
+    if (next && linking_.isDoubtful[next->index()]) return;
+    if (isSidewall(missing.kind) && next)
+      tellSidewall(*next, segment.sector, missing.kind == SurfaceKind::FloorSidewall);
+    else
+      tellStep(missing, next);
+  }
+
+ private:
+  static std::optional<SectorId> nextOf(const Segment& segment, std::uint32_t subWall) {
+    const Portal* portal = std::get_if<Portal>(&segment.kind);
+    if (const Stack* stack = std::get_if<Stack>(&segment.kind))
+      portal = std::get_if<Portal>(&stack->subWalls[subWall].kind);
+    return portal ? std::optional(portal->next) : std::nullopt;
+  }
+
+  void tellSidewall(SectorId sloped, SectorId seenFrom, bool isFloor) {
+    if (!sidewalls_.insert({sloped, isFloor}).second) return;
+    const SectorDescription& sector = linking_.description.sectors[sloped.index()];
+    linking_.report.error(
+        (isFloor ? sector.slopeFloor : sector.slopeCeil)->place,
+        fmt::format("sector \"{}\" sees the side of this slope, which has no texture",
+                    linking_.level[seenFrom].name),
+        "give the slope a \"sidewall\"");
+  }
+
+  void tellStep(const MissingTexture& missing, std::optional<SectorId> next) {
+    const std::uint32_t edge = linking_.edgeOf[missing.segment.index()];
+    if (!steps_.insert({edge, missing.subWall, missing.kind}).second) return;
+    const WallDescription& wall = linking_.describedWall(missing.segment);
+    const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
+    const StepWords words = wordsOf(missing.kind);
+    linking_.report.error(stack ? stack->subWalls[missing.subWall].place : wall.place,
+                          fmt::format("the {} of sector \"{}\" is {}{}: the wall {} the opening "
+                                      "shows and has no texture",
+                                      words.flat, next ? linking_.level[*next].name : "",
+                                      words.lies, heightsOf(missing, next), words.where),
+                          fmt::format("give the wall \"{}\" or \"texture\"", words.key));
+  }
+
+  /// Of the two flats, where these are all that makes the step: one of them may be the mistake.
+  std::string heightsOf(const MissingTexture& missing, std::optional<SectorId> next) const {
+    const bool isStep =
+        missing.kind == SurfaceKind::LowerStep || missing.kind == SurfaceKind::UpperStep;
+    if (!next || !isStep) return "";
+    const Sector& here = linking_.level[linking_.level[missing.segment].sector];
+    const Sector& there = linking_.level[*next];
+    const bool isFloor = missing.kind == SurfaceKind::LowerStep;
+    if (isFloor ? here.floorSlope || there.floorSlope : here.ceilingSlope || there.ceilingSlope)
+      return "";
+    return fmt::format(" ({} m, here {} m)", isFloor ? there.floor.z : there.ceiling.z,
+                       isFloor ? here.floor.z : here.ceiling.z);
+  }
+
+  Linking& linking_;
+  std::set<std::pair<SectorId, bool>> sidewalls_;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, SurfaceKind>> steps_;
+};
+
+}  // namespace
+
+void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing) {
+  MissingTextureReporter reporter(linking);
+  for (const MissingTexture& each : missing) reporter.tell(each);
+}
+
+}  // namespace hearth

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "level/bake_settings.h"
+#include "level/light_source.h"
+#include "load/json/document.h"
+#include "math/vec.h"
+
+/// What the files say, each key with its type and default, names still names. Whatever could not be
+/// read has been reported; a stand-in (`Unreadable`, an empty optional) takes its place, so that
+/// later stages can look for mistakes in the rest.
+namespace hearth {
+
+struct NameReference {
+  std::string name;
+  Place place;
+};
+
+struct TextureDescription {
+  NameReference name;
+  Vec2 scale = {1, 1};         ///< metres of one repeat
+  Vec2 offset = {0, 0};        ///< texels
+  double along = 0;            ///< metres
+  std::optional<double> zRef;  ///< absolute, metres
+};
+
+struct Unreadable {};
+
+struct SolidDescription {
+  TextureDescription texture;
+};
+
+struct PortalDescription {
+  NameReference next;
+  std::optional<TextureDescription> upper;
+  std::optional<TextureDescription> lower;
+  std::optional<TextureDescription> maskedMiddle;
+};
+
+struct SubWallDescription {
+  Place place;
+  std::optional<double> z;  ///< its top, above the sector's floor
+  Place zPlace;             ///< of `z`, else of the sub-wall
+  std::variant<Unreadable, SolidDescription, PortalDescription> kind;
+};
+
+struct StackDescription {
+  std::vector<SubWallDescription> subWalls;  ///< bottom to top
+};
+
+struct WallDescription {
+  Place place;
+  std::variant<Unreadable, SolidDescription, PortalDescription, StackDescription> kind;
+};
+
+struct LoopDescription {
+  std::string name;
+  Place place;
+  std::vector<Vec2> vertices;          ///< empty when unreadable
+  std::vector<Place> vertexPlaces;     ///< of each vertex' x
+  std::vector<WallDescription> walls;  ///< one per vertex, or a single one for all
+
+  const WallDescription& wall(std::size_t i) const {
+    return walls.size() == 1 ? walls[0] : walls[i];
+  }
+  /// Of a wall, in words, as the file lists them.
+  std::string ends(std::size_t wall) const;
+};
+
+/// Names the two sides of a flat portal.
+struct FlatPortalDescription {
+  NameReference up;
+  NameReference down;
+  Place place;
+};
+
+struct FlatDescription {
+  Place place;
+  Place zPlace;  ///< of `z`, else of the flat
+  double z = 0;
+  std::optional<TextureDescription> texture;
+  bool isRelative = false;
+  bool isSky = false;
+  std::optional<FlatPortalDescription> next;
+  bool isReadable = true;  ///< else a missing texture or height has been reported
+};
+
+struct SlopeDescription {
+  Place place;
+  std::vector<std::optional<double>> heights;  ///< of the wedge above each border vertex; metres
+  std::vector<Place> heightPlaces;
+  std::optional<TextureDescription> sidewall;
+  bool isRelative = false;
+};
+
+struct SectorDescription {
+  std::string name;
+  Place place;  ///< of its key; in an array, of its `name`
+  std::optional<double> light;
+  FlatDescription floor;
+  FlatDescription ceiling;
+  std::optional<SlopeDescription> slopeFloor;
+  std::optional<SlopeDescription> slopeCeil;
+  std::vector<LoopDescription> loops;
+  bool hasReadableLoops = true;
+};
+
+struct PlayerDescription {
+  Place place;
+  std::optional<NameReference> sector;
+  Vec3 eye;
+  double angle = 0;     ///< degrees
+  double height = 1.8;  ///< metres, as all that follow
+  double eyeHeight = 1.6;
+  double radius = 0.3;
+  double step = 0.4;
+};
+
+struct ShotDescription {
+  Place place;
+  Place cameraPlace;
+  std::string name;
+  std::optional<NameReference> sector;
+  Vec3 eye;
+  double angle = 0;  ///< degrees, as all that follow
+  double pitch = 0;
+  double fov = 90;
+  int width = 320;
+  int height = 200;
+};
+
+struct LightDescription {
+  Place place;
+  std::optional<NameReference> sector;
+  LightSource source;  ///< all but its sector
+};
+
+struct LevelDescription {
+  Place place;
+  std::string name;
+  std::optional<NameReference> textures;  ///< folder
+  std::optional<NameReference> lights;    ///< file
+  std::optional<double> light;
+  std::optional<PlayerDescription> player;
+  std::vector<ShotDescription> shots;
+  std::vector<SectorDescription> sectors;
+};
+
+struct LightsDescription {
+  std::vector<LightDescription> lights;
+  BakeSettings bake;
+};
+
+}  // namespace hearth

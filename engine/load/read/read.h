@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "load/json/document.h"
+#include "load/json/report.h"
+#include "load/limits.h"
+#include "load/read/description.h"
+
+namespace hearth {
+
+/// Documents -> descriptions. All mistakes in keys, types and ranges of single values are reported
+/// here, those that need more than one value later.
+LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& limits);
+LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& limits);
+
+/// Parts of the above, a file each.
+enum class TextureUse { OnWall, OnFlat };
+inline constexpr std::array<std::string_view, 5> kTextureKeys{"name", "scale", "offset", "along",
+                                                              "zref"};  ///< of an object
+std::optional<TextureDescription> readTexture(Report& report, JsonValue value, TextureUse use);
+WallDescription readWall(Report& report, JsonValue value);
+/// What the limit of vertices still allows.
+struct VertexBudget {
+  std::size_t left;
+  bool isExceeded = false;  ///< reported once; the loops that follow are left out
+};
+SectorDescription readSector(Report& report, NameReference name, JsonValue value,
+                             VertexBudget& budget);
+std::optional<NameReference> readReference(Report& report, JsonValue value);
+
+}  // namespace hearth

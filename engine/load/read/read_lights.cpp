@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "load/json/color.h"
+#include "load/json/fields.h"
+#include "load/read/read.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> kLightKeys{
+    "x", "y", "z", "sector", "intensity", "falloff", "curve", "color", "radius"};
+constexpr std::array<std::string_view, 3> kFileKeys{"version", "lights", "bake"};
+constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
+
+constexpr std::string_view kAutoSamples = "auto";
+
+/// Light in levels, and falloff per metre: as far as a float reaches.
+constexpr NumberRange kLevels{0, 1e38};
+
+bool readColor(Report& report, const Fields& fields, LightSource& source) {
+  const std::optional<JsonValue> value = fields.find("color");
+  if (!value) return true;
+  const auto color = value->isString() ? parseColor(value->text()) : std::nullopt;
+  if (!color) {
+    report.error(value->place(), "no colour", "write \"#rrggbb\" with hexadecimal digits");
+    return false;
+  }
+  source.color[0] = color->r;
+  source.color[1] = color->g;
+  source.color[2] = color->b;
+  return true;
+}
+
+/// One `[distance, light]` of a curve.
+void readCurvePoint(Report& report, JsonValue element, std::vector<CurvePoint>& curve) {
+  const auto numbers = readNumbers(report, element, 2, kLevels);
+  if (!numbers) return;
+  const CurvePoint point{(*numbers)[0], (*numbers)[1]};
+  if (!curve.empty() && point.distance < curve.back().distance)
+    report.error(element.place(),
+                 fmt::format("distance {} comes after {}", point.distance, curve.back().distance),
+                 "sort the curve by rising distance");
+  else
+    curve.push_back(point);
+}
+
+void readCurve(Report& report, const Fields& fields, LightSource& source) {
+  const std::optional<JsonValue> value = fields.find("curve");
+  if (!value) return;
+  for (const std::string_view key : {"intensity", "falloff"})
+    if (const auto other = fields.find(key))
+      report.error(other->place(), fmt::format("\"{}\" beside \"curve\"", key),
+                   "give either a curve or intensity and falloff");
+  if (!value->isArray() || value->size() == 0) {
+    report.error(value->place(), "no curve", "write [[distance, light], ...], at least one pair");
+    return;
+  }
+  for (const JsonValue element : value->elements()) readCurvePoint(report, element, source.curve);
+}
+
+std::optional<LightDescription> readLight(Report& report, JsonValue value) {
+  const Fields fields(report, value, kLightKeys);
+  LightDescription light;
+  light.place = value.place();
+  LightSource& source = light.source;
+  bool isGood = fields.isObject();
+  for (const std::string_view key : {"x", "y", "z"})
+    isGood &= fields.require(key, "give the light's position").has_value();
+  isGood &= fields.read("x", kCoordinate, source.position.x);
+  isGood &= fields.read("y", kCoordinate, source.position.y);
+  isGood &= fields.read("z", kCoordinate, source.position.z);
+  if (const auto sector = fields.find("sector")) {
+    light.sector = readReference(report, *sector);
+    isGood &= light.sector.has_value();
+  }
+  fields.read("intensity", kLevels, source.intensity);
+  fields.read("falloff", kLevels, source.falloff);
+  fields.read("radius", kLength, source.radius);
+  readColor(report, fields, source);
+  readCurve(report, fields, source);
+  return isGood ? std::optional(light) : std::nullopt;
+}
+
+bool isSquare(int number) {
+  const int root = static_cast<int>(std::lround(std::sqrt(number)));
+  return root * root == number;
+}
+
+void readSampleCount(Report& report, JsonValue value, BakeSettings& bake) {
+  constexpr NumberRange kSamples{1, 1 << 20};
+  const std::optional<int> count = readInteger(report, value, kSamples);
+  if (count && !isSquare(*count))
+    report.error(value.place(), fmt::format("{} samples are no square grid", *count),
+                 fmt::format("give a square number, 1, 4, 9, 16, ..., or \"{}\"", kAutoSamples));
+  bake.samples = count;
+}
+
+BakeSettings readBake(Report& report, JsonValue value) {
+  constexpr NumberRange kTexel{1e-6, kWorldLimit};  // metres
+  constexpr NumberRange kBounces{0, 1000};
+  const Fields fields(report, value, kBakeKeys);
+  BakeSettings bake;
+  fields.read("texel", kTexel, bake.texel);
+  fields.read("lambert", bake.lambert);
+  if (const auto bounces = fields.find("bounces"))
+    bake.bounces = readInteger(report, *bounces, kBounces).value_or(bake.bounces);
+  if (const auto samples = fields.find("samples")) {
+    if (samples->isString() && samples->text() == kAutoSamples)
+      bake.samples.reset();
+    else
+      readSampleCount(report, *samples, bake);
+  }
+  return bake;
+}
+
+void readLightList(Report& report, JsonValue value, const LoadLimits& limits,
+                   LightsDescription& lights) {
+  if (!value.isArray()) return reportWrongType(report, value, "an array of lights");
+  if (const std::size_t count = value.size(); count > limits.lights) {
+    report.error(value.place(), fmt::format("{} lights are more than {}", count, limits.lights),
+                 "raise the limit with --max-lights");
+    return;
+  }
+  for (const JsonValue element : value.elements())
+    if (auto light = readLight(report, element)) lights.lights.push_back(*std::move(light));
+}
+
+bool isLevel(JsonValue root) {
+  if (!root.isObject()) return false;
+  const std::vector<JsonValue::Member> members = root.members();
+  return std::ranges::any_of(
+      members, [](const JsonValue::Member& member) { return member.key.text() == "sectors"; });
+}
+
+}  // namespace
+
+LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& limits) {
+  LightsDescription lights;
+  if (root.isArray()) {
+    readLightList(report, root, limits, lights);
+    return lights;
+  }
+  if (isLevel(root)) {
+    report.error(root.place(), "a level instead of a lights file",
+                 "write { \"lights\": [ .. ] } here, and the level into another file");
+    return lights;
+  }
+  const Fields fields(report, root, kFileKeys);
+  checkVersion(report, fields);
+  if (const auto list = fields.require("lights", "give an array of lights"))
+    readLightList(report, *list, limits, lights);
+  if (const auto bake = fields.find("bake")) lights.bake = readBake(report, *bake);
+  return lights;
+}
+
+}  // namespace hearth

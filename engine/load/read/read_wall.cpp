@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "load/json/fields.h"
+#include "load/read/read.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kWallKeys{"texture", "next",   "upper",
+                                                    "lower",   "middle", "walls"};
+constexpr std::array<std::string_view, 7> kSubWallKeys{"texture", "next",  "upper", "lower",
+                                                       "middle",  "walls", "z"};
+/// Those that only a wall that leads somewhere has.
+constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "middle"};
+
+constexpr MisplacedKeys kOfTextures{
+    kTextureKeys, "give it to a texture: {{ \"texture\": {{ .., \"{}\": .. }} }}"};
+
+/// Reads the texture under `key` into `target`; false after a mistake.
+bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,
+                         std::optional<TextureDescription>& target) {
+  const std::optional<JsonValue> value = fields.find(key);
+  if (!value) return true;
+  target = readTexture(report, *value, TextureUse::OnWall);
+  return target.has_value();
+}
+
+std::optional<PortalDescription> readPortal(Report& report, const Fields& fields, JsonValue next) {
+  PortalDescription portal;
+  std::optional<TextureDescription> both;
+  bool isGood = readOptionalTexture(report, fields, "texture", both);
+  isGood &= readOptionalTexture(report, fields, "upper", portal.upper);
+  isGood &= readOptionalTexture(report, fields, "lower", portal.lower);
+  isGood &= readOptionalTexture(report, fields, "middle", portal.maskedMiddle);
+  if (fields.find("texture") && (fields.find("upper") || fields.find("lower"))) {
+    report.error(fields.find("texture")->place(), "\"texture\" beside \"upper\" or \"lower\"",
+                 "give either one texture for both steps or one for each");
+    isGood = false;
+  }
+  isGood &= !fields.isMisspelled("texture") &&
+            std::ranges::none_of(kPortalTextures,
+                                 [&](std::string_view key) { return fields.isMisspelled(key); });
+  const std::optional<NameReference> reference = readReference(report, next);
+  if (!isGood || !reference) return std::nullopt;
+  portal.next = *reference;
+  if (both) portal.upper = portal.lower = both;
+  return portal;
+}
+
+/// Whether there are any.
+bool refusePortalTextures(Report& report, const Fields& fields) {
+  bool areThere = false;
+  for (const std::string_view key : kPortalTextures)
+    if (const std::optional<JsonValue> value = fields.find(key)) {
+      areThere = true;
+      report.error(value->place(), fmt::format("\"{}\" on a wall that leads nowhere", key),
+                   "give \"next\" for a portal, or \"texture\" for a solid wall");
+    }
+  return areThere;
+}
+
+/// The solid or portal that `fields` describe, as one of the alternatives of `Kind`.
+template <typename Kind>
+Kind readSolidOrPortal(Report& report, const Fields& fields) {
+  if (!fields.isObject()) return Unreadable{};
+  if (const std::optional<JsonValue> next = fields.find("next")) {
+    if (auto portal = readPortal(report, fields, *next)) return *std::move(portal);
+    return Unreadable{};
+  }
+  if (refusePortalTextures(report, fields)) return Unreadable{};
+  const auto value = fields.require("texture", "give a wall \"texture\", \"next\" or \"walls\"");
+  const auto texture = value ? readTexture(report, *value, TextureUse::OnWall) : std::nullopt;
+  if (!texture) return Unreadable{};
+  return SolidDescription{*texture};
+}
+
+SubWallDescription readSubWall(Report& report, JsonValue value) {
+  const Fields fields(report, value, kSubWallKeys, kOfTextures);
+  SubWallDescription subWall{value.place(), std::nullopt, value.place(), {}};
+  bool isGood = true;
+  if (const std::optional<JsonValue> z = fields.find("z")) {
+    subWall.zPlace = z->place();
+    isGood = fields.read("z", kCoordinate, subWall.z);
+  }
+  if (const std::optional<JsonValue> walls = fields.find("walls")) {
+    report.error(walls->place(), "a stack inside a stack", "put its walls into the outer one");
+    return subWall;
+  }
+  subWall.kind = readSolidOrPortal<decltype(subWall.kind)>(report, fields);
+  if (!isGood) subWall.kind = Unreadable{};
+  return subWall;
+}
+
+std::optional<StackDescription> readStack(Report& report, const Fields& fields, JsonValue walls) {
+  for (const std::string_view key : {"texture", "next", "upper", "lower", "middle"})
+    if (const std::optional<JsonValue> value = fields.find(key))
+      report.error(value->place(), fmt::format("\"{}\" beside \"walls\"", key),
+                   "give it to the walls of the stack");
+  if (!walls.isArray()) {
+    reportWrongType(report, walls, "an array of walls");
+    return std::nullopt;
+  }
+  StackDescription stack;
+  for (const JsonValue wall : walls.elements()) stack.subWalls.push_back(readSubWall(report, wall));
+  if (!stack.subWalls.empty()) return stack;
+  report.error(walls.place(), "a stack without walls", "give at least one");
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<NameReference> readReference(Report& report, JsonValue value) {
+  std::optional<std::string> name = readName(report, value);
+  if (!name) return std::nullopt;
+  return NameReference{*std::move(name), value.place()};
+}
+
+WallDescription readWall(Report& report, JsonValue value) {
+  const Fields fields(report, value, kWallKeys, kOfTextures);
+  WallDescription wall{value.place(), {}};
+  if (const std::optional<JsonValue> walls = fields.find("walls")) {
+    if (auto stack = readStack(report, fields, *walls)) wall.kind = *std::move(stack);
+  } else {
+    wall.kind = readSolidOrPortal<decltype(wall.kind)>(report, fields);
+  }
+  return wall;
+}
+
+}  // namespace hearth
