@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "image/image_file.h"
-#include "load/json/color.h"
+#include "load/json/fields.h"
 #include "load/suggest.h"
 #include "math/parallel.h"
 

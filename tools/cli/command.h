@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "settings/option_groups.h"
 #include "settings/options.h"
 
 namespace hearth {

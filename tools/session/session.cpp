@@ -9,7 +9,7 @@
 #include "render/texels_in_view.h"
 #include "session/bake_cache.h"
 #include "session/bake_file.h"
-#include "settings/option_groups.h"
+#include "settings/options.h"
 #include "settings/shell_text.h"
 
 namespace hearth {

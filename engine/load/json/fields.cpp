@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "load/suggest.h"
@@ -205,6 +206,16 @@ void checkVersion(Report& report, const Fields& fields) {
   if (version && *version > kVersion)
     report.error(value->place(), fmt::format("version {} is newer than this program", *version),
                  fmt::format("use a newer program, or write version {}", kVersion));
+}
+
+std::optional<Rgb> parseColor(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#' || text[1] == '-') return std::nullopt;
+  unsigned value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + 1, end, value, 16);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8 & 255),
+             static_cast<std::uint8_t>(value & 255)};
 }
 
 }  // namespace hearth

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/image.h"
 #include "load/json/document.h"
 #include "load/json/report.h"
 
@@ -74,5 +75,8 @@ class Fields {
 
 /// Reports a `version` that this program does not know.
 void checkVersion(Report& report, const Fields& fields);
+
+/// A colour from `#rrggbb`.
+std::optional<Rgb> parseColor(std::string_view text);
 
 }  // namespace hearth

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "load/json/color.h"
 #include "load/json/fields.h"
 #include "load/read/read.h"
 

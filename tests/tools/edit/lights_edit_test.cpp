@@ -7,8 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/edit/light_name.h"
-
 namespace hearth {
 namespace {
 

@@ -12,7 +12,6 @@
 #include "load/json/read_document.h"
 #include "load/read/read.h"
 #include "text/json_text.h"
-#include "viewer/edit/light_name.h"
 
 namespace hearth {
 
@@ -206,5 +205,15 @@ void LightsEdit::redo() {
 }
 
 double toMillimetres(double metres) { return std::round(1000 * metres) / 1000; }
+
+std::string commentAt(std::string_view json, std::size_t object) {
+  const std::vector<MemberRange> members = membersAt(json, object);
+  const auto comment = commentIn(json, members);
+  return comment ? nlohmann::json::parse(members[*comment].value.of(json)) : "";
+}
+
+std::string lightName(std::size_t light, const std::string& comment) {
+  return comment.empty() ? fmt::format("light {}", light) : fmt::format("{} {}", light, comment);
+}
 
 }  // namespace hearth

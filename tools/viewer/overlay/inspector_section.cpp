@@ -9,7 +9,7 @@
 
 #include "math/wrapped.h"
 #include "truth/truth_view.h"
-#include "viewer/edit/light_name.h"
+#include "viewer/edit/lights_edit.h"
 #include "viewer/inspect/places.h"
 #include "viewer/inspect/words.h"
 #include "viewer/overlay/imgui_values.h"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "viewer/edit/curve_edit.h"
-#include "viewer/edit/light_name.h"
+#include "viewer/edit/lights_edit.h"
 #include "viewer/overlay/widgets.h"
 
 namespace hearth {
