@@ -17,9 +17,10 @@ struct ReadFailure {
 /// Why a file cannot be read, by the system's number for the reason (errno).
 tl::unexpected<ReadFailure> failedRead(int reason);
 
-/// All bytes of a regular file: reading from a pipe may wait for ever. Longer files are refused
-/// before memory is taken. One that another program writes meanwhile, other than by renaming, is
-/// `Changed`, as far as its size and time tell: no mixture of old and new shall be taken for it.
+/// All bytes of a regular file; reading from a pipe might never end. Longer files are refused
+/// before memory is taken. If another program writes the file meanwhile, other than by renaming,
+/// the fault is `Changed`, as far as size and time show: a mixture of old and new is never
+/// returned.
 tl::expected<std::string, ReadFailure> readFile(const std::filesystem::path& path,
                                                 std::uint64_t maxBytes);
 

@@ -19,7 +19,7 @@ struct ImageSize {
 };
 
 /// The size of a PNG, JPEG, BMP or TGA picture from the first bytes of its file; nothing is
-/// decoded. The kind is told by the content, not by the name. Errors are one sentence that begins
+/// decoded. The content tells the kind, not the name. Errors are one sentence that begins
 /// with the path.
 tl::expected<ImageSize, std::string> readImageSize(const std::filesystem::path& path,
                                                    const FileSource& files = DiskFiles());

@@ -176,7 +176,8 @@ class SegmentDeriver {
     geometry_.pieces[Geometry::kPiecesPerPart * segment_.firstPart + own_.pieceCount++] = piece;
   }
 
-  /// What of an image shows that hangs in an opening of these heights, from its zref on down.
+  /// Shows the part of a masked texture that lies in an opening of these heights; the image hangs
+  /// down from its zref.
   std::optional<SurfaceId> showMaskedMiddle(SurfaceId id, double zBottom, double zTop) {
     const TextureMapping& mapping = scene_[id].mapping;
     const double zRef = mapping.zRef.value_or(zTop);

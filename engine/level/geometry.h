@@ -16,7 +16,7 @@ namespace hearth {
 struct Opening {
   SectorId next;
   SegmentId twin;  ///< the segment of `next` with the same two end points, the other way round
-  /// What of the next sector's wedges can stand in the opening; none where it has no slope.
+  /// The next sector's wedges that can stand in the opening; none where it has no slope.
   std::optional<SurfaceId> floorSidewall;
   std::optional<SurfaceId> ceilingSidewall;
   std::optional<SurfaceId> maskedMiddle;  ///< what hangs in it, seen from this side
@@ -83,9 +83,9 @@ struct SurfaceGeometry {
   friend bool operator==(const SurfaceGeometry&, const SurfaceGeometry&) = default;
 };
 
-/// All that follows from the heights of a level's flats, in flat arrays: what of each wall shows
-/// and where it opens. `Scene` reads it. Its arrays have room for every part of a wall that can
-/// show at other heights, so `moveFlats` takes no memory.
+/// All that follows from the heights of a level's flats, in flat arrays: which parts of each wall
+/// show and where it opens. `Scene` reads it. Its arrays have room for every part of a wall that
+/// can show at other heights, so `moveFlats` takes no memory.
 struct Geometry {
   static constexpr std::size_t kPiecesPerPart = 3;  ///< lower step, opening, upper step
 

@@ -57,8 +57,8 @@ struct SurfaceTexels {
 };
 
 /// Bakes texels of some surfaces alone, each surface named once: they get what a whole bake gives
-/// them. `surfaces` are the scene's, on grids of `settings`. What was not asked for is dark, or in
-/// no lightmap.
+/// them. `surfaces` are the scene's, on grids of `settings`. All other texels are dark, or in no
+/// lightmap.
 BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress = nullptr);
 

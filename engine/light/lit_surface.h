@@ -61,7 +61,7 @@ struct LitSurface {
   std::vector<Texels> askedIn(int j) const;
 };
 
-/// The texels of a row that can be asked for, and for each other one the nearest of them.
+/// The texels of a row that filtering can read, and for each other texel the nearest of them.
 class AskedRow {
  public:
   AskedRow(const LitSurface& surface, int j) : asked_(surface.askedIn(j)) {}

@@ -78,7 +78,7 @@ Outline Outline::aroundRow(double row, double reach) const {
   return around;
 }
 
-/// What of the row has an edge no farther than `margin` along both axes: in rising order, and
+/// The parts of the row with an edge no farther than `margin` along both axes: in rising order, and
 /// apart. Between two of these all is inside, or all is outside.
 std::vector<Outline::Stretch> Outline::besideEdges(double row, double margin) const {
   std::vector<Stretch> beside;

@@ -37,9 +37,10 @@ class Outline {
   /// says the same, except for what is farther from it than that.
   Outline aroundRow(double row, double reach) const;
 
-  /// What of the row lies inside, farther than `margin` from all edges: in rising order, and apart.
+  /// The parts of the row that lie inside, farther than `margin` from all edges: in rising order,
+  /// and apart.
   std::vector<Stretch> insideAlong(double row, double margin) const;
-  /// What of it has a point of the inside, or of an edge, no farther than `margin` along both axes:
+  /// The parts with a point of the inside, or of an edge, no farther than `margin` along both axes:
   /// in rising order, and apart.
   std::vector<Stretch> nearAlong(double row, double margin) const;
 

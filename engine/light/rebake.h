@@ -33,28 +33,28 @@ class LightMemory {
   std::unique_ptr<Kept> kept_;
 };
 
-/// The bake of a level of which an earlier version may have been baked: to the byte what `bake`
-/// gives, counters and all, but only what a change can have touched is asked for anew. What a light
-/// brings to a surface stays as long as both do, and all sectors that the light's rays to it come
-/// into.
+/// Bakes a level of which an earlier version may have been baked. The result equals that of `bake`
+/// to the byte, counters included, but only light that a change can affect is computed anew. The
+/// light of a source on a surface is kept while neither of them changes, nor any sector that rays
+/// between them enter.
 class Rebake {
  public:
-  /// Looks what is to be done; with settings without a mistake. Memory, level and geometry must
-  /// outlive the rebake; meanwhile the memory is its alone, and no flat moves. No byte depends on
-  /// `threads`.
+  /// Finds what must be baked. The settings have no mistake. Memory, level and geometry must
+  /// outlive the rebake; nothing else may use the memory meanwhile, and no flat may move. No byte
+  /// depends on `threads`.
   Rebake(LightMemory& memory, const Scene& scene, const BakeSettings& settings, int threads);
   ~Rebake();
   Rebake(const Rebake&) = delete;
   Rebake& operator=(const Rebake&) = delete;
 
-  /// Texels of surfaces, counted once for each light, that `finish` will ask for.
+  /// Texels of surfaces, counted once for each light, that `finish` will bake.
   std::int64_t texelLightsLeft() const;
 
-  /// The light in haste: of what is left to do one sample to 4 x 4 texels, and balls as points.
+  /// A quick preview: what is left gets one sample for 4 x 4 texels, and balls are points.
   BakedLight draft() const;
 
-  /// None where it was asked to stop; what was done until then is kept. Called once. `progress`, if
-  /// any, is new.
+  /// None if `stop` was requested; the memory keeps what is done so far. Call it once. `progress`,
+  /// if any, is new.
   std::optional<BakedLight> finish(BakeProgress* progress = nullptr,
                                    const std::stop_token& stop = {});
 

@@ -15,11 +15,11 @@ namespace hearth {
 /// All cores of the machine.
 int availableThreads();
 
-/// Threads that wait for work in pieces of a millisecond: what comes again and again
+/// Threads that wait for work in pieces of a millisecond, so that work that comes again and again
 /// starts no threads and takes no memory. One thread at a time may give them work.
 class Workers {
  public:
-  /// At least one. Whoever gives them work is one of them, so that one starts no thread.
+  /// At least one. The thread that calls `run` is one of them, so one worker starts no thread.
   explicit Workers(int threads);
 
   int threads() const { return static_cast<int>(helpers_.size()) + 1; }

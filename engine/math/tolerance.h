@@ -61,8 +61,8 @@ inline constexpr double kPreciseReach = 1e7;
 /// is nearly in line with a wall.
 inline constexpr double kNearTie = 1e-9;
 
-/// Texels. So far outside its surface bilinear filtering may be asked for a point of it that
-/// rounding has moved: thousands of times the rounding of coordinates of 2^20 texels.
+/// Texels. Rounding may move a point at most so far outside its surface before bilinear filtering
+/// reads it: thousands of times the rounding of coordinates of 2^20 texels.
 inline constexpr double kFilterSlack = 1e-6;
 
 /// Fraction of an area, of a sum of triangles: what rounding of its coordinates may change it by.

@@ -2,7 +2,7 @@
 
 namespace hearth {
 
-/// What of texture and light a picture shows.
+/// Whether a picture shows textures, light or both.
 enum class LightMode {
   Both,
   None,  ///< the texture's colour alone

@@ -137,9 +137,9 @@ class RepeatingByBits {
 #if HWY_TARGET != HWY_SCALAR
 
 /// An axis of an image that repeats, in fixed point: a row's place on it in 2^-32 of a repeat, so
-/// that 32 bits forget the repeats before. That is found by two operations, and from then on twice
-/// as many rows at once. Texels are those of the axes above but where a row is so near to a whole
-/// texel that rounding could matter, and that is told.
+/// that 32 bits forget the repeats before. Two operations find that, and all that follows handles
+/// twice as many rows at once. Texels are those of the axes above, except where a row is so near to
+/// a whole texel that rounding could matter; those rows are reported.
 ///
 /// How near: of all that is added up to a coordinate nothing is larger than 2^20 texels (`holds`),
 /// so that what rounding loses each time is at most 2^-33 of a texel, a dozen times in both

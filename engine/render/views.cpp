@@ -158,8 +158,8 @@ Extent extentInView(const Scene& scene, const Projection& projection, double edg
   return extent;
 }
 
-/// Pixels per metre at which what of the plan lies in the field of view fits above the eye, or all
-/// if the plan has nothing there.
+/// Pixels per metre at which the part of the plan in the field of view fits above the eye; the
+/// whole plan if no part of it is there.
 double fitView(const Scene& scene, const Camera& camera, const Projection& projection,
                double eyeRow) {
   const double edge = slantOfEdge(camera, projection);
@@ -299,7 +299,7 @@ struct LineEnd {
   double z;
 };
 
-/// Calls `draw(from, to, color)` for the edges of what of a segment is in the field of view.
+/// Calls `draw(from, to, color)` for the edges of the part of a segment in the field of view.
 template <typename Draw>
 class SegmentEdges {
  public:

@@ -39,8 +39,8 @@ struct Stretch {
   ColumnHit exit;
 };
 
-/// Lists of windows that nothing uses at the moment. Each has room for a window in every column,
-/// so that which of them a viewport gets does not matter.
+/// Lists of windows that nothing uses at the moment. Each has room for a window in every column, so
+/// a viewport can get any of them.
 class SpareWindows {
  public:
   std::vector<Window> take(int columns) {

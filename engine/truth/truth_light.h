@@ -35,8 +35,8 @@ class TruthSource {
 
   const Level& level_;
   Origin center_;
-  /// Many points of a ball, all alike; one of a point. What of a ball its centre does not see
-  /// counts as points that shine nowhere.
+  /// Many points of a ball, all alike; one of a point light. The points of a ball that its centre
+  /// does not see shine nowhere.
   std::vector<Origin> origins_;
   int count_ = 1;  ///< with those that shine nowhere
 };

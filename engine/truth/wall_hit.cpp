@@ -154,7 +154,8 @@ class Meeting {
     return maskedMiddle(twin, part, sector_.ceiling.z);
   }
 
-  /// What hangs in the opening of a part of `side`, behind which is a ceiling: but for its holes.
+  /// The masked texture in the opening of a part of `side`, behind which is a ceiling; none at a
+  /// hole.
   std::optional<TruthHit> maskedMiddle(SegmentId side, const WallPart& part, double zBehind) const {
     const auto& texture = std::get<Portal>(part.kind).maskedMiddle;
     if (!texture) return std::nullopt;

@@ -52,7 +52,7 @@ struct RecordingError {
 
 tl::expected<Recording, RecordingError> readRecording(std::string_view text);
 
-/// The walker at the start of a recording; the error says what of it the level does not have.
+/// The walker at the start of a recording; the error names what the level lacks.
 tl::expected<Walker, std::string> startOf(const Scene& scene, const RecordedStart& start);
 
 }  // namespace hearth

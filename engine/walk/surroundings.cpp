@@ -139,7 +139,7 @@ void Surroundings::lookAtWallAbove(const Segment& segment, Interval chord) {
   zCap_ = std::min(zCap_, zBottom);
 }
 
-/// What of a wall no passage leaves open.
+/// Adds blockers for the parts of a wall that no passage leaves open.
 void Surroundings::block(const Segment& segment, Interval chord) {
   std::ranges::sort(open_, {}, &Interval::low);
   double from = chord.low;

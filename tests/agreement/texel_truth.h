@@ -31,7 +31,7 @@ struct PatchLight {
   bool clipsBetween(std::size_t channel) const;
 };
 
-/// What texels are to hold by truth, and what of it is known how well.
+/// What texels hold by truth, and how well each of them is known.
 class TexelTruth {
  public:
   /// Keeps the scene, whose level's lights must be points and whose bake must say how many samples

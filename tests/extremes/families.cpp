@@ -99,7 +99,7 @@ bool expectSameTexels(const LitLevel& before, const LitLevel& after, SurfaceId i
   const LitSurface& piece = *after.light().surfaces[id.index()];
   const Lightmap& map = *after.light().lightmaps[id.index()];
   const auto whole = wholeOf(before, after.level()[id], piece);
-  // Walls that are in line but for authors' noise are one run or not by the shortest of them.
+  // Walls that are in line apart from authors' noise are one run or not by the shortest of them.
   if (!whole || before.light().surfaces[whole->index()]->grid != piece.grid) return false;
   const auto& wholeMap = before.light().lightmaps[whole->index()];
   EXPECT_TRUE(wholeMap.has_value());

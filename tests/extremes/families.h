@@ -49,8 +49,8 @@ LightDifference expectSmallnessMeansLittle(std::uint64_t seed);
 /// same so large: what authors' noise joins comes apart.
 bool expectLargenessMeansNothing(std::uint64_t seed);
 
-/// Turned about the origin, and in a mirror: the same surfaces show, but for pixels on edges, and
-/// the light is right by the reference.
+/// Turned about the origin, and in a mirror: the same surfaces show, except in pixels on edges,
+/// and the light is right by the reference.
 void expectDirectionMeansNothing(std::uint64_t seed, double degrees);
 void expectHandednessMeansNothing(std::uint64_t seed);
 

@@ -30,7 +30,7 @@ TEST(UprightAir, reachesAnEndOfItsSegmentWhereTheGapInMetresIsRounding) {
 }
 
 TEST(UprightAir, ofAHangingWedgeEndsAtTheStandingOneThatItPassesByNoise) {
-  // They touch in the corner (4, 0), but for half a millimetre.
+  // They touch in the corner (4, 0), apart from half a millimetre.
   const std::string wall = "{'next':'b','texture':'#808080'}";
   const LoadedLevel loaded = test::levelFrom(
       "{'light':1,'sectors':{" +

@@ -196,7 +196,7 @@ TEST(Level, joinsFlatsOfBothSpellingsIntoOneInterface) {
 }
 
 TEST(Level, letsSectorsAboveAFlatPortalTouchInAPoint) {
-  // A corner of the one lies, but for rounding, in the middle of a wall of the other.
+  // A corner of the one lies in the middle of a wall of the other, apart from rounding.
   const std::string large = "2.067,10.239, 0.839,10.145, 0.642,9.334, 2.192,9.46";
   const std::string small = "0.04,9.776, 0.164,9.5, 0.7405,9.7395, 0.3,10.06";
   const std::string above =

@@ -153,7 +153,7 @@ TEST(DrawSettings, SquaresOfPixelsShowWhatTheirMiddlesSee) {
       if (middleI >= camera.width || middleJ >= camera.height) continue;
       differing += squares.at(i, j) == all.at(middleI, middleJ) ? 0 : 1;
     }
-  // The same rays, but for rounding: at the edges of texels that can show the next one.
+  // The same rays, apart from rounding: at the edges of texels that can show the next one.
   EXPECT_LE(differing, camera.width * camera.height / 1000);
 }
 

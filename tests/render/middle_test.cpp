@@ -38,7 +38,7 @@ LoadedLevel rooms(std::string_view first, std::string_view second, std::string_v
                                      room("c", 8, 12, solid, portalTo("b"))));
 }
 
-/// The textures of a level, plain in their colours, but for those that hang in openings: these
+/// The textures of a level, plain in their colours. Those that hang in openings
 /// have a hole in their left half.
 std::vector<Image> texturesOf(const Level& level) {
   std::vector<Image> images;

@@ -110,7 +110,7 @@ TEST(RowKernels, findTheTexelsThatAModuloOfEachRowGives) {
     }
 }
 
-/// Measures at which a coordinate is a whole texel, but for roundings and 2^-20 to 2^-40 of one.
+/// Measures at which a coordinate is a whole texel, apart from roundings and 2^-20 to 2^-40 of one.
 std::vector<double> parametersNearTexels(const ImageAxis& along, std::mt19937& random) {
   std::uniform_int_distribution<int> texels(-3000, 3000);
   std::uniform_int_distribution<int> bits(20, 40);

@@ -19,7 +19,7 @@ void* counted(std::size_t bytes) {
 
 }  // namespace
 
-// The other forms of new and delete call these, but for those of over-aligned types.
+// The other forms of new and delete call these, except those of over-aligned types.
 void* operator new(std::size_t bytes) { return counted(bytes); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

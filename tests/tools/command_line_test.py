@@ -251,7 +251,7 @@ class NoDisplay(InFolder):
 
 
 class Walk(InFolder):
-    """What of walking needs no window."""
+    """The parts of `hearth walk` that need no window."""
 
     def setUp(self):
         super().setUp()
@@ -1127,7 +1127,7 @@ class Info(InFolder):
         result = run("info", self.level, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         info = json.loads(result.stdout)
-        self.assertEqual((info["sectors"], info["lights"], info["interfaces"]), (4, 2, 1))
+        self.assertEqual((info["sectors"], info["lights"], info["flatPortals"]), (4, 2, 1))
         self.assertEqual(info["features"]["stack"], 2)
         self.assertEqual(info["features"]["slope floor"], 1)
         self.assertEqual(info["features"]["closed door"], 0)

@@ -105,7 +105,7 @@ int runProgram(std::string_view about, std::span<const Command> commands, int ar
     status = afterPrinting(parseAndRun(about, commands, argc, argv));
   } catch (const std::bad_alloc&) {
     status = fail("not enough memory; larger --texel or a smaller --size needs less");
-  } catch (const std::system_error& error) {  // no more threads to be had
+  } catch (const std::system_error& error) {  // the system gives no more threads
     status = fail(error.what());
   }
   return static_cast<int>(status);

@@ -128,7 +128,7 @@ void BackgroundBaker::attempt(const std::function<void()>& work) {
     work();
   } catch (const std::bad_alloc&) {
     refuse("not enough memory; larger --texel needs less");
-  } catch (const std::system_error& error) {  // no more threads to be had
+  } catch (const std::system_error& error) {  // the system gives no more threads
     refuse(error.what());
   }
 }

@@ -54,8 +54,8 @@ struct LevelNews {
   bool isDraft = false;  ///< better light is to come
 };
 
-/// Loads and bakes a level whenever it is asked to, in a thread of its own that gives way to all
-/// others. What was asked for before is given up then.
+/// Loads and bakes a level on request, in a thread of its own with low priority. A new request
+/// cancels the one before.
 class BackgroundBaker {
  public:
   /// In which the next file of one save follows: until its lights have come, too, a level that was

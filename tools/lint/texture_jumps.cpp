@@ -22,7 +22,7 @@ constexpr double kSeen = 8;
 /// Pixels of the image, along and down, that are looked at for that: enough for a mean.
 constexpr int kLookedAt = 128;
 
-/// Where a surface of a wall begins or ends: what of its image lies there.
+/// Where a surface of a wall begins or ends: the place of its image there.
 struct ImageEnd {
   double u;  ///< in repeats
   double v;  ///< where z is 0, likewise

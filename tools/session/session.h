@@ -44,8 +44,8 @@ struct Bake {
   double seconds;
 };
 
-/// Bakes with the settings above. A terminal shows the progress of a long bake; where stderr is no
-/// terminal, it is told in the style that is given.
+/// Bakes with the settings above. A terminal shows the progress of a long bake. If stderr is no
+/// terminal, progress is written in the given style.
 tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
                                         ProgressStyle inFile = ProgressStyle::None);
 

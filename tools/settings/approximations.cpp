@@ -21,7 +21,7 @@ constexpr std::array kApproximations = {
         "engine/light/baking/baked_surface.h"},
     Approximation{
         Option::SoftSamples, Of::Bake, "0|4|16|36|64|256",
-        "the share of a ball that is seen: less than a level of 255 with 36 at straight edges, "
+        "the fraction of a ball that is seen: less than a level of 255 with 36 at straight edges, "
         "falling at the rate of 1/sqrt(soft samples) at least",
         "engine/light/sight/light_sight.h"},
     Approximation{Option::CutOff, Of::Bake, "1|4|16",

@@ -27,7 +27,7 @@ struct TextRange {
 std::size_t rootOf(std::string_view json);
 /// The value that begins at `begin`.
 TextRange valueAt(std::string_view json, std::size_t begin);
-/// What of the text before `end` is blank.
+/// The blanks that end at `end`.
 std::string_view blanksBefore(std::string_view json, std::size_t end);
 /// Of blanks the last line break and what follows; all of them without one.
 std::string_view lastLineOf(std::string_view blanks);

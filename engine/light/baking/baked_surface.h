@@ -31,12 +31,13 @@ inline constexpr int kDraftSide = 4;
 void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                       const BakeSettings& settings, const SumsOf& sumsOf);
 
-/// What of a surface must be baked for some of its texels: these alone, or all where texels share
-/// what they ask of lights.
+/// The texels of a surface that must be baked to know some of them: these alone, or all where
+/// texels share samples.
 TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
                     const BakeSettings& settings);
 
-/// The lightmap of a surface, or of what of it must be baked; none where no light reaches that.
+/// The lightmap of a surface, or of the texels that must be baked; none where no light reaches
+/// them.
 std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& baked,
                                     const BakeSettings& settings, BakeProgress& progress);
 

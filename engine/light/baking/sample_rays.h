@@ -30,8 +30,8 @@ struct KnownRays {
 /// Which fraction of a light single samples on one surface see, by rays.
 class SampleRays {
  public:
-  /// Keeps references to `surfaces` and `sights`. `dependencies`, if any, is told from what light
-  /// is found.
+  /// Keeps references to `surfaces` and `sights`. `dependencies`, if any, records what the
+  /// light depends on.
   SampleRays(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
              SurfaceId id, LightDependencies* dependencies)
       : scene_(scene),
@@ -49,9 +49,9 @@ class SampleRays {
   /// With fewer rays to a ball.
   const LightSight& roughSight(std::size_t light) const { return sights_.rough[light]; }
   double reach(std::size_t light) const { return sights_.reach[light]; }
-  /// Of the ball as which a light is seen; 0 of a point.
+  /// Metres; 0 for a point light.
   double radiusOf(std::size_t light) const { return sight(light).shaftLight().radius; }
-  /// Told of sectors that rays of the light come into; if any.
+  /// Records the sectors that rays of the light enter; null if nothing does.
   SectorSet* sectorsMetBy(std::size_t light) {
     return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;
   }

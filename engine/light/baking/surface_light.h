@@ -16,11 +16,11 @@ enum class Seeing {
   ByRaysAlone  ///< each by itself: what the others are compared with
 };
 
-/// What of the level's lights arrives at points of one surface.
+/// The light that arrives at points of one surface.
 class SurfaceLight {
  public:
-  /// Keeps references to all but `scene` and `id`. `dependencies`, if any, is told from what light
-  /// is found.
+  /// Keeps references to all but `scene` and `id`. `dependencies`, if any, records what the
+  /// light depends on.
   SurfaceLight(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
                bool lambert, SurfaceId id, Seeing seeing = Seeing::ByShafts,
                LightDependencies* dependencies = nullptr);
@@ -32,7 +32,7 @@ class SurfaceLight {
   /// Indices of the lights that can shine on the surface's plane, and reach as far.
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return rays_.light(index); }
-  /// Of the ball as which it is seen; 0 of a point.
+  /// Metres; 0 for a point light.
   double radiusOf(std::size_t light) const { return rays_.radiusOf(light); }
   /// 3 where one of the facing lights is coloured, else 1.
   int channels() const;

@@ -51,8 +51,9 @@ struct BeamBound {
 
 /// The bounds of a beam, for directions to points that lie `on` a wall, if that is given: of its
 /// begin, its end and its planes, then of the walls that it lies between, which directions to a
-/// point of the last of these do not come to. Each is made when it is asked for: that takes no
-/// longer than to read it from memory, of which all of them would take much.
+/// point of the last of these do not come to. Each is computed when it is
+/// needed: that takes no longer than to read it from memory, and storing all of them would take
+/// much.
 class BeamBounds {
  public:
   BeamBounds(const Beam& beam, std::span<const HeightPlane> planes, Vec3 light, const Segment* on)

@@ -61,7 +61,7 @@ class BeamSweep {
   void sweep(const BeamWindow& window);
 
  private:
-  /// What of a wall lies in a window, in fractions of a straight line across that.
+  /// The part of a wall that lies in a window, in fractions of a straight line across the window.
   struct Part {
     const Segment* wall;
     bool isEntrance;  ///< seen from its back

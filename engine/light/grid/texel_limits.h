@@ -7,8 +7,8 @@
 
 namespace hearth {
 
-/// Why the level cannot be lit with texels of so many metres, or nothing. Grids and lightmaps may
-/// be made only after it was asked.
+/// Why the level cannot be lit with texels of so many metres, or nothing. Call it
+/// before grids and lightmaps are made.
 std::optional<std::string> mistakeInTexel(const Scene& scene, double texel);
 
 }  // namespace hearth

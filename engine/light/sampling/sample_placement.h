@@ -12,25 +12,25 @@ namespace hearth {
 
 struct SamplePoint {
   Vec3 point;
-  SurfaceId surface;  ///< on which it lies: the one asked for, or one that continues it
-  /// Where a ray to the point is to arrive: the point itself, or, when that lies on an edge of its
-  /// surface, a micrometre inside. On which side of a wall's foot a ray comes down is then not left
-  /// to rounding.
+  SurfaceId surface;  ///< on which it lies: the lightmap's, or one that continues it
+  /// Where a ray to the point arrives: at the point itself, or a micrometre inside if the point
+  /// lies on an edge of its surface. So rounding does not decide on which side of a wall's foot the
+  /// ray arrives.
   Vec3 target;
   bool isMoved;  ///< to the surface's edge, from beyond it
 };
 
-/// Where a sample of a surface's lightmap takes its light: where it lies, when that is on the
-/// surface or on what continues it; else at the nearest point of them. So nothing dark or bright
+/// Finds where a sample of a surface's lightmap takes its light: at the sample, if it lies on the
+/// surface or on a continuation; else at the nearest point of these. So nothing dark or bright
 /// bleeds in from where no surface is, and no seam shows where a surface is merely cut.
 ///
 /// A continuation counts when it is reached over common edges that are no farther from the sample
 /// than the surface itself: a floor that goes on round the end of a thin wall does not count on the
-/// other side of that wall. Where several continuations hold the sample, since sectors may overlap,
-/// it is the one over the fewest edges, of these the first in the level.
+/// other side of that wall. If several continuations contain the sample, because sectors overlap,
+/// the one over the fewest edges counts, and of these the first in the level.
 class SamplePlacement {
  public:
-  /// `sought`, if any, is told on which surfaces places are sought.
+  /// `sought`, if any, records the surfaces on which places are sought.
   SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought = nullptr);
 
   SamplePoint place(Vec2 texelPoint) const;
@@ -44,13 +44,13 @@ class SamplePlacement {
   /// Places points of one row, with no more of the outline than is near it.
   class Row;
 
-  /// `own` is the outline of the surface, or what of it is near.
+  /// `own` is the outline of the surface, or the part of it that is near.
   SamplePoint place(Vec2 texelPoint, const Outline& own) const;
   /// The other surfaces of the plane that are joined to this one near a sample.
   std::vector<SurfaceId> joinedWithin(double reach, Vec2 texelPoint) const;
   Vec2 onGridOf(SurfaceId surface, Vec2 texelPoint) const;
   bool holds(const Outline& outline, Vec2 texelPoint) const;
-  /// `outline` is that of the surface, or what of it is near.
+  /// `outline` is that of the surface, or the part of it that is near.
   SamplePoint at(SurfaceId surface, const Outline& outline, Vec2 texelPoint, Vec2 from) const;
   Vec2 movedInside(const Outline& outline, const std::vector<Outline::Edge>& edges, Vec2 edgePoint,
                    Vec2 from) const;

@@ -26,12 +26,12 @@ struct ShaftTargets {
 };
 
 /// Follows all rays from a light to a box of targets at once, through the openings that their hull
-/// meets. What it says of the rays holds for each of them, as the ray tracer would say; where they
-/// differ, or may, it says nothing. It notes which walls the hull meets: no ray meets another.
+/// meets. Its answer is the ray tracer's for each of the rays; if they differ, or may differ, it
+/// gives none. It records which walls the hull meets: the rays meet no others.
 ///
-/// In a sector, walls side by side that the hull meets can be a screen: it goes across all of the
-/// hull, between light and targets. Whatever they are, rays that have come into the sector before
-/// the screen leave the sector through it or end there.
+/// In a sector, walls side by side that the hull meets can be a screen, which crosses all of the
+/// hull between light and targets. Rays that enter the sector before the screen leave the sector
+/// through it, or end at it.
 class Shaft {
  public:
   explicit Shaft(const Scene& scene) : scene_(scene) {}
@@ -63,7 +63,7 @@ class Shaft {
   struct Met {
     const Segment* wall;
     Vec2 normal;  ///< unit, to its front
-    Vec2 start;   ///< what of it the hull meets
+    Vec2 start;   ///< of the part that the hull meets
     Vec2 end;
     bool startsInside;  ///< the wall's p0 lies in the hull
     bool endsInside;

@@ -44,9 +44,9 @@ struct DiscCells {
       insideDistances;  ///< of the points where a cell is integrated (kWholeCell), cell by cell
 };
 
-/// Answers which fraction of a light a point of a surface sees: of a point of light all or nothing,
-/// of a ball the fraction of its volume. What of a ball its own centre does not see, because a wall
-/// runs through it, does not shine.
+/// Answers which fraction of a light a point of a surface sees: all or nothing of a point light,
+/// the fraction of its volume of a ball. If a wall runs through a ball, the part that the centre
+/// does not see does not shine.
 class LightSight {
  public:
   /// `softSamples` to a ball, a square number: its disc, as it is seen, is divided into so many
@@ -66,16 +66,15 @@ class LightSight {
                       std::int64_t& rays) const;
 
   const ShaftLight& shaftLight() const { return shaftLight_; }
-  /// Has what a point of light sees found as beams, when it is first asked for. Of a ball nothing
-  /// is found.
+  /// From now on the first call of `beams` finds the beam tree of a point light. Balls have none.
   void useBeams(const Scene& scene, double reach, std::size_t mostBytes);
   /// None where they are not used. Any thread may ask.
   const BeamTree* beams() const;
   /// Has them found now, if they are used and no thread has begun: so threads that will need those
   /// of the same lights each find some, instead of waiting for one another.
   void findBeamsUnlessBegun() const;
-  /// On which it depends what of the light shines: that of its centre, and all that lines from
-  /// there to other points of it come into.
+  /// The sectors that decide which part of the light shines: that of its centre, and all that lines
+  /// from there to its other points enter.
   std::span<const SectorId> sectors() const { return sectors_; }
 
  private:

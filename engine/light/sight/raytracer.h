@@ -26,7 +26,7 @@ class Raytracer {
 
   /// True when the line from the source first meets a surface at `target`, a point on the border of
   /// the air of `sector`. The caller has made sure that the surface there faces the source.
-  /// `met`, if any, is told where the line comes.
+  /// `met`, if any, gets the sectors that the line enters.
   bool sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met = nullptr) const;
   /// The same, of a ray of a shaft: only what the shaft meets is looked at.
   bool sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const;

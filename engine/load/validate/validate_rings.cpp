@@ -11,8 +11,8 @@ namespace hearth {
 
 namespace {
 
-/// The sectors without height between two flat portals. Whoever looks or falls through them passes
-/// from one to the next at one height; where they lead round to where they began, for ever.
+/// The sectors without height between two flat portals. A ray or a falling player passes from one
+/// to the next at one height. Where they lead back to the first one, it never ends.
 class ThinSectors {
  public:
   explicit ThinSectors(const Level& level) : level_(level), thinBelow_(level.sectors.size(), 0) {

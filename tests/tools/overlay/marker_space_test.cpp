@@ -39,7 +39,7 @@ TEST(MarkerSpaceTest, DragsInAPlaneThatFacesTheCamera) {
   for (const Vec2 pixel : {Vec2{10, 20}, Vec2{600, 399}}) {
     const Vec3 at = other.dragged({1.5, 7, 0.25}, pixel);
     EXPECT_NEAR(at.y, 7, 1e-9);
-    EXPECT_LT(length(*other.pixelOf(at) - pixel), 0.1) << "but for half a millimetre";
+    EXPECT_LT(length(*other.pixelOf(at) - pixel), 0.1) << "apart from half a millimetre";
   }
 }
 
@@ -53,7 +53,7 @@ TEST(MarkerSpaceTest, DragsAlongAnAxisAcrossTheViewAsFarAsThePointer) {
   const Vec2 begin = *other.pixelOf(from);
   for (const double x : {2.8, 3.2}) {
     const Vec3 to = other.dragged(from, *other.pixelOf({x, 4, 1}), Axis::X);
-    EXPECT_NEAR(to.x, x, 0.05) << "but for what perspective adds";
+    EXPECT_NEAR(to.x, x, 0.05) << "apart from what perspective adds";
     EXPECT_EQ(to.y, 4);
     EXPECT_EQ(to.z, 1);
   }

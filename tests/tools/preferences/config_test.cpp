@@ -1,4 +1,4 @@
-// The user's file of settings: what of it holds, what is told, and how it is written.
+// The user's file of settings: which of its settings hold, what is reported, and how it is written.
 
 #include "viewer/preferences/config.h"
 

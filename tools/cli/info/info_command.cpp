@@ -116,7 +116,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
   object["sectors"] = level.sectors.size();
   object["loops"] = contents.loops;
   object["segments"] = level.segments.size();
-  object["interfaces"] = level.flatPortals.size();
+  object["flatPortals"] = level.flatPortals.size();
   object["lights"] = level.lights.size();
   object["shots"] = level.shots.size();
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)
@@ -183,7 +183,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("sectors", std::ssize(level.sectors));
   line("loops", contents.loops);
   line("segments", std::ssize(level.segments));
-  line("interfaces", std::ssize(level.flatPortals));
+  line("flat portals", std::ssize(level.flatPortals));
   line("lights", std::ssize(level.lights));
   line("shots", std::ssize(level.shots));
   line("textures", std::ssize(level.textures));
@@ -228,7 +228,8 @@ ExitStatus runInfo(const OptionValues& values) {
 
 Command infoCommand() {
   return {"info",
-          "bakes, and prints what the level holds, what it requires and what of it is modelled",
+          "bakes, and prints what the level holds, which features it requires and which of them "
+          "are modelled",
           std::vector<Option>{Option::Json, Option::Surfaces} + bakeOptions(),
           {},
           runInfo};

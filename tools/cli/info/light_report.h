@@ -40,7 +40,7 @@ struct LightKindReport {
   double raysPerSample() const;  ///< 0 without samples
 };
 
-/// What of a level's light was modelled, what was left out and why.
+/// Which of a level's light was modelled, which was left out, and why.
 struct LightReport {
   std::array<SurfaceReport, kSurfaceKinds> kinds{};  ///< by SurfaceKind
   SurfaceReport all;

@@ -10,7 +10,7 @@ namespace hearth::doom {
 /// What became of something that has no equal in a Hearth level.
 enum class Outcome : std::uint8_t { Repaired, Dropped };
 
-/// What of a map it became of, by its number among its kind.
+/// The kind of part of a map that a finding is about; parts are numbered within their kind.
 enum class Part : std::uint8_t { Line, Sector, Thing, Texture };
 
 struct Finding {

@@ -22,8 +22,8 @@ struct Space {
   bool isOverSky;
 };
 
-/// What of a half-edge shows a texture: all of it, what a portal leaves closed above and below, or
-/// what hangs in its opening.
+/// The part of a half-edge that shows a texture: all of it, the closed parts above and below a
+/// portal's opening, or the texture that hangs in the opening.
 enum class WallPart : std::uint8_t { Solid, Upper, Lower, Middle };
 
 struct ShownPart {

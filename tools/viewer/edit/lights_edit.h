@@ -31,7 +31,7 @@ class LightsEdit {
   // Edits, each an undo step by itself. They change nothing where the text would not load any more,
   // and then say why.
 
-  /// Writes what of `to` is not as it was.
+  /// Writes the keys in which `to` differs from the light.
   std::optional<std::string> set(std::size_t light, const LightDescription& to);
   /// What `commentOf` gives; an empty one is taken out.
   std::optional<std::string> setComment(std::size_t light, const std::string& comment);

@@ -25,7 +25,7 @@ class LightsEditor {
   void open();
   bool isOpen() const { return edit_.has_value(); }
 
-  // All that follows expects that it is open, but for what says so.
+  // These expect that a file is open, unless their comment says otherwise.
 
   const LightsDescription& lights() const { return edit_->lights(); }
   std::string commentOf(std::size_t light) const { return edit_->commentOf(light); }
@@ -37,7 +37,7 @@ class LightsEditor {
   void pick(std::optional<std::size_t> light) { picked_ = light; }
   const LightDescription& pickedLight() const { return lights().lights[*picked_]; }
 
-  // As those of LightsEdit. What is refused is told by `message`.
+  // As those of LightsEdit; `message` says why an edit is refused.
   void set(const LightDescription& to);         ///< the light that is picked
   void setComment(const std::string& comment);  ///< of the light that is picked
   void add(const LightDescription& light, const std::string& comment = "");  ///< picked then

@@ -9,8 +9,8 @@
 
 namespace hearth {
 
-/// Writes a bookmark as the last shot of its level, into the level's file, of which all the rest
-/// stays as it is to the byte. Refuses a name that a shot has, and a file that is not what was
+/// Writes a bookmark as the last shot of its level into the level's file. All other bytes of the
+/// file stay as they are. Refuses a name that a shot has, and a file that is not what was
 /// loaded. Errors are one sentence that begins with the path.
 tl::expected<void, std::string> writeShot(Storage& storage, const LoadedLevel& loaded,
                                           const Bookmark& bookmark);

@@ -22,8 +22,8 @@ class Storage {
   /// the path.
   virtual tl::expected<void, std::string> write(const std::filesystem::path& file,
                                                 std::string_view bytes) = 0;
-  /// Makes a folder, and those above it, where they are missing. That it cannot is told by the
-  /// first file that is written there.
+  /// Makes a folder, and those above it, where they are missing. If that fails, the first file that
+  /// is written there reports it.
   virtual void makeFolder(const std::filesystem::path& folder) = 0;
 };
 

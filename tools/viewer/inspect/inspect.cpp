@@ -40,8 +40,8 @@ std::optional<SurfaceId> surfaceIn(const Scene& scene, const WallPiece& piece, S
   return kind == SurfaceKind::MaskedMiddle ? opening.maskedMiddle : std::nullopt;
 }
 
-/// Which of the level's surfaces a ray has hit. Of several of a kind one above the other that which
-/// is nearest to the height: rounding may put the hit beside it.
+/// The surface that a ray has hit. Of several of a kind, one above the other, it is the one nearest
+/// to the height of the hit, which rounding may put beside it.
 std::optional<SurfaceId> surfaceOf(const Scene& scene, const TruthHit& hit) {
   const Sector& sector = scene[hit.sector];
   if (!hit.segment) return isOverhead(hit.kind) ? sector.ceilingSurface : sector.floorSurface;

@@ -9,8 +9,8 @@ namespace hearth {
 /// Levels that show clearly: a quarter of full light.
 inline constexpr double kClearLevel = 64;
 
-/// What of a light that is too weak would bring `kClearLevel`, in its brightest channel, to the
-/// place, if nothing stands between. Rounded to two digits, to what is a little more.
+/// The change to a light that is too weak which brings `kClearLevel`, in its brightest channel, to
+/// the place, if nothing stands between. Rounded to two digits, towards more light.
 struct Remedy {
   /// Of one without a curve, the first of these that is enough. Not both.
   std::optional<double> falloff = {};

@@ -14,7 +14,7 @@ struct BookmarkWish {
   std::string name;
 };
 
-/// What of that can be had.
+/// Which of these wishes the walk grants.
 struct BookmarkRights {
   bool canJump = false;
   bool canWriteShots = false;

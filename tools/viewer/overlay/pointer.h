@@ -24,7 +24,7 @@ struct PointerEvent {
 /// go of.
 class Pointer {
  public:
-  /// What of an event is for the picture: for what is left of the column `panelLeft`.
+  /// The part of an event that concerns the picture, which lies left of the column `panelLeft`.
   std::optional<PointerEvent> take(const Event& event, int panelLeft);
   void release() {
     holder_ = Holder::None;

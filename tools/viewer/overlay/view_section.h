@@ -6,7 +6,7 @@
 
 namespace hearth {
 
-/// A section of the overlay: what of the level shows. `channel` is the name of one, or empty.
+/// A section of the overlay: what the picture shows. `channel` is the name of one, or empty.
 void showView(LightMode& mode, std::string_view& channel);
 
 }  // namespace hearth

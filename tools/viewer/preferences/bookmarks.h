@@ -29,7 +29,7 @@ struct Bookmark {
 /// Where the sector ends within a millimetre it is the very place.
 Bookmark bookmarkOf(const Scene& scene, const Walker& walker, double fov, std::string name);
 
-/// The walker at a bookmark; the error says what of it the level does not have any more.
+/// The walker at a bookmark; the error names what the level no longer has.
 tl::expected<Walker, std::string> walkerAt(const Scene& scene, const Bookmark& bookmark);
 
 /// The bookmarks of a level, in a file of the program's own.
@@ -45,8 +45,8 @@ class Bookmarks {
   /// `place-1`, `place-2`: the first that is free.
   std::string freeName() const;
 
-  /// Takes the place of one of the same name. Errors, also below, say that the file cannot be
-  /// written; until the program ends it is as was asked for.
+  /// Replaces one of the same name. Errors, also below, say that the file cannot be written; the
+  /// bookmark then exists until the program ends.
   tl::expected<void, std::string> add(Bookmark bookmark);
   tl::expected<void, std::string> remove(std::string_view name);
 

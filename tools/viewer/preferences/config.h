@@ -17,13 +17,13 @@ struct Config {
   std::vector<Diagnostic> warnings = {};
 };
 
-/// What is wrong in the file is told, and the rest of it holds. All is as by default where there is
-/// no file.
+/// Mistakes in the file become warnings, and the rest of it holds. Without a file, all is as by
+/// default.
 Config readConfig(Storage& storage, const std::filesystem::path& file);
 
-/// Writes what of `after` differs from `before` into the file, and leaves all else of it to the
-/// byte. Makes the file and its folder where they are missing. Errors are one sentence that begins
-/// with the path.
+/// Writes the preferences in which `after` differs from `before`, and leaves every other byte of
+/// the file as it is. Makes the file and its folder where they are missing. Errors are one sentence
+/// that begins with the path.
 tl::expected<void, std::string> writeConfig(Storage& storage, const std::filesystem::path& file,
                                             const Preferences& before, const Preferences& after);
 

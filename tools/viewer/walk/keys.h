@@ -68,7 +68,7 @@ class KeyMap {
   const std::vector<Key>& keysOf(Action action) const {
     return keys_[static_cast<std::size_t>(action)];
   }
-  /// Gives an action these keys and no others; what else they asked for, they do no more.
+  /// Gives an action these keys and no others. The keys lose all other actions.
   void bind(Action action, std::vector<Key> keys);
 
   friend bool operator==(const KeyMap&, const KeyMap&) = default;
