@@ -20,7 +20,7 @@ class BakeProgress {
   std::atomic<std::int64_t> done_ = 0;
 };
 
-/// Counts the texels of one surface as done, in equal steps; what is left of them at its end.
+/// Counts the texels of one surface as done, in equal steps; its end counts those that are left.
 class SurfaceProgress {
  public:
   SurfaceProgress(BakeProgress& bake, std::int64_t texels, std::int64_t steps)

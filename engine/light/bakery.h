@@ -39,25 +39,26 @@ struct BakedLight {
   std::vector<LightCost> lightCosts;      ///< in the order of the level's lights
 };
 
-/// What the lightmaps show of how they came about: all but the rays.
+/// The stats that lightmaps alone show: all except the rays.
 BakeStats statsOf(const BakedLight& baked);
 
-/// Why the level cannot be baked so, beginning with the setting (`texel: ...`), or nothing.
+/// Why the level cannot be baked with these settings, beginning with the setting (`texel: ...`);
+/// none if it can.
 std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSettings& settings);
 
-/// Lights every surface that shows, with settings without a mistake. The bytes do not depend on
+/// Lights every surface that shows. The settings have no mistake. The bytes do not depend on
 /// `threads`. `progress`, if any, is new, and has all texels done when the bake is.
 BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
 
-/// Texels of a surface, of which there is at least one.
+/// Texels of a surface, at least one.
 struct SurfaceTexels {
   SurfaceId surface;
   TexelRect texels;
 };
 
-/// Bakes texels of some surfaces alone, each surface named once: they get what a whole bake gives
-/// them. `surfaces` are the scene's, on grids of `settings`. All other texels are dark, or in no
+/// Bakes only some texels, with each surface listed once. They get the same light as in a whole
+/// bake. `surfaces` are the scene's, on grids of `settings`. All other texels are dark, or in no
 /// lightmap.
 BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress = nullptr);

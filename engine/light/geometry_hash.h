@@ -9,26 +9,26 @@ namespace hearth {
 
 class Hash;
 
-/// A number of all that decides which surfaces show, in which order, and where their texels of so
-/// many metres lie; the same on every machine. Names, textures except the holes of middle ones,
-/// light and the player are no part of it. Nor are ids, which count what shows at other heights
-/// alone, too, if it has a texture. saved_bake.md says what it is computed from.
+/// A hash of all that decides which surfaces show, in which order, and where their texels lie,
+/// which are `texel` metres wide; the same on every machine. It leaves out names, light, the
+/// player, and textures except the holes of masked ones. It also leaves out ids, which count
+/// surfaces that show only at other heights. saved_bake.md lists its input.
 std::uint64_t geometryHash(const Scene& scene, double texel);
 
-/// What stands for the parts of a level that a sector leads to.
+/// The numbers that stand for the parts of a level to which a sector leads.
 struct PartNumbers {
   std::function<std::uint64_t(SectorId)> ofSector;
   std::function<std::uint64_t(FlatPortalId)> ofFlatPortal;
   std::function<std::uint64_t(TextureId)> ofHoles;
 };
 
-/// Adds what one sector brings to such a number.
+/// Adds one sector to such a hash.
 void addGeometry(Hash& hash, const Scene& scene, const Sector& sector, const PartNumbers& numbers);
 
 /// Adds which texels of a masked middle texture are holes; nothing where none is.
 void addHoles(Hash& hash, const TexelHoles& holes);
 
-/// Adds all of a light but its sector, for which `sector` stands.
+/// Adds a light. `sector` stands for its sector.
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sector);
 
 }  // namespace hearth

@@ -7,7 +7,7 @@ namespace hearth {
 /// What a bake did for one light.
 struct LightCost {
   std::int64_t samples = 0;      ///< of surfaces that it can shine on
-  std::int64_t seenSamples = 0;  ///< that see any of it, and not too far from it
+  std::int64_t seenSamples = 0;  ///< that see any of it, within its reach
   std::int64_t rays = 0;
 
   LightCost& operator+=(const LightCost& other) {

@@ -11,7 +11,7 @@
 namespace hearth {
 
 /// The light on one surface: a byte for each texel and channel, row by row, the channels of a texel
-/// side by side. White light has one channel, which answers for all.
+/// side by side. White light has one channel, which stands for all three.
 struct Lightmap {
   TexelRect rect;
   std::vector<std::uint8_t> levels;  ///< of all texels, or of one that stands for all
@@ -24,8 +24,8 @@ struct Lightmap {
   std::uint8_t at(int i, int j, int channel = 0) const { return levels[indexOf(i, j, channel)]; }
 
   /// Light of a channel in levels (0..255) at texel coordinates, interpolated between texel
-  /// centres. The lightmap's `rect` has all texels around points of its surface; what rounding puts
-  /// beyond its edge is taken back to it.
+  /// centres. `rect` has all texels around points of the surface; a point that rounding puts beyond
+  /// the edge is moved back to it.
   double sample(double s, double t, int channel = 0) const {
     const double across = std::clamp(s - (rect.i0 + 0.5), 0.0, rect.width - 1.0);
     const double down = std::clamp(t - (rect.j0 + 0.5), 0.0, rect.height - 1.0);
@@ -49,7 +49,7 @@ struct Lightmap {
   }
 };
 
-/// The same light, of one texel where all are alike: as lightmaps are kept and drawn.
+/// The same light, stored as one texel if all are equal. Lightmaps are kept and drawn so.
 Lightmap asKept(Lightmap map);
 
 }  // namespace hearth

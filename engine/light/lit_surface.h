@@ -24,7 +24,7 @@ struct TexelRect {
   friend bool operator==(const TexelRect&, const TexelRect&) = default;
 };
 
-/// Of two that have texels in common.
+/// The texels that both have; they have some.
 TexelRect intersection(const TexelRect& a, const TexelRect& b);
 
 /// A surface that continues another in its plane, and the edge that they share, in texel
@@ -42,7 +42,7 @@ struct LitSurface {
   Vec3 anchor;  ///< a point of the surface's own plane, which may miss the grid's by a tolerance
   Vec3 normal;  ///< unit, into the air
   Outline outline;  ///< of the part that bounds air, in texel coordinates
-  /// All texels that bilinear filtering can ask for.
+  /// All texels that bilinear filtering can read.
   TexelRect texels;
   std::vector<Continuation> continuations;
 
@@ -56,8 +56,8 @@ struct LitSurface {
     int first;
     int last;
   };
-  /// What bilinear filtering can ask for of row `j` of `texels`, at least one: in rising order, and
-  /// apart. The others are there since lightmaps are rectangles.
+  /// The runs of texels that bilinear filtering can read in row `j` of `texels`, at least one, from
+  /// left to right with gaps between them. The other texels exist because lightmaps are rectangles.
   std::vector<Texels> askedIn(int j) const;
 };
 
@@ -66,7 +66,7 @@ class AskedRow {
  public:
   AskedRow(const LitSurface& surface, int j) : asked_(surface.askedIn(j)) {}
 
-  /// Of texels in rising order.
+  /// Call it for texels from left to right.
   int nearest(int i) {
     while (asked_.size() - next_ > 1 && asked_[next_ + 1].first - i <= i - asked_[next_].last)
       ++next_;
@@ -78,7 +78,7 @@ class AskedRow {
   std::size_t next_ = 0;
 };
 
-/// By SurfaceId; none for sky and for surfaces of which nothing shows.
+/// By SurfaceId; none for skies and for surfaces that do not show.
 using LitSurfaces = std::vector<std::optional<LitSurface>>;
 
 /// `texel` in metres, > 0. Grids are those of levels/README.md, "Lightmaps".

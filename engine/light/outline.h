@@ -7,14 +7,14 @@
 
 namespace hearth {
 
-/// Closed polygons, holes among them: a point is inside when it is inside an odd number of them.
+/// Closed polygons, some of them holes: a point is inside if an odd number of them contain it.
 class Outline {
  public:
   struct Edge {
     Vec2 a;
     Vec2 b;
   };
-  /// Of a row of points, from one to another.
+  /// A part of a row of points.
   struct Stretch {
     double from;
     double to;
@@ -24,24 +24,24 @@ class Outline {
   /// At least one of them, of at least three points each.
   explicit Outline(const std::vector<std::vector<Vec2>>& polygons);
 
-  /// Those it was made from.
+  /// The polygons that it was made from.
   std::vector<std::vector<Vec2>> polygons() const;
 
   bool contains(Vec2 p) const;
-  /// The point of the polygons that is nearest.
+  /// The nearest point of the polygons.
   Vec2 nearest(Vec2 p) const;
-  /// No farther than `reach`.
+  /// The edges no farther than `reach`.
   std::vector<Edge> edgesWithin(Vec2 p, double reach) const;
 
-  /// With those edges alone that come as near as `reach` to the points of a row. Of such a point it
-  /// says the same, except for what is farther from it than that.
+  /// Only the edges within `reach` of the points of a row. For such a point it gives the same
+  /// answers within that distance.
   Outline aroundRow(double row, double reach) const;
 
-  /// The parts of the row that lie inside, farther than `margin` from all edges: in rising order,
-  /// and apart.
+  /// The parts of the row that lie inside, farther than `margin` from all edges, from left to
+  /// right with gaps between them.
   std::vector<Stretch> insideAlong(double row, double margin) const;
-  /// The parts with a point of the inside, or of an edge, no farther than `margin` along both axes:
-  /// in rising order, and apart.
+  /// The parts with a point of the inside, or of an edge, no farther than `margin` along both axes,
+  /// in the same order.
   std::vector<Stretch> nearAlong(double row, double margin) const;
 
  private:

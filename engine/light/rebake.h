@@ -12,13 +12,12 @@
 
 namespace hearth {
 
-/// What each light brings to each surface, from one bake of a level that is being edited to the
-/// next.
+/// The light of each source on each surface, kept from one bake of an edited level to the next.
 class LightMemory {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-  /// Of light past so many bytes nothing is kept.
+  /// Keeps no light beyond so many bytes.
   explicit LightMemory(std::size_t mostBytes = kMostBytes);
   ~LightMemory();
   LightMemory(const LightMemory&) = delete;

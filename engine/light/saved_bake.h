@@ -10,23 +10,24 @@
 
 namespace hearth {
 
-/// A bake as the bytes of a file, which saved_bake.md describes. `texel`: metres, that of the bake.
-/// `settings`: words about how it was baked, at most kMostSettingsBytes; nothing depends on them.
+/// A bake as the bytes of a file, which saved_bake.md describes. `texel` is that of the bake, in
+/// metres. `settings` describes how it was baked, in at most kMostSettingsBytes; nothing depends on
+/// it.
 std::string encodeBake(const Scene& scene, const BakedLight& light, double texel,
                        std::string_view settings);
 
 inline constexpr std::size_t kMostSettingsBytes = 1000;
 
-/// Why bytes are not taken.
+/// Why bytes are refused.
 struct BakeMistake {
-  std::string what;         ///< a predicate, to be put after the name of the file
-  bool isTooLarge = false;  ///< more light than was allowed, and nothing else that is known
+  std::string what;         ///< a predicate; the name of the file goes before it
+  bool isTooLarge = false;  ///< more light than allowed, and no other known mistake
 };
 
-/// The light of such bytes, which any program may have written. They must belong to the scene's
-/// geometry; its textures, lights and sector light may be others. `maxLightBytes`: of all
-/// lightmaps, unpacked. More are refused before memory is taken, and no more is taken than twice
-/// that and what the scene's surfaces do.
+/// The light in such bytes, which any program may have written. They must belong to the scene's
+/// geometry; its textures, lights and sector light may differ. `maxLightBytes` limits all unpacked
+/// lightmaps together. More are refused before memory is taken. Decoding takes at most twice that,
+/// and the memory of the scene's surfaces.
 tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string_view bytes,
                                                  std::uint64_t maxLightBytes);
 

@@ -6,12 +6,12 @@
 
 namespace hearth {
 
-/// Adds up light without regard to order: every contribution is rounded once to 2^-20 of a level,
-/// and sums of such units are exact. So threads cannot change a byte. Sums past 2^33 levels, which
-/// no scene has, stay there: below, doubles have all whole numbers of units.
+/// Adds up light in any order: every contribution is rounded once to 2^-20 of a level, and sums of
+/// such units are exact. So threads cannot change a byte. Sums stop at 2^33 levels, which no scene
+/// reaches: up to there a double holds every whole number of units.
 class LightSum {
  public:
-  static constexpr double kUnit = 1 << 20;  ///< so many to a level
+  static constexpr double kUnit = 1 << 20;  ///< in a level
   static constexpr double kFull = 0x1p53;   ///< units
   static constexpr double kMost = kFull / kUnit;
 

@@ -10,34 +10,34 @@
 
 namespace hearth {
 
-/// Which fraction of a point light samples see, by the light's beams, and by shafts and rays where
-/// these say nothing.
+/// Finds which fraction of a point light samples see: by the light's beams, and by shafts and rays
+/// where beams give no answer.
 class SampleBeams {
  public:
   /// Keeps references to both.
   SampleBeams(SampleRays& rays, SampleShafts& shafts) : rays_(rays), shafts_(shafts) {}
 
-  /// Of all samples, into `seen` by their indices, where it is 0. The light has beams.
+  /// For all samples, into `seen` by their indices, which is 0 before. The light has beams.
   void find(std::size_t light, const SampleBlocks& blocks, std::span<double> seen);
 
  private:
-  /// What is to be found, and where it goes.
+  /// What `find` was called with.
   struct Task {
     std::size_t light;
     const SampleBlocks& blocks;
     std::span<double> seen;
   };
-  /// What beams say of points on a surface.
+  /// The answer of the beams for points on a surface.
   struct OnSurface {
     SurfaceId surface;
-    bool isInFront;  ///< whether the light can shine on it: what continues a surface may be turned
+    bool isInFront;  ///< whether the light can shine on it: a continuation may be turned
     Shaft::Outcome outcome;
-    bool isKnown;  ///< whether they say anything
-    /// Where the outcome is unknown: those of `beams_` that some of the points can lie in.
+    bool isKnown;  ///< whether they give an answer
+    /// If the outcome is unknown: the range of `beams_` that can contain some of the points.
     std::size_t first;
     std::size_t last;
   };
-  /// Some of `onSurfaces_`: of a block, for each of the surfaces that it can have samples on.
+  /// Entries of `onSurfaces_` of a block, one for each surface that can hold its samples.
   struct Range {
     std::size_t first;
     std::size_t last;

@@ -21,13 +21,13 @@ void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block,
     for (int i = block.column; i < block.column + block.columns; ++i) visit(blocks.index(i, j));
 }
 
-/// What is known of a sample's rays.
+/// What a shaft says of a sample's rays.
 struct KnownRays {
   const Shaft& shaft;
   Shaft::Outcome outcome;
 };
 
-/// Which fraction of a light single samples on one surface see, by rays.
+/// Finds by rays which fraction of a light single samples on one surface see.
 class SampleRays {
  public:
   /// Keeps references to `surfaces` and `sights`. `dependencies`, if any, records what the
@@ -56,14 +56,14 @@ class SampleRays {
     return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;
   }
 
-  /// Whether any of a light can shine on the plane of a surface: what continues this one may lie a
-  /// tolerance off its plane.
+  /// Whether any part of a light can shine on the plane of a surface. A continuation may lie off
+  /// this surface's plane, by a tolerance.
   bool canShineOn(std::size_t light, SurfaceId surface) const;
 
   /// Which fraction of a light the point sees, 0..1.
   double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
                       const KnownRays* known);
-  /// Of a light that nothing is before: all, unless it is too far away.
+  /// For a light that nothing hides: 1, or 0 if it is too far away.
   double unhiddenFraction(std::size_t light, const SamplePoint& at);
 
   void countSamples(std::size_t light, std::int64_t samples) { costs_[light].samples += samples; }
@@ -81,8 +81,8 @@ class SampleRays {
   std::vector<LightCost> costs_;
 };
 
-/// Whether any of the light can shine on the plane of the surface. Of a ball that can be a part,
-/// but none where its middle lies in the plane.
+/// Whether any part of the light can shine on the plane of the surface. No part of a ball can if
+/// its centre lies in the plane.
 bool isInFront(const LightSource& light, double radius, const LitSurface& surface);
 
 }  // namespace hearth

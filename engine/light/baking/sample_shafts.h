@@ -7,30 +7,30 @@
 
 namespace hearth {
 
-/// Which fraction of a light samples see, by shafts to blocks of them, and by rays where these do
-/// not decide.
+/// Finds which fraction of a light samples see: by shafts to blocks of them, and by rays where
+/// shafts do not decide.
 class SampleShafts {
  public:
   /// Keeps a reference to `rays`.
   explicit SampleShafts(SampleRays& rays) : rays_(rays) {}
 
-  /// Of the samples of a block, into `seen` by their indices.
+  /// For the samples of a block, into `seen` by their indices.
   void find(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
             std::span<double> seen) {
     find(light, blocks, block, 0, seen);
   }
 
-  /// Of one sample. Worth it for a ball, which takes many rays.
+  /// For one sample. This pays off for a ball, which takes many rays.
   double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at) {
     return seenFraction(sight, light, at, 0);
   }
 
-  /// Notes what rays of a light to a block can come into.
+  /// Records the sectors that rays of a light to a block can enter.
   void noteSectors(std::size_t light, const ShaftTargets& targets) {
     follow(0, light, rays_.sight(light).shaftLight(), targets);
   }
 
-  /// A shaft for rays whose outcome is known from elsewhere.
+  /// A shaft for rays whose outcome is already known.
   const Shaft& any() { return shaftAt(0); }
 
  private:
@@ -45,7 +45,7 @@ class SampleShafts {
                       std::size_t depth);
 
   SampleRays& rays_;
-  std::deque<Shaft> shafts_;  ///< to a block, to its part, to a part of this and so on
+  std::deque<Shaft> shafts_;  ///< to a block, to its part, to a part of that and so on
 };
 
 }  // namespace hearth

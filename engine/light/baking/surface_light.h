@@ -10,10 +10,10 @@
 
 namespace hearth {
 
-/// How samples are asked whether they see a light.
+/// How it is decided whether samples see a light.
 enum class Seeing {
-  ByShafts,    ///< by beam trees or shafts, and by rays where these do not decide
-  ByRaysAlone  ///< each by itself: what the others are compared with
+  ByShafts,    ///< by beam trees or shafts, and by rays where those do not decide
+  ByRaysAlone  ///< each sample by itself, to compare the others with
 };
 
 /// The light that arrives at points of one surface.
@@ -29,7 +29,7 @@ class SurfaceLight {
 
   const TexelRect& texels() const { return surface_.texels; }
   AskedRow askedIn(int j) const { return {surface_, j}; }
-  /// Indices of the lights that can shine on the surface's plane, and reach as far.
+  /// Indices of the lights that can shine on the surface's plane and reach it.
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return rays_.light(index); }
   /// Metres; 0 for a point light.
@@ -37,27 +37,28 @@ class SurfaceLight {
   /// 3 where one of the facing lights is coloured, else 1.
   int channels() const;
 
-  /// Whether a light reaches as far as some of the samples, perhaps.
+  /// Whether a light may reach some of the samples.
   bool reaches(std::size_t light, const SampleBlocks& blocks) const;
 
   SamplePoint place(Vec2 texelPoint) const;
-  /// Adds those of a row of points, at rising `columns` on the height `row`.
+  /// Adds the samples of a row of points, at rising `columns` in `row`.
   void placeRow(std::span<const double> columns, double row,
                 std::vector<SamplePoint>& places) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
 
-  /// Which fraction of a light each of the samples sees, in their order. Good until the next call.
+  /// The fraction of a light that each of the samples sees, in their order. Valid until the next
+  /// call.
   const std::vector<double>& seenFractions(std::size_t light, const SampleBlocks& blocks);
 
-  /// Which fraction of a light the point sees, 0..1.
+  /// The fraction of a light that the point sees, 0..1.
   double seenFraction(std::size_t light, const SamplePoint& at);
   /// With fewer rays to a ball.
   double roughlySeenFraction(std::size_t light, const SamplePoint& at);
 
-  /// What all of the light would bring to the point, in levels, before colour.
+  /// The light at the point if all of the source is seen, in levels, before colour.
   double fullBrightness(std::size_t light, const SamplePoint& at) const;
-  /// What it brings to each of the samples of which seenFractions() was asked last. Good until the
-  /// next call.
+  /// The light at each of the samples of the last call of seenFractions(), in levels. Valid until
+  /// the next call.
   const std::vector<double>& levels(std::size_t light, const SampleBlocks& blocks);
 
   /// In the order of the level's lights.

@@ -13,22 +13,22 @@ namespace hearth {
 /// The light of a surface while it is added up: a sum for each texel and channel.
 class TexelSums {
  public:
-  /// With one channel all lights must be white or grey.
+  /// If there is one channel, all lights must be white or grey.
   TexelSums(TexelRect rect, int channels);
 
-  /// Of a light in all its channels, to the texel (i, j); `level` >= 0, before colour.
+  /// Adds a light, in all channels, to the texel (i, j); `level` >= 0, before colour.
   void add(int i, int j, const LightSource& light, double level);
-  /// The same to texels from (i, j) on, in a row.
+  /// The same for texels from (i, j) on, in a row.
   void addRow(int i, int j, const LightSource& light, std::span<const double> levels);
 
-  /// Of texels that lie among these; one channel goes to all.
+  /// Adds sums of some of these texels; one channel is added to all.
   void add(const TexelSums& other);
-  /// The same without rows and columns at the borders that are dark.
+  /// The same without dark rows and columns at the borders.
   TexelSums cropped() const;
   std::size_t bytes() const { return sums_.size() * sizeof(double); }
 
-  /// The means of so many samples a texel. None where all is dark; one channel where no coloured
-  /// light has arrived.
+  /// The means of so many samples a texel. None if all is dark; one channel if no coloured light
+  /// has arrived.
   std::optional<Lightmap> toLightmap(int samples) const;
 
  private:

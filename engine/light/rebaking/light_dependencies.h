@@ -7,13 +7,13 @@
 
 namespace hearth {
 
-/// From which parts of a level the light on one surface was found. Where they, and what they open
-/// to, stay as they are, so does the light.
+/// The parts of a level that the light on one surface depends on. While they, and the sectors that
+/// they open to, stay as they are, so does the light.
 class LightDependencies {
  public:
-  /// Into which rays of a light come, or might.
+  /// The sectors that rays of a light enter, or might enter.
   SectorSet& sectorsOf(std::size_t light) { return sectors_[light]; }
-  /// On which places were sought for samples.
+  /// The surfaces on which places for samples were sought.
   SurfaceSet& surfaces() { return surfaces_; }
 
  private:

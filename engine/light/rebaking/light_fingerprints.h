@@ -8,11 +8,11 @@
 
 namespace hearth {
 
-/// Numbers by which parts of two versions of a level are known to be alike, as far as baked light
-/// goes. They know sectors by their names, not by their ids, so that all that an edit leaves alone
-/// keeps its number.
+/// Hashes of parts of a level: equal hashes in two versions mean equal parts, as far as baked light
+/// is concerned. They use the names of sectors, not their ids, so all parts that an edit leaves
+/// alone keep their hash.
 struct LightFingerprints {
-  std::vector<std::uint64_t> sectors;   ///< by SectorId: all that a ray inside meets, and passes
+  std::vector<std::uint64_t> sectors;   ///< by SectorId: all that a ray inside it can meet
   std::vector<std::uint64_t> surfaces;  ///< by SurfaceId: where it is lit; 0 for none
   std::vector<std::uint64_t> lights;    ///< in the level's order
 };
