@@ -11,29 +11,28 @@
 
 namespace hearth {
 
-/// What a beam is bounded by above or below: the plane through the light and a straight edge of an
-/// opening.
+/// The plane through the light and a straight edge of an opening, which bounds a beam above or
+/// below.
 struct HeightPlane {
   Vec2 gradient;         ///< metres of height for each metre from the light, along x and y
   bool isBelow;          ///< whether the beam lies above it
   double slackPerMetre;  ///< by which rounding may move it, metres for each metre from the light
 };
 
-/// What a light sees of a sector through a row of openings, up to one wall of it. All of its bounds
-/// are planes, most of them through the light; lines on the map are given as directions of length 1
-/// from there.
+/// The part of a sector that a light sees through a row of openings, up to one wall. All bounds are
+/// planes, most of them through the light. Lines in plan are directions of length 1 from there.
 struct Beam {
   SectorId sector;
   const Segment* from;  ///< beyond this wall; null where none is before it
   const Segment* to;    ///< up to this one
-  Vec2 begin;           ///< it lies clockwise of this, as seen on the map,
+  Vec2 begin;           ///< it lies clockwise of this, as seen in plan,
   Vec2 end;             ///< and not of this; less than 180 degrees
-  Vec2 beginsAt;        ///< from the light to the vertices that say so
+  Vec2 beginsAt;        ///< from the light to the vertices of these
   Vec2 endsAt;
   std::uint32_t firstPlane;
   std::uint32_t lastPlane;
-  /// Whether it may be dark in there: behind textures with holes, and where a beam is so narrow
-  /// that rounding decides what it meets (`begin` is `end` then).
+  /// Whether points in it may be dark: behind textures with holes, and if a beam is so narrow that
+  /// rounding decides what it meets (then `begin` is `end`).
   bool isDoubtful;
 };
 
@@ -49,11 +48,10 @@ struct BeamBound {
   double slack(double margin, double reach) const { return margin * perMargin + reach * perMetre; }
 };
 
-/// The bounds of a beam, for directions to points that lie `on` a wall, if that is given: of its
-/// begin, its end and its planes, then of the walls that it lies between, which directions to a
-/// point of the last of these do not come to. Each is computed when it is
-/// needed: that takes no longer than to read it from memory, and storing all of them would take
-/// much.
+/// The bounds of a beam, for directions from the light to points: begin, end and planes, then the
+/// walls between which the beam lies. For points `on` the last of these walls, the walls are left
+/// out. A bound is computed when it is needed: that takes no longer than to read it from memory,
+/// and storing all of them would take much.
 class BeamBounds {
  public:
   BeamBounds(const Beam& beam, std::span<const HeightPlane> planes, Vec3 light, const Segment* on)

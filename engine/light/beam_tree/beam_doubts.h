@@ -10,18 +10,19 @@
 
 namespace hearth {
 
-/// Notes where a light's beams say nothing certain, and all that its rays can come to from there.
+/// Records where a light's beams give no certain answer, and all sectors that its rays can enter
+/// from there.
 class BeamDoubts {
  public:
   /// `found` must outlive it.
   BeamDoubts(const Scene& scene, Vec3 light, BeamSet& found)
       : scene_(scene), light_(light.xy()), found_(found) {}
 
-  /// A direction in which rounding decides which walls rays meet: whatever they can come to from
-  /// the sector on is doubtful along it.
+  /// A direction in which rounding decides which walls rays meet: along it, all sectors that rays
+  /// can enter from this one on are doubtful.
   void addLine(SectorId from, Vec2 direction);
 
-  /// Says nothing of sectors any more, and of what rays can come to from there.
+  /// From now on nothing is known of these sectors, and of those that rays can enter from there.
   void forget(std::vector<SectorId> sectors);
 
  private:

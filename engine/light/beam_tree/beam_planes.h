@@ -9,10 +9,10 @@ namespace hearth {
 
 /// The t at which light + t * direction lies on the line of a wall, in plan.
 double distanceToLine(Vec3 light, const Segment& wall, Vec2 direction);
-/// Metres on the map from the light to what a beam sees of a wall, or of its line.
+/// Metres in plan from the light to the part of a wall, or of its line, that a beam sees.
 double distanceToWall(Vec3 light, const Beam& beam, const Segment& wall);
 
-/// What bounds beams below and above, while they are found.
+/// The planes that bound beams below and above, while the beams are found.
 class BeamPlanes {
  public:
   explicit BeamPlanes(Vec3 light) : light_(light) {}
@@ -29,7 +29,7 @@ class BeamPlanes {
   /// Adds the plane through the light and an edge, unless others bound the beam more closely.
   void add(const Beam& beam, const Segment& wall, const Edge& edge);
 
-  /// Whether nothing of the beam lies between what bounds it below and above.
+  /// Whether nothing of the beam is left between the planes below and above.
   bool leaveNothingOf(const Beam& beam) const;
   std::span<const HeightPlane> all() const { return planes_; }
 

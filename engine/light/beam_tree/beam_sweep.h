@@ -14,11 +14,11 @@ struct PlaneRange {
   std::uint32_t last = 0;
 };
 
-/// A flat portal, seen from where rays come from.
+/// A flat portal, seen from the side of the light.
 struct BeamHatch {
   double z;
   bool isFloor;
-  const Segment* from;  ///< rays come to it beyond this wall, if any
+  const Segment* from;  ///< rays reach it beyond this wall, if any
   const Segment* to;    ///< and before this one
 };
 
@@ -33,7 +33,7 @@ struct BeamWindow {
   std::optional<BeamHatch> hatch;
 };
 
-/// From where a ray comes into a sector to where it leaves it.
+/// The way of a ray through a sector: the walls at which it enters and leaves.
 struct BeamStretch {
   const Segment* from;
   const Segment* to;
@@ -41,19 +41,19 @@ struct BeamStretch {
   friend bool operator==(BeamStretch, BeamStretch) = default;
 };
 
-/// The same all along a part of a window.
+/// A stretch that is the same in all of a part of a window.
 struct VisibleStretch {
   BeamStretch stretch;
   Vec2 begin;
   Vec2 end;
 };
 
-/// Sweeps windows from one vertex to the next, and finds what the light sees in each.
+/// Sweeps windows from one vertex to the next, and finds what the light sees between them.
 class BeamSweep {
  public:
   BeamSweep(const Scene& scene, Vec3 light) : scene_(scene), light_(light) {}
 
-  /// Good until the next call of `sweep`.
+  /// Valid until the next call of `sweep`.
   const std::vector<VisibleStretch>& visible() const { return finished_; }
   /// Directions in which rounding decides which walls rays meet.
   const std::vector<Vec2>& doubtfulDirections() const { return doubtful_; }

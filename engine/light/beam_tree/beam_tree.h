@@ -23,26 +23,26 @@ namespace hearth {
 /// rounding decides, nor behind a flat portal that a slope reaches.
 class BeamTree {
  public:
-  /// Finds all beams up to `reach` metres, and may find fewer beyond. Answers nothing if the beams
+  /// Finds all beams up to `reach` metres, and perhaps some beyond. Gives no answers if the beams
   /// would take more than about `mostBytes`. Keeps the scene.
   BeamTree(const Scene& scene, const Raytracer::Source& light, double reach, std::size_t mostBytes);
 
-  /// Points, as they are seen from the light: all that lie between some corners.
+  /// All points between some corners, as seen from the light.
   struct Points {
     std::span<const Vec3> corners;
     CornerOffsets directions;
-    double reach = 0;   ///< metres, at least those to the farthest
+    double reach = 0;   ///< metres, at least to the farthest
     double noise = 0;   ///< metres by which rounding moves a crossing at the most
-    double margin = 0;  ///< metres from the bounds of a beam within which nothing is said
+    double margin = 0;  ///< metres from the bounds of a beam within which there is no answer
   };
-  /// One to eight corners, which must outlive what they are made into.
+  /// Of one to eight corners, which must outlive the result.
   Points seen(std::span<const Vec3> corners) const;
 
-  /// Whether it says anything of points on a plane that bounds the air of a sector. It does not
-  /// where they, or the light, are so near to a plane of its that rounding could stop rays there.
+  /// Whether it gives answers for points on a plane that bounds the air of a sector. It gives none
+  /// if they, or the light, are so near to a floor or ceiling that rounding could stop rays there.
   bool knows(SectorId sector, const Plane& plane, const Points& points) const;
 
-  /// A beam that may hold points, and which of its bounds may part them: see findParting().
+  /// A beam that may contain points, and which of its bounds may part them: see findParting().
   struct Doubt {
     const Beam* beam;
     std::uint32_t parting;
@@ -52,11 +52,12 @@ class BeamTree {
     bool elsewhere() const { return beam->isDoubtful || (parting & ~(kAtBegin | kAtEnd)) != 0; }
   };
   using Found = std::vector<Doubt>;
-  /// Whether the points, which lie in the air of `sector`, and `on` a wall of it if that is given,
-  /// are lit: one beam holds all of them, or a row of beams does. If not, all beams that hold some
-  /// of them, perhaps, are added to `found`: if there are none, the points are dark.
+  /// Whether the points are lit: one beam contains all of them, or a row of beams does. They lie in
+  /// the air of `sector`, and `on` a wall of it if that is given. If not, all beams that may
+  /// contain some of them are added to `found`; if there are none, the points are dark.
   bool find(SectorId sector, const Segment* on, const Points& points, Found& found) const;
-  /// The same of points among those before; `found` has the beams for these from `first` to `last`.
+  /// The same for some of the points of an earlier call, whose beams are `found` from `first` to
+  /// `last`.
   bool narrow(const Points& points, const Segment* on, Found& found, std::size_t first,
               std::size_t last) const;
 
@@ -67,13 +68,13 @@ class BeamTree {
     std::size_t rows;
     std::size_t stride;  ///< from a row to the next
   };
-  /// Memory of findSeen(), to be kept from call to call.
+  /// Memory of findSeen(); keep it from call to call.
   struct Parting {
     std::vector<BoundingPlane> bounds;
     std::vector<PartingBounds> beams;
   };
-  /// What is seen by each of some samples among `points`, by the same beams: kUnknownFraction where
-  /// only narrow() can tell.
+  /// Which fraction each of some samples among `points` sees, by the same beams: kUnknownFraction
+  /// if only narrow() can decide.
   void findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
                 const Samples& samples, Parting& parting, double* seen) const;
 

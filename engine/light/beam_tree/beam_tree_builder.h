@@ -5,9 +5,9 @@
 
 namespace hearth {
 
-/// All that a point of light sees, no farther than `reach` metres, sorted by sectors, and of these
-/// by the walls where beams end; what is doubtful along a line comes before. Where they take
-/// `mostBytes` or more, it stops, and they are not complete.
+/// The beams of a point light up to `reach` metres, sorted by sector, and within a sector by the
+/// wall where they end; beams that are doubtful along a line come first. If the beams take
+/// `mostBytes` or more, the search stops, and they are not complete.
 ///
 /// From the sector of the light on, a window is cut at the vertices of the walls, and the nearest
 /// wall in each part ends a beam. Openings of that wall, and flat portals before it, are windows

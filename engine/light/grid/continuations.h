@@ -14,10 +14,10 @@ struct UprightSurface {
   UprightOutline air;
 };
 
-/// Finds which surfaces continue each other in one plane over a common edge, and fills
-/// `continuations` in `surfaces`; all other members are set. Walls continue walls beside and above
-/// them, round vertices, and through openings and flat portals; flats and slopes continue through
-/// openings. `upright` is by SegmentId.
+/// Finds the surfaces that continue each other in one plane over a common edge, and fills
+/// `continuations` in `surfaces`; all other members are already set. Walls continue walls beside
+/// and above them, round vertices, and through openings and flat portals. Flats and slopes continue
+/// through openings. `upright` is by SegmentId.
 void joinContinuations(const Scene& scene, const VertexFan& fan,
                        const std::vector<std::vector<UprightSurface>>& upright,
                        LitSurfaces& surfaces);

@@ -16,8 +16,8 @@ TexelGrid flatGrid(double z, double texel);
 
 /// The texel grid of every sloped floor (ceiling), by SectorId: anchored to the first border
 /// vertex, by (x, y), of the run of slopes that continue one another in one plane; axes along the
-/// contour line and the steepest ascent of the slope that has it. Entries of sectors without such a
-/// slope mean nothing.
+/// contour line and the steepest ascent of the slope with that vertex. Entries of sectors without
+/// such a slope are unused.
 std::vector<TexelGrid> slopeGrids(const Scene& scene, bool floor, double texel);
 
 /// True when the floors (ceilings) of two sectors, flats or slopes, are one plane within an

@@ -11,15 +11,15 @@
 
 namespace hearth {
 
-/// The lit part of a unit cell, as a polygon. No points where all is dark.
+/// The lit part of a unit cell, as a polygon. Without points all is dark.
 struct LitPart {
   std::array<Vec2, 8> points;
   std::size_t count = 0;
 
   void add(Vec2 point) { points[count++] = point; }
 
-  /// Of f(Vec2) over the part; exact for polynomials of degree 2. Asks for points inside only, none
-  /// on the border, beyond which f may be another, and always in the same order.
+  /// The integral of f(Vec2) over the part; exact for polynomials of degree 2. Calls f only for
+  /// points inside, because f may differ beyond the border, and always in the same order.
   template <typename Function>
   double integral(Function&& f) const {
     double sum = 0;
@@ -39,18 +39,18 @@ struct LitPart {
 
 inline constexpr LitPart kWholeCell{{Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}}, 4};
 
-/// Finds where light arrives on a lattice of unit cells: asks at their corners and, by bisection,
-/// where along an edge the answer changes. So a shadow's edge through a cell is as exact as it is
-/// straight; what passes between corners without touching one is missed.
+/// Finds where light arrives on a lattice of unit cells: tests their corners, and bisects the edges
+/// along which the answer changes. So a shadow's edge through a cell is as exact as it is straight.
+/// A shadow that passes between corners without touching one is missed.
 ///
-/// `IsLit` answers bool(Vec2) for points of [0, columns] x [0, rows].
+/// `IsLit` is bool(Vec2), for points of [0, columns] x [0, rows].
 template <typename IsLit>
 class LitLattice {
  public:
   LitLattice(int columns, int rows, IsLit isLit)
       : LitLattice(columns, rows, isLit, [&](int i, int j) { return isLit(corner(i, j)); }) {}
 
-  /// With a quicker way to ask at a corner, bool(int i, int j).
+  /// With a quicker test for corners, bool(int i, int j).
   template <typename IsCornerLit>
   LitLattice(int columns, int rows, IsLit isLit, IsCornerLit isCornerLit)
       : columns_(columns), rows_(rows), isLit_(std::move(isLit)) {
@@ -82,7 +82,7 @@ class LitLattice {
   /// Whether all corners have the same answer.
   bool isUniform() const { return litCorners_ == 0 || litCorners_ == corners_.size(); }
 
-  /// How often `isLit` was asked.
+  /// The number of calls of `isLit`.
   std::int64_t questions() const { return questions_ + static_cast<std::int64_t>(cornerCount()); }
 
  private:

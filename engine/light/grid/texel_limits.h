@@ -7,7 +7,7 @@
 
 namespace hearth {
 
-/// Why the level cannot be lit with texels of so many metres, or nothing. Call it
+/// Why the level cannot be lit with texels of so many metres; none if it can. Call it
 /// before grids and lightmaps are made.
 std::optional<std::string> mistakeInTexel(const Scene& scene, double texel);
 

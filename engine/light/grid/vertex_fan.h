@@ -20,24 +20,24 @@ class VertexFan {
 
   std::span<const Spoke> at(Vec2 vertex) const;
 
-  /// Segments above or below this one, in its plane and with its ends, that a flat portal of its
-  /// sector leads to. Linking cuts both sides of flat portals alike.
+  /// Segments above or below this one, in its plane and with its ends, on the other side of a flat
+  /// portal of its sector. Linking splits both sides of flat portals alike.
   std::vector<SegmentId> acrossFlatPortals(SegmentId id) const;
 
-  /// Metres, absolute: a stretch of the vertical edge over a vertex.
+  /// Metres, absolute: a part of the vertical edge above a vertex.
   struct Heights {
     double zBottom;
     double zTop;
   };
 
-  /// The parts of `within` at which one can go round `vertex`, an end of the wall, from the air
+  /// The parts of `within` at which a path leads round `vertex`, an end of the wall, from the air
   /// before the wall to the air of sector `to`: through openings before the wall's plane, and never
-  /// back. All of it where that is the wall's own sector. Parts may overlap.
+  /// back. All of `within` if `to` is the wall's own sector. Parts may overlap.
   std::vector<Heights> waysRound(const Segment& wall, Vec2 vertex, SectorId to,
                                  Heights within) const;
 
  private:
-  /// The air of a sector beside a vertex, and the far end of the segment where one came in.
+  /// The air of a sector beside a vertex, and the far end of the segment where the path came in.
   struct Air {
     SectorId sector;
     Heights heights;
@@ -50,7 +50,7 @@ class VertexFan {
   };
 
   Vec2 farEnd(const Spoke& spoke) const;
-  /// What air one comes to from those heights through the openings of a segment, at its vertex.
+  /// The air that a path at those heights enters through the openings of a segment, at its vertex.
   std::vector<Air> beyond(const Spoke& spoke, Heights near) const;
 
   Scene scene_;

@@ -7,10 +7,10 @@
 
 namespace hearth {
 
-/// Adds the light of a surface with as many rays as its shadows need: one to each corner of a
-/// texel, which four texels share, and some more to each edge between corners of which one is lit.
-/// The polygon that these make of a texel's lit part is as exact as the shadow's edge is straight;
-/// a texel that no edge crosses costs one ray for each light.
+/// Adds the light of a surface with as many rays as its shadows need: one ray to each corner of a
+/// texel, which four texels share, and some more along each edge between a lit and a dark corner.
+/// The polygon of a texel's lit part is then as exact as the shadow's edge is straight. A texel
+/// that no shadow's edge crosses costs one ray for each light.
 void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
                      const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop);
 

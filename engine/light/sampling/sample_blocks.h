@@ -13,11 +13,11 @@
 
 namespace hearth {
 
-/// A lattice of samples of one surface's lightmap, and blocks of them: all, divided in four again
-/// and again down to kLeast samples a side.
+/// A lattice of samples of one surface's lightmap, and a quadtree of blocks of them, whose leaves
+/// have kLeast samples a side.
 class SampleBlocks {
  public:
-  /// Samples row by row, `columns` x `rows` of them. `surface` gives directions only.
+  /// Samples row by row, `columns` x `rows` of them. `surface` gives only directions.
   SampleBlocks(const Level& level, const LitSurface& surface, std::vector<SamplePoint> samples,
                int columns, int rows);
 
@@ -26,8 +26,8 @@ class SampleBlocks {
     int row;
     int columns;
     int rows;
-    TargetBox box;  ///< holds where the samples' rays arrive
-    /// In which all samples lie, if it is one; and on which surface.
+    TargetBox box;  ///< contains the points where the samples' rays arrive
+    /// The sector in which all samples lie, if there is one, and the surface.
     std::optional<SectorId> sector;
     std::optional<SurfaceId> surface;
     std::uint32_t firstPart = 0;  ///< the parts of a block follow one another
@@ -39,7 +39,7 @@ class SampleBlocks {
     return std::span(blocks_).subspan(block.firstPart, block.parts);
   }
   const std::vector<SamplePoint>& samples() const { return samples_; }
-  /// The same order: where samples lie, and where their rays arrive.
+  /// In the same order: where samples lie, and where their rays arrive.
   SampleArrays points() const { return points_.arrays(); }
   SampleArrays targets() const { return targets_.arrays(); }
 
@@ -50,7 +50,7 @@ class SampleBlocks {
     std::size_t count;
   };
   const std::vector<Run>& runs() const { return runs_; }
-  /// On which they lie, each once.
+  /// The surfaces on which they lie, each once.
   const std::vector<SurfaceId>& surfaces() const { return surfaces_; }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +

@@ -6,7 +6,7 @@
 
 namespace hearth {
 
-/// Rays from a ball, or point, of light to points of one surface.
+/// Rays from a ball or point light to points of one surface.
 struct TargetRays {
   Vec3 light;
   double radius;  ///< metres
@@ -16,7 +16,8 @@ struct TargetRays {
 };
 
 /// Whether neither floor nor ceiling of the points' sector, slopes included, stops a ray before its
-/// end: they are off all points, or the light is so far before them that rounding does not matter.
+/// end. That is so if all points are away from them, or if the light is so far before them that
+/// rounding does not matter.
 bool isAirClear(const Scene& scene, const Sector& sector, const TargetRays& rays,
                 std::span<const Vec3> points);
 

@@ -15,7 +15,7 @@ struct ShaftLight {
   Vec3 center;
   double radius = 0;              ///< metres
   std::vector<SectorId> sectors;  ///< in which rays start
-  /// Whether no ray starts behind a wall of its sector that comes into the ball.
+  /// Whether no ray starts in the parts of the ball behind walls of its sector.
   bool isCutByWalls = false;
 };
 
@@ -38,24 +38,25 @@ class Shaft {
 
   enum class Outcome { Dark, Lit, Unknown };
 
-  /// `within`, if any, is a shaft of the same light to a box that holds this one.
+  /// `within`, if any, is a shaft of the same light to a box that contains this one.
   Outcome follow(const ShaftLight& light, const ShaftTargets& targets, const Shaft* within);
 
-  /// Adds the sectors that rays can come into.
+  /// Adds the sectors that rays can enter.
   void addSectorsTo(SectorSet& sectors) const {
     for (const MetSector& sector : sectors_) sectors.add(sector.id);
   }
 
-  /// Whether rays can come into a sector; and its walls that they can meet then.
+  /// Whether rays can enter a sector, and the walls that they can meet there.
   bool meets(SectorId sector) const;
   std::span<const Segment* const> wallsIn(SectorId sector) const;
 
-  /// An opening of a wall through which all rays pass. All that they pass before it are gates, too.
+  /// An opening of a wall through which all rays pass. All openings that they pass before it are
+  /// gates, too.
   struct Gate {
     const Segment* wall;
     const LightOpening* opening;
   };
-  /// The last one.
+  /// The last gate.
   const std::optional<Gate>& gate() const { return gate_; }
 
  private:

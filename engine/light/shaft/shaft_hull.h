@@ -9,39 +9,39 @@
 
 namespace hearth {
 
-/// A box that holds the ends of rays.
+/// A box that contains the ends of rays.
 struct TargetBox {
   std::array<Vec3, 8> storage;  ///< corners
-  std::size_t count = 0;        ///< of them: 4 where the box is flat
+  std::size_t count = 0;        ///< of them: 4 if the box is flat
   Vec3 normal;                  ///< unit, of the surface, into the air
 
   static TargetBox ofPoint(Vec3 point, Vec3 normal) { return {{point}, 1, normal}; }
   std::span<const Vec3> corners() const { return {storage.data(), count}; }
 };
 
-/// Heights above the two ends of a stretch of a wall, between which they change evenly.
+/// Heights above the two ends of a part of a wall, with a straight line between them.
 struct EndHeights {
   double from;
   double to;
 };
 
-/// A convex body that holds all rays from a ball (or point) of light to a box of targets, and all
-/// that is less than `margin` from them: the part of the space that lies between upright planes,
-/// seen on the map as half-planes, and above and below sloped ones.
+/// A convex body that contains all rays from a ball or point light to a box of targets, and
+/// everything less than `margin` away from them. Upright planes bound it at the sides, which are
+/// lines in plan, and sloped planes bound it above and below.
 ///
-/// A half-space whose border touches the ball and the box holds their hull, whatever its direction.
-/// So the directions below are chosen to fit, and only how far each half-space reaches must be
-/// right.
+/// A half-space whose border touches the ball and the box contains their hull, whatever its
+/// direction. So directions may be chosen to fit well, and only the distance of each plane must be
+/// exact.
 class ShaftHull {
  public:
   ShaftHull(Vec3 center, double radius, const TargetBox& targets);
 
-  /// What of a wall the body meets.
+  /// The part of a wall that the body meets.
   class Slice {
    public:
     double from;  ///< fractions of the way from p0 to p1
     double to;
-    /// Whether all of it is lower (higher) than a line.
+    /// Whether all of it is below (above) a line.
     bool isBelow(EndHeights line) const;
     bool isAbove(EndHeights line) const;
 

@@ -9,7 +9,7 @@
 
 namespace hearth {
 
-/// Ids of one kind, each once.
+/// A set of ids of one kind.
 template <typename Id>
 class IdSet {
  public:

@@ -7,8 +7,8 @@
 #include "light/beam_tree/beam.h"
 #include "math/vec.h"
 
-/// What is done with many samples, as many at once as the registers of a processor hold. Whatever
-/// the processor, the results are the same to the bit.
+/// Loops over many samples, as many at once as the processor's registers hold. The results are the
+/// same to the bit on every processor.
 namespace hearth {
 
 /// Coordinates of samples in metres, each in an array of its own.
@@ -20,8 +20,8 @@ struct SampleArrays {
   SampleArrays from(std::size_t first) const { return {x + first, y + first, z + first}; }
 };
 
-/// Vectors from a light to the corners of what holds some points, one to eight. Unused entries
-/// repeat the first.
+/// Vectors from a light to the one to eight corners of a box of points. Unused entries repeat the
+/// first.
 struct CornerOffsets {
   double x[8];
   double y[8];
@@ -29,8 +29,8 @@ struct CornerOffsets {
   std::size_t count = 8;
 };
 
-/// The upright planes between which beams lie, as findSpanning() takes them: their normals on the
-/// map, into the beam, each coordinate in an array of its own.
+/// The upright planes between which beams lie, for findSpanning(): their normals in plan, into the
+/// beam, each coordinate in an array of its own.
 struct BeamSides {
   const double* beginX;
   const double* beginY;
@@ -38,9 +38,9 @@ struct BeamSides {
   const double* endY;
 };
 
-/// What findParting() answers where a bound has all corners behind it.
+/// The answer of findParting() if all corners are behind a bound.
 inline constexpr std::uint32_t kBehindBound = std::uint32_t{1} << 31;
-/// The bits that it has for bounds: the last one stands for all that follow, too.
+/// Its bits for bounds. The last one also stands for all bounds that follow.
 inline constexpr std::size_t kBoundBits = 31;
 inline constexpr std::uint32_t kAllBounds = kBehindBound - 1;
 
@@ -53,8 +53,8 @@ struct BoundingPlane {
   double slack;
 };
 
-/// How many bounds of a beam of light part some samples, perhaps. Where it `isDoubtful`, nothing in
-/// it is lit for sure.
+/// The number of bounds of a beam that may part some samples. If the beam `isDoubtful`, no sample
+/// in it is certainly lit.
 struct PartingBounds {
   std::size_t count;
   bool isDoubtful;
@@ -64,16 +64,16 @@ struct PartingBounds {
 inline constexpr double kUnknownFraction = -1;
 
 struct LightKernels {
-  /// The indices of beams that have no side with all corners behind it, in rising order. Returns
-  /// how many they are; `spanning` has room for `count`. `margin` is that of rays to the corners.
+  /// The indices of beams without a side that has all corners behind it, in rising order. Returns
+  /// their number; `spanning` has room for `count`. `margin` is that of rays to the corners.
   std::size_t (*findSpanning)(const CornerOffsets& corners, const BeamSides& beams,
                               std::size_t count, double margin, std::uint32_t* spanning);
-  /// A bit for each of the bounds of a beam that has some corners behind it, perhaps; or
-  /// kBehindBound. Of those alone that have a bit in `asked`.
+  /// A bit for each bound of a beam that may have some corners behind it; or kBehindBound. Tests
+  /// only the bounds with a bit in `asked`.
   std::uint32_t (*findParting)(const CornerOffsets& corners, const BeamBounds& bounds,
                                std::uint32_t asked, double margin, double reach);
-  /// For each of the samples 1 where one of the beams of a point of light holds it for sure, 0
-  /// where none can, and else kUnknownFraction. The bounds of the beams follow one another.
+  /// For each sample 1 if one of the beams of a point light certainly contains it, 0 if none can,
+  /// and else kUnknownFraction. `bounds` holds those of all beams, one beam after the other.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,
                    std::span<const PartingBounds> beams, const BoundingPlane* bounds, double* seen);
   /// Metres from a light.
@@ -85,14 +85,14 @@ struct LightKernels {
   /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.
   void (*applyCosine)(const SampleArrays& samples, const double* distances, std::size_t count,
                       Vec3 light, Vec3 normal, double* levels);
-  /// Multiplies levels by the fraction that is seen of the light: nothing from `reach` metres on.
+  /// Multiplies levels by the fraction of the light that is seen, and by 0 beyond `reach` metres.
   void (*applySeen)(const double* seen, const double* distances, std::size_t count, double reach,
                     double* levels);
   /// Adds levels times `fraction` to sums, each by the rules of LightSum.
   void (*addToSums)(const double* levels, std::size_t count, double fraction, double* sums);
 };
 
-/// Those for the widest registers that this processor has.
+/// The kernels for the widest registers of this processor.
 const LightKernels& lightKernels();
 
 }  // namespace hearth

@@ -9,8 +9,8 @@
 namespace hearth {
 
 /// Answers whether a light sees a point: follows the straight line from the light through the
-/// openings of the sectors. It only ever enters a sector through a link, so that no light can leak
-/// through a joint of walls, and what merely overlaps in space is never met.
+/// openings of the sectors. The line enters sectors only through links. So no light leaks through
+/// joints of walls, and sectors that merely overlap in space do not meet.
 class Raytracer {
  public:
   /// `solidMaskedMiddles`: see BakeSettings.
@@ -28,10 +28,10 @@ class Raytracer {
   /// the air of `sector`. The caller has made sure that the surface there faces the source.
   /// `met`, if any, gets the sectors that the line enters.
   bool sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met = nullptr) const;
-  /// The same, of a ray of a shaft: only what the shaft meets is looked at.
+  /// The same for a ray of a shaft. It tests only the walls that the shaft meets.
   bool sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const;
 
-  /// The sector in which the line from the source arrives at a point of the air; none where it
+  /// The sector in which the line from the source arrives at a point of the air; none if it
   /// meets a surface before.
   std::optional<SectorId> sectorAt(const Source& source, Vec3 point, SectorSet& met) const;
 
