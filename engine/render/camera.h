@@ -22,7 +22,7 @@ inline Camera cameraOf(const Shot& shot) {
   return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
 }
 
-/// A point of the map as the camera sees it, in metres.
+/// A point in plan as the camera sees it, in metres.
 struct CameraPoint {
   double depth;    ///< along the view direction
   double lateral;  ///< to the right
@@ -33,8 +33,8 @@ struct CameraPoint {
 /// down shears: it only moves the row of the horizon.
 class Projection {
  public:
-  /// `eye` is the camera's eye, moved off the walls it may touch. Columns and rows are those of a
-  /// picture in which squares of `pixelSize` pixels are one.
+  /// `eye` is the camera's eye, moved off the walls that it may touch. A square of `pixelSize`
+  /// pixels counts as one column and row.
   Projection(const Camera& camera, Vec3 eye, int pixelSize = 1)
       : eye_(eye),
         direction_{sinCosDegrees(camera.angle).cos, sinCosDegrees(camera.angle).sin},
@@ -52,7 +52,7 @@ class Projection {
     const Vec2 fromEye = world - eye_.xy();
     return {dot(fromEye, direction_), dot(fromEye, right_)};
   }
-  /// Of a point in front of the eye (depth > 0).
+  /// The column of a point in front of the eye (depth > 0).
   double columnOf(CameraPoint p) const {
     return centerColumn_ + distancePx_ * (p.lateral / p.depth);
   }
@@ -61,7 +61,7 @@ class Projection {
   }
   /// How far the ray through a column goes to the right per metre of depth.
   double slantOf(double column) const { return (column - centerColumn_) / distancePx_; }
-  /// The ray through a column on the map, of depth 1.
+  /// The ray through a column in plan, of depth 1.
   Vec2 rayOf(double column) const { return direction_ + slantOf(column) * right_; }
   /// How far the ray through a row goes up per metre of depth.
   double raySlopeAt(double row) const { return (horizonRow_ - row) / distancePx_; }

@@ -2,8 +2,8 @@
 
 namespace hearth {
 
-/// Views of the renderer's own numbers, for tests and for eyes. Through holes of masked middle
-/// textures what is behind shows, and they count as no drawing.
+/// Views of the renderer's own numbers, for tests and for eyes. Holes of masked middle textures
+/// show the surfaces behind them, and do not count as drawn.
 enum class Channel {
   Sector,    ///< a colour per sector
   Surface,   ///< a colour per surface

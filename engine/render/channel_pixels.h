@@ -14,7 +14,7 @@
 namespace hearth {
 
 /// Numbers the surfaces that show, by SurfaceId: the colours of Channel::Surface do not depend on
-/// what would show at other heights.
+/// surfaces that show only at other heights.
 std::vector<std::size_t> numbersOfShown(const Scene& scene);
 
 /// Paints a span with a view of the renderer's own numbers.
@@ -22,8 +22,8 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
                   std::span<const std::size_t> surfaceNumbers, std::span<const double> raySlopes,
                   Strip& strip);
 
-/// Notes what the rows of a span show in its column, for marks. Surfaces and times are those of
-/// what lies behind masked middle textures.
+/// Records what the rows of a span show in its column, for marks. Masked middle textures are left
+/// out: surfaces and times are those behind them.
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownTexel> column);
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,

@@ -12,7 +12,7 @@ enum class LightMode {
 enum class TextureFilter {
   Nearest,    ///< the texel that the pixel's centre falls into
   Bilinear,   ///< a mixture of the four texels around it
-  Mipmapped,  ///< as nearest, of a smaller version where texels would be smaller than pixels
+  Mipmapped,  ///< the nearest texel of a smaller version, if texels would be smaller than pixels
 };
 
 enum class LightFilter {
@@ -20,12 +20,12 @@ enum class LightFilter {
   Bilinear,  ///< a mixture of the four texels around it
 };
 
-/// What frames may be less accurate in, to be drawn sooner. By default they are as levels/README.md
+/// Settings that make frames less accurate and faster. By default frames are as levels/README.md
 /// says.
 struct DrawSettings {
   TextureFilter textureFilter = TextureFilter::Nearest;
   LightFilter lightFilter = LightFilter::Bilinear;
-  /// Squares of so many pixels a side show what the middle of them sees. At least 1
+  /// Squares of so many pixels a side show what their centre sees. At least 1.
   int pixelSize = 1;
 
   friend bool operator==(const DrawSettings&, const DrawSettings&) = default;

@@ -15,7 +15,7 @@ class Footprint {
   Footprint(const Scene& scene, const Projection& projection, const Span& span,
             const Texture& image, const SpanMapping& mapping);
 
-  /// At one of the span's parameters.
+  /// The texels under a pixel at one of the span's parameters.
   double texelsAt(double parameter) const;
   /// The mip level whose texels are nearest to a pixel in area: 0 is the full size. It rises or
   /// falls along the span, but not both.

@@ -12,15 +12,15 @@
 
 namespace hearth {
 
-/// Neighbouring columns of a frame, in which one thread finds what shows.
+/// Neighbouring columns of a frame, whose spans one thread finds.
 struct FrameColumns {
   ColumnRange range{};  ///< begins with a strip
   VisibilityScratch visibility;
   StripSpans strips;
 };
 
-/// What frames are drawn in. A caller that keeps it from frame to frame takes no memory anew; each
-/// thread that draws frames needs its own. No frame depends on an earlier one.
+/// The memory in which frames are drawn. A caller that keeps it from frame to frame takes no memory
+/// anew. Each thread that draws frames needs its own. No frame depends on an earlier one.
 struct FrameScratch {
   std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
   std::vector<double> raySlopes;          ///< of the centres of rows, see Projection::raySlopeAt
@@ -28,25 +28,25 @@ struct FrameScratch {
   std::vector<PaintStats> stripsPainted;  ///< by the same parts
   PaintStats painted;                     ///< in the last frame
 
-  /// What finding the spans of the last frame took; sectors, windows and segments once for each
-  /// part that they are seen in.
+  /// The work of finding the spans of the last frame. Sectors, windows and segments count once for
+  /// each part in which they are seen.
   FrameStats found() const {
     FrameStats sum;
     for (const FrameColumns& part : parts) sum += part.visibility.found.stats;
     return sum;
   }
 
-  /// Those of a strip of the last frame, in the order in which they were found.
+  /// The spans of a strip of the last frame, in the order in which they were found.
   std::span<const Span> spansOf(int strip) const { return partOf(strip).strips.of(strip); }
 
-  /// Whether these show something in every pixel of a strip of so many rows.
+  /// Whether the spans of a strip of so many rows cover its every pixel.
   bool isFilled(int strip, int rows) const {
     const FrameColumns& part = partOf(strip);
     const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);
     return part.strips.pixelsOf(strip) == columns * rows;
   }
 
-  /// Calls `use(span)` for all of the last frame.
+  /// Calls `use(span)` for all spans of the last frame.
   template <typename Use>
   void forEachSpan(Use&& use) const {
     for (const FrameColumns& part : parts)

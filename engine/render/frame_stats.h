@@ -6,7 +6,7 @@
 
 namespace hearth {
 
-/// Work of a frame's first phase, in the engine's own nouns.
+/// The work of a frame's first phase.
 struct FrameStats {
   int viewports = 0;             ///< sectors seen through side portals, and the first
   int flatPortals = 0;           ///< looks through a flat portal
@@ -33,7 +33,7 @@ struct FrameStats {
   friend bool operator==(const FrameStats&, const FrameStats&) = default;
 };
 
-/// Work of its second: of the spans that were painted, those for which more had to be done.
+/// The work of its second phase: painted spans that cost more than others, and pixels.
 struct PaintStats {
   std::size_t slopeSpans = 0;     ///< on slopes and their sidewalls
   std::size_t lightmapSpans = 0;  ///< with light that differs from pixel to pixel ...
@@ -52,7 +52,8 @@ struct PaintStats {
   friend bool operator==(const PaintStats&, const PaintStats&) = default;
 };
 
-/// One of the above by its name, mean over frames. Neither the machine nor chance changes it.
+/// One of these counts by its name, as a mean over frames. It is the same on every machine and in
+/// every run.
 struct FrameCounter {
   std::string_view name;  ///< stable: scripts read it
   double mean = 0;
@@ -60,7 +61,7 @@ struct FrameCounter {
   friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
 };
 using FrameCounters = std::array<FrameCounter, 13>;
-/// Those of one frame.
+/// The counters of one frame.
 FrameCounters countersOf(const FrameStats& found, const PaintStats& painted);
 
 }  // namespace hearth

@@ -14,9 +14,9 @@ struct LinePart {
   double to = 1;
 };
 
-/// Cuts off `part` where a quantity that changes evenly along the line, from `first` to `second`,
-/// is negative (Liang and Barsky, 1984). Nothing where no part is left, nor where the change is
-/// past the range of double.
+/// Cuts off `part` where a linear function along the line, from `first` to `second`, is negative
+/// (Liang and Barsky, 1984). None if no part is left, or if the change is beyond the range of
+/// double.
 inline std::optional<LinePart> keepPositive(LinePart part, double first, double second) {
   if (!std::isfinite(first - second)) return std::nullopt;
   if (first < 0 && second < 0) return std::nullopt;

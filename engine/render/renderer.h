@@ -25,7 +25,7 @@ class Renderer {
   /// for the texture filter of the settings.
   Renderer(const Scene& scene, DrawnTextures textures, const BakedLight& light,
            DrawSettings settings);
-  /// With textures of its own, from images by TextureId.
+  /// Makes textures of its own from images, by TextureId.
   Renderer(const Scene& scene, const std::vector<Image>& images, const BakedLight& light,
            DrawSettings settings = {});
 
@@ -43,8 +43,8 @@ class Renderer {
             Workers* workers = nullptr) const;
   void draw(const Camera& camera, Marks marks, FrameScratch& scratch, const PixelRows& picture,
             Workers* workers = nullptr) const;
-  /// The two phases of a frame, to be timed apart: what shows where, into the scratch; and, once
-  /// that is found for the same camera, the pixels.
+  /// The two phases of a frame, to be timed apart. The first puts spans into the scratch; the
+  /// second paints them, for the same camera.
   void findSpans(const Camera& camera, FrameScratch& scratch, Workers* workers = nullptr) const;
   void paintSpans(const Camera& camera, LightMode mode, FrameScratch& scratch,
                   const PixelRows& picture, Workers* workers = nullptr) const;
@@ -67,7 +67,7 @@ class Renderer {
 /// The projection of a camera whose eye is moved off the walls that it may touch.
 Projection projectionFor(const Scene& scene, const Camera& camera, int pixelSize = 1);
 
-/// The camera whose pixels are the squares of another's.
+/// The camera with one pixel for each square of pixels of another.
 Camera inSquares(Camera camera, int pixelSize);
 
 }  // namespace hearth

@@ -6,7 +6,7 @@
 #include "image/image.h"
 #include "level/scene.h"
 
-/// What lines of walls and flats are drawn in.
+/// The colours in which edges of walls and flats are drawn.
 namespace hearth {
 
 inline constexpr Rgb kWallColor = {255, 255, 255};
@@ -24,7 +24,7 @@ inline Rgb colorOf(const Scene& scene, const Segment& segment) {
   return leadsOn(scene, segment) ? kWayOnColor : kWallColor;
 }
 
-/// Of the line in which a floor or ceiling meets walls.
+/// The colour of the line where a floor or ceiling meets walls.
 inline Rgb colorOf(const Flat& flat) { return flat.flatPortal ? kFlatPortalColor : kWallColor; }
 
 }  // namespace hearth

@@ -12,7 +12,7 @@ struct ColumnRange {
 };
 
 /// The columns of a screen of this width that a segment's front covers: those whose centres lie in
-/// [column of p0, column of p1), none of its back. Neighbours share the column of their common
+/// [column of p0, column of p1). Its back covers none. Neighbours share the column of their common
 /// vertex to the bit, so that every ray meets exactly one of them.
 ColumnRange columnsOf(const Projection& projection, const Segment& segment, int width);
 
@@ -25,7 +25,7 @@ class SegmentMeetings {
     double depth;     ///< > 0
     double fraction;  ///< 0..1 of the way from p0 to p1
   };
-  /// By the ray with this slant (see Projection::slantOf).
+  /// Where the ray with this slant meets it (see Projection::slantOf).
   Meeting at(double slant) const;
 
  private:

@@ -10,10 +10,10 @@
 #include "level/ids.h"
 #include "math/vec.h"
 
-/// What pixels show, as far as marks ask for it.
+/// What pixels show, as far as marks need it.
 namespace hearth {
 
-/// The lines of a texel grid at or before a place: of columns, and of rows.
+/// The lines of a texel grid at or before a place, by their numbers.
 struct GridLines {
   std::int64_t s = 0;
   std::int64_t t = 0;
@@ -36,16 +36,16 @@ struct ShownTimes {
   int times = 0;  ///< how often something was drawn there
 };
 
-/// What the pixels of a column show, row by row, and those of the column to its left: two columns
-/// stay in the processor's caches. They come from left to right.
+/// What the pixels of a column show, row by row, and those of the column to its left. Columns come
+/// from left to right; two of them stay in the processor's caches.
 template <typename Shown>
 class ShownColumns {
  public:
-  /// Nothing shows yet, neither here nor to the left.
+  /// At first nothing shows, neither here nor to the left.
   explicit ShownColumns(int height)
       : left_(static_cast<std::size_t>(height)), here_(static_cast<std::size_t>(height)) {}
 
-  /// Goes on to the next column, in which nothing shows yet.
+  /// Goes on to the next column, where nothing shows yet.
   void next() {
     std::swap(left_, here_);
     std::ranges::fill(here_, Shown{});

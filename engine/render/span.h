@@ -13,16 +13,16 @@ struct Span {
   int rowBegin;
   int rowEnd;
   SurfaceId surface;
-  /// Depth in metres at which the column leaves the sector: that of an upright surface, and the
-  /// farthest that a flat or slope can be.
+  /// Depth in metres at which the column leaves the sector: the depth of an upright surface, and
+  /// the greatest depth of a flat or slope.
   double depth;
   double s = 0;         ///< upright: metres along the authored wall, for the texture
-  double fraction = 0;  ///< upright: of the way from the segment's p0 to its p1
+  double fraction = 0;  ///< upright: of the way from the segment's p0 to p1
   double zRef = 0;      ///< upright: the absolute height at which v is 0
 };
 
-/// What shows where: every pixel of the frame lies in exactly one span of what has no holes. Those
-/// of masked middle textures come behind all of these, from far to near in each pixel.
+/// The spans of a frame. Every pixel lies in exactly one span of a surface without holes. The spans
+/// of masked middle textures follow all of these, from far to near in each pixel.
 struct VisibleSpans {
   std::vector<Span> spans;
   FrameStats stats;

@@ -10,7 +10,7 @@
 
 namespace hearth {
 
-/// A number that changes evenly with another.
+/// A linear function.
 struct Affine {
   double atZero = 0;
   double per = 0;
@@ -18,8 +18,8 @@ struct Affine {
   double at(double x) const { return atZero + x * per; }
 };
 
-/// A texel coordinate of an image, not yet repeated. Places are worked out before texels: where
-/// authors put edges of texels, at round places, rounding then finds these, whatever the way there.
+/// A texel coordinate of an image, not yet repeated. The place in metres is computed first and the
+/// texel from it. So at round places, where authors put edges of texels, the result is exact.
 struct ImageAxis {
   Affine place;       ///< in metres; of a sky the tangent of the elevation
   double origin = 0;  ///< the place of the image's edge
@@ -30,7 +30,7 @@ struct ImageAxis {
 };
 
 /// Where the rows of a span lie in space, on the texture and on the lightmap. The four texel
-/// coordinates change evenly along the span with one number, its parameter: on flats and slopes the
+/// coordinates are linear functions of one number, the span's parameter: on flats and slopes the
 /// depth, on upright surfaces and sky the slope of the view ray (see Projection::raySlopeAt).
 struct SpanMapping {
   bool isPlane = false;  ///< a flat or slope
@@ -46,26 +46,26 @@ struct SpanMapping {
 
   double parameterAt(double raySlope) const { return isPlane ? depthAt(raySlope) : raySlope; }
 
-  /// Of a plane. Rounding at the horizon and at the far edge cannot leave the sector.
+  /// The depth of a plane. Rounding at the horizon and at the far edge cannot leave the sector.
   double depthAt(double raySlope) const {
     const double found = height / (raySlope - rise);
     return found >= 0 && found < depth ? found : depth;
   }
 
-  /// v of a sky: beyond the image its edge rows go on.
+  /// The v of a sky. Beyond the image its edge rows are repeated.
   double skyV(double raySlope, const Texture& image) const {
     return std::max(0.5, std::min(v.at(raySlope), image.height() - 0.5));
   }
 };
 
-/// The same span on an image that shows the same in another size.
+/// The same span on another size of the same image.
 SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to);
 
-/// Without texture: u and v are those of nothing.
+/// Without texture: u and v are unused.
 SpanMapping lightMappingOf(const Scene& scene, const Projection& projection, const Span& span,
                            const LitSurface& lit);
 
-/// `lit` is null where no light can be: sky, and what cannot show.
+/// `lit` is null for surfaces that no light can reach: skies, and those that do not show.
 SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
                       const Texture& image, const LitSurface* lit);
 

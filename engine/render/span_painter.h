@@ -15,7 +15,7 @@
 
 namespace hearth {
 
-/// What the pixels of a surface are made from.
+/// The data from which the pixels of a surface are computed.
 struct Material {
   const Surface& surface;
   const MipMap& texture;
@@ -44,7 +44,7 @@ class SpanPainter {
         projection_(projection),
         raySlopes_(raySlopes) {}
 
-  /// Uses `batch` for what it works out, and adds to `stats` what it did.
+  /// Works in `batch`, and adds its work to `stats`.
   void paint(const Span& span, LightMode mode, RowBatch& batch, Strip& strip,
              PaintStats& stats) const;
 
@@ -56,13 +56,13 @@ class SpanPainter {
  private:
   double sectorLightOn(const Surface& surface) const;
   void findParameters(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
-  /// Of the image, which is the full texture or a size of it, on which `mapping` is.
+  /// The image is the full texture or a smaller size; `mapping` is on that image.
   void findTexels(TextureFilter filter, const Texture& full, const Texture& image,
                   const SpanMapping& mapping, RowBatch& batch) const;
   void findShown(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
   void shade(TextureFilter filter, const Texture& image, LightMode mode, const RowBatch& batch,
              Pixel* pixels) const;
-  /// All but the pixels of holes.
+  /// All pixels except those of holes.
   void shadeAroundHoles(const Texture& image, LightMode mode, const RowBatch& batch,
                         Pixel* pixels) const;
 

@@ -10,9 +10,9 @@
 
 namespace hearth {
 
-/// A few columns of a picture while they are drawn, one behind the other: so few that the
-/// processor's caches hold them, with the part of the picture that they are copied to (8 columns of
-/// 1080 rows are 36 KB).
+/// A few columns of a picture while they are drawn, stored one after the other. They are so few
+/// that the processor's caches hold them together with their part of the picture (8 columns of 1080
+/// rows are 36 KB).
 class Strip {
  public:
   static constexpr int kColumns = 8;
@@ -27,7 +27,7 @@ class Strip {
     pixels_.resize(rowsPerColumn_ * kColumns);
   }
 
-  /// Begins one with all pixels of one colour.
+  /// Begins a strip with all pixels in one colour.
   void begin(int index, int height, Rgb color) {
     begin(index, height);
     std::ranges::fill(pixels_, pixelOf(color));
@@ -39,7 +39,7 @@ class Strip {
                     static_cast<std::size_t>(row)];
   }
 
-  /// Each pixel as a square of pixels of the picture, whose edge may cut it.
+  /// Copies each pixel to a square of pixels of the picture, whose edge may cut the square.
   void copyTo(const PixelRows& picture, int pixelSize) const;
 
  private:

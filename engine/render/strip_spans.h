@@ -16,8 +16,7 @@ namespace hearth {
 /// frame to frame.
 class StripSpans {
  public:
-  /// Counts the spans of each strip, and puts them where those of the strips before end. `columns`
-  /// begin with a strip.
+  /// Sorts the spans by strip (a counting sort). `columns` begin with a strip.
   void sort(const VisibleSpans& found, ColumnRange columns) {
     const std::span spans(found.spans);
     const auto strips = static_cast<std::size_t>(Strip::countIn(columns.end - columns.begin));
@@ -35,10 +34,11 @@ class StripSpans {
     for (const Span& span : spans) sorted_[begin_[stripOf(span) + 1]++] = span;
   }
 
-  /// How many pixels of a strip show something that has no holes: no two such spans share a pixel.
+  /// The number of pixels of a strip that show a surface without holes: no two such spans share a
+  /// pixel.
   int pixelsOf(int strip) const { return pixels_[static_cast<std::size_t>(strip - firstStrip_)]; }
 
-  /// Those of one strip of the frame, in the order in which they were found.
+  /// The spans of one strip of the frame, in the order in which they were found.
   std::span<const Span> of(int strip) const {
     const auto index = static_cast<std::size_t>(strip - firstStrip_);
     return std::span(sorted_).subspan(begin_[index], begin_[index + 1] - begin_[index]);

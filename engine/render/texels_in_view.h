@@ -8,8 +8,8 @@
 
 namespace hearth {
 
-/// The texels that a frame can read of lightmaps, by rising surface: for each surface in view a
-/// rectangle of them. `surfaces` are the level's.
+/// The texels of lightmaps that a frame can read: a rectangle for each surface in view, by rising
+/// SurfaceId. `surfaces` are the level's.
 std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& surfaces,
                                         const Camera& camera, const DrawSettings& settings);
 

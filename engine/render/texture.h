@@ -12,8 +12,8 @@
 
 namespace hearth {
 
-/// A colour in 32 bits: red in the lowest, then green and blue. The highest mean nothing, except
-/// for texels that are holes.
+/// A colour in 32 bits: red in the lowest 8, then green and blue. The highest 8 are unused, except
+/// in texels that are holes.
 using Pixel = std::uint32_t;
 
 inline constexpr Pixel kHoleBit = Pixel{1} << 31;
@@ -27,8 +27,8 @@ inline Rgb colorOf(Pixel pixel) {
           static_cast<std::uint8_t>(pixel >> 16)};
 }
 
-/// An image as spans read it, texel by texel: each in 32 bits, and column by column, as the spans
-/// of walls and skies go down one.
+/// An image as spans read it: 32 bits a texel, column by column, because the spans of walls and
+/// skies go down a column.
 class Texture {
  public:
   explicit Texture(const Image& image) : width_(image.width()), height_(image.height()) {
@@ -52,9 +52,9 @@ class Texture {
 /// A texture in several sizes, each half as wide and high as the one before: mip levels.
 class MipMap {
  public:
-  /// In its full size alone.
+  /// Only the full size.
   explicit MipMap(const Image& image) : levels_{Texture(image)} {}
-  /// Down to a single texel.
+  /// All sizes down to a single texel.
   static MipMap withAllSizes(Image image) {
     MipMap sizes(image);
     while (image.width() > 1 || image.height() > 1) {
@@ -65,7 +65,7 @@ class MipMap {
   }
 
   const Texture& full() const { return levels_.front(); }
-  /// 0 is the full size; past the smallest it is that.
+  /// 0 is the full size; numbers past the smallest give the smallest.
   const Texture& level(int number) const {
     return levels_[std::min(static_cast<std::size_t>(number), levels_.size() - 1)];
   }

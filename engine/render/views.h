@@ -8,12 +8,12 @@
 
 namespace hearth {
 
-/// The four spaces through which a wall passes on its way to the screen, each as a picture, and the
-/// last of them as if nothing hid anything. Walls that lead nowhere are white, those with an
-/// opening orange; on the screen the edges of flat portals are green.
+/// Pictures of the four spaces through which a wall passes on its way to the screen, and a
+/// wireframe of the last one. Walls without an opening are white, walls with one orange; on the
+/// screen the edges of flat portals are green.
 enum class View : std::uint8_t {
-  World,       ///< the map, y down, the eye and its field of view; far lakes run out of it
-  Camera,      ///< as the camera turns it: the eye below, looking up; dim what it cannot see
+  World,       ///< the plan, y down, with the eye and its field of view
+  Camera,      ///< as the camera turns it: the eye below, looking up; dim outside its view
   DepthSpace,  ///< columns to the right, 1/depth downwards: the segments in view, still straight
   Screen,      ///< edges of the walls in view, dim where something hides them
   Wireframe,   ///< edges of all walls in the field of view, hidden or not, dimmer when far

@@ -7,13 +7,13 @@
 
 namespace hearth {
 
-/// The first phase of a frame: which surface shows in which rows of some of its columns. What is
-/// found in a column does not depend on the others. The camera's sector must contain its eye, which
-/// `projection` has off the walls. The result lies in `scratch`, until the next search.
+/// The first phase of a frame: finds which surface shows in which rows of some of its columns. Each
+/// column is independent of the others. The camera's sector must contain its eye; `projection` has
+/// moved the eye off the walls. The result lies in `scratch` until the next search.
 const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                      const Projection& projection, ColumnRange columns,
                                      VisibilityScratch& scratch);
-/// The same in all of them.
+/// The same for all columns.
 inline const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                             const Projection& projection,
                                             VisibilityScratch& scratch) {

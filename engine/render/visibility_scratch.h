@@ -11,7 +11,7 @@
 
 namespace hearth {
 
-/// Rows [top, bottom) of one column through which something is still to be seen.
+/// Rows [top, bottom) of one column that are still open.
 struct Window {
   int column;
   int top;
@@ -61,8 +61,7 @@ class SpareWindows {
   std::vector<std::vector<Window>> spare_;
 };
 
-/// What the search for visible spans works in. Kept from frame to frame, it takes no more memory
-/// once it has grown to what frames need.
+/// The memory of the search for visible spans. Kept from frame to frame, it soon grows no more.
 struct VisibilityScratch {
   VisibleSpans found;               ///< of the last frame
   std::vector<Span> maskedMiddles;  ///< of the present frame, as they are found: near to far

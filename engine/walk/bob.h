@@ -4,8 +4,7 @@
 
 namespace hearth {
 
-/// How the head of a walker goes up and down with the steps. It moves the view alone: no walk
-/// depends on it.
+/// How the head of a walker bobs with the steps. It moves only the view: no walk depends on it.
 struct Gait {
   double stride = 0;  ///< metres walked on the ground
   double swing = 0;   ///< 0 at rest .. 1 running; follows the walker in an eighth of a second

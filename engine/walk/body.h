@@ -6,11 +6,11 @@
 
 namespace hearth {
 
-/// Metres. The body keeps so far off what stops it, stands as much above nothing, and takes heights
-/// that differ by less for equal: the slack that positions have.
+/// Metres. The body keeps this distance from blockers, and treats heights that differ by less as
+/// equal. It is the slack of positions.
 inline constexpr double kSkin = 1e-6;
 
-/// Rise per metre. Steeper floors stop a walk up; 1 is 45 degrees.
+/// Rise per metre; 1 is 45 degrees. The body cannot walk up steeper floors.
 inline constexpr double kSteepestWalk = 1;
 
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -20,7 +20,7 @@ struct Body {
   double radius;
   double height;     ///< as low as the body crouches now
   double eyeHeight;  ///< above the feet, likewise
-  double step;       ///< what the body climbs
+  double step;       ///< the highest step that the body climbs
 };
 
 /// `crouch` is Walker's: 0 standing .. 1 crouching. Both heights shrink alike.

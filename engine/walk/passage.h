@@ -20,7 +20,7 @@ Interval common(Interval a, Interval b);
 /// The part of a segment within `radius` of the origin, its ends being given relative to that.
 Interval chordOf(Vec2 a, Vec2 b, double radius);
 
-/// The upright room that a body takes up and may rise to.
+/// The heights that a body takes up, and to which it may step.
 struct UprightBody {
   double zFeet;
   double zClimb;  ///< the highest that the feet may step up to, >= zFeet
@@ -28,14 +28,14 @@ struct UprightBody {
   double zHead() const { return zFeet + height; }
 };
 
-/// Openings of a segment one above the other that a body can pass as one. Heights are absolute and
-/// those at p0 and p1; of several lines the highest bottom (the lowest top) counts.
+/// Openings of a segment, one above the other, that a body can pass as one. Heights are absolute,
+/// at p0 and p1; of several lines the highest bottom (the lowest top) counts.
 class Passage {
  public:
   /// The pieces [first, last] of a segment.
   Passage(const Scene& scene, const Segment& segment, std::size_t first, std::size_t last);
 
-  /// Where along the segment the body fits through, having stepped up if need be.
+  /// Where along the segment the body fits through; it steps up if it must.
   Interval openTo(const UprightBody& body) const;
 
   /// The highest bottom and the lowest top within an interval of the segment; infinite where the

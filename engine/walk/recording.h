@@ -10,10 +10,11 @@
 
 namespace hearth {
 
-/// A walker with its sector's name instead of its number, which other levels give to others.
+/// A walker with the name of its sector: the number may be another sector's in another version of
+/// the level.
 struct RecordedState {
   std::string sector;
-  Walker walker;  ///< its `sector` means nothing here
+  Walker walker;  ///< its `sector` is unused
 
   friend bool operator==(const RecordedState& a, const RecordedState& b);
 };
@@ -30,7 +31,7 @@ struct RecordedStart {
   friend bool operator==(const RecordedStart&, const RecordedStart&) = default;
 };
 
-/// A walk: what was asked for in every tick, and where it led to the bit.
+/// A walk: the input of every tick, and the end of the walk to the bit.
 struct Recording {
   RecordedStart start;
   std::vector<WalkInput> inputs;

@@ -7,21 +7,21 @@
 
 namespace hearth {
 
-/// A body's place, and what is below and above it there.
+/// A body's place, and the floor and ceiling there.
 struct Stand {
   SectorId sector;  ///< contains `feet` within kPositionSlack
   Vec3 feet;
-  double zSupport;  ///< the highest that bears it; -infinity where nothing does near below
-  double zCap;      ///< the lowest above its head; +infinity where nothing is near above
+  double zSupport;  ///< the highest support; -infinity if there is none near below
+  double zCap;      ///< the lowest ceiling above its head; +infinity if none is near
 
   bool isBuried = false;  ///< in something too high to step up to
 
   bool hasRoomFor(double height) const { return zCap + kSkin >= feet.z + height; }
 };
 
-/// What is round a body at `feet`, raised on what bears it where that is no higher than `zClimb`.
-/// Nothing is known farther below the feet than `down` metres, above the head than `up`. None where
-/// no linked sector contains the raised feet; those given may be below the sector's floor.
+/// The stand of a body at `feet`, raised onto its support if that is no higher than `zClimb`. Looks
+/// at most `down` metres below the feet and `up` above the head. None if no linked sector contains
+/// the raised feet; the given feet may be below the sector's floor.
 std::optional<Stand> standAt(const Scene& scene, const Body& body, SectorId sector, Vec3 feet,
                              double zClimb, double down, double up);
 
@@ -32,7 +32,8 @@ struct Move {
 };
 
 /// Moves a body over the ground by `motion`, sliding along what stops it and stepping up to
-/// `Body::step`. Where the way is too complicated, less far, and where it does not fit, not at all.
+/// `Body::step`. It moves less far where the way is too complicated, and not at all where the body
+/// does not fit.
 Move movedAlong(const Scene& scene, const Body& body, const Stand& from, Vec2 motion);
 
 /// Moves a body up or down by `rise` until something stops it.

@@ -12,7 +12,7 @@
 
 namespace hearth {
 
-/// What stops a body that comes from the front of a -> b. Relative to Reach::center, in metres.
+/// A line that stops a body from the front of a -> b. Relative to Reach::center, in metres.
 struct Blocker {
   Vec2 a;
   Vec2 b;
@@ -32,24 +32,23 @@ struct Reach {
   double zHigh;  ///< ... and the highest that the head may: flat portals between are followed
 };
 
-/// What a body at `center` meets within reach: found by following links from its sector, through
-/// what the body fits through. So sectors that merely overlap in space are not in it, and a wall
-/// stops only a body in front of it.
+/// What a body at `center` meets within reach. The search follows links from its sector, through
+/// openings that the body fits through. So sectors that merely overlap in space are left out, and a
+/// wall stops only a body in front of it.
 class Surroundings {
  public:
   Surroundings(const Scene& scene, SectorId from, const Reach& reach);
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 
-  /// `from` first; none farther by links before a nearer one.
+  /// `from` first, the others by rising number of links to it.
   const std::pmr::vector<SectorId>& sectors() const { return sectors_; }
   const std::pmr::vector<Blocker>& blockers() const { return blockers_; }
-  /// The highest that the feet can stand on of all that is within reach, and no higher than they
-  /// can step up to; -infinity for nothing.
+  /// The highest support within reach that the feet can step up to; -infinity if there is none.
   double zSupport() const { return zSupport_; }
-  /// Something that would bear the body is higher than that.
+  /// Whether a support within reach is too high to step up to.
   bool isBuried() const { return isBuried_; }
-  /// The lowest that is above the head.
+  /// The lowest ceiling above the head.
   double zCap() const { return zCap_; }
 
  private:

@@ -4,8 +4,8 @@
 
 namespace hearth {
 
-/// Turns the time of a clock, whatever it does, into ticks of fixed length. Its owner reads the
-/// clock; so a test can be one.
+/// Turns the time of any clock into ticks of fixed length. The owner reads the clock, so a test can
+/// be the clock.
 class WalkClock {
  public:
   struct Due {
@@ -13,9 +13,9 @@ class WalkClock {
     double fraction = 0;  ///< [0, 1): how far the present is into the tick after these
   };
 
-  /// What is due at `now`, in seconds from any origin. The first call starts the clock. At most a
-  /// quarter of a second is made up for and the rest forgotten, so that a pause is no leap; a clock
-  /// that is set back (or says no number) makes nothing due and goes on from there.
+  /// The ticks that are due at `now`, in seconds from any origin. The first call starts the clock.
+  /// After a pause at most a quarter of a second is made up for. If the clock is set back, or gives
+  /// no number, nothing is due, and time goes on from there.
   Due advance(double now);
 
  private:

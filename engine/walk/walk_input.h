@@ -8,8 +8,8 @@ inline constexpr int kTicksPerSecond = 64;
 /// Full speed in WalkInput.
 inline constexpr int kFullSpeed = 127;
 
-/// What the player asks for during one tick: integers, so that a recording is exact. Fractions
-/// beyond the full one count as full.
+/// The player's input for one tick, in integers, so that a recording is exact. Speeds beyond full
+/// speed count as full.
 struct WalkInput {
   int forward = 0;  ///< -127..127; fraction of full speed
   int right = 0;    ///< -127..127

@@ -19,9 +19,9 @@ struct Walker {
   friend bool operator==(const Walker&, const Walker&) = default;
 };
 
-/// Stands the player where the eye is, which the sector contains. A floor above the feet raises the
-/// player, and a ceiling below the head makes the player crouch; without room even so, the player
-/// is stuck. In the air the player starts to fall.
+/// Places the player with the eye at a point, which the sector contains. A floor above the feet
+/// raises the player, and a ceiling below the head makes the player crouch. If there is no room
+/// even so, the player is stuck. A player in the air starts to fall.
 Walker walkerAt(const Scene& scene, SectorId sector, Vec3 eye, double angle, double pitch);
 
 /// The walker one tick later. Depends on nothing but its arguments, to the bit.
@@ -39,7 +39,7 @@ struct Eye {
 
 Eye eyeOf(const Scene& scene, const Walker& walker);
 
-/// What is seen `fraction` (0..1) of a tick after `before`. Angles go the short way round.
+/// The eye `fraction` (0..1) of a tick after `before`. Angles turn the shorter way.
 Eye eyeBetween(const Scene& scene, const Walker& before, const Walker& after, double fraction);
 
 }  // namespace hearth
