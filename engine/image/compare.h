@@ -14,15 +14,14 @@ struct PictureDifference {
   std::int64_t over2 = 0;      ///< Pixels that differ by more than 2 levels.
   std::int64_t over8 = 0;      ///< Pixels that differ by more than 8 levels.
   int largest = 0;             ///< The largest difference, in levels.
-  /// Pixels of the largest patch of pixels that differ, or by more than is said; a patch holds
-  /// together through common edges, not through corners.
+  /// Pixels of the largest patch of pixels that differ by more than `blobOver`. The pixels of a
+  /// patch are joined by edges, not by corners.
   std::int64_t largestBlob = 0;
 
   friend constexpr bool operator==(PictureDifference, PictureDifference) = default;
 };
 
-/// The pictures must have the same size. Patches are of pixels that differ by more than `blobOver`
-/// levels.
+/// The pictures must have the same size. `blobOver` is in levels.
 PictureDifference compare(const Image& expected, const Image& actual, int blobOver = 0);
 
 /// The difference of every channel, made visible: none is black, one level is 88 and each further

@@ -4,8 +4,8 @@
 
 namespace hearth {
 
-/// The picture at half its width and height, rounded down, but no less than a pixel: each of its
-/// pixels is the mean of what it covers. Not of an empty picture.
+/// The picture at half its width and height, rounded down, at least one pixel. Each of its pixels
+/// is the mean of those that it covers. The picture must not be empty.
 Image halved(const Image& image);
 
 }  // namespace hearth

@@ -19,12 +19,12 @@ struct Opening {
   /// The next sector's wedges that can stand in the opening; none where it has no slope.
   std::optional<SurfaceId> floorSidewall;
   std::optional<SurfaceId> ceilingSidewall;
-  std::optional<SurfaceId> maskedMiddle;  ///< what hangs in it, seen from this side
+  std::optional<SurfaceId> maskedMiddle;  ///< its masked texture, seen from this side
 
   friend bool operator==(const Opening&, const Opening&) = default;
 };
 
-/// What a segment holds between two heights: something that shows, or a way on.
+/// A part of a segment between two heights: a surface or an opening.
 struct WallPiece {
   double zBottom;  ///< absolute
   double zTop;     ///< absolute, > zBottom
@@ -33,7 +33,8 @@ struct WallPiece {
   friend bool operator==(const WallPiece&, const WallPiece&) = default;
 };
 
-/// What light passes: as the openings, but endless above (below) between two skies.
+/// A part of a segment that light passes: like an opening, but endless above (below) between two
+/// skies.
 struct LightOpening {
   double zBottom;  ///< absolute, or -infinity
   double zTop;     ///< absolute, or +infinity
@@ -70,7 +71,7 @@ struct SegmentGeometry {
 };
 
 struct SurfaceGeometry {
-  bool shows = false;  ///< if not, the rest says nothing
+  bool shows = false;  ///< if not, the rest is unused
   /// Upright: the absolute heights between which it may show. Sidewalls: those of the opening
   /// that they stand in; what their slope covers of it, `openingSpan` in level/openings.h tells.
   /// Masked middle textures: those of the image in its opening.
@@ -98,21 +99,21 @@ struct Geometry {
   std::vector<SurfaceId> maskedMiddles;     ///< of all light openings
 };
 
-/// A place where something can be seen that has no texture.
+/// A place where a surface without a texture shows.
 struct MissingTexture {
   SegmentId segment;      ///< on which it shows; for a sidewall, that of the viewing sector
   std::uint32_t subWall;  ///< 0 for a wall that is no stack
   SurfaceKind kind;
 };
 
-/// The geometry at the heights that the author gave. Adds to `missing` what shows and has no
-/// texture; with any, do not use the geometry.
+/// The geometry at the authored heights. Adds surfaces that show without a texture to `missing`; if
+/// there are any, do not use the geometry.
 ///
 /// Expects a level that `linkSurfaces` has completed.
 Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing);
 
-/// Moves the flats of one sector to `heights`, and derives anew what follows from them: the sector
-/// and the walls that lead into it. Takes time for these alone. Stacks move with their floor.
+/// Moves the flats of one sector to `heights`, and derives the sector and the walls that lead into
+/// it anew. The time depends on these alone. Stacks move with their floor.
 ///
 /// Expects: zFloor <= zCeiling, sub-walls of stacks between them, textures where steps show. Flats
 /// that are sky, flat portals or carry a slope stay where they are.

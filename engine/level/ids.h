@@ -7,8 +7,8 @@
 
 namespace hearth {
 
-/// An index into one vector of the Level, of a type of its own so that a segment's index cannot be
-/// used for a sector's. "None" is std::optional's business, never a special value.
+/// An index into one vector of the Level. Each has its own type, so that a segment's index cannot
+/// be used for a sector. "None" is an empty std::optional, never a special value.
 template <typename Tag>
 struct Id {
   std::uint32_t value = 0;

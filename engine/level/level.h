@@ -37,9 +37,9 @@ struct Shot {
   int height = 200;
 };
 
-/// What was authored of a level, linked and valid. Immutable once `linkSurfaces` has run: what
-/// follows from heights lives in a `Geometry`, what belongs to a frame or to a bake with the
-/// renderer and the bakery.
+/// A level as authored, linked and valid. Immutable once `linkSurfaces` has run. Data that follows
+/// from heights lives in a `Geometry`; data of a frame or a bake lives with the renderer and the
+/// bakery.
 struct Level {
   std::string name;
   std::vector<std::string> textures;  ///< names, by TextureId

@@ -15,13 +15,13 @@ struct CurvePoint {
   friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };
 
-/// A point of light, or a ball of it when `radius` > 0.
+/// A point light, or a ball of light if `radius` > 0.
 struct LightSource {
   Vec3 position;
   SectorId sector;
   double intensity = 255;         ///< levels at distance 0
   double falloff = 0;             ///< per metre
-  std::vector<CurvePoint> curve;  ///< when not empty, instead of intensity and falloff
+  std::vector<CurvePoint> curve;  ///< if not empty, it replaces intensity and falloff
   std::uint8_t color[3] = {255, 255, 255};
   double radius = 0;  ///< metres
 
@@ -30,7 +30,7 @@ struct LightSource {
   /// The distance, in metres, beyond which no channel exceeds `level`: 0 if none ever does,
   /// infinity if one always does.
   double reach(double level) const;
-  /// By which light is multiplied in a channel: 0 red, 1 green, 2 blue.
+  /// The factor of the light in a channel: 0 red, 1 green, 2 blue.
   double colorFactor(int channel) const { return color[channel] / 255.0; }
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
 

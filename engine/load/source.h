@@ -13,7 +13,7 @@
 
 namespace hearth {
 
-/// The way back from a loaded level to its files: what they say of each of its parts, and where.
+/// The way back from a loaded level to its files: the description of each part, and its place.
 struct LevelSource {
   std::vector<Document> documents;    ///< by Place::document
   LevelDescription level;             ///< sectors and shots are those of the level, by index
@@ -29,7 +29,7 @@ struct LevelSource {
 
 struct SourcedResult {
   LoadResult result;
-  LevelSource source;  ///< incomplete where no level was loaded
+  LevelSource source;  ///< incomplete if no level was loaded
 };
 
 /// `loadLevel`, for a caller that reports on the level's files as well. Holds all of their text.
@@ -38,11 +38,11 @@ SourcedResult loadLevelWithSource(const std::filesystem::path& file, const LoadL
                                   const std::optional<std::string>& unsavedLights = {},
                                   const FileSource& files = DiskFiles());
 
-/// The level with what its lights file says now: what loading gives where no other file has
-/// changed, and much sooner; it tells of that file alone. `source` is that of `loaded`, and becomes
-/// that of the result if this has a level. None where the level has no such file (any more), or its
-/// first or last light comes or goes of a level that else is fully bright. `unsavedLights` as
-/// above.
+/// Reads only the lights file again. If no other file has changed, the result is that of loading,
+/// in much less time; its diagnostics are about that file alone. `source` is that of `loaded`, and
+/// becomes that of the result if there is a level. None if the level has no such file (any more),
+/// or if a level that is fully bright without lights gets its first light or loses its last.
+/// `unsavedLights` as above.
 std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& source,
                                        const LoadLimits& limits = {},
                                        const std::optional<std::string>& unsavedLights = {},

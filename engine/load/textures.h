@@ -22,7 +22,7 @@ namespace hearth {
 class TextureTable {
  public:
   TextureMapping link(const TextureDescription& texture);
-  /// For what could not be read: the level it goes into is not to be used.
+  /// For a texture that could not be read. A level with it must not be used.
   TextureMapping standIn();
 
   /// By id, each at the place of its first use in the file.
@@ -48,13 +48,13 @@ struct TexturePlace {
   const std::optional<NameReference>& folder;  ///< that the level file names, if it does
 };
 
-/// Reads the images of surfaces that show. Of the others only the header is read, and they are one
+/// Reads the images of surfaces that show. For the others it reads only the header, and gives one
 /// black pixel. Up to four threads read them. A missing or broken image is reported where it is
 /// first used.
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
                           const TexturePlace& place, const LoadLimits& limits);
 
-/// By TextureId, of images that a masked middle texture shows; none of the others.
+/// By TextureId: the holes of images of masked middle textures; none for the others.
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images);
 
 }  // namespace hearth

@@ -24,9 +24,9 @@ class Workers {
 
   int threads() const { return static_cast<int>(helpers_.size()) + 1; }
 
-  /// Calls work(i) for every i in [0, count) in no fixed order. `work` must write only to what
-  /// belongs to i. What it throws is thrown on, once no thread is at work any more; of several
-  /// exceptions the first. Indices that were not begun are then left out.
+  /// Calls work(i) for every i in [0, count) in no fixed order. `work` must write only to data of
+  /// i. If it throws, the first exception is rethrown once all threads have stopped; the remaining
+  /// indices are then left out.
   void run(std::size_t count, const std::function<void(std::size_t)>& work);
 
  private:

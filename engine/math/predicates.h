@@ -10,8 +10,8 @@ namespace hearth {
 /// (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997).
 int orientation(Vec2 a, Vec2 b, Vec2 c);
 
-/// Of two segments that do not cross and that one ray from `eye` meets, whether the ray meets a
-/// before b. Exact, also where they share an end point. False for segments of one line.
+/// Whether a ray from `eye` that meets two segments meets a before b; the segments do not cross.
+/// Exact, also if they share an end point. False for segments of one line.
 bool meetsFirst(Vec2 eye, Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1);
 
 /// The point of the segment a -> b that is nearest to p.

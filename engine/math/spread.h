@@ -6,10 +6,10 @@ namespace hearth {
 
 struct Spread {
   double median = 0;
-  double p95 = 0;  ///< which 95 of 100 do not exceed
+  double p95 = 0;  ///< 95 of 100 values do not exceed it
 };
 
-/// Of at least one value.
+/// The spread of at least one value.
 Spread spreadOf(std::vector<double> values);
 
 }  // namespace hearth

@@ -5,7 +5,7 @@
 /// Every tolerance of the engine, with its unit and where it comes from.
 namespace hearth {
 
-/// Metres. What an author cannot mean: vertices, planes and heights closer than this coincide
+/// Metres. Differences that no author means: vertices, planes and heights closer than this coincide
 /// (a thousandth of the shortest edge concerned where that is less).
 inline constexpr double kAuthorNoise = 1e-3;
 inline constexpr double kAuthorNoiseOfEdge = 1e-3;
@@ -35,9 +35,9 @@ inline constexpr double kNudge = 1e-9;
 /// or of a slope's rise is none.
 inline constexpr double kHeightNoise = 1e-9;
 
-/// Metres before its target within which nothing stops a ray of light any more: the target lies on
-/// a surface, and which side of it rounding puts the crossing is chance. A tenth of kEdgeInset, so
-/// that a ray to the edge of a surface is still stopped by what stands beside that.
+/// Metres before its target within which nothing stops a ray of light: the target lies on a
+/// surface, and rounding may put the crossing on either side of it. A tenth of kEdgeInset, so that
+/// a surface beside the edge of another still stops a ray to that edge.
 inline constexpr double kArrival = 1e-7;
 
 /// Metres. Rays of light arrive at least about this far off the edges of a surface: the slack that

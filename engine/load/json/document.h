@@ -33,7 +33,7 @@ struct JsonNode {
 
 /// A JSON file as a tree in which every node knows its place. Nodes stand in the order of the file:
 /// a node's first child follows it at once, an object's children are key, value, key, value, ...
-/// What stands under keys that start with `$` or `//` is left out.
+/// Values of keys that start with `$` or `//` are left out.
 struct Document {
   std::string file;  ///< as messages name it
   std::string text;
@@ -74,7 +74,7 @@ class JsonValue {
   std::vector<JsonValue> elements() const;           ///< of an array
   JsonValue front() const { return at(node_ + 1); }  ///< of an array that is not empty
   std::vector<Member> members() const;               ///< of an object
-  std::size_t size() const;                          ///< how many elements; O(size)
+  std::size_t size() const;                          ///< the number of elements; O(size)
 
  private:
   const JsonNode& node() const { return document_->nodes[node_]; }

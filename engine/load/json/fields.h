@@ -24,8 +24,8 @@ struct NumberRange {
 inline constexpr NumberRange kCoordinate{-kWorldLimit, kWorldLimit};
 inline constexpr NumberRange kLength{0, kWorldLimit};
 
-/// Readers of single values. Each reports a wrong type or a value out of range and then gives
-/// nothing.
+/// Readers of single values. Each reports a wrong type or a value out of range, and then returns
+/// none.
 std::optional<double> readNumber(Report& report, JsonValue value, NumberRange range);
 std::optional<int> readInteger(Report& report, JsonValue value, NumberRange range);
 std::optional<bool> readBoolean(Report& report, JsonValue value);

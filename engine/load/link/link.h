@@ -22,10 +22,10 @@ class SectorNames {
   explicit SectorNames(const LevelDescription& description);
 
   bool has(const std::string& name) const { return ids_.contains(name); }
-  /// Reports a name that no sector has. Nothing for one that several have: that has been reported.
+  /// Reports a name that no sector has. A name that several sectors have is already reported.
   std::optional<SectorId> link(Report& report, const NameReference& name) const;
-  /// Reports it for a wall of the sector named `own`, which it does not mean; rather one of those
-  /// `behind` the wall.
+  /// Reports the name for a wall of the sector `own`, and suggests one of the sectors `behind` the
+  /// wall.
   void reportUnknown(Report& report, const NameReference& name, std::string_view own,
                      std::span<const std::string_view> behind) const;
 
@@ -45,8 +45,8 @@ struct Linking {
   Outlines outlines;
   std::vector<std::optional<Wall>> walls;  ///< by edge; none where the file's could not be linked
   std::vector<std::uint32_t> edgeOf;       ///< by segment
-  /// By sector: whether a mistake in its heights or outline has been reported. Then nothing is said
-  /// about what shows in it.
+  /// By sector: whether a mistake in its heights or outline has been reported. Then
+  /// missing textures in it are not reported.
   std::vector<bool> isDoubtful;
 
   Scene scene() const { return {level, geometry}; }
@@ -90,14 +90,14 @@ void validateRings(Linking& linking);
 void validateReach(Linking& linking);
 /// A light that lies on a surface of its sector: a warning. After `deriveGeometry`.
 void validateLight(Report& report, const Scene& scene, Place place, const LightSource& light);
-/// Tells of what shows without a texture, at its cause.
+/// Reports surfaces that show without a texture, each at its cause.
 void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing);
-/// Sectors of player, shots and lights. After `deriveGeometry`. A position is not looked for where
-/// a mistake has been reported about a sector that may hold it.
+/// Sectors of player, shots and lights. After `deriveGeometry`. A position is skipped if a
+/// mistake has been reported about a sector that may contain it.
 void linkPositions(Linking& linking, const LightsDescription& lights);
-/// Of these the lights, and how they are baked.
+/// Only the lights, and the settings of the bake.
 void linkLights(Linking& linking, const LightsDescription& lights);
-/// Whether neither level nor lights say anything of light: then all is fully bright.
+/// Whether neither level nor lights mention light: then all is fully bright.
 bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights);
 
 }  // namespace hearth

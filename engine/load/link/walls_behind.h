@@ -10,8 +10,8 @@
 
 namespace hearth {
 
-/// What lies behind a wall on the map, whatever the file says that it leads to: for advice on
-/// portals that lead nowhere. Expects the sectors' heights.
+/// Finds the sectors behind a wall in plan, for advice on portals that lead nowhere. Expects the
+/// sectors' heights.
 class WallsBehind {
  public:
   explicit WallsBehind(const Linking& linking) : linking_(linking) {}
@@ -25,7 +25,7 @@ class WallsBehind {
   bool overlapInHeight(SectorId a, SectorId b) const;
 
   const Linking& linking_;
-  std::optional<BoxTree> edges_;  ///< built when it is first asked
+  std::optional<BoxTree> edges_;  ///< built when it is first needed
 };
 
 /// An end of a wall that a vertex of another sector was to lie on.

@@ -11,9 +11,9 @@
 #include "load/json/document.h"
 #include "math/vec.h"
 
-/// What the files say, each key with its type and default, names still names. Whatever could not be
-/// read has been reported; a stand-in (`Unreadable`, an empty optional) takes its place, so that
-/// later stages can look for mistakes in the rest.
+/// The contents of the files, each key with its type and default, and with names instead of ids.
+/// Values that could not be read are already reported; a stand-in (`Unreadable`, an empty optional)
+/// takes their place, so that later stages can find mistakes in the rest.
 namespace hearth {
 
 struct NameReference {
