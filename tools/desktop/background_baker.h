@@ -42,28 +42,28 @@ struct LitLevel {
   Renderer renderer;
 };
 
-/// The same, drawn otherwise.
+/// The same level with other draw settings.
 std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings);
 
-/// What has become of a version of a level.
+/// The state of a version of a level.
 struct LevelNews {
   std::vector<std::string> warnings = {};
-  /// For which the files cannot be shown as they are now. Then `level`, if any, is of before.
+  /// Why the files cannot be shown as they are now. Then `level`, if any, is an earlier version.
   std::vector<std::string> mistakes = {};
   std::shared_ptr<const LitLevel> level = nullptr;
-  bool isDraft = false;  ///< better light is to come
+  bool isDraft = false;  ///< better light follows
 };
 
 /// Loads and bakes a level on request, in a thread of its own with low priority. A new request
 /// cancels the one before.
 class BackgroundBaker {
  public:
-  /// In which the next file of one save follows: until its lights have come, too, a level that was
+  /// The time in which the next file of one save follows. Until its lights follow, a level that is
   /// copied over another may be wrong.
   static constexpr std::chrono::milliseconds kNextFile{50};
 
   /// Bakes `loaded` first, with the settings of the command line above those of the file. Mistakes
-  /// are told unless another file comes within `nextFile`.
+  /// are reported unless another file follows within `nextFile`.
   BackgroundBaker(const OptionValues& values, std::shared_ptr<const LoadedLevel> loaded,
                   std::shared_ptr<const LevelSource> source, std::chrono::milliseconds nextFile);
   ~BackgroundBaker();
@@ -71,20 +71,20 @@ class BackgroundBaker {
   BackgroundBaker& operator=(const BackgroundBaker&) = delete;
 
   enum class Changed { Lights, Anything };
-  /// Loads the level anew: all of it, or just its lights where only their file has changed.
+  /// Loads the level anew: all of it, or only its lights if only their file has changed.
   void reload(Changed changed);
-  /// From now on the lights file is taken to hold this text, which is not saved yet. Lights that
-  /// come in quick succession show: a bake of which nothing has shown yet is not given up for them.
+  /// From now on this unsaved text replaces that of the lights file. If texts follow quickly, their
+  /// light still shows: they do not cancel a bake before any of its light has shown.
   void setLights(std::string unsaved);
   /// Takes lights from their file again, from the next reload on.
   void forgetLights();
-  /// Bakes and draws by other options from now on. The level at hand is baked anew where they ask
-  /// for that; `redrawn` only draws it otherwise.
+  /// Bakes and draws by other options from now on. The current level is baked anew if its light
+  /// depends on them; `redrawn` only changes how it is drawn.
   void setOptions(const OptionValues& values);
 
-  /// The oldest that has not been given out.
+  /// The oldest news that has not been taken.
   std::optional<LevelNews> news();
-  /// Of a bake, while there is one that shows.
+  /// The progress of a bake, while one shows.
   std::optional<StageProgress> progress() const;
 
  private:

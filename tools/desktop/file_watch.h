@@ -8,8 +8,8 @@
 
 namespace hearth {
 
-/// Tells when files have been written: once their writer has closed them or put them in
-/// their place, so that none is read half-written. By inotify(7), which the kernel tells.
+/// Detects written files (inotify(7)): once their writer has closed them or moved them into place,
+/// so that none is read half-written.
 class FileWatch {
  public:
   FileWatch();

@@ -18,9 +18,9 @@
 
 namespace hearth {
 
-/// Lets a walk go on in its level as its files are edited: each time one of them is saved the level
-/// is loaded anew, and shown once it is lit. A level with mistakes is not shown: they stand over
-/// the last good one until they are mended.
+/// Reloads the level of a walk while its files are edited: whenever one of them is saved, the level
+/// is loaded anew, and shows once it is lit. A level with mistakes does not show; the mistakes
+/// stand over the last good version until they are mended.
 class LiveLevel {
  public:
   /// Lights `loaded`, meanwhile.
@@ -37,7 +37,7 @@ class LiveLevel {
   /// The last that was given out.
   const std::shared_ptr<const LitLevel>& shown() const { return shown_; }
 
-  /// Looks what has happened, between two frames.
+  /// Call it between two frames.
   void update(WalkLoop& loop, WalkSession& session, WindowHost& outside);
 
  private:
@@ -58,9 +58,9 @@ class LiveLevel {
   std::string report_;                          ///< to be printed once the next frame is shown
 };
 
-/// Where a walker of one version of a level is in another: the same place, if that lies in a sector
-/// still, the one of the same name before others; else where the player starts. None where there is
-/// no such place.
+/// The place of a walker of one version of a level in another version: the same place, if a sector
+/// contains it (one of the same name before others); else the player's start. None if there is no
+/// such place.
 std::optional<Walker> carriedOver(const Scene& from, const Walker& walker, const Scene& to);
 
 }  // namespace hearth

@@ -8,7 +8,7 @@ union SDL_Event;
 
 namespace hearth {
 
-/// The event in the viewer's words, if it is one that matters there.
+/// The event as the viewer's, if the viewer has such an event.
 std::optional<Event> eventFrom(const SDL_Event& event);
 
 }  // namespace hearth

@@ -19,8 +19,8 @@ struct SDL_Window;
 
 namespace hearth {
 
-/// Of a window at first, unless the picture needs more or the screen has less room; the user may
-/// drag it to any size and place.
+/// The first size and place of a window, as far as picture and screen allow. The user may drag it
+/// to any other.
 inline constexpr PictureSize kFirstWindowSize = {960, 600};
 
 struct WindowSettings {
@@ -50,10 +50,10 @@ class WalkWindow : public WindowHost {
   double residentBytes() override;
   void print(const std::string& line) override;
 
-  /// Answers the desktop, and rests a little: it takes a program that does not for one that hangs.
+  /// Answers the desktop, and rests a little. Desktops call a program that does not answer hung.
   static void answerDesktop();
 
-  /// To open the next one likewise.
+  /// Where it lies, to open the next window there.
   WindowPlace place() const;
 
  private:

@@ -26,13 +26,14 @@ struct Screen {
   int height;
 };
 
-/// No larger than the screen on which most of it lies, and wholly on that. On which none of it
-/// lies, as when a screen has gone, it is moved to the first. Without screens it stays as it is.
+/// The place moved wholly onto the screen with most of it, and no larger than that screen. If it
+/// lies on no screen, because one was removed, it moves to the first. Without screens it stays as
+/// it is.
 WindowPlace onScreen(WindowPlace place, std::span<const Screen> screens);
 
-/// As it was kept; nothing where it was not, or can no longer be read.
+/// The place that was kept; none if there is none, or it cannot be read.
 std::optional<WindowPlace> readWindowPlace(const std::filesystem::path& file);
-/// Does its best: where nothing can be written the next window lies where all do at first.
+/// If nothing can be written, the next window opens at the default place.
 void keepWindowPlace(const std::filesystem::path& file, const WindowPlace& place);
 
 }  // namespace hearth

@@ -4,11 +4,11 @@
 
 namespace hearth {
 
-/// A new folder, gone with all that is in it when this is. In memory where the system has a disk
-/// there, so that no disk is measured.
+/// A new folder, which the destructor removes with all its files. It lies on the system's memory
+/// disk if there is one, so that measurements do not include a disk.
 class TemporaryFolder {
  public:
-  /// Throws std::system_error where none can be made.
+  /// Throws std::system_error if it cannot be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <optional>
 
-/// Where the user's own files lie (XDG Base Directory Specification). None of these folders need
-/// exist, and none is named where the environment says of no home.
+/// Where the user's own files lie (XDG Base Directory Specification). These folders need not
+/// exist. There is none if the environment names no home.
 namespace hearth {
 
-/// `hearth` in $XDG_CACHE_HOME, else in ~/.cache: what can be made anew.
+/// `hearth` in $XDG_CACHE_HOME, else in ~/.cache: files that can be made anew.
 std::optional<std::filesystem::path> cacheFolder();
 
 /// `hearth/config.json` in $XDG_CONFIG_HOME, else in ~/.config.

@@ -8,11 +8,11 @@
 #include "session/session.h"
 #include "settings/options.h"
 
-/// Saved bakes as files; engine/light/saved_bake.md says what is in them.
+/// Saved bakes as files; engine/light/saved_bake.md describes the format.
 namespace hearth {
 
-/// Writes the bake of a level to `path`: beside it first and then renamed, so that the old file or
-/// none stays when that fails. The error begins with the path.
+/// Writes the bake of a level to `path`: first beside it, then renamed, so that a failure leaves
+/// the old file or none. The error begins with the path.
 tl::expected<void, std::string> writeBake(const std::string& path, const Scene& scene,
                                           const Bake& bake);
 

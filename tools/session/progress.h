@@ -16,19 +16,19 @@ namespace hearth {
 
 enum class ProgressStyle {
   None,
-  Line,   ///< for a terminal: one line, drawn anew again and again, and wiped out at the end
+  Line,   ///< for a terminal: one line, redrawn, and erased at the end
   Lines,  ///< for a file: a line for every tenth of a counted stage, at most one a second
 };
 
-/// What the command line and stderr ask for; `inFile` where stderr is no terminal.
+/// The style for the command line and stderr; `inFile` if stderr is no terminal.
 ProgressStyle progressStyle(const OptionValues& values, ProgressStyle inFile = ProgressStyle::None);
 
-/// Turns progress into what to write. Nothing is shown of what takes less than a second.
+/// Turns progress into text to write. Stages shorter than a second are not shown.
 class ProgressWriter {
  public:
   explicit ProgressWriter(ProgressStyle style) : style_(style) {}
 
-  /// Empty where there is nothing new to say. `progress` never goes back.
+  /// Empty if nothing has changed. `progress` never goes back.
   std::string update(const StageProgress& progress);
   /// Leaves the terminal's line as if nothing had been there.
   std::string finish();
@@ -39,7 +39,7 @@ class ProgressWriter {
 
   ProgressStyle style_;
   std::size_t shownWidth_ = 0;  ///< of the text on the terminal's line
-  int tenths_ = 0;              ///< that have been told
+  int tenths_ = 0;              ///< that have been written
   double told_ = 0;             ///< at this time, in seconds
 };
 

@@ -14,27 +14,27 @@
 #include "settings/options.h"
 #include "settings/settings.h"
 
-/// What the commands have in common: from options to a level, a bake and a camera.
+/// The steps that commands share: from options to a level, a bake and a camera.
 namespace hearth {
 
 /// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
 /// stderr, one per line; nothing after errors.
 std::optional<LoadedLevel> openLevel(const OptionValues& values);
 
-/// The same, with the way back to the level's files.
+/// The same, with the source of the level.
 SourcedResult openLevelWithSource(const OptionValues& values);
 
-/// The same, its diagnostics still to be told.
+/// The same, without writing its diagnostics.
 SourcedResult loadLevelOf(const OptionValues& values);
 
-/// To stderr, a line each.
+/// Writes them to stderr, a line each.
 void tell(std::span<const Diagnostic> diagnostics);
 
 /// Of a level in which nothing is lit.
 std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
                                          const OptionValues& values);
 
-/// What `--light` asks for.
+/// The mode of `--light`.
 LightMode lightModeFrom(const OptionValues& values);
 
 struct Bake {
@@ -60,8 +60,8 @@ int threadsFrom(const OptionValues& values);
 /// is not there, baked and kept there.
 tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionValues& values);
 
-/// The same for one picture: where no cache keeps the light for others, only what the camera sees
-/// is baked.
+/// The same for one picture. If no cache keeps the light for later, only the light that the camera
+/// sees is baked.
 tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
                                                   const OptionValues& values);
 

@@ -8,8 +8,8 @@
 
 namespace hearth {
 
-/// Something in which Hearth can be more accurate, and slower, or less. There is a setting for
-/// each, which is an option of the commands, with a range and a default.
+/// Something that Hearth can do more accurately and slower, or less so. Each has a setting, which
+/// is an option of the commands, with a range and a default.
 struct Approximation {
   enum class Of { Bake, Frame };
 
@@ -20,10 +20,10 @@ struct Approximation {
   std::string_view code;   ///< where it is made
 };
 
-/// All that there are.
+/// All approximations.
 std::span<const Approximation> approximations();
 
-/// The values that are measured of one.
+/// The values of one that are measured.
 std::vector<std::string_view> triedOf(const Approximation& approximation);
 
 }  // namespace hearth

@@ -8,7 +8,7 @@
 #include "math/parallel.h"
 #include "render/renderer.h"
 
-/// What a picture can show besides the lit level, by the names that `--channel` takes.
+/// Pictures other than the lit level, by the names that `--channel` takes.
 namespace hearth {
 
 enum class ChannelKind {
@@ -23,14 +23,14 @@ struct ChannelText {
   std::string_view shows;
 };
 
-/// All there are, in the order of the option's choices.
+/// All channels, in the order of the option's choices.
 std::vector<ChannelText> channelTexts();
 
-/// Whether the channel of this name is one of geometry alone; none has an empty name.
+/// Whether this names a channel of geometry alone; the empty name does not.
 bool isGeometry(std::string_view channel);
 
-/// Whether the pixels of a channel, or of the level itself where it is empty, show what the camera
-/// sees there.
+/// Whether the pixels of a channel show what the camera sees there. An empty name is the level
+/// itself.
 bool isOfCamera(std::string_view channel);
 
 /// A picture of the camera's size, if the channel is one of geometry alone.

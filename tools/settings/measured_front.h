@@ -4,9 +4,10 @@
 
 #include "settings/quality.h"
 
-/// What `hearth tradeoff` measured on the levels that come with Hearth, for those who give a time
-/// and not settings: of all that was tried, what nothing else was both faster and nearer to truth
-/// than. Other levels differ in what a setting costs and misses, but hardly in which are better.
+/// The Pareto front that `hearth tradeoff` measured on the levels that come with Hearth: of all
+/// settings that were tried, those that no other beats both in time and in accuracy. They serve
+/// users who give a time instead of settings. On other levels costs and errors differ, but hardly
+/// the order of the settings.
 namespace hearth {
 
 struct MeasuredFrame {
@@ -25,7 +26,7 @@ struct MeasuredBake {
 std::span<const MeasuredFrame> measuredFrames();
 std::span<const MeasuredBake> measuredBakes();
 
-/// Those that cost no more, the nearest to truth of them; else the fastest.
+/// The one nearest to truth that costs no more; if none does, the fastest.
 const MeasuredFrame& frameWithin(double cost);
 const MeasuredBake& bakeWithin(double cost);
 

@@ -7,21 +7,21 @@
 
 namespace hearth {
 
-/// What `hearth tradeoff` measured of a setting by itself, all others as they are by default, on
-/// the levels that come with Hearth.
+/// A measurement of `hearth tradeoff` of one setting, with all others at their defaults, on the
+/// levels that come with Hearth.
 struct MeasuredSetting {
   Option setting;
   std::string_view value;
   double cost;  ///< time of a bake or of a frame, as a fraction of one by the defaults
-  /// Of what bakes the error of light, RMS in levels of 255; of what draws the fraction of pixels
-  /// that are off by more than 2 levels.
+  /// For settings of bakes the error of light, RMS in levels of 255; for settings of frames the
+  /// fraction of pixels that are off by more than 2 levels.
   double off;
 };
 
-/// Of each setting its default, and what is tried.
+/// The default and the tried values of each setting.
 std::span<const MeasuredSetting> measuredSettings();
 
-/// Null where the value was not measured.
+/// Null if the value was not measured.
 const MeasuredSetting* measuredAlone(Option setting, std::string_view value);
 
 }  // namespace hearth

@@ -72,20 +72,20 @@ struct OptionRow {
   Option id;
   std::string_view name;  ///< as it is typed
   ValueKind kind;
-  std::string_view value;  ///< what stands for the value in the help; of a choice, all of them
+  std::string_view value;  ///< the placeholder of the value in the help; for a choice, all values
   double min;              ///< of numbers, both included
   double max;
-  std::string_view standard;  ///< in words: what holds without the option; empty where nothing does
+  std::string_view standard;  ///< in words: the default; empty without one
   std::string_view help;
 };
 
 /// The rows of the table, by Option.
 const OptionRow& row(Option option);
 
-/// What help and manual say of an option: its meaning, range and default.
+/// The text of an option in help and manual: its meaning, range and default.
 std::string helpOf(const OptionRow& row);
 
-/// What is wrong with a value, or nothing.
+/// The mistake in a value, if any.
 std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value);
 
 /// The options that were given, their values checked against the table.
