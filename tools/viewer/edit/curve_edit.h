@@ -5,14 +5,14 @@
 
 #include "level/light_source.h"
 
-/// Points of a light's curve, which are sorted by distance and stay so.
+/// Edits of the points of a light's curve, which stay sorted by distance.
 namespace hearth {
 
-/// With one more behind the point at `index`, where the curve has it already, so that the light
-/// stays as it is within a thousandth: half way to the next, or a metre behind the last.
+/// The curve with one more point behind the one at `index`: half way to the next, or a metre behind
+/// the last. The new point lies on the curve, so the light stays the same within a thousandth.
 std::vector<CurvePoint> withPointBehind(std::vector<CurvePoint> curve, std::size_t index);
 
-/// Expects: there is another.
+/// Expects another point.
 std::vector<CurvePoint> withoutPoint(std::vector<CurvePoint> curve, std::size_t index);
 
 }  // namespace hearth

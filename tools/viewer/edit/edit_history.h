@@ -9,21 +9,21 @@
 
 namespace hearth {
 
-/// A text with all that has been done to it, step by step, and back and forth without limit.
+/// A text with all its edits, in steps that can be undone and redone without limit.
 class EditHistory {
  public:
   explicit EditHistory(std::string text) : text_(std::move(text)) {}
 
   const std::string& text() const { return text_; }
 
-  /// What is replaced until the step ends is undone together. One that comes to nothing leaves no
-  /// trace.
+  /// All replacements until the step ends are undone together. A step without a net change leaves
+  /// no trace.
   void beginStep();
   void endStep();
   bool isInStep() const { return isInStep_; }
-  /// In a step. `before` is what stands there.
+  /// Call it within a step. `before` is the text there now.
   void replace(const Replacement& replacement);
-  /// What the step has done so far, which goes on.
+  /// The replacements of the current step so far.
   void takeBackStep();
 
   bool canUndo() const { return !isInStep_ && done_ > 0; }

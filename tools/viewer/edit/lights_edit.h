@@ -13,16 +13,16 @@
 
 namespace hearth {
 
-/// The text of a lights file as it is edited: what an edit does not change keeps its order, its
-/// spelling and its blanks. At any time the text is one that loads, except for where the lights
-/// are: only a level can tell whether there is air.
+/// The text of a lights file while it is edited. Edits keep the order, spelling and blanks of all
+/// other text. The text always loads, apart from the places of lights: only a level knows where
+/// there is air.
 class LightsEdit {
  public:
-  /// Of a file's bytes; `file` is how messages name it. They have a mistake, if any, for an error.
+  /// Of a file's bytes; `file` is how messages name it. The error is the first mistake in them.
   static tl::expected<LightsEdit, std::string> open(std::string_view bytes, std::string file,
                                                     const LoadLimits& limits = {});
 
-  /// For the file.
+  /// The text to write into the file.
   std::string bytes() const;
   const LightsDescription& lights() const { return lights_; }
   /// The first comment of a light; empty without one.
@@ -33,13 +33,14 @@ class LightsEdit {
 
   /// Writes the keys in which `to` differs from the light.
   std::optional<std::string> set(std::size_t light, const LightDescription& to);
-  /// What `commentOf` gives; an empty one is taken out.
+  /// Sets the comment that `commentOf` returns; an empty one is removed.
   std::optional<std::string> setComment(std::size_t light, const std::string& comment);
-  /// At the end: the comment, if any, the position, and what else is not by default.
+  /// Adds a light at the end: its comment, if any, its position, and all that differs from the
+  /// defaults.
   std::optional<std::string> add(const LightDescription& light, const std::string& comment = "");
   std::optional<std::string> remove(std::size_t light);
 
-  /// Until the drag ends each edit takes the place of the one before, so that all are one step.
+  /// Until the drag ends each edit replaces the one before, so that all are one step.
   void beginDrag() { history_.beginStep(); }
   void endDrag() { history_.endStep(); }
   bool isDragging() const { return history_.isInStep(); }

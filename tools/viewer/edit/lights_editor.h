@@ -12,16 +12,16 @@
 
 namespace hearth {
 
-/// The lights file of a level that is walked, as it is edited there: the file as stored, its text
-/// with all edits, and the light that is picked.
+/// Edits the lights file of a level in a walk: the file as stored, its text with all edits, and the
+/// picked light.
 class LightsEditor {
  public:
   LightsEditor(Storage& storage, std::filesystem::path file, const LoadLimits& limits)
       : storage_(&storage), file_(std::move(file)), limits_(limits) {}
 
   const std::filesystem::path& file() const { return file_; }
-  /// Reads the file, unless it is open; one that is not there has no lights yet. Where it has
-  /// mistakes `message` is the first, and the editor stays closed until the file is written.
+  /// Reads the file, unless it is open. A missing file has no lights yet. If the file has mistakes,
+  /// `message` is the first, and the editor stays closed until the file is written.
   void open();
   bool isOpen() const { return edit_.has_value(); }
 
@@ -29,7 +29,7 @@ class LightsEditor {
 
   const LightsDescription& lights() const { return edit_->lights(); }
   std::string commentOf(std::size_t light) const { return edit_->commentOf(light); }
-  /// What the file is to hold.
+  /// The text that the file will get.
   std::string bytes() const { return edit_->bytes(); }
 
   /// One of the lights, if any.
@@ -50,24 +50,24 @@ class LightsEditor {
   void undo();  ///< what there is
   void redo();
 
-  /// Whether there are edits that are not in the file. None while it is closed.
+  /// Whether there are unsaved edits. False while it is closed.
   bool isUnsaved() const;
-  /// Writes the file at once and whole, unless somebody else has changed it since it was read.
+  /// Writes the file, unless another program has changed it since it was read.
   void save();
-  /// Says why it is not saved.
+  /// Makes `message` say why it is not saved.
   void refuse(const std::string& why) { message_ = why; }
-  /// Somebody else has changed it, so that it is not saved unless it is opened again.
+  /// Whether another program has changed it. Then it is not saved before it is opened again.
   bool hasConflict() const { return hasConflict_; }
   /// Reads the file and drops all edits, unless it has mistakes.
   void openAgain();
 
-  /// To be told when the file has been written. Returns whether its lights are to be loaded from it
-  /// again: not where it holds what is edited, nor where edits would be lost. Also while closed.
+  /// Call it when the file has been written, also while closed. Returns whether its lights must be
+  /// loaded again: not if it holds the edited text, and not if edits would be lost.
   bool noteWritten();
-  /// The text, where it has changed since the last call. Also while closed.
+  /// The text, if it has changed since the last call. Call it also while closed.
   std::optional<std::string> takeText();
 
-  /// What was refused last, or done; else empty.
+  /// Why the last edit was refused, or what was done; else empty.
   const std::string& message() const { return message_; }
 
  private:

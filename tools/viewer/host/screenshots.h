@@ -12,17 +12,17 @@ class Screenshots {
  public:
   virtual ~Screenshots() = default;
 
-  /// `note` is to be printed beside the file's name.
+  /// `note` is printed beside the file's name.
   virtual void take(const Image& picture, std::string note) = 0;
 
-  /// What has become of the pictures, one at a time: "saved NAME", or what was wrong.
+  /// News of the pictures, one at a time: "saved NAME", or what went wrong.
   struct News {
     bool isSaved;
     std::string text;
     std::string note;
   };
   virtual std::optional<News> news() = 0;
-  /// Of a picture that may still have to be written; nothing once all are.
+  /// Waits for news of a picture that is still being written; none once all are written.
   virtual std::optional<News> awaitNews() = 0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace hearth {
 
-/// What a walk runs in. It starts no threads of its own.
+/// The surroundings of a walk, which starts no threads of its own.
 struct WalkHost {
   WindowHost& window;
   Storage& storage;

@@ -12,33 +12,33 @@ namespace hearth {
 
 using DrawRows = std::function<void(const PixelRows&)>;
 
-/// What a walk is shown in and steered from. The program gives it a window, a test a list of events
-/// and a clock of its own.
+/// The window that shows and steers a walk. The program gives a real one, a test gives a list of
+/// events and its own clock.
 class WindowHost {
  public:
   virtual ~WindowHost() = default;
 
-  /// Of any clock.
+  /// The time of any clock.
   virtual double seconds() = 0;
   /// Takes the next event, if there is one. The mouse is at a pixel of the last picture.
   virtual std::optional<Event> poll() = 0;
-  /// Sleeps until an event is there, or for so long.
+  /// Sleeps until there is an event, or for so long.
   virtual void rest(double seconds) = 0;
 
-  /// The window in pixels; nothing while it cannot be seen.
+  /// The size of the window in pixels; none while it cannot be seen.
   virtual std::optional<PictureSize> windowSize() = 0;
-  /// A picture of this size that `draw` writes, all of it, into memory of the window's. That is not
-  /// to be read: it may be slow, or hold anything.
+  /// Shows a picture of this size. `draw` writes all of it into the window's memory, and must not
+  /// read that memory: it may be slow, or hold anything.
   virtual void show(PictureSize size, const DrawRows& draw) = 0;
   virtual void setTitle(const std::string& title) = 0;
-  /// Hides the pointer and reports the mouse's motion without end.
+  /// Hides the pointer, and reports motion of the mouse beyond the window's edges.
   virtual void captureMouse(bool isCaptured) = 0;
   virtual void toggleFullScreen() = 0;
   /// Puts text on the clipboard.
   virtual void copy(const std::string& text) = 0;
-  /// What the program holds of the machine's memory.
+  /// The memory of the machine that the program holds, in bytes.
   virtual double residentBytes() = 0;
-  /// A line on the terminal.
+  /// Prints a line on the terminal.
   virtual void print(const std::string& line) = 0;
 };
 

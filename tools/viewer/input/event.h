@@ -6,15 +6,15 @@
 
 #include "viewer/input/key.h"
 
-/// What happens to the window of a walk: what the user does, and what the desktop tells.
+/// The events of a walk's window, from the user and from the desktop.
 namespace hearth {
 
-/// A key is pressed or let go of.
+/// A key is pressed or released.
 struct KeyEvent {
   Key key{};
   bool isDown = true;
   bool isRepeat = false;  ///< it was held already
-  char letter = 0;        ///< small, that the key has in the user's layout; 0: none of a..z
+  char letter = 0;        ///< lower case, of the key in the user's layout; 0 if it is none of a..z
   bool hasShift = false;  ///< which is held
   bool hasCtrl = false;
   bool hasAlt = false;

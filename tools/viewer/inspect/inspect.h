@@ -9,7 +9,7 @@
 
 namespace hearth {
 
-/// Why a light gives a point of a surface what it gives.
+/// Why a point of a surface gets as much of a light as it does.
 enum class LightReason : std::uint8_t {
   Lights,
   TooWeak,     ///< at this distance, whether or not anything stands between
@@ -19,7 +19,7 @@ enum class LightReason : std::uint8_t {
   NotReached,  ///< its light passes the place in another part of the level
 };
 
-/// One light, as a point of a surface has it.
+/// One light, at a point of a surface.
 struct LightFinding {
   std::size_t light;  ///< its index in the level, and in its file
   LightReason reason;
@@ -29,15 +29,15 @@ struct LightFinding {
   double seenFraction = 0;                         ///< of a ball, 0..1; of a point 0 or 1
   Vec3 adds = {};                                  ///< levels of red, green and blue
   std::optional<TruthHit> blocker = std::nullopt;  ///< what stands between, if that is the reason
-  /// Of one that is blocked and comes near: metres by which it must be raised, or lowered where
-  /// that is negative, to be seen. None where neither is enough.
+  /// For a blocked light that is near: by how many metres it must be raised (lowered if negative)
+  /// to be seen. None if neither helps.
   std::optional<double> lift = std::nullopt;
-  /// Whether its light comes to the place or to what that sees round it. Else it shines elsewhere,
+  /// Whether its light reaches the place or surfaces that the place sees. Else it shines elsewhere,
   /// or gives too little.
   bool comesNear = false;
 };
 
-/// What a lightmap has at a point.
+/// The lightmap at a point.
 struct LightmapFinding {
   int column;  ///< of the texel, from 0
   int row;
@@ -48,12 +48,12 @@ struct LightmapFinding {
   Vec3 shown;     ///< mixed with those of the texels around it, as the picture has it
 };
 
-/// What is at a point of a surface, and where its light comes from.
+/// A point of a surface, and where its light comes from.
 struct Inspection {
   TruthHit place;
   std::optional<LightmapFinding> lightmap;  ///< none for skies
-  /// None for skies. Those that give most come first; of those that give nothing, those that come
-  /// near, and then those that are brightest at their distance.
+  /// None for skies. Lights that give most come first. Of those that give nothing, near ones come
+  /// first, and then those that are brightest at their distance.
   std::vector<LightFinding> lights;
   std::size_t notFollowed = 0;  ///< lights that are not among them, being weaker and too many
   Vec3 sum;                     ///< of what they add: levels at this very point, as defined
@@ -62,14 +62,14 @@ struct Inspection {
 /// Points that a ball of light is for this.
 inline constexpr int kInspectedBallPoints = 128;
 
-/// Levels. What adds less to each channel is too weak.
+/// Levels. A light that adds less to each channel is too weak.
 inline constexpr double kVisibleLevel = 1;
 
-/// By which a light is multiplied in its brightest channel.
+/// The factor of a light in its brightest channel.
 double brightestFraction(const LightSource& light);
 
-/// Follows the lights of the level, which is baked so, to a place of it; the more of them, the
-/// longer that takes, up to some tens of milliseconds.
+/// Follows the lights of the level to a place, with the settings of its bake. With many lights that
+/// takes up to some tens of milliseconds.
 Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,
                    const TruthHit& place);
 

@@ -7,13 +7,13 @@
 
 namespace hearth {
 
-/// What a point of a surface sees round it: points of other surfaces, in fixed directions.
+/// The points of other surfaces that a point of a surface sees in fixed directions.
 class Outlook {
  public:
   /// Keeps the scene.
   Outlook(const Scene& scene, const SurfacePoint& place);
 
-  /// Whether any of them gets visible light from it, a ball being a point.
+  /// Whether any of these points gets visible light from a light; a ball counts as a point.
   bool isLitBy(const LightSource& light) const;
 
  private:
@@ -21,7 +21,7 @@ class Outlook {
   std::vector<SurfacePoint> seen_;
 };
 
-/// Directions of an outlook: as many rays does it take at most to ask for a light.
+/// Directions of an outlook, and the most rays that a test of one light takes.
 inline constexpr int kOutlookRays = 32;
 
 }  // namespace hearth

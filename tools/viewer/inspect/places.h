@@ -6,14 +6,14 @@
 #include "load/source.h"
 #include "truth/trace.h"
 
-/// Where a level's files have its parts: `levels/keep.json:123 /sectors/hall/floor/texture`, the
-/// line and the JSON pointer.
+/// The places of a level's parts in its files: `levels/keep.json:123 /sectors/hall/floor/texture`,
+/// the line and the JSON pointer.
 namespace hearth {
 
 std::string placeOfSector(const LevelSource& source, SectorId sector);
 /// The wall, the part of a stack, the flat or the heights of the slope that a surface belongs to.
 std::string placeOfSurface(const LevelSource& source, const Level& level, const TruthHit& surface);
-/// What it wears; of a surface without a texture of its own the same as above.
+/// The place of its texture; for a surface without a texture of its own the same as above.
 std::string placeOfTexture(const LevelSource& source, const Level& level, const TruthHit& surface);
 std::string placeOfLight(const LevelSource& source, std::size_t light);
 

@@ -12,10 +12,10 @@ inline constexpr double kClearLevel = 64;
 /// The change to a light that is too weak which brings `kClearLevel`, in its brightest channel, to
 /// the place, if nothing stands between. Rounded to two digits, towards more light.
 struct Remedy {
-  /// Of one without a curve, the first of these that is enough. Not both.
+  /// For a light without a curve: the first of these that is enough, not both.
   std::optional<double> falloff = {};
   std::optional<double> intensity = {};
-  /// That a curve must have at the light's distance.
+  /// For a light with a curve: the level that it needs at this distance.
   std::optional<double> curveLevel = {};
 };
 

@@ -5,7 +5,7 @@
 
 #include "viewer/inspect/inspect.h"
 
-/// What an inspection has found, in words.
+/// The results of an inspection in words.
 namespace hearth {
 
 /// `wall 3 of hall`, `lower step at wall 3 of hall`; in an inner loop `of hall/pier`, of a stack
@@ -21,14 +21,14 @@ std::string pointWords(Vec3 point, std::string_view separator = ",");
 
 /// Of 255: to whole levels, or to a tenth where they are fewer than ten.
 std::string levelWords(double level);
-/// The most of three channels.
+/// The largest of three channels.
 double brightest(Vec3 levels);
 
 /// How bright the place is, and how much of that comes from lights.
 std::string brightnessWords(const Level& level, const Inspection& found);
 
-/// Why a light gives the place nothing, or next to nothing, and what to do about it; or what
-/// fraction of a ball sees it. Empty for all of a light.
+/// Why a light gives the place nothing, or hardly anything, and what to do about it; or the
+/// fraction of a ball that the place sees. Empty if it sees all of the light.
 std::string reasonWords(const Level& level, const SurfacePoint& place, const LightFinding& finding);
 
 }  // namespace hearth

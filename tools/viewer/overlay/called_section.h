@@ -2,8 +2,7 @@
 
 namespace hearth {
 
-/// A section of the panel, open at first, that can be called: it is opened then, and scrolled to
-/// its top.
+/// A section of the panel, open at first. A call opens it, and scrolls the panel to its top.
 class CalledSection {
  public:
   void call() { framesLeft_ = kFramesToScroll; }
@@ -14,7 +13,7 @@ class CalledSection {
   bool show(const char* name);
 
  private:
-  /// A panel is scrolled no farther than it was long in the frame before.
+  /// A panel scrolls no farther than its length in the frame before.
   static constexpr int kFramesToScroll = 3;
 
   int framesLeft_ = 0;

@@ -5,8 +5,9 @@
 
 namespace hearth {
 
-/// While a light is dragged, draws the axes of the level beside its mark, or the one along which it
-/// is dragged, and where it is: into the picture, beneath the panel. Expects a frame of ImGui.
+/// While a light is dragged, draws into the picture, beneath the panel: the axes of the level
+/// beside the light's mark, or the one along which it is dragged, and its position. Expects a frame
+/// of ImGui.
 void drawDragAxes(const LightsTool& tool, const MarkerSpace& space, int pictureHeight);
 
 }  // namespace hearth

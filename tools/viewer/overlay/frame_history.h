@@ -7,9 +7,9 @@ namespace hearth {
 
 /// Where the time of a frame went, in seconds.
 struct FrameParts {
-  double find = 0;   ///< what shows where
-  double paint = 0;  ///< its pixels
-  double cover = 0;  ///< what is written over it: map, text, overlay
+  double find = 0;   ///< finding spans
+  double paint = 0;  ///< painting them
+  double cover = 0;  ///< drawing over it: map, text, overlay
   double show = 0;   ///< handing it to the window, and waiting for the display
 
   double sum() const { return find + paint + cover + show; }

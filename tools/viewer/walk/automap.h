@@ -17,7 +17,7 @@ class SeenSectors {
   SeenSectors(const Level& level, const SeenSectors& before);
 
   void add(SectorId sector) { isSeen_[sector.index()] = true; }
-  /// That of which a frame shows something there.
+  /// Adds the sector of a span.
   void add(const Span& span);
   bool has(SectorId sector) const { return isSeen_[sector.index()]; }
 
@@ -26,7 +26,7 @@ class SeenSectors {
   std::vector<bool> isSeen_;
 };
 
-/// What a wall is to a walker, as the map's colours tell it.
+/// The kinds of wall that the map's colours distinguish.
 enum class WallKind {
   Solid,
   Step,     ///< opens, but not over the whole height
@@ -49,18 +49,18 @@ double zoomedOut(double metres);
 /// Where points of the map are in a picture.
 struct MapScale {
   Vec2 middle;  ///< of the picture, in pixels
-  Vec2 center;  ///< what is there, in metres
+  Vec2 center;  ///< the point of the map there, in metres
   double pixelsPerMetre;
 
   Vec2 toPicture(Vec2 world) const { return middle + pixelsPerMetre * (world - center); }
   Vec2 toWorld(Vec2 pixel) const { return center + 1 / pixelsPerMetre * (pixel - middle); }
 };
-/// Of a map as `drawAutomap` draws it.
+/// The scale of a map that `drawAutomap` draws.
 MapScale mapScale(int width, int height, const Eye& eye, double metres);
 
 /// Draws the map over a picture that it darkens: x to the right, y down, the player in the middle,
-/// an arrow that points where the player looks. Only sectors that were seen; those that lie wholly
-/// above or below the player's body are dim. Outlines of flat portals are dotted over the walls.
+/// an arrow in the direction of the view. It shows only sectors that were seen; those wholly above
+/// or below the player's body are dim. Outlines of flat portals are dotted over the walls.
 void drawAutomap(const PixelRows& picture, const Scene& scene, const SeenSectors& seen,
                  const Eye& eye, double metres);
 

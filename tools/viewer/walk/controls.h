@@ -11,26 +11,26 @@
 
 namespace hearth {
 
-/// Keyboard, mouse and gamepad as they are now, and what that asks of the walker in a tick.
+/// The state of keyboard, mouse and gamepad, and the input of a tick that follows from it.
 class Controls {
  public:
-  /// Lets go of everything, as keys may mean something else now.
+  /// Releases everything, because keys may have other actions now.
   void setPreferences(const Preferences& preferences);
   const Preferences& preferences() const { return preferences_; }
 
-  /// What the event asks for besides movement: the action of a key or button that was pressed.
+  /// The action of the event besides movement: that of a key or button that is pressed.
   std::optional<Action> take(const Event& event);
 
   /// The mouse looks around only while it is captured.
   void captureMouse(bool isCaptured) { isMouseCaptured_ = isCaptured; }
   bool isMouseCaptured() const { return isMouseCaptured_; }
 
-  /// Lets go of everything, as when another window gets the keyboard.
+  /// Releases everything, for example when another window gets the keyboard.
   void release();
 
-  /// What is asked for in the next tick. `ticksDue` >= 1 are to come at once, this one among them:
-  /// the mouse's motion is spread over them, and none of it is lost. `pitch`, in degrees, is where
-  /// the walker looks; from there a key leads back to looking ahead.
+  /// The input of the next tick. `ticksDue` >= 1 ticks are due at once, this one included: the
+  /// mouse's motion is spread over them, and none of it is lost. `pitch` is that of the walker, in
+  /// degrees; a key leads from it back to the horizon.
   WalkInput nextTick(int ticksDue, double pitch);
 
  private:
@@ -52,7 +52,7 @@ class Controls {
   std::bitset<kKeyCount> keys_;
   std::bitset<kGamepadButtonCount> buttons_;
   std::array<int, kGamepadAxisCount> axes_{};
-  std::bitset<kActionCount> pressed_;  ///< since the last tick, even if let go again
+  std::bitset<kActionCount> pressed_;  ///< since the last tick, even if released again
   Motion mouse_;                       ///< since the last tick
   bool isMouseCaptured_ = false;
 };

@@ -4,10 +4,10 @@
 
 namespace hearth {
 
-/// Keeps frames to a beat where their number per second is limited.
+/// Spaces frames evenly if their number per second is limited.
 class FramePacer {
  public:
-  /// Seconds until the next frame may be drawn. With 0 it may be now, and then counts as drawn.
+  /// Seconds until the next frame may be drawn. 0 means now; that frame then counts as drawn.
   /// `now` in seconds of a clock that may be set; `framesPerSecond` 0 for no limit.
   double secondsLeft(double now, double framesPerSecond) {
     const double period = framesPerSecond > 0 ? 1 / framesPerSecond : 0;

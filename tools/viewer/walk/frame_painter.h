@@ -9,9 +9,9 @@
 
 namespace hearth {
 
-/// The workers that help to draw a picture: none if it is small. A tenth of a millisecond goes by
-/// before all of them are at work, and that is not worth their while for less than twice 64,000
-/// pixels (0.6 ms).
+/// The workers that help to draw a picture; null if it is small. All of them are at work only after
+/// a tenth of a millisecond. That does not pay off for less than twice 64,000 pixels, which take
+/// 0.6 ms each.
 Workers* workersFor(PictureSize picture, Workers* workers);
 
 /// Draws the frames of a walk, and remembers which sectors they have shown.
@@ -21,12 +21,12 @@ class FramePainter {
   FramePainter(const Scene& scene, const Renderer& renderer, Workers* workers)
       : scene_(scene), renderer_(&renderer), workers_(workers), seen_(scene.level()) {}
 
-  /// From now on of another version of the level.
+  /// From now on draws another version of the level.
   void goOnIn(const Scene& scene, const Renderer& renderer);
 
   const Renderer& renderer() const { return *renderer_; }
 
-  /// The two phases of what the camera sees, into a picture of the camera's size.
+  /// The two phases of a frame, into a picture of the camera's size.
   void find(const WalkFrame& frame);
   void paint(const WalkFrame& frame, const PixelRows& picture);
 
@@ -36,7 +36,7 @@ class FramePainter {
   /// The map, over the picture.
   void drawMap(const WalkFrame& frame, const PixelRows& picture) const;
 
-  /// Of the frame that was drawn last.
+  /// The counters of the last frame.
   FrameCounters counters(const WalkFrame& frame) const;
 
  private:

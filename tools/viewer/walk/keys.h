@@ -12,7 +12,7 @@
 
 namespace hearth {
 
-/// What a key or a button asks for.
+/// The actions of keys and buttons.
 enum class Action : std::uint8_t {
   Forward,
   Backward,
@@ -43,7 +43,7 @@ enum class Action : std::uint8_t {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::Leave) + 1;
 
-/// A row of the table that input, the user's settings and lists of keys are made from.
+/// A row of the table behind input, the user's settings and lists of keys.
 struct ActionRow {
   Action action{};
   std::string_view name;      ///< in files
@@ -57,11 +57,11 @@ std::span<const ActionRow> actionTable();
 /// With Alt held, keys are for the desktop.
 bool isForTheDesktop(Key key);
 
-/// Which key asks for what. Keys are places on the keyboard: they keep theirs where letters lie
-/// otherwise. None has two actions.
+/// The keys of each action. Keys are places on the keyboard, whatever letters a layout has there.
+/// No key has two actions.
 class KeyMap {
  public:
-  /// Those of the table.
+  /// The keys of the table.
   KeyMap();
 
   std::optional<Action> actionOf(Key key) const;
@@ -77,7 +77,7 @@ class KeyMap {
   std::array<std::vector<Key>, kActionCount> keys_;
 };
 
-/// The keys of an action as they are written on them: `Shift` where both ask for the same.
+/// The keys of an action by their labels; `Shift` if both Shift keys are bound.
 std::vector<std::string> shortNames(const KeyMap& keys, Action action);
 
 struct KeyListRow {
@@ -85,7 +85,7 @@ struct KeyListRow {
   std::string_view help;
 };
 
-/// What the list on the screen and `--help` show, mouse and gamepad included.
+/// The rows of the list on the screen and in `--help`, mouse and gamepad included.
 std::vector<KeyListRow> keyList(const KeyMap& keys);
 
 /// The list as text, a line for each row.

@@ -6,23 +6,23 @@
 
 namespace hearth {
 
-/// What is written over the pictures of a walk. Times are in seconds of a clock that may be set.
+/// The texts over the pictures of a walk. Times are in seconds of a clock that may be set.
 class Notices {
  public:
-  /// `first`: notes that stand there at the beginning, a line each.
+  /// `first`: the notes at the beginning, a line each.
   explicit Notices(std::vector<std::string> first) : first_(std::move(first)) {}
 
   /// Shows one message for some seconds, in place of the one before.
   void say(std::string message, double now);
 
-  /// The notes that stand there until they are given anew.
+  /// Replaces the notes, which stand until the next call.
   void setNotes(std::vector<std::string> notes) { notes_ = std::move(notes); }
 
-  /// Drops what has been shown long enough.
+  /// Drops messages that have shown long enough.
   void update(double now);
 
   const std::string& message() const { return message_; }
-  /// A line each.
+  /// The notes, a line each.
   std::vector<std::string> notes() const;
 
  private:

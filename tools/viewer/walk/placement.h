@@ -24,7 +24,7 @@ struct Placement {
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
-/// A window that is smaller than the picture shows it made smaller, whatever the scaling.
+/// A window smaller than the picture shows it reduced, whatever the scaling.
 inline Placement placed(PictureSize picture, PictureSize window, Scaling scaling) {
   const double fit = std::min(static_cast<double>(window.width) / picture.width,
                               static_cast<double>(window.height) / picture.height);
@@ -39,8 +39,8 @@ inline Placement placed(PictureSize picture, PictureSize window, Scaling scaling
 }
 
 /// The pixel of a picture that shows at `at` pixels from the window's left or top edge, along one
-/// side of it: `begin` and `length` are the placement's, `pixels` the picture's. Beyond the
-/// picture's edges it goes on.
+/// side of it: `begin` and `length` are the placement's, `pixels` the picture's. It
+/// continues beyond the picture's edges.
 inline int pixelAt(double at, int begin, int length, int pixels) {
   return static_cast<int>(std::floor((at - begin) * pixels / length));
 }

@@ -9,8 +9,8 @@
 
 namespace hearth {
 
-/// Keeps places of a walk and takes the player back to them. Each function returns what is to be
-/// said of what it did.
+/// Keeps places of a walk, and takes the player back to them. Each function returns a message about
+/// what it did.
 class WalkBookmarks {
  public:
   /// Both must outlive it. The bookmarks, and the field of view that goes with them, are those of
@@ -18,13 +18,13 @@ class WalkBookmarks {
   WalkBookmarks(WalkSession& session, WalkSettings& settings)
       : session_(session), settings_(settings) {}
 
-  /// From now on no jumps: a recording has none, it would not lead where it led.
+  /// From now on there are no jumps: a recording with jumps would end elsewhere.
   void forbidJumps() { mayJump_ = false; }
   bool canJump() const { return mayJump_ && !session_.isKept(); }
 
   std::string add(const Scene& scene, const std::string& name);
   std::string addHere(const Scene& scene) { return add(scene, settings_.bookmarks.freeName()); }
-  /// To one after the other.
+  /// Jumps to one after the other.
   std::string goToNext(const Scene& scene);
   std::string grant(const BookmarkWish& wish, const Scene& scene);
 

@@ -12,11 +12,11 @@
 
 namespace hearth {
 
-/// What a picture of a walk depends on besides the level.
+/// All that a picture of a walk depends on, besides the level.
 struct WalkFrame {
   PictureSize size{};
-  Camera camera;  ///< of the picture or, of a channel of geometry, of what the panel leaves of it
-  Eye eye;        ///< that no step moves: the middle of the map
+  Camera camera;  ///< of the picture; for a channel of geometry, of its part beside the panel
+  Eye eye;        ///< without head bob: the middle of the map
   WalkView view;
   std::string message;
   std::vector<std::string> notes;

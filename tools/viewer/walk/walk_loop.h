@@ -26,44 +26,43 @@
 
 namespace hearth {
 
-/// A walk, round by round: events, the ticks that are due, a picture where it would be another
-/// than the last. Waits for nothing but that the window takes the picture, and rests while nothing
-/// changes.
+/// A walk, round by round: events, the ticks that are due, and a picture if it differs from the
+/// last. It waits only for the window to take the picture, and rests while nothing changes.
 class WalkLoop {
  public:
-  /// All but the settings must outlive the loop, the scene's level and geometry too. `source`, if
-  /// any, is that of the level: without it no places in its files can be copied.
+  /// All arguments except the settings must outlive the loop, the scene's level and geometry too.
+  /// `source`, if any, is that of the level; without it no places in its files can be copied.
   WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& session, const WalkHost& host,
            const WalkSettings& settings, std::shared_ptr<const LevelSource> source = nullptr);
   WalkLoop(const WalkLoop&) = delete;
   WalkLoop& operator=(const WalkLoop&) = delete;
 
-  /// From now on these inputs, one for each tick, take the place of the user's; the walk ends with
-  /// them. They must outlive the loop.
+  /// From now on these inputs, one for each tick, replace the user's. The walk ends with them. They
+  /// must outlive the loop.
   void replay(std::span<const WalkInput> inputs);
   bool isReplayOver() const { return replay_ && replay_->empty(); }
 
-  /// From now on in another version of the level, where the session has gone on already.
+  /// Goes on in another version of the level, where the session already is.
   void goOnIn(const Scene& scene, const Renderer& renderer,
               std::shared_ptr<const LevelSource> source);
 
-  /// The options that have been chosen since the last call, if any. Their owner sees to the rest.
+  /// The options that were chosen since the last call, if any. The caller applies them.
   std::optional<OptionValues> takeChoice();
   void choose(const OptionValues& options);
 
-  /// The lights as they are edited, if they can be. Their owner sees to the rest.
+  /// The edited lights, if they can be edited. The caller bakes them.
   LightsEditor* lights() { return panel_.lights(); }
-  /// From now on the lights of this file, unless there are edits of the one before.
+  /// From now on edits the lights of this file, unless there are edits of the one before.
   void editLights(const std::filesystem::path& file);
 
-  /// What stands over the picture until it is given anew: mistakes, a line each, and how far a bake
-  /// is.
+  /// Sets the notes over the picture, which stand until the next call: mistakes, a line each, and
+  /// the progress of a bake.
   void setNotes(std::vector<std::string> mistakes, const std::optional<StageProgress>& bake);
 
   /// False once the walk is over.
   bool round();
 
-  /// Until the last is written.
+  /// Waits until the last screenshot is written.
   void awaitScreenshots();
 
  private:

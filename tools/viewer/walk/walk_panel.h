@@ -23,7 +23,7 @@
 
 namespace hearth {
 
-/// What the panel is about, and the picture that it lies over.
+/// The subject of the panel, and the picture that it lies over.
 struct PanelSubject {
   Scene scene;
   const Renderer& renderer;
@@ -35,7 +35,7 @@ struct PanelSubject {
   BookmarkRights bookmarks;
 };
 
-/// What is asked in the panel that only the walk can do.
+/// Requests from the panel that only the walk can grant.
 struct PanelWishes {
   bool areOptionsNew = false;              ///< those of the settings
   bool arePreferencesNew = false;          ///< and can be written
@@ -46,27 +46,27 @@ struct PanelWishes {
 /// The overlay of a walk, with its pages, and what the mouse does in the picture beside it.
 class WalkPanel {
  public:
-  /// `bake`: by which the level has been lit.
+  /// `bake`: the settings of the level's light.
   explicit WalkPanel(const BakeSettings& bake) : bake_(bake) {}
 
   bool isOpen() const { return overlay_.isOpen(); }
   void toggle();
   bool isStale(double now) const { return overlay_.isStale(now); }
-  /// How many pixels of a picture's width are left of it.
+  /// The pixels of a picture's width to the left of it.
   int leaves(int pictureWidth) const { return overlay_.leaves(pictureWidth); }
 
   /// Returns whether the event was for the panel alone. Keys are chosen in `preferences`.
   bool take(const Event& event, const PanelSubject& subject, Preferences& preferences);
-  /// Ends what the mouse holds.
+  /// Releases what the mouse holds.
   void releasePointer();
   /// Lets go of the place that is inspected. Returns whether there was one.
   bool letGo() { return isOpen() && inspector_.letGo(); }
-  /// From now on the level is another, or lit otherwise.
+  /// Call it when the level or its light has changed.
   void forget() { inspector_.forget(); }
 
-  /// The lights as they are edited, if they can be.
+  /// The edited lights, if they can be edited.
   LightsEditor* lights() { return lights_ ? &lights_->editor() : nullptr; }
-  /// From now on the lights of this file, unless there are edits of the one before.
+  /// From now on edits the lights of this file, unless there are edits of the one before.
   void editLights(Storage& storage, const std::filesystem::path& file, const LoadLimits& limits);
   /// Whether closing the walk would lose edits.
   bool hasUnsavedLights() { return lights_ && lights()->isUnsaved(); }

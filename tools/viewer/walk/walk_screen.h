@@ -22,20 +22,20 @@ class WalkScreen {
   WalkScreen(const Scene& scene, const Renderer& renderer, const WalkSession& session,
              const WalkHost& host);
 
-  /// From now on in another version of the level.
+  /// Goes on in another version of the level.
   void goOnIn(const Scene& scene, const Renderer& renderer);
 
   const Renderer& renderer() const { return painter_.renderer(); }
 
-  /// The next frame is drawn though it may be equal to the last one.
+  /// Draws the next frame even if it equals the last one.
   void redraw() { shown_.reset(); }
   /// Keeps the next frame as a picture.
   void keepNext();
-  /// How far a bake is, for the panel.
+  /// Sets the progress of a bake, for the panel.
   void setBake(const std::optional<StageProgress>& bake) { figures_.bake = bake; }
 
-  /// Draws a frame, unless it would look like the last one or comes too soon: then it rests until
-  /// an event comes or a tick is due. The panel may change settings and view.
+  /// Draws a frame, unless it equals the last one or comes too soon. Then it rests until an event
+  /// comes or a tick is due. The panel may change settings and view.
   PanelWishes show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
                    WalkSettings& settings, double now);
 

@@ -35,12 +35,12 @@ class WalkSession {
   }
 
   bool isKept() const { return memory_ == Memory::Inputs; }
-  /// No more can be kept.
+  /// Whether no more inputs can be kept.
   bool isFull() const { return inputs_.size() >= kMostRecordedTicks; }
 
   const Walker& walker() const { return after_; }
-  /// `fraction` of a tick after the tick before the last. So the view lags by a tick at most, and
-  /// moves evenly at any rate of frames.
+  /// The eye `fraction` of a tick after the tick before the last. So the view lags by a tick at
+  /// most, and moves evenly at any frame rate.
   Eye eye(double fraction) const { return eyeBetween(scene_, before_, after_, fraction); }
   /// The same, with a head bob of this strength (0..1).
   Eye eye(double fraction, double bob) const {

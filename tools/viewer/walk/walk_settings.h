@@ -16,7 +16,7 @@
 
 namespace hearth {
 
-/// What shows over and of the picture, as keys change it.
+/// What a picture shows, as keys change it.
 struct WalkView {
   LightMode mode = LightMode::Both;
   std::string_view channel = {};  ///< the name of one to show instead; else empty
@@ -24,7 +24,7 @@ struct WalkView {
   double mapMetres = kFirstMapMetres;
   bool areKeysShown = false;
 
-  /// The level itself, lit so.
+  /// Shows the level itself, in this light.
   void show(LightMode light) {
     mode = light;
     channel = {};
@@ -42,9 +42,9 @@ struct WalkSettings {
   std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited
   bool canBake = false;  ///< by others, if the overlay asks for them
   Preferences preferences = {};
-  std::filesystem::path config = {};  ///< that the overlay's preferences is written into; or none
+  std::filesystem::path config = {};  ///< for the overlay's preferences; empty without one
   Bookmarks bookmarks = {};
-  /// Writes a bookmark into the level's file; none where there is none to be written.
+  /// Writes a bookmark into the level's file; empty if that is not possible.
   std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
   std::vector<std::string> notes = {};  ///< that stand over the picture at first
 };
