@@ -8,9 +8,8 @@ struct Ray {
   Vec3 origin;
   Vec3 direction;
   RayKind kind;
-  /// A point so far along the ray on the map that rounding it does not turn the ray by more than
-  /// direction's own rounding: what exact predicates take for the ray. The origin for vertical
-  /// rays.
+  /// A point so far along the ray in plan that rounding it turns the ray by no more than the
+  /// rounding of `direction`. Exact predicates use it for the ray. The origin for vertical rays.
   Vec2 farPoint;
   /// Of light: the segment whose masked middle texture it is to arrive at, whether or not that has
   /// a hole there.

@@ -7,7 +7,7 @@
 
 namespace hearth {
 
-/// A point of a surface, as light needs it: which surface, where, facing which way.
+/// A point of a surface: which surface, where, and its normal.
 struct SurfacePoint {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air the surface bounds: the viewer's side
@@ -29,7 +29,7 @@ struct TruthHit : SurfacePoint {
 
 enum class RayKind {
   Look,   ///< ends at skies
-  Light,  ///< passes skies, beyond which the sides of sky sectors go on without end; masked
+  Light,  ///< passes skies, beyond which the sides of sky sectors are endless; masked
           ///< middle textures stop it from either side
 };
 
@@ -38,18 +38,18 @@ enum class RayKind {
 /// or for light also above its sky ceiling or below its sky floor; `direction` is not null and of
 /// any length. None only for light that leaves the level through a sky.
 ///
-/// Works from what authors write (segments, flats, slopes, flat portals) and from nothing that is
-/// derived from it, so that what is derived can be compared with it.
+/// Works only from authored data (segments, flats, slopes, flat portals), so that derived data can
+/// be compared with it.
 std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                               RayKind kind);
 
-/// What light from `origin`, as above, meets first on its way to a point of a surface. A masked
+/// The first surface that light from `origin`, as above, meets on its way to a point. A masked
 /// middle texture is met at that point even if it has a hole there.
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
                                    const SurfacePoint& to);
 
 /// The sector in which light arrives on the straight line from `origin`, as above, to `end`; none
-/// where a surface stops it before.
+/// if a surface stops it before.
 std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end);
 
 /// Whether two points are on one surface.

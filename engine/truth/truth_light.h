@@ -12,16 +12,16 @@ class TruthSource {
   /// Keeps a reference to the level. A ball of light is so many points.
   TruthSource(const Level& level, const LightSource& light, int ballPoints);
 
-  /// Which fraction of it sees the point, 0..1.
+  /// The fraction of the light that sees the point, 0..1.
   double seenFraction(const SurfacePoint& place) const;
 
-  /// What a light would add in levels (255 is full) if it were white and nothing stood between, to
-  /// a point that need not lie on a surface; 0 in the plane of the light. Multiplied by the cosine
-  /// at the surface with `lambert`.
+  /// The levels (255 is full) that the light would add if it were white and nothing stood between,
+  /// at a point that need not lie on a surface; 0 in the plane of the light. Multiplied by the
+  /// cosine at the surface with `lambert`.
   static double unshaded(const LightSource& light, const SurfacePoint& place, bool lambert);
 
-  /// What its light meets first on the way to the point, from its centre or, where nothing stops it
-  /// there, from the first point of a ball that something does. None where nothing does, but skies.
+  /// The first surface that its light meets on the way to the point: from its centre or, if nothing
+  /// stops that, from the first point of the ball that something stops. None if only skies do.
   std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
 
  private:
@@ -55,15 +55,15 @@ class TruthLight {
   /// lights that see the point.
   Vec3 at(const SurfacePoint& place) const;
 
-  /// What the light of that index would add to each if it were white; 0 where it does not see the
+  /// The levels that the light of that index would add if it were white; 0 if it does not see the
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
 
-  /// Which fraction of it sees the point, 0..1.
+  /// The fraction of the light that sees the point, 0..1.
   double seenFraction(std::size_t light, const SurfacePoint& place) const;
 
-  /// What it would add if nothing stood between, to a point that need not lie on a surface; 0 in
-  /// the plane of the light.
+  /// The levels that it would add if nothing stood between, at a point that need not lie on a
+  /// surface; 0 in the plane of the light.
   double unshaded(std::size_t light, const SurfacePoint& place) const;
 
  private:

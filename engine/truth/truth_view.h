@@ -17,7 +17,7 @@ enum class TruthLightMode {
 struct TruthPixel {
   Rgb color;   ///< rounded half up
   Vec3 exact;  ///< red, green, blue before rounding, 0..255
-  Vec3 light;  ///< their fractions, 0..1, by which light multiplies; 1 of sky, and without light
+  Vec3 light;  ///< the factors of red, green and blue, 0..1; 1 for sky, and without light
   TruthHit hit;
 };
 
@@ -38,7 +38,7 @@ class TruthView {
 
   TruthHit hit(double i, double j) const;
 
-  /// On the image that the hit wears.
+  /// Texel coordinates of a hit on its image.
   Vec2 texelAt(const TruthHit& hit) const;
 
   TruthPixel pixel(double i, double j, TruthLightMode mode) const;

@@ -6,13 +6,13 @@
 
 namespace hearth {
 
-/// On into the next sector, through its segment `twin`.
+/// A ray passes into the next sector, through its segment `twin`.
 struct PortalCrossing {
   SectorId next;
   SegmentId twin;
 };
 
-/// What a ray meets that leaves its sector through `segment` at `t`.
+/// What a ray meets when it leaves its sector through `segment` at `t`.
 std::variant<TruthHit, PortalCrossing> meetWall(const Level& level, const Ray& ray,
                                                 SegmentId segment, double t);
 

@@ -8,13 +8,13 @@
 
 namespace hearth {
 
-/// What the program returns to the shell.
+/// The program's exit status.
 enum class ExitStatus { Done = 0, Differs = 1, BadInput = 2 };
 
 /// Prints `hearth: error: MESSAGE` to stderr, one line.
 ExitStatus fail(std::string_view message);
 
-/// How many level files a command is given.
+/// How many level files a command takes.
 enum class LevelFiles { None, OneOrNone, One, Several };
 
 /// A command of the program, as help lists it.
@@ -25,9 +25,9 @@ struct Command {
   std::vector<Option> required;  ///< of the options
   ExitStatus (*run)(const OptionValues& values);
   LevelFiles levels = LevelFiles::One;
-  std::string more = {};                  ///< that its help says after the options
-  std::string_view argument = "LEVEL";    ///< what stands for the level files in the help
-  std::string (*moreOfUser)() = nullptr;  ///< in place of `more`, where the user's files count
+  std::string more = {};                  ///< text of its help after the options
+  std::string_view argument = "LEVEL";    ///< the placeholder of the level files in the help
+  std::string (*moreOfUser)() = nullptr;  ///< replaces `more` if the user's files matter
 };
 
 Command walkCommand();
@@ -43,7 +43,7 @@ Command fmtCommand();
 Command benchCommand();
 Command tradeoffCommand();
 
-/// All of these, as help lists them.
+/// All commands, as help lists them.
 std::vector<Command> allCommands();
 
 }  // namespace hearth

@@ -12,7 +12,7 @@
 
 namespace hearth {
 
-/// In pixels. 64 bits: what does not fit into a picture has a size, too.
+/// In pixels. 64 bits, because rectangles that do not fit into a picture have sizes, too.
 struct AtlasPlace {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -32,13 +32,13 @@ struct Shelves {
 /// neither one another nor the border.
 Shelves placeOnShelves(std::span<const AtlasSize> rectangles);
 
-/// What stands above a surface's lightmap: its kind, and its sector with the number of the wall as
+/// The label above a surface's lightmap: its kind, and its sector with the number of the wall as
 /// in the file, or `SECTOR/LOOP` and the number in an inner loop.
 std::vector<std::string> labelOf(const Level& level, SurfaceId surface);
 
-/// All lightmaps of a level side by side, with labels: a picture to look at. Walls stand upright in
-/// it. Texels are squares, all of one whole number of pixels, larger where the picture stays small.
-/// Refused where it would be larger than pictures may be.
+/// All lightmaps of a level side by side, with labels: a picture to look at. Walls are upright.
+/// All texels are squares of one whole number of pixels, larger if the picture stays small. A
+/// picture larger than the limit is refused.
 tl::expected<Image, std::string> lightmapAtlas(const Level& level, const BakedLight& light);
 
 }  // namespace hearth

@@ -11,7 +11,7 @@ namespace hearth {
 /// The recording that `--replay` names. Errors say file and line.
 tl::expected<Recording, std::string> readReplay(const OptionValues& values);
 
-/// Whole or not at all. Errors are one sentence that begins with the path.
+/// Writes the file whole or not at all. Errors are one sentence that begins with the path.
 tl::expected<void, std::string> writeRecordingFile(const std::string& path,
                                                    const Recording& recording);
 

@@ -4,7 +4,7 @@
 
 namespace hearth {
 
-/// What the file says of a wall or, in a stack, of the one of its walls at a height.
+/// The description of a wall or, in a stack, of its sub-wall at a height.
 struct DescribedPart {
   Place place;
   const SolidDescription* solid = nullptr;    ///< either this ...
@@ -14,7 +14,7 @@ struct DescribedPart {
 /// `z`: absolute, from the part's bottom on.
 DescribedPart describedPart(const LintedLevel& linted, SegmentId segment, double z);
 
-/// Where the file has what a surface belongs to: a wall, a part of a stack, a flat or a slope.
+/// The place in the file of the wall, sub-wall, flat or slope that a surface belongs to.
 Place placeOf(const LintedLevel& linted, SurfaceId surface);
 
 }  // namespace hearth

@@ -10,7 +10,7 @@
 
 #include "load/json/report.h"
 
-/// What `hearth lint` finds: mistakes of authors that the loader takes.
+/// The findings of `hearth lint`: authors' mistakes that the loader accepts.
 namespace hearth {
 
 /// The order is that of the table in tools/README.md.
@@ -37,7 +37,7 @@ struct FindingKindRow {
   std::string_view help;
 };
 
-/// What the loader itself warns of, by the names that it gives. It tells of one-way portals, too.
+/// The loader's own warnings, by its names. It also reports one-way portals.
 struct LoaderKindRow {
   std::string_view name;
   std::string_view help;
@@ -79,13 +79,13 @@ inline constexpr std::array kFindingKinds{
                    "much of a surface has more light than can be shown"},
 };
 
-/// Collects findings, each at its place in the level's files. What is said there already, of
-/// another piece of one wall, is not said again.
+/// Collects findings, each at its place in the level's files. A finding about several pieces of one
+/// wall is reported once.
 class Findings {
  public:
   void add(FindingKind kind, Place place, std::string message, std::string_view advice);
 
-  /// As the loader's warnings.
+  /// In the form of the loader's warnings.
   std::vector<Diagnostic> resolve(std::span<const Document> documents) const {
     return report_.resolve(documents);
   }

@@ -6,7 +6,7 @@
 
 namespace hearth {
 
-/// A loaded level, and the way back to its files.
+/// A loaded level and its source.
 struct LintedLevel {
   const LoadedLevel& loaded;
   const LevelSource& source;
@@ -17,21 +17,21 @@ struct LintedLevel {
 
 // What needs no bake.
 
-/// Parts of portals that lead nowhere back. The loader warns of those of which no part does.
+/// Parts of portals that do not lead back. The loader warns of portals of which no part does.
 void findOneWayPortals(const LintedLevel& linted, Findings& findings);
-/// Sectors to which no links lead from the player or, without one, from the most of the others.
+/// Sectors to which no links lead from the player or, without a player, from most other sectors.
 void findUnreachable(const LintedLevel& linted, Findings& findings);
-/// Vertices that lie beside others, or beside walls, by more than is welded and less than is meant.
+/// Vertices that lie beside others, or beside walls, farther than is welded and nearer than is
+/// likely meant.
 void findNearMisses(const LintedLevel& linted, Findings& findings);
-/// Images that do not run on along a plane.
+/// Images that do not continue along a plane.
 void findTextureJumps(const LintedLevel& linted, Findings& findings);
 /// Textures of steps that show nowhere.
 void findUnseenTextures(const LintedLevel& linted, Findings& findings);
-/// Steps that the player just cannot climb, and ways that are just too low or narrow for the
-/// player.
+/// Steps that are just too high to climb, and passages that are just too low or narrow.
 void findImpassable(const LintedLevel& linted, Findings& findings);
-/// The sectors that the player cannot come to on foot, in order: fewer than there are rather than
-/// more. None without a player.
+/// The sectors that the player cannot reach on foot, in order. In doubt a sector is left out. None
+/// without a player.
 std::vector<SectorId> outOfReach(const Scene& scene);
 /// A player whose feet begin below the floor, or whose head begins above the ceiling.
 void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
@@ -41,7 +41,7 @@ void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
 /// The level with a part of its light, so that lightmaps do not end where more cannot be shown.
 Level dimmed(Level level);
 
-/// Lights that no surface sees, and those that bring next to nothing. `settings` are those of the
+/// Lights that no surface sees, and those that hardly light anything. `settings` are those of the
 /// bake.
 void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
                        Findings& findings);

@@ -11,9 +11,9 @@
 
 namespace hearth {
 
-/// In seconds, from any beginning.
+/// The time in seconds, from any origin.
 using Clock = std::function<double()>;
-/// One that nobody sets.
+/// A clock that nobody sets.
 double steadySeconds();
 
 /// Frames of one size, of all shots of a level.
@@ -22,7 +22,7 @@ struct FrameBench {
   int threads = 1;
   Spread milliseconds;  ///< a frame
   // Of its two phases:
-  Spread findMilliseconds;  ///< until it is known which spans show what
+  Spread findMilliseconds;  ///< for finding the spans
   Spread colorMilliseconds;
   /// One plain write of four bytes for each of its pixels, after each frame: the cost of
   /// memory alone.
@@ -33,7 +33,7 @@ struct FrameBench {
   double writes() const { return milliseconds.median / writeMilliseconds.median; }
 };
 
-/// Those of a level's shots; of a level without shots what its player sees.
+/// The cameras of a level's shots; of a level without shots the player's.
 std::vector<Camera> camerasOf(const Level& level);
 
 /// Frames of one size, with all times that were taken.
@@ -48,7 +48,7 @@ class FrameTimes {
   /// Forgets the times and the work so far, but not the memory.
   void begin();
 
-  /// Of at least one frame.
+  /// The result of at least one frame.
   FrameBench result() const;
 
  private:

@@ -15,7 +15,7 @@ struct BakeBench {
   Spread seconds;
 };
 
-/// What drawing and baking a level costs here.
+/// The cost of drawing and baking a level on this machine.
 struct BenchReport {
   int repeats = 0;
   BakeSettings settings;
@@ -27,8 +27,8 @@ struct BenchReport {
 };
 
 /// Draws every shot of the level in three sizes, and bakes, each `repeats` times on one thread and
-/// on `threads`: everything once, then everything again, so that what else the machine does
-/// strikes all alike; after each frame memory of its size is written. A level without shots is
+/// on `threads`: everything once, then everything again, so that other load on the machine
+/// affects all alike. After each frame, memory of its size is written. A level without shots is
 /// drawn as its player sees it. Memory that frames are drawn in has grown before the first is
 /// counted.
 BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,

@@ -4,7 +4,7 @@
 
 namespace hearth {
 
-/// What figures were taken on.
+/// The machine that figures were measured on.
 struct Machine {
   std::string processor;  ///< its maker's name for it
   int threads;            ///< that it runs at once

@@ -9,12 +9,12 @@
 
 namespace hearth {
 
-/// What a check found out about one shot, or about a golden picture that no shot draws.
+/// The result of a check of one shot, or of a golden picture without a shot.
 struct ShotFinding {
   std::string shot;
-  bool isAsKept;        ///< from now on: so is what was accepted
+  bool isAsKept;        ///< from now on: accepted pictures are, too
   std::string words;    ///< a sentence without its full stop
-  std::string command;  ///< draws the shot; empty where none does, or no picture is kept
+  std::string command;  ///< draws the shot; empty if no command does, or no picture is kept
   // What there is to look at.
   std::optional<std::filesystem::path> expected = {};
   std::optional<std::filesystem::path> actual = {};
@@ -29,8 +29,8 @@ struct LevelFindings {
   std::filesystem::path page;      ///< that of a failed check: beside its pictures
 };
 
-/// Checks the level of `values`, or accepts what it draws, and prints what is not as kept: findings
-/// to stdout, errors to stderr. Of a bad level nothing is written.
+/// Checks the level of `values`, or accepts its pictures, and prints differences from those that
+/// are kept: findings to stdout, errors to stderr. For a bad level nothing is written.
 LevelFindings checkLevel(const OptionValues& values);
 
 }  // namespace hearth

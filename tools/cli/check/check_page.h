@@ -9,9 +9,8 @@
 
 namespace hearth {
 
-/// Writes the findings as one HTML page that needs no other file: the pictures are inside. Where
-/// there are an expected and an actual picture, a slider goes from one to the other. Pictures are
-/// copied through, never held.
+/// Writes the findings as one HTML page that contains its pictures. A slider blends an expected and
+/// an actual picture. Pictures are copied through, never held in memory.
 tl::expected<void, std::string> writeCheckPage(const std::filesystem::path& path,
                                                std::span<const LevelFindings> levels);
 

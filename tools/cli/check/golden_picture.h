@@ -12,7 +12,7 @@
 /// Pictures that were looked at and kept, one per shot of a level.
 namespace hearth {
 
-/// Where a level's pictures are.
+/// The folders of a level's pictures.
 struct GoldenFolders {
   std::filesystem::path golden;  ///< `STEM.golden`: `SHOT.png` for every shot
   std::filesystem::path failed;  ///< `STEM.failed` beside it: what a failed check leaves
@@ -29,7 +29,7 @@ bool isFileName(std::string_view name);
 std::filesystem::path pictureFile(const std::filesystem::path& folder, std::string_view name,
                                   std::string_view ending = ".png");
 
-/// How a picture stands to its golden one.
+/// How a picture compares with its golden one.
 enum class Verdict { Same, Differs, OtherSize, Missing, Unreadable };
 
 struct Comparison {

@@ -11,7 +11,7 @@
 
 namespace hearth {
 
-/// What the level and light files can say, row by row of levels/README.md.
+/// The features of level and light files, by the rows of levels/README.md.
 enum class FormatFeature : std::size_t {
   SolidWall,
   OneWallForLoop,
@@ -140,11 +140,11 @@ class FeatureCounts {
   std::array<std::int64_t, kFormatFeatures.size()> counts_{};
 };
 
-/// Counts what the linked level still knows.
+/// Counts the features that the linked level still shows.
 void countGeometry(const Scene& scene, FeatureCounts& counts);
 
-/// Counts what only the texts of the files tell, of the level and, if it has any, of its lights:
-/// spellings. They have been loaded without errors.
+/// Counts the spellings, which only the texts of the level's files show, and those of its lights,
+/// if any. The files have been loaded without errors.
 void countSpellings(std::span<const std::string_view> texts, FeatureCounts& counts);
 
 }  // namespace hearth

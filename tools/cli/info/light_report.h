@@ -11,9 +11,9 @@
 
 namespace hearth {
 
-/// Surfaces, and what their light took. The first five counts add up to all surfaces.
+/// Surfaces, and the cost of their light. The first five counts add up to all surfaces.
 struct SurfaceReport {
-  std::int64_t bare = 0;       ///< no lightmap: sky, or nothing of it can show
+  std::int64_t bare = 0;       ///< no lightmap: sky, or it cannot show
   std::int64_t unfaced = 0;    ///< no lightmap: all lights are behind its plane
   std::int64_t unreached = 0;  ///< no lightmap: lights face it, but none of their light arrives
   std::int64_t white = 0;      ///< lightmaps of one channel
@@ -31,10 +31,10 @@ struct SurfaceReport {
   SurfaceReport& operator+=(const SurfaceReport& other);
 };
 
-/// Lights of a kind, and what they took.
+/// Lights of a kind, and their cost.
 struct LightKindReport {
   std::int64_t lights = 0;
-  std::int64_t samples = 0;  ///< that asked what they see of such a light
+  std::int64_t samples = 0;  ///< that were tested against such a light
   std::int64_t rays = 0;
 
   double raysPerSample() const;  ///< 0 without samples
@@ -52,15 +52,15 @@ struct LightReport {
 
 LightReport lightReport(const Scene& scene, const BakedLight& light);
 
-/// How many there are of a part of the level that could be modelled, and how many are.
+/// How many parts of a kind could be modelled in the level, and how many are.
 struct FeatureUse {
   std::string_view name;  ///< stable: scripts read it
   std::int64_t used;
   std::int64_t of;
-  std::string_view rest;  ///< why the others are spared it
+  std::string_view rest;  ///< why the others are not
 };
 
-/// What a level pays for only where it has it.
+/// The features that cost only levels that use them.
 std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport& light);
 
 }  // namespace hearth

@@ -8,8 +8,8 @@
 
 namespace hearth::doom {
 
-/// A map as a level file holds it. `ambient` is the light of each sector, as a fraction of what the
-/// map gives it.
+/// A map as the content of a level file. `ambient` is the fraction of a sector's light in the map
+/// that its sector in the level gets.
 nlohmann::ordered_json levelJson(const GroundPlan& plan, double ambient, Materials& materials,
                                  Findings& findings);
 

@@ -7,7 +7,7 @@
 
 namespace hearth::doom {
 
-/// What became of something that has no equal in a Hearth level.
+/// What an import did with a part that has no equivalent in a Hearth level.
 enum class Outcome : std::uint8_t { Repaired, Dropped };
 
 /// The kind of part of a map that a finding is about; parts are numbered within their kind.

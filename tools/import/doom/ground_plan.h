@@ -30,14 +30,14 @@ struct ShownPart {
   WallPart part;
   double bottom;        ///< metres
   double top;           ///< metres
-  const Face* face;     ///< whose line it is: of the side behind where this one has none
+  const Face* face;     ///< whose line it is: that of the side behind, if this one has none
   std::string texture;  ///< kNoTexture: the map has none for it
 };
 
-/// A map as space that is enclosed, with heights and names.
+/// A map as enclosed regions with heights and names.
 class GroundPlan {
  public:
-  /// The map must stay alive. The error is one sentence.
+  /// The map must outlive it. The error is one sentence.
   static tl::expected<GroundPlan, std::string> of(const Map& map, Doors doors, Findings& findings);
 
   const Map& map() const { return *map_; }
@@ -54,7 +54,7 @@ class GroundPlan {
   const std::string& nameOf(std::uint32_t region) const { return names_[region]; }
   Space spaceOf(std::uint32_t region) const;
 
-  /// Whether one looks through a half-edge, which has a region before it.
+  /// Whether a half-edge is open. It has a region before it.
   bool isPortal(std::uint32_t h) const;
   /// From the bottom to the top.
   std::vector<ShownPart> shownParts(std::uint32_t h) const;

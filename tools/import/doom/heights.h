@@ -6,7 +6,7 @@
 
 namespace hearth::doom {
 
-/// How what moves in a map is to stand.
+/// The positions of a map's moving sectors.
 enum class Doors : std::uint8_t {
   Open,   ///< doors are open, lifts are down
   Closed  ///< as the map begins

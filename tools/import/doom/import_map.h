@@ -14,7 +14,7 @@
 
 namespace hearth::doom {
 
-/// All that an import takes, but the map.
+/// The input of an import, except the map.
 struct Source {
   const Wad& wad;
   const Pictures& pictures;
@@ -24,13 +24,13 @@ struct Source {
 struct ImportSettings {
   std::filesystem::path folder;  ///< where the level goes; it need not be there
   Doors doors = Doors::Open;
-  /// Of the light that a map gives its sectors: as much as lets that of lamps show.
+  /// The fraction of the sectors' light in the map: low enough for the light of lamps to show.
   double ambient = 0.75;
   std::size_t imagePixels = kMostPixels;  ///< of all its images together
   std::size_t lights = kMostLights;       ///< at most
 };
 
-/// What became of one map.
+/// The result of importing one map.
 struct Imported {
   std::string map;
   std::filesystem::path level;

@@ -15,15 +15,15 @@ namespace hearth::doom {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// A number of a WAD, which has its lowest byte first. `bytes` has it at `at`.
+/// The number of a WAD at `at` in `bytes`, lowest byte first.
 std::int16_t int16At(Bytes bytes, std::size_t at);
 std::int32_t int32At(Bytes bytes, std::size_t at);
-/// A name of a WAD: eight bytes, filled up with zeros; in upper case. What cannot be printed is
-/// '?', as names go into messages.
+/// A name of a WAD: eight bytes, filled up with zeros; in upper case. Characters
+/// that cannot be printed become '?', because names appear in messages.
 std::string nameAt(Bytes bytes, std::size_t at);
 
-/// The archive in which Doom and its kin keep maps, pictures and sounds: named lumps in an order
-/// that means something (https://doomwiki.org/wiki/WAD).
+/// The archive in which Doom and related games keep maps, pictures and sounds: named lumps whose
+/// order matters (https://doomwiki.org/wiki/WAD).
 class Wad {
  public:
   struct Lump {
@@ -40,13 +40,13 @@ class Wad {
   Wad(const Wad&) = delete;  // lumps lie in the content
   Wad& operator=(const Wad&) = delete;
 
-  /// Puts another one's lumps before these, which take their places.
+  /// Puts the lumps of another WAD before these. Lumps of this one override them.
   void layOver(Wad base);
 
   const std::vector<Lump>& lumps() const { return lumps_; }
   /// The last lump of that name (in upper case), as later ones take the place of earlier ones.
   std::optional<std::size_t> find(std::string_view name) const;
-  /// Its bytes; none where there is none.
+  /// The bytes of a lump; empty if there is none.
   Bytes bytesOf(std::string_view name) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace hearth::doom {
 
-/// What a wall wears: patches, drawn one over the other.
+/// The texture of a wall: patches, drawn one over the other.
 class WallTexture {
  public:
   struct Placement {
@@ -30,7 +30,7 @@ class WallTexture {
   Bytes placements_;
 };
 
-/// By name; a sentence where a definition cannot be used.
+/// By name; an error sentence if a definition cannot be used.
 using WallTextures = std::unordered_map<std::string, tl::expected<WallTexture, std::string>>;
 
 /// The definitions in TEXTURE1 and TEXTURE2 (https://doomwiki.org/wiki/TEXTURE1_and_TEXTURE2), of

@@ -11,8 +11,8 @@
 
 namespace hearth {
 
-/// What a trial takes, in time, which differs from run to run, and in work, which does not; and
-/// how far off it is.
+/// The cost of a trial in time, which differs from run to run, and in work, which does not; and its
+/// error.
 struct Measured {
   Trial trial;
   // Medians of ratios to the first trial, the base, each within a moment; of the base 1. A frame's
@@ -38,8 +38,8 @@ struct TrialBench {
   std::function<void(std::size_t)> done;  ///< called with the number of trials that are measured
 };
 
-/// Measures each trial in turn with the first, the base, as a machine under load gets slower. What
-/// has the same bake is baked only once, again and again. `truth` is of the level's shots; none may
+/// Measures each trial in turn with the first, the base, because a machine under load gets slower.
+/// Trials with the same bake share its measurement. `truth` is of the level's shots; none may
 /// be empty.
 std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
                                     std::span<const TruthPicture> truth, const TrialBench& bench);

@@ -11,7 +11,7 @@
 
 namespace hearth {
 
-/// What settings cost on a level, and how far off they are.
+/// The costs and errors of settings on a level.
 struct TradeoffReport {
   std::string level;  ///< its path
   Machine machine;
@@ -27,7 +27,7 @@ struct TradeoffReport {
   std::vector<bool> onFrameFront;
 };
 
-/// With both fronts found.
+/// The report with both fronts.
 TradeoffReport reportOf(TradeoffReport measured);
 
 /// `bake`, `frame`, `both` or nothing.

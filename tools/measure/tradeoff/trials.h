@@ -9,16 +9,16 @@
 
 namespace hearth {
 
-/// Settings that are tried.
+/// Settings to measure.
 struct Trial {
-  /// Those that are not the level's own, as options; empty where all are.
+  /// The settings that differ from the level's own, as options; empty if none does.
   std::string options;
   BakeSettings bake;
   DrawSettings draw;
 };
 
 /// The level's own settings first, then the qualities, then each approximation by itself, then
-/// combinations of those that most time goes into. None twice; `values` hold for all.
+/// combinations of those that cost most time. Each once; `values` hold for all.
 tl::expected<std::vector<Trial>, std::string> trialsFor(const Scene& scene,
                                                         const OptionValues& values);
 

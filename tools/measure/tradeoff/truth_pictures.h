@@ -10,18 +10,18 @@
 
 namespace hearth {
 
-/// What a camera would see if nothing were approximated.
+/// The picture of a camera without any approximation.
 struct TruthPicture {
   Camera camera;
   Image picture;
   std::vector<Vec3> light;  ///< in levels 0..255, of the pixels row by row, as `--light only` shows
 };
 
-/// Of a ball of light so many points are looked at from every pixel: it shows as much of itself
-/// within a level or so, at a hundredth of the time that more exact pictures take.
+/// The points of a ball of light that every pixel tests: the error is a level or so, at a hundredth
+/// of the time of more exact pictures.
 inline constexpr int kTruthBallPoints = 256;
 
-/// Of all shots of a level, in their order. `done(i)` is called after each.
+/// The pictures of all shots of a level, in order. `done(i)` is called after each.
 std::vector<TruthPicture> truthOf(const LoadedLevel& loaded, PictureSize size, int threads,
                                   const std::function<void(std::size_t)>& done);
 
