@@ -10,7 +10,7 @@
 
 namespace hearth {
 
-/// The rays of a bake with one sample to a texel and points of light, for another ray tracer: one
+/// The rays of a bake with one sample to a texel and point lights, for another ray tracer: one
 /// from each light to each sample that it lies before and is no farther from than it reaches, in
 /// sectors into which any of it comes.
 class BakeRays {

@@ -171,8 +171,8 @@ void printLight(const Contents& contents) {
   };
   printLine("texels of surfaces without a lightmap", light.all.skippedTexels);
   printLine("bytes that even lightmaps spare", light.all.sparedBytes());
-  printLights("points of light", light.points);
-  printLights("balls of light", light.balls);
+  printLights("point lights", light.points);
+  printLights("spherical lights", light.balls);
   printLine("lights that reach nothing", light.uselessLights);
 }
 
