@@ -14,13 +14,13 @@ struct ReadFailure {
   std::string what;  ///< in words: what is wrong
 };
 
-/// Why a file cannot be read, by the system's number for the reason (errno).
+/// The failure that `reason`, a value of errno, stands for.
 tl::unexpected<ReadFailure> failedRead(int reason);
 
-/// All bytes of a regular file; reading from a pipe might never end. Longer files are refused
-/// before memory is taken. If another program writes the file meanwhile, other than by renaming,
-/// the fault is `Changed`, as far as size and time show: a mixture of old and new is never
-/// returned.
+/// Reads all bytes of a regular file. Other kinds are refused: reading from a pipe might never end.
+/// Files longer than `maxBytes` are refused before memory is taken. If the file's size or
+/// modification time changes while it is read, the fault is `Changed`: a mixture of old and new
+/// bytes is not returned. Replacing the file by renaming another does not disturb the reading.
 tl::expected<std::string, ReadFailure> readFile(const std::filesystem::path& path,
                                                 std::uint64_t maxBytes);
 

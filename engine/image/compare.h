@@ -14,8 +14,8 @@ struct PictureDifference {
   std::int64_t over2 = 0;      ///< Pixels that differ by more than 2 levels.
   std::int64_t over8 = 0;      ///< Pixels that differ by more than 8 levels.
   int largest = 0;             ///< The largest difference, in levels.
-  /// Pixels of the largest patch of pixels that differ by more than `blobOver`. The pixels of a
-  /// patch are joined by edges, not by corners.
+  /// The number of pixels in the largest connected patch of pixels that differ by more than
+  /// `blobOver`. Pixels that share only a corner are not connected.
   std::int64_t largestBlob = 0;
 
   friend constexpr bool operator==(PictureDifference, PictureDifference) = default;
@@ -24,8 +24,8 @@ struct PictureDifference {
 /// The pictures must have the same size. `blobOver` is in levels.
 PictureDifference compare(const Image& expected, const Image& actual, int blobOver = 0);
 
-/// The difference of every channel, made visible: none is black, one level is 88 and each further
-/// one 24 more, up to 255. The pictures must have the same size.
+/// The difference of every channel, made visible: no difference is 0, one level is 88, and each
+/// further level adds 24, up to 255. The pictures must have the same size.
 Image amplifiedDifference(const Image& expected, const Image& actual);
 
 }  // namespace hearth

@@ -9,10 +9,10 @@ enum class JpegPart {
   All,
 };
 
-/// Whether no Huffman table of a JPEG file has more than 255 symbols; true for files of other
-/// kinds. stb_image 2.27 overruns its tables above 256 symbols and uses the 256th as a sentinel, so
-/// call this before it decodes. Real pictures need fewer. Reads from the start of the file, and
-/// rewinds it.
+/// Whether every Huffman table of a JPEG file has at most 255 symbols. True for files of other
+/// kinds. stb_image 2.27 overruns a table of more than 256 symbols and uses the 256th as a
+/// sentinel, so call this before it decodes. Real pictures need fewer symbols. Reads from the start
+/// of the file, and rewinds it.
 bool haveSoundTables(std::istream& file, JpegPart part);
 
 }  // namespace hearth

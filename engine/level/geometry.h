@@ -44,7 +44,7 @@ struct LightOpening {
   std::uint32_t maskedMiddleCount = 0;
 };
 
-/// The sector's air at one end of a segment: between its floor and its ceiling, slopes included.
+/// A sector's air above one point in plan: between its floor and its ceiling, slopes included.
 struct AirColumn {
   double zBottom;
   double zTop;

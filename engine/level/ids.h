@@ -7,8 +7,9 @@
 
 namespace hearth {
 
-/// An index into one vector of the Level. Each has its own type, so that a segment's index cannot
-/// be used for a sector. "None" is an empty std::optional, never a special value.
+/// An index into one vector of the Level. Each vector has its own type of index, so that a
+/// segment's index cannot be used for a sector. "None" is an empty std::optional, never a special
+/// value.
 template <typename Tag>
 struct Id {
   std::uint32_t value = 0;

@@ -10,7 +10,7 @@ namespace hearth {
 
 struct CurvePoint {
   double distance;  ///< metres
-  double level;     ///< 0..255 and beyond
+  double level;     ///< of light, >= 0; can exceed 255
 
   friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };

@@ -34,7 +34,7 @@ Nearest nearestWall(const Level& level, const Sector& sector, Vec2 p) {
   return best;
 }
 
-/// Metres that coordinates near `p` need to move to be told apart safely.
+/// Metres that a point near `p` must move so that rounding cannot hide the difference.
 double nudgeAt(Vec2 p) {
   const double size = std::max(std::abs(p.x), std::abs(p.y));
   return std::max(kNudge, 64 * std::numeric_limits<double>::epsilon() * size);
@@ -44,8 +44,8 @@ bool isClear(const Level& level, const Sector& sector, Vec2 p, double clearance)
   return contains(level, sector, p) && nearestWall(level, sector, p).distance >= clearance;
 }
 
-/// A point of the sector at least `nudge` / 16 away from its walls, as near to `p` as a growing
-/// ring of candidates finds one.
+/// A point of the sector that is at least a sixteenth of the nudge away from its walls: `p` itself,
+/// or one of the smallest ring of candidates that has such a point.
 Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
   const double nudge = nudgeAt(p);
   if (isClear(level, sector, p, nudge / 16)) return p;
@@ -75,7 +75,7 @@ Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
 
 Vec3 nudgedInto(AirColumn air, Vec2 xy, double z) {
   const double nudge = std::min(
-      nudgeAt({z, 0}), (air.zTop - air.zBottom) / 4);  // a sector may be lower than two nudges
+      nudgeAt({z, 0}), (air.zTop - air.zBottom) / 4);  // the air may be lower than two nudges
   const double bottom = air.zBottom + nudge;
   return {xy.x, xy.y, std::clamp(z, bottom, std::max(bottom, air.zTop - nudge))};
 }
@@ -90,9 +90,9 @@ class WallsAt {
     if (segment.p0 != p_) addDirection(segment.p0, -1);
   }
 
-  /// Whether air comes to the point. Each wall at the point has air on its front: clockwise of a
-  /// direction along the wall, counter-clockwise of one against it. Where two opposite walls
-  /// coincide, as where a pillar stands in the border, there is no air between them.
+  /// Whether there is air at the point. Each wall at the point has air in front of it: clockwise of
+  /// a direction along the wall, counter-clockwise of one against it. Two opposite walls that
+  /// coincide, for example because a pillar stands in the border, have no air between them.
   bool haveAir() const {
     return std::ranges::any_of(directions_,
                                [](const Direction& direction) { return direction.walls != 0; });
@@ -101,7 +101,7 @@ class WallsAt {
  private:
   struct Direction {
     Vec2 to;
-    int walls;  ///< that it leads along, less those against
+    int walls;  ///< number of walls along it, less those against it
   };
 
   void addDirection(Vec2 to, int walls) {
@@ -117,7 +117,7 @@ class WallsAt {
   std::vector<Direction> directions_;
 };
 
-/// Whether a point is no farther than `slack` from a wall that has air before it there.
+/// Whether a point is within `slack` of a wall that has air in front of it at that place.
 bool isBesideWall(const Level& level, const Sector& sector, Vec2 p, double slack) {
   return std::ranges::any_of(level.segmentsOf(sector), [&](const Segment& segment) {
     const Vec2 wall = nearestOnSegment(segment.p0, segment.p1, p);

@@ -4,24 +4,25 @@
 
 namespace hearth {
 
-/// True when `p` lies in the outline of the sector, its border and the borders of its holes
-/// included where there is air beside them. Exact.
+/// Whether `p` lies inside the outline of the sector. A point on the border, or on the border of a
+/// hole, counts if there is air beside it. Exact.
 bool contains(const Level& level, const Sector& sector, Vec2 p);
 
-/// True when `p` lies in the air of the sector, walls, flats and slopes included, within
-/// `slack` metres.
+/// Whether `p` lies in the air of the sector, or within `slack` metres of it. The walls, flats and
+/// slopes around the air count as air.
 bool contains(const Scene& scene, const Sector& sector, Vec3 p, double slack);
 
-/// `p`, or where it lies on (or within kPositionSlack outside) the walls, flats or slopes of the
-/// sector, a point about kNudge inside them: from there no wall of the sector is seen edge-on.
+/// A point inside the sector from which no wall of the sector is seen edge-on. If `p` lies on the
+/// walls, flats or slopes of the sector, or within kPositionSlack outside them, the point is about
+/// kNudge inside them; else it is `p`.
 Vec3 nudgedInside(const Scene& scene, const Sector& sector, Vec3 p);
-/// Where the flats are as authored.
+/// The same, with the flats at their authored heights.
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p);
 
 enum class Side { Upper, Lower };
 
-/// The sector on one side of a flat portal that contains `p`; on a common border the first of
-/// them; where rounding leaves `p` in none, the nearest.
+/// The sector on side `to` of a flat portal that contains `p`. On a common border of several, it is
+/// the first of them. If rounding leaves `p` in none, it is the nearest.
 SectorId across(const Level& level, const FlatPortal& flatPortal, Side to, Vec2 p);
 
 }  // namespace hearth

@@ -16,20 +16,21 @@ struct PortalHeights {
   double zTop;
 };
 
-/// A portal that reaches from `zBottom` to `zTop` on this side, seen against the flats of the next
-/// sector. Where these leave no opening, all below its floor is lower step and the rest upper.
+/// The heights of a portal that reaches from `zBottom` to `zTop` on this side, given the flats of
+/// the next sector. If the flats leave no opening, everything below the next floor is lower step,
+/// and the rest is upper step.
 constexpr PortalHeights portalHeights(double zBottom, double zTop, double nextFloor,
                                       double nextCeiling) {
   const double zLowerTop = std::clamp(nextFloor, zBottom, zTop);
   return {zBottom, zLowerTop, std::clamp(nextCeiling, zLowerTop, zTop), zTop};
 }
 
-/// Where the air of both sides of an opening meets, `fraction` of the way from the p0 of the near
-/// segment to its p1. Below zBottom stands the near slope or the far one's sidewall, likewise
-/// above.
+/// The heights of an opening at one point of its segment. The air of both sides meets between
+/// zBottom and zTop. The sidewall of the far slope stands between zNearBottom and zBottom, and the
+/// near slope lies below zNearBottom. The same holds above zTop.
 struct OpeningSpan {
-  double zNearBottom;  ///< the opening's piece, clipped by the near sector's air
-  double zBottom;      ///< and by the next sector's air
+  double zNearBottom;  ///< bottom of the piece, clipped to the near sector's air
+  double zBottom;      ///< the same, clipped to the next sector's air too
   double zTop;
   double zNearTop;
 };
@@ -42,8 +43,9 @@ constexpr OpeningSpan openingSpan(const WallPiece& piece, AirColumn near, AirCol
 }
 
 /// Calls `onSurface(SurfaceId, zBottom, zTop)` and `onOpening(const Opening&, zBottom, zTop)` for
-/// all that a segment holds above one point of it, bottom to top, clipped to the sector's air.
-/// Empty spans are left out; the others meet exactly.
+/// every surface and opening of a segment at one point of it, `fraction` of the way from p0 to p1.
+/// Goes from bottom to top. Heights are clipped to the sector's air. Empty spans are left out; the
+/// others meet exactly.
 template <typename OnSurface, typename OnOpening>
 void visitWallColumn(const Scene& scene, const Segment& segment, double fraction,
                      OnSurface&& onSurface, OnOpening&& onOpening) {
@@ -58,7 +60,7 @@ void visitWallColumn(const Scene& scene, const Segment& segment, double fraction
     const Opening& opening = std::get<Opening>(piece.content);
     const OpeningSpan span =
         openingSpan(piece, near, scene.airAt(scene[opening.twin], 1 - fraction));
-    // Where a slope leaves no more than rounding of a sidewall, there is none: the opening goes on.
+    // A sidewall that is nowhere higher than rounding does not exist: the opening takes its place.
     const double zBottom = opening.floorSidewall ? span.zBottom : span.zNearBottom;
     const double zTop = opening.ceilingSidewall ? span.zTop : span.zNearTop;
     if (span.zNearBottom < zBottom) onSurface(*opening.floorSidewall, span.zNearBottom, zBottom);

@@ -7,7 +7,7 @@
 
 namespace hearth {
 
-/// A rectangle of the map, in metres; without points there is nothing in it.
+/// A rectangle of the map, in metres. It is empty until a point is added.
 struct PlanBox {
   Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Vec2 high = -1 * low;
@@ -30,8 +30,8 @@ struct PlanBox {
   }
 };
 
-/// What a plan of the level has to show: all sectors but those that are much larger than where
-/// lights, shots and player are.
+/// The rectangle that a plan of the level has to show: around all sectors, except those that are
+/// much larger than the rectangle around the lights, the shots and the player.
 PlanBox planFrame(const Level& level);
 
 }  // namespace hearth

@@ -10,8 +10,8 @@
 
 namespace hearth {
 
-/// A level with its flats at the heights of a geometry: what is lit, drawn and walked. A view of
-/// both, which must outlive it; passed and kept by value like a pointer.
+/// A level with its flats at the heights of a geometry: what is lit, drawn and walked. It is a view
+/// of level and geometry, which must outlive it. Pass and keep it by value, like a pointer.
 class Scene {
  public:
   Scene(const Level& level, const Geometry& geometry) : level_(&level), geometry_(&geometry) {}
@@ -39,8 +39,9 @@ class Scene {
   double zFloor(const Sector& sector) const { return geometryOf(sector).zFloor; }
   double zCeiling(const Sector& sector) const { return geometryOf(sector).zCeiling; }
 
-  /// The surfaces that show, in their order. Saved bakes and `hearth info` number them so: these
-  /// numbers do not depend on what would show at other heights.
+  /// The surfaces that show, in the order of their ids. Saved bakes and `hearth info` number
+  /// surfaces by their index in this list, so that the numbers do not depend on what would show at
+  /// other heights.
   std::vector<SurfaceId> shownSurfaces() const {
     std::vector<SurfaceId> shown;
     for (std::size_t i = 0; i < geometry_->surfaces.size(); ++i)
@@ -48,7 +49,7 @@ class Scene {
     return shown;
   }
 
-  /// Heights of the sector's air above a point in plan: slopes included.
+  /// Heights of the sector's air at a point of the map, slopes included.
   double airBottom(const Sector& sector, Vec2 p) const {
     return sector.floorSlope ? sector.floorSlope->zAt(p) : zFloor(sector);
   }
@@ -64,7 +65,7 @@ class Scene {
             std::lerp(at.air0.zTop, at.air1.zTop, fraction)};
   }
 
-  /// Bottom to top; they cover the segment's air without a gap.
+  /// The pieces of a segment, bottom to top. They cover the segment's air without a gap.
   std::span<const WallPiece> piecesOf(const Segment& segment) const {
     return {geometry_->pieces.data() + Geometry::kPiecesPerPart * segment.firstPart,
             geometryOf(segment).pieceCount};
@@ -73,7 +74,7 @@ class Scene {
     return {geometry_->lightOpenings.data() + segment.firstPart,
             geometryOf(segment).lightOpeningCount};
   }
-  /// What hangs in an opening, seen from either side.
+  /// The masked middle textures that hang in an opening, those of both its sides.
   std::span<const SurfaceId> maskedMiddlesIn(const LightOpening& opening) const {
     return {geometry_->maskedMiddles.data() + opening.firstMaskedMiddle, opening.maskedMiddleCount};
   }

@@ -8,29 +8,30 @@
 
 namespace hearth {
 
-/// What can show of a wall, or of one sub-wall of a stack, at any heights of the flats around it.
+/// The surfaces that a wall, or one sub-wall of a stack, can show at any heights of the flats
+/// around it.
 struct WallPart {
-  std::optional<SurfaceId> solid;  ///< of a solid; all others are of portals
+  std::optional<SurfaceId> solid;  ///< of a solid wall; all others are of portals
   std::optional<SurfaceId> lower;  ///< the step, or the sky before it
   std::optional<SurfaceId> upper;
   std::optional<SurfaceId> maskedMiddle;
-  std::optional<SurfaceId> floorSidewall;  ///< of the next sector's wedge
+  std::optional<SurfaceId> floorSidewall;  ///< of the next sector's floor slope
   std::optional<SurfaceId> ceilingSidewall;
   std::optional<SegmentId> twin;        ///< the segment behind a portal, the other way round
-  std::uint32_t firstMaskedMiddle = 0;  ///< those of its light opening, in Geometry::maskedMiddles
+  std::uint32_t firstMaskedMiddle = 0;  ///< of its light opening, in Geometry::maskedMiddles
 };
 
 /// A piece of a sector's outline. Seen from the front (from inside the sector) p0 is on the left.
 ///
-/// Linking splits authored walls wherever a wall that they open to has a vertex, so that every
-/// portal segment has exactly one twin with the same end points to the bit: neighbours cannot
-/// disagree about where one ends.
+/// Linking splits an authored wall at every vertex of the walls that it opens to. So every portal
+/// segment has exactly one twin, with the same end points to the bit, and neighbours cannot
+/// disagree about where it ends.
 struct Segment {
   Vec2 p0;
   Vec2 p1;
   SectorId sector;
   std::uint32_t loop = 0;  ///< index into Sector::loops
-  std::uint32_t wall = 0;  ///< index of the authored wall in its loop's file order
+  std::uint32_t wall = 0;  ///< index of the authored wall in its loop, as in the file
   double sBefore = 0;      ///< metres of the authored wall before p0 ...
   double sAfter = 0;       ///< ... and after p1
   Wall kind;

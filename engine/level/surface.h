@@ -10,7 +10,8 @@
 
 namespace hearth {
 
-/// All kinds of surface that can show. The order is that of reports.
+/// All kinds of surface that can show. Reports use this order, and isSky() and isUpright() rely on
+/// it.
 enum class SurfaceKind : std::uint8_t {
   Solid,
   LowerStep,
@@ -44,16 +45,16 @@ constexpr bool isFlat(SurfaceKind kind) {
 constexpr bool isSlope(SurfaceKind kind) {
   return kind == SurfaceKind::SlopeFloor || kind == SurfaceKind::SlopeCeiling;
 }
-/// Stands upright on a segment (and is not sky).
+/// Whether it stands upright on a segment and is not sky.
 constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::MaskedMiddle; }
-/// Faces downwards.
+/// Whether it faces downwards.
 constexpr bool isOverhead(SurfaceKind kind) {
   return kind == SurfaceKind::Ceiling || kind == SurfaceKind::SlopeCeiling ||
          kind == SurfaceKind::SkyCeiling;
 }
 
-/// One thing that can show: what is drawn with one texture and lit by one lightmap. Whether it
-/// shows, and between which heights, `SurfaceGeometry` tells.
+/// A part of a sector's boundary that can show. It is drawn with one texture and lit by one
+/// lightmap. `SurfaceGeometry` says whether it shows, and between which heights.
 struct Surface {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air it bounds, and whose `light` it takes

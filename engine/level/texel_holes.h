@@ -5,7 +5,7 @@
 
 namespace hearth {
 
-/// Which texels of an image are holes. Without a size, none is.
+/// Which texels of an image are holes. If it has no size, no texel is a hole.
 class TexelHoles {
  public:
   TexelHoles() = default;

@@ -20,13 +20,13 @@ struct Portal {
   SectorId next;
   std::optional<TextureMapping> upper;
   std::optional<TextureMapping> lower;
-  std::optional<TextureMapping> maskedMiddle{};  ///< hangs in the opening, once from top to bottom
+  std::optional<TextureMapping> maskedMiddle{};  ///< hangs in the opening, not repeated vertically
 };
 
 using SubWallKind = std::variant<Solid, Portal>;
 
 struct SubWall {
-  double z = 0;  ///< of its top, above its sector's floor; the last one reaches the ceiling instead
+  double z = 0;  ///< of its top, above the floor; unused in the last, which reaches the ceiling
   SubWallKind kind;
 };
 

@@ -15,7 +15,8 @@ void sortEach(std::vector<std::vector<SectorId>>& links) {
   }
 }
 
-/// Marks all that links lead to and that is not yet marked; returns them in order.
+/// Marks `start` and all sectors that links lead to from there without passing marked ones. Returns
+/// these sectors, in order.
 std::vector<SectorId> follow(const std::vector<std::vector<SectorId>>& links, SectorId start,
                              std::vector<bool>& isReached) {
   std::vector<SectorId> reached{start};

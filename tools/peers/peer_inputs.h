@@ -15,7 +15,7 @@
 
 namespace hearth {
 
-/// A level, baked as it says.
+/// A level, baked with its own settings.
 struct PeerLevel {
   LoadedLevel loaded;
   BakedLight light;
@@ -24,7 +24,7 @@ struct PeerLevel {
   explicit PeerLevel(LoadedLevel level);
   PeerLevel(const PeerLevel&) = delete;
   PeerLevel& operator=(const PeerLevel&) = delete;
-  /// Not lit by anything but its sectors' own light.
+  /// Without a bake: only the sectors' own light lights it.
   static PeerLevel unlit(LoadedLevel level) { return {std::move(level), Unlit{}}; }
 
  private:
@@ -32,25 +32,26 @@ struct PeerLevel {
   PeerLevel(LoadedLevel level, Unlit);
 };
 
-/// What the rows of the table measure, each made when it is first asked for.
+/// The inputs that the rows of the table measure. Each is made when it is first asked for.
 class PeerInputs {
  public:
   /// `levels` holds the castle and the tutorial.
   PeerInputs(std::filesystem::path levels, Clock clock);
 
   const Clock& clock() const { return clock_; }
-  /// For files of a row: gone afterwards.
+  /// For files that rows make. The destructor removes it.
   const std::filesystem::path& folder() const { return folder_.path(); }
 
   std::filesystem::path keepFile() const { return levels_ / "keep.json"; }
   std::filesystem::path tutorialFile() const { return levels_ / "tutorial.json"; }
-  /// A map of Freedoom, imported as it is when its play begins. The error says what is missing.
+  /// A map of Freedoom, imported with its doors closed, as play begins. The error says what is
+  /// missing.
   tl::expected<std::filesystem::path, std::string> freedoomFile(const std::string& map);
 
-  /// The error is what is wrong with the file.
+  /// The level of a file, baked. The error says what is wrong with the file.
   tl::expected<const PeerLevel*, std::string> level(const std::filesystem::path& file);
   tl::expected<const PeerLevel*, std::string> freedoomLevel(const std::string& map);
-  /// With all its lights white: lightmaps have one channel.
+  /// The same with all its lights white, so that lightmaps have one channel.
   tl::expected<const PeerLevel*, std::string> greyLevel(const std::filesystem::path& file);
 
  private:
@@ -63,10 +64,11 @@ class PeerInputs {
   PeerLevels greyLevels_;
 };
 
-/// The map of Freedoom's 68 with the most texels of 1/8 m, 8.9 million: `hearth bake` prints them.
+/// The map with the most texels of Freedoom's 68: 8.9 million of 1/8 m. `hearth bake` prints the
+/// number.
 inline constexpr const char* kLargestMap = "MAP29";
 
-/// The WAD of Freedoom that has a map.
+/// The WAD of Freedoom that contains a map.
 std::filesystem::path freedoomWad(std::string_view map);
 
 }  // namespace hearth

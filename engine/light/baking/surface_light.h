@@ -13,14 +13,14 @@ namespace hearth {
 /// How it is decided whether samples see a light.
 enum class Seeing {
   ByShafts,    ///< by beam trees or shafts, and by rays where those do not decide
-  ByRaysAlone  ///< each sample by itself, to compare the others with
+  ByRaysAlone  ///< by rays for each sample; the other way is compared with it
 };
 
 /// The light that arrives at points of one surface.
 class SurfaceLight {
  public:
-  /// Keeps references to all but `scene` and `id`. `dependencies`, if any, records what the
-  /// light depends on.
+  /// Keeps references to `surfaces`, `sights` and `dependencies`. `dependencies`, if any, records
+  /// what the light depends on.
   SurfaceLight(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
                bool lambert, SurfaceId id, Seeing seeing = Seeing::ByShafts,
                LightDependencies* dependencies = nullptr);
@@ -41,7 +41,7 @@ class SurfaceLight {
   bool reaches(std::size_t light, const SampleBlocks& blocks) const;
 
   SamplePoint place(Vec2 texelPoint) const;
-  /// Adds the samples of a row of points, at rising `columns` in `row`.
+  /// Adds to `places` the samples of a row of points, in texel coordinates; `columns` rise.
   void placeRow(std::span<const double> columns, double row,
                 std::vector<SamplePoint>& places) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
@@ -52,16 +52,16 @@ class SurfaceLight {
 
   /// The fraction of a light that the point sees, 0..1.
   double seenFraction(std::size_t light, const SamplePoint& at);
-  /// With fewer rays to a ball.
+  /// The same, with fewer rays to a ball.
   double roughlySeenFraction(std::size_t light, const SamplePoint& at);
 
-  /// The light at the point if all of the source is seen, in levels, before colour.
+  /// The light at the point if it sees all of the source: in levels, before colour.
   double fullBrightness(std::size_t light, const SamplePoint& at) const;
-  /// The light at each of the samples of the last call of seenFractions(), in levels. Valid until
-  /// the next call.
+  /// The light at each of the samples, in levels, before colour. Call seenFractions() with the same
+  /// arguments first. Valid until the next call.
   const std::vector<double>& levels(std::size_t light, const SampleBlocks& blocks);
 
-  /// In the order of the level's lights.
+  /// One for each light of the level, in their order.
   const std::vector<LightCost>& costs() const { return rays_.costs(); }
 
  private:

@@ -27,7 +27,7 @@ std::string_view adviceOn(ReadFault fault) {
   return "";
 }
 
-/// With the extension that may have been left out.
+/// The same, but suggests the path with `.json` added if there is such a file.
 std::string adviceOn(const ReadFailure& failure, const FileSource& files,
                      std::filesystem::path path) {
   path += ".json";
@@ -41,7 +41,7 @@ std::string adviceOn(const ReadFailure& failure, const FileSource& files,
 bool readDocument(const FileSource& files, const std::filesystem::path& path,
                   const std::optional<std::string>& unsaved, const LoadLimits& limits,
                   Document& document, std::uint32_t documentIndex, Report& report) {
-  constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // places are offsets of 32 bits
+  constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // Place::offset has 32 bits
   document.file = path.string();
   if (unsaved) return readText(*unsaved, document, documentIndex, report);
   auto bytes = files.read(path, std::min(limits.fileBytes, kMostPlaces));
@@ -62,7 +62,7 @@ bool readText(std::string text, Document& document, std::uint32_t documentIndex,
   document.text = std::move(text);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (document.text.starts_with(kByteOrderMark)) document.text.erase(0, kByteOrderMark.size());
-  if (document.text.starts_with(kByteOrderMark)) {  // which the JSON library would pass over
+  if (document.text.starts_with(kByteOrderMark)) {  // the JSON library would accept it
     report.error({documentIndex, 0}, "not valid JSON: a second byte order mark", "remove it");
     return false;
   }

@@ -70,7 +70,7 @@ std::vector<SectorId> targetsOf(const Wall& wall);
 
 /// Heights, textures, flat portals and light of all sectors.
 void linkFlats(Linking& linking);
-/// Names of walls to ids, sub-walls to absolute heights.
+/// Links the names that walls lead to, and their textures.
 void linkWalls(Linking& linking);
 /// Fits the outlines of linked sectors together and makes the level's loops and segments of them.
 /// A portal that has no wall of the next sector behind it becomes solid.

@@ -7,7 +7,8 @@
 namespace hearth {
 
 void Pages::show(std::span<const Page> pages) {
-  // A panel that has been made anew, as for other letters, knows of no page that was shown.
+  // A panel that was made anew, for example because letters change their size, counts frames from
+  // the start and does not know which page was shown.
   if (ImGui::GetFrameCount() <= std::exchange(frame_, ImGui::GetFrameCount())) turnTo(shown_);
   const std::optional<std::size_t> asked = std::exchange(asked_, std::nullopt);
   if (!ImGui::BeginTabBar("pages")) return;
