@@ -30,7 +30,7 @@ class FileSource {
   /// All bytes of a regular file. Longer files are refused before memory is taken.
   virtual tl::expected<std::string, ReadFailure> read(const std::filesystem::path& path,
                                                       std::uint64_t maxBytes) const = 0;
-  /// A regular file from its first byte, in a stream that can seek.
+  /// Opens a regular file at its first byte. The stream can seek.
   virtual tl::expected<std::unique_ptr<std::istream>, ReadFailure> open(
       const std::filesystem::path& path) const = 0;
   /// The names of what lies in a folder, in any order; none where there is no such folder.

@@ -23,7 +23,7 @@ std::uint8_t amplified(int a, int b) {
   return a == b ? 0 : static_cast<std::uint8_t>(std::min(255, 64 + 24 * std::abs(a - b)));
 }
 
-/// The pixels that differ, as a mask that patches are taken out of one by one.
+/// A mask of the pixels that differ. Patches are taken out of it one by one.
 class DifferenceMask {
  public:
   DifferenceMask(int width, int height)

@@ -17,11 +17,12 @@
 namespace hearth {
 namespace {
 
-/// Most bytes that decoding may ask for at once: 64 million pixels of four 16-bit channels. The
-/// decoder's own buffer grows with what a PNG unpacks to, whatever its header says; this stops it.
+/// The most bytes that the decoder may ask for at once: 64 million pixels of four 16-bit channels.
+/// The decoder's buffer grows with what a PNG unpacks to, whatever its header says. The limit stops
+/// it.
 constexpr std::size_t kMaxDecoderBytes = std::size_t{512} << 20;
 
-/// Of zeros: stb decodes scans of JPEGs by tables that the file may not have given.
+/// The memory is zeroed: stb decodes scans of JPEGs with tables that the file may have left out.
 void* boundedMalloc(std::size_t bytes) {
   return bytes <= kMaxDecoderBytes ? std::calloc(1, bytes) : nullptr;
 }
@@ -30,10 +31,10 @@ void* boundedRealloc(void* old, std::size_t bytes) {
   return bytes <= kMaxDecoderBytes ? std::realloc(old, bytes) : nullptr;
 }
 
-/// What stb writes PNGs with: in half the time that its own packing takes, and into four fifths of
-/// the bytes. The memory is for std::free; none where there is not enough.
+/// Packs the bytes of a PNG for stb. This takes half the time of stb's own packing, and gives four
+/// fifths of its bytes. The caller frees the result with std::free. It is null if memory runs out.
 unsigned char* packed(const unsigned char* bytes, int size, int* packedSize) {
-  constexpr int kLevel = 4;  // the next ones take twice the time for 3 % of the bytes
+  constexpr int kLevel = 4;  // higher levels take twice the time to save 3 % of the bytes
   uLongf room = compressBound(static_cast<uLong>(size));
   auto* const memory = static_cast<unsigned char*>(std::malloc(room));
   if (!memory) return nullptr;
@@ -45,13 +46,14 @@ unsigned char* packed(const unsigned char* bytes, int size, int* packedSize) {
   return memory;
 }
 
-/// Of its PNG: RGB, and alpha where there are holes.
+/// The number of channels of its PNG: RGB, and alpha if there are holes.
 int channelsOf(const Image& image) { return image.hasHoles() ? 4 : 3; }
 
-/// What keeps a picture from being written as a PNG.
+/// Why a picture is too large to be written as a PNG; none if it is not.
 std::optional<std::string> mistakeInSize(const std::filesystem::path& path, const Image& image) {
   CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
-  // The encoder counts bytes in `int`, also those of a buffer for what hardly packs.
+  // The encoder counts bytes in `int`. Its buffer is larger than the picture, in case that hardly
+  // packs.
   const std::int64_t bytes = (std::int64_t{channelsOf(image)} * image.width() + 1) * image.height();
   if (bytes <= std::numeric_limits<int>::max() / 4) return std::nullopt;
   return fmt::format("{}: {} x {} pixels are too many for one PNG; write a smaller picture",
@@ -61,7 +63,7 @@ std::optional<std::string> mistakeInSize(const std::filesystem::path& path, cons
 }  // namespace
 }  // namespace hearth
 
-// Only what textures come in, and without the message that stb keeps in a variable.
+// Only the formats of textures, and without the error message that stb keeps in a variable.
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
@@ -79,7 +81,7 @@ std::optional<std::string> mistakeInSize(const std::filesystem::path& path, cons
 #define STBI_WRITE_NO_STDIO
 #define STBIW_ZLIB_COMPRESS(bytes, size, packedSize, quality) \
   hearth::packed(bytes, size, packedSize)
-// Static functions of stb that nothing here calls.
+// stb defines static functions that nothing here calls.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include <stb/stb_image.h>
@@ -89,11 +91,11 @@ std::optional<std::string> mistakeInSize(const std::filesystem::path& path, cons
 namespace hearth {
 namespace {
 
-/// The densest packing of the formats read here: a PNG of one bit per pixel (8 pixels a byte) under
-/// deflate, which makes at most 1032 bytes of one (258 bytes from two bits).
+/// The densest packing of the formats read here: a PNG of one bit per pixel, thus 8 pixels a byte.
+/// Deflate packs at most 1032 bytes into one (258 bytes into two bits).
 constexpr std::int64_t kMaxPixelsPerByte = std::int64_t{8} * 1032;
 
-/// More than any real file needs: 8 bytes hold the deepest pixel, and some may not compress.
+/// More than any real file needs. The deepest pixel has 8 bytes, and some pixels do not compress.
 constexpr std::int64_t kMaxBytesPerPixel = 16;
 /// Room for what a file may hold beside its pixels: colour profile, preview, comments.
 constexpr std::int64_t kMaxExtraBytes = std::int64_t{4} << 20;
@@ -108,15 +110,17 @@ int readSome(void* file, char* bytes, int size) {
 
 void skip(void* file, int bytes) {
   auto* const stream = static_cast<std::istream*>(file);
-  stream->clear();  // a stream that has reached its end does not go back
+  stream->clear();  // a stream that has failed at its end cannot seek
   stream->seekg(bytes, std::ios::cur);
-  // Seeking forgets that the end was reached, and stb, which reads no more then, would wait for it.
+  // Seeking clears the mark that the end was reached, and peeking sets it again. Without the mark,
+  // stb would wait for the end forever: it reads no more then.
   stream->peek();
 }
 
 int atEnd(void* file) { return static_cast<std::istream*>(file)->good() ? 0 : 1; }
 
-/// What stb reads a file through. Not a constant: the loader would have to write its addresses.
+/// The functions through which stb reads a file. They are not a constant, because the system's
+/// loader would have to write their addresses.
 stbi_io_callbacks fileCallbacks() { return {readSome, skip, atEnd}; }
 
 struct PixelsFree {
@@ -161,7 +165,7 @@ tl::expected<ImageSize, std::string> sizeOf(std::istream& file, const std::files
   return size;
 }
 
-/// Refuses, before any memory is taken, what is too large or cannot be true.
+/// Refuses sizes that are too large or cannot be true, before any memory is taken.
 tl::expected<void, std::string> checkSize(ImageSize size, std::uint64_t fileBytes,
                                           std::int64_t maxPixels,
                                           const std::filesystem::path& path) {

@@ -19,7 +19,7 @@ struct Player {
   SectorId sector;
   Vec3 eye;             ///< absolute
   double angle = 0;     ///< degrees; 0 looks along +x, 90 along +y
-  double height = 1.8;  ///< the body, in metres
+  double height = 1.8;  ///< of the body, in metres
   double eyeHeight = 1.6;
   double radius = 0.3;
   double step = 0.4;
@@ -44,7 +44,7 @@ struct Level {
   std::string name;
   std::vector<std::string> textures;  ///< names, by TextureId
   std::vector<TexelHoles>
-      holes;  ///< of masked middle textures; by TextureId, as far as there are any
+      holes;  ///< of masked middle textures, by TextureId; may be shorter than `textures`
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;
@@ -54,7 +54,7 @@ struct Level {
   std::vector<Shot> shots;
 
   // Set by `linkSurfaces`:
-  std::vector<Surface> surfaces;              ///< all that can show at any heights
+  std::vector<Surface> surfaces;              ///< all that can show, at whatever heights
   std::vector<WallPart> parts;                ///< of all segments
   std::vector<SegmentId> entrances;           ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening

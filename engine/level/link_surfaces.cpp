@@ -83,7 +83,7 @@ class PartBuilder {
     level_.parts.push_back(part);
   }
 
-  /// None without a texture: then it may show at no height.
+  /// Returns none if there is no texture. Then the surface must not show at any height.
   std::optional<SurfaceId> newSurface(SurfaceKind kind,
                                       const std::optional<TextureMapping>& mapping) {
     if (!mapping) return std::nullopt;

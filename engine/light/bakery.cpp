@@ -15,13 +15,13 @@ namespace hearth {
 
 namespace {
 
-/// Largest first, so that no thread starts the longest job last.
+/// Puts the largest job first, so that no thread starts the longest job last.
 void sortByFallingSize(std::vector<SurfaceTexels>& jobs) {
   std::ranges::stable_sort(jobs, std::ranges::greater{},
                            [](const SurfaceTexels& job) { return job.texels.count(); });
 }
 
-/// Returns the rays that it added.
+/// Returns the number of rays that it added.
 std::int64_t addTo(std::vector<LightCost>& sum, const std::vector<LightCost>& costs) {
   std::int64_t rays = 0;
   for (std::size_t i = 0; i < costs.size(); ++i) {

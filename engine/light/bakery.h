@@ -39,7 +39,7 @@ struct BakedLight {
   std::vector<LightCost> lightCosts;      ///< in the order of the level's lights
 };
 
-/// The stats that lightmaps alone show: all except the rays.
+/// Counts the stats of lightmaps. The rays are those of `surfaceCosts`, and 0 without them.
 BakeStats statsOf(const BakedLight& baked);
 
 /// Why the level cannot be baked with these settings, beginning with the setting (`texel: ...`);

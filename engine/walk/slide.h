@@ -7,12 +7,13 @@
 namespace hearth {
 
 struct Slide {
-  Vec2 moved;               ///< from the centre, in metres
-  bool wasStopped = false;  ///< by something on the way
+  Vec2 moved;               ///< from where it began, in metres
+  bool wasStopped = false;  ///< whether it met a blocker on the way
 };
 
-/// Moves a disc of `radius` from the centre (the origin) by `motion`, sliding along what stops it.
-/// It never passes a blocker, and never comes nearer to one than `radius`, or than it was.
+/// Moves a disc of `radius` from the origin by `motion`. It slides along what stops it. It never
+/// passes a blocker, and never comes nearer to one than `radius`. If it begins nearer than that, it
+/// comes no nearer still.
 Slide slideAlong(std::span<const Blocker> blockers, Vec2 motion, double radius);
 
 }  // namespace hearth

@@ -8,7 +8,7 @@ namespace hearth {
 
 namespace {
 
-/// Linux tells in /proc/cpuinfo.
+/// Linux names the processor in /proc/cpuinfo.
 std::string processorName() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);)

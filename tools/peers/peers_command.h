@@ -4,7 +4,8 @@
 
 namespace hearth {
 
-/// The one command of hearth-peers: measures Hearth against peers, limits and targets.
+/// The one command of hearth-peers. It measures Hearth against other programs, limits of the
+/// machine and targets.
 Command peersCommand();
 
 }  // namespace hearth

@@ -13,32 +13,33 @@
 
 namespace hearth {
 
-/// The sums to which the light of each source is added: one for all, or one for each.
+/// Returns the sums to which a light is added. All lights share one, or each has its own.
 using SumsOf = std::function<TexelSums&(std::size_t light)>;
 
-/// Texels are baked in tiles, so that their samples take little memory.
+/// Divides texels into tiles. Each tile is baked by itself, so that its samples take little memory.
 std::vector<TexelRect> tilesOf(const TexelRect& texels);
-/// Samples of a tile, side x side to each texel.
+/// The samples of a tile: `side` x `side` in each texel.
 SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side);
 
-/// Adds the light of some of the facing lights to the surface's texels; less of it after a request
-/// to stop.
+/// Adds some of the facing lights to the surface's texels. After a request to stop, some of their
+/// light is missing.
 void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                const std::stop_token& stop = {});
 
-/// A quick preview of the same: one sample for kDraftSide x kDraftSide texels.
+/// For a quick preview, addDraftOfLights() does the same with only one sample for each square of
+/// kDraftSide x kDraftSide texels.
 inline constexpr int kDraftSide = 4;
 void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                       const BakeSettings& settings, const SumsOf& sumsOf);
 
-/// The texels of a surface that must be baked to know some of them: these alone, or all where
+/// The texels of a surface that must be baked if only `wanted` are needed: these alone, or all if
 /// texels share samples.
 TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
                     const BakeSettings& settings);
 
-/// The lightmap of a surface, or of the texels that must be baked; none if no light reaches
-/// them.
+/// Bakes all texels of a surface, or those that must be baked. Returns their lightmap; none if no
+/// light reaches them.
 std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& baked,
                                     const BakeSettings& settings, BakeProgress& progress);
 

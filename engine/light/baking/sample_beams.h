@@ -10,34 +10,35 @@
 
 namespace hearth {
 
-/// Finds which fraction of a point light samples see: by the light's beams, and by shafts and rays
-/// where beams give no answer.
+/// Finds which fraction of a point light each sample sees. It asks the light's beams, and takes
+/// shafts and rays where the beams give no answer.
 class SampleBeams {
  public:
   /// Keeps references to both.
   SampleBeams(SampleRays& rays, SampleShafts& shafts) : rays_(rays), shafts_(shafts) {}
 
-  /// For all samples, into `seen` by their indices, which is 0 before. The light has beams.
+  /// Writes the fractions of all samples to `seen`, by their indices. `seen` is 0 before. The light
+  /// must have beams.
   void find(std::size_t light, const SampleBlocks& blocks, std::span<double> seen);
 
  private:
-  /// What `find` was called with.
+  /// The arguments of `find`.
   struct Task {
     std::size_t light;
     const SampleBlocks& blocks;
     std::span<double> seen;
   };
-  /// The answer of the beams for points on a surface.
+  /// What the beams say of points on one surface.
   struct OnSurface {
     SurfaceId surface;
-    bool isInFront;  ///< whether the light can shine on it: a continuation may be turned
+    bool isInFront;  ///< whether the light can shine on it; a continuation may be tilted away
     Shaft::Outcome outcome;
-    bool isKnown;  ///< whether they give an answer
-    /// If the outcome is unknown: the range of `beams_` that can contain some of the points.
+    bool isKnown;  ///< whether the beams give an answer
+    /// If the outcome is unknown, these beams can contain some of the points: a range of `beams_`.
     std::size_t first;
     std::size_t last;
   };
-  /// Entries of `onSurfaces_` of a block, one for each surface that can hold its samples.
+  /// The entries of a block in `onSurfaces_`: one for each surface that can hold its samples.
   struct Range {
     std::size_t first;
     std::size_t last;
@@ -64,7 +65,7 @@ class SampleBeams {
   BeamTree::Found beams_;
   BeamTree::Parting parting_;
   std::vector<OnSurface> onSurfaces_;
-  std::vector<double> seenIfOn_;  ///< the same if all samples lay on one surface
+  std::vector<double> seenIfOn_;  ///< `seen`, as if all samples lay on one surface
 };
 
 }  // namespace hearth

@@ -27,7 +27,7 @@ struct KnownRays {
   Shaft::Outcome outcome;
 };
 
-/// Finds by rays which fraction of a light single samples on one surface see.
+/// Traces rays to find which fraction of a light a sample sees. All samples are of one surface.
 class SampleRays {
  public:
   /// Keeps references to `surfaces` and `sights`. `dependencies`, if any, records what the
@@ -46,12 +46,12 @@ class SampleRays {
   const LitSurface& surface(SurfaceId id) const { return *surfaces_[id.index()]; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
   const LightSight& sight(std::size_t light) const { return sights_.fine[light]; }
-  /// With fewer rays to a ball.
+  /// The same, with fewer rays to a ball.
   const LightSight& roughSight(std::size_t light) const { return sights_.rough[light]; }
   double reach(std::size_t light) const { return sights_.reach[light]; }
   /// Metres; 0 for a point light.
   double radiusOf(std::size_t light) const { return sight(light).shaftLight().radius; }
-  /// Records the sectors that rays of the light enter; null if nothing does.
+  /// The set that records which sectors rays of the light enter; null if nothing records them.
   SectorSet* sectorsMetBy(std::size_t light) {
     return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;
   }
@@ -63,7 +63,7 @@ class SampleRays {
   /// Which fraction of a light the point sees, 0..1.
   double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
                       const KnownRays* known);
-  /// For a light that nothing hides: 1, or 0 if it is too far away.
+  /// The same if nothing hides the light from the point: 1, or 0 if the light is too far away.
   double unhiddenFraction(std::size_t light, const SamplePoint& at);
 
   void countSamples(std::size_t light, std::int64_t samples) { costs_[light].samples += samples; }

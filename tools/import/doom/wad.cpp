@@ -12,8 +12,8 @@ namespace hearth::doom {
 namespace {
 
 constexpr std::size_t kWadHeader =
-    12;                             // "IWAD" or "PWAD", how many lumps, where their directory is
-constexpr std::size_t kEntry = 16;  // where a lump is, its length, its name
+    12;                             // "IWAD" or "PWAD", number of lumps, offset of their directory
+constexpr std::size_t kEntry = 16;  // offset of a lump, its length, its name
 constexpr std::size_t kName = 8;
 
 Bytes bytesIn(const std::string& content) {

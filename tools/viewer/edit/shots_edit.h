@@ -10,8 +10,8 @@
 namespace hearth {
 
 /// Writes a bookmark as the last shot of its level into the level's file. All other bytes of the
-/// file stay as they are. Refuses a name that a shot has, and a file that is not what was
-/// loaded. Errors are one sentence that begins with the path.
+/// file stay as they are. Refuses a name that a shot already has, and a file that has changed since
+/// it was loaded. Errors are one sentence that begins with the path.
 tl::expected<void, std::string> writeShot(Storage& storage, const LoadedLevel& loaded,
                                           const Bookmark& bookmark);
 

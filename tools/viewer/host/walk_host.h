@@ -7,12 +7,12 @@
 
 namespace hearth {
 
-/// The surroundings of a walk, which starts no threads of its own.
+/// What the program gives to a walk. A walk starts no threads of its own.
 struct WalkHost {
   WindowHost& window;
   Storage& storage;
   Screenshots& screenshots;
-  Workers* workers = nullptr;  ///< that help to draw, if any
+  Workers* workers = nullptr;  ///< threads that help to draw, if any
 };
 
 }  // namespace hearth

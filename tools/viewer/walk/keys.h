@@ -43,25 +43,25 @@ enum class Action : std::uint8_t {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::Leave) + 1;
 
-/// A row of the table behind input, the user's settings and lists of keys.
+/// A row of the table of actions. Input, the user's settings and the lists of keys use the table.
 struct ActionRow {
   Action action{};
-  std::string_view name;      ///< in files
-  std::string_view help;      ///< in the overlay
-  std::array<Key, 3> keys{};  ///< unless the user says otherwise
+  std::string_view name;      ///< in the user's settings
+  std::string_view help;      ///< as the overlay shows it
+  std::array<Key, 3> keys{};  ///< the defaults
 };
 
-/// By Action.
+/// The table, in the order of Action.
 std::span<const ActionRow> actionTable();
 
-/// With Alt held, keys are for the desktop.
+/// Whether the key is Alt. While Alt is held, keys are for the desktop.
 bool isForTheDesktop(Key key);
 
 /// The keys of each action. Keys are places on the keyboard, whatever letters a layout has there.
 /// No key has two actions.
 class KeyMap {
  public:
-  /// The keys of the table.
+  /// Has the default keys.
   KeyMap();
 
   std::optional<Action> actionOf(Key key) const;

@@ -52,8 +52,8 @@ bool WalkPanel::take(const Event& event, const PanelSubject& subject, Preference
   return isKeyOfLights && lights_->take(*key, subject.scene);
 }
 
-/// What the mouse does in the picture beside the panel is about a light, if it is at one, and else
-/// about what shows there.
+/// Handles what the mouse does in the picture beside the panel. It is about a light if the mouse is
+/// at one. Otherwise it is about what shows there.
 void WalkPanel::point(const Event& event, const PanelSubject& subject) {
   const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(subject.size.width);
   const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
@@ -88,7 +88,7 @@ PanelWishes WalkPanel::draw(double now, const PanelSubject& subject, const Figur
   return wishes;
 }
 
-/// Returns what is to be copied.
+/// Returns the text to copy to the clipboard, if any.
 std::optional<std::string> WalkPanel::showLightPage(const PanelSubject& subject) {
   LightsTool* const lights = lights_ ? &*lights_ : nullptr;
   auto copied = inspector_.show(
