@@ -139,7 +139,7 @@ tl::expected<File, std::string> open(const FileSource& files, const std::filesys
     if (failed.fault == ReadFault::Missing)
       what = "there is no such file; check the path and its spelling";
     if (failed.fault == ReadFault::NotRegular) what = "is not a file; give the path of a picture";
-    return failure(path, what).value();
+    return fmt::format("{}: {}", path.string(), what);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "measure/machine.h"
 
 #include <fstream>
+#include <string_view>
 
 #include "math/parallel.h"
 
@@ -10,9 +11,10 @@ namespace {
 
 /// Linux names the processor in /proc/cpuinfo.
 std::string processorName() {
+  constexpr std::string_view kKey = "model name\t: ";
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    if (line.starts_with(kKey)) return line.substr(kKey.size());
   return "unknown";
 }
 
