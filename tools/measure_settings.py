@@ -47,7 +47,7 @@ def values_of(name, levels):
 def figures(row, is_bake):
     if is_bake:
         return float(row["bake_cost"]), float(row["light_rms"])
-    return float(row["frame_cost"]), float(row["over2_fraction"])
+    return float(row["frame_cost"]), float(row["over2_share"])
 
 
 def printed(name, value, measured):

@@ -1127,7 +1127,7 @@ class Info(InFolder):
         result = run("info", self.level, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         info = json.loads(result.stdout)
-        self.assertEqual((info["sectors"], info["lights"], info["flatPortals"]), (4, 2, 1))
+        self.assertEqual((info["sectors"], info["lights"], info["interfaces"]), (4, 2, 1))
         self.assertEqual(info["features"]["stack"], 2)
         self.assertEqual(info["features"]["slope floor"], 1)
         self.assertEqual(info["features"]["closed door"], 0)

@@ -116,7 +116,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
   object["sectors"] = level.sectors.size();
   object["loops"] = contents.loops;
   object["segments"] = level.segments.size();
-  object["flatPortals"] = level.flatPortals.size();
+  object["interfaces"] = level.flatPortals.size();  // scripts know them by this name
   object["lights"] = level.lights.size();
   object["shots"] = level.shots.size();
   for (std::size_t i = 0; i < kSurfaceKinds; ++i)

@@ -77,8 +77,7 @@ std::string tableOf(const TradeoffReport& report) {
 std::string csvOf(const TradeoffReport& report) {
   std::string text =
       "settings,front,bake_cost,bake_seconds,frame_cost,frame_ms,texels,rays,lightmap_bytes,frame_"
-      "pixels,light_max,light_rms,light_p99,picture_rms,over2_fraction,over8_fraction,largest_blob,"
-      "psnr,"
+      "pixels,light_max,light_rms,light_p99,picture_rms,over2_share,over8_share,largest_blob,psnr,"
       "ssim\r\n";
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
     const Measured& of = report.trials[i];
