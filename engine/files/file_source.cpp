@@ -24,23 +24,22 @@ FileKind DiskFiles::kindOf(const fs::path& path) const {
   }
 }
 
-tl::expected<std::string, ReadFailure> DiskFiles::read(const fs::path& path,
-                                                       std::uint64_t maxBytes) const {
+tl::expected<std::string, ReadError> DiskFiles::read(const fs::path& path,
+                                                     std::uint64_t maxBytes) const {
   return readFile(path, maxBytes);
 }
 
 /// Opens only regular files: reading a folder fails late, and reading a pipe may wait for ever.
-tl::expected<std::unique_ptr<std::istream>, ReadFailure> DiskFiles::open(
-    const fs::path& path) const {
+tl::expected<std::unique_ptr<std::istream>, ReadError> DiskFiles::open(const fs::path& path) const {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
-  if (type == fs::file_type::not_found) return failedRead(ENOENT);
-  if (error) return failedRead(error.value());
+  if (type == fs::file_type::not_found) return readErrorFromErrno(ENOENT);
+  if (error) return readErrorFromErrno(error.value());
   if (type != fs::file_type::regular)
-    return tl::make_unexpected(ReadFailure{ReadFault::NotRegular, "not a regular file"});
+    return tl::make_unexpected(ReadError{ReadErrorCode::NotRegular, "not a regular file"});
   errno = 0;
   auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
-  if (!*file) return failedRead(errno);
+  if (!*file) return readErrorFromErrno(errno);
   return file;
 }
 

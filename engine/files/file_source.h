@@ -28,10 +28,10 @@ class FileSource {
 
   virtual FileKind kindOf(const std::filesystem::path& path) const = 0;
   /// All bytes of a regular file. Longer files are refused before memory is taken.
-  virtual tl::expected<std::string, ReadFailure> read(const std::filesystem::path& path,
-                                                      std::uint64_t maxBytes) const = 0;
+  virtual tl::expected<std::string, ReadError> read(const std::filesystem::path& path,
+                                                    std::uint64_t maxBytes) const = 0;
   /// Opens a regular file at its first byte. The stream can seek.
-  virtual tl::expected<std::unique_ptr<std::istream>, ReadFailure> open(
+  virtual tl::expected<std::unique_ptr<std::istream>, ReadError> open(
       const std::filesystem::path& path) const = 0;
   /// The names of what lies in a folder, in any order; none where there is no such folder.
   virtual std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder) const = 0;
@@ -41,9 +41,9 @@ class FileSource {
 class DiskFiles final : public FileSource {
  public:
   FileKind kindOf(const std::filesystem::path& path) const override;
-  tl::expected<std::string, ReadFailure> read(const std::filesystem::path& path,
-                                              std::uint64_t maxBytes) const override;
-  tl::expected<std::unique_ptr<std::istream>, ReadFailure> open(
+  tl::expected<std::string, ReadError> read(const std::filesystem::path& path,
+                                            std::uint64_t maxBytes) const override;
+  tl::expected<std::unique_ptr<std::istream>, ReadError> open(
       const std::filesystem::path& path) const override;
   std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder) const override;
 };

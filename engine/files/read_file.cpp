@@ -18,8 +18,8 @@ struct FileClose {
 };
 using OpenFile = std::unique_ptr<std::FILE, FileClose>;
 
-tl::unexpected<ReadFailure> failure(ReadFault fault, std::string what) {
-  return tl::make_unexpected(ReadFailure{fault, std::move(what)});
+tl::unexpected<ReadError> failure(ReadErrorCode code, std::string what) {
+  return tl::make_unexpected(ReadError{code, std::move(what)});
 }
 
 bool isSame(const struct stat& a, const struct stat& b) {
@@ -29,32 +29,33 @@ bool isSame(const struct stat& a, const struct stat& b) {
 
 }  // namespace
 
-tl::unexpected<ReadFailure> failedRead(int reason) {
-  if (reason == ENOENT || reason == ENOTDIR) return failure(ReadFault::Missing, "no such file");
-  return failure(ReadFault::Failed,
+tl::unexpected<ReadError> readErrorFromErrno(int reason) {
+  if (reason == ENOENT || reason == ENOTDIR) return failure(ReadErrorCode::Missing, "no such file");
+  return failure(ReadErrorCode::Failed,
                  "cannot be read: " + std::error_code(reason, std::generic_category()).message());
 }
 
-tl::expected<std::string, ReadFailure> readFile(const std::filesystem::path& path,
-                                                std::uint64_t maxBytes) {
+tl::expected<std::string, ReadError> readFile(const std::filesystem::path& path,
+                                              std::uint64_t maxBytes) {
   // Not to wait for the other end of a pipe.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return failedRead(errno);
+  if (descriptor < 0) return readErrorFromErrno(errno);
   const OpenFile file(::fdopen(descriptor, "rb"));
-  if (!file) return failedRead(errno);
+  if (!file) return readErrorFromErrno(errno);
   struct stat before {};
-  if (::fstat(descriptor, &before) != 0) return failedRead(errno);
-  if (!S_ISREG(before.st_mode)) return failure(ReadFault::NotRegular, "not a regular file");
+  if (::fstat(descriptor, &before) != 0) return readErrorFromErrno(errno);
+  if (!S_ISREG(before.st_mode)) return failure(ReadErrorCode::NotRegular, "not a regular file");
   const auto size = static_cast<std::uint64_t>(before.st_size);
   if (size > maxBytes)
-    return failure(ReadFault::TooLong, fmt::format("{} bytes are more than {}", size, maxBytes));
+    return failure(ReadErrorCode::TooLong,
+                   fmt::format("{} bytes are more than {}", size, maxBytes));
   std::string bytes(size, '\0');
   const bool isWhole = std::fread(bytes.data(), 1, size, file.get()) == size;
-  if (std::ferror(file.get()) != 0) return failedRead(errno);
+  if (std::ferror(file.get()) != 0) return readErrorFromErrno(errno);
   struct stat after {};
-  if (::fstat(descriptor, &after) != 0) return failedRead(errno);
+  if (::fstat(descriptor, &after) != 0) return readErrorFromErrno(errno);
   if (!isWhole || !isSame(before, after))
-    return failure(ReadFault::Changed, "was changed while it was read");
+    return failure(ReadErrorCode::Changed, "was changed while it was read");
   return bytes;
 }
 

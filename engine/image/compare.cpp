@@ -79,20 +79,20 @@ class DifferenceMask {
 
 }  // namespace
 
-PictureDifference compare(const Image& expected, const Image& actual, int blobOver) {
+PictureDifference compare(const Image& expected, const Image& actual, int patchThreshold) {
   checkSameSize(expected, actual);
   PictureDifference difference;
   DifferenceMask mask(expected.width(), expected.height());
   for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
     const int levels = levelsApart(expected.pixels()[i], actual.pixels()[i]);
     if (levels == 0) continue;
-    if (levels > blobOver) mask.set(i);
+    if (levels > patchThreshold) mask.set(i);
     ++difference.differing;
     difference.over2 += levels > 2 ? 1 : 0;
     difference.over8 += levels > 8 ? 1 : 0;
     difference.largest = std::max(difference.largest, levels);
   }
-  if (difference.largest > blobOver) difference.largestBlob = mask.largestPatch();
+  if (difference.largest > patchThreshold) difference.largestPatch = mask.largestPatch();
   return difference;
 }
 

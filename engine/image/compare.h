@@ -15,14 +15,14 @@ struct PictureDifference {
   std::int64_t over8 = 0;      ///< Pixels that differ by more than 8 levels.
   int largest = 0;             ///< The largest difference, in levels.
   /// The number of pixels in the largest connected patch of pixels that differ by more than
-  /// `blobOver`. Pixels that share only a corner are not connected.
-  std::int64_t largestBlob = 0;
+  /// `patchThreshold`. Pixels that share only a corner are not connected.
+  std::int64_t largestPatch = 0;
 
   friend constexpr bool operator==(PictureDifference, PictureDifference) = default;
 };
 
-/// The pictures must have the same size. `blobOver` is in levels.
-PictureDifference compare(const Image& expected, const Image& actual, int blobOver = 0);
+/// The pictures must have the same size. `patchThreshold` is in levels.
+PictureDifference compare(const Image& expected, const Image& actual, int patchThreshold = 0);
 
 /// The difference of every channel, made visible: no difference is 0, one level is 88, and each
 /// further level adds 24, up to 255. The pictures must have the same size.

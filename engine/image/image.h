@@ -6,6 +6,14 @@
 
 namespace hearth {
 
+/// Width and height in pixels.
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+
+  friend constexpr bool operator==(ImageSize, ImageSize) = default;
+};
+
 struct Rgb {
   std::uint8_t r = 0;
   std::uint8_t g = 0;

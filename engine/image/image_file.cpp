@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "files/replace_file.h"
-#include "image/jpeg_tables.h"
+#include "image/jpeg_check.h"
 #include "math/check.h"
 
 namespace hearth {
 namespace {
 
-/// The most bytes that the decoder may ask for at once: 64 million pixels of four 16-bit channels.
-/// The decoder's buffer grows with what a PNG unpacks to, whatever its header says. The limit stops
-/// it.
-constexpr std::size_t kMaxDecoderBytes = std::size_t{512} << 20;
+/// The most bytes that the decoder may ask for at once: 64 million pixels of four 16-bit channels,
+/// and the filter byte of each row. The decoder's buffer grows with what a PNG unpacks to, whatever
+/// its header says. The limit stops it.
+constexpr std::size_t kMaxDecoderBytes = (std::size_t{512} + 64) << 20;
 
 /// The memory is zeroed: stb decodes scans of JPEGs with tables that the file may have left out.
 void* boundedMalloc(std::size_t bytes) {
@@ -100,7 +100,8 @@ constexpr std::int64_t kMaxBytesPerPixel = 16;
 /// Room for what a file may hold beside its pixels: colour profile, preview, comments.
 constexpr std::int64_t kMaxExtraBytes = std::int64_t{4} << 20;
 
-constexpr const char* kDamaged = "is damaged or cut short; save it anew as PNG";
+constexpr const char* kDamaged =
+    "is damaged, cut short or too large to decode; save it anew as PNG of 8 bits a channel";
 
 int readSome(void* file, char* bytes, int size) {
   auto* const stream = static_cast<std::istream*>(file);
@@ -134,11 +135,12 @@ tl::unexpected<std::string> failure(const std::filesystem::path& path, const std
 using File = std::unique_ptr<std::istream>;
 
 tl::expected<File, std::string> open(const FileSource& files, const std::filesystem::path& path) {
-  return files.open(path).map_error([&](const ReadFailure& failed) {
+  return files.open(path).map_error([&](const ReadError& failed) {
     std::string what = failed.what;
-    if (failed.fault == ReadFault::Missing)
+    if (failed.code == ReadErrorCode::Missing)
       what = "there is no such file; check the path and its spelling";
-    if (failed.fault == ReadFault::NotRegular) what = "is not a file; give the path of a picture";
+    if (failed.code == ReadErrorCode::NotRegular)
+      what = "is not a file; give the path of a picture";
     return fmt::format("{}: {}", path.string(), what);
   });
 }
@@ -151,7 +153,7 @@ std::uint64_t bytesOf(std::istream& file) {
 }
 
 tl::expected<ImageSize, std::string> sizeOf(std::istream& file, const std::filesystem::path& path) {
-  if (!haveSoundTables(file, JpegPart::Header)) return failure(path, kDamaged);
+  if (!hasSafeHuffmanTables(file, JpegPart::Header)) return failure(path, kDamaged);
   ImageSize size;
   int channels = 0;
   const stbi_io_callbacks callbacks = fileCallbacks();
@@ -244,7 +246,7 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
     return tl::make_unexpected(checked.error());
   }
 
-  if (!haveSoundTables(**file, JpegPart::All)) return failure(path, kDamaged);
+  if (!hasSafeHuffmanTables(**file, JpegPart::All)) return failure(path, kDamaged);
   const stbi_io_callbacks callbacks = fileCallbacks();
   ImageSize decoded;
   int channels = 0;

@@ -10,14 +10,6 @@
 
 namespace hearth {
 
-/// Width and height in pixels.
-struct ImageSize {
-  int width = 0;
-  int height = 0;
-
-  friend constexpr bool operator==(ImageSize, ImageSize) = default;
-};
-
 /// The size of a PNG, JPEG, BMP or TGA picture from the first bytes of its file; nothing is
 /// decoded. The content tells the kind, not the name. Errors are one sentence that begins
 /// with the path.

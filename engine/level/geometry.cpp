@@ -72,13 +72,13 @@ class SegmentDeriver {
   void derive() {
     own_.pieceCount = 0;
     own_.lightOpeningCount = 0;
-    const auto parts = scene_.level().partsOf(segment_);
-    if (const Stack* stack = std::get_if<Stack>(&segment_.kind)) return deriveStack(*stack, parts);
+    const auto walls = scene_.level().surfacesOf(segment_);
+    if (const Stack* stack = std::get_if<Stack>(&segment_.wall)) return deriveStack(*stack, walls);
     const Range range{scene_.zFloor(sector_), scene_.zCeiling(sector_), false, 0};
-    if (const Portal* portal = std::get_if<Portal>(&segment_.kind))
-      addPortal(*portal, parts[0], range);
+    if (const Portal* portal = std::get_if<Portal>(&segment_.wall))
+      addPortal(*portal, walls[0], range);
     else
-      addSolid(parts[0], range);
+      addSolid(walls[0], range);
   }
 
  private:
@@ -90,42 +90,42 @@ class SegmentDeriver {
     std::uint32_t subWall;
   };
 
-  void deriveStack(const Stack& stack, std::span<const WallPart> parts) {
+  void deriveStack(const Stack& stack, std::span<const WallSurfaces> walls) {
     double zBottom = scene_.zFloor(sector_);
     for (std::size_t i = 0; i < stack.subWalls.size(); ++i) {
       const double zTop = stack.topOf(i, scene_.zFloor(sector_), scene_.zCeiling(sector_));
       const Range range{zBottom, zTop, true, static_cast<std::uint32_t>(i)};
       if (const Portal* portal = std::get_if<Portal>(&stack.subWalls[i].kind))
-        addPortal(*portal, parts[i], range);
+        addPortal(*portal, walls[i], range);
       else
-        addSolid(parts[i], range);
+        addSolid(walls[i], range);
       zBottom = zTop;
     }
   }
 
-  void addSolid(const WallPart& part, const Range& range) {
-    hide(part);
+  void addSolid(const WallSurfaces& surfaces, const Range& range) {
+    hide(surfaces);
     const SurfaceKind kind = range.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid;
-    addSurface(kind, part.solid, range.zBottom, range.zTop, range.zTop, range);
+    addSurface(kind, surfaces.solid, range.zBottom, range.zTop, range.zTop, range);
   }
 
-  void addPortal(const Portal& portal, const WallPart& part, const Range& range) {
+  void addPortal(const Portal& portal, const WallSurfaces& surfaces, const Range& range) {
     const SectorGeometry& nextAt = scene_.geometryOf(scene_[portal.next]);
     const PortalHeights heights = portalHeights(
         range.zBottom, range.zTop, fitted(nextAt.zFloor, range), fitted(nextAt.zCeiling, range));
-    hide(part);
-    addSurface(range.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, part.lower,
+    hide(surfaces);
+    addSurface(range.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, surfaces.lower,
                heights.zBottom, heights.zLowerTop, nextAt.zFloor, range);
-    if (!part.twin) return;
+    if (!surfaces.twin) return;
     const std::optional<SurfaceId> maskedMiddle =
-        part.maskedMiddle
-            ? showMaskedMiddle(*part.maskedMiddle, heights.zLowerTop, heights.zUpperBottom)
+        surfaces.maskedMiddle
+            ? showMaskedMiddle(*surfaces.maskedMiddle, heights.zLowerTop, heights.zUpperBottom)
             : std::nullopt;
-    addOpening({portal.next, *part.twin, {}, {}, maskedMiddle}, part, heights.zLowerTop,
+    addOpening({portal.next, *surfaces.twin, {}, {}, maskedMiddle}, surfaces, heights.zLowerTop,
                heights.zUpperBottom, range);
-    addLightOpening({0, 0, portal.next, *part.twin, part.firstMaskedMiddle, 0}, part, maskedMiddle,
-                    range);
-    addSurface(range.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, part.upper,
+    addLightOpening({0, 0, portal.next, *surfaces.twin, surfaces.firstMaskedMiddle, 0}, surfaces,
+                    maskedMiddle, range);
+    addSurface(range.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, surfaces.upper,
                heights.zUpperBottom, heights.zTop, nextAt.zCeiling, range);
   }
 
@@ -145,9 +145,9 @@ class SegmentDeriver {
     return tallest({flat(zTop), nearTop()}, {flat(zBottom), nearBottom()}) > 0;
   }
 
-  void hide(const WallPart& part) {
-    for (const auto& id : {part.solid, part.lower, part.upper, part.maskedMiddle,
-                           part.floorSidewall, part.ceilingSidewall})
+  void hide(const WallSurfaces& surfaces) {
+    for (const auto& id : {surfaces.solid, surfaces.lower, surfaces.upper, surfaces.maskedMiddle,
+                           surfaces.floorSidewall, surfaces.ceilingSidewall})
       if (id) geometry_.surfaces[id->index()] = {};
   }
 
@@ -173,7 +173,7 @@ class SegmentDeriver {
   }
 
   void addPiece(const WallPiece& piece) {
-    geometry_.pieces[Geometry::kPiecesPerPart * segment_.firstPart + own_.pieceCount++] = piece;
+    geometry_.pieces[Geometry::kPiecesPerWall * segment_.firstWall + own_.pieceCount++] = piece;
   }
 
   /// Shows the part of a masked texture that lies in an opening of these heights; the image hangs
@@ -189,7 +189,7 @@ class SegmentDeriver {
   }
 
   /// `opening` without its sidewalls.
-  void addOpening(Opening opening, const WallPart& part, double zBottom, double zTop,
+  void addOpening(Opening opening, const WallSurfaces& surfaces, double zBottom, double zTop,
                   const Range& range) {
     if (zBottom >= zTop) return;
     const Sector& next = scene_[opening.next];
@@ -201,11 +201,11 @@ class SegmentDeriver {
     if (next.floorSlope &&
         tallest({high, nearTop(), farBottom}, {low, nearBottom()}) > kHeightNoise)
       opening.floorSidewall =
-          showSidewall(SurfaceKind::FloorSidewall, part.floorSidewall, *next.floorSlope,
+          showSidewall(SurfaceKind::FloorSidewall, surfaces.floorSidewall, *next.floorSlope,
                        scene_.zFloor(next), zBottom, zTop, range);
     if (next.ceilingSlope && tallest({high, nearTop()}, {low, nearBottom(), farTop}) > kHeightNoise)
       opening.ceilingSidewall =
-          showSidewall(SurfaceKind::CeilingSidewall, part.ceilingSidewall, *next.ceilingSlope,
+          showSidewall(SurfaceKind::CeilingSidewall, surfaces.ceilingSidewall, *next.ceilingSlope,
                        scene_.zCeiling(next), zBottom, zTop, range);
     addPiece({zBottom, zTop, opening});
   }
@@ -221,19 +221,20 @@ class SegmentDeriver {
   }
 
   /// Light passes from the higher floor to the lower ceiling, and between skies without end.
-  void addLightOpening(LightOpening opening, const WallPart& part,
+  void addLightOpening(LightOpening opening, const WallSurfaces& surfaces,
                        std::optional<SurfaceId> maskedMiddle, const Range& range) {
     const SectorGeometry& next = scene_.geometryOf(scene_[opening.next]);
     const auto isBeforeSky = [&](std::optional<SurfaceId> step) {
       return step && isSky(scene_[*step].kind);
     };
-    opening.zBottom = isBeforeSky(part.lower) ? -kEndless : std::max(range.zBottom, next.zFloor);
-    opening.zTop = isBeforeSky(part.upper) ? kEndless : std::min(range.zTop, next.zCeiling);
+    opening.zBottom =
+        isBeforeSky(surfaces.lower) ? -kEndless : std::max(range.zBottom, next.zFloor);
+    opening.zTop = isBeforeSky(surfaces.upper) ? kEndless : std::min(range.zTop, next.zCeiling);
     if (opening.zBottom >= opening.zTop) return;
     if (maskedMiddle)
       geometry_.maskedMiddles[opening.firstMaskedMiddle + opening.maskedMiddleCount++] =
           *maskedMiddle;
-    geometry_.lightOpenings[segment_.firstPart + own_.lightOpeningCount++] = opening;
+    geometry_.lightOpenings[segment_.firstWall + own_.lightOpeningCount++] = opening;
   }
 
   Scene scene_;
@@ -246,7 +247,7 @@ class SegmentDeriver {
 
 /// Light through an opening meets what hangs in it on the other side, too. After all pieces.
 void addMaskedMiddlesOfTwins(const Scene& scene, const Segment& segment, Geometry& geometry) {
-  const std::span<LightOpening> openings{geometry.lightOpenings.data() + segment.firstPart,
+  const std::span<LightOpening> openings{geometry.lightOpenings.data() + segment.firstWall,
                                          scene.geometryOf(segment).lightOpeningCount};
   for (LightOpening& light : openings)
     for (const WallPiece& piece : scene.piecesOf(scene[light.twin])) {
@@ -285,8 +286,8 @@ Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing
     geometry.sectors.push_back({sector.floor.z, sector.ceiling.z});
   geometry.segments.resize(level.segments.size());
   geometry.surfaces.resize(level.surfaces.size());
-  geometry.pieces.resize(Geometry::kPiecesPerPart * level.parts.size());
-  geometry.lightOpenings.resize(level.parts.size());
+  geometry.pieces.resize(Geometry::kPiecesPerWall * level.wallSurfaces.size());
+  geometry.lightOpenings.resize(level.wallSurfaces.size());
   geometry.maskedMiddles.resize(level.maskedMiddlesInOpenings);
   const Scene scene(level, geometry);
   for (const Sector& sector : level.sectors) deriveAir(scene, sector, geometry);

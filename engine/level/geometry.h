@@ -88,14 +88,14 @@ struct SurfaceGeometry {
 /// show and where it opens. `Scene` reads it. Its arrays have room for every part of a wall that
 /// can show at other heights, so `moveFlats` takes no memory.
 struct Geometry {
-  static constexpr std::size_t kPiecesPerPart = 3;  ///< lower step, opening, upper step
+  static constexpr std::size_t kPiecesPerWall = 3;  ///< lower step, opening, upper step
 
   std::vector<SectorGeometry> sectors;    ///< by SectorId
   std::vector<SegmentGeometry> segments;  ///< by SegmentId
   std::vector<SurfaceGeometry> surfaces;  ///< by SurfaceId
-  /// Those of a segment begin at `kPiecesPerPart` times its first part.
+  /// Those of a segment begin at `kPiecesPerWall` times its `firstWall`.
   std::vector<WallPiece> pieces;
-  std::vector<LightOpening> lightOpenings;  ///< those of a segment begin at its first part
+  std::vector<LightOpening> lightOpenings;  ///< those of a segment begin at its `firstWall`
   std::vector<SurfaceId> maskedMiddles;     ///< of all light openings
 };
 

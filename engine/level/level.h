@@ -22,7 +22,7 @@ struct Player {
   double height = 1.8;  ///< of the body, in metres
   double eyeHeight = 1.6;
   double radius = 0.3;
-  double step = 0.4;
+  double stepHeight = 0.4;
 };
 
 /// A named camera of the level.
@@ -55,7 +55,7 @@ struct Level {
 
   // Set by `linkSurfaces`:
   std::vector<Surface> surfaces;              ///< all that can show, at whatever heights
-  std::vector<WallPart> parts;                ///< of all segments
+  std::vector<WallSurfaces> wallSurfaces;     ///< of all segments
   std::vector<SegmentId> entrances;           ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
@@ -69,8 +69,8 @@ struct Level {
   std::span<const Segment> segmentsOf(const Sector& sector) const {
     return {&segments[sector.firstSegment.index()], sector.segmentCount};
   }
-  std::span<const WallPart> partsOf(const Segment& segment) const {
-    return {parts.data() + segment.firstPart, segment.partCount};
+  std::span<const WallSurfaces> surfacesOf(const Segment& segment) const {
+    return {wallSurfaces.data() + segment.firstWall, segment.wallCount};
   }
   /// The segments of other sectors that lead into a sector, each once.
   std::span<const SegmentId> entrancesOf(const Sector& sector) const {

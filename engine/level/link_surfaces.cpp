@@ -10,10 +10,11 @@ namespace hearth {
 
 namespace {
 
-/// Adds the parts of one segment, and their surfaces from bottom to top.
-class PartBuilder {
+/// Adds the surfaces of one segment, from bottom to top.
+class SurfaceBuilder {
  public:
-  PartBuilder(Level& level, const TwinIndex& twins, SegmentId id, std::vector<MissingTwin>& missing)
+  SurfaceBuilder(Level& level, const TwinIndex& twins, SegmentId id,
+                 std::vector<MissingTwin>& missing)
       : level_(level),
         twins_(twins),
         segment_(level[id]),
@@ -21,18 +22,19 @@ class PartBuilder {
         missing_(missing) {}
 
   void build() {
-    segment_.firstPart = static_cast<std::uint32_t>(level_.parts.size());
-    if (const Stack* stack = std::get_if<Stack>(&segment_.kind))
+    segment_.firstWall = static_cast<std::uint32_t>(level_.wallSurfaces.size());
+    if (const Stack* stack = std::get_if<Stack>(&segment_.wall))
       buildStack(*stack);
-    else if (const Solid* solid = std::get_if<Solid>(&segment_.kind))
+    else if (const Solid* solid = std::get_if<Solid>(&segment_.wall))
       addSolid(*solid, {});
     else
-      addPortal(std::get<Portal>(segment_.kind), {});
-    segment_.partCount = static_cast<std::uint32_t>(level_.parts.size()) - segment_.firstPart;
+      addPortal(std::get<Portal>(segment_.wall), {});
+    segment_.wallCount =
+        static_cast<std::uint32_t>(level_.wallSurfaces.size()) - segment_.firstWall;
   }
 
  private:
-  /// Where in its segment a part is.
+  /// Where in its segment a wall is.
   struct Position {
     std::uint32_t subWall = 0;
     bool inStack = false;
@@ -52,35 +54,36 @@ class PartBuilder {
   }
 
   void addSolid(const Solid& solid, Position position) {
-    WallPart part;
-    part.solid =
+    WallSurfaces surfaces;
+    surfaces.solid =
         newSurface(position.inStack ? SurfaceKind::StackSolid : SurfaceKind::Solid, solid.texture);
-    level_.parts.push_back(part);
+    level_.wallSurfaces.push_back(surfaces);
   }
 
   void addPortal(const Portal& portal, Position position) {
     const Sector& next = level_[portal.next];
-    WallPart part;
+    WallSurfaces surfaces;
     if (position.atFloor && sector_.floor.isSky && next.floor.isSky)
-      part.lower = newSurface(SurfaceKind::SkyLowerStep, sector_.floor.texture);
+      surfaces.lower = newSurface(SurfaceKind::SkyLowerStep, sector_.floor.texture);
     else
-      part.lower = newSurface(
+      surfaces.lower = newSurface(
           position.inStack ? SurfaceKind::StackLowerStep : SurfaceKind::LowerStep, portal.lower);
 
-    part.twin = twins_.find(segment_, portal.next);
-    if (!part.twin) missing_.push_back({segment_.id, position.subWall});
-    part.maskedMiddle = newSurface(SurfaceKind::MaskedMiddle, portal.maskedMiddle);
+    surfaces.twin = twins_.find(segment_, portal.next);
+    if (!surfaces.twin) missing_.push_back({segment_.id, position.subWall});
+    surfaces.maskedMiddle = newSurface(SurfaceKind::MaskedMiddle, portal.maskedMiddle);
     if (next.floorSlope)
-      part.floorSidewall = newSurface(SurfaceKind::FloorSidewall, next.floorSlope->sidewall);
+      surfaces.floorSidewall = newSurface(SurfaceKind::FloorSidewall, next.floorSlope->sidewall);
     if (next.ceilingSlope)
-      part.ceilingSidewall = newSurface(SurfaceKind::CeilingSidewall, next.ceilingSlope->sidewall);
+      surfaces.ceilingSidewall =
+          newSurface(SurfaceKind::CeilingSidewall, next.ceilingSlope->sidewall);
 
     if (position.atCeiling && sector_.ceiling.isSky && next.ceiling.isSky)
-      part.upper = newSurface(SurfaceKind::SkyUpperStep, sector_.ceiling.texture);
+      surfaces.upper = newSurface(SurfaceKind::SkyUpperStep, sector_.ceiling.texture);
     else
-      part.upper = newSurface(
+      surfaces.upper = newSurface(
           position.inStack ? SurfaceKind::StackUpperStep : SurfaceKind::UpperStep, portal.upper);
-    level_.parts.push_back(part);
+    level_.wallSurfaces.push_back(surfaces);
   }
 
   /// Returns none if there is no texture. Then the surface must not show at any height.
@@ -99,15 +102,8 @@ class PartBuilder {
 };
 
 void measureBox(Level& level, Sector& sector) {
-  constexpr double kFarthest = std::numeric_limits<double>::infinity();
-  sector.boxMin = {kFarthest, kFarthest};
-  sector.boxMax = {-kFarthest, -kFarthest};
-  for (const Segment& segment : level.segmentsOf(sector)) {
-    sector.boxMin = {std::min(sector.boxMin.x, segment.p0.x),
-                     std::min(sector.boxMin.y, segment.p0.y)};
-    sector.boxMax = {std::max(sector.boxMax.x, segment.p0.x),
-                     std::max(sector.boxMax.y, segment.p0.y)};
-  }
+  sector.box = {};
+  for (const Segment& segment : level.segmentsOf(sector)) sector.box.add(segment.p0);
 }
 
 std::optional<SurfaceId> addFlat(Level& level, const Sector& sector, const Flat& flat, bool isFloor,
@@ -135,8 +131,8 @@ void addFlats(Level& level) {
 /// The sectors that a segment leads to, each once.
 std::vector<SectorId> nextSectors(const Level& level, const Segment& segment) {
   std::vector<SectorId> next;
-  for (const WallPart& part : level.partsOf(segment))
-    if (part.twin) next.push_back(level[*part.twin].sector);
+  for (const WallSurfaces& surfaces : level.surfacesOf(segment))
+    if (surfaces.twin) next.push_back(level[*surfaces.twin].sector);
   std::ranges::sort(next);
   next.erase(std::unique(next.begin(), next.end()), next.end());
   return next;
@@ -159,17 +155,18 @@ void addEntrances(Level& level) {
     }
 }
 
-/// Numbers the masked middle textures that can hang in each part's opening, seen from either side.
+/// Numbers the masked middle textures that can hang in the opening of each wall, seen from either
+/// side.
 void numberMaskedMiddles(Level& level) {
   const auto countIn = [&](SegmentId id) {
-    return static_cast<std::uint32_t>(
-        std::ranges::count_if(level.partsOf(level[id]),
-                              [](const WallPart& part) { return part.maskedMiddle.has_value(); }));
+    return static_cast<std::uint32_t>(std::ranges::count_if(
+        level.surfacesOf(level[id]),
+        [](const WallSurfaces& surfaces) { return surfaces.maskedMiddle.has_value(); }));
   };
-  for (WallPart& part : level.parts) {
-    part.firstMaskedMiddle = level.maskedMiddlesInOpenings;
-    if (part.maskedMiddle) ++level.maskedMiddlesInOpenings;
-    if (part.twin) level.maskedMiddlesInOpenings += countIn(*part.twin);
+  for (WallSurfaces& surfaces : level.wallSurfaces) {
+    surfaces.firstMaskedMiddle = level.maskedMiddlesInOpenings;
+    if (surfaces.maskedMiddle) ++level.maskedMiddlesInOpenings;
+    if (surfaces.twin) level.maskedMiddlesInOpenings += countIn(*surfaces.twin);
   }
 }
 
@@ -185,7 +182,7 @@ std::vector<MissingTwin> linkSurfaces(Level& level) {
   addFlats(level);
   const TwinIndex twins(level);
   for (std::size_t i = 0; i < level.segments.size(); ++i)
-    PartBuilder(level, twins, SegmentId(i), missing).build();
+    SurfaceBuilder(level, twins, SegmentId(i), missing).build();
   addEntrances(level);
   numberMaskedMiddles(level);
   return missing;

@@ -14,8 +14,7 @@ namespace hearth {
 namespace {
 
 bool inBox(const Sector& sector, Vec2 p, double slack) {
-  return p.x >= sector.boxMin.x - slack && p.x <= sector.boxMax.x + slack &&
-         p.y >= sector.boxMin.y - slack && p.y <= sector.boxMax.y + slack;
+  return grown(sector.box, slack).contains(p);
 }
 
 struct Nearest {
@@ -168,8 +167,9 @@ Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {
   return nudgedInto({sector.authoredBottom(xy), sector.authoredTop(xy)}, xy, p.z);
 }
 
-SectorId across(const Level& level, const FlatPortal& flatPortal, Side to, Vec2 p) {
-  const std::vector<SectorId>& members = to == Side::Upper ? flatPortal.upper : flatPortal.lower;
+SectorId sectorAcross(const Level& level, const FlatPortal& flatPortal, FlatPortalSide to, Vec2 p) {
+  const std::vector<SectorId>& members =
+      to == FlatPortalSide::Upper ? flatPortal.upper : flatPortal.lower;
   CHECK(!members.empty(), flatPortal.name);
   SectorId best = members.front();
   double distance = std::numeric_limits<double>::infinity();

@@ -14,15 +14,15 @@ bool contains(const Scene& scene, const Sector& sector, Vec3 p, double slack);
 
 /// A point inside the sector from which no wall of the sector is seen edge-on. If `p` lies on the
 /// walls, flats or slopes of the sector, or within kPositionSlack outside them, the point is about
-/// kNudge inside them; else it is `p`.
+/// kNudge inside them; else, and in sectors too narrow for that, it is `p`.
 Vec3 nudgedInside(const Scene& scene, const Sector& sector, Vec3 p);
 /// The same, with the flats at their authored heights.
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p);
 
-enum class Side { Upper, Lower };
+enum class FlatPortalSide { Upper, Lower };
 
 /// The sector on side `to` of a flat portal that contains `p`. On a common border of several, it is
 /// the first of them. If rounding leaves `p` in none, it is the nearest.
-SectorId across(const Level& level, const FlatPortal& flatPortal, Side to, Vec2 p);
+SectorId sectorAcross(const Level& level, const FlatPortal& flatPortal, FlatPortalSide to, Vec2 p);
 
 }  // namespace hearth

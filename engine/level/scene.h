@@ -67,11 +67,11 @@ class Scene {
 
   /// The pieces of a segment, bottom to top. They cover the segment's air without a gap.
   std::span<const WallPiece> piecesOf(const Segment& segment) const {
-    return {geometry_->pieces.data() + Geometry::kPiecesPerPart * segment.firstPart,
+    return {geometry_->pieces.data() + Geometry::kPiecesPerWall * segment.firstWall,
             geometryOf(segment).pieceCount};
   }
   std::span<const LightOpening> lightOpeningsOf(const Segment& segment) const {
-    return {geometry_->lightOpenings.data() + segment.firstPart,
+    return {geometry_->lightOpenings.data() + segment.firstWall,
             geometryOf(segment).lightOpeningCount};
   }
   /// The masked middle textures that hang in an opening, those of both its sides.

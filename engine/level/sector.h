@@ -6,6 +6,7 @@
 
 #include "level/ids.h"
 #include "level/texture_mapping.h"
+#include "math/box.h"
 #include "math/vec.h"
 
 namespace hearth {
@@ -48,8 +49,7 @@ struct Sector {
 
   // Set by `linkSurfaces`:
   SectorId id;
-  Vec2 boxMin;
-  Vec2 boxMax;
+  Box box;                                ///< around its outline
   std::optional<SurfaceId> floorSurface;  ///< none for a flat portal
   std::optional<SurfaceId> ceilingSurface;
   std::uint32_t firstEntrance = 0;  ///< see Level::entrancesOf

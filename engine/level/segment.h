@@ -10,7 +10,7 @@ namespace hearth {
 
 /// The surfaces that a wall, or one sub-wall of a stack, can show at any heights of the flats
 /// around it.
-struct WallPart {
+struct WallSurfaces {
   std::optional<SurfaceId> solid;  ///< of a solid wall; all others are of portals
   std::optional<SurfaceId> lower;  ///< the step, or the sky before it
   std::optional<SurfaceId> upper;
@@ -30,17 +30,17 @@ struct Segment {
   Vec2 p0;
   Vec2 p1;
   SectorId sector;
-  std::uint32_t loop = 0;  ///< index into Sector::loops
-  std::uint32_t wall = 0;  ///< index of the authored wall in its loop, as in the file
-  double sBefore = 0;      ///< metres of the authored wall before p0 ...
-  double sAfter = 0;       ///< ... and after p1
-  Wall kind;
+  std::uint32_t loop = 0;       ///< index into Sector::loops
+  std::uint32_t wallIndex = 0;  ///< of the authored wall in its loop, as in the file
+  double sBefore = 0;           ///< metres of the authored wall before p0 ...
+  double sAfter = 0;            ///< ... and after p1
+  Wall wall;
 
   // Set by `linkSurfaces`:
   SegmentId id;
-  double length = 0;  ///< metres
-  std::uint32_t firstPart = 0;
-  std::uint32_t partCount = 0;  ///< one, or one for each sub-wall of a stack
+  double length = 0;            ///< metres
+  std::uint32_t firstWall = 0;  ///< index into Level::wallSurfaces
+  std::uint32_t wallCount = 0;  ///< one, or one for each sub-wall of a stack
 };
 
 }  // namespace hearth

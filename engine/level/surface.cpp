@@ -3,7 +3,7 @@
 namespace hearth {
 
 std::string_view name(SurfaceKind kind) {
-  constexpr std::array<std::string_view, kSurfaceKinds> kNames = {
+  constexpr std::array<std::string_view, kSurfaceKindCount> kNames = {
       "solid wall",     "lower step",       "upper step",
       "stack solid",    "stack lower step", "stack upper step",
       "floor sidewall", "ceiling sidewall", "middle texture",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -31,7 +32,8 @@ enum class SurfaceKind : std::uint8_t {
   SkyUpperStep,
   SkyLowerStep,
 };
-inline constexpr std::size_t kSurfaceKinds = 17;
+inline constexpr std::size_t kSurfaceKindCount =
+    static_cast<std::size_t>(SurfaceKind::SkyLowerStep) + 1;
 
 std::string_view name(SurfaceKind kind);
 
@@ -48,7 +50,7 @@ constexpr bool isSlope(SurfaceKind kind) {
 /// Whether it stands upright on a segment and is not sky.
 constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::MaskedMiddle; }
 /// Whether it faces downwards.
-constexpr bool isOverhead(SurfaceKind kind) {
+constexpr bool facesDown(SurfaceKind kind) {
   return kind == SurfaceKind::Ceiling || kind == SurfaceKind::SlopeCeiling ||
          kind == SurfaceKind::SkyCeiling;
 }

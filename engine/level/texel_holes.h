@@ -16,9 +16,9 @@ class TexelHoles {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  bool at(int x, int y) const { return !holes_.empty() && holes_[index(x, y)]; }
-  void make(int x, int y) { holes_[index(x, y)] = true; }
-  const std::vector<bool>& all() const { return holes_; }  ///< row by row, row 0 on top
+  bool isHole(int x, int y) const { return !holes_.empty() && holes_[index(x, y)]; }
+  void setHole(int x, int y) { holes_[index(x, y)] = true; }
+  const std::vector<bool>& bits() const { return holes_; }  ///< row by row, row 0 on top
 
  private:
   std::size_t index(int x, int y) const {

@@ -42,4 +42,7 @@ struct Stack {
 
 using Wall = std::variant<Solid, Portal, Stack>;
 
+/// The sectors that a wall leads to, each once, in order.
+std::vector<SectorId> targetsOf(const Wall& wall);
+
 }  // namespace hearth

@@ -51,15 +51,15 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
   baked.lightCosts.resize(scene.level().lights.size());
-  const LightSights sights(scene, settings);
-  std::mutex addsLightCosts;
+  const LightVisibilities visibilities(scene, settings);
+  std::mutex lightCostsMutex;
   parallelFor(jobs.size(), threads, [&](std::size_t job) {
     const auto& [id, texels] = jobs[job];
     const std::size_t i = id.index();
-    SurfaceLight surface(scene, baked.surfaces, sights, settings.lambert, id);
-    for (const std::size_t light : surface.facing()) sights.fine[light].findBeamsUnlessBegun();
+    SurfaceLight surface(scene, baked.surfaces, visibilities, settings.lambert, id);
+    for (const std::size_t light : surface.facing()) visibilities.fine[light].prefetchBeams();
     baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);
-    const std::scoped_lock lock(addsLightCosts);
+    const std::scoped_lock lock(lightCostsMutex);
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });
   baked.stats = statsOf(baked);
@@ -116,7 +116,7 @@ BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces,
                     const BakeSettings& settings, int threads, BakeProgress* progress) {
   std::vector<SurfaceTexels> jobs;
   for (const auto& [id, texels] : wanted)
-    jobs.push_back({id, bakedWith(texels, *surfaces[id.index()], settings)});
+    jobs.push_back({id, texelsToBake(texels, *surfaces[id.index()], settings)});
   return bakeJobs(std::move(jobs), std::move(surfaces), scene, settings, threads, progress);
 }
 

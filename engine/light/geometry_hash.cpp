@@ -45,9 +45,9 @@ class GeometryHasher {
   void addSegment(const Segment& segment, const SectorGeometry& heights) {
     hash_.addPoint(segment.p0);
     hash_.addPoint(segment.p1);
-    if (const Stack* stack = std::get_if<Stack>(&segment.kind)) return addStack(*stack, heights);
-    if (const Portal* portal = std::get_if<Portal>(&segment.kind)) return addWall(*portal);
-    addWall(std::get<Solid>(segment.kind));
+    if (const Stack* stack = std::get_if<Stack>(&segment.wall)) return addStack(*stack, heights);
+    if (const Portal* portal = std::get_if<Portal>(&segment.wall)) return addWall(*portal);
+    addWall(std::get<Solid>(segment.wall));
   }
 
   void addWall(const Solid&) { hash_.addWhole(SolidWall); }
@@ -97,10 +97,10 @@ void addGeometry(Hash& hash, const Scene& scene, const Sector& sector, const Par
 }
 
 void addHoles(Hash& hash, const TexelHoles& holes) {
-  if (holes.all().empty()) return;
+  if (holes.bits().empty()) return;
   hash.addWhole(static_cast<std::uint64_t>(holes.width()));
   std::uint64_t word = 1;
-  for (const bool isHole : holes.all()) {
+  for (const bool isHole : holes.bits()) {
     word = word << 1 | (isHole ? 1 : 0);
     if (word >> 63 == 0) continue;
     hash.addWhole(word);

@@ -4,8 +4,8 @@
 
 namespace hearth {
 
-Lightmap asKept(Lightmap map) {
-  if (map.isEven()) return map;
+Lightmap compacted(Lightmap map) {
+  if (map.isUniform()) return map;
   const auto second = map.levels.begin() + map.channels;
   // Whether each texel is as the one before.
   if (std::equal(second, map.levels.end(), map.levels.begin()))

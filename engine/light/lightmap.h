@@ -18,7 +18,7 @@ struct Lightmap {
   int channels = 1;                  ///< or 3: red, green, blue
 
   /// True where one texel stands for all.
-  bool isEven() const { return levels.size() == static_cast<std::size_t>(channels); }
+  bool isUniform() const { return levels.size() == static_cast<std::size_t>(channels); }
   std::size_t bytes() const { return levels.size(); }
 
   std::uint8_t at(int i, int j, int channel = 0) const { return levels[indexOf(i, j, channel)]; }
@@ -42,14 +42,14 @@ struct Lightmap {
  private:
   std::size_t indexOf(int i, int j, int channel) const {
     const std::size_t texel =
-        isEven() ? 0
-                 : static_cast<std::size_t>(j - rect.j0) * static_cast<std::size_t>(rect.width) +
-                       static_cast<std::size_t>(i - rect.i0);
+        isUniform() ? 0
+                    : static_cast<std::size_t>(j - rect.j0) * static_cast<std::size_t>(rect.width) +
+                          static_cast<std::size_t>(i - rect.i0);
     return channels == 1 ? texel : 3 * texel + static_cast<std::size_t>(channel);
   }
 };
 
 /// The same light, stored as one texel if all are equal. Lightmaps are kept and drawn so.
-Lightmap asKept(Lightmap map);
+Lightmap compacted(Lightmap map);
 
 }  // namespace hearth

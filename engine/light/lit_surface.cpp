@@ -72,7 +72,7 @@ class LitSurfaceBuilder {
     lit.anchor = anchor;
     lit.normal = normal;
     lit.texels = texelsOf(outlines);
-    lit.outline = Outline(outlines);
+    lit.outline = Polygons(outlines);
   }
 
   void addUpright(SurfaceId id) {
@@ -93,7 +93,7 @@ class LitSurfaceBuilder {
   void addHorizontal(SurfaceId id) {
     const Surface& surface = scene_[id];
     const Sector& sector = scene_[surface.sector];
-    const double sign = isOverhead(surface.kind) ? -1 : 1;
+    const double sign = facesDown(surface.kind) ? -1 : 1;
     if (isFlat(surface.kind)) {
       const double z = scene_.geometryOf(id).zBottom;
       const TexelGrid grid = flatGrid(z, texel_);
@@ -149,22 +149,22 @@ Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
   return p - distanceInFront(p) * normal;
 }
 
-std::vector<LitSurface::Texels> LitSurface::askedIn(int j) const {
-  std::vector<Texels> asked;
-  // See texelsOf: the middles of texels that are asked for are less than one texel off. Another
+std::vector<LitSurface::TexelRun> LitSurface::usedRuns(int j) const {
+  std::vector<TexelRun> used;
+  // See texelsOf: the middles of texels that are used are less than one texel off. Another
   // whisker, so that no rounding leaves a row of its texels without one.
   for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + 2 * kFilterSlack)) {
-    const Texels next{
+    const TexelRun next{
         std::max(texels.i0, static_cast<int>(std::ceil(from - 0.5))),
         std::min(texels.i0 + texels.width - 1, static_cast<int>(std::floor(to - 0.5)))};
     if (next.first > next.last) continue;
-    if (!asked.empty() && next.first <= asked.back().last + 1)
-      asked.back().last = next.last;
+    if (!used.empty() && next.first <= used.back().last + 1)
+      used.back().last = next.last;
     else
-      asked.push_back(next);
+      used.push_back(next);
   }
-  CHECK(!asked.empty(), j, texels.j0, texels.height);
-  return asked;
+  CHECK(!used.empty(), j, texels.j0, texels.height);
+  return used;
 }
 
 LitSurfaces makeLitSurfaces(const Scene& scene, double texel) {

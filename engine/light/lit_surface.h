@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "level/scene.h"
-#include "light/outline.h"
+#include "light/polygons.h"
 #include "light/texel_grid.h"
 
 namespace hearth {
@@ -41,7 +41,7 @@ struct LitSurface {
   TexelGrid grid;
   Vec3 anchor;  ///< a point of the surface's own plane, which may miss the grid's by a tolerance
   Vec3 normal;  ///< unit, into the air
-  Outline outline;  ///< of the part that bounds air, in texel coordinates
+  Polygons outline;  ///< of the part that bounds air, in texel coordinates
   /// All texels that bilinear filtering can read.
   TexelRect texels;
   std::vector<Continuation> continuations;
@@ -51,30 +51,29 @@ struct LitSurface {
   /// The point of the surface's own plane at texel coordinates.
   Vec3 toWorld(Vec2 texelPoint) const;
 
-  /// Texels of a row.
-  struct Texels {
+  /// Consecutive texels of a row.
+  struct TexelRun {
     int first;
     int last;
   };
   /// The runs of texels that bilinear filtering can read in row `j` of `texels`, at least one, from
   /// left to right with gaps between them. The other texels exist because lightmaps are rectangles.
-  std::vector<Texels> askedIn(int j) const;
+  std::vector<TexelRun> usedRuns(int j) const;
 };
 
 /// The texels of a row that filtering can read, and for each other texel the nearest of them.
-class AskedRow {
+class UsedTexelRow {
  public:
-  AskedRow(const LitSurface& surface, int j) : asked_(surface.askedIn(j)) {}
+  UsedTexelRow(const LitSurface& surface, int j) : used_(surface.usedRuns(j)) {}
 
   /// Call it for texels from left to right.
   int nearest(int i) {
-    while (asked_.size() - next_ > 1 && asked_[next_ + 1].first - i <= i - asked_[next_].last)
-      ++next_;
-    return std::clamp(i, asked_[next_].first, asked_[next_].last);
+    while (used_.size() - next_ > 1 && used_[next_ + 1].first - i <= i - used_[next_].last) ++next_;
+    return std::clamp(i, used_[next_].first, used_[next_].last);
   }
 
  private:
-  std::vector<LitSurface::Texels> asked_;
+  std::vector<LitSurface::TexelRun> used_;
   std::size_t next_ = 0;
 };
 

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "light/baking/baked_surface.h"
+#include "light/baking/light_dependencies.h"
+#include "light/baking/light_visibility.h"
 #include "light/baking/surface_light.h"
 #include "light/baking/texel_sums.h"
 #include "light/geometry_hash.h"
-#include "light/rebaking/light_dependencies.h"
-#include "light/rebaking/light_fingerprints.h"
-#include "light/sight/light_sight.h"
+#include "light/light_fingerprints.h"
 #include "math/hash.h"
 #include "math/parallel.h"
 
@@ -53,7 +53,7 @@ struct LightMemory::Kept {
     }
   };
 
-  std::size_t mostBytes;
+  std::size_t maxBytes;
   std::size_t bytes = 0;
   std::optional<BakeSettings> settings;
   std::uint64_t geometry = 0;                         ///< hashOf() the last scene, ...
@@ -72,7 +72,7 @@ struct LightMemory::Kept {
     if (kept) bytes -= kept->bytes();
     kept = std::move(surface);
     bytes += kept->bytes();
-    if (bytes <= mostBytes) return;
+    if (bytes <= maxBytes) return;
     bytes -= kept->bytes();
     surfaces.erase(print);
   }
@@ -100,8 +100,8 @@ struct LightMemory::Kept {
   }
 };
 
-LightMemory::LightMemory(std::size_t mostBytes) : kept_(std::make_unique<Kept>()) {
-  kept_->mostBytes = mostBytes;
+LightMemory::LightMemory(std::size_t maxBytes) : kept_(std::make_unique<Kept>()) {
+  kept_->maxBytes = maxBytes;
 }
 
 LightMemory::~LightMemory() = default;
@@ -146,7 +146,7 @@ class Rebake::Baker {
   TexelSums sumsFor(SurfaceId id) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
-  std::optional<Lightmap> draftOf(SurfaceId id, const LightSights& sights) const;
+  std::optional<Lightmap> draftOf(SurfaceId id, const LightVisibilities& visibilities) const;
 
   LightMemory::Kept& memory_;
   Scene scene_;
@@ -155,7 +155,7 @@ class Rebake::Baker {
   std::shared_ptr<const LitSurfaces> made_;
   const LitSurfaces& surfaces_;
   LightFingerprints prints_;
-  LightSights sights_;
+  LightVisibilities visibilities_;
   std::vector<Number> sectorNumbers_;   ///< by SectorId
   std::vector<Number> surfaceNumbers_;  ///< by SurfaceId
   std::vector<Plan> plans_;             ///< by SurfaceId
@@ -187,7 +187,7 @@ Rebake::Baker::Baker(LightMemory::Kept& memory, const Scene& scene, const BakeSe
       made_(memory.surfacesOf(scene, settings.texel)),
       surfaces_(*made_),
       prints_(lightFingerprints(scene, surfaces_)),
-      sights_(scene, settings),
+      visibilities_(scene, settings),
       plans_(surfaces_.size()) {
   if (memory.settings != settings) memory.clear();
   memory.settings = settings;
@@ -215,7 +215,7 @@ Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>
     return std::ranges::all_of(numbers, [&](Number number) { return isPresent[number]; });
   };
   Plan plan;
-  plan.facing = SurfaceLight(scene_, surfaces_, sights_, settings_.lambert, id).facing();
+  plan.facing = SurfaceLight(scene_, surfaces_, visibilities_, settings_.lambert, id).facing();
   const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
   if (old != memory_.surfaces.end() && areThere(old->second->samplesOn)) plan.old = old->second;
   for (const std::size_t light : plan.facing) {
@@ -306,8 +306,8 @@ TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
 void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
                              const std::stop_token& stop) const {
   LightDependencies dependencies;
-  SurfaceLight surface(scene_, surfaces_, sights_, settings_.lambert, id, Seeing::ByShafts,
-                       &dependencies);
+  SurfaceLight surface(scene_, surfaces_, visibilities_, settings_.lambert, id,
+                       VisibilityMethod::Shafts, &dependencies);
   std::span<const std::size_t> left = plans_[id.index()].left;
   auto contribution = found.contributions.begin();
   for (const std::size_t atOnce = lightsAtOnce(id); !left.empty();) {
@@ -337,8 +337,9 @@ Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
                                                           const TexelSums& sums,
                                                           LightDependencies& dependencies) const {
   SectorSet& met = dependencies.sectorsOf(light);
-  for (const std::vector<LightSight>* sights : {&sights_.fine, &sights_.rough})
-    for (const SectorId sector : (*sights)[light].sectors()) met.add(sector);
+  for (const std::vector<LightVisibility>* visibilities :
+       {&visibilities_.fine, &visibilities_.rough})
+    for (const SectorId sector : (*visibilities)[light].sectors()) met.add(sector);
   Contribution contribution{sums.cropped(), surface.costs()[light], {}};
   for (const SectorId sector : met.sorted())
     contribution.sectors.push_back(sectorNumbers_[sector.index()]);
@@ -377,19 +378,20 @@ void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> lit
 BakedLight Rebake::Baker::draft() const {
   BakeSettings points = settings_;
   points.softSamples = 0;
-  const LightSights sights(scene_, points);
+  const LightVisibilities visibilities(scene_, points);
   BakedLight baked;
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(surfaces_.size());
   const std::vector<std::size_t> order = byFallingWork();
   parallelFor(order.size(), threads_, [&](std::size_t job) {
-    baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), sights);
+    baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), visibilities);
   });
   baked.stats = statsOf(baked);
   return baked;
 }
 
-std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& sights) const {
+std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id,
+                                               const LightVisibilities& visibilities) const {
   const Plan& plan = plans_[id.index()];
   if (plan.facing.empty()) return std::nullopt;
   if (plan.isUnchanged()) return plan.old->lightmap;
@@ -397,9 +399,8 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id, const LightSights& 
   for (const auto& contribution : plan.known)
     if (contribution) sums.add(contribution->sums);
   if (!plan.left.empty()) {
-    SurfaceLight surface(scene_, surfaces_, sights, settings_.lambert, id);
-    addDraftOfLights(surface, plan.left, settings_,
-                     [&](std::size_t) -> TexelSums& { return sums; });
+    SurfaceLight surface(scene_, surfaces_, visibilities, settings_.lambert, id);
+    addLightsDraft(surface, plan.left, settings_, [&](std::size_t) -> TexelSums& { return sums; });
   }
   return lightmapOf(sums, settings_);
 }

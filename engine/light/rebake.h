@@ -15,10 +15,10 @@ namespace hearth {
 /// The light of each source on each surface, kept from one bake of an edited level to the next.
 class LightMemory {
  public:
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
   /// Keeps no light beyond so many bytes.
-  explicit LightMemory(std::size_t mostBytes = kMostBytes);
+  explicit LightMemory(std::size_t maxBytes = kMaxBytes);
   ~LightMemory();
   LightMemory(const LightMemory&) = delete;
   LightMemory& operator=(const LightMemory&) = delete;

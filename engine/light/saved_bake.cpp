@@ -162,7 +162,7 @@ void putTexels(std::string& bytes, const Lightmap& map) {
     bytes[begin + i] = static_cast<char>(map.levels[i] - map.levels[from]);
   });
   // Of even light there is the first texel, from which no other differs.
-  if (map.isEven()) bytes.append(channels * (texelsIn(map.rect) - 1), '\0');
+  if (map.isUniform()) bytes.append(channels * (texelsIn(map.rect) - 1), '\0');
 }
 
 void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
@@ -225,7 +225,7 @@ Mistake mistakeInGeometry(const Scene& scene, const Header& header, std::string_
 }
 
 /// As many bytes as the lightmaps of all surfaces can have.
-std::uint64_t mostLightmapBytes(const LitSurfaces& surfaces) {
+std::uint64_t maxLightmapBytes(const LitSurfaces& surfaces) {
   constexpr std::uint64_t kBytesPerTexel = 3;
   std::uint64_t bytes = 0;
   for (const auto& surface : surfaces)
@@ -236,7 +236,7 @@ std::uint64_t mostLightmapBytes(const LitSurfaces& surfaces) {
 /// That no more memory is needed for the lightmaps than there is light in the level, and allowed.
 std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces& surfaces,
                                          std::uint64_t maxLightBytes) {
-  const std::uint64_t most = mostLightmapBytes(surfaces);
+  const std::uint64_t most = maxLightmapBytes(surfaces);
   if (header.lightmapBytes > most)
     return BakeMistake{fmt::format("has lightmaps of {} bytes, where at most {} can be",
                                    header.lightmapBytes, most)};
@@ -288,7 +288,7 @@ class LightmapReader {
     if (channels != 1 && channels != 3)
       return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
     if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
-    map = asKept({rect, takeTexels(rect, channels), static_cast<int>(channels)});
+    map = compacted({rect, takeTexels(rect, channels), static_cast<int>(channels)});
     return std::nullopt;
   }
 
@@ -320,7 +320,7 @@ class LightmapReader {
 
 std::string encodeBake(const Scene& scene, const BakedLight& light, double texel,
                        std::string_view settings) {
-  CHECK(settings.size() <= kMostSettingsBytes, settings);
+  CHECK(settings.size() <= kMaxSettingsBytes, settings);
   std::string lightmaps;
   std::uint32_t count = 0;
   const std::vector<SurfaceId> surfaces = scene.shownSurfaces();
@@ -353,7 +353,7 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string
   if (auto mistake = mistakeInFrame(bytes)) return refused(std::move(*mistake));
   Reader in(bytes.substr(kVersionEnd, bytes.size() - kVersionEnd - kChecksumBytes));
   const Header header = takeHeader(in);
-  if (const std::size_t most = std::min(kMostSettingsBytes, in.left()); header.settingsBytes > most)
+  if (const std::size_t most = std::min(kMaxSettingsBytes, in.left()); header.settingsBytes > most)
     return refused(fmt::format("has settings of {} bytes, where at most {} can be",
                                header.settingsBytes, most));
   const std::string_view settings = in.take(header.settingsBytes);

@@ -11,12 +11,12 @@
 namespace hearth {
 
 /// A bake as the bytes of a file, which saved_bake.md describes. `texel` is that of the bake, in
-/// metres. `settings` describes how it was baked, in at most kMostSettingsBytes; nothing depends on
+/// metres. `settings` describes how it was baked, in at most kMaxSettingsBytes; nothing depends on
 /// it.
 std::string encodeBake(const Scene& scene, const BakedLight& light, double texel,
                        std::string_view settings);
 
-inline constexpr std::size_t kMostSettingsBytes = 1000;
+inline constexpr std::size_t kMaxSettingsBytes = 1000;
 
 /// Why bytes are refused.
 struct BakeMistake {

@@ -18,7 +18,7 @@ namespace {
 
 BoxTree boxesOf(const Level& level) {
   std::vector<Box> boxes;
-  for (const Sector& sector : level.sectors) boxes.push_back({sector.boxMin, sector.boxMax});
+  for (const Sector& sector : level.sectors) boxes.push_back(sector.box);
   return BoxTree(std::move(boxes));
 }
 
@@ -73,8 +73,8 @@ double distanceTo(const Scene& scene, const Sector& sector, Vec3 p) {
 }
 
 double distanceToBox(const Sector& sector, Vec2 p) {
-  const Vec2 gap{std::max({0.0, sector.boxMin.x - p.x, p.x - sector.boxMax.x}),
-                 std::max({0.0, sector.boxMin.y - p.y, p.y - sector.boxMax.y})};
+  const Vec2 gap{std::max({0.0, sector.box.min.x - p.x, p.x - sector.box.max.x}),
+                 std::max({0.0, sector.box.min.y - p.y, p.y - sector.box.max.y})};
   return length(gap);
 }
 

@@ -3,7 +3,7 @@
 namespace hearth {
 
 const WallDescription& LevelSource::wall(SegmentId segment) const {
-  return describedLoop(level, outlines, edge(segment)).wall(edge(segment).wall);
+  return describedLoop(level, outlines, edge(segment)).wall(edge(segment).wallIndex);
 }
 
 Place LevelSource::vertexPlace(const Edge& edge, std::uint32_t vertex) const {

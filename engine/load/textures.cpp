@@ -165,9 +165,9 @@ std::vector<ImageRead> readAll(const FileSource& files,
                                std::span<const std::optional<fs::path>> paths,
                                const std::vector<bool>& worn, const LoadLimits& limits) {
   // Each may take as much memory for a while as a decoder is allowed.
-  constexpr int kMostThreads = 4;
+  constexpr int kMaxThreads = 4;
   std::vector<ImageRead> reads(paths.size());
-  parallelFor(paths.size(), std::min(kMostThreads, availableThreads()), [&](std::size_t i) {
+  parallelFor(paths.size(), std::min(kMaxThreads, availableThreads()), [&](std::size_t i) {
     if (paths[i]) reads[i] = readFrom(files, *paths[i], worn[i], limits);
   });
   return reads;
@@ -178,7 +178,7 @@ TexelHoles holesOf(const Image& image) {
   TexelHoles holes(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
-      if (image.isHole(x, y)) holes.make(x, y);
+      if (image.isHole(x, y)) holes.setHole(x, y);
   return holes;
 }
 
@@ -257,7 +257,7 @@ std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vect
     const Surface& surface = scene[id];
     if (surface.kind != SurfaceKind::MaskedMiddle) continue;
     TexelHoles& found = holes[surface.mapping.texture.index()];
-    if (found.all().empty()) found = holesOf(images[surface.mapping.texture.index()]);
+    if (found.bits().empty()) found = holesOf(images[surface.mapping.texture.index()]);
   }
   return holes;
 }

@@ -5,19 +5,6 @@
 
 namespace hearth {
 
-Box boxOf(Vec2 a, Vec2 b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-Box join(Box a, Box b) {
-  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
-          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
-}
-
-Box grown(Box box, double margin) {
-  return {box.min - Vec2{margin, margin}, box.max + Vec2{margin, margin}};
-}
-
 BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
   if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));

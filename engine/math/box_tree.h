@@ -3,24 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "math/vec.h"
+#include "math/box.h"
 
 namespace hearth {
-
-/// An axis-parallel rectangle, borders included; may be endless.
-struct Box {
-  Vec2 min;
-  Vec2 max;
-
-  friend constexpr bool operator==(Box, Box) = default;
-};
-
-constexpr bool touch(Box a, Box b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-Box boxOf(Vec2 a, Vec2 b);
-Box join(Box a, Box b);
-Box grown(Box box, double margin);
 
 /// Finds boxes near a place without looking at all of them: a binary tree, each level of which
 /// halves its boxes along the longer side of their common box. Built in O(n log n).

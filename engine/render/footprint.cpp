@@ -58,8 +58,8 @@ double Footprint::texelsAt(double parameter) const {
 
 int Footprint::mipLevelAt(double parameter) const {
   // A texel of level n is 4^n of the full size; it is nearest from 4^(n - 1/2) on.
-  constexpr double kMost = 0x1p60;
-  return (std::ilogb(std::clamp(texelsAt(parameter), 1.0, kMost)) + 1) / 2;
+  constexpr double kMax = 0x1p60;
+  return (std::ilogb(std::clamp(texelsAt(parameter), 1.0, kMax)) + 1) / 2;
 }
 
 }  // namespace hearth

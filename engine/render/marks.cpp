@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "render/outlines.h"
+#include "render/outline_color.h"
 #include "render/renderer.h"
 
 namespace hearth {

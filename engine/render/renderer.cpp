@@ -38,7 +38,7 @@ void runAll(std::size_t parts, Workers* workers, const Work& work) {
 
 void findRaySlopes(std::vector<double>& raySlopes, const Projection& projection, int height) {
   raySlopes.clear();
-  const int rows = height + static_cast<int>(RowBatch::kMostLanes);
+  const int rows = height + static_cast<int>(RowBatch::kMaxLanes);
   for (int row = 0; row < rows; ++row) raySlopes.push_back(projection.raySlopeAt(row + 0.5));
 }
 

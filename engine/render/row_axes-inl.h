@@ -151,9 +151,9 @@ class RepeatingInFixedPoint {
   RepeatingInFixedPoint(const ImageAxis& along, int size)
       : RepeatingInFixedPoint(along, size, kPlaces / size) {}
 
-  /// Whether it can tell the texels at parameters of up to `mostParameter`.
-  static bool holds(const ImageAxis& along, int size, double mostParameter) {
-    const double places = std::abs(along.place.atZero) + std::abs(along.place.per) * mostParameter +
+  /// Whether it can tell the texels at parameters of up to `maxParameter`.
+  static bool holds(const ImageAxis& along, int size, double maxParameter) {
+    const double places = std::abs(along.place.atZero) + std::abs(along.place.per) * maxParameter +
                           std::abs(along.origin);
     return 1 < size && size <= 0x10000 &&
            places * std::abs(along.texelsPerPlace) + std::abs(along.offset) <= 0x1p20;

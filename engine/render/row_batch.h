@@ -11,8 +11,8 @@ namespace hearth {
 /// holds them. Rows are worked out by whole registers and read by whole eights: what is found of
 /// those behind the last one means nothing, but they are like the others.
 struct RowBatch {
-  static constexpr std::size_t kRows = 128;      ///< a multiple of kMostLanes
-  static constexpr std::size_t kMostLanes = 16;  ///< of single precision, in any register
+  static constexpr std::size_t kRows = 128;     ///< a multiple of kMaxLanes
+  static constexpr std::size_t kMaxLanes = 16;  ///< of single precision, in any register
   static constexpr std::size_t kEight = 8;
 
   template <typename T>
@@ -44,7 +44,7 @@ struct RowBatch {
   }
 
   std::size_t count;
-  /// See SpanMapping. They rise or fall all along; kMostLanes more than there are rows can be read.
+  /// See SpanMapping. They rise or fall all along; kMaxLanes more than there are rows can be read.
   const double* parameters;
   Rows<double> depths;  ///< of planes: what `parameters` points at
   Around texels;        ///< the upper left ones are all where nothing is mixed
@@ -58,7 +58,7 @@ struct RowBatch {
   Between betweenLightTexels;    ///< of what is upright only those down
   /// The fractions of a texture's red, green and blue that show, 0..1.
   std::array<Rows<float>, 3> shown;
-  bool isEvenlyLit;  ///< what is shown in the first kMostLanes rows is shown in all
+  bool isUniformlyLit;  ///< what is shown in the first kMaxLanes rows is shown in all
 };
 
 }  // namespace hearth

@@ -250,7 +250,7 @@ HWY_INLINE Words shaded(const Channels& color, const RowBatch& batch, std::size_
 template <typename Colors>
 void shade(Pixel* pixels, const RowBatch& batch, const Colors& colors) {
   for (std::size_t k = 0; k < batch.count; k += hn::Lanes(kFloat)) {
-    const Words pixel = shaded(colors.at(k), batch, batch.isEvenlyLit ? 0 : k);
+    const Words pixel = shaded(colors.at(k), batch, batch.isUniformlyLit ? 0 : k);
     if (k + hn::Lanes(kFloat) <= batch.count)
       hn::StoreU(pixel, kWord, pixels + k);
     else

@@ -191,7 +191,7 @@ void findShownIn(RowBatch& batch, const Lightmap& lightmap, double sectorLight) 
 }
 
 inline void findShown(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
-  batch.isEvenlyLit = false;
+  batch.isUniformlyLit = false;
   if (lightmap.channels == 1) return findShownIn<1>(batch, lightmap, sectorLight);
   findShownIn<3>(batch, lightmap, sectorLight);
 }
@@ -270,7 +270,7 @@ void findShownUprightIn(RowBatch& batch, const Lightmap& lightmap, double sector
 }
 
 inline void findShownUpright(RowBatch& batch, const Lightmap& lightmap, double sectorLight) {
-  batch.isEvenlyLit = false;
+  batch.isUniformlyLit = false;
   if (lightmap.channels == 1) return findShownUprightIn<1>(batch, lightmap, sectorLight);
   findShownUprightIn<3>(batch, lightmap, sectorLight);
 }
@@ -289,7 +289,7 @@ HWY_INLINE Channels evenLight(const Lightmap& lightmap) {
 }
 
 inline void showEvenly(RowBatch& batch, const Lightmap* lightmap, double sectorLight) {
-  batch.isEvenlyLit = true;
+  batch.isUniformlyLit = true;
   storeShown(lightmap ? evenLight(*lightmap) : allOf(Rgb{}), sectorLight, batch, 0);
 }
 

@@ -51,7 +51,7 @@ struct PlaneOverRay {
 PlaneOverRay planeOver(const Scene& scene, SurfaceId id, Vec2 eye, Vec2 ray) {
   const Surface& surface = scene[id];
   const Sector& sector = scene[surface.sector];
-  const Flat& flat = isOverhead(surface.kind) ? sector.ceiling : sector.floor;
+  const Flat& flat = facesDown(surface.kind) ? sector.ceiling : sector.floor;
   if (!isSlope(surface.kind)) return {scene.geometryOf(id).zBottom, 0, flat.textureOrigin};
   const Slope& slope =
       surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;

@@ -16,7 +16,7 @@ void count(const Span& span, const Material& material, PaintStats& stats) {
   if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
   const auto rows = static_cast<std::size_t>(span.rowEnd - span.rowBegin);
   stats.pixels += rows;
-  if (!material.hasUnevenLight()) return;
+  if (!material.hasVaryingLight()) return;
   ++stats.lightmapSpans;
   if (material.lightmap->channels == 3) ++stats.coloredSpans;
   stats.lightmapPixels += rows;
@@ -42,7 +42,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
     material.sectorLight = 1;
   }
   // Without light that differs from pixel to pixel there is no lightmap to be mapped to.
-  if (!material.hasUnevenLight()) material.lit = nullptr;
+  if (!material.hasVaryingLight()) material.lit = nullptr;
   count(span, material, stats);
   const SpanMapping mapping = mappingOf(material, span);
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
@@ -51,7 +51,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
   std::optional<Footprint> footprint;
   if (filter == TextureFilter::Mipmapped && mode != LightMode::Only)
     footprint.emplace(scene_, projection_, span, material.image(), mapping);
-  if (!material.hasUnevenLight())
+  if (!material.hasVaryingLight())
     kernels_.showEvenly(batch, material.lightmap, material.sectorLight);
   for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(batch.count)) {
     batch.count = std::min(RowBatch::kRows, static_cast<std::size_t>(span.rowEnd - row));
@@ -60,7 +60,7 @@ void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip
         footprint ? fitting(material.texture, *footprint, batch) : material.image();
     if (mode != LightMode::Only || hasHoles)
       findTexels(filter, material.image(), image, mapping, batch);
-    if (material.hasUnevenLight()) findShown(material, mapping, batch);
+    if (material.hasVaryingLight()) findShown(material, mapping, batch);
     Pixel* const pixels = strip.at(span.column, row);
     if (hasHoles)
       shadeAroundHoles(image, mode, batch, pixels);

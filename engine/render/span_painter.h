@@ -25,7 +25,7 @@ struct Material {
 
   const Texture& image() const { return texture.full(); }
   /// Whether light differs from pixel to pixel.
-  bool hasUnevenLight() const { return lightmap && !lightmap->isEven(); }
+  bool hasVaryingLight() const { return lightmap && !lightmap->isUniform(); }
 };
 
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint
@@ -33,7 +33,7 @@ struct Material {
 class SpanPainter {
  public:
   /// All must outlive the painter. `raySlopes` are Projection::raySlopeAt the centres of all rows,
-  /// and of RowBatch::kMostLanes below the picture.
+  /// and of RowBatch::kMaxLanes below the picture.
   SpanPainter(const Scene& scene, const std::vector<MipMap>& textures, const BakedLight& light,
               const DrawSettings& settings, const Projection& projection,
               std::span<const double> raySlopes)

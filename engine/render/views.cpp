@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "level/openings.h"
-#include "level/plan_frame.h"
+#include "level/plan_bounds.h"
 #include "math/check.h"
 #include "math/tolerance.h"
 #include "render/line.h"
@@ -101,13 +101,13 @@ struct Fit {
 };
 
 Fit fitPlan(const Scene& scene, const Camera& camera) {
-  PlanBox frame = planFrame(scene.level());
+  Box frame = planBounds(scene.level());
   frame.add(camera.eye.xy());
-  const Vec2 size = frame.high - frame.low;
+  const Vec2 size = frame.max - frame.min;
   const double free = 1 - 2 * kMargin;
   const double scale = std::min(camera.width * free / std::max(size.x, kNearPlane),
                                 camera.height * free / std::max(size.y, kNearPlane));
-  return {scale, frame.low + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
+  return {scale, frame.min + 0.5 * size, {camera.width / 2.0, camera.height / 2.0}};
 }
 
 void drawWorld(const Scene& scene, const Camera& camera, const Projection& projection,
@@ -163,7 +163,7 @@ Extent extentInView(const Scene& scene, const Projection& projection, double edg
 double fitView(const Scene& scene, const Camera& camera, const Projection& projection,
                double eyeRow) {
   const double edge = slantOfEdge(camera, projection);
-  const PlanBox frame = planFrame(scene.level());
+  const Box frame = planBounds(scene.level());
   Extent extent = extentInView(scene, projection, edge, [&](const Segment& segment) {
     return frame.contains(segment.p0) && frame.contains(segment.p1);
   });

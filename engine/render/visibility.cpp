@@ -222,7 +222,7 @@ class Visibility {
 
   void countColumn(const Segment& segment) {
     ++found_.stats.wallColumns;
-    if (std::holds_alternative<Stack>(segment.kind)) ++found_.stats.stackColumns;
+    if (std::holds_alternative<Stack>(segment.wall)) ++found_.stats.stackColumns;
     if (scene_.geometryOf(segment).airRises) ++found_.stats.slopeColumns;
   }
 

@@ -134,12 +134,12 @@ bool holds(const Level& level, const Ray& ray, SectorId sector, Vec2 place) {
 }
 
 /// The sector on the other side of a flat portal.
-SectorId sectorAcross(const Level& level, const Ray& ray, const FlatPortal& flatPortal, Side to,
-                      Vec2 place) {
-  for (const SectorId member : to == Side::Upper ? flatPortal.upper : flatPortal.lower)
+SectorId sectorAcross(const Level& level, const Ray& ray, const FlatPortal& flatPortal,
+                      FlatPortalSide to, Vec2 place) {
+  for (const SectorId member : to == FlatPortalSide::Upper ? flatPortal.upper : flatPortal.lower)
     if (holds(level, ray, member, place)) return member;
   // Vertical rays, and gaps between sectors that the author's tolerance allows.
-  return across(level, flatPortal, to, place);
+  return sectorAcross(level, flatPortal, to, place);
 }
 
 std::variant<TruthHit, Stage> throughFlat(const Level& level, const Ray& ray, SectorId id,
@@ -148,7 +148,7 @@ std::variant<TruthHit, Stage> throughFlat(const Level& level, const Ray& ray, Se
   const Flat& flat = isFloor ? sector.floor : sector.ceiling;
   if (!flat.flatPortal) return flatHit(ray, id, sector, isFloor, t);
   const Vec2 place = ray.at(t).xy();
-  const Side to = isFloor ? Side::Lower : Side::Upper;
+  const FlatPortalSide to = isFloor ? FlatPortalSide::Lower : FlatPortalSide::Upper;
   return Stage{sectorAcross(level, ray, level[*flat.flatPortal], to, place), t, place};
 }
 

@@ -22,11 +22,11 @@ struct WallPart {
 };
 
 WallPart partAt(const Segment& segment, const Sector& sector, double z) {
-  if (const Solid* solid = std::get_if<Solid>(&segment.kind))
+  if (const Solid* solid = std::get_if<Solid>(&segment.wall))
     return {*solid, 0, false, true, true, sector.ceiling.z};
-  if (const Portal* portal = std::get_if<Portal>(&segment.kind))
+  if (const Portal* portal = std::get_if<Portal>(&segment.wall))
     return {*portal, 0, false, true, true, sector.ceiling.z};
-  const Stack& stack = std::get<Stack>(segment.kind);
+  const Stack& stack = std::get<Stack>(segment.wall);
   const auto topOf = [&](std::size_t i) {
     return stack.topOf(i, sector.floor.z, sector.ceiling.z);
   };
@@ -178,12 +178,12 @@ class Meeting {
     const auto texel = [](double metres, double repeat, int size, double offset) {
       return wrapped(size * metres / repeat - offset, size);
     };
-    if (holes.all().empty()) return false;
+    if (holes.bits().empty()) return false;
     const int x =
         texel(found.imageMetres.x, mapping.repeat.x, holes.width(), mapping.offsetTexels.x);
     const int y =
         texel(found.imageMetres.y, mapping.repeat.y, holes.height(), mapping.offsetTexels.y);
-    return holes.at(x, y);
+    return holes.isHole(x, y);
   }
 
   TruthHit hit(SurfaceKind kind, const std::optional<TextureMapping>& texture, double zRef) const {

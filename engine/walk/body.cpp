@@ -15,7 +15,7 @@ Body bodyOf(const Level& level, double crouch) {
   const double fraction = 1 - (1 - kCrouchedFraction) * crouch;
   const double height = std::max(0.0, player.height) * fraction;
   return {std::max(0.0, player.radius), height,
-          std::clamp(player.eyeHeight * fraction, 0.0, height), std::max(0.0, player.step)};
+          std::clamp(player.eyeHeight * fraction, 0.0, height), std::max(0.0, player.stepHeight)};
 }
 
 }  // namespace hearth

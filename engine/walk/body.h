@@ -18,9 +18,9 @@ inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 /// The cylinder of the level's player, in metres.
 struct Body {
   double radius;
-  double height;     ///< as low as the body crouches now
-  double eyeHeight;  ///< above the feet, likewise
-  double step;       ///< the highest step that the body climbs
+  double height;      ///< as low as the body crouches now
+  double eyeHeight;   ///< above the feet, likewise
+  double stepHeight;  ///< the highest step that the body climbs
 };
 
 /// `crouch` is Walker's: 0 standing .. 1 crouching. Both heights shrink alike.

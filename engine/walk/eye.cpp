@@ -13,8 +13,8 @@ Eye eyeOf(const Scene& scene, const Walker& walker) {
   const Vec2 p = walker.feet.xy();
   eye.point.z += bodyOf(scene.level(), walker.crouch).eyeHeight;
   while (scene[eye.sector].ceiling.flatPortal && eye.point.z > scene.zCeiling(scene[eye.sector]))
-    eye.sector =
-        across(scene.level(), scene[*scene[eye.sector].ceiling.flatPortal], Side::Upper, p);
+    eye.sector = sectorAcross(scene.level(), scene[*scene[eye.sector].ceiling.flatPortal],
+                              FlatPortalSide::Upper, p);
   eye.point.z = std::min(eye.point.z, std::max(walker.feet.z, scene.airTop(scene[eye.sector], p)));
   return eye;
 }

@@ -199,7 +199,7 @@ class Reader {
     const std::vector<bool> keys = words.flags("rjcf");
     if (!words.isGood() || !words.atEnd() || count == 0)
       return "expected \"TICKS FORWARD RIGHT UP TURN PITCH KEYS\" or \"end ...\"";
-    if (count > kMostRecordedTicks - recording_.inputs.size())
+    if (count > kMaxRecordedTicks - recording_.inputs.size())
       return "a recording of more than eight hours";
     input.run = keys[0];
     input.jump = keys[1];

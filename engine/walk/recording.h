@@ -41,7 +41,7 @@ struct Recording {
 };
 
 /// Recordings hold eight hours at most: longer ones are refused before memory is taken.
-inline constexpr std::size_t kMostRecordedTicks = std::size_t{8} * 3600 * kTicksPerSecond;
+inline constexpr std::size_t kMaxRecordedTicks = std::size_t{8} * 3600 * kTicksPerSecond;
 
 /// As text, all numbers exact. engine/README.md says what a line means.
 std::string writeRecording(const Recording& recording);

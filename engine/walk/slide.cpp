@@ -14,7 +14,7 @@ namespace {
 
 /// How often a motion may change its direction. Chains of walls so short that there are more of
 /// them in one motion slow it down.
-constexpr std::size_t kMostContacts = 32;
+constexpr std::size_t kMaxContacts = 32;
 
 /// Fraction of the motion. Less of it against a wall is rounding, which must not stop what slides.
 constexpr double kAgainst = 1e-14;
@@ -102,7 +102,7 @@ class Contacts {
     return true;
   }
 
-  std::array<Vec2, kMostContacts> normals_;
+  std::array<Vec2, kMaxContacts> normals_;
   std::size_t count_ = 0;
 };
 
@@ -114,13 +114,13 @@ Slide slideAlong(std::span<const Blocker> blockers, Vec2 motion, double radius) 
   Contacts contacts;
   double left = 1;  // of the motion
   Vec2 next = motion;
-  for (std::size_t i = 0; i < kMostContacts; ++i) {
+  for (std::size_t i = 0; i < kMaxContacts; ++i) {
     std::optional<Contact> first;
     for (const Blocker& blocker : blockers)
-      first = earlier(first, touch(blocker, slide.moved, next, radius, tolerance));
-    slide.moved = slide.moved + (first ? first->fraction : 1) * next;
+      first = earlier(first, touch(blocker, slide.displacement, next, radius, tolerance));
+    slide.displacement = slide.displacement + (first ? first->fraction : 1) * next;
     if (!first) return slide;
-    slide.wasStopped = true;
+    slide.collided = true;
     // A contact that was slid away from does not hold any more.
     if (first->fraction * length(next) > kSkin * radius) contacts.clear();
     left *= 1 - first->fraction;

@@ -7,8 +7,8 @@
 namespace hearth {
 
 struct Slide {
-  Vec2 moved;               ///< from where it began, in metres
-  bool wasStopped = false;  ///< whether it met a blocker on the way
+  Vec2 displacement;      ///< from where it began, in metres
+  bool collided = false;  ///< whether it met a blocker on the way
 };
 
 /// Moves a disc of `radius` from the origin by `motion`. It slides along what stops it. It never

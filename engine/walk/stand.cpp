@@ -19,9 +19,11 @@ bool isIn(const Scene& scene, SectorId sector, Vec3 p) {
 /// From a sector of the column of `p` to the one that holds its height, through flat portals.
 SectorId followColumn(const Scene& scene, SectorId sector, Vec3 p) {
   while (scene[sector].floor.flatPortal && p.z < scene.zFloor(scene[sector]))
-    sector = across(scene.level(), scene[*scene[sector].floor.flatPortal], Side::Lower, p.xy());
+    sector = sectorAcross(scene.level(), scene[*scene[sector].floor.flatPortal],
+                          FlatPortalSide::Lower, p.xy());
   while (scene[sector].ceiling.flatPortal && p.z > scene.zCeiling(scene[sector]))
-    sector = across(scene.level(), scene[*scene[sector].ceiling.flatPortal], Side::Upper, p.xy());
+    sector = sectorAcross(scene.level(), scene[*scene[sector].ceiling.flatPortal],
+                          FlatPortalSide::Upper, p.xy());
   return sector;
 }
 
@@ -41,20 +43,23 @@ std::optional<Move> tryMove(const Scene& scene, const Body& body, const Stand& f
                             double step) {
   const double travel = length(motion);
   const double zClimb = climbLimit(body, from, step);
-  const Reach reach{
-      from.feet.xy(),          body.radius + kSkin, travel, {from.feet.z, zClimb, body.height},
-      from.feet.z - body.step, zClimb + body.height};
+  const Reach reach{from.feet.xy(),
+                    body.radius + kSkin,
+                    travel,
+                    {from.feet.z, zClimb, body.height},
+                    from.feet.z - body.stepHeight,
+                    zClimb + body.height};
   const Surroundings around(scene, from.sector, reach);
   const Slide slide = slideAlong(around.blockers(), motion, body.radius + kSkin);
-  const Vec2 p = from.feet.xy() + slide.moved;
+  const Vec2 p = from.feet.xy() + slide.displacement;
   // Slopes lift the body as it goes, steps lift it at once.
   const double zHighest = std::max(zClimb, from.feet.z + kSteepestWalk * travel) + kSkin;
   for (const SectorId sector : around.sectors()) {
     if (!mayStandIn(scene, sector, {p.x, p.y, from.feet.z}, zHighest)) continue;
     const auto stand = standAt(scene, body, sector, {p.x, p.y, from.feet.z}, zHighest,
-                               body.step + travel, body.step);
+                               body.stepHeight + travel, body.stepHeight);
     if (stand && stand->hasRoomFor(body.height) && (from.isBuried || !stand->isBuried))
-      return Move{*stand, slide.moved, slide.wasStopped};
+      return Move{*stand, slide.displacement, slide.collided};
   }
   return std::nullopt;
 }
@@ -82,7 +87,7 @@ Move movedAlong(const Scene& scene, const Body& body, const Stand& from, Vec2 mo
   // A step up and a beam that are met at the same moment can leave no room between them, though
   // there is room on the way to either.
   for (const double fraction : {1.0, 0.25, 0.0625})
-    for (const double step : {body.step, 0.0})
+    for (const double step : {body.stepHeight, 0.0})
       if (const auto move = tryMove(scene, body, from, fraction * motion, step)) return *move;
   return {from, {0, 0}, true};
 }

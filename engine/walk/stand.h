@@ -27,13 +27,13 @@ std::optional<Stand> standAt(const Scene& scene, const Body& body, SectorId sect
 
 struct Move {
   Stand stand;
-  Vec2 moved;
-  bool wasStopped = false;
+  Vec2 displacement;
+  bool collided = false;
 };
 
 /// Moves a body over the ground by `motion`, sliding along what stops it and stepping up to
-/// `Body::step`. It moves less far where the way is too complicated, and not at all where the body
-/// does not fit.
+/// `Body::stepHeight`. It moves less far where the way is too complicated, and not at all where the
+/// body does not fit.
 Move movedAlong(const Scene& scene, const Body& body, const Stand& from, Vec2 motion);
 
 /// Moves a body up or down by `rise` until something stops it.

@@ -160,7 +160,8 @@ void Surroundings::block(const Segment& segment, Interval chord) {
 
 void Surroundings::takeFlats(const Sector& sector) {
   if (sector.floor.flatPortal) {
-    if (scene_.zFloor(sector) >= reach_.zLow) followFlat(*sector.floor.flatPortal, Side::Lower);
+    if (scene_.zFloor(sector) >= reach_.zLow)
+      followFlat(*sector.floor.flatPortal, FlatPortalSide::Lower);
   } else {
     const double z =
         sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : scene_.zFloor(sector);
@@ -168,7 +169,7 @@ void Surroundings::takeFlats(const Sector& sector) {
   }
   if (sector.ceiling.flatPortal) {
     if (scene_.zCeiling(sector) <= reach_.zHigh)
-      followFlat(*sector.ceiling.flatPortal, Side::Upper);
+      followFlat(*sector.ceiling.flatPortal, FlatPortalSide::Upper);
   } else {
     const double z =
         sector.ceilingSlope ? -highest(sector, *sector.ceilingSlope, -1) : scene_.zCeiling(sector);
@@ -176,22 +177,20 @@ void Surroundings::takeFlats(const Sector& sector) {
   }
 }
 
-void Surroundings::followFlat(FlatPortalId id, Side to) {
+void Surroundings::followFlat(FlatPortalId id, FlatPortalSide to) {
   const FlatPortal& flatPortal = scene_[id];
-  for (const SectorId member : to == Side::Upper ? flatPortal.upper : flatPortal.lower)
+  for (const SectorId member : to == FlatPortalSide::Upper ? flatPortal.upper : flatPortal.lower)
     if (touches(scene_[member])) add(member);
   // The body's axis may miss its own column by the slack of positions, and a body with less breadth
   // then touches none of them.
-  const SectorId column = across(scene_.level(), flatPortal, to, reach_.center);
+  const SectorId column = sectorAcross(scene_.level(), flatPortal, to, reach_.center);
   const Vec3 middle{reach_.center.x, reach_.center.y, flatPortal.z};
   if (contains(scene_, scene_[column], middle, kPositionSlack)) add(column);
 }
 
 bool Surroundings::touches(const Sector& sector) const {
   const Vec2 p = reach_.center;
-  if (p.x < sector.boxMin.x - radius_ || p.x > sector.boxMax.x + radius_ ||
-      p.y < sector.boxMin.y - radius_ || p.y > sector.boxMax.y + radius_)
-    return false;
+  if (!grown(sector.box, radius_).contains(p)) return false;
   return contains(scene_.level(), sector, p) ||
          std::ranges::any_of(scene_.segmentsOf(sector), [&](const Segment& segment) {
            return !chordOf(segment.p0 - p, segment.p1 - p, radius_).isEmpty();

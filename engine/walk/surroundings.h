@@ -62,7 +62,7 @@ class Surroundings {
   bool isBelow(const Sector& sector) const;
   bool isAbove(const Sector& sector) const;
   bool isOpenAt(const Segment& segment, double fraction);
-  void followFlat(FlatPortalId id, Side to);
+  void followFlat(FlatPortalId id, FlatPortalSide to);
   bool touches(const Sector& sector) const;
   void bear(double z);
   void block(const Segment& segment, Interval chord);

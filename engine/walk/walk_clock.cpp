@@ -10,7 +10,7 @@ namespace hearth {
 namespace {
 
 /// A quarter of a second: what is made up for at once.
-constexpr double kMostTicks = kTicksPerSecond / 4.0;
+constexpr double kMaxTicks = kTicksPerSecond / 4.0;
 
 }  // namespace
 
@@ -19,10 +19,10 @@ WalkClock::Due WalkClock::advance(double now) {
   const double passed = last_ ? std::max(0.0, now - *last_) : 0;
   last_ = now;
   // A long pause is cut before it is added, so that no number of ticks can overflow.
-  pendingTicks_ += std::min(kTicksPerSecond * passed, kMostTicks + 1);
+  pendingTicks_ += std::min(kTicksPerSecond * passed, kMaxTicks + 1);
   const double whole = std::floor(pendingTicks_);
   pendingTicks_ -= whole;
-  return {static_cast<int>(std::min(whole, kMostTicks)), pendingTicks_};
+  return {static_cast<int>(std::min(whole, kMaxTicks)), pendingTicks_};
 }
 
 }  // namespace hearth

@@ -34,7 +34,7 @@ constexpr double kMaxPitch = 60;  // degrees, what the projection takes
 
 /// A tick's move is made in parts of at most half a radius, so that the feet follow the ground, but
 /// not in more than this: nothing is passed in longer ones either.
-constexpr int kMostParts = 16;
+constexpr int kMaxParts = 16;
 
 double fractionOf(int input) {
   return std::clamp(input, -kFullSpeed, kFullSpeed) / double(kFullSpeed);
@@ -102,8 +102,8 @@ std::optional<Stand> standOf(const Scene& scene, const Walker& walker, const Bod
   const double fall = std::max(0.0, -walker.velocity.z) * kTick + kGravity * kTick * kTick;
   const double rise = std::max(0.0, walker.velocity.z) * kTick;
   const double bend = bodyOf(scene.level(), 0).height - body.height;
-  return standAt(scene, body, walker.sector, walker.feet, walker.feet.z, std::max(body.step, fall),
-                 std::max({body.step, rise, bend}));
+  return standAt(scene, body, walker.sector, walker.feet, walker.feet.z,
+                 std::max(body.stepHeight, fall), std::max({body.stepHeight, rise, bend}));
 }
 
 /// Over the ground, which the walker does not leave where it falls by a step or a walkable slope.
@@ -111,23 +111,24 @@ Stand moveOverGround(const Scene& scene, const Body& body, Walker& walker, Stand
   const Vec2 motion = kTick * walker.velocity.xy();
   const double distance = length(motion);
   if (distance == 0) return stand;
-  const double longest = std::max(body.radius / 2, distance / kMostParts);
+  const double longest = std::max(body.radius / 2, distance / kMaxParts);
   const int parts = static_cast<int>(std::ceil(distance / longest));
-  Vec2 moved{0, 0};
-  bool wasStopped = false;
+  Vec2 displacement{0, 0};
+  bool collided = false;
   for (int i = 0; i < parts; ++i) {
     const Move move = movedAlong(scene, body, stand, (1.0 / parts) * motion);
-    wasStopped = wasStopped || move.wasStopped;
-    moved = moved + move.moved;
+    collided = collided || move.collided;
+    displacement = displacement + move.displacement;
     stand = move.stand;
-    const double drop = std::max(body.step, kSteepestWalk * length(move.moved)) + kSkin;
+    const double drop =
+        std::max(body.stepHeight, kSteepestWalk * length(move.displacement)) + kSkin;
     if (walker.isOnGround && stand.feet.z - stand.zSupport <= drop)
       stand = risen(scene, body, stand, stand.zSupport - stand.feet.z);
-    if (move.moved == Vec2{}) break;
+    if (move.displacement == Vec2{}) break;
   }
-  if (wasStopped) {
-    walker.velocity.x = kTicksPerSecond * moved.x;
-    walker.velocity.y = kTicksPerSecond * moved.y;
+  if (collided) {
+    walker.velocity.x = kTicksPerSecond * displacement.x;
+    walker.velocity.y = kTicksPerSecond * displacement.y;
   }
   return stand;
 }
@@ -139,9 +140,9 @@ Stand moveUpright(const Scene& scene, const Body& body, Walker& walker, const St
   const double rise = kTick * (speed - gravity * kTick / 2);
   speed = std::max(speed - gravity * kTick, -kFastestFall);
   const Stand to = risen(scene, body, stand, rise);
-  const bool wasStopped = to.feet.z != stand.feet.z + rise;
-  if (wasStopped) speed = 0;
-  walker.isOnGround = wasStopped && rise < 0 && !walker.isFlying;
+  const bool collided = to.feet.z != stand.feet.z + rise;
+  if (collided) speed = 0;
+  walker.isOnGround = collided && rise < 0 && !walker.isFlying;
   return to;
 }
 
@@ -162,8 +163,8 @@ Walker walkerAt(const Scene& scene, SectorId sector, Vec3 eye, double angle, dou
     if (!column) return walker;
     const Stand below = risen(scene, point, *column, -body.eyeHeight);
     put(walker, below);
-    const double zClimb = below.feet.z + body.step;
-    const auto stand = standAt(scene, body, below.sector, below.feet, zClimb, 0, body.step);
+    const double zClimb = below.feet.z + body.stepHeight;
+    const auto stand = standAt(scene, body, below.sector, below.feet, zClimb, 0, body.stepHeight);
     if (!stand || !stand->hasRoomFor(body.height)) continue;
     put(walker, *stand);
     walker.crouch = crouch;

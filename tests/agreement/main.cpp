@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   const Tally tally = random ? compareRandomLevels(count, firstSeed, threads) : compareFiles(files);
   fmt::print("{}", hearth::agreement::table(tally));
   if (!tally.firstMiss.empty()) fmt::print("first miss: {}\n", tally.firstMiss);
-  const bool enough = !random || tally.leastTested() >= 1000;
+  const bool enough = !random || tally.minTested() >= 1000;
   if (!enough) fmt::print("a kind of surface has fewer than 1000 tested pixels\n");
   return tally.missed() == 0 && tally.holes == 0 && enough ? 0 : 1;
 }

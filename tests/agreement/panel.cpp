@@ -114,7 +114,7 @@ Axes axesOf(Vec2 gradient, Vec3 origin) {
 
 Panel flatPanel(const Scene& scene, const Surface& surface) {
   const Sector& sector = scene[surface.sector];
-  const bool isOver = isOverhead(surface.kind);
+  const bool isOver = facesDown(surface.kind);
   const auto z = [&](Vec2 p) {
     return isOver ? scene.airTop(sector, p) : scene.airBottom(sector, p);
   };

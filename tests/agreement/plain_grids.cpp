@@ -105,7 +105,7 @@ std::vector<Axes> slopeGrids(const Scene& scene, const std::vector<Vec3>& corner
   for (const std::vector<std::size_t>& run : runsOf(scene, corners, panels, order, isInPlane)) {
     const Sector& sector = sectorOf(run.front());
     const Vec2 first = firstBorderVertex(scene, sector);
-    const bool isOver = isOverhead(scene.level().surfaces[run.front()].kind);
+    const bool isOver = facesDown(scene.level().surfaces[run.front()].kind);
     Axes axes = panels[run.front()]->axes;
     axes.origin = {first.x, first.y,
                    isOver ? scene.airTop(sector, first) : scene.airBottom(sector, first)};

@@ -82,7 +82,7 @@ std::optional<std::size_t> PlainTexels::surfaceOf(const SurfacePoint& hit) const
 TexelSample PlainTexels::sampleAt(std::size_t surface, Vec3 center) {
   double least = panels_[surface]->distanceTo(panels_[surface]->axes.of(center));
   if (least <= kInsideEdge) least = 0;  // it lies on the surface, up to what samples keep off edges
-  for (const std::size_t other : reachedFrom(surface, center, least)) {
+  for (const std::size_t other : reachableFrom(surface, center, least)) {
     const double distance = panels_[other]->distanceTo(panels_[other]->axes.of(center));
     if (distance >= least - kInsideEdge) continue;
     least = distance;
@@ -104,8 +104,8 @@ TexelSample PlainTexels::sampleAt(std::size_t surface, Vec3 center) {
 
 /// What continues the surface, reached over common edges no more than `distance` from the sample,
 /// up to what samples keep off edges.
-std::vector<std::size_t> PlainTexels::reachedFrom(std::size_t surface, Vec3 sample,
-                                                  double distance) {
+std::vector<std::size_t> PlainTexels::reachableFrom(std::size_t surface, Vec3 sample,
+                                                    double distance) {
   std::vector<std::size_t> reached{surface};
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const Vec2 st = panels_[reached[next]]->axes.of(sample);

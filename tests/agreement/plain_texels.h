@@ -52,7 +52,7 @@ class PlainTexels {
   std::optional<std::size_t> surfaceOf(const SurfacePoint& hit) const;
   bool areInOnePlane(std::size_t a, std::size_t b) const;
   const std::vector<CommonEdge>& continuationsOf(std::size_t surface);
-  std::vector<std::size_t> reachedFrom(std::size_t surface, Vec3 sample, double distance);
+  std::vector<std::size_t> reachableFrom(std::size_t surface, Vec3 sample, double distance);
   TexelSample sampleAt(std::size_t surface, Vec3 center);
 
   Scene scene_;

@@ -45,7 +45,7 @@ std::int64_t Tally::missed() const {
   return all.texture.missed + all.gridLight.missed + all.exactLight.missed;
 }
 
-std::int64_t Tally::leastTested() const {
+std::int64_t Tally::minTested() const {
   return std::ranges::min(kinds, {}, [](const KindTally& k) { return k.texture.tested; })
       .texture.tested;
 }

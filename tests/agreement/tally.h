@@ -31,7 +31,7 @@ enum class LeftOut { CoarseTexel, NearLight, ShadowEdge, CurveJump, Clip, Beyond
 inline constexpr std::size_t kLeftOut = 6;
 
 struct Tally {
-  std::array<KindTally, kSurfaceKinds> kinds;
+  std::array<KindTally, kSurfaceKindCount> kinds;
   std::int64_t levels = 0;
   std::int64_t views = 0;
   std::int64_t holes = 0;                        ///< pixels that no surface covered
@@ -47,7 +47,7 @@ struct Tally {
   KindTally sum() const;
   std::int64_t missed() const;
   /// The least number of pixels tested of any kind.
-  std::int64_t leastTested() const;
+  std::int64_t minTested() const;
 };
 
 /// How much of what was drawn is really held against truth: a comparison that excuses every pixel

@@ -28,14 +28,14 @@ LAYERS |= {
     "folders": [],
     "settings": ["image", "level", "light", "load", "math", "render"],
     "text": ["image", "load", "math"],
-    "session": ["folders", "settings", "text", "files", "image", "level", "light", "load", "math", "render"],
+    "inputs": ["folders", "settings", "text", "files", "image", "level", "light", "load", "math", "render"],
     "lint": ["level", "light", "load", "math", "walk"],
     "import": ["folders", "text", "files", "image", "level", "load", "math"],
     "measure": ["settings", "text", "files", "image", "level", "light", "load", "math", "render", "truth"],
     "viewer": ["settings", "text", *ENGINE],
-    "desktop": ["folders", "measure", "session", "settings", "text", "viewer", *ENGINE],
-    "cli": ["desktop", "folders", "import", "lint", "measure", "session", "settings", "text", "viewer", *ENGINE],
-    "peers": ["cli", "desktop", "folders", "import", "measure", "session", "settings", *ENGINE],
+    "desktop": ["folders", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
+    "cli": ["desktop", "folders", "import", "lint", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
+    "peers": ["cli", "desktop", "folders", "import", "measure", "inputs", "settings", *ENGINE],
 }
 # Of tools/, what is not a library of the program.
 PROGRAMS = ["package", "levels"]
@@ -51,7 +51,7 @@ OUTSIDERS = {
     r"imgui/.*": ["tools/viewer/overlay/*.cpp", "tools/viewer/overlay/imgui_values.h", "tests/*/*"],
     r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/image/*.cpp", "engine/light/*.cpp", "tests/*/*.cpp"],
-    r"hwy/.*": ["engine/light/sight/light_kernels.cpp", "engine/render/*.cpp", "engine/render/*-inl.h",
+    r"hwy/.*": ["engine/light/*/*_kernels.cpp", "engine/light/*/*-inl.h", "engine/render/*.cpp", "engine/render/*-inl.h",
                 "tools/peers/kernel.cpp", "tests/*/*.cpp"],
     r"embree.*": ["tools/peers/embree.*", "tests/*/*"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
@@ -126,6 +126,20 @@ class Architecture(unittest.TestCase):
                 if target in LAYERS and "/" in name and target not in [folder, *LAYERS[folder]]:
                     offences.append(f"{path}:{number}: {folder} must not include {name}")
         self.expect_none(offences)
+
+    def test_folders_of_a_library_include_one_another_in_one_direction(self):
+        """Its own files, which every folder may use and which use every folder, do not count."""
+        below = {}
+        for path in sources("engine", "tools"):
+            for number, name in includes(path):
+                target = Path(path.parts[0], name).parent
+                if path.parts[1] == name.split("/")[0] and len(target.parts) > 2:
+                    below.setdefault(path.parent, set()).add(target)
+        below = {folder: targets for folder, targets in below.items() if len(folder.parts) > 2}
+        self.assertGreater(len(below), 10)
+        self.expect_none([f"{folder} includes {target}, which includes it"
+                          for folder in sorted(below) for target in sorted(below[folder] - {folder})
+                          if folder in reachable(below, target)])
 
     def test_headers_of_the_project_are_included_by_folder_and_name(self):
         offences = []
@@ -217,6 +231,17 @@ class Architecture(unittest.TestCase):
     def test_files_stay_readable(self):
         self.expect_none([f"{path} has {length} lines" for path in sources("engine", "tools")
                           if (length := (SOURCE / path).read_text().count("\n")) > MAX_FILE_LINES])
+
+
+def reachable(targets, start):
+    """What a graph leads to from there."""
+    found, left = set(), [start]
+    while left:
+        for target in targets.get(left.pop(), ()):
+            if target not in found:
+                found.add(target)
+                left.append(target)
+    return found
 
 
 def ctags(paths):

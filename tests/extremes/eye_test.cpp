@@ -23,8 +23,8 @@ Camera cameraAt(SectorId sector, Vec3 eye, double angle, double pitch = 0) {
 
 /// Two rooms side by side, open to each other at x = 4.
 LoadedLevel twoRooms() {
-  const Box west{.x1 = 4};
-  const Box east{.x0 = 4, .floor = 0.4, .ceiling = 2.2, .floorTexture = "'#303060'"};
+  const BoxRoom west{.x1 = 4};
+  const BoxRoom east{.x0 = 4, .floor = 0.4, .ceiling = 2.2, .floorTexture = "'#303060'"};
   return levelFrom(levelOf(west.sector("west", "[" + kSolid + "," + portalTo("east") + "," +
                                                    kSolid + "," + kSolid + "]") +
                            "," +
@@ -36,7 +36,8 @@ TEST(Horizon, onARowsCentreAndBetweenRowsIsDrawnAsTruth) {
   // A floor and a ceiling so far away that the horizon's row shows little else, seen also from the
   // very height of the ceiling.
   const LoadedLevel hall = levelFrom(levelOf(
-      Box{.x0 = -1e5, .y0 = -1e5, .x1 = 1e5, .y1 = 1e5, .floorTexture = "'brick'"}.sector("hall")));
+      BoxRoom{.x0 = -1e5, .y0 = -1e5, .x1 = 1e5, .y1 = 1e5, .floorTexture = "'brick'"}.sector(
+          "hall")));
   constexpr double kDistancePx = 32;  // 64 columns, 90 degrees
   for (double row = -20; row <= 60; row += 2.5) {
     const double pitch = degrees(std::atan((row - 20) / kDistancePx));
@@ -64,7 +65,7 @@ TEST(Eye, atAPortalOrBesideItIsInTheRightSectorAndSeesNoHole) {
 TEST(Eye, besideAWallOfAnyHeightLooksAlongItAsTruth) {
   for (const double height : {3.0, 300.0, 30000.0}) {
     const LoadedLevel room =
-        levelFrom(levelOf(Box{.ceiling = height, .wallTexture = "'brick'"}.sector("room")));
+        levelFrom(levelOf(BoxRoom{.ceiling = height, .wallTexture = "'brick'"}.sector("room")));
     for (const double distance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
       for (const double angle : {0.0, 0.001, -0.001, 1.0, -1.0, 180.0})
         expectAsTruth(room, cameraAt(SectorId(0), {1, distance, 1.5}, angle), 3);
@@ -150,7 +151,7 @@ TEST(Eye, thatCrossesAPortalInMillimetresSeesNoPictureJump) {
 TEST(Eye, seesWallsAsFarAwayAsTruthDoes) {
   for (const double length : {1e4, 1e5, 1e6}) {
     const LoadedLevel hall = levelFrom(levelOf(
-        Box{.x0 = -10, .y0 = -length / 8, .x1 = length, .y1 = length / 8, .ceiling = length / 8}
+        BoxRoom{.x0 = -10, .y0 = -length / 8, .x1 = length, .y1 = length / 8, .ceiling = length / 8}
             .sector("hall")));
     for (const double angle : {0.0, 0.01, 5.0})
       expectAsTruth(hall, cameraAt(SectorId(0), {0, 0, 1.5}, angle));

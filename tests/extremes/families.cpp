@@ -78,7 +78,7 @@ void expectAgreement(const LitLevel& lit) {
 /// The lit surface that a piece of it was cut from; sectors are the same in both levels.
 std::optional<SurfaceId> wholeOf(const LitLevel& whole, const Surface& piece,
                                  const LitSurface& lit) {
-  const std::vector<Vec2> border = lit.outline.polygons().front();
+  const std::vector<Vec2> border = lit.outline.loops().front();
   Vec2 middle;
   for (const Vec2 p : border) middle = middle + (1.0 / static_cast<double>(border.size())) * p;
   const Vec3 p = lit.toWorld(middle);

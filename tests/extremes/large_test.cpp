@@ -32,7 +32,7 @@ double seconds(const std::function<void()>& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-double mostGigabytes() {
+double maxGigabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / (1 << 20);
@@ -40,9 +40,9 @@ double mostGigabytes() {
 
 void expectBounded(std::string_view what, const std::function<void()>& work) {
   const double took = seconds(work);
-  fmt::print("{}: {:.2f} s, {:.2f} GB at most so far\n", what, took, mostGigabytes());
+  fmt::print("{}: {:.2f} s, {:.2f} GB at most so far\n", what, took, maxGigabytes());
   EXPECT_LT(took, kSeconds) << what;
-  EXPECT_LT(mostGigabytes(), kGigabytes) << what;
+  EXPECT_LT(maxGigabytes(), kGigabytes) << what;
 }
 
 LoadedLevel shippedLevel(std::string_view name) {
@@ -61,7 +61,7 @@ TEST(Large, picturesOfEveryShotHaveNoHole) {
 
 TEST(Large, pictureOfACheckeredFloorTurnsSlowlyAsTruth) {
   LoadedLevel hall = levelFrom(levelOf(
-      Box{.x0 = -50, .y0 = -50, .x1 = 50, .y1 = 50, .floorTexture = "'brick'"}.sector("hall")));
+      BoxRoom{.x0 = -50, .y0 = -50, .x1 = 50, .y1 = 50, .floorTexture = "'brick'"}.sector("hall")));
   Image checker(2, 2, {255, 255, 255});
   checker.at(0, 0) = checker.at(1, 1) = {0, 0, 0};
   std::vector<Image> images = hall.textures;
@@ -110,7 +110,7 @@ TEST(Large, sectorOfTenThousandVerticesIsLitAndDrawn) {
 }
 
 TEST(Large, numberOfLightsIsBaked) {
-  LoadedLevel room = levelFrom(levelOf(Box{.x1 = 100, .y1 = 100}.sector("room"), "0"),
+  LoadedLevel room = levelFrom(levelOf(BoxRoom{.x1 = 100, .y1 = 100}.sector("room"), "0"),
                                "[{'x': 1, 'y': 1, 'z': 1}]");
   const LightSource first = room.level.lights[0];
   room.level.lights.clear();

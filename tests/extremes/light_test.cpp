@@ -73,7 +73,7 @@ std::string roomOfAllKinds() {
 
 /// A point of a surface's middle.
 Vec3 middleOf(const LitSurface& surface) {
-  const std::vector<Vec2> border = surface.outline.polygons().front();
+  const std::vector<Vec2> border = surface.outline.loops().front();
   Vec2 sum;
   for (const Vec2 p : border) sum = sum + p;
   return surface.toWorld((1.0 / static_cast<double>(border.size())) * sum);
@@ -104,13 +104,13 @@ TEST(LightPlace, inAPlaneOrAMicrometreBehindItDoesNotLightItWhateverItIs) {
       kinds.insert(surface.kind);
     }
   }
-  EXPECT_EQ(kinds.size(), kSurfaceKinds - 4) << "all but those of skies";
+  EXPECT_EQ(kinds.size(), kSurfaceKindCount - 4) << "all but those of skies";
 }
 
 /// Four rooms round the origin, open to each other.
 std::string fourRooms() {
   const auto room = [](double x, double y) {
-    return Box{.x0 = x, .y0 = y, .x1 = x + 4, .y1 = y + 4};
+    return BoxRoom{.x0 = x, .y0 = y, .x1 = x + 4, .y1 = y + 4};
   };
   return levelOf(
       room(0, 0).sector(
@@ -205,7 +205,7 @@ TEST(LightRay, nearlyInASurfacesPlaneArrivesWhereTruthSays) {
 TEST(LightRay, passesFiftyPortalsInARow) {
   std::string sectors;
   for (int i = 0; i < 51; ++i) {
-    const Box room{.x0 = 1.0 * i, .x1 = i + 1.0, .y1 = 2};
+    const BoxRoom room{.x0 = 1.0 * i, .x1 = i + 1.0, .y1 = 2};
     sectors += (i > 0 ? "," : "") +
                room.sector(fmt::format("r{}", i),
                            fmt::format("[{0}, {1}, {0}, {2}]", kSolid,

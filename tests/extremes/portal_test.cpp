@@ -34,7 +34,7 @@ TEST(Portals, ofThreeRoomsInARingEndWhereTheLookEnds) {
   // Round a common corner, 270 degrees: each opens to the next, the last to the first through a
   // room that overlaps it.
   const auto room = [](double x, double y) {
-    return Box{.x0 = x, .y0 = y, .x1 = x + 4, .y1 = y + 4};
+    return BoxRoom{.x0 = x, .y0 = y, .x1 = x + 4, .y1 = y + 4};
   };
   const LoadedLevel ring = levelFrom(
       levelOf(room(0, 0).sector(
@@ -54,7 +54,7 @@ TEST(Portals, ofThreeRoomsInARingEndWhereTheLookEnds) {
 
 TEST(Portals, toTheirOwnSectorAreRefused) {
   const LoadResult result = tryLoad(filesOf(levelOf(
-      Box{}.sector("room", fmt::format("[{0}, {1}, {0}, {0}]", kSolid, portalTo("room"))))));
+      BoxRoom{}.sector("room", fmt::format("[{0}, {1}, {0}, {0}]", kSolid, portalTo("room"))))));
   EXPECT_FALSE(result.loaded);
   ASSERT_EQ(result.diagnostics.size(), 1U);
   EXPECT_EQ(result.diagnostics[0].pointer, "/sectors/room/loops/border/walls/1");

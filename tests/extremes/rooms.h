@@ -25,7 +25,7 @@ inline std::string levelOf(std::string_view sectors, std::string_view light = "0
 
 /// A box of air in which floor, ceiling and walls look different, with images if `textures` are
 /// their names.
-struct Box {
+struct BoxRoom {
   double x0 = 0;
   double y0 = 0;
   double x1 = 8;
@@ -56,11 +56,11 @@ inline std::string gridOfRooms(int columns, int rows) {
   std::string text;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
-      const Box room{.x0 = 1.0 * x,
-                     .y0 = 1.0 * y,
-                     .x1 = x + 1.0,
-                     .y1 = y + 1.0,
-                     .floor = 0.001 * ((7 * x + 3 * y) % 5)};
+      const BoxRoom room{.x0 = 1.0 * x,
+                         .y0 = 1.0 * y,
+                         .x1 = x + 1.0,
+                         .y1 = y + 1.0,
+                         .floor = 0.001 * ((7 * x + 3 * y) % 5)};
       text += (text.empty() ? "" : ",") +
               room.sector(fmt::format("r{}_{}", x, y),
                           fmt::format("[{}, {}, {}, {}]", sideTo(x, y - 1), sideTo(x + 1, y),

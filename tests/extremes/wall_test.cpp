@@ -37,7 +37,7 @@ TEST(Wall, ofAnyLengthShowsItsTextureWhereItIs) {
   constexpr double kTexel = 1.0 / 64;  // metres: of an image of 64 x 64 a metre wide
   for (const double length : {1e3, 1e4, 1e5}) {
     const LoadedLevel hall = levelFrom(
-        levelOf(Box{.x1 = length, .ceiling = 10, .wallTexture = "'brick'"}.sector("hall")));
+        levelOf(BoxRoom{.x1 = length, .ceiling = 10, .wallTexture = "'brick'"}.sector("hall")));
     for (const double fraction : {0.0, 0.1, 0.33, 0.77, 0.999}) {
       const Camera camera =
           cameraAt({fraction * length + 1, 3, 1.5}, -90 + 0.5);  // at the wall y = 0
@@ -110,7 +110,7 @@ TEST(Wall, ofSolidStepsAndPlainPiecesOfOneZrefShowsEqualColumns) {
                   "'#101010'}}, 'loops': {{'border': {{'v': [0,-6, 4,-6, 4,-1, 4,1, 4,6, 0,6], "
                   "'walls': [{0}, {0}, {1}, {0}, {0}, {0}]}}}}}},",
                   solid, steps) +
-      Box{.x0 = 4, .y0 = -1, .x1 = 5, .y1 = 1, .floor = 1, .ceiling = 1}.sector(
+      BoxRoom{.x0 = 4, .y0 = -1, .x1 = 5, .y1 = 1, .floor = 1, .ceiling = 1}.sector(
           "shut",
           fmt::format("[{0}, {0}, {0}, {1}]", solid, "{'next': 'room', 'texture': '#808080'}"))));
   const BakedLight light = noLightOf(room.level);
@@ -122,14 +122,14 @@ TEST(Wall, ofSolidStepsAndPlainPiecesOfOneZrefShowsEqualColumns) {
 }
 
 TEST(Room, thatIsCutInTwoByAPortalShowsTheSamePicture) {
-  const Box whole{
+  const BoxRoom whole{
       .wallTexture = "'brick 2,2'", .floorTexture = "'wood'", .ceilingTexture = "'stone'"};
   const auto wall = [](double along) {
     return fmt::format("{{'texture': {{'name': 'brick', 'scale': [2, 2], 'along': {}}}}}", along);
   };
-  Box west = whole;
+  BoxRoom west = whole;
   west.x1 = 3;
-  Box east = whole;
+  BoxRoom east = whole;
   east.x0 = 3;
   const std::string lights = "[{'x': 2, 'y': 5, 'z': 2, 'falloff': 0.3}]";
   const LoadedLevel one = levelFrom(levelOf(whole.sector("room")), lights);
@@ -159,8 +159,8 @@ TEST(Texture, ofAnySizeOffsetAndScaleIsDrawnAsTruth) {
       for (const char* scale : {"1,1", "1e-6,1e6", "1e6,1e-6", "3.7,0.3"}) {
         const std::string texture = fmt::format("'brick {} {}'", scale, offset);
         LoadedLevel room = levelFrom(levelOf(
-            Box{.wallTexture = texture, .floorTexture = texture, .ceilingTexture = texture}.sector(
-                "room")));
+            BoxRoom{.wallTexture = texture, .floorTexture = texture, .ceilingTexture = texture}
+                .sector("room")));
         Image image(width, height);
         for (int y = 0; y < height; ++y)
           for (int x = 0; x < width; ++x)
@@ -176,8 +176,8 @@ TEST(Texture, ofAnySizeOffsetAndScaleIsDrawnAsTruth) {
 TEST(Height, ofNothingAndOfANanometreLeavesNoStrayPixel) {
   for (const double height : {0.0, 1e-9, 1e-7, 1e-3})
     for (const double floor : {0.0, 1.5}) {
-      const Box room{.x1 = 4};
-      const Box slit{.x0 = 4, .x1 = 6, .floor = floor, .ceiling = floor + height};
+      const BoxRoom room{.x1 = 4};
+      const BoxRoom slit{.x0 = 4, .x1 = 6, .floor = floor, .ceiling = floor + height};
       const LoadedLevel rooms = levelFrom(levelOf(
           room.sector("room", fmt::format("[{0}, {1}, {0}, {0}]", kSolid, portalTo("slit"))) + "," +
           slit.sector("slit", fmt::format("[{0}, {0}, {0}, {1}]", kSolid, portalTo("room")))));

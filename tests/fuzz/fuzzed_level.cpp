@@ -45,7 +45,7 @@ std::vector<Camera> placesOf(const Scene& scene) {
 double coarseTexel(const Level& level) {
   double size = 0;
   for (const Sector& sector : level.sectors)
-    size = std::max({size, sector.boxMax.x - sector.boxMin.x, sector.boxMax.y - sector.boxMin.y,
+    size = std::max({size, sector.box.max.x - sector.box.min.x, sector.box.max.y - sector.box.min.y,
                      sector.ceiling.z - sector.floor.z});
   return std::max(level.bake.texel, size / kTexels);
 }

@@ -21,9 +21,9 @@ Image drawn(const std::vector<std::string>& rows) {
   return image;
 }
 
-std::int64_t largestBlob(const std::vector<std::string>& rows) {
+std::int64_t largestPatch(const std::vector<std::string>& rows) {
   const Image image = drawn(rows);
-  return compare(Image(image.width(), image.height()), image).largestBlob;
+  return compare(Image(image.width(), image.height()), image).largestPatch;
 }
 
 TEST(Compare, EqualPicturesDoNotDiffer) {
@@ -41,7 +41,7 @@ TEST(Compare, CountsByTheChannelThatDiffersMost) {
   actual.at(3, 0) = {109, 100, 100};
   EXPECT_EQ(
       compare(expected, actual),
-      (PictureDifference{.differing = 4, .over2 = 3, .over8 = 1, .largest = 9, .largestBlob = 4}));
+      (PictureDifference{.differing = 4, .over2 = 3, .over8 = 1, .largest = 9, .largestPatch = 4}));
 }
 
 TEST(Compare, DoesNotDependOnWhichPictureIsExpected) {
@@ -51,18 +51,18 @@ TEST(Compare, DoesNotDependOnWhichPictureIsExpected) {
   EXPECT_EQ(compare(black, white).largest, 255);
 }
 
-TEST(Compare, BlobsJoinThroughEdgesOnly) {
-  EXPECT_EQ(largestBlob({"#.", ".#"}), 1);
-  EXPECT_EQ(largestBlob({"#.", "##"}), 3);
+TEST(Compare, PatchesJoinThroughEdgesOnly) {
+  EXPECT_EQ(largestPatch({"#.", ".#"}), 1);
+  EXPECT_EQ(largestPatch({"#.", "##"}), 3);
 }
 
-TEST(Compare, BlobsDoNotWrapAroundTheBorder) {
-  EXPECT_EQ(largestBlob({"#..#", "#..#"}), 2);
-  EXPECT_EQ(largestBlob({"..##", "##.."}), 2);
+TEST(Compare, PatchesDoNotWrapAroundTheBorder) {
+  EXPECT_EQ(largestPatch({"#..#", "#..#"}), 2);
+  EXPECT_EQ(largestPatch({"..##", "##.."}), 2);
 }
 
-TEST(Compare, FindsTheLargestOfSeveralBlobs) {
-  EXPECT_EQ(largestBlob({
+TEST(Compare, FindsTheLargestOfSeveralPatches) {
+  EXPECT_EQ(largestPatch({
                 "##...#",  //
                 "#..#.#",  //
                 "...###",  //
@@ -71,19 +71,19 @@ TEST(Compare, FindsTheLargestOfSeveralBlobs) {
             7);
 }
 
-TEST(Compare, TakesBlobsOfPixelsThatDifferByMoreThanIsSaid) {
+TEST(Compare, TakesPatchesOfPixelsThatDifferByMoreThanIsSaid) {
   const Image expected(5, 1);
   Image actual = expected;
   for (int i = 0; i < 5; ++i) actual.at(i, 0) = {static_cast<std::uint8_t>(i + 1), 0, 0};
-  EXPECT_EQ(compare(expected, actual).largestBlob, 5);
-  EXPECT_EQ(compare(expected, actual, 3).largestBlob, 2);
-  EXPECT_EQ(compare(expected, actual, 5).largestBlob, 0);
+  EXPECT_EQ(compare(expected, actual).largestPatch, 5);
+  EXPECT_EQ(compare(expected, actual, 3).largestPatch, 2);
+  EXPECT_EQ(compare(expected, actual, 5).largestPatch, 0);
 }
 
-TEST(Compare, ABlobMayBeAsLargeAsThePicture) {
+TEST(Compare, APatchMayBeAsLargeAsThePicture) {
   const Image black(1000, 1000);
   const Image grey(1000, 1000, {1, 1, 1});
-  EXPECT_EQ(compare(black, grey).largestBlob, 1'000'000);
+  EXPECT_EQ(compare(black, grey).largestPatch, 1'000'000);
 }
 
 TEST(AmplifiedDifference, ShowsEveryLevelOfEveryChannel) {

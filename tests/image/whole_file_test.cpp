@@ -37,10 +37,10 @@ class WholeFile : public testing::Test {
   std::ptrdiff_t countFiles() const {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
-  ReadFault faultOf(const std::string& name, std::uint64_t maxBytes = 1000) const {
+  ReadErrorCode errorCodeOf(const std::string& name, std::uint64_t maxBytes = 1000) const {
     const auto read = readFile(path(name), maxBytes);
     EXPECT_FALSE(read) << name;
-    return read ? ReadFault::Failed : read.error().fault;
+    return read ? ReadErrorCode::Failed : read.error().code;
   }
 
  private:
@@ -127,12 +127,12 @@ TEST_F(WholeFile, isThatOfOneOfSeveralThreadsThatWriteIt) {
 TEST_F(WholeFile, isReadOrSaysWhyNot) {
   put("a", std::string("with\0zero", 9));
   EXPECT_EQ(readFile(path("a"), 9), std::string("with\0zero", 9));
-  EXPECT_EQ(faultOf("a", 8), ReadFault::TooLong);
-  EXPECT_EQ(faultOf("none"), ReadFault::Missing);
-  EXPECT_EQ(faultOf("a/none"), ReadFault::Missing);
-  EXPECT_EQ(faultOf("."), ReadFault::NotRegular);
+  EXPECT_EQ(errorCodeOf("a", 8), ReadErrorCode::TooLong);
+  EXPECT_EQ(errorCodeOf("none"), ReadErrorCode::Missing);
+  EXPECT_EQ(errorCodeOf("a/none"), ReadErrorCode::Missing);
+  EXPECT_EQ(errorCodeOf("."), ReadErrorCode::NotRegular);
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(faultOf("pipe"), ReadFault::NotRegular);
+  EXPECT_EQ(errorCodeOf("pipe"), ReadErrorCode::NotRegular);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ bool mayMove(const Flat& flat, const std::optional<Slope>& slope) {
 /// Whether the stacks of a sector keep their order at these heights.
 bool holdStacks(const Level& level, const Sector& sector, SectorGeometry heights) {
   return std::ranges::all_of(level.segmentsOf(sector), [&](const Segment& segment) {
-    const Stack* stack = std::get_if<Stack>(&segment.kind);
+    const Stack* stack = std::get_if<Stack>(&segment.wall);
     if (!stack) return true;
     const std::size_t last = stack->subWalls.size() - 1;
     return last == 0 || stack->topOf(last - 1, heights.zFloor, heights.zCeiling) < heights.zCeiling;

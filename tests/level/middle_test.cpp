@@ -70,7 +70,7 @@ TEST(MiddleTexture, HasItsHolesWhereItsMappingPutsThem) {
   LoadedLevel rooms =
       roomsWith("{'name':'#808080','scale':[2,1],'offset':[1,0],'along':0.25,'zref':3}");
   TexelHoles holes(4, 2);  // of half a metre each
-  holes.make(0, 1);
+  holes.setHole(0, 1);
   rooms.level.holes.assign(rooms.level.textures.size(), holes);
   const Scene scene = rooms.scene();
   const std::vector<SurfaceId> shown = scene.shownSurfaces();

@@ -38,7 +38,7 @@ TEST_F(Keep, LoadsWithoutAWarning) {
 TEST_F(Keep, HasEveryKindOfSurfaceButMiddlesAndStepsBetweenSkiesBelow) {
   std::set<SurfaceKind> kinds;
   for (const SurfaceId id : scene().shownSurfaces()) kinds.insert(level()[id].kind);
-  for (std::size_t i = 0; i < kSurfaceKinds; ++i) {
+  for (std::size_t i = 0; i < kSurfaceKindCount; ++i) {
     const auto kind = static_cast<SurfaceKind>(i);
     const bool isElsewhere = kind == SurfaceKind::MaskedMiddle || kind == SurfaceKind::SkyLowerStep;
     EXPECT_NE(kinds.contains(kind), isElsewhere) << name(kind);
@@ -117,7 +117,7 @@ TEST_F(Keep, IsNeitherDarkNorGlaring) {
 
 class KeepWalk : public Keep {
  protected:
-  test::Gait gait() const { return {level().player->step, level().player->radius}; }
+  test::Gait gait() const { return {level().player->stepHeight, level().player->radius}; }
 };
 
 TEST_F(KeepWalk, LeadsFromTheRoadToWhereverABodyHasRoom) {

@@ -26,8 +26,8 @@ class KeepTour : public testing::Test {
   /// Turns to each place in turn and goes straight there.
   void walk(const std::vector<Vec2>& places) {
     for (const Vec2 place : places) {
-      constexpr int kMostTicks = 1200;
-      for (int tick = 0; tick < kMostTicks && !isNear(place); ++tick) {
+      constexpr int kMaxTicks = 1200;
+      for (int tick = 0; tick < kMaxTicks && !isNear(place); ++tick) {
         const Vec2 apart = place - walker_.feet.xy();
         const double angle = std::atan2(apart.y, apart.x) * 180 / std::numbers::pi;
         const double turn = std::remainder(angle - walker_.angle, 360);

@@ -19,7 +19,7 @@ bool isOpenAt(const Scene& scene, const Segment& segment, const WallPiece& piece
   const AirColumn far = scene.airAt(scene[std::get<Opening>(piece.content).twin], 1 - fraction);
   const OpeningSpan span = openingSpan(piece, near, far);
   const double sill = std::max({near.zBottom, far.zBottom, span.zBottom});
-  return sill - near.zBottom <= gait.step + kRounding &&
+  return sill - near.zBottom <= gait.stepHeight + kRounding &&
          span.zTop - sill >= gait.headroom - kRounding;
 }
 
@@ -120,8 +120,8 @@ bool hasRoom(const Scene& scene, const Sector& sector, const Gait& gait) {
     if (std::sqrt(dot(gradient, gradient)) > gait.steepest) return false;
   }
   constexpr double kGrid = 0.05;
-  for (double x = sector.boxMin.x; x <= sector.boxMax.x; x += kGrid)
-    for (double y = sector.boxMin.y; y <= sector.boxMax.y; y += kGrid)
+  for (double x = sector.box.min.x; x <= sector.box.max.x; x += kGrid)
+    for (double y = sector.box.min.y; y <= sector.box.max.y; y += kGrid)
       if (fits(scene, sector, {x, y}, gait)) return true;
   return false;
 }

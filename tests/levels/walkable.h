@@ -10,7 +10,7 @@ namespace hearth::test {
 
 /// What a walker asks of a level, in metres.
 struct Gait {
-  double step;             ///< the highest it climbs
+  double stepHeight;       ///< the highest it climbs
   double radius;           ///< of the body
   double headroom = 1.9;   ///< of every doorway, and of where it stands
   double doorWidth = 0.8;  ///< of every doorway

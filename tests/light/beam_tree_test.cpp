@@ -24,20 +24,20 @@ std::optional<bool> areLit(const BeamTree& beams, const Level& level, const std:
   const double z = sector->floor.z;
   const std::vector<Vec3> corners = {
       {least.x, least.y, z}, {most.x, least.y, z}, {most.x, most.y, z}, {least.x, most.y, z}};
-  const BeamTree::Points points = beams.seen(corners);
+  const BeamTree::Points points = beams.pointsBetween(corners);
   if (!beams.knows(id, {{0, 0, z}, {0, 0, 1}}, points)) return std::nullopt;
-  BeamTree::Found found;
-  if (beams.find(id, nullptr, points, found)) return true;
-  if (found.empty()) return false;
+  BeamTree::Candidates candidates;
+  if (beams.find(id, nullptr, points, candidates)) return true;
+  if (candidates.empty()) return false;
   return std::nullopt;
 }
 
 BeamTree beamsFrom(const Scene& scene, Vec3 position, const std::string& name,
-                   double reach = kEndless, std::size_t mostBytes = 1 << 20) {
+                   double reach = kEndless, std::size_t maxBytes = 1 << 20) {
   const std::vector<Sector>& sectors = scene.level().sectors;
   const auto sector = std::ranges::find(sectors, name, &Sector::name);
   const SectorId id(static_cast<std::size_t>(sector - sectors.begin()));
-  return {scene, {position, id}, reach, mostBytes};
+  return {scene, {position, id}, reach, maxBytes};
 }
 
 /// Two rooms side by side, the second with its floor at `z`.
@@ -96,8 +96,8 @@ TEST(BeamTree, seeNothingBeyondTheirReach) {
 
 TEST(BeamTree, sayNothingWhereTheyWouldTakeTooMuchMemory) {
   const LoadedLevel loaded = twoRooms(0);
-  const auto near = [&](std::size_t mostBytes) {
-    return areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", kEndless, mostBytes), loaded.level,
+  const auto near = [&](std::size_t maxBytes) {
+    return areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", kEndless, maxBytes), loaded.level,
                   "west", {2.5, 1.5}, {2.6, 1.6});
   };
   EXPECT_EQ(near(1 << 20), true);

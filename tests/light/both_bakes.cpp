@@ -53,21 +53,21 @@ LoadedLevel withBalls(LoadedLevel loaded, std::uint64_t seed) {
 void expectSameBakes(const Scene& scene, const BakeSettings& settings, const std::string& what,
                      BothCosts& costs) {
   const LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
-  const LightSights sights(scene, settings);
+  const LightVisibilities visibilities(scene, settings);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i]) continue;
     SCOPED_TRACE(fmt::format("{}, surface {}", what, i));
-    const auto baked = [&](Seeing seeing, LightCost& cost) {
+    const auto baked = [&](VisibilityMethod method, LightCost& cost) {
       BakeProgress progress;
-      SurfaceLight surface(scene, surfaces, sights, settings.lambert, SurfaceId(i), seeing);
+      SurfaceLight surface(scene, surfaces, visibilities, settings.lambert, SurfaceId(i), method);
       std::optional<Lightmap> map = bakeSurface(surface, surfaces[i]->texels, settings, progress);
       for (const LightCost& light : surface.costs()) add(light, cost);
       return map;
     };
     LightCost byShafts;
     LightCost byRays;
-    const std::optional<Lightmap> withShafts = baked(Seeing::ByShafts, byShafts);
-    const std::optional<Lightmap> withRays = baked(Seeing::ByRaysAlone, byRays);
+    const std::optional<Lightmap> withShafts = baked(VisibilityMethod::Shafts, byShafts);
+    const std::optional<Lightmap> withRays = baked(VisibilityMethod::RaysOnly, byRays);
     ASSERT_EQ(withShafts.has_value(), withRays.has_value());
     if (withShafts) {
       ASSERT_EQ(withShafts->channels, withRays->channels);

@@ -1,8 +1,6 @@
 // That light does not depend on the processor: it is found with each instruction set that this one
 // has, and as the formulas say that these are compiled from.
 
-#include "light/sight/light_kernels.h"
-
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
@@ -13,7 +11,9 @@
 
 #include "level/light_source.h"
 #include "light/bakery.h"
+#include "light/baking/brightness_kernels.h"
 #include "light/baking/light_sum.h"
+#include "light/beam_tree/beam_kernels.h"
 #include "load/load.h"
 #include "support/in_tree.h"
 
@@ -60,7 +60,7 @@ class LightKernelsTest : public testing::Test {
     for (const std::int64_t set : hwy::SupportedAndGeneratedTargets()) {
       SCOPED_TRACE(hwy::TargetName(set));
       use(set);
-      check(lightKernels());
+      check();
     }
   }
 
@@ -84,7 +84,7 @@ TEST_F(LightKernelsTest, bakeTheSameLight) {
     BakeSettings coarse = loaded.level.bake;
     coarse.texel = 0.5;
     const BakedLight expected = bake(loaded.scene(), coarse, 2);
-    forEachInstructionSet([&](const LightKernels&) {
+    forEachInstructionSet([&] {
       const BakedLight found = bake(loaded.scene(), coarse, 2);
       EXPECT_EQ(found.stats.rays, expected.stats.rays);
       ASSERT_EQ(found.lightmaps.size(), expected.lightmaps.size());
@@ -102,7 +102,8 @@ TEST_F(LightKernelsTest, findLevelsAsALightSourceHasThem) {
   LightSource source;
   source.intensity = 181.7;
   source.falloff = 0.37;
-  forEachInstructionSet([&](const LightKernels& kernels) {
+  forEachInstructionSet([&] {
+    const BrightnessKernels& kernels = brightnessKernels();
     std::vector<double> distances(kCount);
     std::vector<double> levels(kCount);
     kernels.findDistances(samples_.arrays(), kCount, light_, distances.data());
@@ -116,7 +117,8 @@ TEST_F(LightKernelsTest, findLevelsAsALightSourceHasThem) {
 
 TEST_F(LightKernelsTest, multiplyByTheCosineOfWhatFacesTheLight) {
   const std::vector<double> levels = between(0, 300);
-  forEachInstructionSet([&](const LightKernels& kernels) {
+  forEachInstructionSet([&] {
+    const BrightnessKernels& kernels = brightnessKernels();
     std::vector<double> distances(kCount);
     std::vector<double> found = levels;
     kernels.findDistances(samples_.arrays(), kCount, light_, distances.data());
@@ -134,7 +136,8 @@ TEST_F(LightKernelsTest, leaveWhatIsSeenWithinReach) {
   const std::vector<double> levels = between(0, 300);
   std::vector<double> seen = between(0, 1);
   for (std::size_t i = 0; i < kCount; i += 3) seen[i] = i % 2 == 0 ? 0 : 1;
-  forEachInstructionSet([&](const LightKernels& kernels) {
+  forEachInstructionSet([&] {
+    const BrightnessKernels& kernels = brightnessKernels();
     std::vector<double> found = levels;
     kernels.applySeen(seen.data(), distances.data(), kCount, 12.5, found.data());
     for (std::size_t i = 0; i < kCount; ++i)
@@ -147,7 +150,8 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
   levels[3] = 1e300;
   levels[4] = 0.5 / LightSum::kUnit;
   const double fraction = 77 / 255.0;
-  forEachInstructionSet([&](const LightKernels& kernels) {
+  forEachInstructionSet([&] {
+    const BrightnessKernels& kernels = brightnessKernels();
     std::vector<double> sums(kCount, 0.0);
     std::vector<LightSum> expected(kCount);
     for (int round = 0; round < 3; ++round) {
@@ -186,7 +190,8 @@ TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
     }
     EXPECT_GT(expected.size(), 5U);
     EXPECT_LT(expected.size(), kCount - 5);
-    forEachInstructionSet([&](const LightKernels& kernels) {
+    forEachInstructionSet([&] {
+      const BeamKernels& kernels = beamKernels();
       std::vector<std::uint32_t> found(kCount);
       found.resize(kernels.findSpanning(corners,
                                         {beginX.data(), beginY.data(), endX.data(), endY.data()},
@@ -216,37 +221,38 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
   const HeightPlane across{{0.2, 0}, true, 0};
   const HeightPlane above{{-1, 0}, false, 0};
   const HeightPlane blurred{{-1, 0}, true, 0.5};
-  forEachInstructionSet([&](const LightKernels& kernels) {
-    const auto parting = [&](const Beam& of, const std::vector<HeightPlane>& planes, double margin,
-                             double reach, std::uint32_t asked = kAllBounds,
-                             const Segment* on = nullptr) {
-      return kernels.findParting(corners, {of, planes, {0, 0, 0}, on}, asked, margin, reach);
+  forEachInstructionSet([&] {
+    const BeamKernels& kernels = beamKernels();
+    const auto straddled = [&](const Beam& of, const std::vector<HeightPlane>& planes,
+                               double margin, double reach, std::uint32_t asked = kAllBounds,
+                               const Segment* on = nullptr) {
+      return kernels.findStraddled(corners, {of, planes, {0, 0, 0}, on}, asked, margin, reach);
     };
-    EXPECT_EQ(parting(beam, {}, 0.1, 0), 0U);
-    EXPECT_EQ(parting(narrow, {below, across, below, across}, 0.1, 0), 0b101010U);
-    EXPECT_EQ(parting(aside, {}, 0.1, 0), kBehindBound);
-    EXPECT_EQ(parting(beam, {across, above}, 0.1, 0), kBehindBound);
-    EXPECT_EQ(parting(beam, {above}, 4, 0), 0b111U) << "by less than its slack";
-    EXPECT_EQ(parting(beam, {blurred}, 0.4, 5), 0U);
-    EXPECT_EQ(parting(beam, {blurred}, 0.4, 6), 0b100U);
+    EXPECT_EQ(straddled(beam, {}, 0.1, 0), 0U);
+    EXPECT_EQ(straddled(narrow, {below, across, below, across}, 0.1, 0), 0b101010U);
+    EXPECT_EQ(straddled(aside, {}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(straddled(beam, {across, above}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(straddled(beam, {above}, 4, 0), 0b111U) << "by less than its slack";
+    EXPECT_EQ(straddled(beam, {blurred}, 0.4, 5), 0U);
+    EXPECT_EQ(straddled(beam, {blurred}, 0.4, 6), 0b100U);
     std::vector<HeightPlane> many(40, below);
     many[36] = across;
     constexpr std::uint32_t kLastBit = std::uint32_t{1} << 30;
-    EXPECT_EQ(parting(beam, many, 0.1, 0), kLastBit) << "it has room for all that follow";
-    EXPECT_EQ(parting(beam, many, 0.1, 0, kLastBit), kLastBit);
-    EXPECT_EQ(parting(beam, {above}, 0.1, 0, 0), 0U) << "it is not asked for";
+    EXPECT_EQ(straddled(beam, many, 0.1, 0), kLastBit) << "it has room for all that follow";
+    EXPECT_EQ(straddled(beam, many, 0.1, 0, kLastBit), kLastBit);
+    EXPECT_EQ(straddled(beam, {above}, 0.1, 0, 0), 0U) << "it is not asked for";
 
     const Segment far = wallAt(4, false);
     const Segment near = wallAt(2, true);
     const Segment turned = wallAt(2, false);
     Beam between = beam;
     between.to = &far;
-    EXPECT_EQ(parting(between, {below}, 0.1, 0), 0b1000U);
-    EXPECT_EQ(parting(between, {below}, 0.1, 0, kAllBounds, &far), 0U) << "they lie on it";
+    EXPECT_EQ(straddled(between, {below}, 0.1, 0), 0b1000U);
+    EXPECT_EQ(straddled(between, {below}, 0.1, 0, kAllBounds, &far), 0U) << "they lie on it";
     between.from = &near;
-    EXPECT_EQ(parting(between, {}, 0.1, 0), 0b1000U) << "that before them comes first";
+    EXPECT_EQ(straddled(between, {}, 0.1, 0), 0b1000U) << "that before them comes first";
     between.to = &turned;
-    EXPECT_EQ(parting(between, {}, 0.1, 0), kBehindBound);
+    EXPECT_EQ(straddled(between, {}, 0.1, 0), kBehindBound);
   });
 }
 
@@ -254,10 +260,11 @@ TEST_F(LightKernelsTest, findBoundsThatPartABox) {
 TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
   const std::vector<BoundingPlane> bounds = {
       {{1, 0, 0}, 0, 2}, {{0, 1, 0}, -10, 2}, {{-1, 0.2, 0}, 3, 1}};
-  const std::vector<PartingBounds> beams = {{2, false}, {1, false}};
-  const std::vector<PartingBounds> doubtful = {{2, true}, {1, true}};
+  const std::vector<StraddledBounds> beams = {{2, false}, {1, false}};
+  const std::vector<StraddledBounds> doubtful = {{2, true}, {1, true}};
   int unknown = 0;
-  forEachInstructionSet([&](const LightKernels& kernels) {
+  forEachInstructionSet([&] {
+    const BeamKernels& kernels = beamKernels();
     std::vector<double> seen(kCount);
     std::vector<double> inDoubt(kCount);
     kernels.findSeen(samples_.arrays(), kCount, light_, beams, bounds.data(), seen.data());

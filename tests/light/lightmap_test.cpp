@@ -27,11 +27,11 @@ TEST(Lightmap, keepsChannelsApart) {
 }
 
 TEST(Lightmap, isKeptAsOneTexelWhereAllAreTheSame) {
-  const Lightmap white = asKept({{-1, 4, 3, 2}, std::vector<std::uint8_t>(6, 7)});
+  const Lightmap white = compacted({{-1, 4, 3, 2}, std::vector<std::uint8_t>(6, 7)});
   EXPECT_EQ(white.levels, std::vector<std::uint8_t>{7});
   EXPECT_EQ(white.at(1, 5), 7);
   EXPECT_EQ(white.sample(0.75, 5.0), 7);
-  const Lightmap colored = asKept({{0, 0, 2, 2}, {7, 8, 9, 7, 8, 9, 7, 8, 9, 7, 8, 9}, 3});
+  const Lightmap colored = compacted({{0, 0, 2, 2}, {7, 8, 9, 7, 8, 9, 7, 8, 9, 7, 8, 9}, 3});
   EXPECT_EQ(colored.levels, (std::vector<std::uint8_t>{7, 8, 9}));
   EXPECT_EQ(colored.at(1, 1, 2), 9);
 }
@@ -40,7 +40,7 @@ TEST(Lightmap, isKeptWholeWhereOneTexelDiffers) {
   for (std::size_t i = 0; i < 12; ++i) {
     Lightmap map{{0, 0, 2, 2}, {7, 8, 9, 7, 8, 9, 7, 8, 9, 7, 8, 9}, 3};
     map.levels[i] = 10;
-    EXPECT_EQ(asKept(map).levels, map.levels) << i;
+    EXPECT_EQ(compacted(map).levels, map.levels) << i;
   }
 }
 

@@ -39,7 +39,7 @@ constexpr std::string_view kLampInEast = "[{'x':6,'y':2,'z':1.5,'intensity':200}
 
 LoadedLevel withGaps(LoadedLevel loaded) {
   TexelHoles gaps(2, 1);
-  gaps.make(0, 0);
+  gaps.setHole(0, 0);
   loaded.level.holes.assign(loaded.level.textures.size(), gaps);
   return loaded;
 }
@@ -116,7 +116,7 @@ TEST(MiddleTextures, areAskedAboutAgainWhenTheirHolesHaveMoved) {
   ASSERT_TRUE(Rebake(memory, loaded.scene(), settings, 2).finish());
   for (TexelHoles& holes : loaded.level.holes) {
     holes = TexelHoles(2, 1);
-    holes.make(1, 0);
+    holes.setHole(1, 0);
   }
   Rebake rebake(memory, loaded.scene(), settings, 2);
   EXPECT_GT(rebake.texelLightsLeft(), 0);

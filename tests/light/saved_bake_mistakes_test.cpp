@@ -67,7 +67,7 @@ TEST_F(SavedRoom, isRefusedWithAnyByteAltered) {
 void expectWhole(const BakedLight& light) {
   for (const auto& map : light.lightmaps) {
     if (!map) continue;
-    const std::int64_t texels = map->isEven() ? 1 : map->rect.count();
+    const std::int64_t texels = map->isUniform() ? 1 : map->rect.count();
     EXPECT_EQ(std::ssize(map->levels), texels * map->channels);
   }
 }

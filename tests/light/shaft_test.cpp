@@ -1,6 +1,6 @@
 // Whether shafts know what rays would say.
 
-#include "light/shaft/shaft.h"
+#include "light/rays/shaft.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
           "}}",
       "[{'x':6,'y':2,'z':1.5,'falloff':0.1},{'x':7,'y':1,'z':2,'radius':0.2}]");
   TexelHoles holes(2, 2);
-  for (const int i : {0, 1}) holes.make(i, 1 - i);
+  for (const int i : {0, 1}) holes.setHole(i, 1 - i);
   loaded.level.holes.assign(loaded.level.textures.size(), holes);
   BakeSettings settings = loaded.level.bake;
   for (const bool areSolid : {false, true}) {
@@ -58,7 +58,7 @@ TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
 }
 
 /// A square on the floor of a room, seen from a light at `from`.
-Shaft::Outcome outcomeOf(const Scene& scene, Vec3 from, double radius, Vec2 least, Vec2 most) {
+TargetVisibility outcomeOf(const Scene& scene, Vec3 from, double radius, Vec2 least, Vec2 most) {
   ShaftTargets targets;
   targets.box.normal = {0, 0, 1};
   for (const Vec2 p : {least, Vec2{most.x, least.y}, most, Vec2{least.x, most.y}})
@@ -83,21 +83,21 @@ TEST(Shaft, isLitBesideAPillarDarkBehindItAndUnknownAtTheShadowsEdge) {
     const auto outcome = [&](Vec2 least, Vec2 most) {
       return outcomeOf(loaded.scene(), {1, 5, 2}, radius, least, most);
     };
-    EXPECT_EQ(outcome({1, 1}, {3, 2}), Shaft::Outcome::Lit);
-    EXPECT_EQ(outcome({7, 1e-6}, {9, 0.5}), Shaft::Outcome::Lit) << "up to the wall";
-    EXPECT_EQ(outcome({7, 4.5}, {8, 5.5}), Shaft::Outcome::Dark);
-    EXPECT_EQ(outcome({7, 2}, {8, 5}), Shaft::Outcome::Unknown);
+    EXPECT_EQ(outcome({1, 1}, {3, 2}), TargetVisibility::Lit);
+    EXPECT_EQ(outcome({7, 1e-6}, {9, 0.5}), TargetVisibility::Lit) << "up to the wall";
+    EXPECT_EQ(outcome({7, 4.5}, {8, 5.5}), TargetVisibility::Dark);
+    EXPECT_EQ(outcome({7, 2}, {8, 5}), TargetVisibility::Unknown);
   }
 }
 
 TEST(Shaft, isDarkBehindTheEdgeOfAPillarThatTwoOfItsSidesHide) {
   const LoadedLevel loaded = pillarRoom();
-  EXPECT_EQ(outcomeOf(loaded.scene(), {1, 1, 2}, 0.1, {6.5, 6.5}, {7, 7}), Shaft::Outcome::Dark);
+  EXPECT_EQ(outcomeOf(loaded.scene(), {1, 1, 2}, 0.1, {6.5, 6.5}, {7, 7}), TargetVisibility::Dark);
 }
 
 TEST(Shaft, isUnknownWhereALightIsInTheWayOfRounding) {
   const LoadedLevel loaded = pillarRoom();
-  EXPECT_EQ(outcomeOf(loaded.scene(), {1, 5, 2e-6}, 0, {1, 1}, {9, 3}), Shaft::Outcome::Unknown)
+  EXPECT_EQ(outcomeOf(loaded.scene(), {1, 5, 2e-6}, 0, {1, 1}, {9, 3}), TargetVisibility::Unknown)
       << "rays along the floor";
 }
 

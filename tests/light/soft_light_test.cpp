@@ -8,8 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "light/baking/light_visibility.h"
 #include "light/sampling/sample_placement.h"
-#include "light/sight/light_sight.h"
 #include "math/tolerance.h"
 #include "random_levels/random_level.h"
 #include "support/baked_room.h"
@@ -59,7 +59,7 @@ struct Error {
 /// Over points of the far wall from which the ball is seen to rise past the edge.
 Error errorAt(const LoadedLevel& loaded, int softSamples, bool isUpright) {
   const LightSource& light = loaded.level.lights[0];
-  const LightSight sight(loaded.scene(), light, softSamples);
+  const LightVisibility visibility(loaded.scene(), light, softSamples);
   Error error;
   int points = 0;
   for (double along = 0.1; along < 19; along += 0.0837) {
@@ -72,7 +72,7 @@ Error errorAt(const LoadedLevel& loaded, int softSamples, bool isUpright) {
     const double exact = fractionBefore(before / light.radius);
     if (exact == 0 || exact == 1) continue;
     std::int64_t rays = 0;
-    const double wrong = 255 * std::abs(sight.seenFraction(target, rays) - exact);
+    const double wrong = 255 * std::abs(visibility.seenFraction(target, rays) - exact);
     error.greatest = std::max(error.greatest, wrong);
     error.rms += wrong * wrong;
     ++points;
@@ -135,14 +135,14 @@ void addErrors(const Scene& scene, int softSamples, std::vector<double>& errors)
   const LitSurfaces surfaces = makeLitSurfaces(scene, 0.25);
   const std::vector<SamplePoint> places = placesOn(scene, surfaces);
   for (std::size_t light = 0; light < level.lights.size(); ++light) {
-    const LightSight sight(scene, level.lights[light], softSamples);
+    const LightVisibility visibility(scene, level.lights[light], softSamples);
     for (const SamplePoint& at : places) {
       const Surface& surface = level[at.surface];
       const LitSurface& lit = *surfaces[at.surface.index()];
       if (std::abs(lit.distanceInFront(level.lights[light].position)) <= kInPlane) continue;
       std::int64_t rays = 0;
-      const double found =
-          255 * sight.seenFraction({at.target, surface.sector, {lit.anchor, lit.normal}}, rays);
+      const double found = 255 * visibility.seenFraction(
+                                     {at.target, surface.sector, {lit.anchor, lit.normal}}, rays);
       const double exact =
           truth.from(light, {surface.kind, surface.sector, surface.segment, at.target, lit.normal});
       if (found != exact || (exact > 0 && exact < 255)) errors.push_back(std::abs(found - exact));
@@ -216,12 +216,12 @@ TEST(SoftLight, ofABallThatItsCeilingCutsIsThatOfTheRest) {
   const Plane floor{{0, 0, 0}, {0, 0, 1}};
   const Plane wall{{6, 0, 0}, {-1, 0, 0}};
   for (const auto& [samples, bound] : {std::pair{36, 2.0}, std::pair{256, 1.0}}) {
-    const LightSight sight(loaded.scene(), loaded.level.lights[0], samples);
+    const LightVisibility visibility(loaded.scene(), loaded.level.lights[0], samples);
     for (const auto& [p, plane] :
          {std::pair{Vec3{2.5, 1, 0}, floor}, std::pair{Vec3{6, 1.3, 0.7}, wall},
           std::pair{Vec3{6, 1.3, 2.6}, wall}, std::pair{Vec3{6, 2.0, 2.9}, wall}}) {
       std::int64_t rays = 0;
-      EXPECT_NEAR(255 * sight.seenFraction({p, SectorId(0), plane}, rays),
+      EXPECT_NEAR(255 * visibility.seenFraction({p, SectorId(0), plane}, rays),
                   255 * fractionBefore(0.25), bound)
           << samples << " samples, " << p.x << " " << p.z;
     }

@@ -122,8 +122,8 @@ TEST(BakeProgress, countsEachTileOfASurfaceOnceItIsDone) {
       "[{'x':1,'y':1,'z':0.5}]");
   const BakeSettings settings{.texel = 0.05};
   const LitSurfaces surfaces = makeLitSurfaces(room.scene(), settings.texel);
-  const LightSights sights(room.scene(), settings);
-  SurfaceLight floor(room.scene(), surfaces, sights, settings.lambert,
+  const LightVisibilities visibilities(room.scene(), settings);
+  SurfaceLight floor(room.scene(), surfaces, visibilities, settings.lambert,
                      room.level.sectors[0].floorSurface.value());
   TexelSums sums(floor.texels(), floor.channels());
   BakeProgress progress;

@@ -28,18 +28,17 @@ class MemoryFiles final : public FileSource {
     if (find(path)) return FileKind::Regular;
     return namesIn(path).empty() ? FileKind::None : FileKind::Folder;
   }
-  tl::expected<std::string, ReadFailure> read(const fs::path& path,
-                                              std::uint64_t maxBytes) const override {
+  tl::expected<std::string, ReadError> read(const fs::path& path,
+                                            std::uint64_t maxBytes) const override {
     const std::string* bytes = find(path);
-    if (!bytes) return failedRead(ENOENT);
+    if (!bytes) return readErrorFromErrno(ENOENT);
     if (bytes->size() > maxBytes)
-      return tl::make_unexpected(ReadFailure{ReadFault::TooLong, "too long"});
+      return tl::make_unexpected(ReadError{ReadErrorCode::TooLong, "too long"});
     return *bytes;
   }
-  tl::expected<std::unique_ptr<std::istream>, ReadFailure> open(
-      const fs::path& path) const override {
+  tl::expected<std::unique_ptr<std::istream>, ReadError> open(const fs::path& path) const override {
     const std::string* bytes = find(path);
-    if (!bytes) return failedRead(ENOENT);
+    if (!bytes) return readErrorFromErrno(ENOENT);
     return std::make_unique<std::istringstream>(*bytes);
   }
   std::vector<fs::path> namesIn(const fs::path& folder) const override {
@@ -107,7 +106,7 @@ TEST_F(LevelInMemory, isRefusedWhereAnImageIsCutShort) {
   bytes.resize(bytes.size() / 2);
   const LoadResult result = load();
   EXPECT_FALSE(result.loaded);
-  EXPECT_NE(listed(result).find("is damaged or cut short"), std::string::npos) << listed(result);
+  EXPECT_NE(listed(result).find("is damaged, cut short"), std::string::npos) << listed(result);
 }
 
 TEST_F(LevelInMemory, isSuggestedWhereItsExtensionIsLeftOut) {
@@ -122,8 +121,8 @@ TEST(DiskFiles, TellFoldersAndPipesFromFiles) {
   EXPECT_EQ(disk.kindOf(test::inTree("levels")), FileKind::Folder);
   EXPECT_EQ(disk.kindOf(test::inTree("levels/none.json")), FileKind::None);
   EXPECT_EQ(disk.kindOf("/dev/null"), FileKind::Other);
-  EXPECT_EQ(disk.open("/dev/null").error().fault, ReadFault::NotRegular);
-  EXPECT_EQ(disk.open(test::inTree("levels/none.json")).error().fault, ReadFault::Missing);
+  EXPECT_EQ(disk.open("/dev/null").error().code, ReadErrorCode::NotRegular);
+  EXPECT_EQ(disk.open(test::inTree("levels/none.json")).error().code, ReadErrorCode::Missing);
   EXPECT_TRUE(disk.namesIn(test::inTree("levels/none")).empty());
 }
 

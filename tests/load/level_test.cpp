@@ -76,8 +76,8 @@ TEST(Level, turnsALoopRoundByTheEndsOfItsWallsAlone) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(level.segments[i].p0, expected[i]);
     EXPECT_EQ(level.segments[i].p1, expected[(i + 1) % 4]);
-    EXPECT_EQ(level.segments[i].wall, 3 - i);
-    const TextureId texture = std::get<Solid>(level.segments[i].kind).texture.texture;
+    EXPECT_EQ(level.segments[i].wallIndex, 3 - i);
+    const TextureId texture = std::get<Solid>(level.segments[i].wall).texture.texture;
     EXPECT_EQ(level.textures[texture.index()], "#00000" + std::to_string(4 - i));
   }
   EXPECT_EQ(level.sectors[0].floor.textureOrigin, (Vec2{0, 0}));
@@ -143,7 +143,7 @@ TEST(Level, measuresSubWallsFromTheSectorsFloor) {
                              "'floor': {'z': 10, 'texture': '#111111'}, 'ceiling': {'z': 13, "
                              "'texture': '#111111'}"))
           .level;
-  const Stack& stack = std::get<Stack>(level.segments[0].kind);
+  const Stack& stack = std::get<Stack>(level.segments[0].wall);
   const Sector& sector = level.sectors[0];
   EXPECT_EQ(stack.topOf(0, sector.floor.z, sector.ceiling.z), 11.5);
   EXPECT_EQ(stack.topOf(1, sector.floor.z, sector.ceiling.z), 13);
@@ -281,7 +281,7 @@ TEST(Level, readsThePlayersBodyAndTheShots) {
   EXPECT_EQ(player.height, 2);
   EXPECT_EQ(player.eyeHeight, 1.7);
   EXPECT_EQ(player.radius, 0.2);
-  EXPECT_EQ(player.step, 0.5);
+  EXPECT_EQ(player.stepHeight, 0.5);
   const std::vector<Shot>& shots = result.loaded->level.shots;
   ASSERT_EQ(shots.size(), 2U);
   EXPECT_EQ(shots[0].eye, (Vec3{3, 2, 1}));

@@ -42,7 +42,7 @@ TEST(LevelSource, hasTheAuthoredWallOfEachSegment) {
   int portals = 0;
   for (std::size_t i = 0; i < level.segments.size(); ++i) {
     const std::string_view text = at(sourced.source, sourced.source.wall(SegmentId(i)).place);
-    if (const Solid* solid = std::get_if<Solid>(&level.segments[i].kind)) {
+    if (const Solid* solid = std::get_if<Solid>(&level.segments[i].wall)) {
       EXPECT_TRUE(text.starts_with("{\"texture\": \"" +
                                    level.textures[solid->texture.texture.index()] + "\"}"))
           << text;

@@ -16,7 +16,7 @@ const std::string kRoom = "0,0, 4,0, 4,4, 0,4";
 
 TextureMapping mappingOf(const std::string& texture) {
   const Level level = loadSectors(sectorText("a", kRoom, "{'texture': " + texture + "}")).level;
-  return std::get<Solid>(level.segments[0].kind).texture;
+  return std::get<Solid>(level.segments[0].wall).texture;
 }
 
 TEST(Texture, isReadInAllItsForms) {
@@ -47,7 +47,7 @@ TEST(Texture, ofAPortalIsThatOfBothItsSteps) {
                              "'floor': {'z': 1, 'texture': '#111111'}, 'ceiling': {'z': 3, "
                              "'texture': '#111111'}"))
           .level;
-  const Portal& portal = std::get<Portal>(level.segments[1].kind);
+  const Portal& portal = std::get<Portal>(level.segments[1].wall);
   EXPECT_EQ(level.textures[portal.upper.value().texture.index()], "#123456");
   EXPECT_EQ(level.textures[portal.lower.value().texture.index()], "#123456");
 }
@@ -63,10 +63,10 @@ TEST(Texture, ofAnOpeningIsNoneOfItsSteps) {
                              "'#808080'}, {'walls': [{'z': 1, 'texture': '#808080'}, {'next': 'a', "
                              "'middle': '#654321'}]}]"))
           .level;
-  const Portal& portal = std::get<Portal>(level.segments[1].kind);
+  const Portal& portal = std::get<Portal>(level.segments[1].wall);
   EXPECT_EQ(level.textures[portal.maskedMiddle.value().texture.index()], "#123456");
   EXPECT_FALSE(portal.upper);
-  const Stack& stack = std::get<Stack>(level.segments[7].kind);
+  const Stack& stack = std::get<Stack>(level.segments[7].wall);
   const Portal& inStack = std::get<Portal>(stack.subWalls[1].kind);
   EXPECT_EQ(level.textures[inStack.maskedMiddle.value().texture.index()], "#654321");
 }
@@ -74,7 +74,7 @@ TEST(Texture, ofAnOpeningIsNoneOfItsSteps) {
 TEST(Texture, ofAPlainColourIsOnePixel) {
   const LoadedLevel loaded = loadSectors(sectorText("a", kRoom, "{'texture': '#0a0B0c'}"));
   ASSERT_EQ(loaded.textures.size(), loaded.level.textures.size());
-  const TextureId id = std::get<Solid>(loaded.level.segments[0].kind).texture.texture;
+  const TextureId id = std::get<Solid>(loaded.level.segments[0].wall).texture.texture;
   EXPECT_EQ(loaded.textures[id.index()], Image(1, 1, {10, 11, 12}));
 }
 
@@ -152,8 +152,8 @@ TEST_F(TextureOfAStep, hasItsHolesWhereItHangsInTheOpening) {
   const Level& found = level.loaded->level;
   ASSERT_EQ(found.holes.size(), found.textures.size());
   for (std::size_t i = 0; i < found.textures.size(); ++i) {
-    EXPECT_EQ(found.holes[i].at(2, 1), found.textures[i] == "step") << "walls have none";
-    EXPECT_FALSE(found.holes[i].at(1, 1));
+    EXPECT_EQ(found.holes[i].isHole(2, 1), found.textures[i] == "step") << "walls have none";
+    EXPECT_FALSE(found.holes[i].isHole(1, 1));
   }
 }
 

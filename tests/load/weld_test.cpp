@@ -19,7 +19,7 @@ std::vector<Segment> segmentsOf(const Level& level, std::string_view name) {
 std::vector<Segment> piecesOf(const Level& level, std::string_view sector, std::uint32_t wall) {
   std::vector<Segment> pieces;
   for (const Segment& segment : segmentsOf(level, sector))
-    if (segment.wall == wall) pieces.push_back(segment);
+    if (segment.wallIndex == wall) pieces.push_back(segment);
   return pieces;
 }
 
@@ -51,7 +51,7 @@ TEST(Weld, splitsAPortalWhereTheOtherSideHasVertices) {
     EXPECT_EQ(pieces[i].p1, (Vec2{4, s[i + 1]}));
     EXPECT_EQ(pieces[i].sBefore, s[i]);
     EXPECT_EQ(pieces[i].sAfter, 4 - s[i + 1]);
-    EXPECT_TRUE(std::holds_alternative<Portal>(pieces[i].kind));
+    EXPECT_TRUE(std::holds_alternative<Portal>(pieces[i].wall));
   }
   EXPECT_EQ(segmentsOf(level, "b").size(), 6U);
 }

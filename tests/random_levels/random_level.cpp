@@ -21,8 +21,8 @@ namespace random_levels {
 namespace {
 
 constexpr std::size_t kLeastSectors = 3;
-constexpr std::size_t kMostSectors = 25;
-constexpr double kMostTexels = 10'000;
+constexpr std::size_t kMaxSectors = 25;
+constexpr double kMaxTexels = 10'000;
 constexpr double kDefaultTexel = 0.125;  // m
 
 struct LevelStyle {
@@ -103,7 +103,7 @@ Spelling chooseSpelling(Random& random, const Model& model) {
   const double area = surfaceArea(model);
   std::vector<double> texels;
   for (const double texel : {0.125, 0.25, 0.5, 1.0}) {
-    if (area / (texel * texel) <= kMostTexels) texels.push_back(texel);
+    if (area / (texel * texel) <= kMaxTexels) texels.push_back(texel);
   }
   spelling.texel = texels.empty() ? 1 : random.chance(0.6) ? texels[0] : random.pickFrom(texels);
   spelling.hasLightArray = spelling.texel == kDefaultTexel && random.chance(0.3);
@@ -135,7 +135,7 @@ Model makeModel(Random& random) {
   while (true) {
     const LevelStyle style = chooseStyle(random);
     Model model = makeStoreys(random, makeMesh(random, style.mesh), style.storeys);
-    if (model.sectors.size() < kLeastSectors || model.sectors.size() > kMostSectors ||
+    if (model.sectors.size() < kLeastSectors || model.sectors.size() > kMaxSectors ||
         !hasRoomForCameras(model)) {
       continue;
     }

@@ -135,7 +135,7 @@ TEST(FrameWork, forEvenLightShowsTheSameAsThatOfAllItsTexels) {
         test::levelFrom("{'light':0.3,'sectors':{" + hall() + "}}",
                         fmt::format("[{{'x':4,'y':0,'z':2,'intensity':77,'color':'{}'}}]", color));
     const BakedLight even = bake(loaded.scene(), loaded.level.bake, 1);
-    for (const auto& map : even.lightmaps) EXPECT_TRUE(map.value().isEven());
+    for (const auto& map : even.lightmaps) EXPECT_TRUE(map.value().isUniform());
     const BakedLight whole = test::withAllTexels(even);
     const Camera camera{SectorId(0), {1, 0, 1.6}, 20, 0, 90, kWidth, kHeight};
     for (const LightMode mode : {LightMode::Both, LightMode::Only})

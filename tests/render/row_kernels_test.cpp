@@ -209,7 +209,7 @@ TEST(RowKernels, writeNoPixelBehindTheLastRow) {
     RowBatch batch{};
     batch.count = rows;
     rowKernels().showEvenly(batch, nullptr, 1);
-    std::vector<Pixel> pixels(rows + RowBatch::kMostLanes, 77);
+    std::vector<Pixel> pixels(rows + RowBatch::kMaxLanes, 77);
     rowKernels().shadeColor(pixels.data(), batch, {1, 2, 3});
     for (std::size_t k = 0; k < pixels.size(); ++k)
       ASSERT_EQ(colorOf(pixels[k]), (k < rows ? Rgb{1, 2, 3} : Rgb{77, 0, 0})) << rows << ' ' << k;

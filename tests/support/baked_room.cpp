@@ -40,7 +40,7 @@ std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,
 
 BakedLight withAllTexels(BakedLight light) {
   for (auto& map : light.lightmaps) {
-    if (!map || !map->isEven()) continue;
+    if (!map || !map->isUniform()) continue;
     const std::vector<std::uint8_t> one = std::exchange(map->levels, {});
     for (std::int64_t i = 0; i < map->rect.count(); ++i)
       map->levels.insert(map->levels.end(), one.begin(), one.end());

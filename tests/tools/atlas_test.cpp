@@ -140,7 +140,8 @@ TEST(AtlasLabel, CutsLongNamesButNotTheNumberOfTheWall) {
     const std::string where = labelOf(rooms.level, id).at(1);
     EXPECT_LT(where.size(), 40U);
     if (const auto segment = rooms.level[id].segment)
-      EXPECT_TRUE(where.ends_with(".. " + std::to_string(rooms.level[*segment].wall))) << where;
+      EXPECT_TRUE(where.ends_with(".. " + std::to_string(rooms.level[*segment].wallIndex)))
+          << where;
     else
       EXPECT_TRUE(where.ends_with("..")) << where;
   }

@@ -1,6 +1,6 @@
 // Bakes are found again when nothing has changed that they depend on, and never otherwise.
 
-#include "session/bake_cache.h"
+#include "inputs/bake_cache.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -39,7 +39,7 @@ TEST(Measure, timesEverySizeAndTheBakeOnOneThreadAndOnAll) {
   ASSERT_EQ(report.bakes.size(), 2U);
   EXPECT_EQ(report.frames.front().threads, 1);
   EXPECT_EQ(report.frames.back().threads, 3);
-  EXPECT_EQ(report.frames.back().size, (PictureSize{1920, 1080}));
+  EXPECT_EQ(report.frames.back().size, (ImageSize{1920, 1080}));
   for (const FrameBench& frame : report.frames) {
     EXPECT_EQ(frame.milliseconds.median, 2000);
     EXPECT_EQ(frame.findMilliseconds.median, 1000);

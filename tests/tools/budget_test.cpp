@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "loaded.h"
-#include "settings/measured_front.h"
+#include "settings/measured_pareto_front.h"
 #include "support/level_text.h"
 
 namespace hearth {

@@ -9,10 +9,10 @@
 #include <random>
 
 #include "cli/plan.h"
+#include "inputs/bake_cache.h"
 #include "load/json/parse.h"
 #include "load/load.h"
 #include "random_levels/random_level.h"
-#include "session/bake_cache.h"
 #include "support/in_tree.h"
 #include "text/json_layout.h"
 

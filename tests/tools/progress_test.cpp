@@ -1,4 +1,4 @@
-#include "session/progress.h"
+#include "inputs/progress.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include "edge_distance.h"
 #include "embree_scene.h"
 #include "load/load.h"
+#include "math/box.h"
 #include "peers/level_mesh.h"
 #include "random_levels/random_level.h"
 #include "ray_source.h"
@@ -24,7 +25,7 @@ struct Counts {
   int disagreements = 0;
   int nearEdges = 0;
   double farthest = 0;  ///< of the disagreements from an edge, as a fraction of the level's size
-  std::array<int, kSurfaceKinds> hits{};
+  std::array<int, kSurfaceKindCount> hits{};
 };
 
 /// Ray parameter at which a ray meets the plane of a triangle.
@@ -134,7 +135,7 @@ TEST(TruthAgainstEmbree, AMillionRaysEndAtTheSamePlaces) {
   EXPECT_EQ(counts.rays, 1'000'000);
   EXPECT_EQ(counts.disagreements, counts.nearEdges);
   EXPECT_LT(counts.disagreements, 100);
-  for (std::size_t kind = 0; kind < kSurfaceKinds; ++kind)
+  for (std::size_t kind = 0; kind < kSurfaceKindCount; ++kind)
     EXPECT_GT(counts.hits[kind], 50) << name(static_cast<SurfaceKind>(kind));
 }
 
@@ -146,13 +147,9 @@ TEST(TruthAgainstEmbree, RaysAimedAtEdgesDifferOnlyThere) {
 
 /// Metres, of the longest side of the level's box.
 double sizeOf(const Level& level) {
-  Vec2 min = level.sectors.front().boxMin;
-  Vec2 max = level.sectors.front().boxMax;
-  for (const Sector& sector : level.sectors) {
-    min = {std::min(min.x, sector.boxMin.x), std::min(min.y, sector.boxMin.y)};
-    max = {std::max(max.x, sector.boxMax.x), std::max(max.y, sector.boxMax.y)};
-  }
-  return std::max(max.x - min.x, max.y - min.y);
+  Box box;
+  for (const Sector& sector : level.sectors) box = join(box, sector.box);
+  return box.longerSide();
 }
 
 TEST(TruthAgainstEmbree, RaysInRandomLevelsEndAtTheSamePlaces) {

@@ -73,7 +73,7 @@ Slope slopeOver(const std::vector<Vec2>& outline, double zFlat, Vec2 gradient, d
 
 void makeStack(TestLevel& level, SectorId id, Random& random) {
   const std::size_t index = random.below(4);
-  const Portal* portal = std::get_if<Portal>(&level.wall(id, index).kind);
+  const Portal* portal = std::get_if<Portal>(&level.wall(id, index).wall);
   if (!portal) return;
   const double height = level.sector(id).ceiling.z - level.sector(id).floor.z;
   Stack stack;
@@ -81,7 +81,7 @@ void makeStack(TestLevel& level, SectorId id, Random& random) {
                     {0.7 * height, *portal},
                     {height, Solid{*portal->upper}}};
   if (random.chance(0.5)) stack.subWalls.erase(stack.subWalls.begin());
-  level.wall(id, index).kind = stack;
+  level.wall(id, index).wall = stack;
 }
 
 }  // namespace
@@ -108,12 +108,12 @@ TestScene yardScene() {
   TextureMapping fence = level.texture();
   fence.repeat = {3, 1.5};
   fence.zRef = 2;
-  std::get<Portal>(level.wall(yard, 1).kind).maskedMiddle = fence;
+  std::get<Portal>(level.wall(yard, 1).wall).maskedMiddle = fence;
   Segment& wall = level.wall(yard, 2);
-  const Portal portal = std::get<Portal>(wall.kind);
+  const Portal portal = std::get<Portal>(wall.wall);
   Stack stack;
   stack.subWalls = {{0.4, Solid{*portal.lower}}, {3, portal}, {5, Solid{*portal.upper}}};
-  wall.kind = stack;
+  wall.wall = stack;
   return made;
 }
 
@@ -130,7 +130,7 @@ TestScene storeysScene(std::uint64_t seed) {
   });
   // Walls below hold the upper floors up: no storey is one open hall.
   for (std::size_t i = 0; i < lower.size(); i += 3)
-    made.level.wall(lower[i], random.below(4)).kind = Solid{made.level.texture()};
+    made.level.wall(lower[i], random.below(4)).wall = Solid{made.level.texture()};
   made.level.connect(upper, lower);
   return made;
 }

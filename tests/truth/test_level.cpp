@@ -23,8 +23,8 @@ void TestLevel::makeHole(TextureId texture, int x, int y) {
   image.makeHole(x, y);
   level_.holes.resize(textures_.size());
   TexelHoles& holes = level_.holes[texture.index()];
-  if (holes.all().empty()) holes = TexelHoles(image.width(), image.height());
-  holes.make(x, y);
+  if (holes.bits().empty()) holes = TexelHoles(image.width(), image.height());
+  holes.setHole(x, y);
 }
 
 SectorId TestLevel::addSector(std::string name, Heights heights) {
@@ -51,8 +51,8 @@ void TestLevel::addLoop(SectorId id, const std::vector<Vec2>& vertices) {
     segment.p1 = vertices[(i + 1) % count];
     segment.sector = id;
     segment.loop = loop;
-    segment.wall = i;
-    segment.kind = Solid{texture()};
+    segment.wallIndex = i;
+    segment.wall = Solid{texture()};
     level_.segments.push_back(segment);
   }
   sector.segmentCount += count;
@@ -68,8 +68,8 @@ void TestLevel::link(SectorId a, SectorId b) {
   for (std::size_t i = 0; i < level_[a].segmentCount; ++i) {
     for (std::size_t k = 0; k < level_[b].segmentCount; ++k) {
       if (wall(a, i).p0 != wall(b, k).p1 || wall(a, i).p1 != wall(b, k).p0) continue;
-      wall(a, i).kind = Portal{b, texture(), texture()};
-      wall(b, k).kind = Portal{a, texture(), texture()};
+      wall(a, i).wall = Portal{b, texture(), texture()};
+      wall(b, k).wall = Portal{a, texture(), texture()};
     }
   }
 }

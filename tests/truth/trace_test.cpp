@@ -96,7 +96,7 @@ struct GrilledRooms : TwoRooms {
   GrilledRooms() : TwoRooms({0, 4}) {
     TextureMapping mapping = level.texture(2, 2);
     mapping.repeat = {2, 1};
-    std::get<Portal>(level.wall(west, kBetween).kind).maskedMiddle = mapping;
+    std::get<Portal>(level.wall(west, kBetween).wall).maskedMiddle = mapping;
     level.makeHole(mapping.texture, 0, 0);
   }
 };
@@ -173,8 +173,8 @@ TEST(Trace, AuthoredAlongAndZRefAndSplitWallsMoveTheImage) {
   const SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
   Segment& wall = test.wall(box, 1);
   wall.sBefore = 10;
-  std::get<Solid>(wall.kind).texture.along = 100;
-  std::get<Solid>(wall.kind).texture.zRef = -5;
+  std::get<Solid>(wall.wall).texture.along = 100;
+  std::get<Solid>(wall.wall).texture.zRef = -5;
   const TruthHit hit = look(test.finished(), box, {1, 2.5, 1}, {1, 0, 0});
   expectNear(hit.imageMetres, {112.5, -6});
 }
@@ -185,7 +185,7 @@ TEST(Trace, StacksShowEachPieceInItsOwnRange) {
   Stack stack;
   stack.subWalls = {
       {1, Solid{texture}}, {2, Portal{rooms.east, texture, texture}}, {4, Solid{texture}}};
-  rooms.level.wall(rooms.west, TwoRooms::kBetween).kind = stack;
+  rooms.level.wall(rooms.west, TwoRooms::kBetween).wall = stack;
   const Level& level = rooms.level.finished();
   const auto at = [&](double z) { return look(level, rooms.west, {1, 1, z}, {1, 0, 0}); };
 
@@ -213,7 +213,7 @@ TEST(Trace, OnlyThePieceOfAStackThatReachesTheSkyShowsItOnItsStep) {
   const Portal portal{rooms.east, texture, texture};
   Stack stack;
   stack.subWalls = {{1, portal}, {3, portal}, {4, portal}};
-  rooms.level.wall(rooms.west, TwoRooms::kBetween).kind = stack;
+  rooms.level.wall(rooms.west, TwoRooms::kBetween).wall = stack;
   const Level& level = rooms.level.finished();
   const auto at = [&](double z) { return look(level, rooms.west, {1, 1, z}, {1, 0, 0}); };
   EXPECT_EQ(at(0.5).kind, SurfaceKind::SkyLowerStep);

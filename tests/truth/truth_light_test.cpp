@@ -221,7 +221,7 @@ TEST(TruthLight, IsStoppedBesideASkyWhereNothingShowsAndNothingIsTextured) {
   const SectorId room = test.addBox("room", {4, 0}, {8, 4}, {0, 3});
   test.link(yard, room);
   test.sector(yard).ceiling.isSky = true;
-  std::get<Portal>(test.wall(yard, 1).kind).upper.reset();
+  std::get<Portal>(test.wall(yard, 1).wall).upper.reset();
   test.addLight(yard, {2, 2, 10}, 100);
   EXPECT_EQ(whiteLevel(TruthLight(test.finished()), floorPoint(room, {6, 2, 0})), 0);
 }
@@ -251,7 +251,7 @@ TEST(TruthLight, InAStackOnlyThePieceThatReachesTheSkyIsOpenAboveIt) {
   const TextureMapping texture = scene.test.texture();
   Stack stack;
   stack.subWalls = {{1, Portal{scene.east, texture, texture}}, {3, Solid{texture}}};
-  scene.test.wall(scene.yard, 1).kind = stack;
+  scene.test.wall(scene.yard, 1).wall = stack;
   scene.test.addLight(scene.yard, {2, 2, 10}, 100);
   scene.test.addLight(scene.yard, {2, 2, 0.5}, 7);
   const TruthLight light(scene.test.finished());
@@ -281,7 +281,7 @@ TEST(TruthLight, ALightAtTheEyeLightsAllThatTheEyeSees) {
     TestScene scene = gridScene(seed);
     const SectorId sector{random() % 36};
     const Sector& outline = scene.level.finished()[sector];
-    const Vec2 middle = 0.5 * (outline.boxMin + outline.boxMax);
+    const Vec2 middle = 0.5 * (outline.box.min + outline.box.max);
     const double bottom = outline.authoredBottom(middle);
     const double top = outline.authoredTop(middle);
     if (top - bottom < 0.1) continue;

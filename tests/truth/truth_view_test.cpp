@@ -20,13 +20,13 @@ Shot cameraAt(SectorId sector, Vec3 eye) {
 
 /// A box of 4 m whose walls wear images of 16 x 16 texels, 1 m a repeat; texel (x, y) is of the
 /// colour (x, y, number of the texture).
-struct Box {
+struct BoxScene {
   TestLevel test;
   SectorId box = test.addBox("box", {0, 0}, {4, 4}, {0, 4});
 };
 
 TEST(TruthView, PutsPointsOnTheRowsAndColumnsOfTheProjection) {
-  Box scene;
+  BoxScene scene;
   const Level& level = scene.test.finished();
   Shot camera = cameraAt(scene.box, {1, 2, 2});  // 90 degrees over 8 pixels: 4 pixels per tangent
   const TruthView straight(level, scene.test.textures(), camera);
@@ -53,11 +53,11 @@ TEST(TruthView, PutsPointsOnTheRowsAndColumnsOfTheProjection) {
 }
 
 TEST(TruthView, ShowsTheTexelUnderThePixelAtAKnownLight) {
-  Box scene;
+  BoxScene scene;
   scene.test.sector(scene.box).light = 0.25;
   scene.test.addLight(scene.box, {1, 2, 2}, 102, 1.0 / 3);  // 51 levels, 0.2, at 3 m
   Segment& wall = scene.test.wall(scene.box, 1);
-  TextureMapping& texture = std::get<Solid>(wall.kind).texture;
+  TextureMapping& texture = std::get<Solid>(wall.wall).texture;
   texture.repeat = {2, 4};
   texture.offsetTexels = {-0.5, 3};
   const Level& level = scene.test.finished();
@@ -79,7 +79,7 @@ TEST(TruthView, ShowsTheTexelUnderThePixelAtAKnownLight) {
 }
 
 TEST(TruthView, LightNeverExceedsTheTextureAndHalvesRoundUp) {
-  Box scene;
+  BoxScene scene;
   scene.test.sector(scene.box).light = 0.5;
   const Level& dim = scene.test.finished();
   const TruthView half(dim, scene.test.textures(), cameraAt(scene.box, {1, 2, 2}));
@@ -92,7 +92,7 @@ TEST(TruthView, LightNeverExceedsTheTextureAndHalvesRoundUp) {
 }
 
 TEST(TruthView, TexturesRepeatForNegativeCoordinatesToo) {
-  Box scene;
+  BoxScene scene;
   scene.test.sector(scene.box).floor.textureOrigin = {100, 100};
   const TruthView view(scene.test.finished(), scene.test.textures(),
                        cameraAt(scene.box, {1, 2, 2}));
@@ -104,7 +104,7 @@ TEST(TruthView, TexturesRepeatForNegativeCoordinatesToo) {
 }
 
 TEST(TruthView, SkiesKeepTheirEdgeRowsAndTheirBrightness) {
-  Box scene;
+  BoxScene scene;
   scene.test.sector(scene.box).ceiling.isSky = true;
   scene.test.sector(scene.box).ceiling.texture->repeat = {1, 0.5};
   Shot camera = cameraAt(scene.box, {0.5, 2, 3.99});
@@ -122,7 +122,7 @@ TEST(TruthView, SkiesKeepTheirEdgeRowsAndTheirBrightness) {
 }
 
 TEST(TruthView, IsClearAwayFromEdgesAndTexelBordersOnly) {
-  Box scene;
+  BoxScene scene;
   const Level& level = scene.test.finished();
   const TruthView view(level, scene.test.textures(), cameraAt(scene.box, {1, 2.03, 2.03}));
   // A texel of the wall 3 m ahead covers 1/12 pixel; its middle is 0.00125 m from the eye's axis.
@@ -133,7 +133,7 @@ TEST(TruthView, IsClearAwayFromEdgesAndTexelBordersOnly) {
 }
 
 TEST(TruthView, PictureHoldsThePixelsAtTheirCentres) {
-  Box scene;
+  BoxScene scene;
   scene.test.addLight(scene.box, {2, 1, 3}, 200, 0.1);
   const Level& level = scene.test.finished();
   const TruthView view(level, scene.test.textures(), cameraAt(scene.box, {1, 2, 2}));

@@ -129,7 +129,7 @@ class Walk {
     const double reach = speed * kTick + kEdgeInset;
     expect(length(moved.xy()) <= reach, "faster than physics allows");
     const double parts = std::clamp(std::ceil(2 * reach / std::max(body.radius, 1e-9)), 1.0, 16.0);
-    const double lift = parts * body.step + reach;
+    const double lift = parts * body.stepHeight + reach;
     const double rise = std::max({before.velocity.z, walker_.isFlying ? wanted : 3.3});
     const double fall = std::max({-before.velocity.z, walker_.isFlying ? wanted : 0.0});
     expect(moved.z <= rise * kTick + lift, "higher than physics allows");

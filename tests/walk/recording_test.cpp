@@ -92,7 +92,7 @@ TEST_F(Recordings, AreRefusedBeforeTheyFillTheMemory) {
   EXPECT_EQ(errorOf(start + "99999999999 127 0 0 0 0 -\n" + end),
             "3: a recording of more than eight hours");
   std::string many = start;
-  for (int i = 0; i < 3; ++i) many += fmt::format("{} 0 0 0 0 0 -\n", kMostRecordedTicks / 2);
+  for (int i = 0; i < 3; ++i) many += fmt::format("{} 0 0 0 0 0 -\n", kMaxRecordedTicks / 2);
   EXPECT_EQ(errorOf(many + end), "5: a recording of more than eight hours");
 }
 

@@ -180,9 +180,11 @@ SectorId Solids::inColumn(SectorId sector, Vec3 p) const {
   for (int i = 0; i < 1000; ++i) {
     const Sector& here = scene_[sector];
     if (here.floor.flatPortal && p.z < here.floor.z)
-      sector = across(scene_.level(), scene_[*here.floor.flatPortal], Side::Lower, p.xy());
+      sector = sectorAcross(scene_.level(), scene_[*here.floor.flatPortal], FlatPortalSide::Lower,
+                            p.xy());
     else if (here.ceiling.flatPortal && p.z > here.ceiling.z)
-      sector = across(scene_.level(), scene_[*here.ceiling.flatPortal], Side::Upper, p.xy());
+      sector = sectorAcross(scene_.level(), scene_[*here.ceiling.flatPortal], FlatPortalSide::Upper,
+                            p.xy());
     else
       break;
   }

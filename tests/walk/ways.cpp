@@ -48,7 +48,7 @@ class Search {
     for (std::size_t i = 0; i < scene_.level().sectors.size(); ++i)
       for (const double z : {from.feet.z, scene_.level().sectors[i].floor.z}) {
         const bool isHigher = best && z >= best->feet.z;
-        if (z < from.feet.z || z > from.feet.z + body_.step || isHigher) continue;
+        if (z < from.feet.z || z > from.feet.z + body_.stepHeight || isHigher) continue;
         if (const auto there = standsAt(from, {p.x, p.y, z})) best = there;
       }
     return best;

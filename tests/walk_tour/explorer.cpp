@@ -11,8 +11,8 @@ namespace hearth::test {
 
 namespace {
 
-constexpr int kMostTries = 60000;         // for each new sector
-constexpr int kMostTriesOfOne = 1000000;  // for a way to one place
+constexpr int kMaxTries = 60000;         // for each new sector
+constexpr int kMaxTriesOfOne = 1000000;  // for a way to one place
 
 /// A walker in one of the places that the search tells apart, and how it came there.
 struct Visit {
@@ -41,8 +41,8 @@ class Search {
   /// found.
   std::optional<std::vector<WalkInput>> wayTo(const std::function<bool(const Walker&)>& isThere,
                                               const std::vector<SectorId>& forbidden,
-                                              int mostTries) {
-    for (int i = 0; i < mostTries; ++i) {
+                                              int maxTries) {
+    for (int i = 0; i < maxTries; ++i) {
       Visit visit = stretchFrom(seldomTried());
       if (std::ranges::find(forbidden, visit.walker.sector) != forbidden.end()) continue;
       if (isThere(visit.walker)) return wayTo(visit);
@@ -121,7 +121,7 @@ std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait
   for (;;) {
     const std::vector<bool> isVisited = visitedSectors(scene, start, inputs);
     const auto isNew = [&](const Walker& there) { return !isVisited[there.sector.index()]; };
-    const auto way = Search(scene, walker, gait, random).wayTo(isNew, forbidden, kMostTries);
+    const auto way = Search(scene, walker, gait, random).wayTo(isNew, forbidden, kMaxTries);
     if (!way && forbidden.empty()) return inputs;
     if (!way) {
       forbidden.clear();
@@ -135,7 +135,7 @@ std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait
 std::optional<std::vector<WalkInput>> wayTo(const Scene& scene, const Walker& start, Gait gait,
                                             const std::function<bool(const Walker&)>& isThere) {
   std::mt19937 random(1);
-  return Search(scene, start, gait, random).wayTo(isThere, {}, kMostTriesOfOne);
+  return Search(scene, start, gait, random).wayTo(isThere, {}, kMaxTriesOfOne);
 }
 
 std::vector<bool> visitedSectors(const Scene& scene, Walker walker,

@@ -41,14 +41,14 @@ bool isWellInside(const Level& level, const Sector& sector, Vec2 p) {
 /// None where the sector is too narrow to be hit.
 std::optional<Vec2> placeIn(const Level& level, const Sector& sector, Random& random) {
   for (int i = 0; i < kTries; ++i) {
-    const double x = random.real(sector.boxMin.x, sector.boxMax.x);
-    const double y = random.real(sector.boxMin.y, sector.boxMax.y);
+    const double x = random.real(sector.box.min.x, sector.box.max.x);
+    const double y = random.real(sector.box.min.y, sector.box.max.y);
     if (isWellInside(level, sector, {x, y})) return Vec2{x, y};
   }
   return std::nullopt;
 }
 
-Shot shotOf(std::string name, SectorId sector, Vec3 eye, double angle, PictureSize size) {
+Shot shotOf(std::string name, SectorId sector, Vec3 eye, double angle, ImageSize size) {
   Shot shot{std::move(name), sector, eye, angle};
   shot.width = size.width;
   shot.height = size.height;
@@ -58,7 +58,7 @@ Shot shotOf(std::string name, SectorId sector, Vec3 eye, double angle, PictureSi
 }  // namespace
 
 std::vector<Shot> standingPlaces(const Level& level, std::size_t count, std::uint64_t seed,
-                                 PictureSize size) {
+                                 ImageSize size) {
   std::vector<Shot> shots;
   if (const auto& player = level.player)
     shots.push_back(shotOf("start", player->sector, player->eye, player->angle, size));

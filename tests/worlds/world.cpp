@@ -14,7 +14,7 @@ namespace hearth::worlds {
 
 namespace {
 
-constexpr PictureSize kFrame{320, 200};  ///< of which the time is taken
+constexpr ImageSize kFrame{320, 200};  ///< of which the time is taken
 
 /// Reads the level of the map, or says what is wrong with it.
 std::optional<LoadedLevel> importAndLoad(const Archive& archive, World& world,

@@ -36,7 +36,7 @@ class Archive {
 struct Looks {
   std::size_t places = 50;
   std::uint64_t seed = 1;
-  PictureSize size{160, 100};
+  ImageSize size{160, 100};
   double texel = 0.25;  ///< metres
 };
 

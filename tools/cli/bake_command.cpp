@@ -6,9 +6,9 @@
 #include "cli/command.h"
 #include "cli/lightmap_atlas.h"
 #include "image/image_file.h"
+#include "inputs/bake_file.h"
+#include "inputs/inputs.h"
 #include "measure/budget.h"
-#include "session/bake_file.h"
-#include "session/session.h"
 
 namespace hearth {
 

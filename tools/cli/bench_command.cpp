@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "inputs/inputs.h"
 #include "measure/level_bench.h"
 #include "measure/machine.h"
-#include "session/session.h"
 #include "settings/shell_text.h"
 
 namespace hearth {
@@ -65,7 +65,7 @@ Json toJson(const BenchReport& report, const Machine& machine) {
   return json;
 }
 
-std::string inWords(PictureSize size) { return fmt::format("{}x{}", size.width, size.height); }
+std::string inWords(ImageSize size) { return fmt::format("{}x{}", size.width, size.height); }
 
 /// A column for each size; threads do the same work.
 void printCounters(std::span<const FrameBench> frames) {

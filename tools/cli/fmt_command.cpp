@@ -7,8 +7,8 @@
 
 #include "cli/command.h"
 #include "files/replace_file.h"
+#include "inputs/inputs.h"
 #include "load/json/read_document.h"
-#include "session/session.h"
 #include "text/json_layout.h"
 
 namespace hearth {

@@ -11,7 +11,7 @@
 #include "files/read_file.h"
 #include "import/doom/import_map.h"
 #include "import/doom/map.h"
-#include "session/session.h"
+#include "inputs/inputs.h"
 
 namespace hearth {
 

@@ -16,8 +16,8 @@ namespace {
 constexpr std::int64_t kGap = 8;           // pixels between lightmaps
 constexpr int kLineHeight = 11;            // pixels of one line of a label and the air below it
 constexpr std::int64_t kGoodWidth = 1500;  // pixels; as much as a screen shows
-constexpr int kMostPixelsPerTexel = 16;
-constexpr std::size_t kMostLetters = 24;   // in a line of a label
+constexpr int kMaxPixelsPerTexel = 16;
+constexpr std::size_t kMaxLetters = 24;    // in a line of a label
 constexpr Rgb kBackground = {24, 24, 64};  // no greys, so that no white light has them
 constexpr Rgb kLabel = {255, 208, 112};
 
@@ -79,7 +79,7 @@ void draw(const PixelRows& picture, const AtlasPlace& place, const Entry& entry,
 }
 
 std::string shortened(std::string text) {
-  if (text.size() > kMostLetters) text.replace(kMostLetters - 2, std::string::npos, "..");
+  if (text.size() > kMaxLetters) text.replace(kMaxLetters - 2, std::string::npos, "..");
   return text;
 }
 
@@ -117,12 +117,12 @@ std::vector<std::string> labelOf(const Level& level, SurfaceId id) {
   const Segment& segment = level[*surface.segment];
   std::string where = sector.name;
   if (segment.loop > 0) where += "/" + sector.loops[segment.loop].name;
-  return {kind, fmt::format("{} {}", shortened(where), segment.wall)};
+  return {kind, fmt::format("{} {}", shortened(where), segment.wallIndex)};
 }
 
 tl::expected<Image, std::string> lightmapAtlas(const Level& level, const BakedLight& light) {
   const std::vector<Entry> entries = entriesOf(level, light);
-  int pixelsPerTexel = kMostPixelsPerTexel;
+  int pixelsPerTexel = kMaxPixelsPerTexel;
   Shelves shelves = place(entries, pixelsPerTexel);
   while (!fits(shelves, kGoodWidth) && pixelsPerTexel > 1)
     shelves = place(entries, --pixelsPerTexel);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "inputs/inputs.h"
 #include "lint/lint.h"
-#include "session/session.h"
 
 namespace hearth {
 

@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "cli/plan.h"
 #include "files/replace_file.h"
-#include "session/session.h"
+#include "inputs/inputs.h"
 
 namespace hearth {
 

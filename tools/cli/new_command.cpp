@@ -104,7 +104,7 @@ Written writeLevel(const std::filesystem::path& level, const std::filesystem::pa
   const std::string text =
       fmt::format(kLevel, fmt::arg("name", name), fmt::arg("width", 2 * player.radius),
                   fmt::arg("height", player.height), fmt::arg("crouched", bodyOf({}, 1).height),
-                  fmt::arg("step", player.step));
+                  fmt::arg("step", player.stepHeight));
   auto written = writeNew(level, text);
   std::error_code ignored;
   if (!written) std::filesystem::remove(lights, ignored);

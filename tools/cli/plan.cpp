@@ -13,7 +13,7 @@
 
 #include "image/image.h"
 #include "level/locate.h"
-#include "level/plan_frame.h"
+#include "level/plan_bounds.h"
 #include "math/predicates.h"
 #include "math/trig.h"
 #include "text/html.h"
@@ -90,14 +90,14 @@ struct PlanPlace {
   double room = 0;  ///< metres to the nearest wall
 };
 
-PlanPlace roomiestPlace(const Level& level, const Sector& sector, const PlanBox& frame) {
+PlanPlace roomiestPlace(const Level& level, const Sector& sector, const Box& frame) {
   constexpr int kTried = 24;  // to a side
-  const PlanBox tried = frame.common({sector.boxMin, sector.boxMax});
-  PlanPlace best{tried.low};
+  const Box tried = intersection(frame, sector.box);
+  PlanPlace best{tried.min};
   for (int j = 0; j < kTried; ++j)
     for (int i = 0; i < kTried; ++i) {
-      const Vec2 size = tried.high - tried.low;
-      const Vec2 p = tried.low + Vec2{size.x * (i + 0.5) / kTried, size.y * (j + 0.5) / kTried};
+      const Vec2 size = tried.max - tried.min;
+      const Vec2 p = tried.min + Vec2{size.x * (i + 0.5) / kTried, size.y * (j + 0.5) / kTried};
       double room = std::numeric_limits<double>::infinity();
       for (const Segment& wall : level.segmentsOf(sector))
         room = std::min(room, length(nearestOnSegment(wall.p0, wall.p1, p) - p));
@@ -112,8 +112,8 @@ class PlanDrawing {
  public:
   explicit PlanDrawing(const Scene& scene)
       : scene_(scene),
-        frame_(planFrame(scene.level())),
-        size_(frame_.high - frame_.low),
+        frame_(planBounds(scene.level())),
+        size_(frame_.max - frame_.min),
         scale_(kLongerSide / std::max(size_.x, size_.y)) {}
 
   std::string svg() {
@@ -137,7 +137,7 @@ class PlanDrawing {
 
   double width() const { return scale_ * size_.x + 2 * kMargin; }
   double height() const { return scale_ * size_.y + 2 * kMargin + kLegend; }
-  Vec2 toPaper(Vec2 p) const { return scale_ * (p - frame_.low) + Vec2{kMargin, kMargin}; }
+  Vec2 toPaper(Vec2 p) const { return scale_ * (p - frame_.min) + Vec2{kMargin, kMargin}; }
   std::string point(Vec2 p) const {
     const Vec2 at = toPaper(p);
     return fmt::format("{:.2f},{:.2f}", at.x, at.y);
@@ -208,7 +208,7 @@ class PlanDrawing {
   /// Further down where another name or mark is in the way; not at all where there is no room.
   void drawNames() {
     for (const Sector& sector : scene_.level().sectors) {
-      if (!frame_.meets({sector.boxMin, sector.boxMax})) continue;
+      if (!overlap(frame_, sector.box)) continue;
       const PlanPlace place = roomiestPlace(scene_.level(), sector, frame_);
       const std::string heights =
           fmt::format("{:g} to {:g}", scene_.zFloor(sector), scene_.zCeiling(sector));
@@ -227,8 +227,8 @@ class PlanDrawing {
   }
 
   bool takes(Vec2 middle, Vec2 half) {
-    const PlanBox box{middle - half, middle + half};
-    const auto isInTheWay = [&](const PlanBox& other) { return box.meets(other); };
+    const Box box{middle - half, middle + half};
+    const auto isInTheWay = [&](const Box& other) { return overlap(box, other); };
     if (std::ranges::any_of(taken_, isInTheWay)) return false;
     taken_.push_back(box);
     return true;
@@ -257,8 +257,7 @@ class PlanDrawing {
   }
 
   /// Where one looks from, a dot, and the two sides of what is in view; the box around these.
-  PlanBox drawEye(std::string_view style, Vec2 eye, double angle, double fov,
-                  std::string_view title) {
+  Box drawEye(std::string_view style, Vec2 eye, double angle, double fov, std::string_view title) {
     constexpr double kLength = 18;
     const auto end = [&](double turned) {
       const auto [sin, cos] = sinCosDegrees(angle + turned);
@@ -270,13 +269,13 @@ class PlanDrawing {
     add("<g class=\"{}\">{}<path d=\"M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}\"/>"
         "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/></g>\n",
         style, title, left.x, left.y, eye.x, eye.y, right.x, right.y, eye.x, eye.y, kEyeRadius);
-    PlanBox box;
+    Box box;
     for (const Vec2 corner : {left, eye, right}) box.add(corner);
     return box;
   }
 
-  PlanBox drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
-                     double fov) {
+  Box drawCamera(std::string_view style, std::string_view name, Vec3 eye, double angle,
+                 double fov) {
     const std::string title = fmt::format("<title>{} at z {:g}</title>", escaped(name), eye.z);
     return taken_.emplace_back(drawEye(style, toPaper(eye.xy()), angle, fov, title));
   }
@@ -289,14 +288,14 @@ class PlanDrawing {
   }
 
   /// Beside its sign, where nothing is in the way; else further off, and at last not at all.
-  void drawShotName(std::string_view name, const PlanBox& sign) {
+  void drawShotName(std::string_view name, const Box& sign) {
     constexpr std::array kSides = {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1},  Vec2{0, -1},
                                    Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}};
     const Vec2 half{kLetterWidth * static_cast<double>(name.size()) * kShotText / 2, kShotText / 2};
-    const Vec2 middle = 0.5 * (sign.low + sign.high);
+    const Vec2 middle = 0.5 * (sign.min + sign.max);
     for (const double gap : {kEyeRadius + 1, kShotText, 2 * kShotText})
       for (const Vec2 side : kSides) {
-        const Vec2 away = 0.5 * (sign.high - sign.low) + half + Vec2{gap, gap};
+        const Vec2 away = 0.5 * (sign.max - sign.min) + half + Vec2{gap, gap};
         const Vec2 at = middle + Vec2{side.x * away.x, side.y * away.y};
         if (!isOnPaper(at, half) || !takes(at, half)) continue;
         // Letters without descenders reach up to 0.7 of the size from the line they stand on.
@@ -359,11 +358,11 @@ class PlanDrawing {
   }
 
   Scene scene_;
-  PlanBox frame_;
+  Box frame_;
   Vec2 size_;
-  double scale_;                ///< units per metre
-  std::vector<PlanBox> taken_;  ///< on the paper, by what names must not cover
-  std::vector<PlanBox> shots_;  ///< on the paper: the signs of the level's shots
+  double scale_;            ///< units per metre
+  std::vector<Box> taken_;  ///< on the paper, by what names must not cover
+  std::vector<Box> shots_;  ///< on the paper: the signs of the level's shots
   std::string out_;
 };
 

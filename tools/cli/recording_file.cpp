@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "files/replace_file.h"
-#include "session/read_bytes.h"
+#include "inputs/read_within_limit.h"
 
 namespace hearth {
 
 tl::expected<Recording, std::string> readReplay(const OptionValues& values) {
   const std::string path = *values.text(Option::Replay);
-  const auto text = readBytes(path, values);
+  const auto text = readWithinLimit(path, values);
   if (!text) return tl::unexpected(text.error());
   return readRecording(*text).map_error([&](const RecordingError& error) {
     return fmt::format("{}:{}:1: {}", path, error.line, error.message);

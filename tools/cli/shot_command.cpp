@@ -9,8 +9,8 @@
 
 #include "cli/command.h"
 #include "image/image_file.h"
+#include "inputs/inputs.h"
 #include "render/renderer.h"
-#include "session/session.h"
 #include "settings/channels.h"
 
 namespace hearth {

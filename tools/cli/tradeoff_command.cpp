@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
+#include "inputs/inputs.h"
 #include "measure/tradeoff/page.h"
 #include "measure/tradeoff/report.h"
 #include "measure/tradeoff/trials.h"
-#include "session/session.h"
 #include "settings/approximations.h"
 
 namespace hearth {
 
 namespace {
 
-constexpr PictureSize kTruthSize{160, 100};
+constexpr ImageSize kTruthSize{160, 100};
 constexpr int kTrialRepeats = 3;
 
 constexpr std::string_view kMore =

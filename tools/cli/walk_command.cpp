@@ -18,12 +18,12 @@
 #include "desktop/window.h"
 #include "desktop/window_place.h"
 #include "folders/user_folders.h"
+#include "inputs/inputs.h"
 #include "measure/budget.h"
 #include "render/renderer.h"
-#include "session/session.h"
 #include "viewer/edit/shots_edit.h"
+#include "viewer/input/actions.h"
 #include "viewer/preferences/config.h"
-#include "viewer/walk/keys.h"
 #include "viewer/walk/walk_loop.h"
 
 namespace hearth {

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "inputs/inputs.h"
 #include "measure/level_bench.h"
-#include "session/session.h"
 #include "settings/settings.h"
 
 namespace hearth {

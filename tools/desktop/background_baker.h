@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "inputs/bake_cache.h"
+#include "inputs/progress.h"
 #include "light/bake_progress.h"
 #include "light/bakery.h"
 #include "light/rebake.h"
 #include "load/source.h"
 #include "render/renderer.h"
-#include "session/bake_cache.h"
-#include "session/progress.h"
 #include "settings/options.h"
 
 namespace hearth {

@@ -7,8 +7,8 @@
 
 namespace hearth {
 
-tl::expected<std::string, ReadFailure> Disk::read(const std::filesystem::path& file,
-                                                  std::uint64_t maxBytes) {
+tl::expected<std::string, ReadError> Disk::read(const std::filesystem::path& file,
+                                                std::uint64_t maxBytes) {
   return readFile(file, maxBytes);
 }
 

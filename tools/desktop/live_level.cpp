@@ -100,7 +100,7 @@ void LiveLevel::update(WalkLoop& loop, WalkSession& session, WindowHost& outside
     setOptions(*options);
     loop.goOnIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
   }
-  LightsEditor* const lights = loop.lights();
+  LightsEditor* const lights = loop.lightsEditor();
   reload(watch_.changes(), lights);
   if (lights)
     if (auto text = lights->takeText()) baker_.setLights(*std::move(text));
@@ -128,7 +128,7 @@ bool LiveLevel::hasOtherLights(LightsEditor& lights) {
 
 void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session) {
   // What stands over the picture is enough of lights that are being moved.
-  const bool isOfFiles = !loop.lights() || !loop.lights()->isUnsaved();
+  const bool isOfFiles = !loop.lightsEditor() || !loop.lightsEditor()->isUnsaved();
   if (isOfFiles) printToStderr(news.warnings);
   if (isOfFiles && mistakes_ != news.mistakes) printToStderr(news.mistakes);
   mistakes_ = news.mistakes;
@@ -139,7 +139,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
       return printToStderr(mistakes_);
     }
     watch(*news.level->loaded);
-    if (loop.lights()) loop.editLights(news.level->loaded->lights);
+    if (loop.lightsEditor()) loop.editLights(news.level->loaded->lights);
   }
   const auto before = std::exchange(shown_, news.level);  // which the loop still draws
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);

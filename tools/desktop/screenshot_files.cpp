@@ -12,17 +12,17 @@ namespace hearth {
 
 namespace {
 
-constexpr int kMostScreenshots = 100000;  // of one level in one folder
+constexpr int kMaxScreenshots = 100000;  // of one level in one folder
 
 tl::expected<std::string, std::string> writeNew(const std::filesystem::path& folder,
                                                 const std::string& stem, const Image& picture) {
-  for (int number = 1; number <= kMostScreenshots; ++number) {
+  for (int number = 1; number <= kMaxScreenshots; ++number) {
     const std::filesystem::path path = folder / fmt::format("{}-{}.png", stem, number);
     const auto created = createPng(path, picture);
     if (!created) return tl::unexpected(created.error());
     if (*created) return "saved " + path.filename().string();
   }
-  return tl::unexpected(fmt::format("{} screenshots are enough", kMostScreenshots));
+  return tl::unexpected(fmt::format("{} screenshots are enough", kMaxScreenshots));
 }
 
 }  // namespace

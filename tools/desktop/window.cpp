@@ -30,19 +30,19 @@ std::string displayDrivers() {
 }
 
 /// The screen without what the desktop keeps for itself. Where it is not told, there is no limit.
-PictureSize roomOnScreen() {
+ImageSize roomOnScreen() {
   SDL_Rect usable{};
   if (SDL_GetDisplayUsableBounds(0, &usable) != 0) return {kMaxPictureSide, kMaxPictureSide};
   return {std::max(1, usable.w), std::max(1, usable.h)};
 }
 
 /// How often a size goes into another, whole, both ways.
-int timesIn(PictureSize room, PictureSize size) {
+int timesIn(ImageSize room, ImageSize size) {
   return std::min(room.width / size.width, room.height / size.height);
 }
 
 /// In its shape, as large as there is room for it.
-PictureSize shrunk(PictureSize size, PictureSize room) {
+ImageSize shrunk(ImageSize size, ImageSize room) {
   if (timesIn(room, size) > 0) return size;
   const double fraction = std::min(static_cast<double>(room.width) / size.width,
                                    static_cast<double>(room.height) / size.height);
@@ -54,9 +54,9 @@ PictureSize shrunk(PictureSize size, PictureSize room) {
 
 /// A picture of a size of its own gets a window of a whole number of times that size. No window is
 /// larger than the screen.
-PictureSize firstSize(const std::optional<PictureSize>& picture) {
-  const PictureSize room = roomOnScreen();
-  const PictureSize usual = shrunk(kFirstWindowSize, room);
+ImageSize firstSize(const std::optional<ImageSize>& picture) {
+  const ImageSize room = roomOnScreen();
+  const ImageSize usual = shrunk(kFirstWindowSize, room);
   if (!picture) return usual;
   const int times = std::max(1, timesIn(usual, *picture));
   return shrunk({times * picture->width, times * picture->height}, room);
@@ -71,7 +71,7 @@ std::vector<Screen> screens() {
   return screens;
 }
 
-PixelRows rowsOf(void* pixels, int bytesPerRow, PictureSize size) {
+PixelRows rowsOf(void* pixels, int bytesPerRow, ImageSize size) {
   return {static_cast<Uint32*>(pixels), static_cast<std::size_t>(bytesPerRow) / sizeof(Uint32),
           size.width, size.height};
 }
@@ -124,7 +124,7 @@ tl::expected<void, std::string> WalkWindow::createRenderer() {
   if (info.max_texture_width > 0) largest_.width = std::min(largest_.width, info.max_texture_width);
   if (info.max_texture_height > 0)
     largest_.height = std::min(largest_.height, info.max_texture_height);
-  const std::optional<PictureSize> size = settings_.pictureSize;
+  const std::optional<ImageSize> size = settings_.pictureSize;
   if (size && (size->width > largest_.width || size->height > largest_.height))
     return tl::unexpected(fmt::format("this display shows pictures of at most {}x{}",
                                       largest_.width, largest_.height));
@@ -154,8 +154,8 @@ void WalkWindow::prepare(SDL_Event& event) {
 
 /// From the desktop's points, of which there are fewer than pixels on displays of high density.
 void WalkWindow::moveIntoPicture(int& x, int& y) const {
-  PictureSize points{};
-  PictureSize pixels{};
+  ImageSize points{};
+  ImageSize pixels{};
   SDL_GetWindowSize(window_.get(), &points.width, &points.height);
   if (!shown_ || points.width < 1 || points.height < 1 ||
       SDL_GetRendererOutputSize(renderer_.get(), &pixels.width, &pixels.height) != 0)
@@ -183,18 +183,18 @@ void WalkWindow::rest(double seconds) {
   SDL_WaitEventTimeout(nullptr, std::max(1, milliseconds));
 }
 
-std::optional<PictureSize> WalkWindow::windowSize() {
+std::optional<ImageSize> WalkWindow::windowSize() {
   constexpr Uint32 kUnseen = SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN;
-  PictureSize size{};
+  ImageSize size{};
   if ((SDL_GetWindowFlags(window_.get()) & kUnseen) != 0 ||
       SDL_GetRendererOutputSize(renderer_.get(), &size.width, &size.height) != 0)
     return std::nullopt;
-  return PictureSize{std::clamp(size.width, 1, largest_.width),
-                     std::clamp(size.height, 1, largest_.height)};
+  return ImageSize{std::clamp(size.width, 1, largest_.width),
+                   std::clamp(size.height, 1, largest_.height)};
 }
 
-void WalkWindow::show(PictureSize size, const DrawRows& draw) {
-  const std::optional<PictureSize> window = windowSize();
+void WalkWindow::show(ImageSize size, const DrawRows& draw) {
+  const std::optional<ImageSize> window = windowSize();
   if (!window) return;
   shown_ = {placed(size, *window, settings_.scaling), size};
   if (SDL_Surface* const surface = surfaceOfSize(size)) {
@@ -212,7 +212,7 @@ void WalkWindow::show(PictureSize size, const DrawRows& draw) {
 }
 
 /// That of the window, if a picture of this size can be drawn on it: it would be copied there.
-SDL_Surface* WalkWindow::surfaceOfSize(PictureSize size) const {
+SDL_Surface* WalkWindow::surfaceOfSize(ImageSize size) const {
   SDL_Surface* const surface = drawsOnSurface_ ? SDL_GetWindowSurface(window_.get()) : nullptr;
   if (!surface || SDL_MUSTLOCK(surface)) return nullptr;
   const bool fits = surface->format->format == SDL_PIXELFORMAT_RGB888 && surface->w == size.width &&
@@ -220,7 +220,7 @@ SDL_Surface* WalkWindow::surfaceOfSize(PictureSize size) const {
   return fits ? surface : nullptr;
 }
 
-void WalkWindow::present(PictureSize window) {
+void WalkWindow::present(ImageSize window) {
   const Placement& place = shown_->place;
   SDL_SetTextureScaleMode(texture_.get(),
                           place.hasSquarePixels ? SDL_ScaleModeNearest : SDL_ScaleModeLinear);
@@ -232,7 +232,7 @@ void WalkWindow::present(PictureSize window) {
 }
 
 /// Its pixels lie as PixelRows has them, which renderers take as they are.
-void WalkWindow::fitTexture(PictureSize size) {
+void WalkWindow::fitTexture(ImageSize size) {
   if (texture_ && textureSize_ == size) return;
   texture_ = std::shared_ptr<SDL_Texture>(
       SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,

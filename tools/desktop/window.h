@@ -21,12 +21,12 @@ namespace hearth {
 
 /// The first size and place of a window, as far as picture and screen allow. The user may drag it
 /// to any other.
-inline constexpr PictureSize kFirstWindowSize = {960, 600};
+inline constexpr ImageSize kFirstWindowSize = {960, 600};
 
 struct WindowSettings {
-  std::optional<PictureSize> pictureSize;  ///< without it, pictures come in the window's size
-  std::optional<PictureSize> windowSize;   ///< without it, one that fits picture and screen
-  std::optional<WindowPlace> place;        ///< in place of both, as far as the screen has room
+  std::optional<ImageSize> pictureSize;  ///< without it, pictures come in the window's size
+  std::optional<ImageSize> windowSize;   ///< without it, one that fits picture and screen
+  std::optional<WindowPlace> place;      ///< in place of both, as far as the screen has room
   Scaling scaling = Scaling::Smooth;
   bool waitsForDisplay = true;  ///< vertical sync
 };
@@ -41,8 +41,8 @@ class WalkWindow : public WindowHost {
   double seconds() override;
   std::optional<Event> poll() override;
   void rest(double seconds) override;
-  std::optional<PictureSize> windowSize() override;
-  void show(PictureSize size, const DrawRows& draw) override;
+  std::optional<ImageSize> windowSize() override;
+  void show(ImageSize size, const DrawRows& draw) override;
   void setTitle(const std::string& title) override;
   void captureMouse(bool isCaptured) override;
   void toggleFullScreen() override;
@@ -64,18 +64,18 @@ class WalkWindow : public WindowHost {
   WindowPlace placeNow() const;
   void prepare(SDL_Event& event);
   void setGamepad(const SDL_ControllerDeviceEvent& event);
-  SDL_Surface* surfaceOfSize(PictureSize size) const;
-  void fitTexture(PictureSize size);
-  void present(PictureSize window);
+  SDL_Surface* surfaceOfSize(ImageSize size) const;
+  void fitTexture(ImageSize size);
+  void present(ImageSize window);
   void moveIntoPicture(int& x, int& y) const;
 
   WindowSettings settings_;
-  PictureSize largest_{kMaxPictureSide, kMaxPictureSide};  ///< that the display can show
+  ImageSize largest_{kMaxPictureSide, kMaxPictureSide};  ///< that the display can show
   bool drawsOnSurface_ = false;  ///< the renderer, without the help of hardware
-  std::optional<PictureSize> textureSize_;
+  std::optional<ImageSize> textureSize_;
   struct Shown {
     Placement place;
-    PictureSize picture;
+    ImageSize picture;
   };
   std::optional<Shown> shown_;  ///< the last picture
   WindowPlace unfilled_;        ///< to which it goes back from the full screen

@@ -12,7 +12,7 @@ namespace hearth {
 struct WindowPlace {
   int x = 0;  ///< of its left top corner, without what the desktop draws round it
   int y = 0;
-  PictureSize size{};
+  ImageSize size{};
   bool isFullScreen = false;  ///< then the rest is what it goes back to
 
   friend bool operator==(const WindowPlace&, const WindowPlace&) = default;

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "level/locate.h"
-#include "lint/described.h"
-#include "lint/links.h"
+#include "lint/authored_wall.h"
+#include "lint/sector_graph.h"
 #include "math/tolerance.h"
 #include "walk/passage.h"
 
@@ -47,14 +47,15 @@ struct Demand {
 /// The height that feet come to in a column of air: below flat portals, too.
 double feetAt(const Scene& scene, SectorId id, Vec2 p) {
   while (scene[id].floor.flatPortal)
-    id = across(scene.level(), scene[*scene[id].floor.flatPortal], Side::Lower, p);
+    id = sectorAcross(scene.level(), scene[*scene[id].floor.flatPortal], FlatPortalSide::Lower, p);
   return scene.airBottom(scene[id], p);
 }
 
 /// Likewise where a head comes to: above flat portals, too.
 double ceilingAt(const Scene& scene, SectorId id, Vec2 p) {
   while (scene[id].ceiling.flatPortal)
-    id = across(scene.level(), scene[*scene[id].ceiling.flatPortal], Side::Upper, p);
+    id =
+        sectorAcross(scene.level(), scene[*scene[id].ceiling.flatPortal], FlatPortalSide::Upper, p);
   return scene.airTop(scene[id], p);
 }
 
@@ -99,9 +100,9 @@ class Walks {
 
   const std::vector<Hindrance>& hindrances() const { return hindrances_; }
 
-  const std::vector<bool>& reachedFrom(SectorId sector) {
+  const std::vector<bool>& reachableFrom(SectorId sector) {
     const auto [found, isNew] = reached_.try_emplace(sector);
-    if (isNew) found->second = hearth::reachedFrom(links_, sector);
+    if (isNew) found->second = hearth::reachableFrom(links_, sector);
     return found->second;
   }
 
@@ -109,7 +110,8 @@ class Walks {
   /// sides that are too narrow, and a stair many steps that are too high, or too low to walk.
   std::vector<SectorId> gainedBehind(const Hindrance& hindrance) {
     const SectorId from = scene_[hindrance.segment].sector;
-    return gainedFrom(linksIfMended_[indexOf(hindrance.kind)], hindrance.next, reachedFrom(from));
+    return newlyReachableFrom(linksIfMended_[indexOf(hindrance.kind)], hindrance.next,
+                              reachableFrom(from));
   }
 
  private:
@@ -194,12 +196,12 @@ class Walks {
            std::abs(cross(along, b.p1 - b.p0)) / a.length <= noiseOf(std::min(a.length, b.length));
   }
 
-  bool isHigh(const Demand& demand) const { return demand.rise > body_.step + kSkin; }
+  bool isHigh(const Demand& demand) const { return demand.rise > body_.stepHeight + kSkin; }
   bool isLow(const Demand& demand) const { return demand.clear < body_.height - kSkin; }
 
   /// What it just fails in, and in nothing else.
   std::optional<FindingKind> kindOf(const Demand& demand) const {
-    if (!isLow(demand) && demand.rise <= kHighestMeant * body_.step + kSkin)
+    if (!isLow(demand) && demand.rise <= kHighestMeant * body_.stepHeight + kSkin)
       return FindingKind::HighStep;
     const double aboveFeet = demand.clear + std::max(0.0, demand.rise);
     if (!isHigh(demand) && aboveFeet >= kLowestMeant * body_.height - kSkin)
@@ -218,11 +220,11 @@ class Walks {
     for (const SectorId upper : flatPortal.upper)
       for (const SectorId lower : flatPortal.lower) {
         links_[upper.index()].push_back(lower);
-        if (leastHeight(scene_[lower]) < body_.height) links_[lower.index()].push_back(upper);
+        if (minHeight(scene_[lower]) < body_.height) links_[lower.index()].push_back(upper);
       }
   }
 
-  double leastHeight(const Sector& sector) const {
+  double minHeight(const Sector& sector) const {
     double least = kNowhere;
     for (const Segment& segment : scene_.segmentsOf(sector)) {
       const AirColumn& air = scene_.geometryOf(segment).air0;
@@ -244,7 +246,7 @@ class Walks {
 double areaOf(const Level& level, const Sector& sector) {
   double twice = 0;
   for (const Segment& segment : level.segmentsOf(sector))
-    twice += cross(segment.p0 - sector.boxMin, segment.p1 - sector.boxMin);
+    twice += cross(segment.p0 - sector.box.min, segment.p1 - sector.box.min);
   return twice / 2;
 }
 
@@ -255,7 +257,7 @@ class HindranceFinder {
 
   void look(const Body& body, bool isCrouching) {
     Walks walks(scene_, body);
-    const std::vector<bool> isVisited = walks.reachedFrom(scene_.level().player->sector);
+    const std::vector<bool> isVisited = walks.reachableFrom(scene_.level().player->sector);
     for (const Hindrance& hindrance : walks.hindrances()) {
       const SectorId from = scene_[hindrance.segment].sector;
       // A crouching body climbs no more than a standing one, and is as wide.
@@ -277,13 +279,13 @@ class HindranceFinder {
   }
 
   void report(const Hindrance& hindrance, const Body& body, bool isCrouching) {
-    const Place place = describedPart(linted_, hindrance.segment, hindrance.zBottom).place;
+    const Place place = authoredWallAt(linted_, hindrance.segment, hindrance.zBottom).place;
     const std::string& name = scene_[hindrance.next].name;
     if (hindrance.kind == FindingKind::HighStep)
       findings_.add(hindrance.kind, place,
                     fmt::format("the step to sector \"{}\" is {:.3g} m high, the player climbs "
                                 "{:.3g} m, and nothing else leads there",
-                                name, hindrance.demand.rise, body.step),
+                                name, hindrance.demand.rise, body.stepHeight),
                     "make it lower, or make two of it");
     else if (hindrance.kind == FindingKind::NarrowPassage)
       findings_.add(
@@ -312,7 +314,7 @@ void lookAtFeet(const LintedLevel& linted, const Body& body, Findings& findings)
   const Player& player = *linted.level().player;
   const double floor = feetAt(linted.scene(), player.sector, player.eye.xy());
   const double depth = floor - (player.eye.z - body.eyeHeight);
-  if (depth <= body.step + kSkin) return;
+  if (depth <= body.stepHeight + kSkin) return;
   findings.add(
       FindingKind::SunkenPlayer, linted.source.level.player->place,
       fmt::format("the player's feet are {:.3g} m below the floor: \"z\" is that of the eye, not "
@@ -348,7 +350,7 @@ void findImpassable(const LintedLevel& linted, Findings& findings) {
 std::vector<SectorId> outOfReach(const Scene& scene) {
   if (!scene.level().player) return {};
   const std::vector<bool> isReached =
-      Walks(scene, bodyOf(scene.level(), 1)).reachedFrom(scene.level().player->sector);
+      Walks(scene, bodyOf(scene.level(), 1)).reachableFrom(scene.level().player->sector);
   std::vector<SectorId> unreached;
   for (std::size_t i = 0; i < isReached.size(); ++i)
     if (!isReached[i]) unreached.emplace_back(i);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lint/described.h"
+#include "lint/authored_wall.h"
 
 namespace hearth {
 
@@ -17,8 +17,8 @@ double rounded(double metres) { return std::round(metres * 1e6) / 1e6; }
 
 WallTexture textureOf(const LintedLevel& linted, SurfaceId id) {
   const Surface& surface = linted.level()[id];
-  const DescribedPart part =
-      describedPart(linted, *surface.segment, linted.scene().geometryOf(id).zBottom);
+  const AuthoredWall part =
+      authoredWallAt(linted, *surface.segment, linted.scene().geometryOf(id).zBottom);
   if (part.solid) return {&part.solid->texture, "texture"};
   const std::optional<TextureDescription>& upper = part.portal->upper;
   const std::optional<TextureDescription>& lower = part.portal->lower;

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "light/sight/raytracer.h"
-#include "lint/described.h"
+#include "light/rays/raytracer.h"
+#include "lint/authored_wall.h"
 
 namespace hearth {
 
@@ -30,7 +30,7 @@ constexpr double kWeak = 4;
 constexpr double kLost = 2 * 255;
 
 /// Fraction of a surface whose light may be lost: the neighbourhood of a lamp.
-constexpr double kMostLost = 0.25;
+constexpr double kMaxLost = 0.25;
 
 /// Square metres. Smaller surfaces may be black in a sector that is not: in the shadow of a pier,
 /// or of a step, where light was to be scarce.
@@ -214,7 +214,7 @@ class OverexposedFinder {
     const LitSurface& lit = *dimmed_.surfaces[surface];
     const Lightmap& map = *dimmed_.lightmaps[surface];
     const double fraction = lostFraction(lit, map, 255 * level_[sector].light);
-    if (fraction <= kMostLost) return;
+    if (fraction <= kMaxLost) return;
     Glare& glare = glaring_[mostAt(linted_.scene(), brightestOf(lit, map), sector)];
     ++glare.surfaces;
     if (fraction <= glare.fraction) return;

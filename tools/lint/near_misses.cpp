@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "level/locate.h"
-#include "lint/links.h"
 #include "lint/lint.h"
+#include "lint/sector_graph.h"
 #include "math/box_tree.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
@@ -37,7 +37,7 @@ class NearMissFinder {
         source_(linted.source),
         outlines_(linted.source.outlines),
         findings_(findings),
-        linked_(bothWays(linksOf(level_))),
+        linked_(undirected(sectorGraph(level_))),
         edges_(treeOf(outlines_)) {}
 
   void lookAtSectors() {

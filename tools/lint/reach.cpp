@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "level/twins.h"
-#include "lint/links.h"
 #include "lint/lint.h"
+#include "lint/sector_graph.h"
 #include "load/link/link.h"
 
 namespace hearth {
@@ -22,7 +22,7 @@ class OneWayFinder {
 
   /// `first` to `last`: all segments of an authored wall.
   void lookAtWall(std::size_t first, std::size_t last) {
-    for (const SectorId target : targetsOf(level_.segments[first].kind)) {
+    for (const SectorId target : targetsOf(level_.segments[first].wall)) {
       std::vector<bool> leadsBack;
       for (std::size_t i = first; i <= last; ++i)
         leadsBack.push_back(isLedBack(level_.segments[i], target));
@@ -39,7 +39,7 @@ class OneWayFinder {
  private:
   bool isLedBack(const Segment& segment, SectorId target) const {
     const SegmentId twin = twins_.find(segment, target).value();  // linking has made sure
-    return std::ranges::binary_search(targetsOf(level_[twin].kind), segment.sector);
+    return std::ranges::binary_search(targetsOf(level_[twin].wall), segment.sector);
   }
 
   void report(std::size_t first, std::size_t last, SectorId target) {
@@ -93,17 +93,17 @@ void findOneWayPortals(const LintedLevel& linted, Findings& findings) {
 /// One finding for each part that hangs together, so that a part that was forgotten is one mistake.
 void findUnreachable(const LintedLevel& linted, Findings& findings) {
   const Level& level = linted.level();
-  const std::vector<std::vector<SectorId>> links = linksOf(level);
-  const std::vector<std::vector<SectorId>> linked = bothWays(links);
-  const SectorId start = startOf(level, partsOf(linked));
+  const std::vector<std::vector<SectorId>> links = sectorGraph(level);
+  const std::vector<std::vector<SectorId>> linked = undirected(links);
+  const SectorId start = startOf(level, connectedComponents(linked));
   // Without a player links count both ways: nothing says where the player would begin.
-  const std::vector<bool> isReached = reachedFrom(level.player ? links : linked, start);
+  const std::vector<bool> isReached = reachableFrom(level.player ? links : linked, start);
   std::vector<std::vector<SectorId>> unreached(links.size());
   for (std::size_t i = 0; i < links.size(); ++i)
     if (!isReached[i])
       std::ranges::copy_if(linked[i], std::back_inserter(unreached[i]),
                            [&](SectorId next) { return !isReached[next.index()]; });
-  for (const std::vector<SectorId>& part : partsOf(unreached)) {
+  for (const std::vector<SectorId>& part : connectedComponents(unreached)) {
     const SectorId first = part.front();
     if (isReached[first.index()]) continue;
     findings.add(

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "lint/described.h"
+#include "lint/authored_wall.h"
 #include "lint/hanging.h"
-#include "lint/links.h"
+#include "lint/sector_graph.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -66,7 +66,7 @@ class JumpFinder {
       : linted_(linted),
         scene_(linted.scene()),
         findings_(findings),
-        linked_(bothWays(linksOf(scene_.level()))) {
+        linked_(undirected(sectorGraph(scene_.level()))) {
     for (const SurfaceId surface : scene_.shownSurfaces())
       if (isOfWall(surface)) starting_.emplace(segmentOf(surface).p0, surface);
   }

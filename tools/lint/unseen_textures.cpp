@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "lint/described.h"
+#include "lint/authored_wall.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -45,7 +45,7 @@ class UnseenFinder {
     const bool isMiddle = surface.kind == SurfaceKind::MaskedMiddle;
     if (!isMiddle && !isLowerStep(surface.kind) && !isUpperStep(surface.kind)) return;
     const PortalDescription& portal =
-        *describedPart(linted_, *surface.segment, linted_.scene().geometryOf(id).zBottom).portal;
+        *authoredWallAt(linted_, *surface.segment, linted_.scene().geometryOf(id).zBottom).portal;
     const auto& worn =
         isMiddle ? portal.maskedMiddle : (isLowerStep(surface.kind) ? portal.lower : portal.upper);
     worn_.insert(worn->name.place);

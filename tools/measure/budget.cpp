@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "settings/measured_front.h"
+#include "settings/measured_pareto_front.h"
 #include "settings/settings.h"
 
 namespace hearth {

@@ -19,7 +19,7 @@ std::vector<Camera> camerasOf(const Level& level) {
   return cameras;
 }
 
-FrameTimes::FrameTimes(PictureSize size, Workers* workers)
+FrameTimes::FrameTimes(ImageSize size, Workers* workers)
     : workers_(workers),
       bench_{size, workers ? workers->threads() : 1, {}, {}, {}, {}, countersOf({}, {})},
       memory_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}

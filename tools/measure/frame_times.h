@@ -18,7 +18,7 @@ double steadySeconds();
 
 /// Frames of one size, of all shots of a level.
 struct FrameBench {
-  PictureSize size;
+  ImageSize size;
   int threads = 1;
   Spread milliseconds;  ///< a frame
   // Of its two phases:
@@ -40,7 +40,7 @@ std::vector<Camera> camerasOf(const Level& level);
 class FrameTimes {
  public:
   /// The workers, if any, help to draw. They must outlive it.
-  explicit FrameTimes(PictureSize size, Workers* workers = nullptr);
+  explicit FrameTimes(ImageSize size, Workers* workers = nullptr);
 
   /// Draws a frame, and then writes memory of its size.
   void draw(const Renderer& renderer, Camera camera, const Clock& clock);

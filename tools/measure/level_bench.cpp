@@ -8,7 +8,7 @@ namespace hearth {
 
 namespace {
 
-constexpr std::array<PictureSize, 3> kSizes{{{320, 200}, {640, 400}, {1920, 1080}}};
+constexpr std::array<ImageSize, 3> kSizes{{{320, 200}, {640, 400}, {1920, 1080}}};
 
 /// One thread, and all that there are.
 std::vector<int> threadCounts(int threads) {
@@ -29,8 +29,7 @@ BenchReport measure(const LoadedLevel& loaded, const BakeSettings& settings,
   std::vector<std::vector<double>> bakeSeconds;
   Workers workers(threads);
   for (const int count : threadCounts(threads)) {
-    for (const PictureSize size : kSizes)
-      frames.emplace_back(size, count == 1 ? nullptr : &workers);
+    for (const ImageSize size : kSizes) frames.emplace_back(size, count == 1 ? nullptr : &workers);
     bakeSeconds.emplace_back();
   }
   const auto drawAll = [&] {

@@ -35,16 +35,17 @@ struct Groundwork {
 Groundwork groundworkOf(const Scene& scene, int threads, const Clock& clock) {
   const BakeSettings settings = settingsOfPairs(scene.level());
   const LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
-  const LightSights sights(scene, settings);
+  const LightVisibilities visibilities(scene, settings);
   const double begin = clock();
   parallelFor(surfaces.size(), threads, [&](std::size_t i) {
     if (!surfaces[i]) return;
-    const SurfaceLight surface(scene, surfaces, sights, settings.lambert, SurfaceId(i));
+    const SurfaceLight surface(scene, surfaces, visibilities, settings.lambert, SurfaceId(i));
     if (surface.facing().empty()) return;
     for (const TexelRect& tile : tilesOf(surface.texels())) (void)samplesOf(surface, tile, 1);
   });
   const double placed = clock();
-  parallelFor(sights.fine.size(), threads, [&](std::size_t i) { (void)sights.fine[i].beams(); });
+  parallelFor(visibilities.fine.size(), threads,
+              [&](std::size_t i) { (void)visibilities.fine[i].beams(); });
   return {placed - begin, clock() - placed};
 }
 
@@ -100,7 +101,9 @@ constexpr int kThreads = 2;
 
 }  // namespace
 
-Prepared prepareKeepPairs(PeerInputs& inputs) { return preparePairs(inputs, inputs.keepFile()); }
+Prepared prepareCastlePairs(PeerInputs& inputs) {
+  return preparePairs(inputs, inputs.castleFile());
+}
 Prepared prepareTutorialPairs(PeerInputs& inputs) {
   return preparePairs(inputs, inputs.tutorialFile());
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "light/rays/raytracer.h"
 #include "light/sampling/sample_placement.h"
-#include "light/sight/raytracer.h"
 #include "math/parallel.h"
 #include "math/tolerance.h"
 

@@ -16,7 +16,7 @@ namespace hearth {
 
 namespace {
 
-constexpr PictureSize kSize{1920, 1080};
+constexpr ImageSize kSize{1920, 1080};
 /// dsda-doom shows 90 degrees in 4:3, and in wider pictures more at both sides: 2 atan(4/3).
 constexpr double kFov = 106.2602047083;
 

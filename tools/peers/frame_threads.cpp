@@ -11,7 +11,7 @@ namespace hearth {
 
 namespace {
 
-constexpr PictureSize kFullHd{1920, 1080};
+constexpr ImageSize kFullHd{1920, 1080};
 constexpr int kTurns = 2;
 
 /// Of frames, milliseconds of their two phases.
@@ -108,7 +108,7 @@ class ThreadedFrames {
 Prepared prepareThreads(PeerInputs& inputs, double (PhaseTimes::*part)() const) {
   if (availableThreads() < 2)
     return tl::unexpected<std::string>("this machine runs one thread at once");
-  return inputs.level(inputs.keepFile()).map([&](const PeerLevel* level) -> Measure {
+  return inputs.level(inputs.castleFile()).map([&](const PeerLevel* level) -> Measure {
     return [frames = std::make_shared<ThreadedFrames>(*level), part, &inputs] {
       frames->measure(inputs.clock());
       return frames->figures(part);

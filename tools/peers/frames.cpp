@@ -10,8 +10,8 @@ namespace hearth {
 
 namespace {
 
-constexpr PictureSize kSmall{320, 200};
-constexpr PictureSize kLarge{1920, 1080};
+constexpr ImageSize kSmall{320, 200};
+constexpr ImageSize kLarge{1920, 1080};
 
 /// Small frames are over so soon that a whole round of them is drawn again.
 constexpr int kSmallRounds = 20;
@@ -20,7 +20,7 @@ constexpr int kLargeRounds = 2;
 /// Frames of all shots in one size, on one thread.
 class ShotFrames {
  public:
-  ShotFrames(const PeerLevel& level, PictureSize size, int rounds)
+  ShotFrames(const PeerLevel& level, ImageSize size, int rounds)
       : level_(level), cameras_(camerasOf(level.loaded.level)), rounds_(rounds), frames_(size) {}
 
   FrameBench measure(const Clock& clock) {
@@ -101,16 +101,16 @@ Prepared prepareTutorialFrame(PeerInputs& inputs) {
   });
 }
 
-Prepared prepareKeepWrites(PeerInputs& inputs) {
-  return prepareWrites(inputs.level(inputs.keepFile()), inputs.clock());
+Prepared prepareCastleWrites(PeerInputs& inputs) {
+  return prepareWrites(inputs.level(inputs.castleFile()), inputs.clock());
 }
 
-Prepared prepareGreyKeepWrites(PeerInputs& inputs) {
-  return prepareWrites(inputs.greyLevel(inputs.keepFile()), inputs.clock());
+Prepared prepareWhiteLitCastleWrites(PeerInputs& inputs) {
+  return prepareWrites(inputs.whiteLitLevel(inputs.castleFile()), inputs.clock());
 }
 
 Prepared prepareKernel(PeerInputs& inputs) {
-  return inputs.level(inputs.keepFile()).map([&](const PeerLevel* level) -> Measure {
+  return inputs.level(inputs.castleFile()).map([&](const PeerLevel* level) -> Measure {
     const auto times = std::make_shared<KernelTimes>(*level);
     return [times, &inputs] {
       const auto [frame, kernel] = times->measure(inputs.clock());

@@ -15,7 +15,7 @@ namespace hearth {
 
 namespace {
 
-constexpr PictureSize kSmallPicture{320, 200};
+constexpr ImageSize kSmallPicture{320, 200};
 constexpr int kHeadings = 16;
 constexpr int kRounds = 20;
 

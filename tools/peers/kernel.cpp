@@ -23,7 +23,7 @@ using Floats = hn::Vec<decltype(kFloat)>;
 using Integers = hn::Vec<decltype(kSigned)>;
 using Words = hn::Vec<decltype(kWord)>;
 
-constexpr std::size_t kMostLanes = HWY_MAX_BYTES / sizeof(float);
+constexpr std::size_t kMaxLanes = HWY_MAX_BYTES / sizeof(float);
 
 struct Colors {
   Floats red;
@@ -58,7 +58,7 @@ HWY_INLINE Words wordOf(Integers numbers) { return hn::BitCast(kWord, numbers); 
 
 /// Texels one by one: gathering takes longer.
 HWY_INLINE Words texelsAt(const Pixel* texels, Words numbers) {
-  HWY_ALIGN Pixel at[kMostLanes];
+  HWY_ALIGN Pixel at[kMaxLanes];
   hn::Store(numbers, kWord, at);
   for (std::size_t k = 0; k < hn::Lanes(kFloat); ++k) at[k] = texels[at[k]];
   return hn::Load(kWord, at);
@@ -87,7 +87,7 @@ class Pairs {
   }
 
  private:
-  HWY_ALIGN Pixel pairs_[2 * kMostLanes];
+  HWY_ALIGN Pixel pairs_[2 * kMaxLanes];
 };
 
 struct EvenLight {
@@ -119,7 +119,7 @@ class PlaneLight {
     const Integers column = hn::ConvertTo(kSigned, s);
     const Integers row = hn::ConvertTo(kSigned, t);
     const Integers width = hn::Set(kSigned, static_cast<int>(span_.lightWidth));
-    HWY_ALIGN std::int32_t numbers[kMostLanes];
+    HWY_ALIGN std::int32_t numbers[kMaxLanes];
     hn::Store(hn::Add(hn::Mul(row, width), column), kSigned, numbers);
     Pairs upper;
     Pairs lower;
@@ -232,7 +232,7 @@ HWY_INLINE void turn(const Pixel* column, std::size_t next, Pixel* to, std::size
 
 /// Pixels of a column of a strip: behind its last row whole registers are written, and neighbouring
 /// columns do not share a set of the cache.
-std::size_t pixelsPerColumn(const KernelFrame& frame) { return frame.height + kMostLanes; }
+std::size_t pixelsPerColumn(const KernelFrame& frame) { return frame.height + kMaxLanes; }
 
 void drawFrame(const KernelFrame& frame, std::vector<Pixel>& strip, std::vector<Pixel>& picture) {
   constexpr std::size_t kColumns = KernelFrame::kColumns;

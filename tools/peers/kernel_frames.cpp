@@ -113,7 +113,7 @@ std::vector<KernelSpan> partsOfUpright(const KernelSpan& whole) {
 
 }  // namespace
 
-KernelFrames::KernelFrames(const PeerLevel& level, PictureSize size)
+KernelFrames::KernelFrames(const PeerLevel& level, ImageSize size)
     : level_(level), lights_(level.loaded.level.surfaces.size()) {
   for (const Image& image : level.loaded.textures) {
     textures_.emplace_back(image);
@@ -171,7 +171,7 @@ void KernelFrames::addSpans(const SpanPainter& painter, const Span& span, const 
   kernel.u = repeatedAxis(mapping.u, perParameter, image.width(), kernel);
   kernel.v = mapping.isSky ? KernelAxis{0, 1}
                            : repeatedAxis(mapping.v, perParameter, image.height(), kernel);
-  if (!material.hasUnevenLight()) {
+  if (!material.hasVaryingLight()) {
     setEvenLight(material, kernel);
     spans.push_back(kernel);
     return;

@@ -14,7 +14,7 @@ namespace hearth {
 class KernelFrames {
  public:
   /// Keeps a reference to the level. The size is a multiple of strips and of 4 rows.
-  KernelFrames(const PeerLevel& level, PictureSize size);
+  KernelFrames(const PeerLevel& level, ImageSize size);
 
   /// By the shots.
   const std::vector<KernelFrame>& frames() const { return frames_; }

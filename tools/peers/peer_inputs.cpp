@@ -66,9 +66,9 @@ tl::expected<const PeerLevel*, std::string> PeerInputs::level(const std::filesys
   });
 }
 
-tl::expected<const PeerLevel*, std::string> PeerInputs::greyLevel(
+tl::expected<const PeerLevel*, std::string> PeerInputs::whiteLitLevel(
     const std::filesystem::path& file) {
-  std::unique_ptr<PeerLevel>& known = greyLevels_[file];
+  std::unique_ptr<PeerLevel>& known = whiteLitLevels_[file];
   if (known) return known.get();
   return loaded(file).map([&](LoadedLevel level) {
     for (LightSource& light : level.level.lights) std::ranges::fill(light.color, 255);

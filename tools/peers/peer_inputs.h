@@ -42,7 +42,7 @@ class PeerInputs {
   /// For files that rows make. The destructor removes it.
   const std::filesystem::path& folder() const { return folder_.path(); }
 
-  std::filesystem::path keepFile() const { return levels_ / "keep.json"; }
+  std::filesystem::path castleFile() const { return levels_ / "keep.json"; }
   std::filesystem::path tutorialFile() const { return levels_ / "tutorial.json"; }
   /// A map of Freedoom, imported with its doors closed, as play begins. The error says what is
   /// missing.
@@ -52,7 +52,7 @@ class PeerInputs {
   tl::expected<const PeerLevel*, std::string> level(const std::filesystem::path& file);
   tl::expected<const PeerLevel*, std::string> freedoomLevel(const std::string& map);
   /// The same with all its lights white, so that lightmaps have one channel.
-  tl::expected<const PeerLevel*, std::string> greyLevel(const std::filesystem::path& file);
+  tl::expected<const PeerLevel*, std::string> whiteLitLevel(const std::filesystem::path& file);
 
  private:
   std::filesystem::path levels_;
@@ -61,7 +61,7 @@ class PeerInputs {
   std::map<std::string, std::filesystem::path> freedoomFiles_;  ///< by the name of the map
   using PeerLevels = std::map<std::filesystem::path, std::unique_ptr<PeerLevel>>;
   PeerLevels ownLevels_;
-  PeerLevels greyLevels_;
+  PeerLevels whiteLitLevels_;
 };
 
 /// The map with the most texels of Freedoom's 68: 8.9 million of 1/8 m. `hearth bake` prints the

@@ -37,7 +37,7 @@ constexpr std::array kRows = {
             atMost(14),
             {"frame, ms", "write, ms", "spans found, ms", "coloured, ms"},
             2,
-            prepareKeepWrites},
+            prepareCastleWrites},
     PeerRow{"frame-grey",
             "frame of the castle with all lights white, so in one channel / a plain write of its "
             "memory",
@@ -45,7 +45,7 @@ constexpr std::array kRows = {
             atMost(10),
             {"frame, ms", "write, ms", "spans found, ms", "coloured, ms"},
             2,
-            prepareGreyKeepWrites},
+            prepareWhiteLitCastleWrites},
     PeerRow{"frame-kernel",
             "frame of the castle / a loop that only colours its spans, with all geometry given",
             "",
@@ -75,7 +75,7 @@ constexpr std::array kRows = {
             {"Hearth, M pairs/s", "Embree, M rays/s", "M pairs", "bake, s", "samples placed, s",
              "cones found, s", "light added up, s"},
             4,
-            prepareKeepPairs},
+            prepareCastlePairs},
     PeerRow{
         "embree-tutorial",
         "bake of the tutorial, one thread, lamps as points: texel-light pairs a second / rays of "
@@ -170,7 +170,7 @@ constexpr std::array kRows = {
             atMost(1),
             {"bake, MB", "allowed, MB"},
             {},
-            prepareKeepPeak},
+            prepareCastlePeak},
     PeerRow{"peak-largest",
             "memory of a bake of Freedoom's MAP29 / (2 x its result + 64 MB)",
             "",

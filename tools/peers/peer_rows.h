@@ -19,8 +19,8 @@ using Prepared = tl::expected<Measure, std::string>;
 Prepared prepareTutorialFrame(PeerInputs& inputs);
 /// A frame of the castle in 1920x1080 over a plain write of its memory; ms of both. The same with
 /// its lights white.
-Prepared prepareKeepWrites(PeerInputs& inputs);
-Prepared prepareGreyKeepWrites(PeerInputs& inputs);
+Prepared prepareCastleWrites(PeerInputs& inputs);
+Prepared prepareWhiteLitCastleWrites(PeerInputs& inputs);
 /// The same frame over the kernel that is given its geometry; ms of both.
 Prepared prepareKernel(PeerInputs& inputs);
 /// The same frame on one thread over two; ms of both.
@@ -33,7 +33,7 @@ Prepared prepareMap01Frame(PeerInputs& inputs);
 Prepared prepareMap15Frame(PeerInputs& inputs);
 /// Pairs of a sample and a light that a bake answers in a second, on one thread with lamps as
 /// points, over the rays that Embree traces; millions of both, and of pairs.
-Prepared prepareKeepPairs(PeerInputs& inputs);
+Prepared prepareCastlePairs(PeerInputs& inputs);
 Prepared prepareTutorialPairs(PeerInputs& inputs);
 /// Seconds of a bake of Freedoom's largest map on two threads.
 Prepared prepareLargestBake(PeerInputs& inputs);
@@ -55,7 +55,7 @@ Prepared prepareLargestKept(PeerInputs& inputs);
 Prepared prepareStripGrowth(PeerInputs& inputs);
 Prepared prepareGridGrowth(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.
-Prepared prepareKeepPeak(PeerInputs& inputs);
+Prepared prepareCastlePeak(PeerInputs& inputs);
 Prepared prepareLargestPeak(PeerInputs& inputs);
 
 }  // namespace hearth

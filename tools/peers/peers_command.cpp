@@ -25,7 +25,7 @@ std::vector<PeerRow> rowsFrom(const OptionValues& values) {
 
 ExitStatus run(const OptionValues& values) {
   PeerInputs inputs("levels", steadySeconds);
-  for (const std::filesystem::path& file : {inputs.keepFile(), inputs.tutorialFile()})
+  for (const std::filesystem::path& file : {inputs.castleFile(), inputs.tutorialFile()})
     if (!exists(file))
       return fail(
           fmt::format("{}: there is no such file; --peers is run where levels/ is", file.string()));

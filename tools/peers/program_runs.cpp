@@ -51,7 +51,7 @@ Prepared preparePeak(PeerInputs& inputs, const std::filesystem::path& file) {
 std::array<double, 3> secondsOfFirstPicture(const PeerInputs& inputs) {
   const Clock& clock = inputs.clock();
   const double begin = clock();
-  const LoadedLevel loaded = *loadLevel(inputs.keepFile()).loaded;
+  const LoadedLevel loaded = *loadLevel(inputs.castleFile()).loaded;
   const Scene scene = loaded.scene();
   const Level& level = loaded.level;
   const double read = clock();
@@ -68,8 +68,9 @@ std::array<double, 3> secondsOfFirstPicture(const PeerInputs& inputs) {
 }  // namespace
 
 Prepared prepareStart(PeerInputs& inputs) {
-  const Child shot = ofProgram(inputs, {"shot", absolute(inputs.keepFile()).string(), "--no-cache",
-                                        "--quality", "normal", "-o", "first.png", "--quiet"});
+  const Child shot =
+      ofProgram(inputs, {"shot", absolute(inputs.castleFile()).string(), "--no-cache", "--quality",
+                         "normal", "-o", "first.png", "--quiet"});
   return [shot, &inputs] {
     return timesOf(shot).map([&](const ChildTimes& times) {
       Figures figures{times.seconds};
@@ -85,7 +86,7 @@ Prepared prepareStart(PeerInputs& inputs) {
   };
 }
 
-Prepared prepareKeepPeak(PeerInputs& inputs) { return preparePeak(inputs, inputs.keepFile()); }
+Prepared prepareCastlePeak(PeerInputs& inputs) { return preparePeak(inputs, inputs.castleFile()); }
 
 Prepared prepareLargestPeak(PeerInputs& inputs) {
   return inputs.freedoomFile(kLargestMap).and_then([&](const std::filesystem::path& file) {

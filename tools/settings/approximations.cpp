@@ -23,13 +23,13 @@ constexpr std::array kApproximations = {
         Option::SoftSamples, Of::Bake, "0|4|16|36|64|256",
         "the fraction of a ball that is seen: less than a level of 255 with 36 at straight edges, "
         "falling at the rate of 1/sqrt(soft samples) at least",
-        "engine/light/sight/light_sight.h"},
+        "engine/light/baking/light_visibility.h"},
     Approximation{Option::CutOff, Of::Bake, "1|4|16",
                   "as many levels as it says, of each light that is left out",
                   "engine/level/light_source.h"},
     Approximation{Option::MiddleShadows, Of::Bake, "holes|solid",
                   "solid: all the light that comes through holes of middle textures",
-                  "engine/light/sight/raytracer.cpp"},
+                  "engine/light/rays/raytracer.cpp"},
     Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear|mipmapped",
                   "none of the nearest texel, which is what levels are defined to show; mixtures "
                   "and means differ by up to the contrast of neighbouring texels",

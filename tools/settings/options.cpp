@@ -14,7 +14,7 @@ namespace hearth {
 
 namespace {
 
-constexpr double kMost = 4e9;  // of counts and bytes
+constexpr double kMax = 4e9;  // of counts and bytes
 
 constexpr std::array kTable = {
     OptionRow{Option::Output, "-o", ValueKind::Text, "FILE", 0, 0, "",
@@ -121,11 +121,11 @@ constexpr std::array kTable = {
     OptionRow{Option::MaxFileBytes, "--max-file-bytes", ValueKind::Integer, "BYTES", 1,
               4294967294.0, "67108864",
               "refuse longer JSON files, and saved bakes that are longer or hold more light"},
-    OptionRow{Option::MaxImagePixels, "--max-image-pixels", ValueKind::Integer, "PIXELS", 1, kMost,
+    OptionRow{Option::MaxImagePixels, "--max-image-pixels", ValueKind::Integer, "PIXELS", 1, kMax,
               "67108864", "refuse larger images"},
-    OptionRow{Option::MaxVertices, "--max-vertices", ValueKind::Integer, "COUNT", 1, kMost,
+    OptionRow{Option::MaxVertices, "--max-vertices", ValueKind::Integer, "COUNT", 1, kMax,
               "1000000", "refuse levels of more vertices"},
-    OptionRow{Option::MaxLights, "--max-lights", ValueKind::Integer, "COUNT", 1, kMost, "100000",
+    OptionRow{Option::MaxLights, "--max-lights", ValueKind::Integer, "COUNT", 1, kMax, "100000",
               "refuse more lights"},
 };
 
@@ -214,7 +214,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-std::optional<PictureSize> parseSize(std::string_view text) {
+std::optional<ImageSize> parseSize(std::string_view text) {
   const std::vector<std::string_view> parts = split(text, 'x');
   if (parts.size() != 2) return std::nullopt;
   const auto side = [](std::string_view digits) -> std::optional<int> {
@@ -227,7 +227,7 @@ std::optional<PictureSize> parseSize(std::string_view text) {
   const std::optional<int> width = side(parts[0]);
   const std::optional<int> height = side(parts[1]);
   if (!width || !height) return std::nullopt;
-  return PictureSize{*width, *height};
+  return ImageSize{*width, *height};
 }
 
 std::optional<std::vector<double>> parseNumbers(std::string_view text) {

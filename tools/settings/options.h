@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "image/image.h"
+
 namespace hearth {
 
 /// Every option of every command. A name means the same wherever it is taken.
@@ -108,14 +110,8 @@ class OptionValues {
 /// Pixels of a picture's side: 2^14 squared still fits the renderer's ints.
 inline constexpr int kMaxPictureSide = 16384;
 
-/// Width and height in pixels, from `WxH`.
-struct PictureSize {
-  int width;
-  int height;
-
-  friend bool operator==(PictureSize, PictureSize) = default;
-};
-std::optional<PictureSize> parseSize(std::string_view text);
+/// From `WxH`.
+std::optional<ImageSize> parseSize(std::string_view text);
 
 /// The parts of a text between separators; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);

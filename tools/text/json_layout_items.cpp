@@ -9,7 +9,7 @@ namespace hearth {
 namespace {
 
 /// Arrays of more objects than this have a line for each: walls, shots, lights.
-constexpr std::size_t kMostObjectsInALine = 2;
+constexpr std::size_t kMaxObjectsInALine = 2;
 
 /// Reads values one after the other.
 class Itemizer {
@@ -138,7 +138,7 @@ std::uint8_t Itemizer::columnsInLine(std::uint32_t parent) const {
     ++children;
     if (columns > kLineColumns) return Item::kNoLine;
   }
-  if (item.kind == ItemKind::Array && objects > kMostObjectsInALine) return Item::kNoLine;
+  if (item.kind == ItemKind::Array && objects > kMaxObjectsInALine) return Item::kNoLine;
   if (children == 0) return 2;
   columns += (hasInnerBlanks(item) ? 4 : 2) + 2 * (children - 1);
   if (item.kind == ItemKind::Points) columns -= children / 2;

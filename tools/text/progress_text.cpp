@@ -12,7 +12,7 @@ namespace hearth {
 
 namespace {
 
-constexpr double kMostSecondsLeft = 1000 * 86400.0;  // longer is no estimate
+constexpr double kMaxSecondsLeft = 1000 * 86400.0;  // longer is no estimate
 
 std::string_view name(Stage stage) {
   constexpr std::array<std::string_view, 4> kNames = {"loading", "surfaces", "baking", "writing"};
@@ -50,7 +50,7 @@ std::string progressText(const StageProgress& progress) {
   if (progress.done <= 0 || !(progress.seconds > 0)) return text;
   text += fmt::format("  {} texels/s", shortNumber(perSecond));
   const double left = static_cast<double>(progress.total - progress.done) / perSecond;
-  if (left >= 0 && left < kMostSecondsLeft) text += fmt::format("  {} left", shortTime(left));
+  if (left >= 0 && left < kMaxSecondsLeft) text += fmt::format("  {} left", shortTime(left));
   return text;
 }
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "light/baking/clipped_light.h"
 #include "light/baking/texel_sums.h"
-#include "light/sampling/clipped_light.h"
 
 namespace hearth {
 
@@ -43,7 +43,7 @@ void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
     TexelSums& sums = sumsOf(light);
     if (std::ranges::any_of(surface.seenFractions(light, blocks),
                             [](double seen) { return seen > 0; }))
-      addLevels(tile, surface.light(light), surface.levels(light, blocks), sums);
+      addLevels(tile, surface.light(light), surface.brightness(light, blocks), sums);
   }
 }
 
@@ -59,7 +59,7 @@ void addSampledLight(const TexelRect& rect, int side, std::span<const std::size_
   }
 }
 
-/// `rect` is what must be baked, see bakedWith.
+/// `rect` is what must be baked, see texelsToBake.
 void addLightsIn(const TexelRect& rect, SurfaceLight& surface, std::span<const std::size_t> lights,
                  const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                  const std::stop_token& stop) {
@@ -103,8 +103,8 @@ void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
   addLightsIn(surface.texels(), surface, lights, settings, sumsOf, progress, stop);
 }
 
-void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
-                      const BakeSettings& settings, const SumsOf& sumsOf) {
+void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
+                    const BakeSettings& settings, const SumsOf& sumsOf) {
   const TexelRect rect = surface.texels();
   const auto samplesAlong = [](int texels) { return (texels + kDraftSide - 1) / kDraftSide; };
   const auto middle = [](int first, int texels, int k) {
@@ -127,13 +127,13 @@ void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights
         if (seen[index] > 0)
           sums.add(rect.i0 + i, rect.j0 + j, surface.light(light),
                    settings.samples.value_or(1) * seen[index] *
-                       surface.fullBrightness(light, blocks.samples()[index]));
+                       surface.unshadowedBrightness(light, blocks.samples()[index]));
       }
   }
 }
 
-TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
-                    const BakeSettings& settings) {
+TexelRect texelsToBake(const TexelRect& wanted, const LitSurface& surface,
+                       const BakeSettings& settings) {
   return settings.samples ? intersection(wanted, surface.texels) : surface.texels;
 }
 

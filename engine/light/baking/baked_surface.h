@@ -27,16 +27,16 @@ void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                const std::stop_token& stop = {});
 
-/// For a quick preview, addDraftOfLights() does the same with only one sample for each square of
+/// For a quick preview, addLightsDraft() does the same with only one sample for each square of
 /// kDraftSide x kDraftSide texels.
 inline constexpr int kDraftSide = 4;
-void addDraftOfLights(SurfaceLight& surface, std::span<const std::size_t> lights,
-                      const BakeSettings& settings, const SumsOf& sumsOf);
+void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
+                    const BakeSettings& settings, const SumsOf& sumsOf);
 
 /// The texels of a surface that must be baked if only `wanted` are needed: these alone, or all if
 /// texels share samples.
-TexelRect bakedWith(const TexelRect& wanted, const LitSurface& surface,
-                    const BakeSettings& settings);
+TexelRect texelsToBake(const TexelRect& wanted, const LitSurface& surface,
+                       const BakeSettings& settings);
 
 /// Bakes all texels of a surface, or those that must be baked. Returns their lightmap; none if no
 /// light reaches them.

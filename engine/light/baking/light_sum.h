@@ -13,12 +13,12 @@ class LightSum {
  public:
   static constexpr double kUnit = 1 << 20;  ///< in a level
   static constexpr double kFull = 0x1p53;   ///< units
-  static constexpr double kMost = kFull / kUnit;
+  static constexpr double kMax = kFull / kUnit;
 
   explicit LightSum(double units = 0) : units_(units) {}
 
   /// `level` >= 0.
-  void add(double level) { add(LightSum(std::floor(std::min(level, kMost) * kUnit + 0.5))); }
+  void add(double level) { add(LightSum(std::floor(std::min(level, kMax) * kUnit + 0.5))); }
 
   void add(LightSum other) { units_ = std::min(units_ + other.units_, kFull); }
   double units() const { return units_; }

@@ -23,48 +23,49 @@ class SampleBeams {
 
  private:
   /// The arguments of `find`.
-  struct Task {
+  struct Query {
     std::size_t light;
     const SampleBlocks& blocks;
     std::span<double> seen;
   };
   /// What the beams say of points on one surface.
-  struct OnSurface {
+  struct BeamAnswer {
     SurfaceId surface;
     bool isInFront;  ///< whether the light can shine on it; a continuation may be tilted away
-    Shaft::Outcome outcome;
-    bool isKnown;  ///< whether the beams give an answer
-    /// If the outcome is unknown, these beams can contain some of the points: a range of `beams_`.
+    TargetVisibility outcome;
+    bool isAnswered;  ///< whether the beams give an answer
+    /// If the outcome is unknown, these beams can contain some of the points: a range of
+    /// `candidates_`.
     std::size_t first;
     std::size_t last;
   };
-  /// The entries of a block in `onSurfaces_`: one for each surface that can hold its samples.
+  /// The entries of a block in `answers_`: one for each surface that can hold its samples.
   struct Range {
     std::size_t first;
     std::size_t last;
   };
 
-  const BeamTree& treeOf(std::size_t light) const { return *rays_.sight(light).beams(); }
+  const BeamTree& treeOf(std::size_t light) const { return *rays_.visibility(light).beams(); }
   const Segment* wallOf(SurfaceId surface) const;
-  OnSurface lyingIn(SurfaceId surface, bool areLit, std::size_t first) const;
-  OnSurface found(std::size_t light, SurfaceId surface, std::span<const Vec3> corners);
-  OnSurface narrowed(std::size_t light, const OnSurface& before, std::span<const Vec3> corners);
-  std::span<const OnSurface> in(Range range) const {
-    return std::span(onSurfaces_).subspan(range.first, range.last - range.first);
+  BeamAnswer answerFor(SurfaceId surface, bool areLit, std::size_t first) const;
+  BeamAnswer ask(std::size_t light, SurfaceId surface, std::span<const Vec3> corners);
+  BeamAnswer refine(std::size_t light, const BeamAnswer& before, std::span<const Vec3> corners);
+  std::span<const BeamAnswer> in(Range range) const {
+    return std::span(answers_).subspan(range.first, range.last - range.first);
   }
-  void findWithin(const Task& task, const SampleBlocks::Block& block, Range around);
-  void findBlock(const Task& task, const SampleBlocks::Block& block, Range here);
-  void findAlike(const Task& task, const SampleBlocks::Block& block, bool areLit);
-  void findOneByOne(const Task& task, const SampleBlocks::Block& block,
-                    std::span<const OnSurface> here);
-  void findOn(const OnSurface& here, const Task& task, const SampleBlocks::Block& block);
-  double seenFraction(std::size_t light, const SamplePoint& at, const OnSurface& around);
+  void findWithin(const Query& query, const SampleBlocks::Block& block, Range around);
+  void findBlock(const Query& query, const SampleBlocks::Block& block, Range here);
+  void findAlike(const Query& query, const SampleBlocks::Block& block, bool areLit);
+  void findOneByOne(const Query& query, const SampleBlocks::Block& block,
+                    std::span<const BeamAnswer> here);
+  void findOn(const BeamAnswer& here, const Query& query, const SampleBlocks::Block& block);
+  double seenFraction(std::size_t light, const SamplePoint& at, const BeamAnswer& around);
 
   SampleRays& rays_;
   SampleShafts& shafts_;
-  BeamTree::Found beams_;
-  BeamTree::Parting parting_;
-  std::vector<OnSurface> onSurfaces_;
+  BeamTree::Candidates candidates_;
+  BeamTree::Scratch scratch_;
+  std::vector<BeamAnswer> answers_;
   std::vector<double> seenIfOn_;  ///< `seen`, as if all samples lay on one surface
 };
 

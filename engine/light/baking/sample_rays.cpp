@@ -15,21 +15,22 @@ bool SampleRays::canShineOn(std::size_t index, SurfaceId surface) const {
   return surface == id_ || isInFront(light(index), radiusOf(index), *surfaces_[surface.index()]);
 }
 
-double SampleRays::seenFraction(const LightSight& sight, std::size_t index, const SamplePoint& at,
-                                const KnownRays* known) {
+double SampleRays::seenFraction(const LightVisibility& visibility, std::size_t index,
+                                const SamplePoint& at, const KnownRays* known) {
   if (!canShineOn(index, at.surface)) return 0;
   const LitSurface& there = *surfaces_[at.surface.index()];
   LightCost& cost = costs_[index];
   ++cost.samples;
   if (!isInReach(index, at)) return 0;
   const LightTarget target{at.target, scene_[at.surface].sector, {there.anchor, there.normal}};
-  const double seen = known ? sight.seenFraction(target, known->shaft, known->outcome, cost.rays)
-                            : sight.seenFraction(target, cost.rays, sectorsMetBy(index));
+  const double seen = known
+                          ? visibility.seenFraction(target, known->shaft, known->outcome, cost.rays)
+                          : visibility.seenFraction(target, cost.rays, enteredSectors(index));
   if (seen > 0) ++cost.seenSamples;
   return seen;
 }
 
-double SampleRays::unhiddenFraction(std::size_t light, const SamplePoint& at) {
+double SampleRays::unoccludedFraction(std::size_t light, const SamplePoint& at) {
   if (!isInReach(light, at)) return 0;
   ++costs_[light].seenSamples;
   return 1;

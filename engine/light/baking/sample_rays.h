@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "light/baking/light_dependencies.h"
+#include "light/baking/light_visibility.h"
 #include "light/light_cost.h"
 #include "light/lit_surface.h"
-#include "light/rebaking/light_dependencies.h"
+#include "light/rays/shaft.h"
 #include "light/sampling/sample_blocks.h"
 #include "light/sampling/sample_placement.h"
-#include "light/shaft/shaft.h"
-#include "light/sight/light_sight.h"
 
 namespace hearth {
 
@@ -24,19 +24,19 @@ void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block,
 /// What a shaft says of a sample's rays.
 struct KnownRays {
   const Shaft& shaft;
-  Shaft::Outcome outcome;
+  TargetVisibility outcome;
 };
 
 /// Traces rays to find which fraction of a light a sample sees. All samples are of one surface.
 class SampleRays {
  public:
-  /// Keeps references to `surfaces` and `sights`. `dependencies`, if any, records what the
+  /// Keeps references to `surfaces` and `visibilities`. `dependencies`, if any, records what the
   /// light depends on.
-  SampleRays(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
+  SampleRays(const Scene& scene, const LitSurfaces& surfaces, const LightVisibilities& visibilities,
              SurfaceId id, LightDependencies* dependencies)
       : scene_(scene),
         surfaces_(surfaces),
-        sights_(sights),
+        visibilities_(visibilities),
         id_(id),
         dependencies_(dependencies),
         costs_(scene.level().lights.size()) {}
@@ -45,14 +45,16 @@ class SampleRays {
   SurfaceId id() const { return id_; }
   const LitSurface& surface(SurfaceId id) const { return *surfaces_[id.index()]; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
-  const LightSight& sight(std::size_t light) const { return sights_.fine[light]; }
+  const LightVisibility& visibility(std::size_t light) const { return visibilities_.fine[light]; }
   /// The same, with fewer rays to a ball.
-  const LightSight& roughSight(std::size_t light) const { return sights_.rough[light]; }
-  double reach(std::size_t light) const { return sights_.reach[light]; }
+  const LightVisibility& roughVisibility(std::size_t light) const {
+    return visibilities_.rough[light];
+  }
+  double reach(std::size_t light) const { return visibilities_.reach[light]; }
   /// Metres; 0 for a point light.
-  double radiusOf(std::size_t light) const { return sight(light).shaftLight().radius; }
+  double radiusOf(std::size_t light) const { return visibility(light).shaftLight().radius; }
   /// The set that records which sectors rays of the light enter; null if nothing records them.
-  SectorSet* sectorsMetBy(std::size_t light) {
+  SectorSet* enteredSectors(std::size_t light) {
     return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;
   }
 
@@ -61,10 +63,10 @@ class SampleRays {
   bool canShineOn(std::size_t light, SurfaceId surface) const;
 
   /// Which fraction of a light the point sees, 0..1.
-  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
+  double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at,
                       const KnownRays* known);
   /// The same if nothing hides the light from the point: 1, or 0 if the light is too far away.
-  double unhiddenFraction(std::size_t light, const SamplePoint& at);
+  double unoccludedFraction(std::size_t light, const SamplePoint& at);
 
   void countSamples(std::size_t light, std::int64_t samples) { costs_[light].samples += samples; }
   /// In the order of the level's lights.
@@ -75,7 +77,7 @@ class SampleRays {
 
   Scene scene_;
   const LitSurfaces& surfaces_;
-  const LightSights& sights_;
+  const LightVisibilities& visibilities_;
   SurfaceId id_;
   LightDependencies* dependencies_;
   std::vector<LightCost> costs_;

@@ -8,47 +8,49 @@ Shaft& SampleShafts::shaftAt(std::size_t depth) {
 }
 
 /// Within that of less depth, if there is one.
-Shaft::Outcome SampleShafts::follow(std::size_t depth, std::size_t light, const ShaftLight& from,
-                                    const ShaftTargets& targets) {
+TargetVisibility SampleShafts::follow(std::size_t depth, std::size_t light, const ShaftLight& from,
+                                      const ShaftTargets& targets) {
   Shaft& shaft = shaftAt(depth);
   if (depth > 0) return shaft.follow(from, targets, &shafts_[depth - 1]);
-  const Shaft::Outcome outcome = shaft.follow(from, targets, nullptr);
-  if (SectorSet* met = rays_.sectorsMetBy(light)) shaft.addSectorsTo(*met);
+  const TargetVisibility outcome = shaft.follow(from, targets, nullptr);
+  if (SectorSet* met = rays_.enteredSectors(light)) shaft.addSectorsTo(*met);
   return outcome;
 }
 
 void SampleShafts::find(std::size_t light, const SampleBlocks& blocks,
                         const SampleBlocks::Block& block, std::size_t depth,
                         std::span<double> seen) {
-  const ShaftLight& from = rays_.sight(light).shaftLight();
+  const ShaftLight& from = rays_.visibility(light).shaftLight();
   const KnownRays known{shaftAt(depth), follow(depth, light, from, blocks.targetsOf(block))};
-  if (known.outcome != Shaft::Outcome::Unknown) return findEach(light, blocks, block, known, seen);
+  if (known.outcome != TargetVisibility::Unknown)
+    return findEach(light, blocks, block, known, seen);
   for (const SampleBlocks::Block& part : blocks.partsOf(block))
     find(light, blocks, part, depth + 1, seen);
   if (block.parts > 0) return;
   if (from.radius == 0) return findEach(light, blocks, block, known, seen);
   forEachSample(blocks, block, [&](std::size_t index) {
-    seen[index] = seenFraction(rays_.sight(light), light, blocks.samples()[index], depth + 1);
+    seen[index] = seenFraction(rays_.visibility(light), light, blocks.samples()[index], depth + 1);
   });
 }
 
 void SampleShafts::findEach(std::size_t light, const SampleBlocks& blocks,
                             const SampleBlocks::Block& block, const KnownRays& known,
                             std::span<double> seen) {
-  if (known.outcome == Shaft::Outcome::Dark && block.surface == rays_.id())
+  if (known.outcome == TargetVisibility::Dark && block.surface == rays_.id())
     return rays_.countSamples(light, std::int64_t{block.columns} * block.rows);
   forEachSample(blocks, block, [&](std::size_t index) {
-    seen[index] = rays_.seenFraction(rays_.sight(light), light, blocks.samples()[index], &known);
+    seen[index] =
+        rays_.seenFraction(rays_.visibility(light), light, blocks.samples()[index], &known);
   });
 }
 
-double SampleShafts::seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
-                                  std::size_t depth) {
+double SampleShafts::seenFraction(const LightVisibility& visibility, std::size_t light,
+                                  const SamplePoint& at, std::size_t depth) {
   const Surface& surface = rays_.scene()[at.surface];
   const ShaftTargets target{TargetBox::ofPoint(at.target, rays_.surface(rays_.id()).normal),
                             {&surface.sector, 1}};
-  const KnownRays known{shaftAt(depth), follow(depth, light, sight.shaftLight(), target)};
-  return rays_.seenFraction(sight, light, at, &known);
+  const KnownRays known{shaftAt(depth), follow(depth, light, visibility.shaftLight(), target)};
+  return rays_.seenFraction(visibility, light, at, &known);
 }
 
 }  // namespace hearth

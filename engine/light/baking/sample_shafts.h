@@ -21,13 +21,13 @@ class SampleShafts {
   }
 
   /// For one sample. This pays off for a ball, which takes many rays.
-  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at) {
-    return seenFraction(sight, light, at, 0);
+  double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at) {
+    return seenFraction(visibility, light, at, 0);
   }
 
   /// Records the sectors that rays of a light to a block can enter.
   void noteSectors(std::size_t light, const ShaftTargets& targets) {
-    follow(0, light, rays_.sight(light).shaftLight(), targets);
+    follow(0, light, rays_.visibility(light).shaftLight(), targets);
   }
 
   /// A shaft for rays whose outcome is already known.
@@ -35,13 +35,13 @@ class SampleShafts {
 
  private:
   Shaft& shaftAt(std::size_t depth);
-  Shaft::Outcome follow(std::size_t depth, std::size_t light, const ShaftLight& from,
-                        const ShaftTargets& targets);
+  TargetVisibility follow(std::size_t depth, std::size_t light, const ShaftLight& from,
+                          const ShaftTargets& targets);
   void find(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
             std::size_t depth, std::span<double> seen);
   void findEach(std::size_t light, const SampleBlocks& blocks, const SampleBlocks::Block& block,
                 const KnownRays& known, std::span<double> seen);
-  double seenFraction(const LightSight& sight, std::size_t light, const SamplePoint& at,
+  double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at,
                       std::size_t depth);
 
   SampleRays& rays_;

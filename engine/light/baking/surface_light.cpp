@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "light/baking/brightness_kernels.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -34,13 +35,13 @@ double distanceToBox(Vec3 from, std::span<const Vec3> corners) {
 }  // namespace
 
 SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
-                           const LightSights& sights, bool lambert, SurfaceId id, Seeing seeing,
-                           LightDependencies* dependencies)
+                           const LightVisibilities& visibilities, bool lambert, SurfaceId id,
+                           VisibilityMethod method, LightDependencies* dependencies)
     : surface_(*surfaces[id.index()]),
       lambert_(lambert),
-      seeing_(seeing),
+      method_(method),
       placement_(surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
-      rays_(scene, surfaces, sights, id, dependencies),
+      rays_(scene, surfaces, visibilities, id, dependencies),
       shafts_(rays_),
       beams_(rays_, shafts_) {
   for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
@@ -75,9 +76,9 @@ SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int column
 const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
                                                        const SampleBlocks& blocks) {
   seen_.assign(blocks.samples().size(), 0);
-  if (seeing_ == Seeing::ByShafts && rays_.sight(light).beams())
+  if (method_ == VisibilityMethod::Shafts && rays_.visibility(light).beams())
     beams_.find(light, blocks, seen_);
-  else if (seeing_ == Seeing::ByShafts)
+  else if (method_ == VisibilityMethod::Shafts)
     shafts_.find(light, blocks, blocks.whole(), seen_);
   else
     for (std::size_t i = 0; i < seen_.size(); ++i)
@@ -86,16 +87,16 @@ const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
 }
 
 double SurfaceLight::seenFraction(std::size_t light, const SamplePoint& at) {
-  return rays_.seenFraction(rays_.sight(light), light, at, nullptr);
+  return rays_.seenFraction(rays_.visibility(light), light, at, nullptr);
 }
 
 double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& at) {
-  const LightSight& sight = rays_.roughSight(light);
-  return seeing_ == Seeing::ByShafts ? shafts_.seenFraction(sight, light, at)
-                                     : rays_.seenFraction(sight, light, at, nullptr);
+  const LightVisibility& visibility = rays_.roughVisibility(light);
+  return method_ == VisibilityMethod::Shafts ? shafts_.seenFraction(visibility, light, at)
+                                             : rays_.seenFraction(visibility, light, at, nullptr);
 }
 
-double SurfaceLight::fullBrightness(std::size_t index, const SamplePoint& at) const {
+double SurfaceLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {
   const Vec3 toLight = light(index).position - at.point;
   const double distance = length(toLight);
   if (distance >= rays_.reach(index)) return 0;
@@ -105,25 +106,26 @@ double SurfaceLight::fullBrightness(std::size_t index, const SamplePoint& at) co
   return level * std::max(0.0, dot(toLight, rays_.surface(at.surface).normal) / distance);
 }
 
-const std::vector<double>& SurfaceLight::levels(std::size_t index, const SampleBlocks& blocks) {
-  const LightKernels& kernels = lightKernels();
+const std::vector<double>& SurfaceLight::brightness(std::size_t index, const SampleBlocks& blocks) {
+  const BrightnessKernels& kernels = brightnessKernels();
   const LightSource& source = light(index);
   const SampleArrays points = blocks.points();
   const std::size_t count = seen_.size();
   distances_.resize(count);
-  levels_.resize(count);
+  brightness_.resize(count);
   kernels.findDistances(points, count, source.position, distances_.data());
   if (source.curve.empty())
-    kernels.findLevels(distances_.data(), count, source.intensity, source.falloff, levels_.data());
+    kernels.findLevels(distances_.data(), count, source.intensity, source.falloff,
+                       brightness_.data());
   else
     for (std::size_t i = 0; i < count; ++i)
-      levels_[i] = seen_[i] > 0 ? source.brightnessAt(distances_[i]) : 0;
+      brightness_[i] = seen_[i] > 0 ? source.brightnessAt(distances_[i]) : 0;
   if (lambert_)
     for (const auto& [surface, first, ofRun] : blocks.runs())
       kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,
-                          rays_.surface(surface).normal, &levels_[first]);
-  kernels.applySeen(seen_.data(), distances_.data(), count, rays_.reach(index), levels_.data());
-  return levels_;
+                          rays_.surface(surface).normal, &brightness_[first]);
+  kernels.applySeen(seen_.data(), distances_.data(), count, rays_.reach(index), brightness_.data());
+  return brightness_;
 }
 
 }  // namespace hearth

@@ -3,32 +3,33 @@
 #include <span>
 #include <vector>
 
+#include "light/baking/light_dependencies.h"
 #include "light/baking/sample_beams.h"
 #include "light/baking/sample_rays.h"
 #include "light/baking/sample_shafts.h"
-#include "light/rebaking/light_dependencies.h"
 
 namespace hearth {
 
 /// How it is decided whether samples see a light.
-enum class Seeing {
-  ByShafts,    ///< by beam trees or shafts, and by rays where those do not decide
-  ByRaysAlone  ///< by rays for each sample; the other way is compared with it
+enum class VisibilityMethod {
+  Shafts,   ///< by beam trees or shafts, and by rays where those do not decide
+  RaysOnly  ///< by rays for each sample; the other way is compared with it
 };
 
 /// The light that arrives at points of one surface.
 class SurfaceLight {
  public:
-  /// Keeps references to `surfaces`, `sights` and `dependencies`. `dependencies`, if any, records
-  /// what the light depends on.
-  SurfaceLight(const Scene& scene, const LitSurfaces& surfaces, const LightSights& sights,
-               bool lambert, SurfaceId id, Seeing seeing = Seeing::ByShafts,
+  /// Keeps references to `surfaces`, `visibilities` and `dependencies`. `dependencies`, if any,
+  /// records what the light depends on.
+  SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
+               const LightVisibilities& visibilities, bool lambert, SurfaceId id,
+               VisibilityMethod method = VisibilityMethod::Shafts,
                LightDependencies* dependencies = nullptr);
   SurfaceLight(const SurfaceLight&) = delete;
   SurfaceLight& operator=(const SurfaceLight&) = delete;
 
   const TexelRect& texels() const { return surface_.texels; }
-  AskedRow askedIn(int j) const { return {surface_, j}; }
+  UsedTexelRow usedRuns(int j) const { return {surface_, j}; }
   /// Indices of the lights that can shine on the surface's plane and reach it.
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return rays_.light(index); }
@@ -56,10 +57,10 @@ class SurfaceLight {
   double roughlySeenFraction(std::size_t light, const SamplePoint& at);
 
   /// The light at the point if it sees all of the source: in levels, before colour.
-  double fullBrightness(std::size_t light, const SamplePoint& at) const;
+  double unshadowedBrightness(std::size_t light, const SamplePoint& at) const;
   /// The light at each of the samples, in levels, before colour. Call seenFractions() with the same
   /// arguments first. Valid until the next call.
-  const std::vector<double>& levels(std::size_t light, const SampleBlocks& blocks);
+  const std::vector<double>& brightness(std::size_t light, const SampleBlocks& blocks);
 
   /// One for each light of the level, in their order.
   const std::vector<LightCost>& costs() const { return rays_.costs(); }
@@ -69,7 +70,7 @@ class SurfaceLight {
 
   const LitSurface& surface_;
   bool lambert_;
-  Seeing seeing_;
+  VisibilityMethod method_;
   SamplePlacement placement_;
   SampleRays rays_;
   SampleShafts shafts_;
@@ -77,7 +78,7 @@ class SurfaceLight {
   std::vector<std::size_t> facing_;
   std::vector<double> seen_;
   std::vector<double> distances_;  ///< from a light to samples, metres
-  std::vector<double> levels_;
+  std::vector<double> brightness_;
 };
 
 }  // namespace hearth

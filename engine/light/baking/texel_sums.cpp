@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "light/baking/brightness_kernels.h"
 #include "light/baking/light_sum.h"
-#include "light/sight/light_kernels.h"
 
 namespace hearth {
 
@@ -48,8 +48,8 @@ void TexelSums::add(int i, int j, const LightSource& light, double level) {
 
 void TexelSums::addRow(int i, int j, const LightSource& light, std::span<const double> levels) {
   for (int channel = 0; channel < channels_; ++channel)
-    lightKernels().addToSums(levels.data(), levels.size(), light.colorFactor(channel),
-                             &sums_[index(i, j, channel)]);
+    brightnessKernels().addToSums(levels.data(), levels.size(), light.colorFactor(channel),
+                                  &sums_[index(i, j, channel)]);
 }
 
 void TexelSums::add(const TexelSums& other) {
@@ -100,7 +100,7 @@ std::optional<Lightmap> TexelSums::toLightmap(int samples) const {
       map.levels[i * channels + channel] = LightSum(sums_[channel * texels + i]).mean(samples);
   if (isDark(map.levels)) return std::nullopt;
   if (channels_ == 3 && isGrey(map.levels)) map = {rect_, everyThird(map.levels), 1};
-  return asKept(std::move(map));
+  return compacted(std::move(map));
 }
 
 }  // namespace hearth

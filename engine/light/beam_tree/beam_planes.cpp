@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "light/sight/ray_rounding.h"
+#include "light/rays/ray_error.h"
 #include "math/predicates.h"
 
 namespace hearth {

@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "light/beam_tree/beam_tree_builder.h"
-#include "light/sampling/target_air.h"
-#include "light/sight/ray_rounding.h"
+#include "light/rays/ray_error.h"
+#include "light/rays/target_air.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 BeamTree::BeamTree(const Scene& scene, const Raytracer::Source& light, double reach,
-                   std::size_t mostBytes)
-    : scene_(scene), light_(light), found_(findLightBeams(scene, light, reach, mostBytes)) {
+                   std::size_t maxBytes)
+    : scene_(scene), light_(light), found_(findLightBeams(scene, light, reach, maxBytes)) {
   const std::vector<Beam>& beams = found_.beams;
   for (auto* side : {&sides_.beginX, &sides_.beginY, &sides_.endX, &sides_.endY})
     side->reserve(beams.size());
@@ -30,7 +30,7 @@ BeamBounds BeamTree::boundsOf(const Beam& beam, const Segment* on) const {
   return {beam, found_.planesOf(beam), light_.position, on};
 }
 
-BeamTree::Points BeamTree::seen(std::span<const Vec3> corners) const {
+BeamTree::Points BeamTree::pointsBetween(std::span<const Vec3> corners) const {
   Points points;
   points.corners = corners;
   points.directions.count = corners.size();
@@ -49,7 +49,7 @@ BeamTree::Points BeamTree::seen(std::span<const Vec3> corners) const {
 
 bool BeamTree::knows(SectorId sector, const Plane& plane, const Points& points) const {
   return found_.isComplete && !found_.unknown.contains(sector.value) &&
-         plane.inFront(light_.position) >= leastInFront(points.noise, points.reach) &&
+         plane.inFront(light_.position) >= minInFront(points.noise, points.reach) &&
          isAirClear(scene_, scene_[sector],
                     {light_.position, 0, points.reach, points.noise, points.margin},
                     points.corners);
@@ -58,63 +58,65 @@ bool BeamTree::knows(SectorId sector, const Plane& plane, const Points& points) 
 /// Whether points lie in a beam for sure; if they may, adds it. `asked` are the bounds that may
 /// part them.
 bool BeamTree::add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
-                   Found& found) const {
-  const std::uint32_t parting = lightKernels().findParting(points.directions, boundsOf(beam, on),
-                                                           asked, points.margin, points.reach);
-  if (parting == kBehindBound) return false;
-  if (parting == 0 && !beam.isDoubtful) return true;
-  found.push_back({&beam, parting});
+                   Candidates& candidates) const {
+  const std::uint32_t straddled = beamKernels().findStraddled(points.directions, boundsOf(beam, on),
+                                                              asked, points.margin, points.reach);
+  if (straddled == kBehindBound) return false;
+  if (straddled == 0 && !beam.isDoubtful) return true;
+  candidates.push_back({&beam, straddled});
   return false;
 }
 
 /// The same of several beams. Most of them are told by their sides, many at once.
 bool BeamTree::addSpanning(Range beams, const Points& points, const Segment* on,
-                           Found& found) const {
+                           Candidates& candidates) const {
   std::array<std::uint32_t, 64> spanning;
   for (std::size_t first = beams.first; first < beams.last; first += spanning.size()) {
     const BeamSides sides{&sides_.beginX[first], &sides_.beginY[first], &sides_.endX[first],
                           &sides_.endY[first]};
-    const std::size_t count = lightKernels().findSpanning(
+    const std::size_t count = beamKernels().findSpanning(
         points.directions, sides, std::min(spanning.size(), beams.last - first), points.margin,
         spanning.data());
     for (const std::uint32_t i : std::span(spanning).first(count))
-      if (add(found_.beams[first + i], points, on, kAllBounds, found)) return true;
+      if (add(found_.beams[first + i], points, on, kAllBounds, candidates)) return true;
   }
   return false;
 }
 
-void BeamTree::findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
-                        const Samples& samples, Parting& parting, double* seen) const {
-  auto& [parts, beams] = parting;
+void BeamTree::findSeen(const Points& points, const Segment* on,
+                        std::span<const CandidateBeam> candidates, const Samples& samples,
+                        Scratch& scratch, double* seen) const {
+  auto& [parts, beams] = scratch;
   parts.clear();
   beams.clear();
-  for (const Doubt& doubt : doubts) {
+  for (const CandidateBeam& candidate : candidates) {
     const std::size_t before = parts.size();
-    const BeamBounds bounds = boundsOf(*doubt.beam, on);
+    const BeamBounds bounds = boundsOf(*candidate.beam, on);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      if ((doubt.parting >> std::min(i, kBoundBits - 1) & 1) == 0) continue;
+      if ((candidate.straddled >> std::min(i, kBoundBits - 1) & 1) == 0) continue;
       const BeamBound bound = bounds[i];
       parts.push_back({bound.normal, bound.offset, bound.slack(points.margin, points.reach)});
     }
-    beams.push_back({parts.size() - before, doubt.beam->isDoubtful});
+    beams.push_back({parts.size() - before, candidate.beam->isDoubtful});
   }
   for (std::size_t row = 0; row < samples.rows; ++row)
-    lightKernels().findSeen(samples.arrays.from(row * samples.stride), samples.columns,
-                            light_.position, beams, parts.data(), seen + row * samples.stride);
+    beamKernels().findSeen(samples.arrays.from(row * samples.stride), samples.columns,
+                           light_.position, beams, parts.data(), seen + row * samples.stride);
 }
 
 /// Whether beams, each of which begins at the very vertex where another ends, hold all that lies
 /// between the begin of the first and the end of the last: on whichever side of the vertex a ray
 /// passes, one of the two lights what it goes to.
-bool BeamTree::isRow(std::span<const Doubt> doubts) {
-  if (std::ranges::any_of(doubts, &Doubt::elsewhere)) return false;
-  const auto first = std::ranges::find(doubts, false, &Doubt::atBegin);
-  if (first == doubts.end()) return false;
-  const Doubt* last = &*first;
+bool BeamTree::isRow(std::span<const CandidateBeam> candidates) {
+  if (std::ranges::any_of(candidates, &CandidateBeam::elsewhere)) return false;
+  const auto first = std::ranges::find(candidates, false, &CandidateBeam::atBegin);
+  if (first == candidates.end()) return false;
+  const CandidateBeam* last = &*first;
   for (std::size_t steps = 0; last->atEnd(); ++steps) {
-    const auto next = std::ranges::find(doubts, last->beam->endsAt,
-                                        [](const Doubt& doubt) { return doubt.beam->beginsAt; });
-    if (next == doubts.end() || steps == doubts.size()) return false;
+    const auto next =
+        std::ranges::find(candidates, last->beam->endsAt,
+                          [](const CandidateBeam& candidate) { return candidate.beam->beginsAt; });
+    if (next == candidates.end() || steps == candidates.size()) return false;
     last = &*next;
   }
   return true;
@@ -131,8 +133,9 @@ bool BeamTree::comesToEndOf(const Segment& wall, const Points& points) const {
   });
 }
 
-bool BeamTree::find(SectorId sector, const Segment* on, const Points& points, Found& found) const {
-  const std::size_t before = found.size();
+bool BeamTree::find(SectorId sector, const Segment* on, const Points& points,
+                    Candidates& candidates) const {
+  const std::size_t before = candidates.size();
   const auto range = rangeOf_.find(sector.value);
   if (range == rangeOf_.end()) return false;
   const Range ofSector = range->second;
@@ -143,19 +146,20 @@ bool BeamTree::find(SectorId sector, const Segment* on, const Points& points, Fo
     };
     return addSpanning({indexOf(std::ranges::lower_bound(beams, wall, {}, &Beam::to)),
                         indexOf(std::ranges::upper_bound(beams, wall, {}, &Beam::to))},
-                       points, on, found);
+                       points, on, candidates);
   };
-  const bool isLit = !on || comesToEndOf(*on, points) ? addSpanning(ofSector, points, on, found)
-                                                      : isAnyTo(nullptr) || isAnyTo(on);
-  return isLit || isRow(std::span(found).subspan(before));
+  const bool isLit = !on || comesToEndOf(*on, points)
+                         ? addSpanning(ofSector, points, on, candidates)
+                         : isAnyTo(nullptr) || isAnyTo(on);
+  return isLit || isRow(std::span(candidates).subspan(before));
 }
 
-bool BeamTree::narrow(const Points& points, const Segment* on, Found& found, std::size_t first,
-                      std::size_t last) const {
-  const std::size_t before = found.size();
+bool BeamTree::narrow(const Points& points, const Segment* on, Candidates& candidates,
+                      std::size_t first, std::size_t last) const {
+  const std::size_t before = candidates.size();
   for (std::size_t i = first; i < last; ++i)
-    if (add(*found[i].beam, points, on, found[i].parting, found)) return true;
-  return isRow(std::span(found).subspan(before));
+    if (add(*candidates[i].beam, points, on, candidates[i].straddled, candidates)) return true;
+  return isRow(std::span(candidates).subspan(before));
 }
 
 }  // namespace hearth

@@ -8,9 +8,9 @@
 
 #include "level/scene.h"
 #include "light/beam_tree/beam.h"
+#include "light/beam_tree/beam_kernels.h"
 #include "light/grid/plane.h"
-#include "light/sight/light_kernels.h"
-#include "light/sight/raytracer.h"
+#include "light/rays/raytracer.h"
 
 namespace hearth {
 
@@ -24,8 +24,8 @@ namespace hearth {
 class BeamTree {
  public:
   /// Finds all beams up to `reach` metres, and perhaps some beyond. Gives no answers if the beams
-  /// would take more than about `mostBytes`. Keeps the scene.
-  BeamTree(const Scene& scene, const Raytracer::Source& light, double reach, std::size_t mostBytes);
+  /// would take more than about `maxBytes`. Keeps the scene.
+  BeamTree(const Scene& scene, const Raytracer::Source& light, double reach, std::size_t maxBytes);
 
   /// All points between some corners, as seen from the light.
   struct Points {
@@ -36,29 +36,29 @@ class BeamTree {
     double margin = 0;  ///< metres from the bounds of a beam within which there is no answer
   };
   /// Of one to eight corners, which must outlive the result.
-  Points seen(std::span<const Vec3> corners) const;
+  Points pointsBetween(std::span<const Vec3> corners) const;
 
   /// Whether it gives answers for points on a plane that bounds the air of a sector. It gives none
   /// if they, or the light, are so near to a floor or ceiling that rounding could stop rays there.
   bool knows(SectorId sector, const Plane& plane, const Points& points) const;
 
-  /// A beam that may contain points, and which of its bounds may part them: see findParting().
-  struct Doubt {
+  /// A beam that may contain points, and which of its bounds may part them: see findStraddled().
+  struct CandidateBeam {
     const Beam* beam;
-    std::uint32_t parting;
+    std::uint32_t straddled;
 
-    bool atBegin() const { return (parting & kAtBegin) != 0; }
-    bool atEnd() const { return (parting & kAtEnd) != 0; }
-    bool elsewhere() const { return beam->isDoubtful || (parting & ~(kAtBegin | kAtEnd)) != 0; }
+    bool atBegin() const { return (straddled & kAtBegin) != 0; }
+    bool atEnd() const { return (straddled & kAtEnd) != 0; }
+    bool elsewhere() const { return beam->isDoubtful || (straddled & ~(kAtBegin | kAtEnd)) != 0; }
   };
-  using Found = std::vector<Doubt>;
+  using Candidates = std::vector<CandidateBeam>;
   /// Whether the points are lit: one beam contains all of them, or a row of beams does. They lie in
   /// the air of `sector`, and `on` a wall of it if that is given. If not, all beams that may
-  /// contain some of them are added to `found`; if there are none, the points are dark.
-  bool find(SectorId sector, const Segment* on, const Points& points, Found& found) const;
-  /// The same for some of the points of an earlier call, whose beams are `found` from `first` to
-  /// `last`.
-  bool narrow(const Points& points, const Segment* on, Found& found, std::size_t first,
+  /// contain some of them are added to `candidates`; if there are none, the points are dark.
+  bool find(SectorId sector, const Segment* on, const Points& points, Candidates& candidates) const;
+  /// The same for some of the points of an earlier call, whose beams are `candidates` from `first`
+  /// to `last`.
+  bool narrow(const Points& points, const Segment* on, Candidates& candidates, std::size_t first,
               std::size_t last) const;
 
   /// Rows of samples.
@@ -69,14 +69,14 @@ class BeamTree {
     std::size_t stride;  ///< from a row to the next
   };
   /// Memory of findSeen(); keep it from call to call.
-  struct Parting {
+  struct Scratch {
     std::vector<BoundingPlane> bounds;
-    std::vector<PartingBounds> beams;
+    std::vector<StraddledBounds> beams;
   };
   /// Which fraction each of some samples among `points` sees, by the same beams: kUnknownFraction
   /// if only narrow() can decide.
-  void findSeen(const Points& points, const Segment* on, std::span<const Doubt> doubts,
-                const Samples& samples, Parting& parting, double* seen) const;
+  void findSeen(const Points& points, const Segment* on, std::span<const CandidateBeam> candidates,
+                const Samples& samples, Scratch& scratch, double* seen) const;
 
  private:
   /// The first two bounds of a beam.
@@ -85,15 +85,16 @@ class BeamTree {
 
   BeamBounds boundsOf(const Beam& beam, const Segment* on) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
-  static bool isRow(std::span<const Doubt> doubts);
+  static bool isRow(std::span<const CandidateBeam> candidates);
   bool add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
-           Found& found) const;
+           Candidates& candidates) const;
   /// Some of the beams, by index.
   struct Range {
     std::size_t first;
     std::size_t last;
   };
-  bool addSpanning(Range beams, const Points& points, const Segment* on, Found& found) const;
+  bool addSpanning(Range beams, const Points& points, const Segment* on,
+                   Candidates& candidates) const;
 
   Scene scene_;
   Raytracer::Source light_;

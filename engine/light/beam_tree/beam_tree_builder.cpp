@@ -19,7 +19,7 @@ namespace hearth {
 namespace {
 
 /// The maximum number of beams per light. Lights of real levels need fewer.
-std::size_t mostBeams(const Level& level) { return 1024 + 8 * level.segments.size(); }
+std::size_t maxBeams(const Level& level) { return 1024 + 8 * level.segments.size(); }
 
 /// Sorts the beams by sector and wall. Doubtful beams have no wall and come first. Beams are large,
 /// so their indices are sorted.
@@ -47,15 +47,15 @@ class BeamTreeBuilder {
         sweep_(scene, light.position),
         doubts_(scene, light.position, found_) {}
 
-  BeamSet build(std::size_t mostBytes) {
+  BeamSet build(std::size_t maxBytes) {
     // The first four windows are turned slightly, so that axis-aligned walls do not lie on their
     // borders.
     constexpr Vec2 kAhead{0.9921875, 0.124755859375};
     Vec2 direction = kAhead;
     for (int quarter = 0; quarter < 4; ++quarter, direction = turned90(direction))
       windows_.push_back({sector_, nullptr, direction, turned90(direction), {}, false, {}});
-    const std::size_t most = mostBeams(scene_.level());
-    while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < mostBytes) {
+    const std::size_t most = maxBeams(scene_.level());
+    while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < maxBytes) {
       const BeamWindow window = windows_.back();
       windows_.pop_back();
       sweep_.sweep(window);
@@ -189,8 +189,8 @@ class BeamTreeBuilder {
 }  // namespace
 
 BeamSet findLightBeams(const Scene& scene, const Raytracer::Source& light, double reach,
-                       std::size_t mostBytes) {
-  return BeamTreeBuilder(scene, light, reach).build(mostBytes);
+                       std::size_t maxBytes) {
+  return BeamTreeBuilder(scene, light, reach).build(maxBytes);
 }
 
 }  // namespace hearth

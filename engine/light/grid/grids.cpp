@@ -101,7 +101,7 @@ Vec2 firstBorderVertex(const Level& level, const Sector& sector) {
 TexelGrid slopeGrid(const Sector& sector, const Slope& slope, Vec2 anchor, double texel) {
   const Vec3 origin = {anchor.x, anchor.y, slope.zAt(anchor)};
   const double steepness = length(slope.gradient);
-  const double rise = steepness * length(sector.boxMax - sector.boxMin);
+  const double rise = steepness * length(sector.box.max - sector.box.min);
   if (rise < kHeightNoise) return {origin, {1, 0, 0}, {0, 1, 0}, texel};
   const Vec2 uphill = (1 / steepness) * slope.gradient;
   const double run = 1 / std::sqrt(1 + steepness * steepness);

@@ -12,7 +12,7 @@ namespace hearth {
 namespace {
 
 /// Texels of one bake. More than that is a slip of the pen in `texel`: 4 GiB of light.
-constexpr double kMostTexels = 4294967296.0;
+constexpr double kMaxTexels = 4294967296.0;
 
 /// Texels from the origin of their grid; beyond, whole numbers of 32 bits would not count them.
 constexpr double kFarthestTexel = 1 << 30;
@@ -21,8 +21,8 @@ constexpr double kFarthestTexel = 1 << 30;
 double reachOf(const Scene& scene) {
   double reach = 0;
   for (const Sector& sector : scene.level().sectors)
-    for (const double coordinate : {sector.boxMin.x, sector.boxMin.y, sector.boxMax.x,
-                                    sector.boxMax.y, scene.zFloor(sector), scene.zCeiling(sector)})
+    for (const double coordinate : {sector.box.min.x, sector.box.min.y, sector.box.max.x,
+                                    sector.box.max.y, scene.zFloor(sector), scene.zCeiling(sector)})
       reach = std::max(reach, std::abs(coordinate));
   return reach;
 }
@@ -32,7 +32,7 @@ double texelBound(const Scene& scene, double texel) {
   const auto cells = [texel](double metres) { return metres / texel + 3; };
   double sum = 0;
   for (const Sector& sector : scene.level().sectors) {
-    const Vec2 size = sector.boxMax - sector.boxMin;
+    const Vec2 size = sector.box.max - sector.box.min;
     sum += 2 * cells(size.x) * cells(size.y);
     for (const Segment& segment : scene.segmentsOf(sector))
       sum += cells(segment.length) * cells(scene.zCeiling(sector) - scene.zFloor(sector));
@@ -56,10 +56,10 @@ std::optional<std::string> mistakeInTexel(const Scene& scene, double texel) {
     return fmt::format(
         "a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least", reach,
         reach / kFarthestTexel);
-  if (texelBound(scene, texel) <= kMostTexels) return std::nullopt;
-  if (const double texels = texelsOf(scene, texel); texels > kMostTexels)
+  if (texelBound(scene, texel) <= kMaxTexels) return std::nullopt;
+  if (const double texels = texelsOf(scene, texel); texels > kMaxTexels)
     return fmt::format("{} m would take {:.3g} texels, more than {:.3g}: use larger ones", texel,
-                       texels, kMostTexels);
+                       texels, kMaxTexels);
   return std::nullopt;
 }
 

@@ -7,9 +7,9 @@
 
 #include "level/level.h"
 #include "light/lit_surface.h"
+#include "light/rays/shaft.h"
+#include "light/sampling/sample_arrays.h"
 #include "light/sampling/sample_placement.h"
-#include "light/shaft/shaft.h"
-#include "light/sight/light_kernels.h"
 
 namespace hearth {
 

@@ -29,7 +29,7 @@ constexpr std::array<Vec2, 16> kWays = {{{1, 0},
                                          {0.4, -0.9},
                                          {0.9, -0.4}}};
 
-double distanceTo(const std::vector<Outline::Edge>& edges, Vec2 p) {
+double distanceTo(const std::vector<Polygons::Edge>& edges, Vec2 p) {
   double distance = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : edges)
     distance = std::min(distance, length(nearestOnSegment(a, b, p) - p));
@@ -38,7 +38,7 @@ double distanceTo(const std::vector<Outline::Edge>& edges, Vec2 p) {
 
 /// Between two edges that meet, the point that is `margin` from both. Clipping can leave an edge
 /// between them that is all rounding.
-std::optional<Vec2> insideCorner(const Outline::Edge& before, const Outline::Edge& after,
+std::optional<Vec2> insideCorner(const Polygons::Edge& before, const Polygons::Edge& after,
                                  double margin) {
   if (length(before.b - after.a) > margin) return std::nullopt;
   if (length(before.b - before.a) <= margin || length(after.b - after.a) <= margin)
@@ -59,7 +59,7 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, Surf
       besideEdge_(2.5 * hair_),
       sought_(sought) {}
 
-/// Texels. Samples of texels that are asked for are no farther from their surface.
+/// Texels. Samples of texels that are used are no farther from their surface.
 constexpr double kRowReach = 3;
 
 class SamplePlacement::Row {
@@ -85,24 +85,24 @@ class SamplePlacement::Row {
   const SamplePlacement& placement_;
   const LitSurface& surface_;
   double row_;
-  Outline outline_;
-  std::vector<Outline::Stretch> inside_;
+  Polygons outline_;
+  std::vector<Polygons::Stretch> inside_;
   std::size_t nextInside_ = 0;
 };
 
 void SamplePlacement::placeRow(std::span<const double> columns, double row,
                                std::vector<SamplePoint>& places) const {
   Row inRow(*this, row);
-  AskedRow askedRow(*surfaces_[id_.index()], static_cast<int>(std::floor(row)));
+  UsedTexelRow usedRow(*surfaces_[id_.index()], static_cast<int>(std::floor(row)));
   const auto texelOf = [&](std::size_t i) { return static_cast<int>(std::floor(columns[i])); };
   std::optional<int> placed;  // the texel whose places are the last ones
   for (std::size_t i = 0, next = 0; i < columns.size(); i = next) {
     while (next < columns.size() && texelOf(next) == texelOf(i)) ++next;
-    const int asked = askedRow.nearest(texelOf(i));
+    const int used = usedRow.nearest(texelOf(i));
     for (std::size_t k = i; k < next; ++k)
-      places.push_back(asked == placed ? places[places.size() - (next - i)]
-                                       : inRow.place(columns[k] + (asked - texelOf(i))));
-    placed = asked;
+      places.push_back(used == placed ? places[places.size() - (next - i)]
+                                      : inRow.place(columns[k] + (used - texelOf(i))));
+    placed = used;
   }
 }
 
@@ -110,13 +110,13 @@ SamplePoint SamplePlacement::place(Vec2 p) const {
   return place(p, surfaces_[id_.index()]->outline);
 }
 
-SamplePoint SamplePlacement::place(Vec2 p, const Outline& own) const {
+SamplePoint SamplePlacement::place(Vec2 p, const Polygons& own) const {
   if (own.contains(p)) return at(id_, own, p, p);
   const Vec2 nearest = own.nearest(p);
   const double distance = length(nearest - p);
   if (distance < hair_) return at(id_, own, p, p);
   const std::vector<SurfaceId> others = joinedWithin(distance + hair_, p);
-  const auto outlineOf = [this](SurfaceId id) -> const Outline& {
+  const auto outlineOf = [this](SurfaceId id) -> const Polygons& {
     return surfaces_[id.index()]->outline;
   };
   for (const SurfaceId id : others)
@@ -140,9 +140,9 @@ Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
   return other == own ? p : other.toTexels(own.toWorld(p));
 }
 
-SamplePoint SamplePlacement::at(SurfaceId id, const Outline& outline, Vec2 p, Vec2 from) const {
+SamplePoint SamplePlacement::at(SurfaceId id, const Polygons& outline, Vec2 p, Vec2 from) const {
   const LitSurface& surface = *surfaces_[id.index()];
-  const std::vector<Outline::Edge> edges = outline.edgesWithin(p, besideEdge_);
+  const std::vector<Polygons::Edge> edges = outline.edgesWithin(p, besideEdge_);
   const bool isOnEdge = distanceTo(edges, p) < hair_;
   return {surface.toWorld(p), id,
           surface.toWorld(isOnEdge ? movedInside(outline, edges, p, from) : p), p != from};
@@ -167,14 +167,14 @@ std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const
 }
 
 /// On the very edge it is not left to rounding.
-bool SamplePlacement::holds(const Outline& outline, Vec2 p) const {
+bool SamplePlacement::holds(const Polygons& outline, Vec2 p) const {
   return outline.contains(p) || length(outline.nearest(p) - p) < hair_;
 }
 
 /// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
 /// a corner, where that may run along the other edge, the way that leads farthest inside; in a
 /// sharp one to where its edges are a hair away.
-Vec2 SamplePlacement::movedInside(const Outline& outline, const std::vector<Outline::Edge>& edges,
+Vec2 SamplePlacement::movedInside(const Polygons& outline, const std::vector<Polygons::Edge>& edges,
                                   Vec2 edgePoint, Vec2 from) const {
   Vec2 best = edgePoint;
   double clearance = 0;
@@ -189,8 +189,8 @@ Vec2 SamplePlacement::movedInside(const Outline& outline, const std::vector<Outl
   if (edgePoint != from && isGood((1 / length(edgePoint - from)) * (edgePoint - from))) return best;
   if (std::ranges::any_of(kWays, isGood) || clearance > 0.5 * hair_) return best;
   // A sharp corner, into which none of the ways leads, or not far from its edges.
-  for (const Outline::Edge& before : edges)
-    for (const Outline::Edge& after : edges) {
+  for (const Polygons::Edge& before : edges)
+    for (const Polygons::Edge& after : edges) {
       const std::optional<Vec2> inside = insideCorner(before, after, hair_);
       if (inside && outline.contains(*inside)) return *inside;
     }

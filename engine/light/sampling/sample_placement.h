@@ -6,7 +6,7 @@
 
 #include "level/level.h"
 #include "light/lit_surface.h"
-#include "light/sight/id_set.h"
+#include "light/rays/id_set.h"
 
 namespace hearth {
 
@@ -45,15 +45,15 @@ class SamplePlacement {
   class Row;
 
   /// `own` is the outline of the surface, or the part of it that is near.
-  SamplePoint place(Vec2 texelPoint, const Outline& own) const;
+  SamplePoint place(Vec2 texelPoint, const Polygons& own) const;
   /// The other surfaces of the plane that are joined to this one near a sample.
   std::vector<SurfaceId> joinedWithin(double reach, Vec2 texelPoint) const;
   Vec2 onGridOf(SurfaceId surface, Vec2 texelPoint) const;
-  bool holds(const Outline& outline, Vec2 texelPoint) const;
+  bool holds(const Polygons& outline, Vec2 texelPoint) const;
   /// `outline` is that of the surface, or the part of it that is near.
-  SamplePoint at(SurfaceId surface, const Outline& outline, Vec2 texelPoint, Vec2 from) const;
-  Vec2 movedInside(const Outline& outline, const std::vector<Outline::Edge>& edges, Vec2 edgePoint,
-                   Vec2 from) const;
+  SamplePoint at(SurfaceId surface, const Polygons& outline, Vec2 texelPoint, Vec2 from) const;
+  Vec2 movedInside(const Polygons& outline, const std::vector<Polygons::Edge>& edges,
+                   Vec2 edgePoint, Vec2 from) const;
 
   const LitSurfaces& surfaces_;
   SurfaceId id_;

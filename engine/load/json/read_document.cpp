@@ -12,28 +12,28 @@ namespace hearth {
 
 namespace {
 
-std::string_view adviceOn(ReadFault fault) {
-  switch (fault) {
-    case ReadFault::Missing:
-    case ReadFault::NotRegular:
+std::string_view adviceOn(ReadErrorCode code) {
+  switch (code) {
+    case ReadErrorCode::Missing:
+    case ReadErrorCode::NotRegular:
       return "name a JSON file";
-    case ReadFault::TooLong:
+    case ReadErrorCode::TooLong:
       return "raise the limit with --max-file-bytes";
-    case ReadFault::Changed:
+    case ReadErrorCode::Changed:
       return "try again";
-    case ReadFault::Failed:
+    case ReadErrorCode::Failed:
       return "make it readable";
   }
   return "";
 }
 
 /// The same, but suggests the path with `.json` added if there is such a file.
-std::string adviceOn(const ReadFailure& failure, const FileSource& files,
+std::string adviceOn(const ReadError& failure, const FileSource& files,
                      std::filesystem::path path) {
   path += ".json";
-  if (failure.fault == ReadFault::Missing && files.kindOf(path) != FileKind::None)
+  if (failure.code == ReadErrorCode::Missing && files.kindOf(path) != FileKind::None)
     return fmt::format("did you mean {}?", path.string());
-  return std::string(adviceOn(failure.fault));
+  return std::string(adviceOn(failure.code));
 }
 
 }  // namespace
@@ -41,20 +41,20 @@ std::string adviceOn(const ReadFailure& failure, const FileSource& files,
 bool readDocument(const FileSource& files, const std::filesystem::path& path,
                   const std::optional<std::string>& unsaved, const LoadLimits& limits,
                   Document& document, std::uint32_t documentIndex, Report& report) {
-  constexpr std::uint64_t kMostPlaces = 0xFFFFFFFE;  // Place::offset has 32 bits
+  constexpr std::uint64_t kMaxPlaces = 0xFFFFFFFE;  // Place::offset has 32 bits
   document.file = path.string();
   if (unsaved) return readText(*unsaved, document, documentIndex, report);
-  auto bytes = files.read(path, std::min(limits.fileBytes, kMostPlaces));
+  auto bytes = files.read(path, std::min(limits.fileBytes, kMaxPlaces));
   if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
   report.error({documentIndex, 0}, bytes.error().what, adviceOn(bytes.error(), files, path));
   return false;
 }
 
-bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadFailure> bytes,
+bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadError> bytes,
                   Document& document, std::uint32_t documentIndex, Report& report) {
   document.file = path.string();
   if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
-  report.error({documentIndex, 0}, bytes.error().what, std::string(adviceOn(bytes.error().fault)));
+  report.error({documentIndex, 0}, bytes.error().what, std::string(adviceOn(bytes.error().code)));
   return false;
 }
 

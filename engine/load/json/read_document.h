@@ -20,7 +20,7 @@ bool readDocument(const FileSource& files, const std::filesystem::path& path,
                   const std::optional<std::string>& unsaved, const LoadLimits& limits,
                   Document& document, std::uint32_t documentIndex, Report& report);
 /// The same of what has been read of the file.
-bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadFailure> bytes,
+bool readDocument(const std::filesystem::path& path, tl::expected<std::string, ReadError> bytes,
                   Document& document, std::uint32_t documentIndex, Report& report);
 
 /// The same of a text that is at hand; a byte order mark at its begin is left out. The document

@@ -55,15 +55,12 @@ struct Linking {
     return hearth::describedLoop(description, outlines, edge);
   }
   const WallDescription& describedWall(const Edge& edge) const {
-    return describedLoop(edge).wall(edge.wall);
+    return describedLoop(edge).wall(edge.wallIndex);
   }
   const WallDescription& describedWall(SegmentId segment) const {
     return describedWall(outlines.edges[edgeOf[segment.index()]]);
   }
 };
-
-/// The sectors that a wall leads to, each once.
-std::vector<SectorId> targetsOf(const Wall& wall);
 
 // The steps of linking, in this order. Each reports what it cannot link and puts a stand-in in its
 // place, so that the next ones and `linkSurfaces` find a level without holes.

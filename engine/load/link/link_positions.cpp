@@ -15,9 +15,13 @@ class PositionLinker {
     const auto sector =
         locate(described.place, described.eye, described.sector, PositionOf::Camera);
     if (!sector) return;
-    linking_.level.player = Player{*sector,          described.eye,       described.angle,
-                                   described.height, described.eyeHeight, described.radius,
-                                   described.step};
+    linking_.level.player = Player{*sector,
+                                   described.eye,
+                                   described.angle,
+                                   described.height,
+                                   described.eyeHeight,
+                                   described.radius,
+                                   described.stepHeight};
   }
 
   void linkShot(const ShotDescription& described) {

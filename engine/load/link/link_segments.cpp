@@ -125,10 +125,10 @@ class SegmentBuilder {
       segment.p1 = point(path[i]);
       segment.sector = SectorId(edge.sector);
       segment.loop = edge.loop;
-      segment.wall = edge.wall;
+      segment.wallIndex = edge.wallIndex;
       segment.sBefore = sAt(i - 1);
       segment.sAfter = total - sAt(i);
-      segment.kind =
+      segment.wall =
           linking_.walls[index] ? *linking_.walls[index] : Wall(Solid{linking_.textures.standIn()});
       linking_.level.segments.push_back(std::move(segment));
       linking_.edgeOf.push_back(index);
@@ -148,10 +148,10 @@ class TwinChecker {
 
   void check() {
     for (std::size_t i = 0; i < linking_.level.segments.size(); ++i)
-      for (const SectorId target : targetsOf(linking_.level.segments[i].kind))
+      for (const SectorId target : targetsOf(linking_.level.segments[i].wall))
         if (!twins_.find(linking_.level.segments[i], target)) {
           reportOnce(SegmentId(i), target);
-          linking_.level.segments[i].kind = Solid{linking_.textures.standIn()};
+          linking_.level.segments[i].wall = Solid{linking_.textures.standIn()};
           break;
         }
   }
@@ -183,7 +183,8 @@ class TwinChecker {
       const Edge& led = linking_.outlines.edges[linking_.edgeOf[meant->index()]];
       return fmt::format(
           "that sector leads back to wall {} of loop \"{}\", {}: give that one the \"next\"",
-          led.wall, linking_.describedLoop(led).name, linking_.describedLoop(led).ends(led.wall));
+          led.wallIndex, linking_.describedLoop(led).name,
+          linking_.describedLoop(led).ends(led.wallIndex));
     }
     if (!behind.empty() && std::ranges::find(behind, target) == behind.end())
       return fmt::format("a wall of sector \"{}\" lies there, did you mean that?",
@@ -211,9 +212,9 @@ class TwinChecker {
   /// A segment of `sector` that `target` leads back to, and that leads nowhere itself.
   std::optional<SegmentId> ledBackTo(SectorId sector, SectorId target) const {
     for (const Segment& leading : linking_.level.segmentsOf(linking_.level[target])) {
-      if (!std::ranges::binary_search(targetsOf(leading.kind), sector)) continue;
+      if (!std::ranges::binary_search(targetsOf(leading.wall), sector)) continue;
       const std::optional<SegmentId> led = twins_.find(leading, sector);
-      if (led && targetsOf(linking_.level[*led].kind).empty()) return led;
+      if (led && targetsOf(linking_.level[*led].wall).empty()) return led;
     }
     return std::nullopt;
   }

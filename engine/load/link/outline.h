@@ -14,8 +14,8 @@ namespace hearth {
 /// `Outlines::points`.
 struct Edge {
   std::uint32_t sector;
-  std::uint32_t loop;  ///< index into OutlineSector::loops
-  std::uint32_t wall;  ///< index in the file
+  std::uint32_t loop;       ///< index into OutlineSector::loops
+  std::uint32_t wallIndex;  ///< in the file
   std::uint32_t from;
   std::uint32_t to;
 };

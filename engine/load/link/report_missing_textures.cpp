@@ -40,8 +40,8 @@ class MissingTextureReporter {
 
  private:
   static std::optional<SectorId> nextOf(const Segment& segment, std::uint32_t subWall) {
-    const Portal* portal = std::get_if<Portal>(&segment.kind);
-    if (const Stack* stack = std::get_if<Stack>(&segment.kind))
+    const Portal* portal = std::get_if<Portal>(&segment.wall);
+    if (const Stack* stack = std::get_if<Stack>(&segment.wall))
       portal = std::get_if<Portal>(&stack->subWalls[subWall].kind);
     return portal ? std::optional(portal->next) : std::nullopt;
   }

@@ -118,7 +118,7 @@ struct PlayerDescription {
   double height = 1.8;  ///< metres, as all that follow
   double eyeHeight = 1.6;
   double radius = 0.3;
-  double step = 0.4;
+  double stepHeight = 0.4;
 };
 
 struct ShotDescription {

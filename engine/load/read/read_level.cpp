@@ -51,7 +51,7 @@ std::optional<PlayerDescription> readPlayer(Report& report, JsonValue value) {
   bool isBodyGood = fields.read("height", kBody, player.height);
   isBodyGood &= fields.read("eye", kBody, player.eyeHeight);
   fields.read("radius", kBody, player.radius);
-  fields.read("step", kLength, player.step);
+  fields.read("step", kLength, player.stepHeight);
   if (isBodyGood) checkBody(report, value, player);
   return isGood ? std::optional(player) : std::nullopt;
 }

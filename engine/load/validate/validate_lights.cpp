@@ -35,7 +35,7 @@ std::vector<std::string> wallsAt(const Scene& scene, const Sector& sector, Vec3 
                              [&](const WallPiece& piece) { return liesOn(scene, piece, p); }))
       continue;
     const std::string wall =
-        fmt::format("wall {} of loop \"{}\"", segment.wall, sector.loops[segment.loop].name);
+        fmt::format("wall {} of loop \"{}\"", segment.wallIndex, sector.loops[segment.loop].name);
     if (std::ranges::find(walls, wall) == walls.end()) walls.push_back(wall);
   }
   return walls;

@@ -61,12 +61,12 @@ class SectorChecker {
   }
   Place wallPlace(const Edge& edge) const {
     const OutlineLoop& loop = loopOf(edge);
-    return placeOf(loop, loop.firstVertex + edge.wall);
+    return placeOf(loop, loop.firstVertex + edge.wallIndex);
   }
   std::string wallName(const Edge& edge) const {
-    return fmt::format("wall {} of loop \"{}\"", edge.wall, described(loopOf(edge)).name);
+    return fmt::format("wall {} of loop \"{}\"", edge.wallIndex, described(loopOf(edge)).name);
   }
-  std::string ends(const Edge& edge) const { return described(loopOf(edge)).ends(edge.wall); }
+  std::string ends(const Edge& edge) const { return described(loopOf(edge)).ends(edge.wallIndex); }
   std::string vertexName(const OutlineLoop& loop, std::uint32_t vertex) const {
     return fmt::format("vertex {} of loop \"{}\"", vertex - loop.firstVertex, described(loop).name);
   }
@@ -119,12 +119,12 @@ void SectorChecker::checkShape(const OutlineLoop& loop) {
   for (std::uint32_t i = 0; i < loop.edgeCount; ++i) {
     const Edge& wall = outlines_.edges[loop.firstEdge + i];
     if (outlines_.length(wall) < kShortestWall) {
-      if (wall.wall + 1 == loop.edgeCount)
-        return fail(
-            placeOf(loop, loop.firstVertex + wall.wall),
-            fmt::format("{} repeats the first", vertexName(loop, loop.firstVertex + wall.wall)),
-            "remove it: the last wall of a loop leads back to its first vertex");
-      const std::uint32_t second = loop.firstVertex + wall.wall + 1;
+      if (wall.wallIndex + 1 == loop.edgeCount)
+        return fail(placeOf(loop, loop.firstVertex + wall.wallIndex),
+                    fmt::format("{} repeats the first",
+                                vertexName(loop, loop.firstVertex + wall.wallIndex)),
+                    "remove it: the last wall of a loop leads back to its first vertex");
+      const std::uint32_t second = loop.firstVertex + wall.wallIndex + 1;
       return fail(placeOf(loop, second),
                   fmt::format("{} repeats the one before it", vertexName(loop, second)),
                   fmt::format("remove it, or move it at least {} m away", kShortestWall));
@@ -210,7 +210,7 @@ std::string SectorChecker::adviceOnTouch(const OutlineLoop& loop, std::uint32_t 
                                          const Edge& other) const {
   const std::uint32_t here = vertex - loop.firstVertex;
   const std::uint32_t before = (here + loop.edgeCount - 1) % loop.edgeCount;
-  const bool turnsBack = (other.wall + 1) % loop.edgeCount == before;
+  const bool turnsBack = (other.wallIndex + 1) % loop.edgeCount == before;
   if (!turnsBack) return "move it off that wall, or cut the loop in two";
   return fmt::format("move it off that wall, or swap it with vertex {}: the loop turns back there",
                      before);
@@ -220,10 +220,10 @@ void SectorChecker::reportSelfTouch(const OutlineLoop& loop, std::uint32_t verte
                                     const Edge& other, std::uint32_t nearEnd) {
   const Vec2 p = outlines_.points[vertex];
   if (length(outlines_.points[nearEnd] - p) > noiseOf(outlines_.length(other)))
-    return fail(
-        placeOf(loop, vertex),
-        fmt::format("{} lies on wall {} of its own loop", vertexName(loop, vertex), other.wall),
-        adviceOnTouch(loop, vertex, other));
+    return fail(placeOf(loop, vertex),
+                fmt::format("{} lies on wall {} of its own loop", vertexName(loop, vertex),
+                            other.wallIndex),
+                adviceOnTouch(loop, vertex, other));
   const auto [first, second] = std::minmax(vertex, nearEnd);
   if (repeats_.insert({first, second}).second)
     fail(placeOf(loop, second),

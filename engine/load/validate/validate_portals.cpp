@@ -52,7 +52,7 @@ void examine(const Linking& linking, const TwinIndex& twins, SegmentId id, Secto
   const Segment& segment = linking.level[id];
   const std::optional<SegmentId> twin = twins.find(segment, target);
   if (!twin) return;
-  const std::vector<SectorId> back = targetsOf(linking.level[*twin].kind);
+  const std::vector<SectorId> back = targetsOf(linking.level[*twin].wall);
   // About a wall that could not be linked nothing is said.
   const bool isUnknown = !linking.walls[linking.edgeOf[twin->index()]].has_value();
   const bool leadsBack = isUnknown || std::binary_search(back.begin(), back.end(), segment.sector);
@@ -71,8 +71,8 @@ void warnOfOneWay(Linking& linking, const TwinIndex& twins, SegmentId id, Sector
       linking.describedWall(id).place,
       fmt::format(
           "a one-way portal to sector \"{}\": wall {} of its loop \"{}\", {}, does not lead back",
-          linking.level[target].name, behind.wall, linking.describedLoop(behind).name,
-          linking.describedLoop(behind).ends(behind.wall)),
+          linking.level[target].name, behind.wallIndex, linking.describedLoop(behind).name,
+          linking.describedLoop(behind).ends(behind.wallIndex)),
       fmt::format("give that wall \"next\": \"{}\" if it is to lead back",
                   linking.level[segment.sector].name),
       "one-way-portal");
@@ -85,7 +85,7 @@ void validatePortals(Linking& linking) {
   std::map<std::pair<std::uint32_t, SectorId>, Passage> passages;  // by edge and target
   for (std::size_t i = 0; i < linking.level.segments.size(); ++i) {
     const SegmentId id(i);
-    for (const SectorId target : targetsOf(linking.level[id].kind)) {
+    for (const SectorId target : targetsOf(linking.level[id].wall)) {
       const auto key = std::pair(linking.edgeOf[i], target);
       examine(linking, twins, id, target, passages.try_emplace(key, Passage{id}).first->second);
     }

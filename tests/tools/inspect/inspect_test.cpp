@@ -89,7 +89,7 @@ TEST(Inspect, namesTheHangingTextureThatBlocksAndLetsLightThroughItsHoles) {
             "blocked by middle texture at wall 1 of west (5, 2, 1.5): move it to where nothing is "
             "between");
   TexelHoles holes(1, 1);
-  holes.make(0, 0);
+  holes.setHole(0, 0);
   loaded.level.holes.assign(loaded.level.textures.size(), holes);
   EXPECT_EQ(reasonAt(loaded, "east", {8, 2, 1.5}, {1, 0, 0}), "");
 }

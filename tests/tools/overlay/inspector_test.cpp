@@ -58,8 +58,8 @@ class InspectorTest : public testing::Test {
   }
 
   void send(const Event& event) {
-    inspector_.take(event, overlay_.leaves(camera_.width));
-    overlay_.take(event);
+    inspector_.handle(event, overlay_.widthBeside(camera_.width));
+    overlay_.handle(event);
     frame();
   }
   void moveTo(int x, int y) { send(test::moveTo(x, y)); }
@@ -72,7 +72,7 @@ class InspectorTest : public testing::Test {
   void clickThroughPanel(IsDone&& isDone, MouseButton button = MouseButton::Left) {
     for (int y = kFirstRow; y < 500; y += 5) {
       if (isDone()) return;
-      clickAt(overlay_.leaves(camera_.width) + kColumn, y, button);
+      clickAt(overlay_.widthBeside(camera_.width) + kColumn, y, button);
     }
   }
 
@@ -125,7 +125,7 @@ TEST_F(InspectorTest, DrawsRaysOnlyOverWhatTheCameraSees) {
   const auto isDrawnOver = [&] {
     frame();
     for (int y = 0; y < camera_.height; ++y)
-      for (int x = 0; x < overlay_.leaves(camera_.width); ++x)
+      for (int x = 0; x < overlay_.widthBeside(camera_.width); ++x)
         if (picture_.at(x, y) != level.at(x, y)) return true;
     return false;
   };
@@ -194,7 +194,7 @@ TEST_F(InspectorTest, PicksTheLightThatIsClickedOn) {
     return tool_.editor().picked() == first;
   });
   EXPECT_EQ(tool_.editor().picked(), first);
-  EXPECT_TRUE(tool_.section().isCalled());
+  EXPECT_TRUE(tool_.section().isRevealed());
   EXPECT_TRUE(copied_.empty());
 }
 

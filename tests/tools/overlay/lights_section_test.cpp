@@ -44,7 +44,7 @@ class LightsSectionTest : public testing::Test {
     editor().open();
     overlay_.toggle();
     frame();
-    left_ = overlay_.leaves(picture_.width()) + kPadding;
+    left_ = overlay_.widthBeside(picture_.width()) + kPadding;
   }
   ~LightsSectionTest() override { fs::remove(file_); }
 
@@ -56,7 +56,7 @@ class LightsSectionTest : public testing::Test {
         now_ += 0.02, [&] { showLights(&tool_, rooms_.scene(), camera_); }, picture_);
   }
   void send(const Event& event) {
-    overlay_.take(event);
+    overlay_.handle(event);
     frame();
     frame();
   }
@@ -193,12 +193,12 @@ TEST_F(LightsSectionTest, HidesTheMarksWhichAreNotPickedThen) {
   for (int x = 220; x < 260 && tool_.areMarksShown(); x += 8) click(x, kButtons);
   EXPECT_FALSE(tool_.areMarksShown());
   EXPECT_FALSE(isMarked());
-  EXPECT_FALSE(tool_.take(press, view, camera_.height));
+  EXPECT_FALSE(tool_.handle(press, view, camera_.height));
   EXPECT_FALSE(editor().picked());
   tool_.showMarks(true);
-  EXPECT_TRUE(tool_.take(press, view, camera_.height));
+  EXPECT_TRUE(tool_.handle(press, view, camera_.height));
   EXPECT_EQ(editor().picked(), 0);
-  EXPECT_TRUE(tool_.section().isCalled()) << "in which it is edited";
+  EXPECT_TRUE(tool_.section().isRevealed()) << "in which it is edited";
 }
 
 TEST_F(LightsSectionTest, HasButtonsThatAddDeleteUndoRedoAndSave) {

@@ -36,9 +36,9 @@ TEST(OverlayTest, HasLettersOfWholeTimesTheirSize) {
 
 TEST(OverlayTest, TakesNothingWhileItIsClosed) {
   Overlay overlay;
-  EXPECT_FALSE(overlay.take(test::motion(3, 3)));
-  EXPECT_FALSE(overlay.take(test::pressAt(1, 1)));
-  EXPECT_FALSE(overlay.take(TypedText{"w"}));
+  EXPECT_FALSE(overlay.handle(test::motion(3, 3)));
+  EXPECT_FALSE(overlay.handle(test::pressAt(1, 1)));
+  EXPECT_FALSE(overlay.handle(TypedText{"w"}));
   EXPECT_FALSE(overlay.isStale(1e9));
 }
 
@@ -47,11 +47,11 @@ TEST(OverlayTest, TakesTheMouseAndLeavesTheKeys) {
   overlay.toggle();
   test::Canvas picture(640, 400);
   overlay.draw(1, showNothing, picture);
-  EXPECT_TRUE(overlay.take(test::motion(3, 3)));
-  EXPECT_TRUE(overlay.take(test::pressAt(1, 1)));
-  EXPECT_FALSE(overlay.take(test::down(Key::W)));
-  EXPECT_FALSE(overlay.take(test::up(Key::W)));
-  EXPECT_FALSE(overlay.take(WindowEvent::FocusLost));
+  EXPECT_TRUE(overlay.handle(test::motion(3, 3)));
+  EXPECT_TRUE(overlay.handle(test::pressAt(1, 1)));
+  EXPECT_FALSE(overlay.handle(test::down(Key::W)));
+  EXPECT_FALSE(overlay.handle(test::up(Key::W)));
+  EXPECT_FALSE(overlay.handle(WindowEvent::FocusLost));
 }
 
 TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
@@ -67,24 +67,24 @@ TEST(OverlayTest, KeepsWhatIsTypedIntoAFieldForItself) {
     overlay.draw(now += 0.02, section, picture);
   };
   frame();
-  const int left = overlay.leaves(640);
-  overlay.take(test::pressAt(left + 20, 15));
-  overlay.take(test::releaseAt(left + 20, 15));  // before any frame saw it held
+  const int left = overlay.widthBeside(640);
+  overlay.handle(test::pressAt(left + 20, 15));
+  overlay.handle(test::releaseAt(left + 20, 15));  // before any frame saw it held
   for (int i = 0; i < 3; ++i) frame();
-  EXPECT_TRUE(overlay.take(test::down(Key::H)));
-  EXPECT_TRUE(overlay.take(TypedText{"hi"}));
-  EXPECT_FALSE(overlay.take(test::up(Key::H))) << "no key is to stay held in the walk";
-  EXPECT_FALSE(overlay.take(test::down(Key::F1)))
+  EXPECT_TRUE(overlay.handle(test::down(Key::H)));
+  EXPECT_TRUE(overlay.handle(TypedText{"hi"}));
+  EXPECT_FALSE(overlay.handle(test::up(Key::H))) << "no key is to stay held in the walk";
+  EXPECT_FALSE(overlay.handle(test::down(Key::F1)))
       << "F1 closes the panel also from a field of text";
   frame();
   EXPECT_STREQ(field.data(), "hi");
   overlay.toggle();
   overlay.toggle();
   frame();
-  overlay.take(test::down(Key::Backspace));
+  overlay.handle(test::down(Key::Backspace));
   frame();
   EXPECT_STREQ(field.data(), "h");
-  overlay.take(WindowEvent::FocusLost);
+  overlay.handle(WindowEvent::FocusLost);
   for (int i = 0; i < 50; ++i) frame();  // a key that was let go of does not repeat
   EXPECT_STREQ(field.data(), "h");
 }
@@ -94,7 +94,7 @@ TEST(OverlayTest, IsDrawnAtTheRightAndNowhereElse) {
   overlay.toggle();
   test::Canvas picture(1280, 720, kGrey);
   overlay.draw(1, showNothing, picture);
-  const int left = overlay.leaves(1280);
+  const int left = overlay.widthBeside(1280);
   EXPECT_GT(left, 1280 / 2);
   for (int y = 0; y < 720; ++y) {
     for (int x = 0; x < left; ++x) ASSERT_EQ(picture.at(x, y), kGrey) << x << ',' << y;
@@ -107,7 +107,7 @@ TEST(OverlayTest, ShowsInPicturesOfAnySize) {
   overlay.toggle();
   double now = 1;
   for (const auto& [width, height] :
-       {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}, {3840, 2160}, {640, 400}}) {
+       {ImageSize{1, 1}, {3, 900}, {900, 3}, {320, 200}, {3840, 2160}, {640, 400}}) {
     test::Canvas around(width + 2, height + 2, kGrey);
     const PixelRows& rows = around;
     const PixelRows picture = rows.part(1, 1, width, height);
@@ -127,7 +127,7 @@ TEST(OverlayTest, IsStaleAfterAnEventAndFourTimesASecond) {
   EXPECT_FALSE(overlay.isStale(1.2));
   EXPECT_TRUE(overlay.isStale(1.25));
   EXPECT_TRUE(overlay.isStale(0)) << "the clock was set back";
-  overlay.take(test::motion(1, 1));
+  overlay.handle(test::motion(1, 1));
   EXPECT_TRUE(overlay.isStale(1));
 }
 
@@ -140,7 +140,7 @@ TEST(ViewSectionTest, LetsChooseEveryChannelAndEveryMode) {
   std::set<std::string_view> channels;
   auto click = [&, now = 1.0](int x, int y) mutable {
     for (const Event& event : test::clickAt(x, y)) {
-      overlay.take(event);
+      overlay.handle(event);
       for (int i = 0; i < 2; ++i) {
         test::Canvas picture(500, 300);
         overlay.draw(
@@ -179,7 +179,7 @@ TEST(FrameHistoryTest, KeepsTheLastFrames) {
     frames.add({.find = static_cast<double>(i)});
     EXPECT_EQ(frames.at(frames.size() - 1).find, i);
   }
-  ASSERT_EQ(frames.size(), FrameHistory::kMost);
+  ASSERT_EQ(frames.size(), FrameHistory::kMax);
   EXPECT_EQ(frames.at(0).find, 50);
 }
 

@@ -25,7 +25,7 @@ class SectionTest : public testing::Test {
   void open() {
     overlay_.toggle();
     frame();
-    left_ = overlay_.leaves(picture_.width());
+    left_ = overlay_.widthBeside(picture_.width());
   }
   virtual void show() = 0;
 
@@ -35,7 +35,7 @@ class SectionTest : public testing::Test {
   }
   void click(int x, int y) {
     for (const Event& event : test::clickAt(x, y)) {
-      overlay_.take(event);
+      overlay_.handle(event);
       frame();
       frame();
     }
@@ -56,7 +56,7 @@ class PreferencesSectionTest : public SectionTest {
   bool give(Key key) {
     for (int y = 88; y < 378; y += 6) {
       click(left_ + 242, y);
-      if (section_.take(down(key), preferences_)) return true;
+      if (section_.handle(down(key), preferences_)) return true;
     }
     return false;
   }
@@ -67,12 +67,12 @@ class PreferencesSectionTest : public SectionTest {
 };
 
 TEST_F(PreferencesSectionTest, GivesAnActionTheKeyThatIsPressed) {
-  EXPECT_FALSE(section_.take(down(Key::F9), preferences_)) << "no key is waited for yet";
+  EXPECT_FALSE(section_.handle(down(Key::F9), preferences_)) << "no key is waited for yet";
   ASSERT_TRUE(give(Key::F9));
   EXPECT_TRUE(preferences_.keys.actionOf(Key::F9));
   frame();
   EXPECT_TRUE(wasWritten_);
-  EXPECT_FALSE(section_.take(down(Key::F8), preferences_)) << "only one";
+  EXPECT_FALSE(section_.handle(down(Key::F8), preferences_)) << "only one";
 }
 
 TEST_F(PreferencesSectionTest, TakesAKeyFromTheActionThatHadIt) {
@@ -109,31 +109,31 @@ class BookmarksSectionTest : public SectionTest {
     open();
   }
   void show() override {
-    if (const auto wish = section_.show(bookmarks_, rights_)) wish_ = wish;
+    if (const auto request = section_.show(bookmarks_, permissions_)) request_ = request;
   }
   /// Clicks along the row of the bookmark until something is asked for.
-  std::optional<BookmarkWish> wishFrom(int begin) {
-    wish_.reset();
-    for (int x = begin; x < begin + 40 && !wish_; x += 8) click(left_ + x, 40);
-    return wish_;
+  std::optional<BookmarkRequest> requestFrom(int begin) {
+    request_.reset();
+    for (int x = begin; x < begin + 40 && !request_; x += 8) click(left_ + x, 40);
+    return request_;
   }
 
   BookmarksSection section_;
   Bookmarks bookmarks_;
-  BookmarkRights rights_{true, true};
-  std::optional<BookmarkWish> wish_;
+  BookmarkPermissions permissions_{true, true};
+  std::optional<BookmarkRequest> request_;
 };
 
 TEST_F(BookmarksSectionTest, AsksToGoToABookmark) {
-  ASSERT_TRUE(wishFrom(10));
-  EXPECT_EQ(wish_->what, BookmarkWish::What::GoTo);
-  EXPECT_EQ(wish_->name, "door");
+  ASSERT_TRUE(requestFrom(10));
+  EXPECT_EQ(request_->what, BookmarkRequest::What::GoTo);
+  EXPECT_EQ(request_->name, "door");
 }
 
 TEST_F(BookmarksSectionTest, AsksForNothingThatCannotBeHad) {
-  rights_ = {};
+  permissions_ = {};
   for (int x = 10; x < 130; x += 8) click(left_ + x, 40);
-  EXPECT_FALSE(wish_);
+  EXPECT_FALSE(request_);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class QualityTest : public testing::Test {
   QualityTest() {
     overlay_.toggle();
     frame();
-    left_ = overlay_.leaves(picture_.width()) + kPadding;
+    left_ = overlay_.widthBeside(picture_.width()) + kPadding;
   }
 
   void frame() {
@@ -40,7 +40,7 @@ class QualityTest : public testing::Test {
   }
 
   void button(bool isDown, int x, int y) {
-    overlay_.take(isDown ? test::pressAt(x, y) : test::releaseAt(x, y));
+    overlay_.handle(isDown ? test::pressAt(x, y) : test::releaseAt(x, y));
     frame();
     frame();
   }

@@ -435,7 +435,7 @@ TEST(Triangles, OfCallbacksAreNotDrawn) {
 }
 
 TEST(Triangles, FillTheLargestPicturesToTheirEdges) {
-  for (const auto& [width, height] : {PictureSize{kMaxPictureSide, 1}, {1, kMaxPictureSide}}) {
+  for (const auto& [width, height] : {ImageSize{kMaxPictureSide, 1}, {1, kMaxPictureSide}}) {
     Drawing drawing;
     drawing.rectangle({-32768, -32768}, {32768, 32768}, {0, 0}, {0, 0}, kWhite);
     drawing.triangle(vertex(-32768, -32768, IM_COL32(9, 9, 9, 255)),

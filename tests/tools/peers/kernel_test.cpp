@@ -11,7 +11,7 @@
 namespace hearth {
 namespace {
 
-constexpr PictureSize kSize{320, 200};
+constexpr ImageSize kSize{320, 200};
 constexpr Pixel kUntouched = 0xFF000000;  // no drawn pixel has these bits
 
 int difference(Pixel pixel, Rgb color) {

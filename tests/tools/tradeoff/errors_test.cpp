@@ -27,7 +27,7 @@ TEST(Errors, areThoseOfRoundingWhereAllIsAsTruthShows) {
   EXPECT_DOUBLE_EQ(ofLight.max, 0.5);
   EXPECT_DOUBLE_EQ(ofLight.rms, 0.5);
   EXPECT_EQ(ofPicture.over2, 0);
-  EXPECT_EQ(ofPicture.largestBlob, 0);
+  EXPECT_EQ(ofPicture.largestPatch, 0);
   EXPECT_TRUE(std::isinf(ofPicture.psnr));
   EXPECT_DOUBLE_EQ(ofPicture.ssim, 1);
 }
@@ -45,7 +45,7 @@ TEST(Errors, areFractionsOfThePixelsOfAllPictures) {
   const PictureError error = sums.errors().picture;
   EXPECT_DOUBLE_EQ(error.over2, 5 / 200.0);
   EXPECT_DOUBLE_EQ(error.over8, 4 / 200.0);
-  EXPECT_EQ(error.largestBlob, 3);
+  EXPECT_EQ(error.largestPatch, 3);
   EXPECT_LT(error.ssim, 1);
   const double squares = (3 * 81 + 100 + 9 + 4) / 3.0 / 200;
   EXPECT_NEAR(error.rms, std::sqrt(squares), 1e-12);

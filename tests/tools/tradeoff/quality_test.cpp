@@ -9,13 +9,13 @@
 
 #include "../loaded.h"
 #include "measure/tradeoff/measure_trials.h"
-#include "settings/measured_front.h"
+#include "settings/measured_pareto_front.h"
 #include "settings/measured_settings.h"
 
 namespace hearth {
 namespace {
 
-constexpr PictureSize kSize{48, 30};
+constexpr ImageSize kSize{48, 30};
 
 std::vector<Measured> measureAll(const LoadedLevel& level, std::vector<Trial> trials) {
   TrialBench bench;

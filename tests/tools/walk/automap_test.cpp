@@ -1,6 +1,6 @@
 // The map of what was seen, at pixels worked out by hand.
 
-#include "viewer/walk/automap.h"
+#include "viewer/overlay/automap.h"
 
 #include <gtest/gtest.h>
 

@@ -71,72 +71,72 @@ TEST(KeyTable, ListsTheKeysThatThereAre) {
 TEST_F(ControlsTest, NothingIsAskedForByNothing) { EXPECT_EQ(tick(), WalkInput{}); }
 
 TEST_F(ControlsTest, KeysAskForAsLongAsTheyAreHeld) {
-  controls_.take(down(Key::W));
-  controls_.take(down(Key::LeftShift));
+  controls_.handle(down(Key::W));
+  controls_.handle(down(Key::LeftShift));
   for (int i = 0; i < 2; ++i) EXPECT_EQ(tick(), (WalkInput{.forward = 127, .run = true}));
-  controls_.take(up(Key::W));
+  controls_.handle(up(Key::W));
   EXPECT_EQ(tick(), WalkInput{.run = true});
 }
 
 TEST_F(ControlsTest, ArrowsWalkAndTurn) {
-  controls_.take(down(Key::Down));
-  controls_.take(down(Key::Left));
-  controls_.take(down(Key::PageUp));
+  controls_.handle(down(Key::Down));
+  controls_.handle(down(Key::Left));
+  controls_.handle(down(Key::PageUp));
   EXPECT_EQ(tick(), (WalkInput{.forward = -127, .turn = -2000, .pitch = 1000}));
 }
 
 TEST_F(ControlsTest, OppositeKeysCancel) {
   for (const Key code : {Key::W, Key::S, Key::A, Key::D, Key::Left, Key::Right})
-    controls_.take(down(code));
+    controls_.handle(down(code));
   EXPECT_EQ(tick(), WalkInput{});
 }
 
 TEST_F(ControlsTest, TwoKeysOfOneActionAreHeldUntilBothAreLetGo) {
-  controls_.take(down(Key::W));
-  controls_.take(down(Key::Up));
-  controls_.take(up(Key::W));
+  controls_.handle(down(Key::W));
+  controls_.handle(down(Key::Up));
+  controls_.handle(up(Key::W));
   EXPECT_EQ(tick().forward, 127);
-  controls_.take(up(Key::Up));
+  controls_.handle(up(Key::Up));
   EXPECT_EQ(tick().forward, 0);
 }
 
 TEST_F(ControlsTest, AKeyThatIsLetGoBeforeTheTickCountsForOne) {
-  controls_.take(down(Key::Space));
-  controls_.take(up(Key::Space));
+  controls_.handle(down(Key::Space));
+  controls_.handle(up(Key::Space));
   EXPECT_TRUE(tick().jump);
   EXPECT_FALSE(tick().jump);
 }
 
 TEST_F(ControlsTest, FlightIsToggledOncePerPress) {
-  EXPECT_EQ(controls_.take(down(Key::N)), Action::Fly);
-  EXPECT_FALSE(controls_.take(KeyEvent{.key = Key::N, .isRepeat = true}));
+  EXPECT_EQ(controls_.handle(down(Key::N)), Action::Fly);
+  EXPECT_FALSE(controls_.handle(KeyEvent{.key = Key::N, .isRepeat = true}));
   EXPECT_TRUE(tick().toggleFlight);
   EXPECT_FALSE(tick().toggleFlight);
 }
 
 TEST_F(ControlsTest, JumpAndCrouchAreUpAndDownInFlight) {
-  controls_.take(down(Key::C));
+  controls_.handle(down(Key::C));
   EXPECT_EQ(tick(), (WalkInput{.up = -127, .crouch = true}));
-  controls_.take(up(Key::C));
-  controls_.take(down(Key::Space));
+  controls_.handle(up(Key::C));
+  controls_.handle(down(Key::Space));
   EXPECT_EQ(tick(), (WalkInput{.up = 127, .jump = true}));
 }
 
 TEST_F(ControlsTest, KeysOfTheDesktopAreNotTheWalkers) {
-  EXPECT_FALSE(controls_.take(KeyEvent{.key = Key::Tab, .hasAlt = true}));
-  EXPECT_EQ(controls_.take(down(Key::Tab)), Action::Map);
+  EXPECT_FALSE(controls_.handle(KeyEvent{.key = Key::Tab, .hasAlt = true}));
+  EXPECT_EQ(controls_.handle(down(Key::Tab)), Action::Map);
 }
 
 TEST_F(ControlsTest, LookingAheadUndoesThePitch) {
-  controls_.take(down(Key::Home));
+  controls_.handle(down(Key::Home));
   EXPECT_EQ(controls_.nextTick(1, 12.345).pitch, -12345);
 }
 
 TEST_F(ControlsTest, TheMouseLooksOnlyWhileItIsCaptured) {
-  controls_.take(motion(10, 0));
+  controls_.handle(motion(10, 0));
   EXPECT_EQ(tick(), WalkInput{});
   controls_.captureMouse(true);
-  controls_.take(motion(10, -4));
+  controls_.handle(motion(10, -4));
   EXPECT_EQ(tick(), (WalkInput{.turn = 1500, .pitch = 600}));
   EXPECT_EQ(tick(), WalkInput{});
 }
@@ -144,26 +144,26 @@ TEST_F(ControlsTest, TheMouseLooksOnlyWhileItIsCaptured) {
 TEST_F(ControlsTest, TheMouseMovesAsFarAndTheWayThatTheUserLikes) {
   controls_.setPreferences({.degreesPerPixel = 0.04, .invertsPitch = true});
   controls_.captureMouse(true);
-  controls_.take(motion(10, -4));
+  controls_.handle(motion(10, -4));
   EXPECT_EQ(tick(), (WalkInput{.turn = 400, .pitch = -160}));
 }
 
 TEST_F(ControlsTest, KeysDoWhatTheUserSays) {
   Preferences preferences;
   preferences.keys.bind(Action::Forward, {Key::E});
-  controls_.take(down(Key::S));
+  controls_.handle(down(Key::S));
   controls_.setPreferences(preferences);
   EXPECT_EQ(tick(), WalkInput{}) << "what was held is let go of";
-  controls_.take(down(Key::W));
+  controls_.handle(down(Key::W));
   EXPECT_EQ(tick(), WalkInput{});
-  controls_.take(down(Key::E));
+  controls_.handle(down(Key::E));
   EXPECT_EQ(tick().forward, 127);
 }
 
 TEST_F(ControlsTest, MotionIsSpreadOverTheTicksAndNoneIsLost) {
   controls_.captureMouse(true);
   for (const int pixels : {1, 7, -5, 100}) {
-    controls_.take(motion(pixels, pixels));
+    controls_.handle(motion(pixels, pixels));
     WalkInput sum;
     for (int due = 7; due > 0; --due) {
       const WalkInput input = controls_.nextTick(due, 0);
@@ -177,7 +177,7 @@ TEST_F(ControlsTest, MotionIsSpreadOverTheTicksAndNoneIsLost) {
 
 TEST_F(ControlsTest, AWildMouseDoesNotOverflow) {
   controls_.captureMouse(true);
-  for (int i = 0; i < 10000; ++i) controls_.take(motion(2147483647, -2147483647 - 1));
+  for (int i = 0; i < 10000; ++i) controls_.handle(motion(2147483647, -2147483647 - 1));
   const WalkInput input = tick();
   EXPECT_GT(input.turn, 0);
   EXPECT_GT(input.pitch, 0);
@@ -185,57 +185,57 @@ TEST_F(ControlsTest, AWildMouseDoesNotOverflow) {
 
 TEST_F(ControlsTest, ReleaseLetsGoOfEverything) {
   controls_.captureMouse(true);
-  controls_.take(down(Key::W));
-  controls_.take(motion(10, 10));
-  controls_.take(GamepadMotion{GamepadAxis::LeftX, 32767});
-  controls_.take(GamepadButtonEvent{GamepadButton::A, true});
+  controls_.handle(down(Key::W));
+  controls_.handle(motion(10, 10));
+  controls_.handle(GamepadMotion{GamepadAxis::LeftX, 32767});
+  controls_.handle(GamepadButtonEvent{GamepadButton::A, true});
   controls_.release();
   EXPECT_EQ(tick(), WalkInput{});
 }
 
 TEST_F(ControlsTest, SticksWalkAndLook) {
-  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32768});
-  controls_.take(GamepadMotion{GamepadAxis::RightX, 32767});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftY, -32768});
+  controls_.handle(GamepadMotion{GamepadAxis::RightX, 32767});
   EXPECT_EQ(tick(), (WalkInput{.forward = 127, .turn = 3000}));
-  controls_.take(GamepadMotion{GamepadAxis::LeftY, 0});
-  controls_.take(GamepadMotion{GamepadAxis::RightX, 0});
-  controls_.take(GamepadMotion{GamepadAxis::RightY, 32767});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftY, 0});
+  controls_.handle(GamepadMotion{GamepadAxis::RightX, 0});
+  controls_.handle(GamepadMotion{GamepadAxis::RightY, 32767});
   EXPECT_EQ(tick(), WalkInput{.pitch = -1500});
 }
 
 TEST_F(ControlsTest, AStickThatRestsOffItsMiddleIsStill) {
-  controls_.take(GamepadMotion{GamepadAxis::LeftX, 5000});
-  controls_.take(GamepadMotion{GamepadAxis::LeftY, -5000});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftX, 5000});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftY, -5000});
   EXPECT_EQ(tick(), WalkInput{});
 }
 
 TEST_F(ControlsTest, AStickIsAsFastInEveryDirection) {
-  controls_.take(GamepadMotion{GamepadAxis::LeftX, 32767});
-  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32767});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftX, 32767});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftY, -32767});
   const WalkInput input = tick();
   EXPECT_EQ(input.forward, 90);  // 127 / sqrt(2)
   EXPECT_EQ(input.right, 90);
 }
 
 TEST_F(ControlsTest, AStickAndAKeyTogetherAreNoFaster) {
-  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32767});
-  controls_.take(down(Key::W));
+  controls_.handle(GamepadMotion{GamepadAxis::LeftY, -32767});
+  controls_.handle(down(Key::W));
   EXPECT_EQ(tick().forward, 127);
 }
 
 TEST_F(ControlsTest, ButtonsAndTriggersDoWhatKeysDo) {
-  EXPECT_EQ(controls_.take(GamepadButtonEvent{GamepadButton::Y, true}), Action::Fly);
-  controls_.take(GamepadButtonEvent{GamepadButton::A, true});
-  controls_.take(GamepadMotion{GamepadAxis::RightTrigger, 32767});
+  EXPECT_EQ(controls_.handle(GamepadButtonEvent{GamepadButton::Y, true}), Action::Fly);
+  controls_.handle(GamepadButtonEvent{GamepadButton::A, true});
+  controls_.handle(GamepadMotion{GamepadAxis::RightTrigger, 32767});
   EXPECT_EQ(tick(), (WalkInput{.up = 127, .run = true, .jump = true, .toggleFlight = true}));
-  controls_.take(GamepadButtonEvent{GamepadButton::A, false});
+  controls_.handle(GamepadButtonEvent{GamepadButton::A, false});
   EXPECT_EQ(tick(), WalkInput{.run = true});
 }
 
 TEST_F(ControlsTest, AGamepadThatIsPulledOutLetsGo) {
-  controls_.take(GamepadMotion{GamepadAxis::LeftY, -32767});
-  controls_.take(GamepadButtonEvent{GamepadButton::B, true});
-  controls_.take(GamepadRemoved{});
+  controls_.handle(GamepadMotion{GamepadAxis::LeftY, -32767});
+  controls_.handle(GamepadButtonEvent{GamepadButton::B, true});
+  controls_.handle(GamepadRemoved{});
   tick();  // the button was pressed before it
   EXPECT_EQ(tick(), WalkInput{});
 }

@@ -25,7 +25,7 @@ class LiveLights : public test::LiveWalk {
     lights().open();
     ASSERT_TRUE(lights().isOpen()) << lights().message();
   }
-  LightsEditor& lights() { return *loop_->lights(); }
+  LightsEditor& lights() { return *loop_->lightsEditor(); }
 
   void setIntensity(double intensity) {
     lights().pick(0);

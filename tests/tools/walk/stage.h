@@ -22,8 +22,8 @@ class Stage : public WindowHost {
     return std::nullopt;
   }
   void rest(double) override { ++rests; }
-  std::optional<PictureSize> windowSize() override { return window; }
-  void show(PictureSize size, const DrawRows& draw) override {
+  std::optional<ImageSize> windowSize() override { return window; }
+  void show(ImageSize size, const DrawRows& draw) override {
     const PixelRows rows = memory_.rows(size.width, size.height);
     draw(rows);
     if (shown.width() != size.width || shown.height() != size.height)
@@ -41,7 +41,7 @@ class Stage : public WindowHost {
 
   double now = 1000;
   std::vector<Event> events;  ///< to come
-  std::optional<PictureSize> window = PictureSize{64, 40};
+  std::optional<ImageSize> window = ImageSize{64, 40};
 
   Image shown;
   int frames = 0;

@@ -62,7 +62,7 @@ class StagedWalk {
   }
 
   /// What `hearth shot` would draw where the walker was a tick ago.
-  Image drawn(LightMode mode, PictureSize size) const {
+  Image drawn(LightMode mode, ImageSize size) const {
     const Eye eye = session_.eye(0);
     return renderer_.draw(
         {eye.sector, eye.point, eye.angle, eye.pitch, settings_.fov, size.width, size.height},

@@ -9,7 +9,7 @@
 #include "image/image_file.h"
 #include "support/canvas.h"
 #include "support/temporary_folder.h"
-#include "viewer/walk/captions.h"
+#include "viewer/overlay/captions.h"
 #include "viewer/walk/frame_rate.h"
 #include "viewer/walk/placement.h"
 
@@ -98,7 +98,7 @@ TEST_F(ScreenshotsTest, SayWhatIsWrong) {
 constexpr Rgb kPaper = {200, 200, 200};
 
 TEST(Captions, StaysInsidePicturesOfAnySize) {
-  for (const auto& [width, height] : {PictureSize{1, 1}, {3, 900}, {900, 3}, {320, 200}}) {
+  for (const auto& [width, height] : {ImageSize{1, 1}, {3, 900}, {900, 3}, {320, 200}}) {
     test::Canvas around(width + 2, height + 2, kPaper);
     const PixelRows& rows = around;
     const PixelRows picture = rows.part(1, 1, width, height);

@@ -52,7 +52,7 @@ constexpr KeyEvent kCtrl{.key = Key::LeftCtrl, .hasCtrl = true};
 class LightsWalk : public test::StagedWalk {
  public:
   LightsWalk() : StagedWalk(WalkSettings{.lightsFile = writtenLights()}) {
-    stage.window = PictureSize{1280, 720};
+    stage.window = ImageSize{1280, 720};
     now();
     plain = stage.shown;
     now(down(Key::F1));
@@ -60,7 +60,7 @@ class LightsWalk : public test::StagedWalk {
   }
   ~LightsWalk() { fs::remove(lights().file()); }
 
-  LightsEditor& lights() { return *loop().lights(); }
+  LightsEditor& lights() { return *loop().lightsEditor(); }
   std::string onDisk() {
     std::ifstream stream(lights().file());
     return {std::istreambuf_iterator<char>(stream), {}};

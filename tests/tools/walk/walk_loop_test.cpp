@@ -194,7 +194,7 @@ TEST(WalkPictures, AreWhatShotDraws) {
 
 TEST(WalkPictures, FollowTheWindow) {
   Walk walk;
-  for (const PictureSize size : {PictureSize{1, 1}, {160, 100}, {30, 90}, {640, 1}, {1, 64}}) {
+  for (const ImageSize size : {ImageSize{1, 1}, {160, 100}, {30, 90}, {640, 1}, {1, 64}}) {
     walk.stage.window = size;
     walk.now(WindowEvent::Changed);
     EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::Both, size));
@@ -215,8 +215,8 @@ TEST(WalkPictures, GoUpAndDownWithTheStepsWhereTheUserLikesThat) {
 }
 
 TEST(WalkPictures, HaveTheSizeAndTheFieldOfViewThatWereAskedFor) {
-  Walk walk({.size = PictureSize{32, 20}, .fov = 60});
-  walk.stage.window = PictureSize{500, 100};
+  Walk walk({.size = ImageSize{32, 20}, .fov = 60});
+  walk.stage.window = ImageSize{500, 100};
   walk.now();
   EXPECT_EQ(walk.stage.shown, walk.drawn(LightMode::Both, {32, 20}));
 }
@@ -233,7 +233,7 @@ TEST(WalkPictures, AreNotDrawnForAWindowThatCannotBeSeen) {
 
 TEST(WalkPictures, MapAndKeysComeAndGo) {
   Walk walk;
-  walk.stage.window = PictureSize{320, 200};
+  walk.stage.window = ImageSize{320, 200};
   walk.now();
   const Image plain = walk.stage.shown;
   for (const Key code : {Key::Tab, Key::H}) {
@@ -252,7 +252,7 @@ TEST(WalkPictures, MapAndKeysComeAndGo) {
 
 TEST(WalkPictures, AScreenshotHasNothingWrittenOverIt) {
   Walk walk;
-  walk.stage.window = PictureSize{320, 200};
+  walk.stage.window = ImageSize{320, 200};
   walk.now(down(Key::H));
   walk.now(down(Key::F1));
   walk.now(down(Key::F12));

@@ -22,7 +22,7 @@ using test::releaseAt;
 class OverlayWalk : public test::StagedWalk {
  public:
   OverlayWalk() {
-    stage.window = PictureSize{800, 400};
+    stage.window = ImageSize{800, 400};
     now();
     plain = stage.shown;
   }
@@ -98,7 +98,7 @@ bool beginsWith(const Image& picture, const Image& part) {
 }
 
 TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
-  for (const PictureSize size : {PictureSize{1280, 720}, {3840, 2160}}) {
+  for (const ImageSize size : {ImageSize{1280, 720}, {3840, 2160}}) {
     WalkSettings settings;
     settings.view.channel = "spaces";
     test::StagedWalk walk(settings);
@@ -112,7 +112,7 @@ TEST(WalkOverlay, LeavesChannelsOfGeometryBesideIt) {
         1, [] {}, picture);
     const Eye eye = eyeOf(walk.scene(), walk.start());
     const Camera camera{eye.sector, eye.point,    eye.angle,
-                        eye.pitch,  settings.fov, panel.leaves(size.width),
+                        eye.pitch,  settings.fov, panel.widthBeside(size.width),
                         size.height};
     EXPECT_EQ(walk.stage.shown.width(), size.width);
     EXPECT_TRUE(beginsWith(walk.stage.shown, *drawGeometry(walk.scene(), camera, "spaces")));

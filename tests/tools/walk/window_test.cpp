@@ -25,11 +25,11 @@ class HiddenWindow : public testing::Test {
 
   static void deliver(WalkWindow& window, Controls& controls) {
     SDL_JoystickUpdate();
-    while (const auto event = window.poll()) controls.take(*event);
+    while (const auto event = window.poll()) controls.handle(*event);
   }
 };
 
-void showColor(WalkWindow& window, PictureSize size, Uint32 color) {
+void showColor(WalkWindow& window, ImageSize size, Uint32 color) {
   window.show(size, [color](const PixelRows& rows) {
     for (int y = 0; y < rows.height; ++y) std::fill_n(rows.at(0, y), rows.width, color);
   });
@@ -65,7 +65,7 @@ TEST_F(HiddenWindow, TakesPicturesOfAnySize) {
   auto window = WalkWindow::open("test", {});
   ASSERT_TRUE(window) << window.error();
   EXPECT_EQ(window->windowSize(), kFirstWindowSize);
-  for (const PictureSize size : {PictureSize{1, 1}, {4000, 3}, {960, 600}, {7, 2000}})
+  for (const ImageSize size : {ImageSize{1, 1}, {4000, 3}, {960, 600}, {7, 2000}})
     showColor(*window, size, 0);
 }
 
@@ -82,7 +82,7 @@ TEST_F(HiddenWindow, ShowsWhatIsDrawnInItsSizeAndInOthers) {
   auto window = WalkWindow::open("test", {});
   ASSERT_TRUE(window) << window.error();
   Uint32 color = 0x123456;
-  for (const PictureSize size : {kFirstWindowSize, PictureSize{64, 40}, {3000, 2000}}) {
+  for (const ImageSize size : {kFirstWindowSize, ImageSize{64, 40}, {3000, 2000}}) {
     color += 0x111111;
     showColor(*window, size, color);
     EXPECT_EQ(middleOfWindow(), color) << size.width;
@@ -91,7 +91,7 @@ TEST_F(HiddenWindow, ShowsWhatIsDrawnInItsSizeAndInOthers) {
 
 TEST_F(HiddenWindow, TellsTheMousesPlaceInThePicture) {
   WindowSettings settings;
-  settings.windowSize = PictureSize{700, 400};  // twice the picture, 30 pixels from its left
+  settings.windowSize = ImageSize{700, 400};  // twice the picture, 30 pixels from its left
   auto window = WalkWindow::open("test", settings);
   ASSERT_TRUE(window) << window.error();
   showColor(*window, {320, 200}, 0);
@@ -122,18 +122,18 @@ TEST_F(HiddenWindow, TellsTheMousesPlaceInThePicture) {
 
 TEST_F(HiddenWindow, IsAWholeNumberOfTimesAsLargeAsItsPicture) {
   WindowSettings settings;
-  settings.pictureSize = PictureSize{320, 200};
-  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{960, 600}));
-  settings.pictureSize = PictureSize{400, 600};
-  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{400, 600}));
+  settings.pictureSize = ImageSize{320, 200};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (ImageSize{960, 600}));
+  settings.pictureSize = ImageSize{400, 600};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (ImageSize{400, 600}));
 }
 
 TEST_F(HiddenWindow, IsNoLargerThanTheScreenAndKeepsThePicturesShape) {
   WindowSettings settings;  // the screen of this driver has 1024x768 pixels
-  settings.pictureSize = PictureSize{1600, 800};
-  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{1024, 512}));
-  settings.pictureSize = PictureSize{100, 4096};
-  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{19, 768}));
+  settings.pictureSize = ImageSize{1600, 800};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (ImageSize{1024, 512}));
+  settings.pictureSize = ImageSize{100, 4096};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (ImageSize{19, 768}));
 }
 
 TEST_F(HiddenWindow, OpensWhereTheLastOneWasLeft) {
@@ -149,15 +149,15 @@ TEST_F(HiddenWindow, GoesBackFromTheFullScreenToWhereItWas) {
   settings.place = WindowPlace{100, 50, {500, 300}, true};
   auto window = WalkWindow::open("test", settings);
   EXPECT_EQ(window->place(), *settings.place);
-  EXPECT_EQ(window->windowSize(), (PictureSize{1024, 768}));
+  EXPECT_EQ(window->windowSize(), (ImageSize{1024, 768}));
   window->toggleFullScreen();
   EXPECT_EQ(window->place(), (WindowPlace{100, 50, {500, 300}}));
 }
 
 TEST_F(HiddenWindow, IsAsLargeAsIsAskedForWhateverTheScreen) {
   WindowSettings settings;
-  settings.windowSize = PictureSize{1920, 1080};
-  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (PictureSize{1920, 1080}));
+  settings.windowSize = ImageSize{1920, 1080};
+  EXPECT_EQ(WalkWindow::open("test", settings)->windowSize(), (ImageSize{1920, 1080}));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 #include "files/replace_file.h"
 #include "image/compare.h"
 #include "image/image_file.h"
+#include "inputs/inputs.h"
 #include "render/renderer.h"
-#include "session/session.h"
 #include "settings/shell_text.h"
 
 namespace hearth {

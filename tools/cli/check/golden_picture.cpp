@@ -17,7 +17,7 @@ std::string figures(const PictureDifference& difference, std::size_t pixels) {
       "{} of {} pixels differ, {} by more than 2 levels, {} by more than 8; largest difference {} "
       "of 255, largest patch {} pixel(s)",
       difference.differing, pixels, difference.over2, difference.over8, difference.largest,
-      difference.largestBlob);
+      difference.largestPatch);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 /// An authored wall, of which linking may have made several segments.
 using WallKey = std::tuple<SectorId, std::uint32_t, std::uint32_t>;
 
-WallKey keyOf(const Segment& segment) { return {segment.sector, segment.loop, segment.wall}; }
+WallKey keyOf(const Segment& segment) { return {segment.sector, segment.loop, segment.wallIndex}; }
 
 /// Whether an opening of the segment has none that leads back.
 bool isOneWay(const Scene& scene, const Segment& segment) {
@@ -35,7 +35,7 @@ void countWalls(const Scene& scene, FeatureCounts& counts) {
   std::set<WallKey> split;
   for (const Segment& segment : scene.level().segments) {
     if (isOneWay(scene, segment)) oneWay.insert(keyOf(segment));
-    if (segment.sBefore > 0 && !std::holds_alternative<Solid>(segment.kind))
+    if (segment.sBefore > 0 && !std::holds_alternative<Solid>(segment.wall))
       split.insert(keyOf(segment));
   }
   counts.add(FormatFeature::OneWayPortal, std::ssize(oneWay));
@@ -130,13 +130,13 @@ bool overlap(const Level& level, const Sector& a, const Sector& b) {
 void countOverlaps(const Level& level, FeatureCounts& counts) {
   std::vector<std::size_t> order(level.sectors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto left = [&](std::size_t i) { return level.sectors[i].boxMin.x; };
+  const auto left = [&](std::size_t i) { return level.sectors[i].box.min.x; };
   std::ranges::sort(order, [&](auto a, auto b) { return left(a) < left(b); });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Sector& a = level.sectors[order[i]];
-    for (std::size_t k = i + 1; k < order.size() && left(order[k]) < a.boxMax.x; ++k) {
+    for (std::size_t k = i + 1; k < order.size() && left(order[k]) < a.box.max.x; ++k) {
       const Sector& b = level.sectors[order[k]];
-      const bool apart = a.boxMax.y <= b.boxMin.y || b.boxMax.y <= a.boxMin.y ||
+      const bool apart = a.box.max.y <= b.box.min.y || b.box.max.y <= a.box.min.y ||
                          a.ceiling.z <= b.floor.z || b.ceiling.z <= a.floor.z;
       if (!apart && overlap(level, a, b)) counts.add(FormatFeature::OverlappingSectors);
     }

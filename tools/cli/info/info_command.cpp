@@ -7,8 +7,8 @@
 #include "cli/command.h"
 #include "cli/info/format_features.h"
 #include "cli/info/light_report.h"
+#include "inputs/inputs.h"
 #include "light/geometry_hash.h"
-#include "session/session.h"
 
 namespace hearth {
 
@@ -51,7 +51,7 @@ nlohmann::ordered_json toJson(const Scene& scene, const LitSurfaces& surfaces) {
     const LitSurface& lit = *surfaces[id.index()];
     const TexelRect& rect = lit.texels;
     auto outlines = nlohmann::ordered_json::array();
-    for (const std::vector<Vec2>& polygon : lit.outline.polygons()) {
+    for (const std::vector<Vec2>& polygon : lit.outline.loops()) {
       auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
       for (const Vec2 p : polygon) points.push_back({p.x, p.y});
     }
@@ -99,7 +99,7 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
     object["samples"] = "auto";
   object["lambert"] = settings.lambert;
   object["all"] = toJson(report.all);
-  for (std::size_t i = 0; i < kSurfaceKinds; ++i)
+  for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
     object["kinds"][std::string(name(static_cast<SurfaceKind>(i)))] = toJson(report.kinds[i]);
   object["points"] = toJson(report.points);
   object["balls"] = toJson(report.balls);
@@ -119,7 +119,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
   object["interfaces"] = level.flatPortals.size();  // scripts know them by this name
   object["lights"] = level.lights.size();
   object["shots"] = level.shots.size();
-  for (std::size_t i = 0; i < kSurfaceKinds; ++i)
+  for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
     object["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] =
         contents.light.kinds[i].surfaces();
   object["textures"] = nlohmann::ordered_json::array();
@@ -158,7 +158,7 @@ void printLight(const Contents& contents) {
   fmt::print("{:<16} {:>8} {:>26} {:>14}\n", "", "", "without a lightmap", "of channels");
   fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>6} {:>11} {:>13}\n", "", "surfaces",
              "bare", "unfaced", "unreached", "one", "three", "even", "bytes", "rays");
-  for (std::size_t i = 0; i < kSurfaceKinds; ++i)
+  for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
     printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
   printRow("all", light.all);
   fmt::print(

@@ -20,7 +20,7 @@ SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
     const bool isWhite = map->channels == 1;
     (isWhite ? report.white : report.colored) = 1;
     (isWhite ? report.whiteTexels : report.coloredTexels) = texels;
-    report.even = map->isEven() ? 1 : 0;
+    report.even = map->isUniform() ? 1 : 0;
     report.bytes = static_cast<std::int64_t>(map->bytes());
   } else {
     (light.surfaceCosts[i].facingLights == 0 ? report.unfaced : report.unreached) = 1;
@@ -52,9 +52,9 @@ WallCounts countWalls(const Level& level) {
   std::set<std::pair<const Sector*, std::pair<std::uint32_t, std::uint32_t>>> seen;
   WallCounts counts;
   for (const Segment& segment : level.segments) {
-    if (!seen.insert({&level[segment.sector], {segment.loop, segment.wall}}).second) continue;
+    if (!seen.insert({&level[segment.sector], {segment.loop, segment.wallIndex}}).second) continue;
     ++counts.all;
-    counts.stacks += std::holds_alternative<Stack>(segment.kind) ? 1 : 0;
+    counts.stacks += std::holds_alternative<Stack>(segment.wall) ? 1 : 0;
   }
   return counts;
 }

@@ -42,7 +42,7 @@ struct LightKindReport {
 
 /// Which of a level's light was modelled, which was left out, and why.
 struct LightReport {
-  std::array<SurfaceReport, kSurfaceKinds> kinds{};  ///< by SurfaceKind
+  std::array<SurfaceReport, kSurfaceKindCount> kinds{};  ///< by SurfaceKind
   SurfaceReport all;
   LightKindReport points;
   LightKindReport balls;

@@ -26,8 +26,8 @@ struct ImportSettings {
   Doors doors = Doors::Open;
   /// The fraction of the sectors' light in the map: low enough for the light of lamps to show.
   double ambient = 0.75;
-  std::size_t imagePixels = kMostPixels;  ///< of all its images together
-  std::size_t lights = kMostLights;       ///< at most
+  std::size_t imagePixels = kMaxPixels;  ///< of all its images together
+  std::size_t lights = kMaxLights;       ///< at most
 };
 
 /// The result of importing one map.

@@ -23,7 +23,7 @@ constexpr std::array kNumbers{
     NumberKey{"reach", &Glow::reach, 0.1}, NumberKey{"height", &Glow::height, 0},
     NumberKey{"every", &Glow::every, 0.25}};
 
-constexpr double kMost = 1e6;
+constexpr double kMax = 1e6;
 
 bool isComment(const std::string& key) { return key.starts_with("//") || key.starts_with("$"); }
 
@@ -44,8 +44,8 @@ std::optional<std::string> take(const std::string& key, const Json& value, Glow&
   for (const NumberKey& number : kNumbers) {
     if (key != number.key) continue;
     const double n = value.is_number() ? value.get<double>() : -1;
-    if (!(n >= number.least && n <= kMost))
-      return fmt::format("write a number of {:g} to {:g}", number.least, kMost);
+    if (!(n >= number.least && n <= kMax))
+      return fmt::format("write a number of {:g} to {:g}", number.least, kMax);
     glow.*number.member = n;
     return std::nullopt;
   }

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "math/box.h"
 
 namespace hearth::doom {
 
@@ -39,16 +40,6 @@ Json curveOf(const Glow& glow) {
   }
   return curve;
 }
-
-struct Box {
-  Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 max{-min.x, -min.y};
-
-  void include(Vec2 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y)};
-  }
-};
 
 class Illuminator {
  public:
@@ -131,9 +122,9 @@ class Illuminator {
   std::vector<Vec2> placesOn(std::uint32_t region, double every) const {
     Box box;
     for (const std::uint32_t h : plan_.regions()[region].loops.front())
-      box.include(plan_.halfEdge(h).from);
+      box.add(plan_.halfEdge(h).from);
     const Vec2 middle = lerp(box.min, box.max, 0.5);
-    if (std::max(box.max.x - box.min.x, box.max.y - box.min.y) <= 1.5 * every)
+    if (box.longerSide() <= 1.5 * every)
       return plan_.contains(region, middle) ? std::vector<Vec2>{middle} : placeAtBorder(region);
     std::vector<Vec2> places;
     for (double row = std::floor(box.min.y / every); row * every < box.max.y; ++row)

@@ -10,11 +10,11 @@
 namespace hearth::doom {
 
 /// More are refused where levels are loaded.
-inline constexpr std::size_t kMostLights = LoadLimits{}.lights;
+inline constexpr std::size_t kMaxLights = LoadLimits{}.lights;
 
 /// The lights of a map as a lights file holds them: where its things shine, and before the walls,
 /// floors and ceilings that do.
 nlohmann::ordered_json lightsJson(const GroundPlan& plan, const LightTable& table,
-                                  Findings& findings, std::size_t maxLights = kMostLights);
+                                  Findings& findings, std::size_t maxLights = kMaxLights);
 
 }  // namespace hearth::doom

@@ -10,8 +10,8 @@ namespace hearth::doom {
 namespace {
 
 constexpr std::uint16_t kNone = 0xFFFF;
-constexpr std::size_t kMostLumps = 11;       // that follow the one with the map's name
-constexpr std::size_t kMostRecords = 65536;  // of a lump: as many have numbers of 16 bits
+constexpr std::size_t kMaxLumps = 11;       // that follow the one with the map's name
+constexpr std::size_t kMaxRecords = 65536;  // of a lump: as many have numbers of 16 bits
 
 std::uint16_t uint16At(Bytes bytes, std::size_t at) {
   return static_cast<std::uint16_t>(int16At(bytes, at));
@@ -44,7 +44,7 @@ class MapReader {
  private:
   std::optional<Bytes> lump(std::string_view name) const {
     const auto& lumps = wad_.lumps();
-    const std::size_t end = std::min(lumps.size(), marker_ + 1 + kMostLumps);
+    const std::size_t end = std::min(lumps.size(), marker_ + 1 + kMaxLumps);
     for (std::size_t i = marker_ + 1; i < end && !isMarker(wad_, i); ++i)
       if (lumps[i].name == name) return lumps[i].bytes;
     return std::nullopt;
@@ -62,9 +62,9 @@ class MapReader {
     if (bytes->size() % size != 0)
       return refuse(
           fmt::format("{} has {} bytes, which is no multiple of {}", name, bytes->size(), size));
-    if (bytes->size() / size > kMostRecords)
+    if (bytes->size() / size > kMaxRecords)
       return refuse(
-          fmt::format("{} has {} records, more than {}", name, bytes->size() / size, kMostRecords));
+          fmt::format("{} has {} records, more than {}", name, bytes->size() / size, kMaxRecords));
     for (std::size_t at = 0; at < bytes->size(); at += size)
       records.push_back(recordAt(bytes->subspan(at, size)));
   }

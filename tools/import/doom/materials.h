@@ -31,14 +31,14 @@ struct Hanging {
 };
 
 /// Of all images of one level together: sixteen times as many as the largest map of Freedoom needs.
-inline constexpr std::size_t kMostPixels = std::size_t{1} << 26;
+inline constexpr std::size_t kMaxPixels = std::size_t{1} << 26;
 
 /// The textures of a level, made of the pictures that its map asks for.
 class Materials {
  public:
   /// `map` decides which sky it is.
   Materials(const Pictures& pictures, const std::string& map, Findings& findings,
-            std::size_t maxPixels = kMostPixels);
+            std::size_t maxPixels = kMaxPixels);
 
   /// As levels write them. Walls and flats that cannot be drawn are grey.
   nlohmann::ordered_json wall(const std::string& name, const Hanging& hanging);

@@ -21,8 +21,8 @@ constexpr double kCell = kUnit / kCells;
 
 /// Without a bound a small hostile map would fill the memory, and a level of as many walls would
 /// not load. All maps of Freedoom together have four crossings, the largest one 17,000 walls.
-constexpr std::size_t kMostCrossings = 50'000;
-constexpr std::size_t kMostPieces = 250'000;
+constexpr std::size_t kMaxCrossings = 50'000;
+constexpr std::size_t kMaxPieces = 250'000;
 
 GridPoint gridPointOf(const Vertex& vertex) { return {vertex.x * kCells, -vertex.y * kCells}; }
 Vec2 placeOf(GridPoint p) { return {p.x * kCell, p.y * kCell}; }
@@ -55,17 +55,17 @@ class Cutter {
       return tl::unexpected(
           fmt::format("its lines cross in more than {} places: too many to cut "
                       "them there",
-                      kMostCrossings));
+                      kMaxCrossings));
     const SnapRounding rounding(hotPoints());
     std::size_t pieces = 0;  // before those in one place become one
     for (const Cuttable& line : lines_) {
       const std::vector<GridPoint> path = rounding.pathOf(line.from, line.to);
       pieces += path.size() - 1;
-      if (pieces > kMostPieces)
+      if (pieces > kMaxPieces)
         return tl::unexpected(
             fmt::format("its lines meet so often that they would have to be cut "
                         "into more than {} pieces",
-                        kMostPieces));
+                        kMaxPieces));
       addPieces(line, path);
     }
     return std::move(result_);
@@ -89,7 +89,7 @@ class Cutter {
     for (std::size_t i = 0; i < lines_.size(); ++i)
       for (std::size_t j = i + 1; j < lines_.size() && lines_[j].minX() <= lines_[i].maxX(); ++j) {
         if (lines_[i].overlapsInY(lines_[j])) cross(lines_[i], lines_[j]);
-        if (crossings_ > kMostCrossings) return false;
+        if (crossings_ > kMaxCrossings) return false;
       }
     return true;
   }

@@ -1,7 +1,7 @@
 """The chapel."""
 
 from castle.site import closed, doorway, floating, opening_above, outdoors, plan, room, square
-from castle.things import CANDLE, candle
+from castle.props import CANDLE, candle
 from plan import rectangle, ring
 
 NAVE = 0.2

@@ -2,7 +2,7 @@
 
 from castle.courtyard import OPENING
 from castle.site import BELOW, CRYPT, FRAME, TOWER_SOUTH, pillar, plan, room, square
-from castle.things import CANDLE, candle
+from castle.props import CANDLE, candle
 from plan import rectangle, ring
 
 LIGHT = ring(*OPENING, 2.1, 8)  # what lies below the opening

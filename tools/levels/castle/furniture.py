@@ -1,7 +1,7 @@
 """What stands and hangs in the great hall."""
 
 from castle.site import floating, opening_above, room, square
-from castle.things import CANDLE, candle, on_legs
+from castle.props import CANDLE, candle, on_legs
 from plan import rectangle
 
 HALL, APEX = 0.4, 10.6

@@ -3,7 +3,7 @@
 from castle.site import (
     BOWL, COURT, PARAPET, WALK, battlement, brazier, doorway, glazed, mirrored, on_both_sides,
     outdoors, plan, room)
-from castle.things import on_legs
+from castle.props import on_legs
 from plan import rectangle, ring
 
 GATE_TOP = 8.4

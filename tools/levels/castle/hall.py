@@ -4,7 +4,7 @@ from castle.furniture import APEX, DAIS, HALL, PLACES, furnish, pitch
 from castle.site import (
     INDOORS, STAIR_OUTER, STAIR_X, STAIR_Y, WALK, closed, doorway, floating, glazed, glowing, opening_above,
     outdoors, pillar, plan, room, square)
-from castle.things import BARREL, CANDLE, barrel, candle
+from castle.props import BARREL, CANDLE, barrel, candle
 from plan import rectangle, ring
 
 GALLERY, HALL_WEST = 3.6, 8.9

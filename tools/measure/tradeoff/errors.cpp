@@ -88,7 +88,7 @@ void ErrorSums::add(const TruthPicture& truth, const Image& lit, const Image& li
   const PictureDifference difference = compare(truth.picture, lit, 8);
   counts_.over2 += static_cast<double>(difference.over2);
   counts_.over8 += static_cast<double>(difference.over8);
-  counts_.largestBlob = std::max(counts_.largestBlob, difference.largestBlob);
+  counts_.largestPatch = std::max(counts_.largestPatch, difference.largestPatch);
   squares_ += squaresApart(truth.picture, lit);
   for (int j = 0; j + kWindow <= lit.height(); j += kWindowStep)
     for (int i = 0; i + kWindow <= lit.width(); i += kWindowStep, ++windows_)

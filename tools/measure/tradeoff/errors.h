@@ -18,10 +18,10 @@ struct LightError {
 
 /// Of lit pictures.
 struct PictureError {
-  double rms = 0;                ///< levels, of all channels
-  double over2 = 0;              ///< fraction of pixels that are off by more than 2 levels
-  double over8 = 0;              ///< ... by more than 8
-  std::int64_t largestBlob = 0;  ///< pixels of the largest patch of those
+  double rms = 0;                 ///< levels, of all channels
+  double over2 = 0;               ///< fraction of pixels that are off by more than 2 levels
+  double over8 = 0;               ///< ... by more than 8
+  std::int64_t largestPatch = 0;  ///< pixels of the largest patch of those
   double psnr = 0;  ///< dB; for information: it rates a slight difference everywhere like a hole
   double ssim = 0;  ///< structural similarity of brightness, mean over windows of 8 x 8 pixels
 };

@@ -31,7 +31,7 @@ struct Measured {
 
 /// How trials are measured.
 struct TrialBench {
-  PictureSize frameSize{640, 400};        ///< that is timed
+  ImageSize frameSize{640, 400};          ///< that is timed
   int threads = 1;                        ///< of bakes
   int repeats = 3;                        ///< of bakes, and of frames of each shot
   Clock clock;                            ///< never stands still

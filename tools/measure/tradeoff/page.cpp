@@ -48,7 +48,7 @@ std::string row(const TradeoffReport& report, std::size_t i) {
       "<td>{:.1f}</td><td>{:.4f}</td><td>{}</td></tr>\n",
       front.empty() ? "" : " class=\"front\"", escaped(nameOf(of.trial)), of.bakeCost,
       of.bakeSeconds, of.frameCost, of.frameMilliseconds, of.texels, of.rays, of.bytes, light.max,
-      light.rms, light.p99, 100 * picture.over2, 100 * picture.over8, picture.largestBlob,
+      light.rms, light.p99, 100 * picture.over2, 100 * picture.over8, picture.largestPatch,
       picture.psnr, picture.ssim, front);
 }
 

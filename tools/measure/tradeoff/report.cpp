@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "measure/tradeoff/front.h"
+#include "measure/tradeoff/pareto_front.h"
 
 namespace hearth {
 
@@ -17,7 +17,7 @@ std::vector<bool> frontAmong(const std::vector<Measured>& trials,
   std::vector<CostAndError> points;
   for (const Measured& trial : trials)
     if (isAsked(trial)) points.push_back(pointOf(trial));
-  const std::vector<bool> front = onFront(points);
+  const std::vector<bool> front = onParetoFront(points);
   std::vector<bool> found;
   std::size_t point = 0;
   for (const Measured& trial : trials) found.push_back(isAsked(trial) && front[point++]);
@@ -69,7 +69,8 @@ std::string tableOf(const TradeoffReport& report) {
         "{:>6.2f} {:>6.2f} {:>6} {:>6.1f} {:>6.4f}  {}\n",
         nameOf(of.trial), of.bakeCost, of.bakeSeconds, of.frameCost, of.frameMilliseconds,
         of.texels, of.rays, of.bytes, light.max, light.rms, light.p99, 100 * picture.over2,
-        100 * picture.over8, picture.largestBlob, picture.psnr, picture.ssim, frontName(report, i));
+        100 * picture.over8, picture.largestPatch, picture.psnr, picture.ssim,
+        frontName(report, i));
   }
   return text;
 }
@@ -86,7 +87,7 @@ std::string csvOf(const TradeoffReport& report) {
                         of.trial.options, frontName(report, i), of.bakeCost, of.bakeSeconds,
                         of.frameCost, of.frameMilliseconds, of.texels, of.rays, of.bytes, of.pixels,
                         light.max, light.rms, light.p99, picture.rms, picture.over2, picture.over8,
-                        picture.largestBlob, picture.psnr, picture.ssim);
+                        picture.largestPatch, picture.psnr, picture.ssim);
   }
   return text;
 }

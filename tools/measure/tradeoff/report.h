@@ -16,8 +16,8 @@ struct TradeoffReport {
   std::string level;  ///< its path
   Machine machine;
   int bakeThreads = 1;
-  PictureSize truthSize{};
-  PictureSize frameSize{};
+  ImageSize truthSize{};
+  ImageSize frameSize{};
   std::vector<Measured> trials;  ///< the level's own settings first
   /// For each trial: whether it is Pareto-optimal in seconds to bake and RMS of light, among trials
   /// that are drawn as accurately as the level's own.

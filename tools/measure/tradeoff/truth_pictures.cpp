@@ -25,7 +25,7 @@ TruthPicture truthOf(const LoadedLevel& loaded, const Shot& shot, int threads) {
 
 }  // namespace
 
-std::vector<TruthPicture> truthOf(const LoadedLevel& loaded, PictureSize size, int threads,
+std::vector<TruthPicture> truthOf(const LoadedLevel& loaded, ImageSize size, int threads,
                                   const std::function<void(std::size_t)>& done) {
   std::vector<TruthPicture> pictures;
   for (Shot shot : loaded.level.shots) {

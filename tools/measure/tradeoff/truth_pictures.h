@@ -22,7 +22,7 @@ struct TruthPicture {
 inline constexpr int kTruthBallPoints = 256;
 
 /// The pictures of all shots of a level, in order. `done(i)` is called after each.
-std::vector<TruthPicture> truthOf(const LoadedLevel& loaded, PictureSize size, int threads,
+std::vector<TruthPicture> truthOf(const LoadedLevel& loaded, ImageSize size, int threads,
                                   const std::function<void(std::size_t)>& done);
 
 }  // namespace hearth

@@ -16,8 +16,8 @@ class Storage {
   virtual ~Storage() = default;
 
   /// All bytes of a file, as readFile() gives them.
-  virtual tl::expected<std::string, ReadFailure> read(const std::filesystem::path& file,
-                                                      std::uint64_t maxBytes) = 0;
+  virtual tl::expected<std::string, ReadError> read(const std::filesystem::path& file,
+                                                    std::uint64_t maxBytes) = 0;
   /// Replaces a file, or makes it, whole or not at all. Errors are one sentence that begins with
   /// the path.
   virtual tl::expected<void, std::string> write(const std::filesystem::path& file,

@@ -26,10 +26,10 @@ class WindowHost {
   virtual void rest(double seconds) = 0;
 
   /// The size of the window in pixels; none while it cannot be seen.
-  virtual std::optional<PictureSize> windowSize() = 0;
+  virtual std::optional<ImageSize> windowSize() = 0;
   /// Shows a picture of this size. `draw` writes all of it into the window's memory, and must not
   /// read that memory: it may be slow, or hold anything.
-  virtual void show(PictureSize size, const DrawRows& draw) = 0;
+  virtual void show(ImageSize size, const DrawRows& draw) = 0;
   virtual void setTitle(const std::string& title) = 0;
   /// Hides the pointer, and reports motion of the mouse beyond the window's edges.
   virtual void captureMouse(bool isCaptured) = 0;

@@ -9,14 +9,14 @@
 #include "level/locate.h"
 #include "math/tolerance.h"
 #include "truth/truth_light.h"
-#include "viewer/inspect/outlook.h"
+#include "viewer/inspect/hemisphere_sample.h"
 
 namespace hearth {
 
 namespace {
 
 /// Of light, for one place: as many as are followed within some tens of milliseconds.
-constexpr int kMostRays = 10'000;
+constexpr int kMaxRays = 10'000;
 
 /// How far up and down a light is tried: in steps of so many metres.
 constexpr double kLiftStep = 0.1;
@@ -44,7 +44,7 @@ std::optional<SurfaceId> surfaceIn(const Scene& scene, const WallPiece& piece, S
 /// to the height of the hit, which rounding may put beside it.
 std::optional<SurfaceId> surfaceOf(const Scene& scene, const TruthHit& hit) {
   const Sector& sector = scene[hit.sector];
-  if (!hit.segment) return isOverhead(hit.kind) ? sector.ceilingSurface : sector.floorSurface;
+  if (!hit.segment) return facesDown(hit.kind) ? sector.ceilingSurface : sector.floorSurface;
   std::optional<SurfaceId> nearest;
   double least = std::numeric_limits<double>::infinity();
   for (const WallPiece& piece : scene.piecesOf(scene[*hit.segment])) {
@@ -88,7 +88,7 @@ std::optional<LightmapFinding> lightmapAt(const Scene& scene, const BakedLight& 
 class Follower {
  public:
   Follower(const Scene& scene, const BakeSettings& settings, const SurfacePoint& place)
-      : scene_(scene), settings_(settings), place_(place), outlook_(scene, place) {}
+      : scene_(scene), settings_(settings), place_(place), hemisphere_(scene, place) {}
 
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
@@ -105,11 +105,11 @@ class Follower {
     finding.comesNear = finding.seenFraction > 0 && finding.level > 0;
     if (finding.comesNear || finding.level * brightestFraction(light) < kVisibleLevel)
       return raysOf(light);
-    finding.comesNear = outlook_.isLitBy(light);
+    finding.comesNear = hemisphere_.isLitBy(light);
     if (!finding.comesNear || finding.reason != LightReason::Blocked)
-      return raysOf(light) + kOutlookRays;
+      return raysOf(light) + kHemisphereRays;
     finding.lift = liftToSee(light);
-    return raysOf(light) + kOutlookRays + 2 * kLifts;
+    return raysOf(light) + kHemisphereRays + 2 * kLifts;
   }
 
  private:
@@ -156,7 +156,7 @@ class Follower {
   Scene scene_;
   const BakeSettings& settings_;
   const SurfacePoint& place_;
-  Outlook outlook_;
+  HemisphereSample hemisphere_;
 };
 
 double total(Vec3 levels) { return levels.x + levels.y + levels.z; }
@@ -167,7 +167,7 @@ void findLights(const Scene& scene, const BakeSettings& settings, Inspection& fo
     found.lights.push_back(follower.glance(i));
   std::ranges::stable_sort(found.lights, std::greater{}, &LightFinding::level);
   std::size_t followed = 0;
-  for (int rays = 0; followed < found.lights.size() && rays < kMostRays; ++followed) {
+  for (int rays = 0; followed < found.lights.size() && rays < kMaxRays; ++followed) {
     LightFinding& finding = found.lights[followed];
     rays += follower.follow(finding);
     found.sum = found.sum + finding.adds;

@@ -32,8 +32,8 @@ const TextureDescription* pointerTo(const std::optional<TextureDescription>& tex
 }
 
 Described describedFlat(const SectorDescription& sector, SurfaceKind kind) {
-  const FlatDescription& flat = isOverhead(kind) ? sector.ceiling : sector.floor;
-  const auto& slope = isOverhead(kind) ? sector.slopeCeil : sector.slopeFloor;
+  const FlatDescription& flat = facesDown(kind) ? sector.ceiling : sector.floor;
+  const auto& slope = facesDown(kind) ? sector.slopeCeil : sector.slopeFloor;
   return {slope ? slope->place : flat.place, pointerTo(flat.texture)};
 }
 

@@ -27,14 +27,14 @@ std::string metres(double value) { return fmt::format("{}", std::round(value * 1
 std::string wallWords(const Level& level, const TruthHit& place) {
   const Segment& segment = level[*place.segment];
   const Sector& sector = level[segment.sector];
-  const bool isStack = std::holds_alternative<Stack>(segment.kind);
+  const bool isStack = std::holds_alternative<Stack>(segment.wall);
   const std::string part = isStack ? fmt::format(" part {}", place.subWall) : "";
   const std::string loop = segment.loop > 0 ? "/" + sector.loops[segment.loop].name : "";
-  return fmt::format("wall {}{} of {}{}", segment.wall, part, sector.name, loop);
+  return fmt::format("wall {}{} of {}{}", segment.wallIndex, part, sector.name, loop);
 }
 
 std::string sidewallWords(const Level& level, const TruthHit& place) {
-  const std::string_view flat = isOverhead(place.kind) ? "ceiling" : "floor";
+  const std::string_view flat = facesDown(place.kind) ? "ceiling" : "floor";
   return fmt::format("sidewall of the sloped {} of {}, at {}", flat,
                      level[wedgeOf(level, place)].name, wallWords(level, place));
 }
@@ -106,9 +106,9 @@ std::string surfaceWords(const Level& level, const TruthHit& place) {
 SectorId wedgeOf(const Level& level, const TruthHit& sidewall) {
   const Segment& segment = level[*sidewall.segment];
   const auto nextOf = [](const auto& kind) { return std::get<Portal>(kind).next; };
-  if (const Stack* stack = std::get_if<Stack>(&segment.kind))
+  if (const Stack* stack = std::get_if<Stack>(&segment.wall))
     return nextOf(stack->subWalls[sidewall.subWall].kind);
-  return nextOf(segment.kind);
+  return nextOf(segment.wall);
 }
 
 std::string pointWords(Vec3 point, std::string_view separator) {

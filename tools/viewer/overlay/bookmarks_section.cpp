@@ -21,10 +21,10 @@ bool showButton(const char* label, bool canBePressed) {
 
 }  // namespace
 
-std::optional<BookmarkWish> BookmarksSection::show(const Bookmarks& bookmarks,
-                                                   const BookmarkRights& rights) {
-  using What = BookmarkWish::What;
-  std::optional<BookmarkWish> wish;
+std::optional<BookmarkRequest> BookmarksSection::show(const Bookmarks& bookmarks,
+                                                      const BookmarkPermissions& permissions) {
+  using What = BookmarkRequest::What;
+  std::optional<BookmarkRequest> request;
   std::array<char, kLongestBookmarkName + 1> typed{};
   name_.copy(typed.data(), kLongestBookmarkName);
   const std::string standard = bookmarks.freeName();
@@ -33,19 +33,19 @@ std::optional<BookmarkWish> BookmarksSection::show(const Bookmarks& bookmarks,
   name_ = typed.data();
   ImGui::SameLine();
   if (ImGui::Button("keep this place") || isEntered) {
-    wish = {What::Add, name_.empty() ? standard : name_};
+    request = {What::Add, name_.empty() ? standard : name_};
     name_.clear();
   }
   for (const Bookmark& bookmark : bookmarks.all()) {
     ImGui::PushID(bookmark.name.data());
-    if (showButton("go", rights.canJump)) wish = {What::GoTo, bookmark.name};
-    if (showButton("write as a shot", rights.canWriteShots))
-      wish = {What::WriteShot, bookmark.name};
-    if (showButton("forget", true)) wish = {What::Remove, bookmark.name};
+    if (showButton("go", permissions.canJump)) request = {What::GoTo, bookmark.name};
+    if (showButton("write as a shot", permissions.canWriteShots))
+      request = {What::WriteShot, bookmark.name};
+    if (showButton("forget", true)) request = {What::Remove, bookmark.name};
     ImGui::TextUnformatted(bookmark.name.data());
     ImGui::PopID();
   }
-  return wish;
+  return request;
 }
 
 }  // namespace hearth

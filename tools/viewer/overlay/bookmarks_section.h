@@ -8,14 +8,14 @@
 namespace hearth {
 
 /// What is asked of a bookmark, by its name.
-struct BookmarkWish {
+struct BookmarkRequest {
   enum class What { Add, GoTo, WriteShot, Remove };
   What what;
   std::string name;
 };
 
-/// Which of these wishes the walk grants.
-struct BookmarkRights {
+/// Which of these requests the walk grants.
+struct BookmarkPermissions {
   bool canJump = false;
   bool canWriteShots = false;
 };
@@ -23,7 +23,8 @@ struct BookmarkRights {
 /// A section of the overlay.
 class BookmarksSection {
  public:
-  std::optional<BookmarkWish> show(const Bookmarks& bookmarks, const BookmarkRights& rights);
+  std::optional<BookmarkRequest> show(const Bookmarks& bookmarks,
+                                      const BookmarkPermissions& permissions);
 
  private:
   std::string name_;  ///< as it is typed, for the next one

@@ -50,7 +50,7 @@ void showGraph(const FrameHistory& frames) {
   const float bottom = from.y + size.y;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, {from.x + size.x, bottom}, IM_COL32(0, 0, 0, 255));
-  const float bar = std::max(1.0F, wholePixels(size.x / FrameHistory::kMost));
+  const float bar = std::max(1.0F, wholePixels(size.x / FrameHistory::kMax));
   float left = from.x + size.x - bar * static_cast<float>(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i, left += bar) {
     if (left < from.x) continue;

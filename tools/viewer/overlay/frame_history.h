@@ -18,19 +18,19 @@ struct FrameParts {
 /// The last frames.
 class FrameHistory {
  public:
-  static constexpr std::size_t kMost = 200;
+  static constexpr std::size_t kMax = 200;
 
   void add(const FrameParts& frame) {
-    frames_[count_ % kMost] = frame;
+    frames_[count_ % kMax] = frame;
     ++count_;
   }
 
-  std::size_t size() const { return count_ < kMost ? count_ : kMost; }
+  std::size_t size() const { return count_ < kMax ? count_ : kMax; }
   /// 0 is the oldest.
-  const FrameParts& at(std::size_t age) const { return frames_[(count_ - size() + age) % kMost]; }
+  const FrameParts& at(std::size_t age) const { return frames_[(count_ - size() + age) % kMax]; }
 
  private:
-  std::array<FrameParts, kMost> frames_{};
+  std::array<FrameParts, kMax> frames_{};
   std::size_t count_ = 0;  ///< of all that came
 };
 

@@ -13,7 +13,7 @@
 
 namespace hearth {
 
-void Inspector::take(const Event& event, int width) {
+void Inspector::handle(const Event& event, int width) {
   const auto over = [width](int x, int y) {
     return x < width ? std::optional(Pixel{x, y}) : std::nullopt;
   };
@@ -51,7 +51,7 @@ void Inspector::find(const Look& look, const InspectedLevel& in) {
 std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
   const bool isClicked = std::exchange(isClicked_, false) && mouse_;
   if (isClicked) pinned_ = lookThrough(*mouse_, in, camera);
-  if (isClicked) section_.call();
+  if (isClicked) section_.reveal();
   const bool isOpen = section_.show("Inspector");
   if (!isOpen || (!pinned_ && !mouse_)) forget();
   if (!isOpen) return std::nullopt;

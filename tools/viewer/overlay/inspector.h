@@ -7,7 +7,7 @@
 #include "render/renderer.h"
 #include "viewer/input/event.h"
 #include "viewer/inspect/inspect.h"
-#include "viewer/overlay/called_section.h"
+#include "viewer/overlay/collapsible_section.h"
 #include "viewer/overlay/lights_tool.h"
 
 namespace hearth {
@@ -27,7 +27,7 @@ struct InspectedLevel {
 class Inspector {
  public:
   /// Positions are in pixels of the picture, of whose width `width` are left of the panel.
-  void take(const Event& event, int width);
+  void handle(const Event& event, int width);
 
   /// Lets go of what is pinned. Returns whether anything was.
   bool letGo();
@@ -60,7 +60,7 @@ class Inspector {
 
   std::optional<Pixel> mouse_;  ///< while it is over the picture
   bool isClicked_ = false;      ///< since it was shown last
-  CalledSection section_;
+  CollapsibleSection section_;
   std::optional<Look> pinned_;
   std::optional<Look> look_;  ///< by which the last was found
   std::optional<Inspection> found_;

@@ -225,7 +225,7 @@ std::string InspectedSurface::nameOf(std::size_t light) const {
 
 std::size_t listedLights(const Inspection& found) {
   const auto end = std::ranges::find(found.lights, false, &LightFinding::comesNear);
-  return std::min(kMostListedLights, static_cast<std::size_t>(end - found.lights.begin()));
+  return std::min(kMaxListedLights, static_cast<std::size_t>(end - found.lights.begin()));
 }
 
 InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,

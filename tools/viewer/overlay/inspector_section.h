@@ -34,7 +34,7 @@ struct InspectedSurface {
 InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,
                                 bool isPinned);
 
-inline constexpr std::size_t kMostListedLights = 8;
+inline constexpr std::size_t kMaxListedLights = 8;
 /// How many of the first lights are listed, and their rays drawn: those whose light comes near.
 std::size_t listedLights(const Inspection& found);
 

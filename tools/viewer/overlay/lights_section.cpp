@@ -293,9 +293,9 @@ void showNews(LightsEditor& editor) {
 }  // namespace
 
 void showLights(LightsTool* tool, const Scene& scene, const Camera& camera) {
-  CalledSection none;
-  CalledSection& section = tool ? tool->section() : none;
-  const bool isCalled = section.isCalled();
+  CollapsibleSection none;
+  CollapsibleSection& section = tool ? tool->section() : none;
+  const bool isRevealed = section.isRevealed();
   if (!section.show("Lights")) return;
   if (!tool)
     return showWrapped(
@@ -304,7 +304,7 @@ void showLights(LightsTool* tool, const Scene& scene, const Camera& camera) {
   LightsEditor& editor = tool->editor();
   if (!editor.isOpen()) return showNews(editor);
   showButtons(*tool, scene, camera);
-  showList(*tool, isCalled && editor.picked());
+  showList(*tool, isRevealed && editor.picked());
   if (editor.picked()) editPicked(editor);
   showNews(editor);
   showWrapped(

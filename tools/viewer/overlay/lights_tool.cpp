@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "level/locate.h"
-#include "light/sight/raytracer.h"
+#include "light/rays/raytracer.h"
 #include "load/positions.h"
 #include "viewer/overlay/light_rays.h"
 #include "viewer/overlay/overlay.h"
@@ -30,7 +30,7 @@ constexpr std::array kAhead = {1.5, 1.0, 0.5, 0.25};
 constexpr double kFirstFalloff = 0.5;
 
 /// And before a surface.
-constexpr double kMostBefore = 1;
+constexpr double kMaxBefore = 1;
 
 /// The sector of a point that the eye sees.
 std::optional<SectorId> seenAt(const Scene& scene, const Camera& camera, Vec3 point) {
@@ -114,7 +114,7 @@ std::optional<std::size_t> LightsTool::lightAt(Vec2 pixel, const MarkerSpace& sp
   return nearest;
 }
 
-bool LightsTool::take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight) {
+bool LightsTool::handle(const PointerEvent& event, const MarkerSpace& space, int pictureHeight) {
   if (!editor_.isDragging()) grip_.reset();  // the file may have been read anew
   if (!editor_.isOpen()) return false;
   switch (event.kind) {
@@ -126,7 +126,7 @@ bool LightsTool::take(const PointerEvent& event, const MarkerSpace& space, int p
       editor_.beginDrag();
       const LightDescription& picked = editor_.pickedLight();
       grip_ = Grip{picked, *space.pixelOf(picked.source.position) - event.pixel};
-      section_.call();
+      section_.reveal();
       return true;
     }
     case PointerEvent::Kind::Move:
@@ -159,7 +159,7 @@ std::optional<LightsTool::Drag> LightsTool::drag() const {
   return Drag{editor_.pickedLight().source.position, grip_->axis};
 }
 
-bool LightsTool::take(const KeyEvent& key, const Scene& scene) {
+bool LightsTool::handle(const KeyEvent& key, const Scene& scene) {
   if (grip_ && axisOf(key)) return true;
   if (!key.hasCtrl || !editor_.isOpen()) return false;
   switch (key.letter) {
@@ -196,7 +196,7 @@ void LightsTool::pick(std::size_t light) {
   release();
   if (light >= editor_.lights().lights.size()) return;
   editor_.pick(light);
-  section_.call();
+  section_.reveal();
 }
 
 // --- The file ------------------------------------------------------------------------------------
@@ -226,8 +226,8 @@ void LightsTool::addBefore(const Scene& scene, const Camera& camera) {
 void LightsTool::addBefore(const Scene& scene, const SurfacePoint& place) {
   const Vec3 begin = nudgedInside(scene, scene[place.sector], place.point);
   const auto met = trace(scene.level(), place.sector, begin, place.normal, RayKind::Look);
-  const double free = met ? met->t : kMostBefore;  // the normal is a unit
-  const Vec3 position = place.point + std::min(kMostBefore, free / 2) * place.normal;
+  const double free = met ? met->t : kMaxBefore;  // the normal is a unit
+  const Vec3 position = place.point + std::min(kMaxBefore, free / 2) * place.normal;
   add(scene, position, sectorAt(scene.level(), place.sector, begin, position));
 }
 
@@ -243,7 +243,7 @@ void LightsTool::add(const Scene& scene, Vec3 position, std::optional<SectorId> 
   if (sector && !locator.locate(light.source.position, std::nullopt, PositionOf::Light))
     light.sector = NameReference{name, {}};
   editor_.add(light, sector ? "in " + name : "");
-  section_.call();
+  section_.reveal();
 }
 
 // --- Marks ---------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@
 #include "truth/trace.h"
 #include "viewer/edit/lights_editor.h"
 #include "viewer/input/event.h"
-#include "viewer/overlay/called_section.h"
+#include "viewer/overlay/collapsible_section.h"
 #include "viewer/overlay/marker_space.h"
 #include "viewer/overlay/pointer.h"
 
@@ -27,17 +27,17 @@ class LightsTool {
   LightsEditor& editor() { return editor_; }
   const LightsEditor& editor() const { return editor_; }
   /// In which lights are edited: called when one is picked outside of it.
-  CalledSection& section() { return section_; }
+  CollapsibleSection& section() { return section_; }
 
   /// Whether lights have marks, which can be picked.
   bool areMarksShown() const { return areMarksShown_; }
   void showMarks(bool areShown);
 
   /// Picks and drags. Returns whether the event is about a light.
-  bool take(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
+  bool handle(const PointerEvent& event, const MarkerSpace& space, int pictureHeight);
   /// Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y, saves by Ctrl+S. Returns whether the event
   /// is one of these, or Ctrl by itself, or an axis of a drag.
-  bool take(const KeyEvent& key, const Scene& scene);
+  bool handle(const KeyEvent& key, const Scene& scene);
   /// Of these Ctrl+S, which no field of text is to keep for itself.
   static bool isSave(const KeyEvent& key);
   /// Ends a drag.
@@ -78,7 +78,7 @@ class LightsTool {
   };
 
   LightsEditor editor_;
-  CalledSection section_;
+  CollapsibleSection section_;
   bool areMarksShown_ = true;
   std::optional<Grip> grip_;
 };

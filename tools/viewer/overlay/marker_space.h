@@ -5,8 +5,8 @@
 
 #include "math/vec.h"
 #include "render/camera.h"
+#include "viewer/overlay/automap.h"
 #include "viewer/overlay/pointer.h"
-#include "viewer/walk/automap.h"
 
 namespace hearth {
 

@@ -129,12 +129,12 @@ void Overlay::release() {
 
 // --- Events --------------------------------------------------------------------------------------
 
-bool Overlay::take(const Event& event) {
+bool Overlay::handle(const Event& event) {
   if (!isOpen_) return false;
   refresh();
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
-  if (const auto* key = std::get_if<KeyEvent>(&event)) return takeKey(*key);
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return handleKey(*key);
   if (is(event, WindowEvent::FocusLost)) release();
   if (is(event, WindowEvent::MouseLeft)) io.MousePos = {-FLT_MAX, -FLT_MAX};
   if (const auto* motion = std::get_if<MouseMotion>(&event)) {
@@ -142,7 +142,7 @@ bool Overlay::take(const Event& event) {
     return true;
   }
   if (const auto* button = std::get_if<MouseButtonEvent>(&event)) {
-    takeButton(*button);
+    handleButton(*button);
     return true;
   }
   if (const auto* wheel = std::get_if<WheelTurn>(&event)) {
@@ -158,7 +158,7 @@ bool Overlay::take(const Event& event) {
 }
 
 /// A key that is let go of is for the walk, too, in which none is to stay held.
-bool Overlay::takeKey(const KeyEvent& key) {
+bool Overlay::handleKey(const KeyEvent& key) {
   ImGuiIO& io = ImGui::GetIO();
   io.KeysDown[indexOf(key.key)] = key.isDown;
   io.KeyShift = key.hasShift;
@@ -167,7 +167,7 @@ bool Overlay::takeKey(const KeyEvent& key) {
   return key.isDown && io.WantTextInput && !isFunctionKey(key.key);
 }
 
-void Overlay::takeButton(const MouseButtonEvent& button) {
+void Overlay::handleButton(const MouseButtonEvent& button) {
   constexpr std::array kOrder = {MouseButton::Left, MouseButton::Right, MouseButton::Middle};
   static_assert(kOrder.size() == kButtons);
   ImGui::GetIO().MousePos = {static_cast<float>(button.x), static_cast<float>(button.y)};
@@ -185,7 +185,7 @@ bool Overlay::isStale(double now) const {
   return isOpen_ && (framesLeft_ > 0 || isOld);
 }
 
-int Overlay::leaves(int pictureWidth) const {
+int Overlay::widthBeside(int pictureWidth) const {
   return isOpen_ ? std::max(0, pictureWidth - panelWidth_) : pictureWidth;
 }
 

@@ -27,7 +27,7 @@ class Overlay {
 
   /// Returns whether the event is for the panel alone: all of the mouse, and what is typed into a
   /// field. Positions are in pixels of the picture. Takes nothing while closed.
-  bool take(const Event& event);
+  bool handle(const Event& event);
 
   /// What it shows has changed, though it took no event.
   void refresh() { framesLeft_ = kFramesToSettle; }
@@ -36,7 +36,7 @@ class Overlay {
   bool isStale(double now) const;
 
   /// How many pixels of a picture's width are left of the panel, as it was drawn last.
-  int leaves(int pictureWidth) const;
+  int widthBeside(int pictureWidth) const;
 
   /// Whether a list or a field of the panel has opened over the picture.
   bool hasPopup() const { return hasPopup_; }
@@ -46,8 +46,8 @@ class Overlay {
 
  private:
   void begin(int scale);
-  bool takeKey(const KeyEvent& key);
-  void takeButton(const MouseButtonEvent& button);
+  bool handleKey(const KeyEvent& key);
+  void handleButton(const MouseButtonEvent& button);
   void release();
 
   std::shared_ptr<ImGuiContext> context_;  ///< made anew with each scale

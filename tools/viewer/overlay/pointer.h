@@ -25,7 +25,7 @@ struct PointerEvent {
 class Pointer {
  public:
   /// The part of an event that concerns the picture, which lies left of the column `panelLeft`.
-  std::optional<PointerEvent> take(const Event& event, int panelLeft);
+  std::optional<PointerEvent> handle(const Event& event, int panelLeft);
   void release() {
     holder_ = Holder::None;
     axis_.reset();
@@ -34,9 +34,9 @@ class Pointer {
  private:
   enum class Holder : std::uint8_t { None, Picture, Panel };
 
-  std::optional<PointerEvent> takeMotion(const MouseMotion& motion, int panelLeft) const;
-  std::optional<PointerEvent> takeButton(const MouseButtonEvent& button, int panelLeft);
-  void takeKey(const KeyEvent& key);
+  std::optional<PointerEvent> handleMotion(const MouseMotion& motion, int panelLeft) const;
+  std::optional<PointerEvent> handleButton(const MouseButtonEvent& button, int panelLeft);
+  void handleKey(const KeyEvent& key);
   PointerEvent eventAt(PointerEvent::Kind kind, int x, int y) const;
 
   Holder holder_ = Holder::None;

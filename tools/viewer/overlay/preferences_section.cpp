@@ -20,11 +20,11 @@ const ActionRow& rowOf(Action action) { return actionTable()[static_cast<std::si
 
 }  // namespace
 
-bool PreferencesSection::take(const Event& event, Preferences& preferences) {
+bool PreferencesSection::handle(const Event& event, Preferences& preferences) {
   const auto* pressed = std::get_if<KeyEvent>(&event);
   if (!asked_ || !pressed || !pressed->isDown) return false;
   const Key key = pressed->key;
-  if (key != Key::Escape && !isForTheDesktop(key)) give(key, preferences);
+  if (key != Key::Escape && !isAlt(key)) give(key, preferences);
   asked_.reset();
   return true;
 }

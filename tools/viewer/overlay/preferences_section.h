@@ -13,7 +13,7 @@ class PreferencesSection {
  public:
   /// Takes the next key for the action whose key is to change, and gives it that in `preferences`;
   /// Esc leaves all as it was. Returns whether the event was for it.
-  bool take(const Event& event, Preferences& preferences);
+  bool handle(const Event& event, Preferences& preferences);
 
   /// Returns whether what has been changed in `preferences` can be written: nothing is dragged any
   /// more.

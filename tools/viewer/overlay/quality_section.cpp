@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "settings/approximations.h"
-#include "settings/measured_front.h"
+#include "settings/measured_pareto_front.h"
 #include "settings/measured_settings.h"
 #include "settings/quality.h"
 #include "settings/settings.h"

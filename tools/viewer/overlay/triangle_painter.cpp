@@ -321,8 +321,8 @@ class Triangles {
 
 void TrianglePainter::paint(const ImDrawData& data, const GlyphAtlas& atlas,
                             const PixelRows& picture) {
-  CHECK(atlas.width > 0 && atlas.width <= kMostTexels, atlas.width);
-  CHECK(atlas.height > 0 && atlas.height <= kMostTexels, atlas.height);
+  CHECK(atlas.width > 0 && atlas.width <= kMaxTexels, atlas.width);
+  CHECK(atlas.height > 0 && atlas.height <= kMaxTexels, atlas.height);
   const auto paintCommand = [&](const Triangles& triangles, const Area& clip) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (const auto rectangle = triangles.rectangle(i)) {

@@ -13,7 +13,7 @@ namespace hearth {
 /// The texture of all triangles: letters, and a white spot for plain areas. Texels say how much of
 /// its vertices' colour a triangle has there, 0..255, row by row.
 struct GlyphAtlas {
-  int width = 0;  ///< texels, at most TrianglePainter::kMostTexels, as is the height
+  int width = 0;  ///< texels, at most TrianglePainter::kMaxTexels, as is the height
   int height = 0;
   std::span<const std::uint8_t> cover = {};  ///< width * height of them
 };
@@ -32,8 +32,8 @@ struct GlyphAtlas {
 /// kFarthest from the picture's, indices and commands beyond the ends of their lists, callbacks.
 class TrianglePainter {
  public:
-  static constexpr int kMostTexels = 1 << 13;  ///< of the atlas's side
-  static constexpr int kFarthest = 1 << 15;    ///< pixels
+  static constexpr int kMaxTexels = 1 << 13;  ///< of the atlas's side
+  static constexpr int kFarthest = 1 << 15;   ///< pixels
 
   /// The picture is no larger than kMaxPictureSide, the atlas not empty.
   void paint(const ImDrawData& data, const GlyphAtlas& atlas, const PixelRows& picture);

@@ -67,7 +67,7 @@ class KeyReader {
                             "Shift\" or \"Keypad 1\""));
       return std::nullopt;
     }
-    if (isForTheDesktop(*key)) {
+    if (isAlt(*key)) {
       report_.error(value.place(), fmt::format("\"{}\" is for the desktop", *name),
                     "take another key");
       return std::nullopt;
@@ -88,7 +88,7 @@ class KeyReader {
 void readMouse(Report& report, JsonValue value, Preferences& preferences) {
   constexpr std::array<std::string_view, 2> kKnown{kDegreesPerPixel, kInvert};
   const Fields fields(report, value, kKnown);
-  fields.read(kDegreesPerPixel, {kLeastDegreesPerPixel, kMostDegreesPerPixel},
+  fields.read(kDegreesPerPixel, {kLeastDegreesPerPixel, kMaxDegreesPerPixel},
               preferences.degreesPerPixel);
   fields.read(kInvert, preferences.invertsPitch);
 }
@@ -127,13 +127,15 @@ std::string edited(std::string text, const Preferences& before, const Preference
   return text;
 }
 
-using Stored = tl::expected<std::string, ReadFailure>;
+using Stored = tl::expected<std::string, ReadError>;
 
 Stored stored(Storage& storage, const fs::path& file) {
   return storage.read(file, LoadLimits{}.fileBytes);
 }
 
-bool isMissing(const Stored& bytes) { return !bytes && bytes.error().fault == ReadFault::Missing; }
+bool isMissing(const Stored& bytes) {
+  return !bytes && bytes.error().code == ReadErrorCode::Missing;
+}
 
 /// The file as it is, to be edited.
 tl::expected<std::string, std::string> textOf(Storage& storage, const fs::path& file) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer/walk/keys.h"
+#include "viewer/input/actions.h"
 
 namespace hearth {
 
@@ -17,6 +17,6 @@ struct Preferences {
 };
 
 inline constexpr double kLeastDegreesPerPixel = 0.01;
-inline constexpr double kMostDegreesPerPixel = 10;
+inline constexpr double kMaxDegreesPerPixel = 10;
 
 }  // namespace hearth

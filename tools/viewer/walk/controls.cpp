@@ -19,8 +19,8 @@ constexpr double kAxisEnd = 32767;
 constexpr double kDeadZone = 8000;
 
 /// Motions of the mouse that no hand makes, in pixels and in 1/1000 degree: keep sums in an int.
-constexpr int kMostPixels = 1 << 14;
-constexpr int kMostMotion = 1000000000;
+constexpr int kMaxPixels = 1 << 14;
+constexpr int kMaxMotion = 1000000000;
 
 struct ButtonBinding {
   GamepadButton button;
@@ -38,7 +38,7 @@ std::size_t indexOf(GamepadAxis axis) { return static_cast<std::size_t>(axis); }
 std::size_t indexOf(GamepadButton button) { return static_cast<std::size_t>(button); }
 
 void add(int& pending, int motion) {
-  pending = std::clamp(pending + motion, -kMostMotion, kMostMotion);
+  pending = std::clamp(pending + motion, -kMaxMotion, kMaxMotion);
 }
 
 /// Takes this tick's part of what is to be spread over all that are due.
@@ -60,9 +60,9 @@ void Controls::setPreferences(const Preferences& preferences) {
   release();
 }
 
-std::optional<Action> Controls::take(const Event& event) {
-  if (const auto* key = std::get_if<KeyEvent>(&event)) return takeKey(*key);
-  if (const auto* button = std::get_if<GamepadButtonEvent>(&event)) return takeButton(*button);
+std::optional<Action> Controls::handle(const Event& event) {
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return handleKey(*key);
+  if (const auto* button = std::get_if<GamepadButtonEvent>(&event)) return handleButton(*button);
   if (const auto* motion = std::get_if<MouseMotion>(&event)) look(*motion);
   if (const auto* moved = std::get_if<GamepadMotion>(&event))
     axes_[indexOf(moved->axis)] = moved->value;
@@ -73,14 +73,14 @@ std::optional<Action> Controls::take(const Event& event) {
   return std::nullopt;
 }
 
-std::optional<Action> Controls::takeKey(const KeyEvent& key) {
+std::optional<Action> Controls::handleKey(const KeyEvent& key) {
   if (!key.isDown) {
     keys_.reset(indexOf(key.key));
     return std::nullopt;
   }
   const std::optional<Action> action = preferences_.keys.actionOf(key.key);
-  const bool isForTheDesktop = key.hasAlt;
-  if (!action || isForTheDesktop) return std::nullopt;
+  const bool isAlt = key.hasAlt;
+  if (!action || isAlt) return std::nullopt;
   keys_.set(indexOf(key.key));
   const bool canRepeat = *action == Action::ZoomIn || *action == Action::ZoomOut;
   if (key.isRepeat && !canRepeat) return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<Action> Controls::takeKey(const KeyEvent& key) {
   return action;
 }
 
-std::optional<Action> Controls::takeButton(const GamepadButtonEvent& event) {
+std::optional<Action> Controls::handleButton(const GamepadButtonEvent& event) {
   buttons_.set(indexOf(event.button), event.isDown);
   if (!event.isDown) return std::nullopt;
   const auto found = std::ranges::find(kButtons, event.button, &ButtonBinding::button);
@@ -118,7 +118,7 @@ WalkInput Controls::nextTick(int ticksDue, double pitch) {
   };
   WalkInput input;
   input.forward = fraction(-walk.y, kFullSpeed * direction(Action::Backward, Action::Forward));
-  input.right = fraction(walk.x, kFullSpeed * direction(Action::StepLeft, Action::StepRight));
+  input.right = fraction(walk.x, kFullSpeed * direction(Action::StrafeLeft, Action::StrafeRight));
   input.up = kFullSpeed * direction(Action::Crouch, Action::Jump);
   input.turn = kKeyTurn * direction(Action::TurnLeft, Action::TurnRight) +
                rate(kStickTurn, look.x) + takePart(mouse_.turn, ticksDue);
@@ -136,7 +136,7 @@ WalkInput Controls::nextTick(int ticksDue, double pitch) {
 /// In 1/1000 degree.
 int Controls::motionOf(int pixels) const {
   const auto perPixel = static_cast<int>(std::lround(1000 * preferences_.degreesPerPixel));
-  return perPixel * std::clamp(pixels, -kMostPixels, kMostPixels);
+  return perPixel * std::clamp(pixels, -kMaxPixels, kMaxPixels);
 }
 
 bool Controls::wants(Action action) const {

@@ -19,7 +19,7 @@ class Controls {
   const Preferences& preferences() const { return preferences_; }
 
   /// The action of the event besides movement: that of a key or button that is pressed.
-  std::optional<Action> take(const Event& event);
+  std::optional<Action> handle(const Event& event);
 
   /// The mouse looks around only while it is captured.
   void captureMouse(bool isCaptured) { isMouseCaptured_ = isCaptured; }
@@ -39,8 +39,8 @@ class Controls {
     int pitch = 0;
   };
 
-  std::optional<Action> takeKey(const KeyEvent& key);
-  std::optional<Action> takeButton(const GamepadButtonEvent& event);
+  std::optional<Action> handleKey(const KeyEvent& key);
+  std::optional<Action> handleButton(const GamepadButtonEvent& event);
   void look(const MouseMotion& motion);
   int motionOf(int pixels) const;
   bool wants(Action action) const;

@@ -6,7 +6,7 @@
 
 namespace hearth {
 
-Workers* workersFor(PictureSize picture, Workers* workers) {
+Workers* workersFor(ImageSize picture, Workers* workers) {
   constexpr std::int64_t kFewPixels = 128'000;
   return std::int64_t{picture.width} * picture.height < kFewPixels ? nullptr : workers;
 }

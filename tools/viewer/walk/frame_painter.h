@@ -4,7 +4,7 @@
 #include "level/scene.h"
 #include "render/frame_stats.h"
 #include "render/renderer.h"
-#include "viewer/walk/automap.h"
+#include "viewer/overlay/automap.h"
 #include "viewer/walk/walk_frame.h"
 
 namespace hearth {
@@ -12,7 +12,7 @@ namespace hearth {
 /// The workers that help to draw a picture; null if it is small. All of them are at work only after
 /// a tenth of a millisecond. That does not pay off for less than twice 64,000 pixels, which take
 /// 0.6 ms each.
-Workers* workersFor(PictureSize picture, Workers* workers);
+Workers* workersFor(ImageSize picture, Workers* workers);
 
 /// Draws the frames of a walk, and remembers which sectors they have shown.
 class FramePainter {

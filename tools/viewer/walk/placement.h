@@ -25,7 +25,7 @@ struct Placement {
 };
 
 /// A window smaller than the picture shows it reduced, whatever the scaling.
-inline Placement placed(PictureSize picture, PictureSize window, Scaling scaling) {
+inline Placement placed(ImageSize picture, ImageSize window, Scaling scaling) {
   const double fit = std::min(static_cast<double>(window.width) / picture.width,
                               static_cast<double>(window.height) / picture.height);
   const bool isWhole = fit >= 1 && (scaling == Scaling::Integer || fit == std::floor(fit));

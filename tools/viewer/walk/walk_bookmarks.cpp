@@ -29,15 +29,16 @@ std::string WalkBookmarks::goTo(const Bookmark& bookmark, const Scene& scene) {
   return bookmark.name;
 }
 
-std::string WalkBookmarks::grant(const BookmarkWish& wish, const Scene& scene) {
-  using What = BookmarkWish::What;
-  if (wish.what == What::Add) return add(scene, wish.name);
-  const Bookmark mark = *settings_.bookmarks.find(wish.name);
-  if (wish.what == What::GoTo) return goTo(mark, scene);
-  const bool isRemoved = wish.what == What::Remove;
-  const auto done = isRemoved ? settings_.bookmarks.remove(wish.name) : settings_.writeShot(mark);
+std::string WalkBookmarks::grant(const BookmarkRequest& request, const Scene& scene) {
+  using What = BookmarkRequest::What;
+  if (request.what == What::Add) return add(scene, request.name);
+  const Bookmark mark = *settings_.bookmarks.find(request.name);
+  if (request.what == What::GoTo) return goTo(mark, scene);
+  const bool isRemoved = request.what == What::Remove;
+  const auto done =
+      isRemoved ? settings_.bookmarks.remove(request.name) : settings_.writeShot(mark);
   if (!done) return done.error();
-  return fmt::format("{} {}", isRemoved ? "forgot" : "wrote the shot", wish.name);
+  return fmt::format("{} {}", isRemoved ? "forgot" : "wrote the shot", request.name);
 }
 
 }  // namespace hearth

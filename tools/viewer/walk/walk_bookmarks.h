@@ -26,7 +26,7 @@ class WalkBookmarks {
   std::string addHere(const Scene& scene) { return add(scene, settings_.bookmarks.freeName()); }
   /// Jumps to one after the other.
   std::string goToNext(const Scene& scene);
-  std::string grant(const BookmarkWish& wish, const Scene& scene);
+  std::string grant(const BookmarkRequest& request, const Scene& scene);
 
  private:
   std::string goTo(const Bookmark& bookmark, const Scene& scene);

@@ -14,7 +14,7 @@ namespace hearth {
 
 /// All that a picture of a walk depends on, besides the level.
 struct WalkFrame {
-  PictureSize size{};
+  ImageSize size{};
   Camera camera;  ///< of the picture; for a channel of geometry, of its part beside the panel
   Eye eye;        ///< without head bob: the middle of the map
   WalkView view;

@@ -83,7 +83,7 @@ void WalkLoop::setNotes(std::vector<std::string> mistakes,
 }
 
 bool WalkLoop::round() {
-  while (const std::optional<Event> event = window_.poll()) take(*event);
+  while (const std::optional<Event> event = window_.poll()) handle(*event);
   const double now = window_.seconds();
   passTime(now);
   updateNotices(now);
@@ -95,15 +95,15 @@ bool WalkLoop::round() {
 
 // --- Events --------------------------------------------------------------------------------------
 
-void WalkLoop::take(const Event& event) {
-  if (const auto* window = std::get_if<WindowEvent>(&event)) take(*window);
-  if (panel_.take(event, panelSubject(), settings_.preferences)) return;
+void WalkLoop::handle(const Event& event) {
+  if (const auto* window = std::get_if<WindowEvent>(&event)) handle(*window);
+  if (panel_.handle(event, panelSubject(), settings_.preferences)) return;
   if (const auto* button = std::get_if<MouseButtonEvent>(&event); button && button->isDown)
     captureMouse(true);
-  if (const std::optional<Action> action = controls_.take(event)) act(*action);
+  if (const std::optional<Action> action = controls_.handle(event)) act(*action);
 }
 
-void WalkLoop::take(WindowEvent event) {
+void WalkLoop::handle(WindowEvent event) {
   if (event == WindowEvent::CloseAsked) return leave();
   screen_.redraw();
   if (event != WindowEvent::FocusLost) return;
@@ -226,12 +226,12 @@ void WalkLoop::awaitScreenshots() {
 
 /// Of geometry the panel covers nothing, if it leaves any room.
 void WalkLoop::aimCamera() {
-  const std::optional<PictureSize> window = window_.windowSize();
+  const std::optional<ImageSize> window = window_.windowSize();
   if (!window) return;
   frame_.size = settings_.size.value_or(*window);
   frame_.eye = session_.eye(fractionOfTick_);
   const Eye eye = session_.eye(fractionOfTick_, settings_.preferences.viewBob);
-  const int beside = isGeometry(frame_.view.channel) ? panel_.leaves(frame_.size.width) : 0;
+  const int beside = isGeometry(frame_.view.channel) ? panel_.widthBeside(frame_.size.width) : 0;
   frame_.camera = {eye.sector,        eye.point,     eye.angle,
                    eye.pitch,         settings_.fov, beside > 0 ? beside : frame_.size.width,
                    frame_.size.height};
@@ -250,17 +250,17 @@ PanelSubject WalkLoop::panelSubject() const {
           {bookmarks_.canJump(), settings_.writeShot != nullptr}};
 }
 
-void WalkLoop::grant(const PanelWishes& wishes) {
-  isChoiceNew_ |= wishes.areOptionsNew;
-  if (wishes.copied) {
-    window_.copy(*wishes.copied);
-    say("copied " + *wishes.copied);
+void WalkLoop::grant(const PanelRequests& requests) {
+  isChoiceNew_ |= requests.optionsChanged;
+  if (requests.copied) {
+    window_.copy(*requests.copied);
+    say("copied " + *requests.copied);
   }
   if (settings_.preferences != controls_.preferences())
     controls_.setPreferences(settings_.preferences);
-  if (wishes.arePreferencesNew)
+  if (requests.preferencesChanged)
     if (const auto written = config_.write(settings_.preferences); !written) say(written.error());
-  if (wishes.bookmark) say(bookmarks_.grant(*wishes.bookmark, scene_));
+  if (requests.bookmark) say(bookmarks_.grant(*requests.bookmark, scene_));
 }
 
 }  // namespace hearth

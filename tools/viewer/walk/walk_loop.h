@@ -51,7 +51,7 @@ class WalkLoop {
   void choose(const OptionValues& options);
 
   /// The edited lights, if they can be edited. The caller bakes them.
-  LightsEditor* lights() { return panel_.lights(); }
+  LightsEditor* lightsEditor() { return panel_.lightsEditor(); }
   /// From now on edits the lights of this file, unless there are edits of the one before.
   void editLights(const std::filesystem::path& file);
 
@@ -66,8 +66,8 @@ class WalkLoop {
   void awaitScreenshots();
 
  private:
-  void take(const Event& event);
-  void take(WindowEvent event);
+  void handle(const Event& event);
+  void handle(WindowEvent event);
   void act(Action action);
   void leave();
   void captureMouse(bool isCaptured);
@@ -78,7 +78,7 @@ class WalkLoop {
   void updateNotices(double now);
   void aimCamera();
   PanelSubject panelSubject() const;
-  void grant(const PanelWishes& wishes);
+  void grant(const PanelRequests& requests);
 
   Scene scene_;
   std::shared_ptr<const LevelSource> source_;

@@ -1,7 +1,6 @@
 #include "viewer/walk/walk_panel.h"
 
 #include <array>
-#include <cstddef>
 
 #include "settings/settings.h"
 #include "viewer/overlay/drag_axes.h"
@@ -13,84 +12,84 @@ namespace hearth {
 
 namespace {
 
-constexpr std::size_t kLightPage = 0;
+constexpr const char* kLightTab = "Light";
 
 }  // namespace
 
 void WalkPanel::toggle() {
   overlay_.toggle();
   releasePointer();
-  if (lights_ && isOpen()) lights()->open();
+  if (lightsTool_ && isOpen()) lightsEditor()->open();
   preferencesSection_.giveUp();
 }
 
 void WalkPanel::releasePointer() {
   pointer_.release();
-  if (lights_) lights_->release();
+  if (lightsTool_) lightsTool_->release();
 }
 
 void WalkPanel::editLights(Storage& storage, const std::filesystem::path& file,
                            const LoadLimits& limits) {
-  if (lights_ && (lights()->file() == file || lights()->isUnsaved())) return;
-  lights_.emplace(storage, file, limits);
+  if (lightsTool_ && (lightsEditor()->file() == file || lightsEditor()->isUnsaved())) return;
+  lightsTool_.emplace(storage, file, limits);
 }
 
-bool WalkPanel::take(const Event& event, const PanelSubject& subject, Preferences& preferences) {
+bool WalkPanel::handle(const Event& event, const PanelSubject& subject, Preferences& preferences) {
   if (!isOpen()) return false;
-  if (preferencesSection_.take(event, preferences)) {
+  if (preferencesSection_.handle(event, preferences)) {
     overlay_.refresh();
     return true;
   }
-  point(event, subject);
+  handlePointer(event, subject);
   const auto* key = std::get_if<KeyEvent>(&event);
-  const bool isKeyOfLights = lights_ && key && key->isDown;
-  if (isKeyOfLights && LightsTool::isSave(*key)) {
+  const KeyEvent* const pressed = lightsTool_ && key && key->isDown ? key : nullptr;
+  if (pressed && LightsTool::isSave(*pressed)) {
     overlay_.refresh();
-    return lights_->take(*key, subject.scene);
+    return lightsTool_->handle(*pressed, subject.scene);
   }
-  if (overlay_.take(event)) return true;
-  return isKeyOfLights && lights_->take(*key, subject.scene);
+  if (overlay_.handle(event)) return true;
+  return pressed && lightsTool_->handle(*pressed, subject.scene);
 }
 
 /// Handles what the mouse does in the picture beside the panel. It is about a light if the mouse is
 /// at one. Otherwise it is about what shows there.
-void WalkPanel::point(const Event& event, const PanelSubject& subject) {
-  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.leaves(subject.size.width);
-  const std::optional<PointerEvent> pointed = pointer_.take(event, panelLeft);
-  if (pointed && pointed->kind == PointerEvent::Kind::Press) pages_.turnTo(kLightPage);
-  const bool isOfLight = pointed && subject.space && lights_ &&
-                         lights_->take(*pointed, *subject.space, subject.camera.height);
-  inspector_.take(event, subject.isLevelShown && !isOfLight ? panelLeft : 0);
+void WalkPanel::handlePointer(const Event& event, const PanelSubject& subject) {
+  const int panelLeft = overlay_.hasPopup() ? 0 : overlay_.widthBeside(subject.size.width);
+  const std::optional<PointerEvent> pointed = pointer_.handle(event, panelLeft);
+  if (pointed && pointed->kind == PointerEvent::Kind::Press) tabs_.turnTo(kLightTab);
+  const bool isOfLight = pointed && subject.space && lightsTool_ &&
+                         lightsTool_->handle(*pointed, *subject.space, subject.camera.height);
+  inspector_.handle(event, subject.isLevelShown && !isOfLight ? panelLeft : 0);
 }
 
 void WalkPanel::drawMarks(const PanelSubject& subject, const PixelRows& picture) const {
-  if (isOpen() && lights_ && subject.space)
-    lights_->draw(subject.scene, subject.camera, *subject.space, picture);
+  if (isOpen() && lightsTool_ && subject.space)
+    lightsTool_->draw(subject.scene, subject.camera, *subject.space, picture);
 }
 
-PanelWishes WalkPanel::draw(double now, const PanelSubject& subject, const Figures& figures,
-                            WalkSettings& settings, WalkView& view, const PixelRows& picture) {
-  PanelWishes wishes;
-  if (!isOpen()) return wishes;
+PanelRequests WalkPanel::draw(double now, const PanelSubject& subject, const Figures& figures,
+                              WalkSettings& settings, WalkView& view, const PixelRows& picture) {
+  PanelRequests requests;
+  if (!isOpen()) return requests;
   if (settings.canBake) bake_ = bakeSettingsFrom(subject.scene, settings.options);
-  const std::array<Page, 6> pages = {{
-      {"Light", [&] { wishes.copied = showLightPage(subject); }},
+  const std::array<Tab, 6> tabs = {{
+      {kLightTab, [&] { requests.copied = showLightTab(subject); }},
       {"View", [&] { showView(view.mode, view.channel); }},
-      {"Quality", [&] { wishes.areOptionsNew = showQualityOf(subject, settings); }},
+      {"Quality", [&] { requests.optionsChanged = showQualityTab(subject, settings); }},
       {"Figures", [&] { showFigures(figures); }},
       {"Preferences",
-       [&] { wishes.arePreferencesNew = preferencesSection_.show(settings.preferences); }},
+       [&] { requests.preferencesChanged = preferencesSection_.show(settings.preferences); }},
       {"Bookmarks",
-       [&] { wishes.bookmark = bookmarksSection_.show(settings.bookmarks, subject.bookmarks); }},
+       [&] { requests.bookmark = bookmarksSection_.show(settings.bookmarks, subject.bookmarks); }},
   }};
   overlay_.draw(
-      now, [&] { pages_.show(pages); }, picture);
-  return wishes;
+      now, [&] { tabs_.show(tabs); }, picture);
+  return requests;
 }
 
 /// Returns the text to copy to the clipboard, if any.
-std::optional<std::string> WalkPanel::showLightPage(const PanelSubject& subject) {
-  LightsTool* const lights = lights_ ? &*lights_ : nullptr;
+std::optional<std::string> WalkPanel::showLightTab(const PanelSubject& subject) {
+  LightsTool* const lights = lightsTool_ ? &*lightsTool_ : nullptr;
   auto copied = inspector_.show(
       {subject.scene, subject.renderer, bake_, subject.source, lights, subject.isLevelShown},
       subject.camera);
@@ -99,7 +98,7 @@ std::optional<std::string> WalkPanel::showLightPage(const PanelSubject& subject)
   return copied;
 }
 
-bool WalkPanel::showQualityOf(const PanelSubject& subject, WalkSettings& settings) {
+bool WalkPanel::showQualityTab(const PanelSubject& subject, WalkSettings& settings) {
   QualityChoice choice{settings.options, settings.fov, settings.frameCap};
   const bool isNew = showQuality(
       {subject.scene.level().bake, bake_, subject.renderer.settings(), settings.canBake}, choice);

@@ -16,9 +16,9 @@
 #include "viewer/overlay/lights_tool.h"
 #include "viewer/overlay/marker_space.h"
 #include "viewer/overlay/overlay.h"
-#include "viewer/overlay/pages.h"
 #include "viewer/overlay/pointer.h"
 #include "viewer/overlay/preferences_section.h"
+#include "viewer/overlay/tab_bar.h"
 #include "viewer/walk/walk_settings.h"
 
 namespace hearth {
@@ -29,21 +29,21 @@ struct PanelSubject {
   const Renderer& renderer;
   const LevelSource* source;  ///< the way back to the level's files, if there is one
   const Camera& camera;
-  PictureSize size;                  ///< of the picture, the panel included
+  ImageSize size;                    ///< of the picture, the panel included
   std::optional<MarkerSpace> space;  ///< where lights can be marked, if anywhere
   bool isLevelShown;                 ///< as the camera sees it, rather than a map or a drawing
-  BookmarkRights bookmarks;
+  BookmarkPermissions bookmarks;
 };
 
 /// Requests from the panel that only the walk can grant.
-struct PanelWishes {
-  bool areOptionsNew = false;              ///< those of the settings
-  bool arePreferencesNew = false;          ///< and can be written
+struct PanelRequests {
+  bool optionsChanged = false;             ///< those of the settings
+  bool preferencesChanged = false;         ///< and can be written
   std::optional<std::string> copied = {};  ///< for the clipboard
-  std::optional<BookmarkWish> bookmark = {};
+  std::optional<BookmarkRequest> bookmark = {};
 };
 
-/// The overlay of a walk, with its pages, and what the mouse does in the picture beside it.
+/// The overlay of a walk, with its tabs, and what the mouse does in the picture beside it.
 class WalkPanel {
  public:
   /// `bake`: the settings of the level's light.
@@ -53,10 +53,10 @@ class WalkPanel {
   void toggle();
   bool isStale(double now) const { return overlay_.isStale(now); }
   /// The pixels of a picture's width to the left of it.
-  int leaves(int pictureWidth) const { return overlay_.leaves(pictureWidth); }
+  int widthBeside(int pictureWidth) const { return overlay_.widthBeside(pictureWidth); }
 
   /// Returns whether the event was for the panel alone. Keys are chosen in `preferences`.
-  bool take(const Event& event, const PanelSubject& subject, Preferences& preferences);
+  bool handle(const Event& event, const PanelSubject& subject, Preferences& preferences);
   /// Releases what the mouse holds.
   void releasePointer();
   /// Lets go of the place that is inspected. Returns whether there was one.
@@ -65,29 +65,29 @@ class WalkPanel {
   void forget() { inspector_.forget(); }
 
   /// The edited lights, if they can be edited.
-  LightsEditor* lights() { return lights_ ? &lights_->editor() : nullptr; }
+  LightsEditor* lightsEditor() { return lightsTool_ ? &lightsTool_->editor() : nullptr; }
   /// From now on edits the lights of this file, unless there are edits of the one before.
   void editLights(Storage& storage, const std::filesystem::path& file, const LoadLimits& limits);
   /// Whether closing the walk would lose edits.
-  bool hasUnsavedLights() { return lights_ && lights()->isUnsaved(); }
+  bool hasUnsavedLights() { return lightsTool_ && lightsEditor()->isUnsaved(); }
 
   /// Marks the lights while the panel is open.
   void drawMarks(const PanelSubject& subject, const PixelRows& picture) const;
   /// Draws the panel, if it is open, and changes the settings and the view by what is chosen in it.
   /// `now` in seconds.
-  PanelWishes draw(double now, const PanelSubject& subject, const Figures& figures,
-                   WalkSettings& settings, WalkView& view, const PixelRows& picture);
+  PanelRequests draw(double now, const PanelSubject& subject, const Figures& figures,
+                     WalkSettings& settings, WalkView& view, const PixelRows& picture);
 
  private:
-  void point(const Event& event, const PanelSubject& subject);
-  std::optional<std::string> showLightPage(const PanelSubject& subject);
-  bool showQualityOf(const PanelSubject& subject, WalkSettings& settings);
+  void handlePointer(const Event& event, const PanelSubject& subject);
+  std::optional<std::string> showLightTab(const PanelSubject& subject);
+  bool showQualityTab(const PanelSubject& subject, WalkSettings& settings);
 
   Overlay overlay_;
-  Pages pages_;
+  TabBar tabs_;
   Inspector inspector_;
   Pointer pointer_;
-  std::optional<LightsTool> lights_;
+  std::optional<LightsTool> lightsTool_;
   PreferencesSection preferencesSection_;
   BookmarksSection bookmarksSection_;
   BakeSettings bake_;  ///< of the level at hand, by the options

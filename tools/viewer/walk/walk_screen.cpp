@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "viewer/walk/captions.h"
+#include "viewer/overlay/captions.h"
 
 namespace hearth {
 
@@ -39,24 +39,24 @@ void WalkScreen::keepNext() {
   redraw();
 }
 
-PanelWishes WalkScreen::show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
-                             WalkSettings& settings, double now) {
-  PanelWishes wishes;
+PanelRequests WalkScreen::show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
+                               WalkSettings& settings, double now) {
+  PanelRequests requests;
   if (!window_.windowSize() || (shown_ == frame && !panel.isStale(now))) {
     window_.rest(kTickSeconds);
-    return wishes;
+    return requests;
   }
   if (const double left = pacer_.secondsLeft(now, settings.frameCap); left > 0) {
     window_.rest(std::min(left, kTickSeconds));
-    return wishes;
+    return requests;
   }
   WalkFrame drawn = frame;  // which the panel may change
   if (isCovered(frame, panel))
-    wishes = drawCovered(frame, subject, panel, settings, now);
+    requests = drawCovered(frame, subject, panel, settings, now);
   else
     drawUncovered(frame, now);
   shown_ = std::move(drawn);
-  return wishes;
+  return requests;
 }
 
 /// Whether a frame is kept as a picture, or something is drawn over it.
@@ -77,8 +77,8 @@ void WalkScreen::drawUncovered(const WalkFrame& frame, double now) {
 }
 
 /// In memory of its own: a window's is not to be read.
-PanelWishes WalkScreen::drawCovered(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
-                                    WalkSettings& settings, double now) {
+PanelRequests WalkScreen::drawCovered(WalkFrame& frame, const PanelSubject& subject,
+                                      WalkPanel& panel, WalkSettings& settings, double now) {
   FrameParts parts;
   double begin = window_.seconds();
   const auto lap = [&] {
@@ -99,13 +99,13 @@ PanelWishes WalkScreen::drawCovered(WalkFrame& frame, const PanelSubject& subjec
   figures_.counters = painter_.counters(frame);
   figures_.lightmapBytes = renderer().light().stats.bytes;
   figures_.residentBytes = window_.residentBytes();
-  PanelWishes wishes = panel.draw(now, subject, figures_, settings, frame.view, picture);
+  PanelRequests requests = panel.draw(now, subject, figures_, settings, frame.view, picture);
   parts.cover = lap();
   count(now, begin);
   window_.show(frame.size, [&](const PixelRows& rows) { copy(picture, rows); });
   parts.show = lap();
   figures_.frames.add(parts);
-  return wishes;
+  return requests;
 }
 
 void WalkScreen::keepScreenshot(const WalkFrame& frame, const PixelRows& picture) {
@@ -121,7 +121,7 @@ void WalkScreen::drawCaptions(const WalkFrame& frame, const PanelSubject& subjec
   if (frame.view.isMapShown) painter_.drawMap(frame, picture);
   panel.drawMarks(subject, picture);
   if (frame.view.areKeysShown && !panel.isOpen()) drawKeys(picture, keyList(preferences.keys));
-  const int width = panel.leaves(picture.width);
+  const int width = panel.widthBeside(picture.width);
   if (!frame.notes.empty() && width > 0) drawNotes(picture, frame.notes, width);
   if (!frame.message.empty()) drawMessage(picture, frame.message);
 }

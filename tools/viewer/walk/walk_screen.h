@@ -36,14 +36,14 @@ class WalkScreen {
 
   /// Draws a frame, unless it equals the last one or comes too soon. Then it rests until an event
   /// comes or a tick is due. The panel may change settings and view.
-  PanelWishes show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
-                   WalkSettings& settings, double now);
+  PanelRequests show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
+                     WalkSettings& settings, double now);
 
  private:
   bool isCovered(const WalkFrame& frame, const WalkPanel& panel) const;
   void drawUncovered(const WalkFrame& frame, double now);
-  PanelWishes drawCovered(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
-                          WalkSettings& settings, double now);
+  PanelRequests drawCovered(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
+                            WalkSettings& settings, double now);
   void keepScreenshot(const WalkFrame& frame, const PixelRows& picture);
   void drawCaptions(const WalkFrame& frame, const PanelSubject& subject, const WalkPanel& panel,
                     const Preferences& preferences, const PixelRows& picture) const;

@@ -36,7 +36,7 @@ class WalkSession {
 
   bool isKept() const { return memory_ == Memory::Inputs; }
   /// Whether no more inputs can be kept.
-  bool isFull() const { return inputs_.size() >= kMostRecordedTicks; }
+  bool isFull() const { return inputs_.size() >= kMaxRecordedTicks; }
 
   const Walker& walker() const { return after_; }
   /// The eye `fraction` of a tick after the tick before the last. So the view lags by a tick at

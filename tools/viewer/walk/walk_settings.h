@@ -10,9 +10,9 @@
 
 #include "render/draw_settings.h"
 #include "settings/options.h"
+#include "viewer/overlay/automap.h"
 #include "viewer/preferences/bookmarks.h"
 #include "viewer/preferences/preferences.h"
-#include "viewer/walk/automap.h"
 
 namespace hearth {
 
@@ -34,9 +34,9 @@ struct WalkView {
 };
 
 struct WalkSettings {
-  std::optional<PictureSize> size = {};  ///< of the picture; without it that of the window
-  double fov = 90;                       ///< degrees, horizontal
-  double frameCap = 0;                   ///< frames per second; 0: as many as the window takes
+  std::optional<ImageSize> size = {};  ///< of the picture; without it that of the window
+  double fov = 90;                     ///< degrees, horizontal
+  double frameCap = 0;                 ///< frames per second; 0: as many as the window takes
   WalkView view = {};
   OptionValues options = {};                             ///< by which the level is lit and drawn
   std::optional<std::filesystem::path> lightsFile = {};  ///< that can be edited

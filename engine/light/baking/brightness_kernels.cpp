@@ -1,0 +1,102 @@
+// Compiled once for each instruction set: foreach_target.h includes this file again and again, with
+// HWY_NAMESPACE as another name each time. No result depends on the set: every lane is a sample of
+// its own, and
+// multiplications and additions are never fused.
+
+#include "light/baking/brightness_kernels.h"
+
+#include "light/baking/light_sum.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "light/baking/brightness_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "light/sampling/sample_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+namespace {
+
+void findDistances(const SampleArrays& samples, std::size_t count, Vec3 light, double* distances) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto direction = directionsTo(d, samples, k, light);
+    const auto square =
+        hn::Add(hn::Add(hn::Mul(direction.x, direction.x), hn::Mul(direction.y, direction.y)),
+                hn::Mul(direction.z, direction.z));
+    hn::StoreU(hn::Sqrt(square), d, distances + k);
+  });
+}
+
+void findLevels(const double* distances, std::size_t count, double intensity, double falloff,
+                double* levels) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto distance = hn::LoadU(d, distances + k);
+    const auto weakened = hn::Add(hn::Mul(distance, hn::Set(d, falloff)), hn::Set(d, 1.0));
+    hn::StoreU(hn::Div(hn::Set(d, intensity), weakened), d, levels + k);
+  });
+}
+
+void applyCosine(const SampleArrays& samples, const double* distances, std::size_t count,
+                 Vec3 light, Vec3 normal, double* levels) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto inFront = hn::Neg(dotOf(d, directionsTo(d, samples, k, light), normal));
+    const auto cosine = hn::Div(inFront, hn::LoadU(d, distances + k));
+    // The centre of a ball can lie behind a plane that a part of it lights.
+    const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Max(hn::Zero(d), cosine));
+    hn::StoreU(level, d, levels + k);
+  });
+}
+
+void applySeen(const double* seen, const double* distances, std::size_t count, double reach,
+               double* levels) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto fraction = hn::LoadU(d, seen + k);
+    const auto isNear = hn::Lt(hn::LoadU(d, distances + k), hn::Set(d, reach));
+    const auto level = hn::Mul(fraction, hn::LoadU(d, levels + k));
+    hn::StoreU(hn::IfThenElseZero(hn::And(isNear, hn::Gt(fraction, hn::Zero(d))), level), d,
+               levels + k);
+  });
+}
+
+void addToSums(const double* levels, std::size_t count, double fraction, double* sums) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Set(d, fraction));
+    const auto most = hn::Min(level, hn::Set(d, LightSum::kMax));
+    const auto units =
+        hn::Floor(hn::Add(hn::Mul(most, hn::Set(d, LightSum::kUnit)), hn::Set(d, 0.5)));
+    const auto sum = hn::Add(hn::LoadU(d, sums + k), units);
+    hn::StoreU(hn::Min(sum, hn::Set(d, LightSum::kFull)), d, sums + k);
+  });
+}
+
+const BrightnessKernels& targetBrightnessKernels() {
+  static constexpr BrightnessKernels kKernels{
+      .findDistances = findDistances,
+      .findLevels = findLevels,
+      .applyCosine = applyCosine,
+      .applySeen = applySeen,
+      .addToSums = addToSums,
+  };
+  return kKernels;
+}
+
+}  // namespace
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace hearth {
+
+namespace {
+HWY_EXPORT(targetBrightnessKernels);
+}
+
+const BrightnessKernels& brightnessKernels() {
+  return HWY_DYNAMIC_DISPATCH(targetBrightnessKernels)();
+}
+
+}  // namespace hearth
+
+#endif

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include "light/sampling/sample_arrays.h"
+#include "math/vec.h"
+
+/// Loops over samples, as many at once as the processor's registers hold. The results are the same
+/// to the bit on every processor.
+namespace hearth {
+
+struct BrightnessKernels {
+  /// Metres from a light.
+  void (*findDistances)(const SampleArrays& samples, std::size_t count, Vec3 light,
+                        double* distances);
+  /// intensity / (distance * falloff + 1), see LightSource::brightnessAt.
+  void (*findLevels)(const double* distances, std::size_t count, double intensity, double falloff,
+                     double* levels);
+  /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.
+  void (*applyCosine)(const SampleArrays& samples, const double* distances, std::size_t count,
+                      Vec3 light, Vec3 normal, double* levels);
+  /// Multiplies levels by the fraction of the light that is seen, and by 0 beyond `reach` metres.
+  void (*applySeen)(const double* seen, const double* distances, std::size_t count, double reach,
+                    double* levels);
+  /// Adds levels times `fraction` to sums, each by the rules of LightSum.
+  void (*addToSums)(const double* levels, std::size_t count, double fraction, double* sums);
+};
+
+/// The kernels for the widest registers of this processor.
+const BrightnessKernels& brightnessKernels();
+
+}  // namespace hearth

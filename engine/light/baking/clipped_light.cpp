@@ -1,0 +1,206 @@
+#include "light/baking/clipped_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "light/grid/lit_lattice.h"
+
+namespace hearth {
+
+namespace {
+
+/// Values at the corners of a unit cell, between which they are interpolated.
+struct CornerLevels {
+  double at00;
+  double at10;
+  double at01;
+  double at11;
+
+  double at(Vec2 p) const {
+    const double upper = at00 + p.x * (at10 - at00);
+    const double lower = at01 + p.x * (at11 - at01);
+    return upper + p.y * (lower - upper);
+  }
+
+  double mean() const { return (at00 + at10 + at01 + at11) / 4; }
+
+  double spread() const {
+    const auto [least, most] = std::minmax({at00, at10, at01, at11});
+    return most - least;
+  }
+};
+
+/// Levels between the corners of a cell. Where they are more, the cell is cut in four ...
+constexpr double kSteep = 8;
+/// ... except for cells of a texel's side divided by this: of the light of a point, where no line
+/// divides lit from dark, and of that of a ball, which changes less suddenly and costs more.
+constexpr int kFinest = 8;
+constexpr int kFinestSoft = 4;
+
+class ClippedLight {
+ public:
+  explicit ClippedLight(SurfaceLight& surface)
+      : surface_(surface),
+        rect_(surface.texels()),
+        blocks_(surface.inBlocks(placedCorners(), rect_.width + 1, rect_.height + 1)),
+        corners_(blocks_.samples()) {}
+
+  void add(std::size_t light, TexelSums& sums) {
+    if (surface_.radiusOf(light) > 0)
+      addSoft(light, sums);
+    else
+      addHard(light, sums);
+  }
+
+ private:
+  std::vector<SamplePoint> placedCorners() const {
+    std::vector<SamplePoint> corners;
+    for (int j = 0; j <= rect_.height; ++j)
+      for (int i = 0; i <= rect_.width; ++i) corners.push_back(surface_.place(corner(i, j)));
+    return corners;
+  }
+  Vec2 corner(double i, double j) const { return {rect_.i0 + i, rect_.j0 + j}; }
+  std::size_t index(int i, int j) const { return blocks_.index(i, j); }
+
+  /// Of a point between two corners. Where both lie on one surface, so does what is between them,
+  /// except for walls' corners inside a texel.
+  SamplePoint placedBetween(Vec2 p) const {
+    const auto whole = [](double x) { return static_cast<int>(x); };
+    const SamplePoint& a = corners_[index(whole(std::floor(p.x)), whole(std::floor(p.y)))];
+    const SamplePoint& b = corners_[index(whole(std::ceil(p.x)), whole(std::ceil(p.y)))];
+    if (a.surface != b.surface) return surface_.place(corner(p.x, p.y));
+    const double fraction = p.x - std::floor(p.x) + p.y - std::floor(p.y);
+    return {a.point + fraction * (b.point - a.point), a.surface,
+            a.target + fraction * (b.target - a.target), a.isMoved || b.isMoved};
+  }
+
+  /// Whether the surface, or what continues it, ends inside the texel.
+  bool hasEdge(int i, int j) const {
+    return corners_[index(i, j)].isMoved || corners_[index(i + 1, j)].isMoved ||
+           corners_[index(i, j + 1)].isMoved || corners_[index(i + 1, j + 1)].isMoved;
+  }
+
+  /// What a light brings to a point between corners, in levels.
+  double levelBetween(std::size_t light, Vec2 p) {
+    const auto cells = [](double x) { return static_cast<int>(kFinest * x); };
+    const auto [entry, isNew] = between_.try_emplace({cells(p.x), cells(p.y)});
+    if (!isNew) return entry->second;
+    const SamplePoint at = surface_.place(corner(p.x, p.y));
+    return entry->second = brightnessAt(light, at, surface_.roughlySeenFraction(light, at));
+  }
+
+  double brightnessAt(std::size_t light, const SamplePoint& at, double seen) const {
+    return seen > 0 ? seen * surface_.unshadowedBrightness(light, at) : 0;
+  }
+
+  /// The mean over a square cell from `p` on, cut in four wherever its corners differ by much.
+  double refinedLevel(std::size_t light, Vec2 p, double side, double finest,
+                      const CornerLevels& corners) {
+    if (corners.spread() <= kSteep || side <= finest) return corners.mean();
+    const double half = side / 2;
+    const auto at = [&](double x, double y) { return levelBetween(light, p + Vec2{x, y}); };
+    const double top = at(half, 0);
+    const double left = at(0, half);
+    const double middle = at(half, half);
+    const double right = at(side, half);
+    const double bottom = at(half, side);
+    const auto part = [&](double x, double y, const CornerLevels& levels) {
+      return refinedLevel(light, p + Vec2{x, y}, half, finest, levels);
+    };
+    return (part(0, 0, {corners.at00, top, left, middle}) +
+            part(half, 0, {top, corners.at10, middle, right}) +
+            part(0, half, {left, middle, corners.at01, bottom}) +
+            part(half, half, {middle, right, bottom, corners.at11})) /
+           4;
+  }
+
+  static Vec2 texel(int i, int j) { return {static_cast<double>(i), static_cast<double>(j)}; }
+
+  CornerLevels levelsAt(const std::vector<double>& levels, int i, int j) const {
+    const double* upper = &levels[index(i, j)];
+    const double* lower = upper + rect_.width + 1;
+    return {upper[0], upper[1], lower[0], lower[1]};
+  }
+
+  /// Of a cell, with nothing where no light arrives.
+  template <typename Lattice>
+  static CornerLevels litOnly(const CornerLevels& full, const Lattice& lattice, int i, int j) {
+    return {lattice.isLitAt(i, j) ? full.at00 : 0, lattice.isLitAt(i + 1, j) ? full.at10 : 0,
+            lattice.isLitAt(i, j + 1) ? full.at01 : 0,
+            lattice.isLitAt(i + 1, j + 1) ? full.at11 : 0};
+  }
+
+  template <typename LevelOf>
+  void addTexels(std::size_t light, TexelSums& sums, LevelOf&& levelOf) {
+    between_.clear();
+    for (int j = 0; j < rect_.height; ++j) {
+      UsedTexelRow row = surface_.usedRuns(rect_.j0 + j);
+      std::optional<int> last;
+      double level = 0;
+      for (int i = 0; i < rect_.width; ++i) {
+        const int used = row.nearest(rect_.i0 + i);
+        if (used != last) level = levelOf(used - rect_.i0, j);
+        last = used;
+        if (level > 0) sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
+      }
+    }
+  }
+
+  void addHard(std::size_t light, TexelSums& sums) {
+    const auto isLit = [&](Vec2 p) { return surface_.seenFraction(light, placedBetween(p)) > 0; };
+    const std::vector<double>& seen = surface_.seenFractions(light, blocks_);
+    const auto isCornerLit = [&](int i, int j) { return seen[index(i, j)] > 0; };
+    const LitLattice lattice(rect_.width, rect_.height, isLit, isCornerLit);
+    if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return;
+    std::vector<double> full;
+    full.reserve(corners_.size());
+    for (const SamplePoint& at : corners_) full.push_back(surface_.unshadowedBrightness(light, at));
+    addTexels(light, sums, [&](int i, int j) {
+      const int lit = lattice.litCorners(i, j);
+      if (lit == 0) return 0.0;
+      const CornerLevels levels = levelsAt(full, i, j);
+      if (lit == 4) return levels.mean();
+      // Beyond an edge the nearest points of a surface can lie apart, and no line divides lit from
+      // dark.
+      if (hasEdge(i, j))
+        return refinedLevel(light, texel(i, j), 1, 1.0 / kFinest, litOnly(levels, lattice, i, j));
+      return lattice.part(i, j).integral([&](Vec2 p) { return levels.at(p); });
+    });
+  }
+
+  /// What is seen of a ball changes gradually, so that its fraction too is interpolated.
+  void addSoft(std::size_t light, TexelSums& sums) {
+    std::vector<double> levels = surface_.seenFractions(light, blocks_);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      levels[i] = brightnessAt(light, corners_[i], levels[i]);
+    addTexels(light, sums, [&](int i, int j) {
+      return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(levels, i, j));
+    });
+  }
+
+  SurfaceLight& surface_;
+  TexelRect rect_;
+  SampleBlocks blocks_;  ///< of corners, one more each way than texels
+  const std::vector<SamplePoint>& corners_;
+  /// Levels of the light at hand, by finest cells from the first corner on.
+  std::map<std::pair<int, int>, double> between_;
+};
+
+}  // namespace
+
+void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
+                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop) {
+  SurfaceProgress done(progress, surface.texels().count(), std::ssize(lights));
+  ClippedLight clipped(surface);
+  for (const std::size_t light : lights) {
+    if (stop.stop_requested()) return;
+    clipped.add(light, sumsOf(light));
+    done.step();
+  }
+}
+
+}  // namespace hearth

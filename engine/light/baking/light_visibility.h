@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "level/scene.h"
+#include "light/beam_tree/beam_tree.h"
+#include "light/grid/plane.h"
+#include "light/rays/raytracer.h"
+
+namespace hearth {
+
+/// A point of a surface to be lit.
+struct LightTarget {
+  Vec3 point;       ///< where rays arrive, on the border of the air of `sector`
+  SectorId sector;  ///< whose air the surface bounds
+  Plane plane;      ///< the surface's, its normal into the air
+};
+
+/// Points of a disc of radius 1 that many samples use. Many of the points are equally far from its
+/// centre, so values that depend only on this distance are computed once.
+struct DiscCells {
+  explicit DiscCells(int across);
+
+  /// How far a line through the disc is from its centre, p.
+  struct Distance {
+    double square;  ///< p^2
+    double half;    ///< sqrt(1 - p^2): half of the chord in a ball of radius 1
+  };
+  static Distance distanceOf(Vec2 point);
+
+  /// The distances of a list of points, each once.
+  struct Distances {
+    std::vector<Distance> all;
+    std::vector<std::uint32_t> ofPoints;  ///< indices of `all`
+  };
+  static Distances distancesOf(const std::vector<Vec2>& points);
+
+  std::vector<Vec2> corners;  ///< of the cells, row by row; moved to the nearest point of the disc
+  Distances cornerDistances;
+  Distances
+      insideDistances;  ///< of the points where a cell is integrated (kWholeCell), cell by cell
+};
+
+/// Answers which fraction of a light a point of a surface sees: all or nothing of a point light,
+/// the fraction of its volume of a ball. If a wall runs through a ball, the part that the centre
+/// does not see does not shine.
+class LightVisibility {
+ public:
+  /// `softSamples`, a square number, is for balls: the disc that a point sees of a ball is divided
+  /// into so many cells, and straight edges of shadows cut the cells exactly. If more than planes
+  /// cut a ball, or the point is too near, 32 times as many points are spread over the ball
+  /// instead. With 0 a ball is a point. `solidMaskedMiddles`: see BakeSettings.
+  LightVisibility(const Scene& scene, const LightSource& light, int softSamples,
+                  bool solidMaskedMiddles = false);
+  ~LightVisibility();
+  LightVisibility(LightVisibility&&) noexcept;
+
+  /// 0..1. Adds the number of its rays to `rays`, and the sectors that they enter to `met`, if any.
+  double seenFraction(const LightTarget& target, std::int64_t& rays,
+                      SectorSet* met = nullptr) const;
+  /// The same for a target of a shaft from `shaftLight()`, whose rays have this outcome.
+  double seenFraction(const LightTarget& target, const Shaft& shaft, TargetVisibility outcome,
+                      std::int64_t& rays) const;
+
+  const ShaftLight& shaftLight() const { return shaftLight_; }
+  /// From now on the first call of `beams` finds the beam tree of a point light. Balls have none.
+  void useBeams(const Scene& scene, double reach, std::size_t maxBytes);
+  /// None unless useBeams() was called. Any thread may call it.
+  const BeamTree* beams() const;
+  /// Finds the beam tree now, if it is used and no thread has begun to find it. So threads that
+  /// need the same trees find different ones at first, instead of waiting for one another.
+  void prefetchBeams() const;
+  /// The sectors that decide which part of the light shines: that of its centre, and all that lines
+  /// from there to its other points enter.
+  std::span<const SectorId> sectors() const { return sectors_; }
+
+ private:
+  template <typename Sees>
+  double seenFractionBy(const LightTarget& target, Sees&& sees) const;
+  bool isBeforePlanes(Vec3 p) const;
+  template <typename Sees>
+  double seenOfDisc(const LightTarget& target, Sees&& sees) const;
+  template <typename Sees>
+  double seenOfPoints(Sees&& sees) const;
+
+  Raytracer raytracer_;
+  Raytracer::Source center_;
+  double radius_;  ///< metres
+  int cells_;      ///< along the disc's diameter
+  DiscCells discCells_;
+  std::vector<Plane> planes_;  ///< of the walls and flats that cut the ball
+  /// Points spread evenly over the ball, without those that its centre does not see; the count
+  /// includes them.
+  std::vector<Raytracer::Source> points_;
+  int pointCount_ = 0;
+  /// Whether exactly the part of the ball in front of all planes shines.
+  bool isCutByPlanes_ = false;
+  ShaftLight shaftLight_;
+  struct Beams;
+  std::unique_ptr<Beams> beams_;
+  std::vector<SectorId> sectors_;
+};
+
+/// How points see the lights of a level, in their order.
+struct LightVisibilities {
+  LightVisibilities(const Scene& scene, const BakeSettings& settings);
+
+  std::vector<LightVisibility> fine;
+  /// With a quarter of the samples to a ball, for points whose mean is taken.
+  std::vector<LightVisibility> rough;
+  /// Metres beyond which a light is left out, see LightSource::reach.
+  std::vector<double> reach;
+};
+
+}  // namespace hearth

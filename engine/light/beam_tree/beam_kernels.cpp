@@ -1,0 +1,130 @@
+// Compiled once for each instruction set: foreach_target.h includes this file again and again, with
+// HWY_NAMESPACE as another name each time. No result depends on the set: every lane is a beam or a
+// sample of its own, and
+// multiplications and additions are never fused.
+
+#include "light/beam_tree/beam_kernels.h"
+
+#include <algorithm>
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "light/beam_tree/beam_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "light/sampling/sample_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+namespace {
+
+/// In lanes that are beams: how far in front of an upright plane through the light the foremost of
+/// the corners is.
+template <typename D>
+HWY_INLINE hn::Vec<D> foremost(D d, const CornerOffsets& corners, hn::Vec<D> normalX,
+                               hn::Vec<D> normalY) {
+  const auto inFront = [&](std::size_t k) HWY_ATTR {
+    return hn::Add(hn::Mul(hn::Set(d, corners.x[k]), normalX),
+                   hn::Mul(hn::Set(d, corners.y[k]), normalY));
+  };
+  auto most = inFront(0);
+  for (std::size_t k = 1; k < corners.count; ++k) most = hn::Max(most, inFront(k));
+  return most;
+}
+
+std::size_t findSpanning(const CornerOffsets& corners, const BeamSides& beams, std::size_t count,
+                         double margin, std::uint32_t* spanning) {
+  std::size_t found = 0;
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto least = hn::Set(d, -margin);
+    const auto ofBegin =
+        foremost(d, corners, hn::LoadU(d, beams.beginX + k), hn::LoadU(d, beams.beginY + k));
+    const auto ofEnd =
+        foremost(d, corners, hn::LoadU(d, beams.endX + k), hn::LoadU(d, beams.endY + k));
+    const auto areSpanning = hn::And(hn::Ge(ofBegin, least), hn::Ge(ofEnd, least));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, areSpanning, bits);
+    for (unsigned left = bits[0]; left != 0; left &= left - 1)
+      spanning[found++] =
+          static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(left));
+  });
+  return found;
+}
+
+std::uint32_t findStraddled(const CornerOffsets& corners, const BeamBounds& bounds,
+                            std::uint32_t asked, double margin, double reach) {
+  using Tag = hn::CappedTag<double, 8>;
+  const Tag d;
+  std::uint32_t straddled = 0;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const std::uint32_t bit = std::uint32_t{1} << std::min(i, kBoundBits - 1);
+    if ((asked & bit) == 0) continue;
+    const BeamBound bound = bounds[i];
+    const double slack = bound.slack(margin, reach);
+    bool isAnyNear = false;
+    bool areAllInFront = true;
+    for (std::size_t k = 0; k < corners.count; k += hn::Lanes(d)) {
+      const Directions<Tag> directions = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
+                                          hn::LoadU(d, corners.z + k)};
+      const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
+      isAnyNear |= !hn::AllFalse(d, hn::Ge(inFront, hn::Set(d, -slack)));
+      areAllInFront &= hn::AllTrue(d, hn::Gt(inFront, hn::Set(d, slack)));
+    }
+    if (!isAnyNear) return kBehindBound;
+    if (!areAllInFront) straddled |= bit;
+  }
+  return straddled;
+}
+
+void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
+              std::span<const StraddledBounds> beams, const BoundingPlane* bounds, double* seen) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto directions = directionsTo(d, samples, k, light);
+    auto areLit = hn::FirstN(d, 0);
+    auto areUnknown = areLit;
+    const BoundingPlane* next = bounds;
+    for (const StraddledBounds& beam : beams) {
+      auto areInside = hn::FirstN(d, beam.isDoubtful ? 0 : hn::Lanes(d));
+      auto areNear = hn::FirstN(d, hn::Lanes(d));
+      for (const BoundingPlane& bound : std::span(next, beam.count)) {
+        const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
+        areInside = hn::And(areInside, hn::Gt(inFront, hn::Set(d, bound.slack)));
+        areNear = hn::And(areNear, hn::Ge(inFront, hn::Set(d, -bound.slack)));
+        if (hn::AllFalse(d, areNear)) break;
+      }
+      next += beam.count;
+      areLit = hn::Or(areLit, areInside);
+      areUnknown = hn::Or(areUnknown, areNear);
+    }
+    const auto unlit = hn::IfThenElseZero(areUnknown, hn::Set(d, kUnknownFraction));
+    hn::StoreU(hn::IfThenElse(areLit, hn::Set(d, 1.0), unlit), d, seen + k);
+  });
+}
+
+const BeamKernels& targetBeamKernels() {
+  static constexpr BeamKernels kKernels{
+      .findSpanning = findSpanning,
+      .findStraddled = findStraddled,
+      .findSeen = findSeen,
+  };
+  return kKernels;
+}
+
+}  // namespace
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace hearth {
+
+namespace {
+HWY_EXPORT(targetBeamKernels);
+}
+
+const BeamKernels& beamKernels() { return HWY_DYNAMIC_DISPATCH(targetBeamKernels)(); }
+
+}  // namespace hearth
+
+#endif

@@ -1,0 +1,154 @@
+#include "light/light_fingerprints.h"
+
+#include <cstddef>
+#include <set>
+#include <span>
+#include <variant>
+
+#include "light/geometry_hash.h"
+#include "math/hash.h"
+
+namespace hearth {
+
+namespace {
+
+class Printer {
+ public:
+  Printer(const Scene& scene, const LitSurfaces& surfaces) : scene_(scene), surfaces_(surfaces) {
+    for (const Sector& sector : scene.level().sectors) names_.push_back(hashOf(sector.name));
+    for (const TexelHoles& texture : scene.level().holes) holes_.push_back(hashOf(texture));
+    for (const Sector& sector : scene.level().sectors) outlines_.push_back(outlineOf(sector));
+    for (std::size_t i = 0; i < surfaces.size(); ++i) faces_.push_back(faceOf(SurfaceId(i)));
+  }
+
+  LightFingerprints print() const {
+    LightFingerprints prints;
+    for (std::size_t i = 0; i < scene_.level().sectors.size(); ++i)
+      prints.sectors.push_back(printOf(SectorId(i)));
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      prints.surfaces.push_back(printOf(SurfaceId(i)));
+    for (const LightSource& light : scene_.level().lights) prints.lights.push_back(printOf(light));
+    return prints;
+  }
+
+ private:
+  static std::uint64_t hashOf(const std::string& text) {
+    Hash hash;
+    hash.addText(text);
+    return hash.value();
+  }
+
+  static std::uint64_t hashOf(const TexelHoles& holes) {
+    Hash hash;
+    addHoles(hash, holes);
+    return hash.value();
+  }
+
+  /// A sector without what it leads to, except the names.
+  std::uint64_t outlineOf(const Sector& sector) const {
+    const PartNumbers numbers{
+        [this](SectorId id) { return names_[id.index()]; },
+        [this](FlatPortalId id) { return hashOf(scene_[id].name); },
+        [this](TextureId id) { return holes_[id.index()]; },
+    };
+    Hash hash;
+    hash.addText(sector.name);
+    addGeometry(hash, scene_, sector, numbers);
+    return hash.value();
+  }
+
+  std::uint64_t printOf(SectorId id) const {
+    const Sector& sector = scene_[id];
+    Hash hash;
+    hash.addWhole(outlines_[id.index()]);
+    for (const Segment& segment : scene_.segmentsOf(sector)) addOpenings(hash, segment);
+    for (const SectorId next : neighboursOf(sector)) hash.addWhole(outlines_[next.index()]);
+    return hash.value();
+  }
+
+  void addOpenings(Hash& hash, const Segment& segment) const {
+    const std::span<const LightOpening> openings = scene_.lightOpeningsOf(segment);
+    hash.addWhole(openings.size());
+    for (const LightOpening& opening : openings) {
+      hash.addReal(opening.zBottom);
+      hash.addReal(opening.zTop);
+      hash.addWhole(names_[opening.next.index()]);
+      hash.addWhole(opening.twin.value - scene_[opening.next].firstSegment.value);
+    }
+  }
+
+  /// All sectors that walls and flats of a sector lead to, each once.
+  std::set<SectorId> neighboursOf(const Sector& sector) const {
+    std::set<SectorId> next;
+    const auto addPortal = [&](const auto& kind) {
+      if (const Portal* portal = std::get_if<Portal>(&kind)) next.insert(portal->next);
+    };
+    for (const Segment& segment : scene_.segmentsOf(sector)) {
+      addPortal(segment.wall);
+      if (const Stack* stack = std::get_if<Stack>(&segment.wall))
+        for (const SubWall& subWall : stack->subWalls) addPortal(subWall.kind);
+    }
+    if (sector.floor.flatPortal) {
+      const auto& lower = scene_[*sector.floor.flatPortal].lower;
+      next.insert(lower.begin(), lower.end());
+    }
+    if (sector.ceiling.flatPortal) {
+      const auto& upper = scene_[*sector.ceiling.flatPortal].upper;
+      next.insert(upper.begin(), upper.end());
+    }
+    return next;
+  }
+
+  /// A surface without what continues it.
+  std::uint64_t faceOf(SurfaceId id) const {
+    const auto& surface = surfaces_[id.index()];
+    if (!surface) return 0;
+    Hash hash;
+    hash.addWhole(names_[scene_[id].sector.index()]);
+    const TexelGrid& grid = surface->grid;
+    for (const Vec3 v : {grid.origin, grid.axisS, grid.axisT, surface->anchor, surface->normal})
+      hash.addPoint(v);
+    hash.addReal(grid.texel);
+    const std::vector<std::vector<Vec2>> polygons = surface->outline.loops();
+    hash.addWhole(polygons.size());
+    for (const std::vector<Vec2>& polygon : polygons) {
+      hash.addWhole(polygon.size());
+      for (const Vec2 p : polygon) hash.addPoint(p);
+    }
+    return hash.value();
+  }
+
+  std::uint64_t printOf(SurfaceId id) const {
+    const auto& surface = surfaces_[id.index()];
+    if (!surface) return 0;
+    Hash hash;
+    hash.addWhole(faces_[id.index()]);
+    for (const Continuation& next : surface->continuations) {
+      hash.addWhole(faces_[next.surface.index()]);
+      hash.addPoint(next.edge0);
+      hash.addPoint(next.edge1);
+    }
+    return hash.value();
+  }
+
+  std::uint64_t printOf(const LightSource& light) const {
+    Hash hash;
+    addLight(hash, light, names_[light.sector.index()]);
+    return hash.value();
+  }
+
+  Scene scene_;
+  const LitSurfaces& surfaces_;
+  std::vector<std::uint64_t> names_;     ///< by SectorId
+  std::vector<std::uint64_t> holes_;     ///< by TextureId
+  std::vector<std::uint64_t> outlines_;  ///< by SectorId
+  std::vector<std::uint64_t> faces_;     ///< by SurfaceId
+};
+
+}  // namespace
+
+LightFingerprints lightFingerprints(const Scene& scene, const LitSurfaces& surfaces) {
+  return Printer(scene, surfaces).print();
+}
+
+}  // namespace hearth

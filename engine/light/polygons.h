@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace hearth {
+
+/// Closed polygons, some of them holes: a point is inside if an odd number of them contain it.
+class Polygons {
+ public:
+  struct Edge {
+    Vec2 a;
+    Vec2 b;
+  };
+  /// A part of a row of points.
+  struct Stretch {
+    double from;
+    double to;
+  };
+
+  Polygons() = default;
+  /// At least one of them, of at least three points each.
+  explicit Polygons(const std::vector<std::vector<Vec2>>& polygons);
+
+  /// The polygons that it was made from.
+  std::vector<std::vector<Vec2>> loops() const;
+
+  bool contains(Vec2 p) const;
+  /// The nearest point of the polygons.
+  Vec2 nearest(Vec2 p) const;
+  /// The edges no farther than `reach`.
+  std::vector<Edge> edgesWithin(Vec2 p, double reach) const;
+
+  /// Only the edges within `reach` of the points of a row. For such a point it gives the same
+  /// answers within that distance.
+  Polygons aroundRow(double row, double reach) const;
+
+  /// The parts of the row that lie inside, farther than `margin` from all edges, from left to
+  /// right with gaps between them.
+  std::vector<Stretch> insideAlong(double row, double margin) const;
+  /// The parts with a point of the inside, or of an edge, no farther than `margin` along both axes,
+  /// in the same order.
+  std::vector<Stretch> nearAlong(double row, double margin) const;
+
+ private:
+  std::vector<Stretch> besideEdges(double row, double margin) const;
+  bool isInsideBetween(double row, const Stretch& before, const Stretch& after) const;
+
+  std::vector<Edge> edges_;
+  std::vector<std::size_t> ends_;  ///< of the polygons' edges
+};
+
+}  // namespace hearth

@@ -1,0 +1,302 @@
+#include "light/rays/raytracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "level/locate.h"
+#include "level/masked_middle.h"
+#include "level/openings.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// Where the ray leaves a sector over its outline.
+struct Exit {
+  const Segment* segment;
+  double t;
+};
+
+/// All walls of a sector.
+struct AllWalls {
+  Scene scene;
+
+  template <typename Visit>
+  void visit(SectorId sector, Visit&& visit) const {
+    for (const Segment& wall : scene.segmentsOf(scene[sector])) visit(wall);
+  }
+};
+
+/// Those that the rays of a shaft can meet.
+struct ShaftWalls {
+  const Shaft& shaft;
+
+  template <typename Visit>
+  void visit(SectorId sector, Visit&& visit) const {
+    for (const Segment* wall : shaft.wallsIn(sector)) visit(*wall);
+  }
+};
+
+template <typename Walls>
+class Walk {
+ public:
+  Walk(const Scene& scene, Walls walls, const Raytracer::Source& source, Vec3 target,
+       bool solidMaskedMiddles, SectorSet* met)
+      : scene_(scene),
+        walls_(walls),
+        solidMaskedMiddles_(solidMaskedMiddles),
+        met_(met),
+        origin_(source.position),
+        delta_(target - source.position),
+        planLength2_(dot(delta_.xy(), delta_.xy())),
+        length2_(dot(delta_, delta_)),
+        sector_(source.sector) {}
+
+  /// To where the ray, going on, comes to in the end.
+  void passGate(const Shaft::Gate& gate) {
+    const Segment& wall = *gate.wall;
+    sector_ = gate.opening->next;
+    t_ = crossingOf(wall, sideOf(wall.p0), sideOf(wall.p1));
+    entry_ = &scene_[gate.opening->twin];
+  }
+
+  /// Whether the ray's end is a point on the border of the air of `goal` that it reaches.
+  bool arrivesAt(SectorId goal) {
+    for (std::size_t step = 0; step < stepLimit(); ++step) {
+      const Exit exit = findExit();
+      if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
+        if (sector_ == goal && isAtEnd(hit->t)) return true;
+        if (!crossFlatPortal(*hit)) return false;
+        continue;
+      }
+      if (sector_ == goal && isAtEnd(exit.t)) return true;
+      if (exit.t > 1 && !isNearEnd(exit.t)) return liesBehindFlatPortal(goal);
+      if (!pass(exit)) return false;
+    }
+    return false;
+  }
+
+  /// The sector of the ray's end, a point of the air; none where it does not get there.
+  std::optional<SectorId> sectorAtEnd() {
+    for (std::size_t step = 0; step < stepLimit(); ++step) {
+      const Exit exit = findExit();
+      if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
+        if (!crossFlatPortal(*hit)) return std::nullopt;
+        continue;
+      }
+      if (exit.t > 1) return sector_;
+      if (!pass(exit)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// No line through a level that means something crosses so many sectors.
+  std::size_t stepLimit() const { return 4 * scene_.level().segments.size() + 16; }
+
+  /// Within kArrival of the ray's end. (Asked of each ray, so without root and division.)
+  bool isNearEnd(double t) const { return (1 - t) * (1 - t) * length2_ <= kArrival * kArrival; }
+  bool isAtEnd(double t) const { return t >= 1 || isNearEnd(t); }
+
+  /// Signed distance (scaled) of a vertex to the right of the ray; the same bits for all segments
+  /// that share the vertex, so that no ray slips between two of them.
+  double sideOf(Vec2 p) const { return cross(delta_.xy(), p - origin_.xy()); }
+
+  double crossingOf(const Segment& segment, double side0, double side1) const {
+    // In a fixed order of the end points, so that a segment and its twin agree to the bit.
+    const bool swap = lessXY(segment.p1, segment.p0);
+    const Vec2 a = swap ? segment.p1 : segment.p0;
+    const Vec2 b = swap ? segment.p0 : segment.p1;
+    const double sideA = swap ? side1 : side0;
+    const double sideB = swap ? side0 : side1;
+    return dot(lerp(a, b, sideA / (sideA - sideB)) - origin_.xy(), delta_.xy()) / planLength2_;
+  }
+
+  bool isBeyondEntry(const Segment& segment, double t) const {
+    const double tiny = kNearTie * std::max(t_, kNearTie);
+    if (t > t_ + tiny) return true;
+    if (t < t_ - tiny) return false;
+    return !entry_ || meetsFirst(origin_.xy(), entry_->p0, entry_->p1, segment.p0, segment.p1);
+  }
+
+  /// The first segment seen from its front beyond where the ray came into the sector.
+  Exit findExit() const {
+    if (met_) met_->add(sector_);
+    Exit best{nullptr, std::numeric_limits<double>::infinity()};
+    if (planLength2_ == 0) return best;
+    walls_.visit(sector_, [&](const Segment& segment) {
+      const double side0 = sideOf(segment.p0);
+      const double side1 = sideOf(segment.p1);
+      if (side0 >= 0 || side1 < 0) return;
+      const double t = crossingOf(segment, side0, side1);
+      if (t > best.t + kNearTie * best.t || !isBeyondEntry(segment, t)) return;
+      if (t >= best.t - kNearTie * best.t && best.segment &&
+          !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
+        return;
+      best = {&segment, t};
+    });
+    return best;
+  }
+
+  double zAt(double t) const { return origin_.z + t * delta_.z; }
+  Vec2 planAt(double t) const { return origin_.xy() + t * delta_.xy(); }
+
+  struct FlatHit {
+    double t;
+    bool isFloor;
+  };
+
+  /// Where, up to tEnd, the ray first meets the sector's floor or ceiling (slopes included, which
+  /// may come through one another; skies are none to light).
+  std::optional<FlatHit> meetsFlat(double tEnd) const {
+    const Sector& sector = scene_[sector_];
+    std::optional<FlatHit> first;
+    if (!sector.floor.isSky && (delta_.z < 0 || sector.floorSlope))
+      if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return scene_.airBottom(sector, p); }))
+        first = FlatHit{*t, true};
+    if (!sector.ceiling.isSky && (delta_.z > 0 || sector.ceilingSlope))
+      if (const auto t = meetsPlane(tEnd, -1, [&](Vec2 p) { return scene_.airTop(sector, p); }))
+        if (!first || *t < first->t) first = FlatHit{*t, false};
+    return first;
+  }
+
+  template <typename HeightAt>
+  std::optional<double> meetsPlane(double tEnd, double sign, HeightAt&& heightAt) const {
+    const auto clearance = [&](double t) { return sign * (zAt(t) - heightAt(planAt(t))); };
+    const double atEnd = clearance(tEnd);
+    if (atEnd >= 0) return std::nullopt;
+    const double atStart = std::max(0.0, clearance(t_));
+    return t_ + (tEnd - t_) * (atStart / (atStart - atEnd));
+  }
+
+  const std::vector<SectorId>& membersBehind(const Flat& flat, bool isFloor) const {
+    const FlatPortal& flatPortal = scene_[*flat.flatPortal];
+    return isFloor ? flatPortal.lower : flatPortal.upper;
+  }
+
+  /// A surface can lie in the very plane of a flat portal: a slope that touches it.
+  bool liesBehindFlatPortal(SectorId goal) const {
+    const Sector& sector = scene_[sector_];
+    const auto leadsToGoal = [&](const Flat& flat, double z, bool isFloor) {
+      return flat.flatPortal && std::abs(zAt(1) - z) <= kArrival &&
+             std::ranges::find(membersBehind(flat, isFloor), goal) !=
+                 membersBehind(flat, isFloor).end() &&
+             contains(scene_.level(), scene_[goal], planAt(1));
+    };
+    return leadsToGoal(sector.floor, scene_.zFloor(sector), true) ||
+           leadsToGoal(sector.ceiling, scene_.zCeiling(sector), false);
+  }
+
+  bool crossFlatPortal(FlatHit hit) {
+    const Sector& sector = scene_[sector_];
+    const Flat& flat = hit.isFloor ? sector.floor : sector.ceiling;
+    if (!flat.flatPortal) return false;
+    sector_ = memberAt(flat, hit);
+    t_ = hit.t;
+    entry_ = nullptr;
+    return true;
+  }
+
+  /// The sector behind a flat portal that the ray is in. Along a border of two of them it is the
+  /// one whose outline the ray's crossings say, so that it leaves what it was in.
+  SectorId memberAt(const Flat& flat, FlatHit hit) const {
+    for (const SectorId member : membersBehind(flat, hit.isFloor))
+      if (isInside(scene_[member], hit.t)) return member;
+    return sectorAcross(scene_.level(), scene_[*flat.flatPortal],
+                        hit.isFloor ? FlatPortalSide::Lower : FlatPortalSide::Upper, planAt(hit.t));
+  }
+
+  /// Whether the ray leaves the sector once more often than it comes in, beyond t.
+  bool isInside(const Sector& sector, double t) const {
+    int leaves = 0;
+    for (const Segment& segment : scene_.segmentsOf(sector)) {
+      const double side0 = sideOf(segment.p0);
+      const double side1 = sideOf(segment.p1);
+      if ((side0 >= 0) == (side1 >= 0) || crossingOf(segment, side0, side1) <= t) continue;
+      leaves += side0 < 0 ? 1 : -1;
+    }
+    return leaves == 1;
+  }
+
+  /// Goes through the opening of the exit at the ray's height, if there is one.
+  bool pass(const Exit& exit) {
+    const double slack = isAtEnd(exit.t) ? kArrival : 0;
+    for (const LightOpening& opening : scene_.lightOpeningsOf(*exit.segment)) {
+      if (!isOpenAt(opening, exit.t, slack)) continue;
+      if (slack == 0 && isStoppedByMaskedMiddle(opening, exit.t)) return false;
+      sector_ = opening.next;
+      t_ = exit.t;
+      entry_ = &scene_[opening.twin];
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether the opening, and the slopes of the sector behind it, leave the ray's height free.
+  bool isOpenAt(const LightOpening& opening, double t, double slack) const {
+    const double z = zAt(t);
+    if (z < opening.zBottom - slack || z > opening.zTop + slack) return false;
+    const Sector& next = scene_[opening.next];
+    if (!next.floorSlope && !next.ceilingSlope) return true;
+    const Segment& twin = scene_[opening.twin];
+    const double fraction = length(planAt(t) - twin.p0) / twin.length;
+    const AirColumn air = scene_.airAt(twin, std::clamp(fraction, 0.0, 1.0));
+    return (!next.floorSlope || z >= air.zBottom - slack) &&
+           (!next.ceilingSlope || z <= air.zTop + slack);
+  }
+
+  /// Whether the ray meets what hangs in an opening, on either side, and is no hole.
+  bool isStoppedByMaskedMiddle(const LightOpening& opening, double t) const {
+    return std::ranges::any_of(scene_.maskedMiddlesIn(opening), [&](SurfaceId id) {
+      const SurfaceGeometry& middle = scene_.geometryOf(id);
+      const Vec2 p = planAt(t);
+      const double z = zAt(t);
+      return middle.zBottom <= z && z <= middle.zTop &&
+             (solidMaskedMiddles_ || isSolidAt(scene_, id, {p.x, p.y, z}));
+    });
+  }
+
+  Scene scene_;
+  Walls walls_;
+  bool solidMaskedMiddles_;
+  SectorSet* met_;
+  Vec3 origin_;
+  Vec3 delta_;
+  double planLength2_;
+  double length2_;
+
+  SectorId sector_;                 ///< where the ray is ...
+  double t_ = 0;                    ///< ... since this fraction of its way ...
+  const Segment* entry_ = nullptr;  ///< ... through this segment of the sector, if through one
+};
+
+}  // namespace
+
+Raytracer::Source Raytracer::sourceOf(const Scene& scene, const LightSource& light) {
+  const Sector& sector = scene[light.sector];
+  const Vec3 inside = nudgedInside(scene, sector, light.position);
+  const bool aboveSky = sector.ceiling.isSky && light.position.z > scene.zCeiling(sector);
+  const bool belowSky = sector.floor.isSky && light.position.z < scene.zFloor(sector);
+  return {{inside.x, inside.y, aboveSky || belowSky ? light.position.z : inside.z}, light.sector};
+}
+
+bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
+  return Walk(scene_, AllWalls{scene_}, source, target, solidMaskedMiddles_, met).arrivesAt(sector);
+}
+
+bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const {
+  Walk walk(scene_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
+  if (shaft.gate()) walk.passGate(*shaft.gate());
+  return walk.arrivesAt(sector);
+}
+
+std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
+                                            SectorSet& met) const {
+  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, &met).sectorAtEnd();
+}
+
+}  // namespace hearth

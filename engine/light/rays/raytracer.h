@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "level/scene.h"
+#include "light/rays/id_set.h"
+#include "light/rays/shaft.h"
+
+namespace hearth {
+
+/// Answers whether a light sees a point: follows the straight line from the light through the
+/// openings of the sectors. The line enters sectors only through links. So no light leaks through
+/// joints of walls, and sectors that merely overlap in space do not meet.
+class Raytracer {
+ public:
+  /// `solidMaskedMiddles`: see BakeSettings.
+  explicit Raytracer(const Scene& scene, bool solidMaskedMiddles = false)
+      : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles) {}
+
+  /// Where the line from a light to a point starts.
+  struct Source {
+    Vec3 position;  ///< inside `sector` (above or below it where that is sky), off its walls
+    SectorId sector;
+  };
+  static Source sourceOf(const Scene& scene, const LightSource& light);
+
+  /// True when the line from the source first meets a surface at `target`, a point on the border of
+  /// the air of `sector`. The caller has made sure that the surface there faces the source.
+  /// `met`, if any, gets the sectors that the line enters.
+  bool sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met = nullptr) const;
+  /// The same for a ray of a shaft. It tests only the walls that the shaft meets.
+  bool sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const;
+
+  /// The sector in which the line from the source arrives at a point of the air; none if it
+  /// meets a surface before.
+  std::optional<SectorId> sectorAt(const Source& source, Vec3 point, SectorSet& met) const;
+
+ private:
+  Scene scene_;
+  bool solidMaskedMiddles_;
+};
+
+}  // namespace hearth

@@ -1,0 +1,369 @@
+#include "light/rays/shaft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "level/openings.h"
+#include "light/grid/slope_reach.h"
+#include "light/rays/ray_error.h"
+#include "light/rays/target_air.h"
+#include "math/check.h"
+#include "math/predicates.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+EndHeights flatLine(double z) { return {z, z}; }
+
+/// What an opening is to the part of the hull that meets its wall.
+struct Passage {
+  const ShaftHull::Slice& hull;
+  bool isShut = false;  ///< nothing of the hull passes
+  bool isOpen = true;   ///< all of it does
+
+  void letThroughAbove(EndHeights line) {
+    isShut |= hull.isBelow(line);
+    isOpen &= hull.isAbove(line);
+  }
+  void letThroughBelow(EndHeights line) {
+    isShut |= hull.isAbove(line);
+    isOpen &= hull.isBelow(line);
+  }
+};
+
+/// The lines along a stretch of a wall that its sector's air ends at.
+struct AirLines {
+  EndHeights bottom;
+  EndHeights top;
+};
+
+AirLines airAlong(const Scene& scene, const Segment& wall, double from, double to) {
+  const AirColumn first = scene.airAt(wall, from);
+  const AirColumn last = scene.airAt(wall, to);
+  return {{first.zBottom, last.zBottom}, {first.zTop, last.zTop}};
+}
+
+/// Whether light meets a flat, or the slope on it: flat portals let it through, skies too.
+bool isSolid(const Flat& flat) { return !flat.isSky && !flat.flatPortal; }
+
+/// What is beyond a flat portal has left the sector through it, and is nothing to the opening.
+void addHeights(const Scene& scene, const Sector& sector, const LightOpening& opening,
+                Passage& passage) {
+  if (sector.floor.flatPortal && opening.zBottom <= scene.zFloor(sector))
+    passage.isShut |= passage.hull.isBelow(flatLine(opening.zBottom));
+  else
+    passage.letThroughAbove(flatLine(opening.zBottom));
+  if (sector.ceiling.flatPortal && opening.zTop >= scene.zCeiling(sector))
+    passage.isShut |= passage.hull.isAbove(flatLine(opening.zTop));
+  else
+    passage.letThroughBelow(flatLine(opening.zTop));
+}
+
+/// Of the sector's own slopes rays meet those that are no skies; of the next sector's all.
+void addSlopes(const Scene& scene, const Sector& sector, const Segment& wall,
+               const LightOpening& opening, Passage& passage) {
+  const double from = passage.hull.from;
+  const double to = passage.hull.to;
+  if (sector.floorSlope || sector.ceilingSlope) {
+    const AirLines near = airAlong(scene, wall, from, to);
+    if (sector.floorSlope && isSolid(sector.floor)) passage.letThroughAbove(near.bottom);
+    if (sector.ceilingSlope && isSolid(sector.ceiling)) passage.letThroughBelow(near.top);
+  }
+  const Sector& next = scene[opening.next];
+  if (next.floorSlope || next.ceilingSlope) {
+    const AirLines far = airAlong(scene, scene[opening.twin], 1 - from, 1 - to);
+    if (next.floorSlope) passage.letThroughAbove(far.bottom);
+    if (next.ceilingSlope) passage.letThroughBelow(far.top);
+  }
+}
+
+/// Some of what comes to a masked middle texture may meet a hole and some not.
+void addMaskedMiddles(const Scene& scene, const LightOpening& opening, Passage& passage) {
+  for (const SurfaceId id : scene.maskedMiddlesIn(opening))
+    passage.isOpen &= passage.hull.isAbove(flatLine(scene.geometryOf(id).zTop)) ||
+                      passage.hull.isBelow(flatLine(scene.geometryOf(id).zBottom));
+}
+
+}  // namespace
+
+TargetVisibility Shaft::follow(const ShaftLight& light, const ShaftTargets& targets,
+                               const Shaft* within) {
+  light_ = &light;
+  targets_ = &targets;
+  within_ = within;
+  hull_.emplace(light.center, light.radius, targets.box);
+  minInFront_ = minInFront(hull_->noise(), hull_->reach());
+  mets_.clear();
+  walls_.clear();
+  exits_.clear();
+  sectors_.clear();
+  visits_.clear();
+  arrives_ = isStopped_ = false;
+  gate_ = within ? within->gate() : std::nullopt;
+  bool isGated = gate_ || light.sectors.size() == 1;
+  if (gate_)
+    goThroughGate();
+  else
+    for (const SectorId sector : light.sectors) go({sector, Entry::FromLight, nullptr, {}, {}});
+  for (std::size_t i = 0; i < visits_.size(); ++i) {
+    const Visit entered = visits_[i];
+    visit(entered);
+    if (!isGated) continue;
+    const std::optional<Gate> gate = gateOf(entered);
+    isGated = gate && i + 2 == visits_.size();
+    if (isGated) gate_ = gate;
+  }
+  if (!arrives_) return TargetVisibility::Dark;
+  return isStopped_ || targets.sectors.size() > 1 || !areTargetsClear() ? TargetVisibility::Unknown
+                                                                        : TargetVisibility::Lit;
+}
+
+bool Shaft::meets(SectorId id) const {
+  return std::ranges::any_of(sectors_, [id](const MetSector& sector) { return sector.id == id; });
+}
+
+std::span<const Segment* const> Shaft::wallsIn(SectorId id) const {
+  for (const MetSector& sector : sectors_)
+    if (sector.id == id) return std::span(walls_).subspan(sector.begin, sector.end - sector.begin);
+  CHECK(false, id);
+  return {};
+}
+
+bool Shaft::isTarget(SectorId id) const {
+  return std::ranges::find(targets_->sectors, id) != targets_->sectors.end();
+}
+
+const Shaft::MetSector& Shaft::meet(SectorId id) {
+  for (const MetSector& sector : sectors_)
+    if (sector.id == id) return sector;
+  const auto count = [&] { return static_cast<std::uint32_t>(mets_.size()); };
+  MetSector met{id, count(), 0, 0};
+  const Sector& sector = scene_[id];
+  if (within_)
+    for (const Segment* wall : within_->wallsIn(id)) meetWall(sector, id, *wall);
+  else
+    for (const Segment& wall : scene_.segmentsOf(sector)) meetWall(sector, id, wall);
+  met.end = count();
+  findScreens(met);
+  return sectors_.emplace_back(met);
+}
+
+/// Whether no ray can leave the sector through a wall, which the hull may touch nevertheless.
+bool Shaft::isHarmless(SectorId id, const Segment& wall, const ShaftHull::Distances& d) const {
+  const double margin = hull_->margin();
+  if (d.minOfTargets > margin) {
+    if (d.minOfLight >= 0) return true;
+    if (light_->isCutByWalls && id == light_->sectors.front() &&
+        length(nearestOnSegment(wall.p0, wall.p1, light_->center.xy()) - light_->center.xy()) <=
+            light_->radius)
+      return true;
+  }
+  // A ray from behind a wall goes through to its front. On which side the ray is must not be left
+  // to rounding where the ray is in line with the wall, which is short seen from afar.
+  const double reach = hull_->reach();
+  return d.maxOfLight < -(margin + hull_->noise() * reach / wall.length);
+}
+
+void Shaft::meetWall(const Sector& sector, SectorId id, const Segment& wall) {
+  const Vec2 normal = (1 / wall.length) * turned90(wall.p1 - wall.p0);
+  const ShaftHull::Distances d = hull_->distances(wall.p0, normal);
+  if (isHarmless(id, wall, d)) return;
+  const std::optional<ShaftHull::Slice> slice = hull_->slice(wall.p0, wall.p1);
+  if (!slice) return;
+  Met met{.wall = &wall,
+          .normal = normal,
+          .start = lerp(wall.p0, wall.p1, slice->from),
+          .end = lerp(wall.p0, wall.p1, slice->to),
+          .startsInside = slice->from == 0,
+          .endsInside = slice->to == 1,
+          .minOfLight = d.minOfLight,
+          .maxOfTargets = d.maxOfTargets,
+          .stops = false,
+          .firstExit = static_cast<std::uint32_t>(exits_.size()),
+          .lastExit = 0,
+          .screen = 0};
+  // Rays that come from the front and end there, or on it, do not go through.
+  const bool endsHere = targets_->sectors.size() == 1 && isTarget(id) &&
+                        d.minOfLight >= minInFront_ && d.minOfTargets >= -hull_->noise();
+  if (!endsHere) meetOpenings(sector, *slice, met);
+  met.lastExit = static_cast<std::uint32_t>(exits_.size());
+  mets_.push_back(met);
+  walls_.push_back(&wall);
+}
+
+void Shaft::meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Met& met) {
+  const bool isBelowFlat =
+      sector.floor.flatPortal && slice.isBelow(flatLine(scene_.zFloor(sector)));
+  const bool isAboveFlat =
+      sector.ceiling.flatPortal && slice.isAbove(flatLine(scene_.zCeiling(sector)));
+  if (isBelowFlat || isAboveFlat) return;  // no ray is in the sector any more
+  met.stops = true;
+  for (const LightOpening& opening : scene_.lightOpeningsOf(*met.wall)) {
+    Passage passage{slice};
+    addHeights(scene_, sector, opening, passage);
+    addSlopes(scene_, sector, *met.wall, opening, passage);
+    addMaskedMiddles(scene_, opening, passage);
+    if (!passage.isShut) exits_.push_back(&opening);
+    if (passage.isOpen) met.stops = false;
+  }
+}
+
+Shaft::Met* Shaft::nextInLoop(const MetSector& sector, const Met& met) {
+  const Loop& loop = scene_[sector.id].loops[met.wall->loop];
+  const Segment* first = &scene_[loop.first];
+  const Segment* next = met.wall + 1 == first + loop.count ? first : met.wall + 1;
+  for (Met& other : wallsOf(sector))
+    if (other.wall == next) return &other;
+  return nullptr;
+}
+
+void Shaft::findScreens(MetSector& sector) {
+  for (Met& met : wallsOf(sector))
+    if (!met.startsInside) findScreenFrom(sector, met);
+}
+
+/// From a wall that comes into the hull on to the one that leaves it.
+///
+/// A ray from a point in front of all their lines to one behind all of them goes through one of
+/// them: seen across the ray, they follow one another to one side only. So if it passed beside the
+/// screen it would cross, in the hull, the line of the first or last wall beyond the end of that:
+/// which lies outside the hull, and yet between two points of it.
+void Shaft::findScreenFrom(MetSector& sector, Met& first) {
+  chain_.clear();
+  for (Met* met = &first;; met = nextInLoop(sector, *met)) {
+    if (!met || met->maxOfTargets >= -hull_->margin()) return;
+    if (met != &first && !met->startsInside) return;
+    chain_.push_back(static_cast<std::uint32_t>(met - mets_.data()));
+    if (!met->endsInside) break;
+    if (chain_.size() > sector.end - sector.begin) return;
+  }
+  ++sector.screens;
+  for (const std::uint32_t index : chain_) mets_[index].screen = sector.screens;
+}
+
+void Shaft::go(const Visit& visit) {
+  if (within_ && !within_->meets(visit.sector)) return;
+  for (const Visit& other : visits_)
+    if (other.sector == visit.sector && other.entry == visit.entry &&
+        (visit.entry != Entry::ThroughWall || other.through->twin == visit.through->twin))
+      return;
+  visits_.push_back(visit);
+}
+
+/// All rays go through that of the shaft around this one, too, and nothing stops them before.
+void Shaft::goThroughGate() {
+  const Segment& wall = *gate_->wall;
+  if (const std::optional<ShaftHull::Slice> slice = hull_->slice(wall.p0, wall.p1))
+    go({gate_->opening->next, Entry::ThroughWall, gate_->opening,
+        lerp(wall.p0, wall.p1, slice->from), lerp(wall.p0, wall.p1, slice->to)});
+}
+
+/// Whether a screen lies between the way into its sector and the targets.
+bool Shaft::isScreen(const MetSector& sector, std::uint32_t screen, const Visit& visit) {
+  if (visit.entry == Entry::ThroughFlat) return false;
+  const double margin = hull_->margin();
+  for (const Met& met : wallsOf(sector)) {
+    if (met.screen != screen) continue;
+    if (met.minOfLight <= margin) return false;
+    if (visit.entry == Entry::ThroughWall &&
+        (met.inFront(visit.start) <= margin || met.inFront(visit.end) <= margin))
+      return false;
+  }
+  return true;
+}
+
+bool Shaft::isBehind(const MetSector& sector, std::uint32_t screen, const Met& met) {
+  if (met.screen == screen) return false;
+  const double margin = hull_->margin();
+  return std::ranges::all_of(wallsOf(sector), [&](const Met& part) {
+    return part.screen != screen ||
+           (part.inFront(met.start) < -margin && part.inFront(met.end) < -margin);
+  });
+}
+
+/// Whether one of the `screens_` of the visit at hand lies before a wall.
+bool Shaft::isHidden(const MetSector& sector, const Met& met) {
+  return std::ranges::any_of(screens_,
+                             [&](std::uint32_t screen) { return isBehind(sector, screen, met); });
+}
+
+void Shaft::visit(const Visit& visit) {
+  const MetSector sector = meet(visit.sector);
+  screens_.clear();
+  for (std::uint32_t screen = 1; screen <= sector.screens; ++screen)
+    if (isScreen(sector, screen, visit)) screens_.push_back(screen);
+  for (const Met& met : wallsOf(sector)) {
+    if (isHidden(sector, met)) continue;
+    isStopped_ |= met.stops;
+    for (std::uint32_t i = met.firstExit; i < met.lastExit; ++i)
+      go({exits_[i]->next, Entry::ThroughWall, exits_[i], met.start, met.end});
+  }
+  goThroughFlats(scene_[visit.sector]);
+  if (!screens_.empty()) return;
+  if (isTarget(visit.sector))
+    arrives_ = true;
+  else
+    isStopped_ |= !endsOutside(scene_[visit.sector]);
+}
+
+/// The one wall that all rays leave a sector through, having come into it by a way that has just
+/// been visited; none where some may leave it elsewhere, or stop.
+std::optional<Shaft::Gate> Shaft::gateOf(const Visit& visit) {
+  const MetSector sector = meet(visit.sector);
+  if (scene_[visit.sector].floor.flatPortal || scene_[visit.sector].ceiling.flatPortal)
+    return std::nullopt;
+  const Met* gate = nullptr;
+  for (const Met& met : wallsOf(sector)) {
+    if (isHidden(sector, met)) continue;
+    if (gate || met.startsInside || met.endsInside || met.stops ||
+        met.lastExit != met.firstExit + 1)
+      return std::nullopt;
+    gate = &met;
+  }
+  if (!gate || std::ranges::find(screens_, gate->screen) == screens_.end()) return std::nullopt;
+  return Gate{gate->wall, exits_[gate->firstExit]};
+}
+
+void Shaft::goThroughFlats(const Sector& sector) {
+  // A slope may come through the plane of the portal, and stop rays there.
+  const auto goTo = [&](const std::vector<SectorId>& members, double z) {
+    isStopped_ |= hasSlopeAt(scene_, sector, z);
+    for (const SectorId member : members) {
+      isStopped_ |= hasSlopeAt(scene_, scene_[member], z);
+      go({member, Entry::ThroughFlat, nullptr, {}, {}});
+    }
+  };
+  const auto [zFloor, zCeiling] = scene_.geometryOf(sector);
+  if (sector.floor.flatPortal && hull_->zMin() < zFloor)
+    goTo(scene_[*sector.floor.flatPortal].lower, zFloor);
+  if (sector.ceiling.flatPortal && hull_->zMax() > zCeiling)
+    goTo(scene_[*sector.ceiling.flatPortal].upper, zCeiling);
+}
+
+/// Whether no target can be in the sector: all are beside it, or beyond a flat portal of it.
+bool Shaft::endsOutside(const Sector& sector) const {
+  const double margin = hull_->margin();
+  const auto all = [&](auto&& isBeyond) {
+    return std::ranges::all_of(targets_->box.corners(), isBeyond);
+  };
+  return all([&](Vec3 p) { return p.x < sector.box.min.x - margin; }) ||
+         all([&](Vec3 p) { return p.x > sector.box.max.x + margin; }) ||
+         all([&](Vec3 p) { return p.y < sector.box.min.y - margin; }) ||
+         all([&](Vec3 p) { return p.y > sector.box.max.y + margin; }) ||
+         (sector.floor.flatPortal &&
+          all([&](Vec3 p) { return p.z < scene_.zFloor(sector) - margin; })) ||
+         (sector.ceiling.flatPortal &&
+          all([&](Vec3 p) { return p.z > scene_.zCeiling(sector) + margin; }));
+}
+
+/// Whether no flat or slope of the targets' sector stops a ray before its target.
+bool Shaft::areTargetsClear() const {
+  const TargetRays rays{light_->center, light_->radius, hull_->reach(), hull_->noise(),
+                        hull_->margin()};
+  return isAirClear(scene_, scene_[targets_->sectors.front()], rays, targets_->box.corners());
+}
+
+}  // namespace hearth

@@ -1,0 +1,155 @@
+#include "light/rays/shaft_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "light/rays/ray_error.h"
+
+namespace hearth {
+
+namespace {
+
+/// A plane steeper than this bounds no heights: they would be far off, by rounding too.
+constexpr double kSteepest = 1e-3;  // cosine
+
+/// The lines that touch a disc round the origin and one of several points, and have all of these on
+/// one side, by their unit normals away from them. None where the disc holds all points.
+struct Tangents {
+  std::optional<Vec2> left;
+  std::optional<Vec2> right;
+
+  template <std::size_t N>
+  Tangents(const std::array<Vec2, N>& points, std::size_t count, double radius) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 p = points[i];
+      const double length2 = dot(p, p);
+      if (length2 <= radius * radius) continue;
+      const double touch = std::sqrt(length2 - radius * radius);
+      const auto normal = [&](double side) {
+        return (1 / length2) * (radius * p + side * touch * turned90(p));
+      };
+      if (!left || dot(*left, p) > radius) left = normal(1);
+      if (!right || dot(*right, p) > radius) right = normal(-1);
+    }
+  }
+};
+
+}  // namespace
+
+ShaftHull::ShaftHull(Vec3 center, double radius, const TargetBox& targets)
+    : center_(center), radius_(radius), count_(targets.count) {
+  double size = largestCoordinate(center);
+  Vec2 axis;
+  double low = -radius;
+  double high = radius;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Vec3 p = targets.storage[i] - center;
+    targets_[i] = p;
+    reach_ = std::max(reach_, dot(p, p));
+    axis = axis + p.xy();
+    low = std::min(low, p.z);
+    high = std::max(high, p.z);
+  }
+  reach_ = std::sqrt(reach_) + radius;
+  size += reach_;
+  noise_ = roundingOf(size);
+  margin_ = rayMargin(noise_);
+  lows_.add({{}, low - margin_});
+  highs_.add({{}, high + margin_});
+
+  const double axisLength = length(axis);
+  axis = axisLength > 0 ? (1 / axisLength) * axis : Vec2{1, 0};
+  addAround(axis);
+  const bool isWall = std::abs(targets.normal.z) < 0.5;
+  addPlane(Vec3{} - targets.normal);
+  const Vec2 along = turned90(targets.normal.xy());
+  addAboveAndBelow(isWall ? (1 / length(along)) * along : turned90(axis));
+}
+
+void ShaftHull::addAround(Vec2 axis) {
+  std::array<Vec2, 8> onMap;
+  for (std::size_t i = 0; i < count_; ++i) onMap[i] = targets_[i].xy();
+  const Tangents sides(onMap, count_, radius_);
+  const Vec2 left = sides.left.value_or(turned90(axis));
+  const Vec2 right = sides.right.value_or(Vec2{} - turned90(axis));
+  for (const Vec2 normal : {left, right, axis, Vec2{} - axis}) addPlane({normal.x, normal.y, 0});
+}
+
+/// Planes that hold a direction of the map.
+void ShaftHull::addAboveAndBelow(Vec2 along) {
+  const Vec2 across = turned90(along);
+  std::array<Vec2, 8> upright;
+  for (std::size_t i = 0; i < count_; ++i)
+    upright[i] = {dot(targets_[i].xy(), across), targets_[i].z};
+  const Tangents tangents(upright, count_, radius_);
+  for (const auto& normal : {tangents.left, tangents.right})
+    if (normal) addPlane({normal->x * across.x, normal->x * across.y, normal->y});
+}
+
+double ShaftHull::farthest(Vec3 normal) const {
+  double most = radius_;
+  for (const Vec3& p : targets()) most = std::max(most, dot(normal, p));
+  return most;
+}
+
+void ShaftHull::addPlane(Vec3 normal) {
+  const double most = farthest(normal) + margin_;
+  if (normal.z == 0) return sides_.add({normal.xy(), most});
+  if (std::abs(normal.z) < kSteepest) return;
+  const SlopedPlane plane{(-1 / normal.z) * normal.xy(), most / normal.z};
+  if (normal.z > 0)
+    highs_.add(plane);
+  else
+    lows_.add(plane);
+}
+
+std::optional<ShaftHull::Slice> ShaftHull::slice(Vec2 p0, Vec2 p1) const {
+  const Vec2 a = p0 - center_.xy();
+  const Vec2 b = p1 - center_.xy();
+  double from = 0;
+  double to = 1;
+  for (const HalfPlane& side : sides_.all()) {
+    const double outside0 = dot(side.normal, a) - side.most;
+    const double outside1 = dot(side.normal, b) - side.most;
+    if (outside0 > 0 && outside1 > 0) return std::nullopt;
+    if (outside0 > 0) from = std::max(from, outside0 / (outside0 - outside1));
+    if (outside1 > 0) to = std::min(to, outside0 / (outside0 - outside1));
+  }
+  if (from > to) return std::nullopt;
+  Slice slice;
+  slice.from = from;
+  slice.to = to;
+  const Vec2 start = lerp(a, b, from);
+  const Vec2 end = lerp(a, b, to);
+  for (const SlopedPlane& high : highs_.all())
+    slice.tops_[slice.topCount_++] = {center_.z + high.at(start), center_.z + high.at(end)};
+  for (const SlopedPlane& low : lows_.all())
+    slice.bottoms_[slice.bottomCount_++] = {center_.z + low.at(start), center_.z + low.at(end)};
+  return slice;
+}
+
+bool ShaftHull::Slice::isBelow(EndHeights line) const {
+  return std::any_of(tops_.begin(), tops_.begin() + topCount_,
+                     [&](EndHeights top) { return top.from < line.from && top.to < line.to; });
+}
+
+bool ShaftHull::Slice::isAbove(EndHeights line) const {
+  return std::any_of(bottoms_.begin(), bottoms_.begin() + bottomCount_, [&](EndHeights bottom) {
+    return bottom.from > line.from && bottom.to > line.to;
+  });
+}
+
+ShaftHull::Distances ShaftHull::distances(Vec2 onLine, Vec2 normal) const {
+  const double ofCenter = dot(normal, center_.xy() - onLine);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const Vec3& p : targets()) {
+    const double distance = dot(normal, p.xy());
+    least = std::min(least, distance);
+    most = std::max(most, distance);
+  }
+  return {ofCenter - radius_, ofCenter + radius_, ofCenter + least, ofCenter + most};
+}
+
+}  // namespace hearth

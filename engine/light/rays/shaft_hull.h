@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace hearth {
+
+/// A box that contains the ends of rays.
+struct TargetBox {
+  std::array<Vec3, 8> storage;  ///< corners
+  std::size_t count = 0;        ///< of them: 4 if the box is flat
+  Vec3 normal;                  ///< unit, of the surface, into the air
+
+  static TargetBox ofPoint(Vec3 point, Vec3 normal) { return {{point}, 1, normal}; }
+  std::span<const Vec3> corners() const { return {storage.data(), count}; }
+};
+
+/// Heights above the two ends of a part of a wall, with a straight line between them.
+struct EndHeights {
+  double from;
+  double to;
+};
+
+/// A convex body that contains all rays from a ball or point light to a box of targets, and
+/// everything less than `margin` away from them. Upright planes bound it at the sides, which are
+/// lines in plan, and sloped planes bound it above and below.
+///
+/// A half-space whose border touches the ball and the box contains their hull, whatever its
+/// direction. So directions may be chosen to fit well, and only the distance of each plane must be
+/// exact.
+class ShaftHull {
+ public:
+  ShaftHull(Vec3 center, double radius, const TargetBox& targets);
+
+  /// The part of a wall that the body meets.
+  class Slice {
+   public:
+    double from;  ///< fractions of the way from p0 to p1
+    double to;
+    /// Whether all of it is below (above) a line.
+    bool isBelow(EndHeights line) const;
+    bool isAbove(EndHeights line) const;
+
+   private:
+    friend class ShaftHull;
+    static constexpr std::size_t kMaxBounds = 4;
+    std::array<EndHeights, kMaxBounds> tops_;
+    std::array<EndHeights, kMaxBounds> bottoms_;
+    std::size_t topCount_ = 0;
+    std::size_t bottomCount_ = 0;
+  };
+  std::optional<Slice> slice(Vec2 p0, Vec2 p1) const;
+
+  /// Distances from a line of the map, positive in front of it: along its unit normal.
+  struct Distances {
+    double minOfLight;
+    double maxOfLight;
+    double minOfTargets;
+    double maxOfTargets;
+  };
+  Distances distances(Vec2 onLine, Vec2 normal) const;
+
+  /// Metres. More than rays come off their course by rounding, and than kArrival: what is outside
+  /// has no part in whether a ray arrives.
+  double margin() const { return margin_; }
+  /// Metres by which rounding moves a target or a crossing at the most.
+  double noise() const { return noise_; }
+  /// Of the longest ray.
+  double reach() const { return reach_; }
+  double zMin() const { return center_.z + lows_[0].atCenter; }
+  double zMax() const { return center_.z + highs_[0].atCenter; }
+
+ private:
+  /// The map's side of an upright plane: what p has dot(normal, p) <= most.
+  struct HalfPlane {
+    Vec2 normal;
+    double most;
+  };
+  struct SlopedPlane {
+    Vec2 gradient;
+    double atCenter;
+    double at(Vec2 p) const { return atCenter + dot(gradient, p); }
+  };
+  template <typename Item, std::size_t N>
+  struct Few {
+    std::array<Item, N> items;
+    std::size_t count = 0;
+    void add(const Item& item) { items[count++] = item; }
+    const Item& operator[](std::size_t i) const { return items[i]; }
+    std::span<const Item> all() const { return {items.data(), count}; }
+  };
+
+  void addPlane(Vec3 normal);
+  void addAround(Vec2 axis);
+  void addAboveAndBelow(Vec2 along);
+  double farthest(Vec3 normal) const;
+  std::span<const Vec3> targets() const { return {targets_.data(), count_}; }
+
+  // All but `center_` relative to it.
+  Vec3 center_;
+  double radius_;
+  std::array<Vec3, 8> targets_;
+  std::size_t count_;
+  double margin_ = 0;
+  double noise_ = 0;
+  double reach_ = 0;
+  Few<HalfPlane, 6> sides_;
+  Few<SlopedPlane, Slice::kMaxBounds> highs_;
+  Few<SlopedPlane, Slice::kMaxBounds> lows_;
+};
+
+}  // namespace hearth

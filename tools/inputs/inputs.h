@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "inputs/progress.h"
+#include "light/bakery.h"
+#include "load/source.h"
+#include "render/camera.h"
+#include "render/renderer.h"
+#include "settings/options.h"
+#include "settings/settings.h"
+
+/// The steps that commands share: from options to a level, a bake and a camera.
+namespace hearth {
+
+/// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
+/// stderr, one per line; nothing after errors.
+std::optional<LoadedLevel> openLevel(const OptionValues& values);
+
+/// The same, with the source of the level.
+SourcedResult openLevelWithSource(const OptionValues& values);
+
+/// The same, without writing its diagnostics.
+SourcedResult loadLevelOf(const OptionValues& values);
+
+/// Writes them to stderr, a line each.
+void tell(std::span<const Diagnostic> diagnostics);
+
+/// Of a level in which nothing is lit.
+std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
+                                         const OptionValues& values);
+
+/// The mode of `--light`.
+LightMode lightModeFrom(const OptionValues& values);
+
+struct Bake {
+  BakedLight light;
+  BakeSettings settings;
+  int threads;
+  double seconds;
+};
+
+/// Bakes with the settings above. A terminal shows the progress of a long bake. If stderr is no
+/// terminal, progress is written in the given style.
+tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
+                                        ProgressStyle inFile = ProgressStyle::None);
+
+/// The same with other settings.
+Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
+              ProgressStyle inFile);
+
+/// The threads that bake.
+int threadsFrom(const OptionValues& values);
+
+/// The light to draw with: from the file that `--light-from` names, from the user's cache or, if it
+/// is not there, baked and kept there.
+tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionValues& values);
+
+/// The same for one picture. If no cache keeps the light for later, only the light that the camera
+/// sees is baked.
+tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
+                                                  const OptionValues& values);
+
+/// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
+tl::expected<Camera, std::string> cameraFor(const Scene& scene, const OptionValues& values,
+                                            ImageSize standardSize);
+
+}  // namespace hearth

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+
+namespace hearth {
+
+/// For each sector the sectors that its walls and flat portals lead to, in order, each once.
+std::vector<std::vector<SectorId>> sectorGraph(const Level& level);
+
+/// The same without regard to their direction.
+std::vector<std::vector<SectorId>> undirected(const std::vector<std::vector<SectorId>>& links);
+
+/// By sector, whether links lead to it from `start`; `start` itself counts.
+std::vector<bool> reachableFrom(const std::vector<std::vector<SectorId>>& links, SectorId start);
+
+/// The sectors to which links lead from `start`, itself included, without passing `known` ones;
+/// none if `start` is known.
+std::vector<SectorId> newlyReachableFrom(const std::vector<std::vector<SectorId>>& links,
+                                         SectorId start, std::vector<bool> known);
+
+/// The sectors of each part that two-way links connect, in order.
+std::vector<std::vector<SectorId>> connectedComponents(
+    const std::vector<std::vector<SectorId>>& links);
+
+}  // namespace hearth
