@@ -25,12 +25,12 @@ class TableChecker {
   explicit TableChecker(std::istream& file) : file_(file) {}
 
   bool check(JpegPart part) {
-    if (nextMarker() != kStartOfImage) return true;
+    if (file_.peek() != 0xFF || nextMarker() != kStartOfImage) return true;
     while (const int marker = nextMarker()) {
       if (marker == kEndOfImage || (marker == kStartOfScan && part == JpegPart::Header)) break;
       if (marker != kHuffmanTables)
         skipSegment();
-      else if (!areSound())
+      else if (!areTablesSafe())
         return false;
     }
     return true;
@@ -59,7 +59,7 @@ class TableChecker {
   }
 
   /// Reads a segment of tables.
-  bool areSound() {
+  bool areTablesSafe() {
     for (int left = read16() - 2; left > 0;) {
       int symbols = 0;
       file_.get();  // class and number of the table
@@ -84,9 +84,9 @@ void rewind(std::istream& file) {
 
 bool hasSafeHuffmanTables(std::istream& file, JpegPart part) {
   rewind(file);
-  const bool areSound = TableChecker(file).check(part);
+  const bool areSafe = TableChecker(file).check(part);
   rewind(file);
-  return areSound;
+  return areSafe;
 }
 
 }  // namespace hearth

@@ -309,6 +309,22 @@ Bytes jpegWithTable(std::uint8_t eightBits, std::uint8_t nineBits) {
   return bytes;
 }
 
+/// Pixels of a BMP can look like the marks of a JPEG and of its tables.
+TEST_F(ImageFile, ReadsABmpWhosePixelsLookLikeAJpegOfTooManySymbols) {
+  constexpr int kWidth = 16;
+  Bytes bytes = {'B', 'M', 0, 0,      0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40,
+                 0,   0,   0, kWidth, 0, 0, 0, 1, 0, 0, 0,  1, 0, 24};
+  bytes.resize(54, 0);
+  Bytes pixels(3 * kWidth, 200);
+  pixels[0] = 0xFF, pixels[1] = 0xD8, pixels[2] = 0;
+  pixels[3] = 0xFF, pixels[4] = 0xC4, pixels[5] = 0;
+  bytes.insert(bytes.end(), pixels.begin(), pixels.end());
+  const auto image = readImage(fileOf("marks.bmp", bytes), kMaxPixels);
+  ASSERT_TRUE(image) << image.error();
+  EXPECT_EQ(image->at(0, 0), (Rgb{0, 0xD8, 0xFF}));
+  EXPECT_EQ(image->at(1, 0), (Rgb{0, 0xC4, 0xFF}));
+}
+
 TEST_F(ImageFile, RefusesAJpegOfTooManyHuffmanSymbols) {
   for (const auto& [eightBits, nineBits] :
        {std::pair<std::uint8_t, std::uint8_t>{0, 255}, {1, 255}, {255, 255}}) {
