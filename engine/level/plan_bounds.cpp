@@ -6,14 +6,15 @@ namespace hearth {
 
 namespace {
 
-/// How many times as long as the box around lights, shots and player a sector may be to lie whole
-/// within the bounds: a lake up to the horizon runs out of them.
-constexpr double kMaxTimes = 4;
+/// Sectors more than this many times as long as the box of lights, shots and player, such as a lake
+/// up to the horizon, do not enlarge the bounds.
+constexpr double kMaxSizeRatio = 4;
 
-Box boundsUpTo(const Level& level, double most) {
+/// Of the sectors with sides of at most `maxSide` metres.
+Box boundsOfSectors(const Level& level, double maxSide) {
   Box bounds;
   for (const Sector& sector : level.sectors)
-    if (sector.box.longerSide() <= most) bounds = join(bounds, sector.box);
+    if (sector.box.longerSide() <= maxSide) bounds = join(bounds, sector.box);
   return bounds;
 }
 
@@ -24,8 +25,10 @@ Box planBounds(const Level& level) {
   for (const LightSource& light : level.lights) used.add(light.position.xy());
   for (const Shot& shot : level.shots) used.add(shot.eye.xy());
   if (level.player) used.add(level.player->eye.xy());
-  const Box near = boundsUpTo(level, kMaxTimes * used.longerSide());
-  return near.longerSide() > 0 ? near : boundsUpTo(level, std::numeric_limits<double>::infinity());
+  const Box bounds = boundsOfSectors(level, kMaxSizeRatio * used.longerSide());
+  if (touch(bounds, used)) return join(bounds, used);
+  // Close together in a large hall, they say nothing about its size.
+  return boundsOfSectors(level, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace hearth
