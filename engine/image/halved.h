@@ -5,7 +5,8 @@
 namespace hearth {
 
 /// The picture at half its width and height, rounded down, at least one pixel. Each of its pixels
-/// is the mean of those that it covers. The picture must not be empty.
+/// is the mean of the pixels that it covers, weighted by area; none is a hole. The picture must not
+/// be empty.
 Image halved(const Image& image);
 
 }  // namespace hearth

@@ -31,9 +31,10 @@ void* boundedRealloc(void* old, std::size_t bytes) {
   return bytes <= kMaxDecoderBytes ? std::realloc(old, bytes) : nullptr;
 }
 
-/// Packs the bytes of a PNG for stb. This takes half the time of stb's own packing, and gives four
-/// fifths of its bytes. The caller frees the result with std::free. It is null if memory runs out.
-unsigned char* packed(const unsigned char* bytes, int size, int* packedSize) {
+/// Deflates the bytes of a PNG for stb. This takes half the time of stb's own compression, and
+/// gives four fifths of its bytes. The caller frees the result with std::free. It is null if memory
+/// runs out.
+unsigned char* deflated(const unsigned char* bytes, int size, int* deflatedSize) {
   constexpr int kLevel = 4;  // higher levels take twice the time to save 3 % of the bytes
   uLongf room = compressBound(static_cast<uLong>(size));
   auto* const memory = static_cast<unsigned char*>(std::malloc(room));
@@ -42,7 +43,7 @@ unsigned char* packed(const unsigned char* bytes, int size, int* packedSize) {
     std::free(memory);
     return nullptr;
   }
-  *packedSize = static_cast<int>(room);
+  *deflatedSize = static_cast<int>(room);
   return memory;
 }
 
@@ -50,10 +51,10 @@ unsigned char* packed(const unsigned char* bytes, int size, int* packedSize) {
 int channelsOf(const Image& image) { return image.hasHoles() ? 4 : 3; }
 
 /// Why a picture is too large to be written as a PNG; none if it is not.
-std::optional<std::string> mistakeInSize(const std::filesystem::path& path, const Image& image) {
+std::optional<std::string> sizeError(const std::filesystem::path& path, const Image& image) {
   CHECK(image.width() > 0 && image.height() > 0, image.width(), image.height());
-  // The encoder counts bytes in `int`. Its buffer is larger than the picture, in case that hardly
-  // packs.
+  // The encoder counts bytes in `int`. Its buffer is larger than the picture, because data may not
+  // compress.
   const std::int64_t bytes = (std::int64_t{channelsOf(image)} * image.width() + 1) * image.height();
   if (bytes <= std::numeric_limits<int>::max() / 4) return std::nullopt;
   return fmt::format("{}: {} x {} pixels are too many for one PNG; write a smaller picture",
@@ -79,8 +80,8 @@ std::optional<std::string> mistakeInSize(const std::filesystem::path& path, cons
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
-#define STBIW_ZLIB_COMPRESS(bytes, size, packedSize, quality) \
-  hearth::packed(bytes, size, packedSize)
+#define STBIW_ZLIB_COMPRESS(bytes, size, deflatedSize, quality) \
+  hearth::deflated(bytes, size, deflatedSize)
 // stb defines static functions that nothing here calls.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -113,15 +114,15 @@ void skip(void* file, int bytes) {
   auto* const stream = static_cast<std::istream*>(file);
   stream->clear();  // a stream that has failed at its end cannot seek
   stream->seekg(bytes, std::ios::cur);
-  // Seeking clears the mark that the end was reached, and peeking sets it again. Without the mark,
-  // stb would wait for the end forever: it reads no more then.
+  // seekg clears the mark that the end was reached, and peek sets it again. Without the mark, stb
+  // never notices the end and loops forever.
   stream->peek();
 }
 
 int atEnd(void* file) { return static_cast<std::istream*>(file)->good() ? 0 : 1; }
 
-/// The functions through which stb reads a file. They are not a constant, because the system's
-/// loader would have to write their addresses.
+/// The functions through which stb reads a file. Not a constant: the loader of the system would
+/// write its addresses, and the engine has no writable data.
 stbi_io_callbacks fileCallbacks() { return {readSome, skip, atEnd}; }
 
 struct PixelsFree {
@@ -145,7 +146,7 @@ tl::expected<File, std::string> open(const FileSource& files, const std::filesys
   });
 }
 
-std::uint64_t bytesOf(std::istream& file) {
+std::uint64_t fileSize(std::istream& file) {
   file.clear();  // small files have been read to their end
   file.seekg(0, std::ios::end);
   const std::streamoff bytes = file.tellg();
@@ -242,7 +243,7 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
   if (!file) return tl::make_unexpected(file.error());
   const auto size = sizeOf(**file, path);
   if (!size) return tl::make_unexpected(size.error());
-  if (const auto checked = checkSize(*size, bytesOf(**file), maxPixels, path); !checked) {
+  if (const auto checked = checkSize(*size, fileSize(**file), maxPixels, path); !checked) {
     return tl::make_unexpected(checked.error());
   }
 
@@ -259,12 +260,12 @@ tl::expected<Image, std::string> readImage(const std::filesystem::path& path,
 }
 
 tl::expected<void, std::string> writePng(const std::filesystem::path& path, const Image& image) {
-  if (auto mistake = mistakeInSize(path, image)) return tl::make_unexpected(*mistake);
+  if (auto mistake = sizeError(path, image)) return tl::make_unexpected(*mistake);
   return replaceFile(path, [&](std::ostream& stream) { return encodePng(stream, image); });
 }
 
 tl::expected<bool, std::string> createPng(const std::filesystem::path& path, const Image& image) {
-  if (auto mistake = mistakeInSize(path, image)) return tl::make_unexpected(*mistake);
+  if (auto mistake = sizeError(path, image)) return tl::make_unexpected(*mistake);
   return createFile(path, [&](std::ostream& stream) { return encodePng(stream, image); });
 }
 

@@ -22,8 +22,8 @@ class SharedImages {
   auto begin() const { return images_->begin(); }
   auto end() const { return images_->end(); }
 
-  /// Whether one is a copy of the other.
-  bool areOne(const SharedImages& other) const { return images_ == other.images_; }
+  /// Whether both are copies of the same images.
+  bool shareWith(const SharedImages& other) const { return images_ == other.images_; }
 
  private:
   std::shared_ptr<const std::vector<Image>> images_;

@@ -19,17 +19,18 @@ struct CurvePoint {
 struct LightSource {
   Vec3 position;
   SectorId sector;
-  double intensity = 255;         ///< levels at distance 0
-  double falloff = 0;             ///< per metre
-  std::vector<CurvePoint> curve;  ///< if not empty, it replaces intensity and falloff
+  double intensity = 255;  ///< levels at distance 0
+  double falloff = 0;      ///< per metre: brightness is intensity / (1 + falloff * distance)
+  std::vector<CurvePoint>
+      curve;  ///< by rising distance; if not empty, it replaces intensity and falloff
   std::uint8_t color[3] = {255, 255, 255};
   double radius = 0;  ///< metres
 
   /// Light in levels at `distance` metres, before colour.
   double brightnessAt(double distance) const;
-  /// The distance, in metres, beyond which no channel exceeds `level`: 0 if none ever does,
+  /// The distance, in metres, beyond which no channel exceeds `cutOff` levels: 0 if none ever does,
   /// infinity if one always does.
-  double reach(double level) const;
+  double reach(double cutOff) const;
   /// The factor of the light in a channel: 0 red, 1 green, 2 blue.
   double colorFactor(int channel) const { return color[channel] / 255.0; }
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }

@@ -58,7 +58,7 @@ Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
     const Vec2 straight = wall.point + (radius / length(inward)) * inward;
     if (isClear(level, sector, straight, nudge / 16)) return straight;
     for (int i = 0; i < kDirections; ++i) {
-      // Points around a square ring: directions need not be even, only dense.
+      // Points on a square around the point; their spacing in angle does not matter.
       const double along = 8.0 * i / kDirections;
       const double edge = along - std::floor(along / 2) * 2 - 1;
       const Vec2 ring[] = {{edge, -1}, {1, edge}, {-edge, 1}, {-1, -edge}};
@@ -74,7 +74,7 @@ Vec2 nudgedInside(const Level& level, const Sector& sector, Vec2 p) {
 
 Vec3 nudgedInto(AirColumn air, Vec2 xy, double z) {
   const double nudge = std::min(
-      nudgeAt({z, 0}), (air.zTop - air.zBottom) / 4);  // the air may be lower than two nudges
+      nudgeAt({z, 0}), (air.zTop - air.zBottom) / 4);  // the air may be less than two nudges high
   const double bottom = air.zBottom + nudge;
   return {xy.x, xy.y, std::clamp(z, bottom, std::max(bottom, air.zTop - nudge))};
 }
@@ -89,10 +89,10 @@ class WallsAt {
     if (segment.p0 != p_) addDirection(segment.p0, -1);
   }
 
-  /// Whether there is air at the point. Each wall at the point has air in front of it: clockwise of
-  /// a direction along the wall, counter-clockwise of one against it. Two opposite walls that
+  /// Whether there is air at the point. A wall that runs away from the point has air clockwise
+  /// of it; a wall that runs towards the point, counter-clockwise. Two opposite walls that
   /// coincide, for example because a pillar stands in the border, have no air between them.
-  bool haveAir() const {
+  bool hasAir() const {
     return std::ranges::any_of(directions_,
                                [](const Direction& direction) { return direction.walls != 0; });
   }
@@ -146,7 +146,7 @@ bool contains(const Level& level, const Sector& sector, Vec2 p) {
     else if (aBelow != bBelow && (side > 0) == bBelow)
       inside = !inside;
   }
-  return inside || walls.haveAir();
+  return inside || walls.hasAir();
 }
 
 bool contains(const Scene& scene, const Sector& sector, Vec3 p, double slack) {

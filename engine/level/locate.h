@@ -14,7 +14,8 @@ bool contains(const Scene& scene, const Sector& sector, Vec3 p, double slack);
 
 /// A point inside the sector from which no wall of the sector is seen edge-on. If `p` lies on the
 /// walls, flats or slopes of the sector, or within kPositionSlack outside them, the point is about
-/// kNudge inside them; else, and in sectors too narrow for that, it is `p`.
+/// kNudge inside them, and farther where walls meet at sharp angles; else, or if no such point is
+/// found, it is `p`.
 Vec3 nudgedInside(const Scene& scene, const Sector& sector, Vec3 p);
 /// The same, with the flats at their authored heights.
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p);

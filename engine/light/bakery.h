@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,14 +20,14 @@ struct BakeStats {
   std::size_t surfaces = 0;         ///< that could be lit
   std::size_t litSurfaces = 0;      ///< that some light reaches: those that have a lightmap
   std::size_t coloredSurfaces = 0;  ///< of those, the ones with three channels
-  std::int64_t texels = 0;          ///< computed
+  std::int64_t texels = 0;          ///< of the surfaces that could be lit
   std::int64_t rays = 0;            ///< that were traced
   std::int64_t bytes = 0;           ///< of all lightmaps, as they are kept
 };
 
 /// What a bake did for one surface.
 struct SurfaceCost {
-  std::size_t facingLights = 0;  ///< that lie before its plane, and reach as far
+  std::size_t facingLights = 0;  ///< in front of its plane and within reach of it
   std::int64_t rays = 0;
 };
 
@@ -46,8 +47,8 @@ BakeStats statsOf(const BakedLight& baked);
 /// none if it can.
 std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSettings& settings);
 
-/// Lights every surface that shows. The settings have no mistake. The bytes do not depend on
-/// `threads`. `progress`, if any, is new, and has all texels done when the bake is.
+/// Lights every surface that shows. `settings` must pass mistakeInSettings(). The bytes do not
+/// depend on `threads`. `progress`, if any, must be new; it is complete on return.
 BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
 
@@ -58,8 +59,8 @@ struct SurfaceTexels {
 };
 
 /// Bakes only some texels, with each surface listed once. They get the same light as in a whole
-/// bake. `surfaces` are the scene's, on grids of `settings`. All other texels are dark, or in no
-/// lightmap.
+/// bake. `surfaces` are the scene's, on grids of `settings`. Texels that were not wanted
+/// are black, or their surface has no lightmap.
 BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress = nullptr);
 

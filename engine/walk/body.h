@@ -13,7 +13,7 @@ inline constexpr double kSkin = 1e-6;
 /// Rise per metre; 1 is 45 degrees. The body cannot walk up steeper floors.
 inline constexpr double kSteepestWalk = 1;
 
-inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The cylinder of the level's player, in metres.
 struct Body {

@@ -31,13 +31,13 @@ Eye eyeBetween(const Scene& scene, const Walker& before, const Walker& after, do
   const double travel = length(to.point.xy() - from.point.xy());
   const double climb = std::abs(after.feet.z - before.feet.z);
   const Body body = bodyOf(scene.level(), before.crouch);
-  const Reach reach{before.feet.xy(),
-                    body.radius + kSkin,
-                    travel,
-                    {before.feet.z, before.feet.z + climb, body.height},
-                    before.feet.z - climb,
-                    before.feet.z + climb + body.height};
-  const Surroundings around(scene, before.sector, reach);
+  const SweepQuery query{before.feet.xy(),
+                         body.radius + kSkin,
+                         travel,
+                         {before.feet.z, before.feet.z + climb, body.height},
+                         before.feet.z - climb,
+                         before.feet.z + climb + body.height};
+  const Surroundings around(scene, before.sector, query);
   const auto isAt = [&](SectorId sector) {
     return contains(scene, scene[sector], point, kPositionSlack);
   };

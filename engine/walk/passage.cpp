@@ -35,7 +35,7 @@ Interval whereAtMost(double at0, double at1, double limit) {
 
 }  // namespace
 
-Interval common(Interval a, Interval b) {
+Interval intersection(Interval a, Interval b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
@@ -48,7 +48,7 @@ Interval chordOf(Vec2 a, Vec2 b, double radius) {
   if (!(halfSquared > 0)) return {1, 0};
   const double middle = -dot(a, along) / (size * size);
   const double half = std::sqrt(halfSquared) / size;
-  return common({0, 1}, {middle - half, middle + half});
+  return intersection(Interval{0, 1}, Interval{middle - half, middle + half});
 }
 
 Passage::Passage(const Scene& scene, const Segment& segment, std::size_t first, std::size_t last)
@@ -61,7 +61,7 @@ Passage::Passage(const Scene& scene, const Segment& segment, std::size_t first, 
   const Sector& nextBelow = scene[below.next];
   const bool isOpenBelow = sector.floor.flatPortal && lowest.zBottom <= scene.zFloor(sector) &&
                            (nextBelow.floor.flatPortal || scene.zFloor(nextBelow) < lowest.zBottom);
-  bottoms_ = {{line(-kNowhere), line(-kNowhere), line(-kNowhere)}};
+  bottoms_ = {{line(-kInfinity), line(-kInfinity), line(-kInfinity)}};
   if (!isOpenBelow) {
     const Segment& far = scene[below.twin];
     bottoms_ = {{line(lowest.zBottom),
@@ -75,7 +75,7 @@ Passage::Passage(const Scene& scene, const Segment& segment, std::size_t first, 
   const bool isOpenAbove =
       sector.ceiling.flatPortal && highest.zTop >= scene.zCeiling(sector) &&
       (nextAbove.ceiling.flatPortal || scene.zCeiling(nextAbove) > highest.zTop);
-  tops_ = {{line(kNowhere), line(kNowhere), line(kNowhere)}};
+  tops_ = {{line(kInfinity), line(kInfinity), line(kInfinity)}};
   if (!isOpenAbove) {
     const Segment& far = scene[above.twin];
     tops_ = {{line(highest.zTop),
@@ -87,29 +87,29 @@ Passage::Passage(const Scene& scene, const Segment& segment, std::size_t first, 
 Interval Passage::openTo(const UprightBody& body) const {
   Interval open{0, 1};
   for (const Line& bottom : bottoms_.lines)
-    open = common(open, whereAtMost(bottom.at0, bottom.at1, body.zClimb + kSkin));
+    open = intersection(open, whereAtMost(bottom.at0, bottom.at1, body.zClimb + kSkin));
   for (const Line& top : tops_.lines)
-    open = common(open, whereAtMost(-top.at0, -top.at1, -body.zHead() + kSkin));
+    open = intersection(open, whereAtMost(-top.at0, -top.at1, -body.zHead() + kSkin));
   for (const Line& bottom : bottoms_.lines)
     for (const Line& top : tops_.lines)
-      open = common(open,
-                    whereAtMost(bottom.at0 - top.at0, bottom.at1 - top.at1, -body.height + kSkin));
+      open = intersection(
+          open, whereAtMost(bottom.at0 - top.at0, bottom.at1 - top.at1, -body.height + kSkin));
   return open;
 }
 
 double Passage::zBottom(Interval within) const {
-  double z = -kNowhere;
+  double z = -kInfinity;
   for (const Line& line : bottoms_.lines)
-    if (line.at0 > -kNowhere)
+    if (line.at0 > -kInfinity)
       for (const double fraction : {within.low, within.high})
         z = std::max(z, std::lerp(line.at0, line.at1, fraction));
   return z;
 }
 
 double Passage::zTop(Interval within) const {
-  double z = kNowhere;
+  double z = kInfinity;
   for (const Line& line : tops_.lines)
-    if (line.at0 < kNowhere)
+    if (line.at0 < kInfinity)
       for (const double fraction : {within.low, within.high})
         z = std::min(z, std::lerp(line.at0, line.at1, fraction));
   return z;

@@ -8,16 +8,16 @@
 
 namespace hearth {
 
-/// Of a segment, as fractions of the way from its p0 (0) to its p1 (1); empty unless low < high.
+/// A part of a segment: 0 is its p0, 1 its p1. Empty unless low < high.
 struct Interval {
   double low;
   double high;
   bool isEmpty() const { return !(low < high); }
 };
 
-Interval common(Interval a, Interval b);
+Interval intersection(Interval a, Interval b);
 
-/// The part of a segment within `radius` of the origin, its ends being given relative to that.
+/// The part of a segment from a to b within `radius` of the origin.
 Interval chordOf(Vec2 a, Vec2 b, double radius);
 
 /// The heights that a body takes up, and to which it may step.
@@ -28,8 +28,9 @@ struct UprightBody {
   double zHead() const { return zFeet + height; }
 };
 
-/// Openings of a segment, one above the other, that a body can pass as one. Heights are absolute,
-/// at p0 and p1; of several lines the highest bottom (the lowest top) counts.
+/// Openings of a segment, one above the other, that a body can pass as one. Three lines bound it
+/// from below and three from above, given by their absolute heights at p0 and p1: the highest
+/// bottom and the lowest top count.
 class Passage {
  public:
   /// The pieces [first, last] of a segment.
@@ -38,8 +39,8 @@ class Passage {
   /// Where along the segment the body fits through; it steps up if it must.
   Interval openTo(const UprightBody& body) const;
 
-  /// The highest bottom and the lowest top within an interval of the segment; infinite where the
-  /// opening goes on through a flat portal of the sector.
+  /// The highest bottom and the lowest top within an interval of the segment; infinite if a flat
+  /// portal of the sector continues the opening.
   double zBottom(Interval within) const;
   double zTop(Interval within) const;
 

@@ -263,7 +263,7 @@ tl::expected<Recording, RecordingError> readRecording(std::string_view text) {
   return Reader(text).read();
 }
 
-tl::expected<Walker, std::string> startOf(const Scene& scene, const RecordedStart& start) {
+tl::expected<Walker, std::string> walkerAtStart(const Scene& scene, const RecordedStart& start) {
   for (std::size_t i = 0; i < scene.level().sectors.size(); ++i) {
     if (scene.level().sectors[i].name != start.sector) continue;
     if (contains(scene, scene.level().sectors[i], start.eye, kPositionSlack))

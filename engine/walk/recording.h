@@ -14,14 +14,14 @@ namespace hearth {
 /// the level.
 struct RecordedState {
   std::string sector;
-  Walker walker;  ///< its `sector` is unused
+  Walker walker;  ///< `sector` above counts, not its own
 
   friend bool operator==(const RecordedState& a, const RecordedState& b);
 };
 
 RecordedState recordedState(const Scene& scene, const Walker& walker);
 
-/// Where a recording begins: the eye that `walkerAt` is given.
+/// Where a recording begins: the arguments of `walkerAt`.
 struct RecordedStart {
   std::string sector;
   Vec3 eye;
@@ -31,7 +31,7 @@ struct RecordedStart {
   friend bool operator==(const RecordedStart&, const RecordedStart&) = default;
 };
 
-/// A walk: the input of every tick, and the end of the walk to the bit.
+/// A walk: the input of every tick, and the exact state at its end.
 struct Recording {
   RecordedStart start;
   std::vector<WalkInput> inputs;
@@ -54,6 +54,6 @@ struct RecordingError {
 tl::expected<Recording, RecordingError> readRecording(std::string_view text);
 
 /// The walker at the start of a recording; the error names what the level lacks.
-tl::expected<Walker, std::string> startOf(const Scene& scene, const RecordedStart& start);
+tl::expected<Walker, std::string> walkerAtStart(const Scene& scene, const RecordedStart& start);
 
 }  // namespace hearth

@@ -11,9 +11,8 @@ struct Slide {
   bool collided = false;  ///< whether it met a blocker on the way
 };
 
-/// Moves a disc of `radius` from the origin by `motion`. It slides along what stops it. It never
-/// passes a blocker, and never comes nearer to one than `radius`. If it begins nearer than that, it
-/// comes no nearer still.
+/// Moves a disc of `radius` from the origin by `motion`. It slides along what stops it. The disc
+/// keeps `radius` from every blocker. If it begins nearer to one, it comes no nearer.
 Slide slideAlong(std::span<const Blocker> blockers, Vec2 motion, double radius);
 
 }  // namespace hearth

@@ -43,13 +43,13 @@ std::optional<Move> tryMove(const Scene& scene, const Body& body, const Stand& f
                             double step) {
   const double travel = length(motion);
   const double zClimb = climbLimit(body, from, step);
-  const Reach reach{from.feet.xy(),
-                    body.radius + kSkin,
-                    travel,
-                    {from.feet.z, zClimb, body.height},
-                    from.feet.z - body.stepHeight,
-                    zClimb + body.height};
-  const Surroundings around(scene, from.sector, reach);
+  const SweepQuery query{from.feet.xy(),
+                         body.radius + kSkin,
+                         travel,
+                         {from.feet.z, zClimb, body.height},
+                         from.feet.z - body.stepHeight,
+                         zClimb + body.height};
+  const Surroundings around(scene, from.sector, query);
   const Slide slide = slideAlong(around.blockers(), motion, body.radius + kSkin);
   const Vec2 p = from.feet.xy() + slide.displacement;
   // Slopes lift the body as it goes, steps lift it at once.
@@ -69,13 +69,13 @@ std::optional<Move> tryMove(const Scene& scene, const Body& body, const Stand& f
 std::optional<Stand> standAt(const Scene& scene, const Body& body, SectorId sector, Vec3 feet,
                              double zClimb, double down, double up) {
   const double zLimit = std::max(feet.z, zClimb);
-  const Reach reach{feet.xy(),
-                    body.radius,
-                    0,
-                    {feet.z, zLimit, body.height},
-                    feet.z - down,
-                    zLimit + body.height + up};
-  const Surroundings around(scene, sector, reach);
+  const SweepQuery query{feet.xy(),
+                         body.radius,
+                         0,
+                         {feet.z, zLimit, body.height},
+                         feet.z - down,
+                         zLimit + body.height + up};
+  const Surroundings around(scene, sector, query);
   Stand stand{sector, feet, around.zSupport(), around.zCap(), around.isBuried()};
   stand.feet.z = std::max(feet.z, stand.zSupport);
   stand.sector = followColumn(scene, sector, stand.feet);
@@ -92,7 +92,7 @@ Move movedAlong(const Scene& scene, const Body& body, const Stand& from, Vec2 mo
   return {from, {0, 0}, true};
 }
 
-Stand risen(const Scene& scene, const Body& body, const Stand& from, double rise) {
+Stand movedVertically(const Scene& scene, const Body& body, const Stand& from, double rise) {
   Stand to = from;
   to.feet.z += rise;
   if (rise < 0) to.feet.z = std::max(to.feet.z, std::min(from.feet.z, from.zSupport));

@@ -37,6 +37,6 @@ struct Move {
 Move movedAlong(const Scene& scene, const Body& body, const Stand& from, Vec2 motion);
 
 /// Moves a body up or down by `rise` until something stops it.
-Stand risen(const Scene& scene, const Body& body, const Stand& from, double rise);
+Stand movedVertically(const Scene& scene, const Body& body, const Stand& from, double rise);
 
 }  // namespace hearth

@@ -32,46 +32,46 @@ PlaneAt planeAt(double zFlat, const std::optional<Slope>& slope, Vec2 p) {
 
 }  // namespace
 
-Surroundings::Surroundings(const Scene& scene, SectorId from, const Reach& reach)
-    : scene_(scene), reach_(reach), radius_(reach.radius + reach.travel) {
+Surroundings::Surroundings(const Scene& scene, SectorId from, const SweepQuery& reach)
+    : scene_(scene), query_(reach), sweptRadius_(reach.radius + reach.travel) {
   add(from);
-  for (std::size_t i = 0; i < sectors_.size(); ++i) lookRound(scene_[sectors_[i]]);
+  for (std::size_t i = 0; i < sectors_.size(); ++i) visitSector(scene_[sectors_[i]]);
 }
 
 void Surroundings::add(SectorId sector) {
   if (std::ranges::find(sectors_, sector) == sectors_.end()) sectors_.push_back(sector);
 }
 
-void Surroundings::lookRound(const Sector& sector) {
-  for (const Segment& segment : scene_.segmentsOf(sector)) lookAtWall(segment);
+void Surroundings::visitSector(const Sector& sector) {
+  for (const Segment& segment : scene_.segmentsOf(sector)) visitWall(segment);
   for (const Loop& loop : sector.loops) {
     const std::size_t first = loop.first.index();
     for (std::size_t i = 0, last = loop.count - 1; i < loop.count; last = i++)
-      lookAtVertex(scene_.level().segments[first + last], scene_.level().segments[first + i]);
+      visitVertex(scene_.level().segments[first + last], scene_.level().segments[first + i]);
   }
-  takeFlats(sector);
-  if (sector.floorSlope || sector.ceilingSlope) takeSlopes(sector);
+  addFlats(sector);
+  if (sector.floorSlope || sector.ceilingSlope) addSlopes(sector);
 }
 
-void Surroundings::lookAtWall(const Segment& segment) {
-  const Vec2 a = segment.p0 - reach_.center;
-  const Vec2 b = segment.p1 - reach_.center;
-  const Interval chord = chordOf(a, b, radius_);
-  if (chord.isEmpty() || signedDistance(a, b) < -reach_.travel - kSkin) return;
+void Surroundings::visitWall(const Segment& segment) {
+  const Vec2 a = segment.p0 - query_.center;
+  const Vec2 b = segment.p1 - query_.center;
+  const Interval chord = chordOf(a, b, sweptRadius_);
+  if (chord.isEmpty() || signedDistance(a, b) < -query_.travel - kSkin) return;
   passages_.clear();
   open_.clear();
   findPassages(scene_, segment, passages_);
   const Sector& sector = scene_[segment.sector];
-  if (isBelow(sector)) return lookAtWallBelow(segment, chord);
-  if (isAbove(sector)) return lookAtWallAbove(segment, chord);
+  if (isBelow(sector)) return visitWallBelow(segment, chord);
+  if (isAbove(sector)) return visitWallAbove(segment, chord);
 
   for (const Passage& passage : passages_) {
-    const Interval open = passage.openTo(reach_.body);
+    const Interval open = passage.openTo(query_.body);
     if (open.isEmpty()) continue;
     open_.push_back(open);
-    const Interval reached = common(open, chord);
+    const Interval reached = intersection(open, chord);
     if (reached.isEmpty()) continue;
-    bear(passage.zBottom(reached));
+    addSupport(passage.zBottom(reached));
     zCap_ = std::min(zCap_, passage.zTop(reached));
     for (std::size_t i = passage.first(); i <= passage.last(); ++i)
       add(std::get<Opening>(scene_.piecesOf(segment)[i].content).next);
@@ -82,12 +82,12 @@ void Surroundings::lookAtWall(const Segment& segment) {
 /// Where only one of two walls stops the body, it may see the vertex between them from round the
 /// corner, behind that wall: past the other one, which is open. From behind both walls the vertex
 /// is not seen: there it may be a joint of one-way portals.
-void Surroundings::lookAtVertex(const Segment& before, const Segment& after) {
-  const Vec2 vertex = after.p0 - reach_.center;
-  if (!(length(vertex) < radius_)) return;
+void Surroundings::visitVertex(const Segment& before, const Segment& after) {
+  const Vec2 vertex = after.p0 - query_.center;
+  if (!(length(vertex) < sweptRadius_)) return;
   const bool jutsOut = cross(before.p1 - before.p0, after.p1 - after.p0) < 0;
   if (!jutsOut) return;
-  if (!isInFrontOf(before, reach_.center) && !isInFrontOf(after, reach_.center)) return;
+  if (!isInFrontOf(before, query_.center) && !isInFrontOf(after, query_.center)) return;
   if (isBelow(scene_[after.sector]) || isAbove(scene_[after.sector])) return;
   const bool stopsBefore = !isOpenAt(before, 1);
   const bool stopsAfter = !isOpenAt(after, 0);
@@ -101,39 +101,39 @@ bool Surroundings::isOpenAt(const Segment& segment, double fraction) {
   passages_.clear();
   findPassages(scene_, segment, passages_);
   return std::ranges::any_of(passages_, [&](const Passage& passage) {
-    const Interval open = passage.openTo(reach_.body);
+    const Interval open = passage.openTo(query_.body);
     return open.low <= fraction && fraction <= open.high;
   });
 }
 
 /// The body is above the sector.
 bool Surroundings::isBelow(const Sector& sector) const {
-  return sector.ceiling.flatPortal && scene_.zCeiling(sector) <= reach_.body.zClimb + kSkin;
+  return sector.ceiling.flatPortal && scene_.zCeiling(sector) <= query_.body.zClimb + kSkin;
 }
 
 /// The body is below the sector.
 bool Surroundings::isAbove(const Sector& sector) const {
-  return sector.floor.flatPortal && scene_.zFloor(sector) >= reach_.body.zHead() - kSkin;
+  return sector.floor.flatPortal && scene_.zFloor(sector) >= query_.body.zHead() - kSkin;
 }
 
-void Surroundings::bear(double z) {
-  if (z <= reach_.body.zClimb + kSkin)
+void Surroundings::addSupport(double z) {
+  if (z <= query_.body.zClimb + kSkin)
     zSupport_ = std::max(zSupport_, z);
   else
     isBuried_ = true;
 }
 
 /// A wall that the body is above: its top bears.
-void Surroundings::lookAtWallBelow(const Segment& segment, Interval chord) {
-  const bool isOpen = !passages_.empty() && passages_.back().zTop(chord) == kNowhere;
+void Surroundings::visitWallBelow(const Segment& segment, Interval chord) {
+  const bool isOpen = !passages_.empty() && passages_.back().zTop(chord) == kInfinity;
   const double zTop =
       isOpen ? passages_.back().zBottom(chord) : scene_.zCeiling(scene_[segment.sector]);
-  bear(zTop);
+  addSupport(zTop);
 }
 
 /// A wall that the body is below.
-void Surroundings::lookAtWallAbove(const Segment& segment, Interval chord) {
-  const bool isOpen = !passages_.empty() && passages_.front().zBottom(chord) == -kNowhere;
+void Surroundings::visitWallAbove(const Segment& segment, Interval chord) {
+  const bool isOpen = !passages_.empty() && passages_.front().zBottom(chord) == -kInfinity;
   const double zBottom =
       isOpen ? passages_.front().zTop(chord) : scene_.zFloor(scene_[segment.sector]);
   zCap_ = std::min(zCap_, zBottom);
@@ -146,10 +146,10 @@ void Surroundings::block(const Segment& segment, Interval chord) {
   const auto blockUpTo = [&](double to) {
     if (!(from < to)) return;
     const Vec2 along = segment.p1 - segment.p0;
-    const Vec2 a = segment.p0 - reach_.center;
+    const Vec2 a = segment.p0 - query_.center;
     // The ends of a wall are its vertices to the bit: its neighbours share them.
     blockers_.push_back(
-        {from == 0 ? a : a + from * along, to == 1 ? segment.p1 - reach_.center : a + to * along});
+        {from == 0 ? a : a + from * along, to == 1 ? segment.p1 - query_.center : a + to * along});
   };
   for (const Interval& open : open_) {
     blockUpTo(std::min(open.low, chord.high));
@@ -158,17 +158,17 @@ void Surroundings::block(const Segment& segment, Interval chord) {
   blockUpTo(chord.high);
 }
 
-void Surroundings::takeFlats(const Sector& sector) {
+void Surroundings::addFlats(const Sector& sector) {
   if (sector.floor.flatPortal) {
-    if (scene_.zFloor(sector) >= reach_.zLow)
+    if (scene_.zFloor(sector) >= query_.zLow)
       followFlat(*sector.floor.flatPortal, FlatPortalSide::Lower);
   } else {
     const double z =
         sector.floorSlope ? highest(sector, *sector.floorSlope, 1) : scene_.zFloor(sector);
-    bear(z);
+    addSupport(z);
   }
   if (sector.ceiling.flatPortal) {
-    if (scene_.zCeiling(sector) <= reach_.zHigh)
+    if (scene_.zCeiling(sector) <= query_.zHigh)
       followFlat(*sector.ceiling.flatPortal, FlatPortalSide::Upper);
   } else {
     const double z =
@@ -183,46 +183,46 @@ void Surroundings::followFlat(FlatPortalId id, FlatPortalSide to) {
     if (touches(scene_[member])) add(member);
   // The body's axis may miss its own column by the slack of positions, and a body with less breadth
   // then touches none of them.
-  const SectorId column = sectorAcross(scene_.level(), flatPortal, to, reach_.center);
-  const Vec3 middle{reach_.center.x, reach_.center.y, flatPortal.z};
+  const SectorId column = sectorAcross(scene_.level(), flatPortal, to, query_.center);
+  const Vec3 middle{query_.center.x, query_.center.y, flatPortal.z};
   if (contains(scene_, scene_[column], middle, kPositionSlack)) add(column);
 }
 
 bool Surroundings::touches(const Sector& sector) const {
-  const Vec2 p = reach_.center;
-  if (!grown(sector.box, radius_).contains(p)) return false;
+  const Vec2 p = query_.center;
+  if (!grown(sector.box, sweptRadius_).contains(p)) return false;
   return contains(scene_.level(), sector, p) ||
          std::ranges::any_of(scene_.segmentsOf(sector), [&](const Segment& segment) {
-           return !chordOf(segment.p0 - p, segment.p1 - p, radius_).isEmpty();
+           return !chordOf(segment.p0 - p, segment.p1 - p, sweptRadius_).isEmpty();
          });
 }
 
 /// `sign` times the slope's height where that is greatest, of what the disc covers of the sector.
 /// It is greatest at the disc's edge straight up, or where the sector's outline leaves the disc.
 double Surroundings::highest(const Sector& sector, const Slope& slope, double sign) const {
-  double best = -kNowhere;
+  double best = -kInfinity;
   const auto take = [&](Vec2 p) { best = std::max(best, sign * slope.zAt(p)); };
-  const Vec2 p = reach_.center;
+  const Vec2 p = query_.center;
   const double steepness = length(slope.gradient);
-  const Vec2 uphill = steepness > 0 ? (sign * radius_ / steepness) * slope.gradient : Vec2{};
+  const Vec2 uphill = steepness > 0 ? (sign * sweptRadius_ / steepness) * slope.gradient : Vec2{};
   if (contains(scene_.level(), sector, p)) take(p);
   if (contains(scene_.level(), sector, p + uphill)) take(p + uphill);
   for (const Segment& segment : scene_.segmentsOf(sector)) {
-    const Interval chord = chordOf(segment.p0 - p, segment.p1 - p, radius_);
+    const Interval chord = chordOf(segment.p0 - p, segment.p1 - p, sweptRadius_);
     if (chord.isEmpty()) continue;
     take(lerp(segment.p0, segment.p1, chord.low));
     take(lerp(segment.p0, segment.p1, chord.high));
   }
-  if (best == -kNowhere) take(p);  // a body without breadth can miss its sector by the slack
+  if (best == -kInfinity) take(p);  // a body without breadth can miss its sector by the slack
   return best;
 }
 
 /// Where a slope comes down to the head, rises too steeply from the feet, or leaves too little room
 /// to the other flat, it stops the body like a wall that stands on that contour line.
-void Surroundings::takeSlopes(const Sector& sector) {
-  const UprightBody& body = reach_.body;
-  const PlaneAt floor = planeAt(scene_.zFloor(sector), sector.floorSlope, reach_.center);
-  const PlaneAt ceiling = planeAt(scene_.zCeiling(sector), sector.ceilingSlope, reach_.center);
+void Surroundings::addSlopes(const Sector& sector) {
+  const UprightBody& body = query_.body;
+  const PlaneAt floor = planeAt(scene_.zFloor(sector), sector.floorSlope, query_.center);
+  const PlaneAt ceiling = planeAt(scene_.zCeiling(sector), sector.ceilingSlope, query_.center);
   if (sector.ceilingSlope)
     blockWhereAbove0(sector, body.zHead() - kSkin - ceiling.z, -1 * ceiling.gradient);
   const double steepness = length(floor.gradient);
@@ -233,21 +233,21 @@ void Surroundings::takeSlopes(const Sector& sector) {
   // is moved so that a disc that touches it just fits between them.
   const Vec2 narrowing = floor.gradient - ceiling.gradient;
   const double apart = steepness + length(ceiling.gradient) - length(narrowing);
-  const double needed = body.height - kSkin + reach_.radius * apart;
+  const double needed = body.height - kSkin + query_.radius * apart;
   blockWhereAbove0(sector, needed - (ceiling.z - floor.z), narrowing);
 }
 
 /// Blocks the contour line on which a value that is known at the centre becomes 0.
 void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, Vec2 gradient) {
   const double steepness = length(gradient);
-  if (!(std::abs(valueAtCenter) < radius_ * steepness)) return;
+  if (!(std::abs(valueAtCenter) < sweptRadius_ * steepness)) return;
   const Vec2 foot = (-valueAtCenter / (steepness * steepness)) * gradient;
   const Vec2 along = (1 / steepness) * turned90(gradient);
-  const double half = std::sqrt(radius_ * radius_ - dot(foot, foot));
+  const double half = std::sqrt(sweptRadius_ * sweptRadius_ - dot(foot, foot));
   std::pmr::vector<double> cuts({-half, half}, &arena_);
   for (const Segment& segment : scene_.segmentsOf(sector)) {
-    const Vec2 a = segment.p0 - reach_.center - foot;
-    const Vec2 b = segment.p1 - reach_.center - foot;
+    const Vec2 a = segment.p0 - query_.center - foot;
+    const Vec2 b = segment.p1 - query_.center - foot;
     const double aSide = cross(along, a);
     const double bSide = cross(along, b);
     if ((aSide > 0) == (bSide > 0)) continue;
@@ -257,7 +257,7 @@ void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, 
   std::ranges::sort(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Vec2 middle = foot + ((cuts[i] + cuts[i + 1]) / 2) * along;
-    if (contains(scene_.level(), sector, reach_.center + middle))
+    if (contains(scene_.level(), sector, query_.center + middle))
       blockers_.push_back({foot + cuts[i] * along, foot + cuts[i + 1] * along});
   }
 }

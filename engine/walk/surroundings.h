@@ -12,18 +12,18 @@
 
 namespace hearth {
 
-/// A line that stops a body from the front of a -> b. Relative to Reach::center, in metres.
+/// A line that stops a body from the front of a -> b. Relative to SweepQuery::center, in metres.
 struct Blocker {
   Vec2 a;
   Vec2 b;
-  /// Then it is `a` alone, and stops a body behind a -> b. Where sectors overlap, more than 360
-  /// degrees of air can meet in a vertex, and from some of them no wall there is seen from its
-  /// front: not before the body is past it, and in it.
+  /// A corner stops only with its point `a`, and only a body behind a -> b. Overlapping sectors can
+  /// put more than 360 degrees of air round a vertex. From some of this air no wall at the vertex
+  /// faces the body, so no wall would stop it.
   bool isCorner = false;
 };
 
-/// How far to look round a body.
-struct Reach {
+/// A body and how far to look round it.
+struct SweepQuery {
   Vec2 center;
   double radius;  ///< of the disc
   double travel;  ///< that the disc may move from `center`
@@ -37,11 +37,11 @@ struct Reach {
 /// wall stops only a body in front of it.
 class Surroundings {
  public:
-  Surroundings(const Scene& scene, SectorId from, const Reach& reach);
+  Surroundings(const Scene& scene, SectorId from, const SweepQuery& reach);
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 
-  /// `from` first, the others by rising number of links to it.
+  /// In breadth-first order from `from`.
   const std::pmr::vector<SectorId>& sectors() const { return sectors_; }
   const std::pmr::vector<Blocker>& blockers() const { return blockers_; }
   /// The highest support within reach that the feet can step up to; -infinity if there is none.
@@ -53,20 +53,20 @@ class Surroundings {
 
  private:
   void add(SectorId sector);
-  void lookRound(const Sector& sector);
-  void lookAtWall(const Segment& segment);
-  void lookAtVertex(const Segment& before, const Segment& after);
-  void lookAtWallBelow(const Segment& segment, Interval chord);
-  void lookAtWallAbove(const Segment& segment, Interval chord);
-  void takeFlats(const Sector& sector);
+  void visitSector(const Sector& sector);
+  void visitWall(const Segment& segment);
+  void visitVertex(const Segment& before, const Segment& after);
+  void visitWallBelow(const Segment& segment, Interval chord);
+  void visitWallAbove(const Segment& segment, Interval chord);
+  void addFlats(const Sector& sector);
   bool isBelow(const Sector& sector) const;
   bool isAbove(const Sector& sector) const;
   bool isOpenAt(const Segment& segment, double fraction);
   void followFlat(FlatPortalId id, FlatPortalSide to);
   bool touches(const Sector& sector) const;
-  void bear(double z);
+  void addSupport(double z);
   void block(const Segment& segment, Interval chord);
-  void takeSlopes(const Sector& sector);
+  void addSlopes(const Sector& sector);
   void blockWhereAbove0(const Sector& sector, double valueAtCenter, Vec2 gradient);
   double highest(const Sector& sector, const Slope& slope, double sign) const;
 
@@ -75,15 +75,15 @@ class Surroundings {
   std::pmr::monotonic_buffer_resource arena_{buffer_.data(), buffer_.size()};
 
   Scene scene_;
-  Reach reach_;
-  double radius_;  // of all that the disc can come to
+  SweepQuery query_;
+  double sweptRadius_;  // of the disc with its travel
   std::pmr::vector<SectorId> sectors_{&arena_};
   std::pmr::vector<Blocker> blockers_{&arena_};
   std::pmr::vector<Passage> passages_{&arena_};  // of the wall that is looked at
   std::pmr::vector<Interval> open_{&arena_};
-  double zSupport_ = -kNowhere;
+  double zSupport_ = -kInfinity;
   bool isBuried_ = false;
-  double zCap_ = kNowhere;
+  double zCap_ = kInfinity;
 };
 
 }  // namespace hearth

@@ -123,7 +123,7 @@ Stand moveOverGround(const Scene& scene, const Body& body, Walker& walker, Stand
     const double drop =
         std::max(body.stepHeight, kSteepestWalk * length(move.displacement)) + kSkin;
     if (walker.isOnGround && stand.feet.z - stand.zSupport <= drop)
-      stand = risen(scene, body, stand, stand.zSupport - stand.feet.z);
+      stand = movedVertically(scene, body, stand, stand.zSupport - stand.feet.z);
     if (move.displacement == Vec2{}) break;
   }
   if (collided) {
@@ -139,7 +139,7 @@ Stand moveUpright(const Scene& scene, const Body& body, Walker& walker, const St
   const double gravity = walker.isFlying ? 0 : kGravity;
   const double rise = kTick * (speed - gravity * kTick / 2);
   speed = std::max(speed - gravity * kTick, -kFastestFall);
-  const Stand to = risen(scene, body, stand, rise);
+  const Stand to = movedVertically(scene, body, stand, rise);
   const bool collided = to.feet.z != stand.feet.z + rise;
   if (collided) speed = 0;
   walker.isOnGround = collided && rise < 0 && !walker.isFlying;
@@ -161,7 +161,7 @@ Walker walkerAt(const Scene& scene, SectorId sector, Vec3 eye, double angle, dou
     const Body point{0, 0, 0, 0};
     const auto column = standAt(scene, point, sector, eye, eye.z, body.eyeHeight, 0);
     if (!column) return walker;
-    const Stand below = risen(scene, point, *column, -body.eyeHeight);
+    const Stand below = movedVertically(scene, point, *column, -body.eyeHeight);
     put(walker, below);
     const double zClimb = below.feet.z + body.stepHeight;
     const auto stand = standAt(scene, body, below.sector, below.feet, zClimb, 0, body.stepHeight);

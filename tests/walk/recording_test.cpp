@@ -18,7 +18,7 @@ Recording someWalk(const Scene& scene) {
   const Player& player = *scene.level().player;
   Recording recording;
   recording.start = {scene[player.sector].name, player.eye, player.angle, 0};
-  Walker walker = *startOf(scene, recording.start);
+  Walker walker = *walkerAtStart(scene, recording.start);
   std::mt19937 random(4);
   WalkInput input;
   for (int i = 0; i < 20000; ++i) {
@@ -58,7 +58,7 @@ TEST_F(Recordings, ComeBackFromTextToTheBit) {
   const auto read = readRecording(writeRecording(recording));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(*read, recording);
-  Walker walker = *startOf(scene, read->start);
+  Walker walker = *walkerAtStart(scene, read->start);
   for (const WalkInput& input : read->inputs) walker = walked(scene, walker, input);
   EXPECT_EQ(recordedState(scene, walker), read->end);
 }
@@ -97,8 +97,8 @@ TEST_F(Recordings, AreRefusedBeforeTheyFillTheMemory) {
 }
 
 TEST_F(Recordings, SayWhatOfThemTheLevelDoesNotHave) {
-  EXPECT_FALSE(startOf(scene, {"nowhere", {0, 0, 0}, 0, 0}));
-  EXPECT_FALSE(startOf(scene, {"yard", {1000, 0, 0}, 0, 0}));
+  EXPECT_FALSE(walkerAtStart(scene, {"nowhere", {0, 0, 0}, 0, 0}));
+  EXPECT_FALSE(walkerAtStart(scene, {"yard", {1000, 0, 0}, 0, 0}));
 }
 
 /// The same bits in every build: where twenty thousand ticks of everything end.

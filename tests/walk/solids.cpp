@@ -22,7 +22,7 @@ constexpr double kEdgeInset = 3 * kSkin;
 constexpr double kAsideFraction = 1.0 / 32;
 
 struct Exit {
-  double distance = kNowhere;
+  double distance = kInfinity;
   double fraction = 0;
   SegmentId segment;
 };

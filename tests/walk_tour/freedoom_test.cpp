@@ -65,7 +65,7 @@ class Freedoom : public testing::Test {
   Recording found() const {
     const Player& player = level().player.value();
     const RecordedStart start{level()[player.sector].name, player.eye, player.angle, 0};
-    Walker walker = startOf(scene(), start).value();
+    Walker walker = walkerAtStart(scene(), start).value();
     const auto way = test::wayTo(scene(), walker, test::Gait::OnFoot,
                                  [this](const Walker& there) { return isAtExit(there); });
     for (const WalkInput& input : way.value()) walker = walked(scene(), walker, input);
@@ -95,7 +95,7 @@ TEST_F(Freedoom, AWalkLeadsFromTheStartToTheSwitchAtTheEnd) {
   ASSERT_TRUE(recording) << recording.error().line << ": " << recording.error().message;
   EXPECT_EQ(recording->start.eye, level().player->eye);
 
-  Walker walker = startOf(scene(), recording->start).value();
+  Walker walker = walkerAtStart(scene(), recording->start).value();
   for (const WalkInput& input : recording->inputs) walker = walked(scene(), walker, input);
   EXPECT_TRUE(isAtExit(walker));
   EXPECT_TRUE(recordedState(scene(), walker) == recording->end);

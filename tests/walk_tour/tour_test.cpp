@@ -23,7 +23,7 @@ namespace {
 
 class Tour : public testing::Test {
  protected:
-  Walker startOfPlayer() const { return startOf(scene_, start_).value(); }
+  Walker startOfPlayer() const { return walkerAtStart(scene_, start_).value(); }
 
   /// Finds a walk and keeps it where that is asked for; reads the one that is kept.
   Recording recording(const std::string& name, test::Gait gait) const {
@@ -48,8 +48,8 @@ class Tour : public testing::Test {
   }
 
   std::set<std::string> unvisited(const Recording& recording) const {
-    const std::vector<bool> isVisited =
-        test::visitedSectors(scene_, startOf(scene_, recording.start).value(), recording.inputs);
+    const std::vector<bool> isVisited = test::visitedSectors(
+        scene_, walkerAtStart(scene_, recording.start).value(), recording.inputs);
     std::set<std::string> names;
     for (std::size_t i = 0; i < level_.sectors.size(); ++i)
       if (!isVisited[i]) names.insert(level_.sectors[i].name);
@@ -57,7 +57,7 @@ class Tour : public testing::Test {
   }
 
   RecordedState endOf(const Recording& recording) const {
-    Walker walker = startOf(scene_, recording.start).value();
+    Walker walker = walkerAtStart(scene_, recording.start).value();
     for (const WalkInput& input : recording.inputs) walker = walked(scene_, walker, input);
     return recordedState(scene_, walker);
   }

@@ -61,7 +61,7 @@ tl::expected<TradeoffReport, std::string> measured(const LoadedLevel& loaded,
   bench.repeats = static_cast<int>(values.number(Option::Repeats).value_or(kTrialRepeats));
   bench.clock = steadySeconds;
   const Told told(values.has(Option::Quiet));
-  bench.done = [&](std::size_t done) { told.tell("settings", done, trials->size()); };
+  bench.onProgress = [&](std::size_t done) { told.tell("settings", done, trials->size()); };
   report.bakeThreads = bench.threads;
   report.frameSize = bench.frameSize;
   const auto truth = truthOf(loaded, report.truthSize, bench.threads, [&](std::size_t done) {

@@ -214,7 +214,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
       live->update(loop, session, *window);
     } else if (const auto options = loop.takeChoice()) {
       const auto next = redrawn(**lit, drawSettingsFrom(*options));
-      loop.goOnIn(scene, next->renderer, source);
+      loop.continueIn(scene, next->renderer, source);
       *lit = next;
     }
   }
@@ -233,11 +233,11 @@ ExitStatus runWalk(const OptionValues& values) {
   const Scene scene = loaded->scene();
   const auto plan = planFor(scene, values);
   if (!plan) return fail(plan.error());
-  const auto walker = startOf(scene, plan->start);
+  const auto walker = walkerAtStart(scene, plan->start);
   if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
   WalkSession session(
       scene, *walker,
-      values.has(Option::Record) ? WalkSession::Memory::Inputs : WalkSession::Memory::None);
+      values.has(Option::Record) ? WalkSession::Record::Yes : WalkSession::Record::No);
   if (values.has(Option::Headless)) return replayHeadless(scene, session, *plan->replay);
   const auto source = std::make_shared<const LevelSource>(std::move(opened.source));
   return walkInWindow(loaded, source, *plan, session, values);

@@ -98,7 +98,7 @@ void LiveLevel::update(WalkLoop& loop, WalkSession& session, WindowHost& outside
   if (const auto options = loop.takeChoice()) {
     const auto before = shown_;  // which the loop still draws
     setOptions(*options);
-    loop.goOnIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
+    loop.continueIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
   }
   LightsEditor* const lights = loop.lightsEditor();
   reload(watch_.changes(), lights);
@@ -134,7 +134,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
   mistakes_ = news.mistakes;
   if (!news.level) return;
   if (news.level->loaded != shown_->loaded) {
-    if (!goOnIn(*news.level, session)) {
+    if (!continueIn(*news.level, session)) {
       mistakes_ = {"there is no room where you stand, and the level has no player to start with"};
       return printToStderr(mistakes_);
     }
@@ -143,16 +143,16 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
   }
   const auto before = std::exchange(shown_, news.level);  // which the loop still draws
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
-  loop.goOnIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
+  loop.continueIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
   if (saved_)
     report_ = fmt::format("{}: {} {:.3f} s after it was saved", saved_->filename().string(),
                           news.isDraft ? "a draft is shown" : "shown", secondsSinceSaved(*saved_));
   if (!news.isDraft) saved_.reset();
 }
 
-bool LiveLevel::goOnIn(const LitLevel& next, WalkSession& session) const {
+bool LiveLevel::continueIn(const LitLevel& next, WalkSession& session) const {
   const auto walker = carriedOver(shown_->loaded->scene(), session.walker(), next.loaded->scene());
-  if (walker) session.goOnIn(next.loaded->scene(), *walker);
+  if (walker) session.continueIn(next.loaded->scene(), *walker);
   return walker.has_value();
 }
 

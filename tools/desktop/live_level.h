@@ -44,7 +44,7 @@ class LiveLevel {
   void reload(const FileWatch::Changes& changes, LightsEditor* lights);
   bool hasOtherLights(LightsEditor& lights);
   void take(const LevelNews& news, WalkLoop& loop, WalkSession& session);
-  bool goOnIn(const LitLevel& next, WalkSession& session) const;
+  bool continueIn(const LitLevel& next, WalkSession& session) const;
   void watch(const LoadedLevel& loaded);
 
   FileWatch watch_;

@@ -64,7 +64,7 @@ Demand demandAt(const Scene& scene, const Segment& segment, const Passage& passa
   const Vec2 p = lerp(segment.p0, segment.p1, fraction);
   const double feet = feetAt(scene, segment.sector, p);
   double bottom = passage.zBottom({fraction, fraction});
-  if (bottom == -kNowhere) bottom = feetAt(scene, next, p);
+  if (bottom == -kInfinity) bottom = feetAt(scene, next, p);
   return {bottom - feet, passage.zTop({fraction, fraction}) - std::max(bottom, feet)};
 }
 
@@ -75,7 +75,7 @@ struct Hindrance {
   SectorId next;
   double zBottom;  ///< of the opening
   Demand demand;
-  double width = kNowhere;  ///< metres of the gap that the opening is a part of
+  double width = kInfinity;  ///< metres of the gap that the opening is a part of
 };
 
 /// Where a body can go on foot. It counts too much rather than too little: slopes are taken for
@@ -148,7 +148,7 @@ class Walks {
       if (!easiest || isEasier(hindrance, *easiest)) easiest = hindrance;
     }
     // Of what goes on below the wall, the walls down there tell.
-    const bool hasBottom = passage.zBottom({0, 1}) > -kNowhere;
+    const bool hasBottom = passage.zBottom({0, 1}) > -kInfinity;
     const bool isWide = scene_[hindrance.segment].length >= 2 * body_.radius;
     if (easiest && hasBottom && isWide) add(*easiest);
   }
@@ -184,7 +184,7 @@ class Walks {
       for (std::uint32_t j = (i + step) % loop.count; j != i; j = (j + step) % loop.count) {
         if (open_[loop.first.index() + j].empty()) break;
         const Segment& next = scene_.level().segments[loop.first.index() + j];
-        if (!areInLine(segment, next)) return kNowhere;
+        if (!areInLine(segment, next)) return kInfinity;
         width += next.length;
       }
     return width;
@@ -225,7 +225,7 @@ class Walks {
   }
 
   double minHeight(const Sector& sector) const {
-    double least = kNowhere;
+    double least = kInfinity;
     for (const Segment& segment : scene_.segmentsOf(sector)) {
       const AirColumn& air = scene_.geometryOf(segment).air0;
       least = std::min(least, air.zTop - air.zBottom);

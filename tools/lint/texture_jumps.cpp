@@ -7,8 +7,8 @@
 #include <map>
 
 #include "lint/authored_wall.h"
-#include "lint/hanging.h"
 #include "lint/sector_graph.h"
+#include "lint/texture_placement.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -28,10 +28,10 @@ struct ImageEnd {
   double v;  ///< where z is 0, likewise
 };
 
-ImageEnd imageAt(const TextureMapping& mapping, const Hanging& hanging, double s,
+ImageEnd imageAt(const TextureMapping& mapping, const TexturePlacement& placement, double s,
                  const Image& image) {
-  return {(s + hanging.along) / mapping.repeat.x - mapping.offsetTexels.x / image.width(),
-          hanging.z / mapping.repeat.y - mapping.offsetTexels.y / image.height()};
+  return {(s + placement.along) / mapping.repeat.x - mapping.offsetTexels.x / image.width(),
+          placement.z / mapping.repeat.y - mapping.offsetTexels.y / image.height()};
 }
 
 /// Pixels from a whole number of repeats.
@@ -108,23 +108,26 @@ class JumpFinder {
   void lookAtJoint(SurfaceId left, SurfaceId right) {
     if (!areAlike(mappingOf(left), mappingOf(right)) || !areInOnePlane(left, right)) return;
     if (!touch(left, right) || !areSeenTogether(scene_[left].sector, scene_[right].sector)) return;
-    const ImageEnd jump = jumpAt(left, hangingOf(linted_, left), right, hangingOf(linted_, right));
+    const ImageEnd jump =
+        jumpAt(left, placementOf(linted_, left), right, placementOf(linted_, right));
     if (!isSeen(jump, imageOf(left))) return;
     // What was told before mends walls together: a row of them, or all pieces of one.
-    const ImageEnd rest = jumpAt(left, mendedHangingOf(left), right, mendedHangingOf(right));
+    const ImageEnd rest = jumpAt(left, mendedPlacementOf(left), right, mendedPlacementOf(right));
     if (isSeen(rest, imageOf(left))) report(left, right, jump, rest);
   }
 
   /// From where the image of the left surface ends to where that of the right one begins.
-  ImageEnd jumpAt(SurfaceId left, const Hanging& hangingLeft, SurfaceId right,
-                  const Hanging& hangingRight) const {
+  ImageEnd jumpAt(SurfaceId left, const TexturePlacement& placementLeft, SurfaceId right,
+                  const TexturePlacement& placementRight) const {
     const Image& image = imageOf(left);
     const Segment& before = segmentOf(left);
     const ImageEnd end =
-        imageAt(mappingOf(left), hangingLeft, before.sBefore + before.length, image);
-    const ImageEnd start = imageAt(mappingOf(right), hangingRight, segmentOf(right).sBefore, image);
-    // Two heights that were both written down are meant: beams and ribs have stones of their own.
-    const bool areMeant = hangingLeft.hasZRef && hangingRight.hasZRef;
+        imageAt(mappingOf(left), placementLeft, before.sBefore + before.length, image);
+    const ImageEnd start =
+        imageAt(mappingOf(right), placementRight, segmentOf(right).sBefore, image);
+    // Two heights that were both placementText down are meant: beams and ribs have stones of their
+    // own.
+    const bool areMeant = placementLeft.hasZRef && placementRight.hasZRef;
     return {start.u - end.u, areMeant ? 0 : start.v - end.v};
   }
 
@@ -136,18 +139,18 @@ class JumpFinder {
   using TextureOnWall = std::pair<std::uint32_t, Place>;
   TextureOnWall onWall(SurfaceId surface) const {
     return {linted_.source.edgeOf[segmentOf(surface).id.index()],
-            textureOf(linted_, surface).described->name.place};
+            textureOf(linted_, surface).description->name.place};
   }
 
   /// As it would be with what has been told.
-  Hanging mendedHangingOf(SurfaceId surface) const {
-    Hanging hanging = hangingOf(linted_, surface);
+  TexturePlacement mendedPlacementOf(SurfaceId surface) const {
+    TexturePlacement placement = placementOf(linted_, surface);
     const auto mended = mended_.find(onWall(surface));
-    if (mended == mended_.end()) return hanging;
-    hanging.along = mended->second.along;
-    if (mended->second.hasZRef) hanging.z = mended->second.z;
-    hanging.hasZRef |= mended->second.hasZRef;
-    return hanging;
+    if (mended == mended_.end()) return placement;
+    placement.along = mended->second.along;
+    if (mended->second.hasZRef) placement.z = mended->second.z;
+    placement.hasZRef |= mended->second.hasZRef;
+    return placement;
   }
 
   static bool areAlike(const TextureMapping& a, const TextureMapping& b) {
@@ -176,8 +179,8 @@ class JumpFinder {
     const Image& image = imageOf(right);
     const Vec2 joint = segmentOf(right).p0;
     const bool isLevel = pixelsOff(rest.v, image.height()) < 0.5;
-    const Hanging mended =
-        movedBack(mendedHangingOf(right), mappingOf(right).repeat, rest.u, isLevel ? 0 : rest.v);
+    const TexturePlacement mended = shiftedBack(mendedPlacementOf(right), mappingOf(right).repeat,
+                                                rest.u, isLevel ? 0 : rest.v);
     mended_.insert_or_assign(onWall(right), mended);
     findings_.add(
         FindingKind::TextureJump, placeOf(linted_, right),
@@ -187,7 +190,7 @@ class JumpFinder {
                     pixelsOff(jump.u, image.width()), pixelsOff(jump.v, image.height()), joint.x,
                     joint.y, name(scene_[left].kind), scene_[scene_[left].sector].name),
         fmt::format("{} {}", standsForAll(right) ? "give each wall its own, and this one" : "write",
-                    written(textureOf(linted_, right), mended)));
+                    placementText(textureOf(linted_, right), mended)));
   }
 
   /// Whether the file has one wall for all of the loop.
@@ -201,7 +204,7 @@ class JumpFinder {
   Findings& findings_;
   std::vector<std::vector<SectorId>> linked_;
   std::multimap<Vec2, SurfaceId, decltype(&lessXY)> starting_{&lessXY};  ///< by p0
-  std::map<TextureOnWall, Hanging> mended_;                              ///< as told
+  std::map<TextureOnWall, TexturePlacement> mended_;                     ///< as told
 };
 
 }  // namespace

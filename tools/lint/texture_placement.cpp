@@ -1,4 +1,4 @@
-#include "lint/hanging.h"
+#include "lint/texture_placement.h"
 
 #include <fmt/format.h>
 
@@ -28,27 +28,27 @@ WallTexture textureOf(const LintedLevel& linted, SurfaceId id) {
   return isUpper ? WallTexture{&*upper, "upper"} : WallTexture{&*lower, "lower"};
 }
 
-Hanging hangingOf(const LintedLevel& linted, SurfaceId surface) {
+TexturePlacement placementOf(const LintedLevel& linted, SurfaceId surface) {
   return {linted.level()[surface].mapping.along, *linted.scene().geometryOf(surface).zRef,
-          textureOf(linted, surface).described->zRef.has_value()};
+          textureOf(linted, surface).description->zRef.has_value()};
 }
 
-Hanging movedBack(const Hanging& hanging, Vec2 repeat, double u, double v) {
-  const double along = hanging.along - u * repeat.x;
+TexturePlacement shiftedBack(const TexturePlacement& placement, Vec2 repeat, double u, double v) {
+  const double along = placement.along - u * repeat.x;
   const double within = rounded(along - std::floor(along / repeat.x) * repeat.x);
   return {within < rounded(repeat.x) ? within : 0,
-          v == 0 ? hanging.z : rounded(hanging.z - v * repeat.y), hanging.hasZRef || v != 0};
+          v == 0 ? placement.z : rounded(placement.z - v * repeat.y), placement.hasZRef || v != 0};
 }
 
-std::string written(const WallTexture& texture, const Hanging& hanging) {
-  const TextureDescription& described = *texture.described;
+std::string placementText(const WallTexture& texture, const TexturePlacement& placement) {
+  const TextureDescription& described = *texture.description;
   std::string text = fmt::format("\"{}\": {{ \"name\": \"{}\"", texture.key, described.name.name);
   if (described.scale != Vec2{1, 1})
     text += fmt::format(", \"scale\": [{}, {}]", described.scale.x, described.scale.y);
   if (described.offset != Vec2{0, 0})
     text += fmt::format(", \"offset\": [{}, {}]", described.offset.x, described.offset.y);
-  if (hanging.along != 0) text += fmt::format(", \"along\": {}", hanging.along);
-  if (hanging.hasZRef) text += fmt::format(", \"zref\": {}", hanging.z);
+  if (placement.along != 0) text += fmt::format(", \"along\": {}", placement.along);
+  if (placement.hasZRef) text += fmt::format(", \"zref\": {}", placement.z);
   return text + " }";
 }
 

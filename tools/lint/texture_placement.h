@@ -1,13 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "lint/lint.h"
 
 namespace hearth {
 
-/// The position of a surface's image on its wall.
-struct Hanging {
+/// Where the texture of a surface lies on its wall.
+struct TexturePlacement {
   double along;  ///< metres, as in the file
   double z;      ///< absolute height at which it begins
   bool hasZRef;  ///< whether the file gives that
@@ -15,18 +16,20 @@ struct Hanging {
 
 /// The description of the texture of a surface of a wall.
 struct WallTexture {
-  const TextureDescription* described;
+  const TextureDescription* description;
   std::string_view key;  ///< of the wall
 };
 
+/// Of all kinds of surface except masked middles.
 WallTexture textureOf(const LintedLevel& linted, SurfaceId surface);
 
-Hanging hangingOf(const LintedLevel& linted, SurfaceId surface);
+TexturePlacement placementOf(const LintedLevel& linted, SurfaceId surface);
 
-/// So many repeats of the image farther back along the wall, and lower; 0 leaves a height alone.
-Hanging movedBack(const Hanging& hanging, Vec2 repeat, double u, double v);
+/// The placement moved back along the wall by `u` repeats, and down by `v` repeats. If `v` is 0,
+/// the height stays as it is.
+TexturePlacement shiftedBack(const TexturePlacement& placement, Vec2 repeat, double u, double v);
 
 /// The text for the wall: `"texture": { "name": "brick", "along": 0.5 }`.
-std::string written(const WallTexture& texture, const Hanging& hanging);
+std::string placementText(const WallTexture& texture, const TexturePlacement& placement);
 
 }  // namespace hearth

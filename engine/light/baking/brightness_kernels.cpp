@@ -20,10 +20,9 @@ namespace {
 
 void findDistances(const SampleArrays& samples, std::size_t count, Vec3 light, double* distances) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto direction = directionsTo(d, samples, k, light);
-    const auto square =
-        hn::Add(hn::Add(hn::Mul(direction.x, direction.x), hn::Mul(direction.y, direction.y)),
-                hn::Mul(direction.z, direction.z));
+    const auto offset = offsetsFrom(d, light, samples, k);
+    const auto square = hn::Add(hn::Add(hn::Mul(offset.x, offset.x), hn::Mul(offset.y, offset.y)),
+                                hn::Mul(offset.z, offset.z));
     hn::StoreU(hn::Sqrt(square), d, distances + k);
   });
 }
@@ -32,16 +31,18 @@ void findLevels(const double* distances, std::size_t count, double intensity, do
                 double* levels) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
     const auto distance = hn::LoadU(d, distances + k);
-    const auto weakened = hn::Add(hn::Mul(distance, hn::Set(d, falloff)), hn::Set(d, 1.0));
-    hn::StoreU(hn::Div(hn::Set(d, intensity), weakened), d, levels + k);
+    const auto attenuation = hn::Add(hn::Mul(distance, hn::Set(d, falloff)), hn::Set(d, 1.0));
+    hn::StoreU(hn::Div(hn::Set(d, intensity), attenuation), d, levels + k);
   });
 }
 
 void applyCosine(const SampleArrays& samples, const double* distances, std::size_t count,
                  Vec3 light, Vec3 normal, double* levels) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto inFront = hn::Neg(dotOf(d, directionsTo(d, samples, k, light), normal));
-    const auto cosine = hn::Div(inFront, hn::LoadU(d, distances + k));
+    // Of the light above the plane of the sample. No sample is at distance 0: lights in the plane
+    // of a surface do not light it.
+    const auto height = hn::Neg(dotOf(d, offsetsFrom(d, light, samples, k), normal));
+    const auto cosine = hn::Div(height, hn::LoadU(d, distances + k));
     // The centre of a ball can lie behind a plane that a part of it lights.
     const auto level = hn::Mul(hn::LoadU(d, levels + k), hn::Max(hn::Zero(d), cosine));
     hn::StoreU(level, d, levels + k);

@@ -5,10 +5,10 @@
 #include "light/sampling/sample_arrays.h"
 #include "math/vec.h"
 
-/// Loops over samples, as many at once as the processor's registers hold. The results are the same
-/// to the bit on every processor.
 namespace hearth {
 
+/// Loops over samples, as many at once as the processor's registers hold. The results are the same
+/// to the bit on every processor.
 struct BrightnessKernels {
   /// Metres from a light.
   void (*findDistances)(const SampleArrays& samples, std::size_t count, Vec3 light,

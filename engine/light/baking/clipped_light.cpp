@@ -34,12 +34,12 @@ struct CornerLevels {
   }
 };
 
-/// Levels between the corners of a cell. Where they are more, the cell is cut in four ...
-constexpr double kSteep = 8;
-/// ... except for cells of a texel's side divided by this: of the light of a point, where no line
-/// divides lit from dark, and of that of a ball, which changes less suddenly and costs more.
-constexpr int kFinest = 8;
-constexpr int kFinestSoft = 4;
+/// A cell is cut in four while its corners differ by more levels than this ...
+constexpr double kMaxCornerSpread = 8;
+/// ... until so many cells lie along the side of a texel: for a point light, where no line divides
+/// lit from dark, and for a ball, whose light changes gradually and costs more rays.
+constexpr int kMaxCellsPerSide = 8;
+constexpr int kMaxCellsPerSideSoft = 4;
 
 class ClippedLight {
  public:
@@ -73,6 +73,7 @@ class ClippedLight {
     const SamplePoint& a = corners_[index(whole(std::floor(p.x)), whole(std::floor(p.y)))];
     const SamplePoint& b = corners_[index(whole(std::ceil(p.x)), whole(std::ceil(p.y)))];
     if (a.surface != b.surface) return surface_.place(corner(p.x, p.y));
+    // p lies on an edge of the lattice: one of its coordinates is whole.
     const double fraction = p.x - std::floor(p.x) + p.y - std::floor(p.y);
     return {a.point + fraction * (b.point - a.point), a.surface,
             a.target + fraction * (b.target - a.target), a.isMoved || b.isMoved};
@@ -86,7 +87,7 @@ class ClippedLight {
 
   /// What a light brings to a point between corners, in levels.
   double levelBetween(std::size_t light, Vec2 p) {
-    const auto cells = [](double x) { return static_cast<int>(kFinest * x); };
+    const auto cells = [](double x) { return static_cast<int>(kMaxCellsPerSide * x); };
     const auto [entry, isNew] = between_.try_emplace({cells(p.x), cells(p.y)});
     if (!isNew) return entry->second;
     const SamplePoint at = surface_.place(corner(p.x, p.y));
@@ -100,7 +101,7 @@ class ClippedLight {
   /// The mean over a square cell from `p` on, cut in four wherever its corners differ by much.
   double refinedLevel(std::size_t light, Vec2 p, double side, double finest,
                       const CornerLevels& corners) {
-    if (corners.spread() <= kSteep || side <= finest) return corners.mean();
+    if (corners.spread() <= kMaxCornerSpread || side <= finest) return corners.mean();
     const double half = side / 2;
     const auto at = [&](double x, double y) { return levelBetween(light, p + Vec2{x, y}); };
     const double top = at(half, 0);
@@ -128,10 +129,12 @@ class ClippedLight {
 
   /// Of a cell, with nothing where no light arrives.
   template <typename Lattice>
-  static CornerLevels litOnly(const CornerLevels& full, const Lattice& lattice, int i, int j) {
-    return {lattice.isLitAt(i, j) ? full.at00 : 0, lattice.isLitAt(i + 1, j) ? full.at10 : 0,
-            lattice.isLitAt(i, j + 1) ? full.at01 : 0,
-            lattice.isLitAt(i + 1, j + 1) ? full.at11 : 0};
+  static CornerLevels litOnly(const CornerLevels& unshadowed, const Lattice& lattice, int i,
+                              int j) {
+    return {lattice.isLitAt(i, j) ? unshadowed.at00 : 0,
+            lattice.isLitAt(i + 1, j) ? unshadowed.at10 : 0,
+            lattice.isLitAt(i, j + 1) ? unshadowed.at01 : 0,
+            lattice.isLitAt(i + 1, j + 1) ? unshadowed.at11 : 0};
   }
 
   template <typename LevelOf>
@@ -156,29 +159,33 @@ class ClippedLight {
     const auto isCornerLit = [&](int i, int j) { return seen[index(i, j)] > 0; };
     const LitLattice lattice(rect_.width, rect_.height, isLit, isCornerLit);
     if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return;
-    std::vector<double> full;
-    full.reserve(corners_.size());
-    for (const SamplePoint& at : corners_) full.push_back(surface_.unshadowedBrightness(light, at));
+    std::vector<double> unshadowed;
+    unshadowed.reserve(corners_.size());
+    for (const SamplePoint& at : corners_)
+      unshadowed.push_back(surface_.unshadowedBrightness(light, at));
     addTexels(light, sums, [&](int i, int j) {
       const int lit = lattice.litCorners(i, j);
       if (lit == 0) return 0.0;
-      const CornerLevels levels = levelsAt(full, i, j);
+      const CornerLevels levels = levelsAt(unshadowed, i, j);
       if (lit == 4) return levels.mean();
-      // Beyond an edge the nearest points of a surface can lie apart, and no line divides lit from
-      // dark.
+      // Samples beyond an edge are moved to the nearest points of the surface, which need not be
+      // neighbours. Then no line divides lit from dark.
       if (hasEdge(i, j))
-        return refinedLevel(light, texel(i, j), 1, 1.0 / kFinest, litOnly(levels, lattice, i, j));
+        return refinedLevel(light, texel(i, j), 1, 1.0 / kMaxCellsPerSide,
+                            litOnly(levels, lattice, i, j));
       return lattice.part(i, j).integral([&](Vec2 p) { return levels.at(p); });
     });
   }
 
-  /// What is seen of a ball changes gradually, so that its fraction too is interpolated.
+  /// What is seen of a ball changes gradually, so the fraction that is seen is interpolated as
+  /// well.
   void addSoft(std::size_t light, TexelSums& sums) {
     std::vector<double> levels = surface_.seenFractions(light, blocks_);
     for (std::size_t i = 0; i < levels.size(); ++i)
       levels[i] = brightnessAt(light, corners_[i], levels[i]);
     addTexels(light, sums, [&](int i, int j) {
-      return refinedLevel(light, texel(i, j), 1, 1.0 / kFinestSoft, levelsAt(levels, i, j));
+      return refinedLevel(light, texel(i, j), 1, 1.0 / kMaxCellsPerSideSoft,
+                          levelsAt(levels, i, j));
     });
   }
 

@@ -17,14 +17,15 @@ namespace {
 
 constexpr int kPointsPerSample = 32;
 
-/// Radii. Nearer to the centre of a ball than this, the directions in which it is seen fill too
-/// much of a half-space to be a disc.
-constexpr double kLeastDistance = 1.25;
+/// In radii of the ball. A point nearer to its centre than this sees the ball under too wide an
+/// angle for a disc, and uses points spread over the ball.
+constexpr double kMinDiscDistance = 1.25;
 
-/// The plane of a wall, through which nothing shines.
+/// The plane of a wall. Portals count, too: if light passes one, the points spread over the ball
+/// show it.
 Plane planeOf(const Segment& segment) {
   const Vec2 along = (1 / segment.length) * (segment.p1 - segment.p0);
-  return {{segment.p0.x, segment.p0.y, 0}, {-along.y, along.x, 0}};
+  return {{segment.p0.x, segment.p0.y, 0}, {turned90(along).x, turned90(along).y, 0}};
 }
 
 /// Of a flat at this height, or the slope on it.
@@ -62,11 +63,11 @@ Vec3 spreadPoint(int i) {
   return {coordinate(kSteps[0]), coordinate(kSteps[1]), coordinate(kSteps[2])};
 }
 
-/// The directions from a point in which it would see a ball, as a disc of radius 1. With D metres
-/// to the centre of the ball and R its radius, the disc's point p lies in the direction
-/// `w = forward + t (p.x right + p.y up)`, where `t = R / sqrt(D^2 - R^2)` is the tangent of half
-/// the angle that the ball fills; and the line along w is inside the ball from `(D - h) / |w|^2` to
-/// `(D + h) / |w|^2` lengths of w, where `h = R sqrt(1 - p^2)`.
+/// The directions from a point in which it would see a ball, as a disc of radius 1. Let D be the
+/// distance to the centre of the ball, R its radius, and T = R / sqrt(D^2 - R^2) the tangent of
+/// half the angle that the ball fills. The disc's point p lies in the direction `w = forward + T
+/// (p.x right + p.y up)`. The line along w is inside the ball from
+/// `(D - h) / |w|^2` to `(D + h) / |w|^2` lengths of w, where `h = R sqrt(1 - p^2)`.
 class BallDisc {
  public:
   /// Of the ball, what lies in front of all planes shines.
@@ -88,14 +89,14 @@ class BallDisc {
     double to;  ///< less than `from` where there is nothing
 
     double middle() const { return (from + to) / 2; }
-    /// Of the ball along the line, for each fraction of the disc's area; up to a factor. A unit of
-    /// solid angle has |w|^3 (to^3 - from^3) / 3 of it, a unit of the disc t^2 / |w|^3 of solid
+    /// Proportional to the ball's volume behind a unit of the disc's area: a unit of solid angle
+    /// contains |w|^3 (to^3 - from^3) / 3 of it, and a unit of the disc fills T^2 / |w|^3 of solid
     /// angle.
     double volume() const { return to > from ? to * to * to - from * from * from : 0; }
   };
 
   Chord wholeChord(DiscCells::Distance p) const {
-    const double half = radius_ * p.half;
+    const double half = radius_ * p.halfChord;
     const double perLength2 = 1 / (1 + tangent2_ * p.square);
     return {(distance_ - half) * perLength2, (distance_ + half) * perLength2};
   }
@@ -122,7 +123,7 @@ class BallDisc {
   double distance_;
   double radius_;
   Vec3 forward_;  ///< unit vector
-  Vec3 right_;    ///< t long, like `up_`
+  Vec3 right_;    ///< T long, like `up_`
   Vec3 up_;
   double tangent2_;
 };
@@ -137,6 +138,7 @@ Vec2 nearestOnDisc(Vec2 cells, int cellsAcross) {
 }  // namespace
 
 DiscCells::DiscCells(int across) {
+  if (across == 0) return;
   for (int j = 0; j <= across; ++j)
     for (int i = 0; i <= across; ++i)
       corners.push_back(nearestOnDisc({static_cast<double>(i), static_cast<double>(j)}, across));
@@ -167,7 +169,7 @@ DiscCells::Distances DiscCells::distancesOf(const std::vector<Vec2>& points) {
   for (const Vec2 point : points) {
     const auto found =
         std::ranges::lower_bound(distances.all, dot(point, point), {}, &Distance::square);
-    distances.ofPoints.push_back(static_cast<std::uint32_t>(found - distances.all.begin()));
+    distances.indexOfPoint.push_back(static_cast<std::uint32_t>(found - distances.all.begin()));
   }
   return distances;
 }
@@ -184,7 +186,7 @@ LightVisibility::LightVisibility(const Scene& scene, const LightSource& light, i
   if (radius_ == 0) return;
   SectorSet met;
   planes_ = planesInside(scene, scene[center_.sector], center_.position, radius_);
-  isCutByPlanes_ = true;
+  isCutByPlanesOnly_ = true;
   for (int i = 0; pointCount_ < kPointsPerSample * softSamples; ++i) {
     const Vec3 p = spreadPoint(i);
     if (dot(p, p) > 1) continue;
@@ -192,16 +194,16 @@ LightVisibility::LightVisibility(const Scene& scene, const LightSource& light, i
     const Vec3 position = center_.position + radius_ * p;
     const std::optional<SectorId> sector = raytracer_.sectorAt(center_, position, met);
     if (sector) points_.push_back({position, *sector});
-    isCutByPlanes_ &= isBeforePlanes(position) == (sector == center_.sector);
-    isCutByPlanes_ &= !sector || sector == center_.sector;
+    isCutByPlanesOnly_ &= isInFrontOfPlanes(position) == (sector == center_.sector);
+    isCutByPlanesOnly_ &= !sector || sector == center_.sector;
     if (sector && std::ranges::find(shaftLight_.sectors, *sector) == shaftLight_.sectors.end())
       shaftLight_.sectors.push_back(*sector);
   }
-  shaftLight_.isCutByWalls = isCutByPlanes_;
+  shaftLight_.isCutByWalls = isCutByPlanesOnly_;
   sectors_ = met.sorted();
 }
 
-bool LightVisibility::isBeforePlanes(Vec3 p) const {
+bool LightVisibility::isInFrontOfPlanes(Vec3 p) const {
   return std::ranges::all_of(planes_, [p](const Plane& plane) { return plane.inFront(p) > 0; });
 }
 
@@ -234,8 +236,9 @@ double LightVisibility::seenFractionBy(const LightTarget& target, Sees&& sees) c
   const auto seesInFront = [&](const Raytracer::Source& source) {
     return target.plane.inFront(source.position) > kInPlane && sees(source);
   };
-  const bool isNear = length(center_.position - target.point) < kLeastDistance * radius_;
-  return isNear || !isCutByPlanes_ ? seenOfPoints(seesInFront) : seenOfDisc(target, seesInFront);
+  const bool isNear = length(center_.position - target.point) < kMinDiscDistance * radius_;
+  return isNear || !isCutByPlanesOnly_ ? seenOfPoints(seesInFront)
+                                       : seenOfDisc(target, seesInFront);
 }
 
 template <typename Sees>
@@ -258,9 +261,11 @@ double LightVisibility::seenOfDisc(const LightTarget& target, Sees&& sees) const
   cornerChords.reserve(discCells_.cornerDistances.all.size());
   for (const DiscCells::Distance distance : discCells_.cornerDistances.all)
     cornerChords.push_back(disc.wholeChord(distance));
+  // The lattice asks for corners, and cells are integrated, in the order in which DiscCells lists
+  // them.
   std::size_t corner = 0;
   const LitLattice lattice(cells_, cells_, isLit, [&](int, int) {
-    const std::uint32_t distance = discCells_.cornerDistances.ofPoints[corner];
+    const std::uint32_t distance = discCells_.cornerDistances.indexOfPoint[corner];
     return seesAt(discCells_.corners[corner++], cornerChords[distance]);
   });
   if (lattice.isUniform() && !lattice.isLitAt(0, 0)) return 0;
@@ -269,7 +274,7 @@ double LightVisibility::seenOfDisc(const LightTarget& target, Sees&& sees) const
   volumes.reserve(discCells_.insideDistances.all.size());
   for (const DiscCells::Distance distance : discCells_.insideDistances.all)
     volumes.push_back(disc.wholeChord(distance).volume());
-  auto distance = discCells_.insideDistances.ofPoints.begin();
+  auto distance = discCells_.insideDistances.indexOfPoint.begin();
   double seen = 0;
   double whole = 0;
   for (int j = 0; j < cells_; ++j)
@@ -289,14 +294,14 @@ double LightVisibility::seenOfDisc(const LightTarget& target, Sees&& sees) const
 }
 
 struct LightVisibility::Beams {
-  Beams(const Scene& in, double asFarAs, std::size_t bytes)
-      : scene(in), reach(asFarAs), maxBytes(bytes) {}
+  Beams(const Scene& inScene, double upToReach, std::size_t inBytes)
+      : scene(inScene), reach(upToReach), maxBytes(inBytes) {}
 
   Scene scene;
   double reach;
   std::size_t maxBytes;
-  std::atomic_flag isBegun;
-  std::once_flag isFound;
+  std::atomic_flag hasBegun;
+  std::once_flag once;
   std::optional<BeamTree> found;
 };
 
@@ -309,15 +314,15 @@ void LightVisibility::useBeams(const Scene& scene, double reach, std::size_t max
 
 const BeamTree* LightVisibility::beams() const {
   if (!beams_) return nullptr;
-  std::call_once(beams_->isFound, [this] {
-    beams_->isBegun.test_and_set();
+  std::call_once(beams_->once, [this] {
+    beams_->hasBegun.test_and_set();
     beams_->found.emplace(beams_->scene, center_, beams_->reach, beams_->maxBytes);
   });
   return &*beams_->found;
 }
 
 void LightVisibility::prefetchBeams() const {
-  if (beams_ && !beams_->isBegun.test_and_set()) beams();
+  if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
 LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings) {
@@ -328,6 +333,7 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
     fine.emplace_back(scene, light, settings.softSamples, settings.solidMaskedMiddles);
     rough.emplace_back(scene, light, (settings.softSamples + 3) / 4, settings.solidMaskedMiddles);
     reach.push_back(light.reach(settings.cutOff));
+    // Targets may lie outside the light's reach by what authors' files are inexact.
     fine.back().useBeams(scene, reach.back() + kAuthorNoise,
                          kMaxBytesOfBeams / scene.level().lights.size());
   }

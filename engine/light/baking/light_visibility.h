@@ -19,22 +19,22 @@ struct LightTarget {
   Plane plane;      ///< the surface's, its normal into the air
 };
 
-/// Points of a disc of radius 1 that many samples use. Many of the points are equally far from its
-/// centre, so values that depend only on this distance are computed once.
+/// A grid of cells over a disc of radius 1, shared by all samples of a light. Many of its points
+/// are equally far from the centre, so values that depend only on this distance are computed once.
 struct DiscCells {
   explicit DiscCells(int across);
 
   /// How far a line through the disc is from its centre, p.
   struct Distance {
-    double square;  ///< p^2
-    double half;    ///< sqrt(1 - p^2): half of the chord in a ball of radius 1
+    double square;     ///< p^2
+    double halfChord;  ///< sqrt(1 - p^2), in a ball of radius 1
   };
   static Distance distanceOf(Vec2 point);
 
   /// The distances of a list of points, each once.
   struct Distances {
     std::vector<Distance> all;
-    std::vector<std::uint32_t> ofPoints;  ///< indices of `all`
+    std::vector<std::uint32_t> indexOfPoint;  ///< into `all`
   };
   static Distances distancesOf(const std::vector<Vec2>& points);
 
@@ -49,10 +49,10 @@ struct DiscCells {
 /// does not see does not shine.
 class LightVisibility {
  public:
-  /// `softSamples`, a square number, is for balls: the disc that a point sees of a ball is divided
-  /// into so many cells, and straight edges of shadows cut the cells exactly. If more than planes
-  /// cut a ball, or the point is too near, 32 times as many points are spread over the ball
-  /// instead. With 0 a ball is a point. `solidMaskedMiddles`: see BakeSettings.
+  /// `softSamples` is for balls: the disc that a point sees of a ball is divided into about so many
+  /// cells, as many across as down, and straight edges of shadows cut the cells exactly. If the
+  /// ball is cut by more than planes, or the point is too near, 32 times as many points are spread
+  /// over the ball instead. With 0 a ball is a point. `solidMaskedMiddles`: see BakeSettings.
   LightVisibility(const Scene& scene, const LightSource& light, int softSamples,
                   bool solidMaskedMiddles = false);
   ~LightVisibility();
@@ -71,7 +71,7 @@ class LightVisibility {
   /// None unless useBeams() was called. Any thread may call it.
   const BeamTree* beams() const;
   /// Finds the beam tree now, if it is used and no thread has begun to find it. So threads that
-  /// need the same trees find different ones at first, instead of waiting for one another.
+  /// need the same trees begin with different ones, instead of waiting for one another.
   void prefetchBeams() const;
   /// The sectors that decide which part of the light shines: that of its centre, and all that lines
   /// from there to its other points enter.
@@ -80,7 +80,7 @@ class LightVisibility {
  private:
   template <typename Sees>
   double seenFractionBy(const LightTarget& target, Sees&& sees) const;
-  bool isBeforePlanes(Vec3 p) const;
+  bool isInFrontOfPlanes(Vec3 p) const;
   template <typename Sees>
   double seenOfDisc(const LightTarget& target, Sees&& sees) const;
   template <typename Sees>
@@ -96,8 +96,8 @@ class LightVisibility {
   /// includes them.
   std::vector<Raytracer::Source> points_;
   int pointCount_ = 0;
-  /// Whether exactly the part of the ball in front of all planes shines.
-  bool isCutByPlanes_ = false;
+  /// Whether a ball shines exactly where it is in front of all planes.
+  bool isCutByPlanesOnly_ = false;
   ShaftLight shaftLight_;
   struct Beams;
   std::unique_ptr<Beams> beams_;
@@ -109,7 +109,7 @@ struct LightVisibilities {
   LightVisibilities(const Scene& scene, const BakeSettings& settings);
 
   std::vector<LightVisibility> fine;
-  /// With a quarter of the samples to a ball, for points whose mean is taken.
+  /// With a quarter of the samples to a ball, for points that are averaged into one texel.
   std::vector<LightVisibility> rough;
   /// Metres beyond which a light is left out, see LightSource::reach.
   std::vector<double> reach;

@@ -65,9 +65,9 @@ std::uint32_t findStraddled(const CornerOffsets& corners, const BeamBounds& boun
     bool isAnyNear = false;
     bool areAllInFront = true;
     for (std::size_t k = 0; k < corners.count; k += hn::Lanes(d)) {
-      const Directions<Tag> directions = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
-                                          hn::LoadU(d, corners.z + k)};
-      const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
+      const Offsets<Tag> offsets = {hn::LoadU(d, corners.x + k), hn::LoadU(d, corners.y + k),
+                                    hn::LoadU(d, corners.z + k)};
+      const auto inFront = hn::Sub(dotOf(d, offsets, bound.normal), hn::Set(d, bound.offset));
       isAnyNear |= !hn::AllFalse(d, hn::Ge(inFront, hn::Set(d, -slack)));
       areAllInFront &= hn::AllTrue(d, hn::Gt(inFront, hn::Set(d, slack)));
     }
@@ -80,7 +80,7 @@ std::uint32_t findStraddled(const CornerOffsets& corners, const BeamBounds& boun
 void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
               std::span<const StraddledBounds> beams, const BoundingPlane* bounds, double* seen) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto directions = directionsTo(d, samples, k, light);
+    const auto offsets = offsetsFrom(d, light, samples, k);
     auto areLit = hn::FirstN(d, 0);
     auto areUnknown = areLit;
     const BoundingPlane* next = bounds;
@@ -88,7 +88,7 @@ void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
       auto areInside = hn::FirstN(d, beam.isDoubtful ? 0 : hn::Lanes(d));
       auto areNear = hn::FirstN(d, hn::Lanes(d));
       for (const BoundingPlane& bound : std::span(next, beam.count)) {
-        const auto inFront = hn::Sub(dotOf(d, directions, bound.normal), hn::Set(d, bound.offset));
+        const auto inFront = hn::Sub(dotOf(d, offsets, bound.normal), hn::Set(d, bound.offset));
         areInside = hn::And(areInside, hn::Gt(inFront, hn::Set(d, bound.slack)));
         areNear = hn::And(areNear, hn::Ge(inFront, hn::Set(d, -bound.slack)));
         if (hn::AllFalse(d, areNear)) break;

@@ -31,25 +31,25 @@ HWY_INLINE void forEachLanes(std::size_t count, Visit&& visit) {
 }
 
 template <typename D>
-struct Directions {
+struct Offsets {
   hn::Vec<D> x;
   hn::Vec<D> y;
   hn::Vec<D> z;
 };
 
+/// Vectors from a light to samples.
 template <typename D>
-HWY_INLINE Directions<D> directionsTo(D d, const SampleArrays& samples, std::size_t k, Vec3 light) {
+HWY_INLINE Offsets<D> offsetsFrom(D d, Vec3 light, const SampleArrays& samples, std::size_t k) {
   return {hn::Sub(hn::LoadU(d, samples.x + k), hn::Set(d, light.x)),
           hn::Sub(hn::LoadU(d, samples.y + k), hn::Set(d, light.y)),
           hn::Sub(hn::LoadU(d, samples.z + k), hn::Set(d, light.z))};
 }
 
-/// As dot() of vec.h has it.
+/// The same sum as dot() in math/vec.h.
 template <typename D>
-HWY_INLINE hn::Vec<D> dotOf(D d, const Directions<D>& direction, Vec3 v) {
-  return hn::Add(
-      hn::Add(hn::Mul(direction.x, hn::Set(d, v.x)), hn::Mul(direction.y, hn::Set(d, v.y))),
-      hn::Mul(direction.z, hn::Set(d, v.z)));
+HWY_INLINE hn::Vec<D> dotOf(D d, const Offsets<D>& offset, Vec3 v) {
+  return hn::Add(hn::Add(hn::Mul(offset.x, hn::Set(d, v.x)), hn::Mul(offset.y, hn::Set(d, v.y))),
+                 hn::Mul(offset.z, hn::Set(d, v.z)));
 }
 
 }  // namespace hearth::HWY_NAMESPACE

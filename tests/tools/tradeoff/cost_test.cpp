@@ -72,9 +72,9 @@ std::vector<Measured> measuredBy(Clock clock) {
   TrialBench bench;
   bench.frameSize = {24, 15};
   bench.clock = std::move(clock);
-  bench.done = [](std::size_t) {};
-  return measureTrials(level, {base, drawn, baked}, truthOf(level, bench.frameSize, 1, bench.done),
-                       bench);
+  bench.onProgress = [](std::size_t) {};
+  return measureTrials(level, {base, drawn, baked},
+                       truthOf(level, bench.frameSize, 1, bench.onProgress), bench);
 }
 
 TEST(Trials, costWhatTheyDoWhileTheMachineGetsSlower) {

@@ -23,8 +23,8 @@ std::vector<Measured> measureAll(const LoadedLevel& level, std::vector<Trial> tr
   bench.threads = 2;
   bench.repeats = 1;
   bench.clock = [now = 0.0]() mutable { return ++now; };
-  bench.done = [](std::size_t) {};
-  return measureTrials(level, std::move(trials), truthOf(level, kSize, 2, bench.done), bench);
+  bench.onProgress = [](std::size_t) {};
+  return measureTrials(level, std::move(trials), truthOf(level, kSize, 2, bench.onProgress), bench);
 }
 
 /// All qualities, measured on a shipped level: with twice its texels' side, in a quarter of the

@@ -55,7 +55,7 @@ class LiveWalk : public testing::Test {
     const Player& player = *loaded->level.player;
     session_ = std::make_unique<WalkSession>(
         loaded->scene(), walkerAt(loaded->scene(), player.sector, player.eye, player.angle, 0),
-        WalkSession::Memory::None);
+        WalkSession::Record::No);
     screenshots_ = std::make_unique<ScreenshotFiles>(folder_, "live");
     const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
     loop_ = std::make_unique<WalkLoop>(loaded->scene(), (*lit)->renderer, *session_,

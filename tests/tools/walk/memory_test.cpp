@@ -12,7 +12,7 @@ INSTANTIATE_TEST_SUITE_P(OfThreads, WalkMemory, testing::Values(1, 2));
 TEST_P(WalkMemory, ASecondAt1920x1080TakesNone) {
   const test::Place tutorial("levels/tutorial.json");
   Workers workers(GetParam());
-  test::StagedWalk walk({.size = ImageSize{1920, 1080}}, tutorial, WalkSession::Memory::None,
+  test::StagedWalk walk({.size = ImageSize{1920, 1080}}, tutorial, WalkSession::Record::No,
                         &workers);
   walk.stage.title.reserve(100);
   walk.now(test::down(Key::Tab));  // the map is drawn, too

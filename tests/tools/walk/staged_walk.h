@@ -32,13 +32,13 @@ inline const Place& rooms() {
 class StagedWalk {
  public:
   explicit StagedWalk(const WalkSettings& settings = {}, const Place& place = rooms(),
-                      WalkSession::Memory memory = WalkSession::Memory::Inputs,
+                      WalkSession::Record record = WalkSession::Record::Yes,
                       Workers* workers = nullptr)
       : place_(place),
         renderer_(place.loaded.scene(), place.loaded.textures, place.light),
         start_(walkerAt(scene(), level().player->sector, level().player->eye, level().player->angle,
                         0)),
-        session_(scene(), start_, memory),
+        session_(scene(), start_, record),
         screenshots_(testing::TempDir(), "walk"),
         settings_(settings),
         loop_(scene(), renderer_, session_, {stage, disk_, screenshots_, workers}, settings) {

@@ -17,7 +17,7 @@ void walkOff(test::StagedWalk& walk) {
 }
 
 TEST(WalkBookmarks, AKeyKeepsAPlaceAndAnotherGoesThereByTurns) {
-  test::StagedWalk walk({}, test::rooms(), WalkSession::Memory::None);
+  test::StagedWalk walk({}, test::rooms(), WalkSession::Record::No);
   const Vec3 first = walk.walker().feet;
   walk.now(down(Key::B));
   walkOff(walk);
@@ -40,7 +40,7 @@ TEST(WalkBookmarks, ARecordedWalkHasNoJumps) {
 }
 
 TEST(WalkBookmarks, ThereMayBeNone) {
-  test::StagedWalk walk({}, test::rooms(), WalkSession::Memory::None);
+  test::StagedWalk walk({}, test::rooms(), WalkSession::Record::No);
   const Walker before = walk.walker();
   walk.now(down(Key::G));
   EXPECT_EQ(walk.walker(), before);

@@ -173,7 +173,7 @@ std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial
     bakes.push_back(settings);
     std::vector<Measured*> same = withBake(measured, settings);
     measurement.measure(same);
-    bench.done(count += same.size());
+    bench.onProgress(count += same.size());
   }
   measurement.giveSeconds(measured);
   return measured;

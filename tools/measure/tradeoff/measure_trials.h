@@ -15,11 +15,11 @@ namespace hearth {
 /// error.
 struct Measured {
   Trial trial;
-  // Medians of ratios to the first trial, the base, each within a moment; of the base 1. A frame's
-  // are of the level's shots, on one thread.
+  // Times as multiples of the base trial's, the first: medians over pairs that are measured back to
+  // back. Frames are of all shots of the level, on one thread.
   double bakeCost = 1;
   double frameCost = 1;
-  // The same times what the base took in the whole run, as a median.
+  // These multiplied by the median time of the base over the whole run.
   double bakeSeconds = 0;
   double frameMilliseconds = 0;
   std::int64_t texels = 0;
@@ -31,16 +31,16 @@ struct Measured {
 
 /// How trials are measured.
 struct TrialBench {
-  ImageSize frameSize{640, 400};          ///< that is timed
-  int threads = 1;                        ///< of bakes
-  int repeats = 3;                        ///< of bakes, and of frames of each shot
-  Clock clock;                            ///< never stands still
-  std::function<void(std::size_t)> done;  ///< called with the number of trials that are measured
+  ImageSize frameSize{640, 400};                ///< that is timed
+  int threads = 1;                              ///< of bakes
+  int repeats = 3;                              ///< of bakes, and of frames of each shot
+  Clock clock;                                  ///< must advance between two calls
+  std::function<void(std::size_t)> onProgress;  ///< called with the number of measured trials
 };
 
-/// Measures each trial in turn with the first, the base, because a machine under load gets slower.
-/// Trials with the same bake share its measurement. `truth` is of the level's shots; none may
-/// be empty.
+/// Measures each trial in turn with the first, the base, so that a machine that slows down slows
+/// both alike. Trials with the same bake share its measurement. Neither `trials` nor `truth`, one
+/// for each shot of the level, may be empty; `bench` needs all its functions.
 std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
                                     std::span<const TruthPicture> truth, const TrialBench& bench);
 

@@ -11,7 +11,7 @@ Workers* workersFor(ImageSize picture, Workers* workers) {
   return std::int64_t{picture.width} * picture.height < kFewPixels ? nullptr : workers;
 }
 
-void FramePainter::goOnIn(const Scene& scene, const Renderer& renderer) {
+void FramePainter::continueIn(const Scene& scene, const Renderer& renderer) {
   scene_ = scene;
   renderer_ = &renderer;
   seen_ = SeenSectors(scene.level(), seen_);

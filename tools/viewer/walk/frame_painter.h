@@ -22,7 +22,7 @@ class FramePainter {
       : scene_(scene), renderer_(&renderer), workers_(workers), seen_(scene.level()) {}
 
   /// From now on draws another version of the level.
-  void goOnIn(const Scene& scene, const Renderer& renderer);
+  void continueIn(const Scene& scene, const Renderer& renderer);
 
   const Renderer& renderer() const { return *renderer_; }
 

@@ -20,7 +20,7 @@ class WalkBookmarks {
 
   /// From now on there are no jumps: a recording with jumps would end elsewhere.
   void forbidJumps() { mayJump_ = false; }
-  bool canJump() const { return mayJump_ && !session_.isKept(); }
+  bool canJump() const { return mayJump_ && !session_.isRecording(); }
 
   std::string add(const Scene& scene, const std::string& name);
   std::string addHere(const Scene& scene) { return add(scene, settings_.bookmarks.freeName()); }

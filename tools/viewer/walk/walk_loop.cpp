@@ -47,11 +47,11 @@ WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& se
   controls_.setPreferences(settings.preferences);
 }
 
-void WalkLoop::goOnIn(const Scene& scene, const Renderer& renderer,
-                      std::shared_ptr<const LevelSource> source) {
+void WalkLoop::continueIn(const Scene& scene, const Renderer& renderer,
+                          std::shared_ptr<const LevelSource> source) {
   scene_ = scene;
   source_ = std::move(source);
-  screen_.goOnIn(scene, renderer);
+  screen_.continueIn(scene, renderer);
   panel_.forget();
 }
 

@@ -43,8 +43,8 @@ class WalkLoop {
   bool isReplayOver() const { return replay_ && replay_->empty(); }
 
   /// Goes on in another version of the level, where the session already is.
-  void goOnIn(const Scene& scene, const Renderer& renderer,
-              std::shared_ptr<const LevelSource> source);
+  void continueIn(const Scene& scene, const Renderer& renderer,
+                  std::shared_ptr<const LevelSource> source);
 
   /// The options that were chosen since the last call, if any. The caller applies them.
   std::optional<OptionValues> takeChoice();

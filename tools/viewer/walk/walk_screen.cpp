@@ -28,9 +28,9 @@ WalkScreen::WalkScreen(const Scene& scene, const Renderer& renderer, const WalkS
   window_.setTitle(scene.level().name);
 }
 
-void WalkScreen::goOnIn(const Scene& scene, const Renderer& renderer) {
+void WalkScreen::continueIn(const Scene& scene, const Renderer& renderer) {
   scene_ = scene;
-  painter_.goOnIn(scene, renderer);
+  painter_.continueIn(scene, renderer);
   redraw();
 }
 

@@ -23,7 +23,7 @@ class WalkScreen {
              const WalkHost& host);
 
   /// Goes on in another version of the level.
-  void goOnIn(const Scene& scene, const Renderer& renderer);
+  void continueIn(const Scene& scene, const Renderer& renderer);
 
   const Renderer& renderer() const { return painter_.renderer(); }
 

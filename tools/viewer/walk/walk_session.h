@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "math/check.h"
 #include "walk/bob.h"
 #include "walk/recording.h"
 #include "walk/walker.h"
@@ -11,53 +12,56 @@
 namespace hearth {
 
 /// A running walk. It holds the last two states of the walker, between which the view is
-/// interpolated, and all inputs if it keeps them.
+/// interpolated, and all inputs if it records them.
 class WalkSession {
  public:
-  enum class Memory { None, Inputs };
+  enum class Record { No, Yes };
 
-  WalkSession(const Scene& scene, const Walker& start, Memory memory)
-      : scene_(scene), memory_(memory), before_(start), after_(start) {}
+  WalkSession(const Scene& scene, const Walker& start, Record record)
+      : scene_(scene), isRecording_(record == Record::Yes), previous_(start), current_(start) {}
 
   void tick(const WalkInput& input) {
-    before_ = after_;
-    gaitBefore_ = gait_;
-    after_ = walked(scene_, after_, input);
-    gait_ = walkedOn(gait_, before_, after_);
-    if (memory_ == Memory::Inputs) inputs_.push_back(input);
+    CHECK(!isFull(), inputs_.size());
+    previous_ = current_;
+    previousGait_ = currentGait_;
+    current_ = walked(scene_, current_, input);
+    currentGait_ = walkedOn(currentGait_, previous_, current_);
+    if (isRecording_) inputs_.push_back(input);
   }
 
-  /// Goes on in another scene from where `walker` stands in it.
-  void goOnIn(const Scene& scene, const Walker& walker) {
+  /// Goes on in another scene from where `walker` stands in it. Not while recording: the recording
+  /// would not lead there.
+  void continueIn(const Scene& scene, const Walker& walker) {
+    CHECK(!isRecording_, inputs_.size());
     scene_ = scene;
-    before_ = after_ = walker;
-    gaitBefore_ = gait_ = {};
+    previous_ = current_ = walker;
+    previousGait_ = currentGait_ = {};
   }
 
-  bool isKept() const { return memory_ == Memory::Inputs; }
-  /// Whether no more inputs can be kept.
+  bool isRecording() const { return isRecording_; }
+  /// Whether the recording is as long as it may be.
   bool isFull() const { return inputs_.size() >= kMaxRecordedTicks; }
 
-  const Walker& walker() const { return after_; }
-  /// The eye `fraction` of a tick after the tick before the last. So the view lags by a tick at
-  /// most, and moves evenly at any frame rate.
-  Eye eye(double fraction) const { return eyeBetween(scene_, before_, after_, fraction); }
+  const Walker& walker() const { return current_; }
+  /// The eye between the previous tick (0) and the latest (1). So the view is at most a tick late,
+  /// and moves evenly at any frame rate.
+  Eye eye(double fraction) const { return eyeBetween(scene_, previous_, current_, fraction); }
   /// The same, with a head bob of this strength (0..1).
   Eye eye(double fraction, double bob) const {
     if (bob == 0) return eye(fraction);
-    const Gait gait{std::lerp(gaitBefore_.stride, gait_.stride, fraction),
-                    std::lerp(gaitBefore_.swing, gait_.swing, fraction)};
+    const Gait gait{std::lerp(previousGait_.stride, currentGait_.stride, fraction),
+                    std::lerp(previousGait_.swing, currentGait_.swing, fraction)};
     return bobbed(scene_, eye(fraction), gait, bob);
   }
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 
  private:
   Scene scene_;
-  Memory memory_;
-  Walker before_;
-  Walker after_;
-  Gait gaitBefore_;
-  Gait gait_;
+  bool isRecording_;
+  Walker previous_;
+  Walker current_;
+  Gait previousGait_;
+  Gait currentGait_;
   std::vector<WalkInput> inputs_;
 };
 
