@@ -125,7 +125,7 @@ class JumpFinder {
         imageAt(mappingOf(left), placementLeft, before.sBefore + before.length, image);
     const ImageEnd start =
         imageAt(mappingOf(right), placementRight, segmentOf(right).sBefore, image);
-    // Two heights that were both placementText down are meant: beams and ribs have stones of their
+    // Two heights that were both written down are meant: beams and ribs have stones of their
     // own.
     const bool areMeant = placementLeft.hasZRef && placementRight.hasZRef;
     return {start.u - end.u, areMeant ? 0 : start.v - end.v};
