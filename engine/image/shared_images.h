@@ -23,7 +23,7 @@ class SharedImages {
   auto end() const { return images_->end(); }
 
   /// Whether both are copies of the same images.
-  bool shareWith(const SharedImages& other) const { return images_ == other.images_; }
+  bool sharesWith(const SharedImages& other) const { return images_ == other.images_; }
 
  private:
   std::shared_ptr<const std::vector<Image>> images_;

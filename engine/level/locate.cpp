@@ -168,8 +168,7 @@ Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p) {
 }
 
 SectorId sectorAcross(const Level& level, const FlatPortal& flatPortal, FlatPortalSide to, Vec2 p) {
-  const std::vector<SectorId>& members =
-      to == FlatPortalSide::Upper ? flatPortal.upper : flatPortal.lower;
+  const std::vector<SectorId>& members = flatPortal.members(to);
   CHECK(!members.empty(), flatPortal.name);
   SectorId best = members.front();
   double distance = std::numeric_limits<double>::infinity();

@@ -20,8 +20,6 @@ Vec3 nudgedInside(const Scene& scene, const Sector& sector, Vec3 p);
 /// The same, with the flats at their authored heights.
 Vec3 nudgedInside(const Level& level, const Sector& sector, Vec3 p);
 
-enum class FlatPortalSide { Upper, Lower };
-
 /// The sector on side `to` of a flat portal that contains `p`. On a common border of several, it is
 /// the first of them. If rounding leaves `p` in none, it is the nearest.
 SectorId sectorAcross(const Level& level, const FlatPortal& flatPortal, FlatPortalSide to, Vec2 p);

@@ -62,11 +62,17 @@ struct Sector {
 };
 
 /// Flats at one height that open to each other: flat portals.
+enum class FlatPortalSide { Upper, Lower };
+
 struct FlatPortal {
   std::string name;
   double z = 0;
   std::vector<SectorId> upper;  ///< sectors whose floor it is
   std::vector<SectorId> lower;  ///< sectors whose ceiling it is
+
+  const std::vector<SectorId>& members(FlatPortalSide side) const {
+    return side == FlatPortalSide::Upper ? upper : lower;
+  }
 };
 
 }  // namespace hearth

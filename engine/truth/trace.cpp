@@ -136,7 +136,7 @@ bool holds(const Level& level, const Ray& ray, SectorId sector, Vec2 place) {
 /// The sector on the other side of a flat portal.
 SectorId sectorAcross(const Level& level, const Ray& ray, const FlatPortal& flatPortal,
                       FlatPortalSide to, Vec2 place) {
-  for (const SectorId member : to == FlatPortalSide::Upper ? flatPortal.upper : flatPortal.lower)
+  for (const SectorId member : flatPortal.members(to))
     if (holds(level, ray, member, place)) return member;
   // Vertical rays, and gaps between sectors that the author's tolerance allows.
   return sectorAcross(level, flatPortal, to, place);

@@ -86,7 +86,7 @@ class Contacts {
   void clear() { count_ = 0; }
   void add(Vec2 normal) { normals_[count_++] = normal; }
 
-  /// The part of `wanted` that runs against none of them: all of it, or along one, or nothing.
+  /// The part of `wanted` along one of them that runs against no other, or nothing.
   Vec2 allowed(Vec2 wanted, double tolerance) const {
     for (std::size_t i = count_; i-- > 0;) {
       const Vec2 along = wanted - dot(wanted, normals_[i]) * normals_[i];

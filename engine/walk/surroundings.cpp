@@ -32,8 +32,8 @@ PlaneAt planeAt(double zFlat, const std::optional<Slope>& slope, Vec2 p) {
 
 }  // namespace
 
-Surroundings::Surroundings(const Scene& scene, SectorId from, const SweepQuery& reach)
-    : scene_(scene), query_(reach), sweptRadius_(reach.radius + reach.travel) {
+Surroundings::Surroundings(const Scene& scene, SectorId from, const SweepQuery& query)
+    : scene_(scene), query_(query), sweptRadius_(query.radius + query.travel) {
   add(from);
   for (std::size_t i = 0; i < sectors_.size(); ++i) visitSector(scene_[sectors_[i]]);
 }
@@ -179,7 +179,7 @@ void Surroundings::addFlats(const Sector& sector) {
 
 void Surroundings::followFlat(FlatPortalId id, FlatPortalSide to) {
   const FlatPortal& flatPortal = scene_[id];
-  for (const SectorId member : to == FlatPortalSide::Upper ? flatPortal.upper : flatPortal.lower)
+  for (const SectorId member : flatPortal.members(to))
     if (touches(scene_[member])) add(member);
   // The body's axis may miss its own column by the slack of positions, and a body with less breadth
   // then touches none of them.

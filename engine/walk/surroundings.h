@@ -37,7 +37,7 @@ struct SweepQuery {
 /// wall stops only a body in front of it.
 class Surroundings {
  public:
-  Surroundings(const Scene& scene, SectorId from, const SweepQuery& reach);
+  Surroundings(const Scene& scene, SectorId from, const SweepQuery& query);
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
 

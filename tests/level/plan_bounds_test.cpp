@@ -23,5 +23,14 @@ TEST(PlanBounds, HoldAllOfAHallThatIsNotMuchLargerThanWhatStandsInIt) {
   EXPECT_EQ(planBounds(hallAndCloset(10).level), (Box{{0, 0}, {41, 30}}));
 }
 
+/// A camera may stand far out on a lake, which is itself too large to be shown.
+TEST(PlanBounds, HoldAllLightsAndNoLakeUpToTheHorizon) {
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':0,'sectors':{" + test::sectorText("hut", "0,0, 8,0, 8,8, 0,8", 0, 4) + "," +
+          test::sectorText("lake", "10,-900, 990,-900, 990,900, 10,900", 0, 4) + "}}",
+      "[{'x':4,'y':4,'z':3},{'x':24,'y':4,'z':3}]");
+  EXPECT_EQ(planBounds(loaded.level), (Box{{0, 0}, {24, 8}}));
+}
+
 }  // namespace
 }  // namespace hearth

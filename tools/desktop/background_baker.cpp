@@ -245,7 +245,7 @@ std::shared_ptr<const LitLevel> BackgroundBaker::show(BakedLight light, bool isD
 
 /// An edit of lights leaves them as they are.
 const DrawnTextures& BackgroundBaker::texturesFor(TextureFilter filter) {
-  if (!textures_ || filter != filter_ || !images_.shareWith(current_->textures)) {
+  if (!textures_ || filter != filter_ || !images_.sharesWith(current_->textures)) {
     textures_ = drawnTextures(current_->textures, filter);
     images_ = current_->textures;
     filter_ = filter;

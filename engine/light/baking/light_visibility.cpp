@@ -294,8 +294,8 @@ double LightVisibility::seenOfDisc(const LightTarget& target, Sees&& sees) const
 }
 
 struct LightVisibility::Beams {
-  Beams(const Scene& inScene, double upToReach, std::size_t inBytes)
-      : scene(inScene), reach(upToReach), maxBytes(inBytes) {}
+  Beams(const Scene& where, double farthest, std::size_t limit)
+      : scene(where), reach(farthest), maxBytes(limit) {}
 
   Scene scene;
   double reach;

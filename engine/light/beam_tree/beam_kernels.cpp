@@ -1,7 +1,6 @@
 // Compiled once for each instruction set: foreach_target.h includes this file again and again, with
 // HWY_NAMESPACE as another name each time. No result depends on the set: every lane is a beam or a
-// sample of its own, and
-// multiplications and additions are never fused.
+// sample of its own, and multiplications and additions are never fused.
 
 #include "light/beam_tree/beam_kernels.h"
 

@@ -45,7 +45,7 @@ TEST_F(LiveWalk, SharesItsTexturesWithTheLevelBeforeWhereOnlyLightsWereSaved) {
   lights[0]["intensity"] = 40;
   write(lightsFile(), lights.dump());
   ASSERT_TRUE(isTold("rooms.lights.json: shown"));
-  EXPECT_TRUE(live_->shown()->loaded->textures.shareWith(before->loaded->textures));
+  EXPECT_TRUE(live_->shown()->loaded->textures.sharesWith(before->loaded->textures));
   EXPECT_EQ(live_->shown()->renderer.textures(), before->renderer.textures());
 }
 
