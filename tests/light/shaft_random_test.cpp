@@ -1,4 +1,4 @@
-// Whether bakes with shafts are those of rays, in hundreds of random levels.
+// Whether bakes with shafts are those of rays, in a hundred random levels.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace hearth {
 namespace {
 
-TEST(Shafts, giveTheBytesOfRaysInManyRandomLevels) { test::expectSameRandomBakes(1000, 1400); }
+TEST(Shafts, giveTheBytesOfRaysInManyRandomLevels) { test::expectSameRandomBakes(1000, 1100); }
 
 /// A slope there comes through a flat portal by micrometres, or a surface ends in a vertex.
 TEST(Shafts, giveTheBytesOfRaysWhereLittleIsLeftOfAPortalOrASurface) {
