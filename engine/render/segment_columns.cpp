@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/round_up.h"
+
 namespace hearth {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr double kClearly = 1e-12;
 
 /// The first column whose centre is not left of x.
 int firstColumnAt(double x, int width) {
-  return static_cast<int>(std::ceil(std::clamp(x - 0.5, 0.0, static_cast<double>(width))));
+  return roundedUp(std::clamp(x - 0.5, 0.0, static_cast<double>(width)));
 }
 
 /// The first column of what begins, or the one behind what ends, at a point before the eye.

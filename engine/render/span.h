@@ -9,6 +9,10 @@ namespace hearth {
 
 /// Rows [rowBegin, rowEnd) of one column that show one surface.
 struct Span {
+  /// With it a list makes spans where they stay. A copy would wait until its parts are in memory.
+  Span(int atColumn, int begin, int end, SurfaceId shown, double atDepth)
+      : column(atColumn), rowBegin(begin), rowEnd(end), surface(shown), depth(atDepth) {}
+
   int column;
   int rowBegin;
   int rowEnd;

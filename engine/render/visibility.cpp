@@ -1,7 +1,6 @@
 #include "render/visibility.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "level/openings.h"
 #include "math/check.h"
 #include "math/predicates.h"
+#include "math/round_up.h"
 #include "math/tolerance.h"
 #include "render/segment_columns.h"
 
@@ -49,6 +49,9 @@ class Visibility {
     found_.spans.clear();
     found_.stats = {};
     scratch_.maskedMiddles.clear();
+    scratch_.slants.clear();
+    for (int column = columns_.begin; column < columns_.end; ++column)
+      scratch_.slants.push_back(projection_.slantOf(column + 0.5));
     Viewport first{camera_.sector, std::nullopt, noWindows()};
     for (int column = columns_.begin; column < columns_.end; ++column)
       first.windows.push_back({column, 0, camera_.height, 0});
@@ -96,12 +99,19 @@ class Visibility {
     const std::vector<Window>& windows = viewport.windows;
     const std::optional<SegmentId> entry = viewport.entry;
     meetSegments(viewport.sector, entry, windows, [&](std::size_t k, const ColumnHit& hit) {
-      if (isBeyond(entry, windows[k].depth, hit) && isNearer(hit, closest[k])) closest[k] = hit;
+      if (isBeyond(entry, windows[k].depth, hit) && isNearer(hit, closest[k])) set(closest[k], hit);
     });
     return closest;
   }
 
   static constexpr double kNoDepth = std::numeric_limits<double>::infinity();
+
+  /// Number by number: copied as a whole, it would have to be in memory first.
+  static void set(ColumnHit& to, const ColumnHit& hit) {
+    to.segment = hit.segment;
+    to.depth = hit.depth;
+    to.fraction = hit.fraction;
+  }
 
   /// Calls `met(k, hit)` for windows k and the segments, except the one whose fronts they show.
   template <typename Met>
@@ -117,10 +127,14 @@ class Visibility {
       if (begin == end) continue;
       const SegmentMeetings meetings(projection_, scene_[segment]);
       for (std::size_t k = begin; k < end; ++k) {
-        const auto [depth, fraction] = meetings.at(projection_.slantOf(windows[k].column + 0.5));
+        const auto [depth, fraction] = meetings.at(slantOf(windows[k].column));
         met(k, ColumnHit{segment, depth, fraction});
       }
     }
+  }
+
+  double slantOf(int column) const {
+    return scratch_.slants[static_cast<std::size_t>(column - columns_.begin)];
   }
 
   /// Indices [begin, end) of the windows whose column lies in the range.
@@ -168,56 +182,61 @@ class Visibility {
     showFlat(sector.ceiling, sector.ceilingSurface, above, false, firstNewFlat);
     showFlat(sector.floor, sector.floorSurface, below, true, firstNewFlat);
     if (wallTop < wallBottom)
-      showWall(segment, {window.column, wallTop, wallBottom, hit.depth}, hit, firstNew);
+      showWall(segment, air, {window.column, wallTop, wallBottom, hit.depth}, hit, firstNew);
   }
 
   /// The first row of the window whose centre is not above height z.
   int rowIn(const Window& window, double z, double depth) const {
     const double row = projection_.rowOf(z, depth) - 0.5;
-    return static_cast<int>(std::ceil(
-        std::clamp(row, static_cast<double>(window.top), static_cast<double>(window.bottom))));
+    return roundedUp(
+        std::clamp(row, static_cast<double>(window.top), static_cast<double>(window.bottom)));
   }
 
   void showFlat(const Flat& flat, std::optional<SurfaceId> surface, const Window& window,
                 bool isFloor, std::size_t firstNewFlat) {
     if (window.top >= window.bottom) return;
     if (surface) {
-      found_.spans.push_back({window.column, window.top, window.bottom, *surface, window.depth});
+      found_.spans.emplace_back(window.column, window.top, window.bottom, *surface, window.depth);
       return;
     }
-    flatPortalView(*flat.flatPortal, isFloor, firstNewFlat).windows.push_back(window);
+    addTo(flatPortalView(*flat.flatPortal, isFloor, firstNewFlat).windows, window);
   }
 
-  void showWall(const Segment& segment, const Window& window, const ColumnHit& hit,
+  /// `window` is the part of it that shows the wall: all of the air.
+  void showWall(const Segment& segment, AirColumn air, const Window& window, const ColumnHit& hit,
                 std::size_t firstNew) {
     countColumn(segment);
+    // What lies above something begins where that ends, so most rows are known.
+    double zReached = air.zBottom;
+    int rowReached = window.bottom;
+    const auto part = [&](double zBottom, double zTop) {
+      const int bottom = zBottom == zReached ? rowReached : rowIn(window, zBottom, hit.depth);
+      rowReached = zTop == air.zTop ? window.top : rowIn(window, zTop, hit.depth);
+      zReached = zTop;
+      return Window{window.column, rowReached, bottom, hit.depth};
+    };
     visitWallColumn(
         scene_, segment, hit.fraction,
         [&](SurfaceId surface, double zBottom, double zTop) {
-          const int top = rowIn(window, zTop, hit.depth);
-          const int bottom = rowIn(window, zBottom, hit.depth);
-          if (top < bottom)
-            found_.spans.push_back(
-                uprightSpan(surface, {window.column, top, bottom, hit.depth}, hit));
+          const Window shown = part(zBottom, zTop);
+          if (shown.top < shown.bottom) addUprightSpan(found_.spans, surface, shown, hit);
         },
         [&](const Opening& opening, double zBottom, double zTop) {
-          const int top = rowIn(window, zTop, hit.depth);
-          const int bottom = rowIn(window, zBottom, hit.depth);
-          if (top < bottom)
-            showOpening(opening, {window.column, top, bottom, hit.depth}, hit, firstNew);
+          const Window open = part(zBottom, zTop);
+          if (open.top < open.bottom) showOpening(opening, open, hit, firstNew);
         });
   }
 
   void showOpening(const Opening& opening, const Window& window, const ColumnHit& hit,
                    std::size_t firstNew) {
-    viewportBehind(opening, firstNew).windows.push_back(window);
+    addTo(viewportBehind(opening, firstNew).windows, window);
     if (!opening.maskedMiddle) return;
     const SurfaceGeometry& middle = scene_.geometryOf(*opening.maskedMiddle);
     const int top = rowIn(window, middle.zTop, hit.depth);
     const int bottom = rowIn(window, middle.zBottom, hit.depth);
     if (top < bottom)
-      scratch_.maskedMiddles.push_back(
-          uprightSpan(*opening.maskedMiddle, {window.column, top, bottom, hit.depth}, hit));
+      addUprightSpan(scratch_.maskedMiddles, *opening.maskedMiddle,
+                     {window.column, top, bottom, hit.depth}, hit);
   }
 
   void countColumn(const Segment& segment) {
@@ -226,10 +245,15 @@ class Visibility {
     if (scene_.geometryOf(segment).airRises) ++found_.stats.slopeColumns;
   }
 
-  Span uprightSpan(SurfaceId id, const Window& window, const ColumnHit& hit) const {
+  static void addTo(std::vector<Window>& windows, const Window& window) {
+    windows.emplace_back(window.column, window.top, window.bottom, window.depth);
+  }
+
+  void addUprightSpan(std::vector<Span>& to, SurfaceId id, const Window& window,
+                      const ColumnHit& hit) const {
     const Surface& surface = scene_[id];
     const Segment& segment = scene_[hit.segment];
-    Span span{window.column, window.top, window.bottom, id, hit.depth};
+    Span& span = to.emplace_back(window.column, window.top, window.bottom, id, hit.depth);
     span.fraction = hit.fraction;
     span.s = segment.sBefore + hit.fraction * segment.length;
     if (isSidewall(surface.kind)) {
@@ -240,7 +264,6 @@ class Visibility {
       span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
     }
     if (const auto zRef = scene_.geometryOf(id).zRef) span.zRef = *zRef;
-    return span;
   }
 
   SegmentId twinOf(const Segment& segment, SurfaceId sidewall) const {

@@ -13,6 +13,10 @@ namespace hearth {
 
 /// Rows [top, bottom) of one column that are still open.
 struct Window {
+  /// As of Span.
+  Window(int atColumn, int begin, int end, double atDepth)
+      : column(atColumn), top(begin), bottom(end), depth(atDepth) {}
+
   int column;
   int top;
   int bottom;
@@ -70,6 +74,7 @@ struct VisibilityScratch {
   std::vector<FlatPortalView> flatPortals;
   SpareWindows spareWindows;
   std::vector<ColumnHit> closest;  ///< by window of the present viewport
+  std::vector<double> slants;      ///< of the rays of the columns, see Projection::slantOf
 
   /// Of the present look through a flat portal: as they are found, with their windows, ...
   std::vector<std::pair<std::size_t, Stretch>> stretches;

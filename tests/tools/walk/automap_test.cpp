@@ -142,9 +142,7 @@ TEST_F(AutomapTest, AnyPictureAndAnyPlaceWillDo) {
 }
 
 TEST_F(AutomapTest, SpansTellWhatIsSeen) {
-  std::vector<Span> spans(1);
-  spans[0].surface = *level_[east_].floorSurface;
-  for (const Span& span : spans) seen_.add(span);
+  seen_.add(Span(0, 0, 1, *level_[east_].floorSurface, 2.0));
   EXPECT_TRUE(seen_.has(east_));
   EXPECT_FALSE(seen_.has(west_));
 }
