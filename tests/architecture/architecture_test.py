@@ -52,7 +52,7 @@ OUTSIDERS = {
     r"stb/.*": ["engine/image/*.cpp", "tools/*/*.cpp"],
     r"zlib\.h": ["engine/image/*.cpp", "engine/light/*.cpp", "tests/*/*.cpp"],
     r"hwy/.*": ["engine/light/*/*_kernels.cpp", "engine/light/*/*-inl.h", "engine/render/*.cpp", "engine/render/*-inl.h",
-                "tools/peers/kernel.cpp", "tests/*/*.cpp"],
+                "tests/*/*.cpp"],
     r"embree.*": ["tools/peers/embree.*", "tests/*/*"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
 }

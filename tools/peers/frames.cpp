@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "peers/kernel_frames.h"
 #include "peers/peer_inputs.h"
 #include "peers/peer_rows.h"
 
@@ -41,42 +40,6 @@ class ShotFrames {
   FrameTimes frames_;
 };
 
-/// Large frames, and what the kernel takes for their spans.
-class KernelTimes {
- public:
-  explicit KernelTimes(const PeerLevel& level) : level_(level), kernel_(level, kLarge) {}
-
-  struct Times {
-    FrameBench frame;
-    double kernel;  ///< milliseconds
-  };
-  Times measure(const Clock& clock) {
-    std::vector<double> ofKernel;
-    drawAll(clock, ofKernel);  // warms the caches
-    frames_.begin();
-    ofKernel.clear();
-    for (int i = 0; i < kLargeRounds; ++i) drawAll(clock, ofKernel);
-    return {frames_.result(), spreadOf(ofKernel).median};
-  }
-
- private:
-  void drawAll(const Clock& clock, std::vector<double>& ofKernel) {
-    const std::vector<Camera> cameras = camerasOf(level_.loaded.level);
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      frames_.draw(level_.renderer, cameras[i], clock);
-      const double begin = clock();
-      drawKernelFrame(kernel_.frames()[i], strip_, pixels_);
-      ofKernel.push_back(1e3 * (clock() - begin));
-    }
-  }
-
-  const PeerLevel& level_;
-  KernelFrames kernel_;
-  FrameTimes frames_{kLarge};
-  std::vector<Pixel> strip_;
-  std::vector<Pixel> pixels_;
-};
-
 Prepared prepareWrites(tl::expected<const PeerLevel*, std::string> level, const Clock& clock) {
   return level.map([&](const PeerLevel* of) -> Measure {
     const auto frames = std::make_shared<ShotFrames>(*of, kLarge, kLargeRounds);
@@ -107,17 +70,6 @@ Prepared prepareCastleWrites(PeerInputs& inputs) {
 
 Prepared prepareWhiteLitCastleWrites(PeerInputs& inputs) {
   return prepareWrites(inputs.whiteLitLevel(inputs.castleFile()), inputs.clock());
-}
-
-Prepared prepareKernel(PeerInputs& inputs) {
-  return inputs.level(inputs.castleFile()).map([&](const PeerLevel* level) -> Measure {
-    const auto times = std::make_shared<KernelTimes>(*level);
-    return [times, &inputs] {
-      const auto [frame, kernel] = times->measure(inputs.clock());
-      return Figures{frame.milliseconds.median / kernel, frame.milliseconds.median, kernel,
-                     frame.findMilliseconds.median, frame.colorMilliseconds.median - kernel};
-    };
-  });
 }
 
 }  // namespace hearth

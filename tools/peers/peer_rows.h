@@ -21,8 +21,6 @@ Prepared prepareTutorialFrame(PeerInputs& inputs);
 /// its lights white.
 Prepared prepareCastleWrites(PeerInputs& inputs);
 Prepared prepareWhiteLitCastleWrites(PeerInputs& inputs);
-/// The same frame over the kernel that is given its geometry; ms of both.
-Prepared prepareKernel(PeerInputs& inputs);
 /// The same frame on one thread over two; ms of both.
 Prepared prepareFrameThreads(PeerInputs& inputs);
 /// Of it, the second phase alone.
