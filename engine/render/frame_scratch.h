@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "render/segment_columns.h"
+#include "render/span_groups.h"
 #include "render/strip.h"
-#include "render/strip_spans.h"
 #include "render/visibility_scratch.h"
 
 namespace hearth {
@@ -16,7 +16,7 @@ namespace hearth {
 struct FrameColumns {
   ColumnRange range{};  ///< begins with a strip
   VisibilityScratch visibility;
-  StripSpans strips;
+  SpanGroups groups;
 };
 
 /// The memory in which frames are drawn. A caller that keeps it from frame to frame takes no memory
@@ -36,14 +36,14 @@ struct FrameScratch {
     return sum;
   }
 
-  /// The spans of a strip of the last frame, in the order in which they were found.
-  std::span<const Span> spansOf(int strip) const { return partOf(strip).strips.of(strip); }
+  /// The groups of spans of a strip of the last frame, those of masked middle textures last.
+  std::span<const SpanGroup> groupsOf(int strip) const { return partOf(strip).groups.of(strip); }
 
   /// Whether the spans of a strip of so many rows cover its every pixel.
   bool isFilled(int strip, int rows) const {
     const FrameColumns& part = partOf(strip);
     const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);
-    return part.strips.pixelsOf(strip) == columns * rows;
+    return part.groups.pixelsOf(strip) == columns * rows;
   }
 
   /// Calls `use(span)` for all spans of the last frame.

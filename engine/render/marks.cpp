@@ -7,6 +7,7 @@
 
 #include "render/outline_color.h"
 #include "render/renderer.h"
+#include "render/strip.h"
 
 namespace hearth {
 
@@ -72,10 +73,10 @@ double strengthOfLines(const ShownTexel& pixel, const ShownTexel& left, const Sh
 }
 
 void markLines(const ShownTexel& shown, const ShownTexel& left, const ShownTexel& above,
-               Pixel& pixel) {
+               std::uint32_t& pixel) {
   const double strength =
       strengthOfLines(shown, onSurfaceOf(shown, left), onSurfaceOf(shown, above));
-  if (strength > 0) pixel = pixelOf(mixed(colorOf(pixel), kTexelColor, strength));
+  if (strength > 0) pixel = packed(mixed(unpacked(pixel), kTexelColor, strength));
 }
 
 // --- Coverage ------------------------------------------------------------------------------------
@@ -91,40 +92,40 @@ Rgb signalOf(int times, Rgb lit) {
 /// Calls `markPixel(pixel, shown, left, above)` for each pixel, with what it and its neighbours
 /// show; beyond the picture nothing shows.
 template <typename Shown, typename MarkPixel>
-void markEach(const ShownColumns<Shown>& shown, Pixel* pixels, MarkPixel&& markPixel) {
+void markEach(const ShownColumns<Shown>& shown, Strip& strip, int column, MarkPixel&& markPixel) {
   const Shown nothing;
   const Shown* above = &nothing;
   for (std::size_t row = 0; row < shown.here().size(); ++row) {
     const Shown& here = shown.here()[row];
-    markPixel(pixels[row], here, shown.left()[row], *above);
+    markPixel(*strip.at(column, static_cast<int>(row)), here, shown.left()[row], *above);
     above = &here;
   }
 }
 
 }  // namespace
 
-void mark(const Scene&, const ShownColumns<ShownTexel>& shown, Pixel* pixels) {
-  markEach(
-      shown, pixels,
-      [](Pixel& pixel, const ShownTexel& here, const ShownTexel& left, const ShownTexel& above) {
-        if (here.surface && (isLineBetween(here, left) || isLineBetween(here, above)))
-          markLines(here, left, above, pixel);
-      });
-}
-
-void mark(const Scene& scene, const ShownColumns<ShownSurface>& shown, Pixel* pixels) {
-  markEach(shown, pixels,
-           [&scene](Pixel& pixel, const ShownSurface& here, const ShownSurface& left,
-                    const ShownSurface& above) {
-             // Most pixels are in the midst of a surface.
-             if (here.surface == left.surface && here.surface == above.surface) return;
-             if (const auto color = outlineColor(scene, here, left, above)) pixel = pixelOf(*color);
+void mark(const Scene&, const ShownColumns<ShownTexel>& shown, Strip& strip, int column) {
+  markEach(shown, strip, column,
+           [](std::uint32_t& pixel, const ShownTexel& here, const ShownTexel& left,
+              const ShownTexel& above) {
+             if (here.surface && (isLineBetween(here, left) || isLineBetween(here, above)))
+               markLines(here, left, above, pixel);
            });
 }
 
-void mark(const Scene&, const ShownColumns<ShownTimes>& shown, Pixel* pixels) {
-  markEach(shown, pixels, [](Pixel& pixel, ShownTimes here, ShownTimes, ShownTimes) {
-    pixel = pixelOf(signalOf(here.times, colorOf(pixel)));
+void mark(const Scene& scene, const ShownColumns<ShownSurface>& shown, Strip& strip, int column) {
+  markEach(shown, strip, column,
+           [&scene](std::uint32_t& pixel, const ShownSurface& here, const ShownSurface& left,
+                    const ShownSurface& above) {
+             // Most pixels are in the midst of a surface.
+             if (here.surface == left.surface && here.surface == above.surface) return;
+             if (const auto color = outlineColor(scene, here, left, above)) pixel = packed(*color);
+           });
+}
+
+void mark(const Scene&, const ShownColumns<ShownTimes>& shown, Strip& strip, int column) {
+  markEach(shown, strip, column, [](std::uint32_t& pixel, ShownTimes here, ShownTimes, ShownTimes) {
+    pixel = packed(signalOf(here.times, unpacked(pixel)));
   });
 }
 

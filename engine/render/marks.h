@@ -2,13 +2,13 @@
 
 #include "level/scene.h"
 #include "render/shown_columns.h"
-#include "render/texture.h"
+#include "render/strip.h"
 
-/// Marks the pixels of a column, which lie one behind the other, by what they show.
+/// Marks the pixels of a column by what they show.
 namespace hearth {
 
-void mark(const Scene& scene, const ShownColumns<ShownTexel>& shown, Pixel* pixels);
-void mark(const Scene& scene, const ShownColumns<ShownSurface>& shown, Pixel* pixels);
-void mark(const Scene& scene, const ShownColumns<ShownTimes>& shown, Pixel* pixels);
+void mark(const Scene& scene, const ShownColumns<ShownTexel>& shown, Strip& strip, int column);
+void mark(const Scene& scene, const ShownColumns<ShownSurface>& shown, Strip& strip, int column);
+void mark(const Scene& scene, const ShownColumns<ShownTimes>& shown, Strip& strip, int column);
 
 }  // namespace hearth

@@ -38,8 +38,8 @@ void runAll(std::size_t parts, Workers* workers, const Work& work) {
 
 void findRaySlopes(std::vector<double>& raySlopes, const Projection& projection, int height) {
   raySlopes.clear();
-  const int rows = height + static_cast<int>(RowBatch::kMaxLanes);
-  for (int row = 0; row < rows; ++row) raySlopes.push_back(projection.raySlopeAt(row + 0.5));
+  for (int row = 0; row < height + PixelBlock::kSpareRows; ++row)
+    raySlopes.push_back(projection.raySlopeAt(row + 0.5));
 }
 
 /// How many squares of pixels cover so many pixels.
@@ -100,21 +100,29 @@ void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&&
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
 
-/// Draws a picture strip by strip, with `paint(span, batch, strip, stats)` for each span. Strips
-/// that spans fill begin as they happen to be, unless `paint` asks what was there.
+/// Calls `use(span)` for the spans of groups.
+template <typename Use>
+void forEachSpan(std::span<const SpanGroup> groups, Use&& use) {
+  for (const SpanGroup& group : groups)
+    for (const Span* const span : group.spans)
+      if (span) use(*span);
+}
+
+/// Draws a picture strip by strip, with `paint(group, block, strip, stats)` for each group of
+/// spans. Strips that spans fill begin as they happen to be, unless `paint` asks what was there.
 template <typename Paint>
 void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture, Workers* workers,
                  bool paintAsks, Paint&& paint) {
   const int strips = Strip::countIn(squaresIn(picture.width, pixelSize));
   const int rows = squaresIn(picture.height, pixelSize);
   paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
-    RowBatch batch{};
+    PixelBlock block{};
     for (int i = range.begin; i < range.end; ++i) {
       if (!paintAsks && scratch.isFilled(i, rows))
         strip.begin(i, rows);
       else
         strip.begin(i, rows, kHole);
-      for (const Span& span : scratch.spansOf(i)) paint(span, batch, strip, stats);
+      for (const SpanGroup& group : scratch.groupsOf(i)) paint(group, block, strip, stats);
       strip.copyTo(picture, pixelSize);
     }
   });
@@ -125,8 +133,10 @@ template <typename Shown>
 void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int column,
                 ShownColumns<Shown>& shown) {
   shown.next();
-  for (const Span& span : scratch.spansOf(column / Strip::kColumns))
-    if (span.column == column) noteShown(painter, span, scratch.raySlopes, shown.here());
+  const auto lane = static_cast<std::size_t>(column % Strip::kColumns);
+  for (const SpanGroup& group : scratch.groupsOf(column / Strip::kColumns))
+    if (const Span* const span = group.spans[lane])
+      noteShown(painter, *span, scratch.raySlopes, shown.here());
 }
 
 /// Marks what is lit already.
@@ -135,17 +145,17 @@ void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& s
                  const PixelRows& picture, Workers* workers) {
   const int strips = Strip::countIn(picture.width);
   paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
-    RowBatch batch{};
+    PixelBlock block{};
     ShownColumns<Shown> shown(picture.height);
     if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
     for (int i = range.begin; i < range.end; ++i) {
       strip.begin(i, picture.height, kHole);
-      for (const Span& span : scratch.spansOf(i))
-        painter.paint(span, LightMode::Both, batch, strip, stats);
+      for (const SpanGroup& group : scratch.groupsOf(i))
+        painter.paint(group, LightMode::Both, block, strip, stats);
       const int end = std::min((i + 1) * Strip::kColumns, picture.width);
       for (int column = i * Strip::kColumns; column < end; ++column) {
         noteColumn(painter, scratch, column, shown);
-        mark(scene, shown, strip.at(column, 0));
+        mark(scene, shown, strip, column);
       }
       strip.copyTo(picture, 1);
     }
@@ -198,8 +208,8 @@ void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& sc
   const Projection projection = projectionFor(scene_, camera, pixelSize);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   paintStrips(scratch, pixelSize, picture, workers, false,
-              [&](const Span& span, RowBatch& batch, Strip& strip, PaintStats& stats) {
-                painter.paint(span, mode, batch, strip, stats);
+              [&](const SpanGroup& group, PixelBlock& block, Strip& strip, PaintStats& stats) {
+                painter.paint(group, mode, block, strip, stats);
               });
 }
 
@@ -211,8 +221,10 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   const std::vector<std::size_t> numbers = numbersOfShown(scene_);
   paintStrips(scratch, 1, picture, workers, true,
-              [&](const Span& span, RowBatch&, Strip& strip, PaintStats&) {
-                paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
+              [&](const SpanGroup& group, PixelBlock&, Strip& strip, PaintStats&) {
+                forEachSpan({&group, 1}, [&](const Span& span) {
+                  paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
+                });
               });
 }
 
@@ -259,8 +271,8 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
   const Camera squares = inSquares(camera, pixelSize);
   divideColumns(scratch.parts, squares.width, workers);
   const auto findPart = [&](std::size_t i) {
-    auto& [range, visibility, strips] = scratch.parts[i];
-    strips.sort(findVisibleSpans(scene_, squares, projection, range, visibility), range);
+    auto& [range, visibility, groups] = scratch.parts[i];
+    groups.group(findVisibleSpans(scene_, squares, projection, range, visibility), range);
   };
   runAll(scratch.parts.size(), workers, findPart);
   findRaySlopes(scratch.raySlopes, projection, squares.height);

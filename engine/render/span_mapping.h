@@ -2,10 +2,6 @@
 
 #include <algorithm>
 
-#include "level/scene.h"
-#include "light/lit_surface.h"
-#include "render/camera.h"
-#include "render/span.h"
 #include "render/texture.h"
 
 namespace hearth {
@@ -57,16 +53,5 @@ struct SpanMapping {
     return std::max(0.5, std::min(v.at(raySlope), image.height() - 0.5));
   }
 };
-
-/// The same span on another size of the same image.
-SpanMapping onImage(SpanMapping mapping, const Texture& from, const Texture& to);
-
-/// Without texture: u and v are unused.
-SpanMapping lightMappingOf(const Scene& scene, const Projection& projection, const Span& span,
-                           const LitSurface& lit);
-
-/// `lit` is null for surfaces that no light can reach: skies, and those that do not show.
-SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
-                      const Texture& image, const LitSurface* lit);
 
 }  // namespace hearth

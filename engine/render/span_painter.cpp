@@ -4,119 +4,112 @@
 #include <optional>
 
 #include "render/footprint.h"
+#include "render/texel_fetch.h"
 
 namespace hearth {
 
 namespace {
 
-constexpr Rgb kWhite = {255, 255, 255};
-
-void count(const Span& span, const Material& material, PaintStats& stats) {
+void count(const SpanGroup& group, const Material& material, PaintStats& stats) {
   const SurfaceKind kind = material.surface.kind;
-  if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
-  const auto rows = static_cast<std::size_t>(span.rowEnd - span.rowBegin);
-  stats.pixels += rows;
-  if (!material.hasVaryingLight()) return;
-  ++stats.lightmapSpans;
-  if (material.lightmap->channels == 3) ++stats.coloredSpans;
-  stats.lightmapPixels += rows;
+  for (const Span* const span : group.spans) {
+    if (!span) continue;
+    if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
+    const auto rows = static_cast<std::size_t>(span->rowEnd - span->rowBegin);
+    stats.pixels += rows;
+    if (!material.hasVaryingLight()) continue;
+    ++stats.lightmapSpans;
+    if (material.lightmap->channels == 3) ++stats.coloredSpans;
+    stats.lightmapPixels += rows;
+  }
 }
 
-/// The size of the texture that fits the first row. Only the rows that it fits stay in the batch.
-const Texture& fitting(const MipMap& texture, const Footprint& footprint, RowBatch& batch) {
-  const int level = footprint.mipLevelAt(batch.parameters[0]);
-  const std::span parameters(batch.parameters, batch.count);
-  const auto fits = [&](double parameter) { return footprint.mipLevelAt(parameter) == level; };
-  batch.count =
-      static_cast<std::size_t>(std::ranges::partition_point(parameters, fits) - parameters.begin());
+PixelBlock::Columns columnsOf(const SpanGroup& group) {
+  PixelBlock::Columns columns{{}, {}, group.rowBegin, group.rowEnd};
+  for (std::size_t lane = 0; lane < group.spans.size(); ++lane) {
+    const Span* const span = group.spans[lane];
+    columns.rowBegin[lane] = span ? span->rowBegin : 0;
+    columns.rowEnd[lane] = span ? span->rowEnd : 0;
+    columns.fullBegin = std::max(columns.fullBegin, columns.rowBegin[lane]);
+    columns.fullEnd = std::min(columns.fullEnd, columns.rowEnd[lane]);
+  }
+  return columns;
+}
+
+const Span& firstOf(const SpanGroup& group) {
+  return **std::ranges::find_if(group.spans, [](const Span* span) { return span != nullptr; });
+}
+
+/// The size of the texture that fits the first row of a column. Only the rows that it fits stay in
+/// the block.
+const Texture& fitting(const MipMap& texture, const Footprint& footprint,
+                       const SpanMapping& mapping, PixelBlock& block) {
+  const auto levelIn = [&](int row) {
+    return footprint.mipLevelAt(mapping.parameterAt(block.raySlopes[row]));
+  };
+  const int level = levelIn(0);
+  int rows = 1;
+  while (rows < block.rows && levelIn(rows) == level) ++rows;
+  block.rows = rows;
   return texture.level(level);
 }
 
 }  // namespace
 
-void SpanPainter::paint(const Span& span, LightMode mode, RowBatch& batch, Strip& strip,
+void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
-  Material material = materialOf(span.surface);
+  Material material = materialOf(group.surface);
   if (mode == LightMode::None) {
     material.lightmap = nullptr;
     material.sectorLight = 1;
   }
   // Without light that differs from pixel to pixel there is no lightmap to be mapped to.
   if (!material.hasVaryingLight()) material.lit = nullptr;
-  count(span, material, stats);
-  const SpanMapping mapping = mappingOf(material, span);
+  count(group, material, stats);
+  const GroupMapping mapping =
+      hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
+  const GroupLight light{material.lightmap, material.sectorLight};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
-  const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
-  const TextureFilter filter = hasHoles ? TextureFilter::Nearest : settings_.textureFilter;
+  const bool haveHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
+  const TextureFilter filter = haveHoles ? TextureFilter::Nearest : settings_.textureFilter;
+  const bool areWhite = mode == LightMode::Only;
+  GroupTexels texels{areWhite && !haveHoles ? nullptr : &material.image(),
+                     filter == TextureFilter::Bilinear, haveHoles, areWhite};
+  const Span& firstSpan = firstOf(group);
+  const SpanMapping first =
+      mapping.of(static_cast<std::size_t>(firstSpan.column % Strip::kColumns));
   std::optional<Footprint> footprint;
-  if (filter == TextureFilter::Mipmapped && mode != LightMode::Only)
-    footprint.emplace(scene_, projection_, span, material.image(), mapping);
-  if (!material.hasVaryingLight())
-    kernels_.showEvenly(batch, material.lightmap, material.sectorLight);
-  for (int row = span.rowBegin; row < span.rowEnd; row += static_cast<int>(batch.count)) {
-    batch.count = std::min(RowBatch::kRows, static_cast<std::size_t>(span.rowEnd - row));
-    findParameters(row, mapping, batch);
-    const Texture& image =
-        footprint ? fitting(material.texture, *footprint, batch) : material.image();
-    if (mode != LightMode::Only || hasHoles)
-      findTexels(filter, material.image(), image, mapping, batch);
-    if (material.hasVaryingLight()) findShown(material, mapping, batch);
-    Pixel* const pixels = strip.at(span.column, row);
-    if (hasHoles)
-      shadeAroundHoles(image, mode, batch, pixels);
-    else
-      shade(filter, image, mode, batch, pixels);
+  if (filter == TextureFilter::Mipmapped && texels.image)
+    footprint.emplace(scene_, projection_, firstSpan, material.image(), first);
+  block.columns = columnsOf(group);
+  for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
+    block.firstRow = row;
+    block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
+    block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
+    if (footprint) {
+      texels.image = &fitting(material.texture, *footprint, first, block);
+      findPlaces(texels, light, onImage(mapping, material.image(), *texels.image), block);
+    } else {
+      findPlaces(texels, light, mapping, block);
+    }
+    if (texels.image) fetchColors(block, texels);
+    kernels_.shade(block, texels, light, strip.row(row));
   }
 }
 
-void SpanPainter::findParameters(int firstRow, const SpanMapping& mapping, RowBatch& batch) const {
-  const double* const raySlopes = &raySlopes_[static_cast<std::size_t>(firstRow)];
-  if (mapping.isPlane)
-    kernels_.findDepths(batch, mapping, raySlopes);
-  else
-    batch.parameters = raySlopes;
-}
-
-void SpanPainter::findTexels(TextureFilter filter, const Texture& full, const Texture& image,
-                             const SpanMapping& mapping, RowBatch& batch) const {
-  switch (filter) {
-    case TextureFilter::Nearest:
-      return kernels_.findTexels(batch, mapping, image);
-    case TextureFilter::Bilinear:
-      return kernels_.findTexelsAround(batch, mapping, image);
-    case TextureFilter::Mipmapped:
-      return kernels_.findTexels(batch, onImage(mapping, full, image), image);
-  }
-}
-
-void SpanPainter::findShown(const Material& material, const SpanMapping& mapping,
-                            RowBatch& batch) const {
-  const Lightmap& lightmap = *material.lightmap;
-  if (mapping.isPlane) {
-    kernels_.findLightTexels(batch, mapping, lightmap, settings_.lightFilter);
-    kernels_.findShown(batch, lightmap, material.sectorLight);
-  } else {
-    kernels_.findLightRows(batch, mapping, lightmap, settings_.lightFilter);
-    kernels_.findShownUpright(batch, lightmap, material.sectorLight);
-  }
-}
-
-void SpanPainter::shade(TextureFilter filter, const Texture& image, LightMode mode,
-                        const RowBatch& batch, Pixel* pixels) const {
-  if (mode == LightMode::Only)
-    kernels_.shadeColor(pixels, batch, kWhite);
-  else if (filter == TextureFilter::Bilinear)
-    kernels_.shadeMixtures(pixels, batch, image);
-  else
-    kernels_.shadeTexels(pixels, batch, image);
-}
-
-void SpanPainter::shadeAroundHoles(const Texture& image, LightMode mode, const RowBatch& batch,
-                                   Pixel* pixels) const {
-  RowBatch::Rows<Pixel> shaded;
-  shade(TextureFilter::Nearest, image, mode, batch, shaded.data());
-  for (std::size_t k = 0; k < batch.count; ++k)
-    if ((image.texels()[batch.texels.upperLeft[k]] & kHoleBit) == 0) pixels[k] = shaded[k];
+void SpanPainter::findPlaces(const GroupTexels& texels, const GroupLight& light,
+                             const GroupMapping& mapping, PixelBlock& block) const {
+  const bool hasTexels = !texels.image || (!texels.areMixed && kernels_.findLinearTexels(
+                                                                   block, mapping, *texels.image));
+  const bool hasLight =
+      !light.varies() ||
+      kernels_.findLinearLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
+  if (hasTexels && hasLight) return;
+  kernels_.findParameters(block, mapping);
+  if (!hasTexels)
+    (texels.areMixed ? kernels_.findTexelsAround : kernels_.findTexels)(block, mapping,
+                                                                        *texels.image);
+  if (!hasLight) kernels_.findLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
 }
 
 Material SpanPainter::materialOf(SurfaceId id) const {

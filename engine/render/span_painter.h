@@ -7,9 +7,11 @@
 #include "light/bakery.h"
 #include "render/camera.h"
 #include "render/draw_settings.h"
-#include "render/row_batch.h"
-#include "render/row_kernels.h"
-#include "render/span.h"
+#include "render/frame_stats.h"
+#include "render/group_mapping.h"
+#include "render/pixel_block.h"
+#include "render/pixel_kernels.h"
+#include "render/span_groups.h"
 #include "render/strip.h"
 #include "render/texture.h"
 
@@ -29,11 +31,11 @@ struct Material {
 };
 
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint
-/// with one painter, each its own columns.
+/// with one painter, each its own strips.
 class SpanPainter {
  public:
   /// All must outlive the painter. `raySlopes` are Projection::raySlopeAt the centres of all rows,
-  /// and of RowBatch::kMaxLanes below the picture.
+  /// and of PixelBlock::kSpareRows below the picture.
   SpanPainter(const Scene& scene, const std::vector<MipMap>& textures, const BakedLight& light,
               const DrawSettings& settings, const Projection& projection,
               std::span<const double> raySlopes)
@@ -44,27 +46,20 @@ class SpanPainter {
         projection_(projection),
         raySlopes_(raySlopes) {}
 
-  /// Works in `batch`, and adds its work to `stats`.
-  void paint(const Span& span, LightMode mode, RowBatch& batch, Strip& strip,
+  /// Works in `block`, and adds its work to `stats`.
+  void paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
              PaintStats& stats) const;
 
   Material materialOf(SurfaceId id) const;
   SpanMapping mappingOf(const Material& material, const Span& span) const {
-    return hearth::mappingOf(scene_, projection_, span, material.image(), material.lit);
+    return hearth::mappingOf(scene_, projection_, span, &material.image(), material.lit);
   }
 
  private:
   double sectorLightOn(const Surface& surface) const;
-  void findParameters(int firstRow, const SpanMapping& mapping, RowBatch& batch) const;
-  /// The image is the full texture or a smaller size; `mapping` is on that image.
-  void findTexels(TextureFilter filter, const Texture& full, const Texture& image,
-                  const SpanMapping& mapping, RowBatch& batch) const;
-  void findShown(const Material& material, const SpanMapping& mapping, RowBatch& batch) const;
-  void shade(TextureFilter filter, const Texture& image, LightMode mode, const RowBatch& batch,
-             Pixel* pixels) const;
-  /// All pixels except those of holes.
-  void shadeAroundHoles(const Texture& image, LightMode mode, const RowBatch& batch,
-                        Pixel* pixels) const;
+  /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
+  void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,
+                  PixelBlock& block) const;
 
   Scene scene_;
   const std::vector<MipMap>& textures_;
@@ -72,7 +67,7 @@ class SpanPainter {
   const DrawSettings& settings_;
   const Projection& projection_;
   std::span<const double> raySlopes_;
-  const RowKernels& kernels_ = rowKernels();
+  const PixelKernels& kernels_ = pixelKernels();
 };
 
 }  // namespace hearth

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "render/group_mapping.h"
 #include "render/renderer.h"
-#include "render/span_mapping.h"
 #include "render/visibility.h"
 
 namespace hearth {
@@ -65,7 +65,7 @@ std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& s
   const Camera squares = inSquares(camera, settings.pixelSize);
   for (const Span& span : findVisibleSpans(scene, squares, projection, scratch).spans)
     if (const auto& lit = surfaces[span.surface.index()])
-      addEnds(lightMappingOf(scene, projection, span, *lit), projection, span, reads);
+      addEnds(mappingOf(scene, projection, span, nullptr, &*lit), projection, span, reads);
 
   std::vector<SurfaceTexels> seen;
   for (const auto& [id, read] : reads)

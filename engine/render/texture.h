@@ -8,45 +8,36 @@
 
 #include "image/halved.h"
 #include "image/image.h"
+#include "image/pixel_rows.h"
 #include "render/draw_settings.h"
 
 namespace hearth {
 
-/// A colour in 32 bits: red in the lowest 8, then green and blue. The highest 8 are unused, except
-/// in texels that are holes.
-using Pixel = std::uint32_t;
+/// Set in texels that are holes.
+inline constexpr std::uint32_t kHoleBit = std::uint32_t{1} << 31;
 
-inline constexpr Pixel kHoleBit = Pixel{1} << 31;
-
-inline Pixel pixelOf(Rgb color) {
-  return color.r | std::uint32_t{color.g} << 8 | std::uint32_t{color.b} << 16;
-}
-
-inline Rgb colorOf(Pixel pixel) {
-  return {static_cast<std::uint8_t>(pixel), static_cast<std::uint8_t>(pixel >> 8),
-          static_cast<std::uint8_t>(pixel >> 16)};
-}
-
-/// An image as spans read it: 32 bits a texel, column by column, because the spans of walls and
-/// skies go down a column.
+/// An image as spans read it: pixels as in PixelRows, column by column, because the spans of walls
+/// and skies go down a column.
 class Texture {
  public:
+  using Texel = std::uint32_t;  ///< a pixel, and kHoleBit where it is a hole
+
   explicit Texture(const Image& image) : width_(image.width()), height_(image.height()) {
     texels_.reserve(image.pixels().size());
     for (int x = 0; x < width_; ++x)
       for (int y = 0; y < height_; ++y)
-        texels_.push_back(pixelOf(image.at(x, y)) | (image.isHole(x, y) ? kHoleBit : 0));
+        texels_.push_back(packed(image.at(x, y)) | (image.isHole(x, y) ? kHoleBit : 0));
   }
 
   int width() const { return width_; }
   int height() const { return height_; }
   /// The texel (x, y) is the one of number x * height() + y.
-  const Pixel* texels() const { return texels_.data(); }
+  const Texel* texels() const { return texels_.data(); }
 
  private:
   int width_;
   int height_;
-  std::vector<Pixel> texels_;
+  std::vector<Texel> texels_;
 };
 
 /// A texture in several sizes, each half as wide and high as the one before: mip levels.

@@ -130,7 +130,7 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
     found.spans.push_back({column, 0, 4, wall, 1});
   }
   const auto filled = [&] {
-    scratch.parts[0].strips.sort(found, scratch.parts[0].range);
+    scratch.parts[0].groups.group(found, scratch.parts[0].range);
     return std::vector{scratch.isFilled(0, kRows), scratch.isFilled(1, kRows),
                        scratch.isFilled(2, kRows)};
   };

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "load/load.h"
+#include "pixel_blocks.h"
+#include "render/pixel_kernels.h"
 #include "render/renderer.h"
-#include "render/row_kernels.h"
-#include "row_batches.h"
 #include "support/canvas.h"
 #include "support/in_tree.h"
 #include "support/level_text.h"
@@ -15,6 +15,9 @@
 namespace hearth {
 namespace {
 
+using test::inAllColumns;
+using test::minusFraction;
+using test::pixelOfRow;
 using test::setRows;
 
 /// A level that is drawn twice, as exactly as possible and with settings.
@@ -106,33 +109,36 @@ TEST(DrawSettings, MipmappedShowsMeansOfWhatIsFarAndTexelsOfWhatIsNear) {
 }
 
 TEST(DrawSettings, MixTexelsBetweenTheirCentresAndAroundTheEdge) {
-  RowBatch batch{};
-  setRows(batch, {0.5, 1.0, 7.75, -0.25});
-  rowKernels().findTexelsAround(batch, {.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}},
-                                Texture(Image(8, 1)));
-  const int left[] = {0, 0, 7, 7};
-  const int right[] = {1, 1, 0, 0};
-  const float fractions[] = {0, 0.5, 0.25, 0.25};
-  for (std::size_t k = 0; k < batch.count; ++k) {
-    EXPECT_EQ(batch.texels.upperLeft[k], left[k]) << k;
-    EXPECT_EQ(batch.texels.upperRight[k], right[k]) << k;
-    EXPECT_EQ(batch.texels.lowerLeft[k], left[k]) << k;
-    EXPECT_EQ(batch.texels.lowerRight[k], right[k]) << k;
-    EXPECT_EQ(batch.betweenTexels.across[k], fractions[k]) << k;
-    EXPECT_EQ(batch.betweenTexels.down[k], 0);
+  PixelBlock block{};
+  setRows(block, {0.5, 1.0, 7.75, -0.25});
+  pixelKernels().findTexelsAround(block,
+                                  inAllColumns({.u = {.place = {0, 1}}, .v = {.place = {0.5, 0}}}),
+                                  Texture(Image(8, 1)));
+  const std::uint32_t left[] = {0, 0, 7, 7};
+  const std::uint32_t right[] = {1, 1, 0, 0};
+  const double fractions[] = {0, 0.5, 0.25, 0.25};
+  const auto& [upperLeft, upperRight, lowerLeft, lowerRight] = block.texels;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t pixel = pixelOfRow(k);
+    EXPECT_EQ(upperLeft[pixel], left[k]) << k;
+    EXPECT_EQ(upperRight[pixel], right[k]) << k;
+    EXPECT_EQ(lowerLeft[pixel], left[k]) << k;
+    EXPECT_EQ(lowerRight[pixel], right[k]) << k;
+    EXPECT_EQ(block.betweenTexels.across[pixel], minusFraction(fractions[k])) << k;
+    EXPECT_EQ(block.betweenTexels.down[pixel], 0U);
   }
 }
 
 TEST(DrawSettings, KeepSkiesWithinTheirImage) {
-  RowBatch batch{};
-  setRows(batch, {-5.0, 1.25, 50.0});
-  for (const int height : {1, 4}) {
-    rowKernels().findTexelsAround(batch, {.isSky = true, .v = {.place = {0, 1}}},
-                                  Texture(Image(1, height)));
-    for (std::size_t k = 0; k < batch.count; ++k) {
-      EXPECT_GE(batch.texels.upperLeft[k], 0);
-      EXPECT_GE(batch.texels.lowerLeft[k], batch.texels.upperLeft[k]);
-      EXPECT_LT(batch.texels.lowerLeft[k], height);
+  PixelBlock block{};
+  setRows(block, {-5.0, 1.25, 50.0});
+  for (const std::uint32_t height : {1U, 4U}) {
+    pixelKernels().findTexelsAround(block, inAllColumns({.isSky = true, .v = {.place = {0, 1}}}),
+                                    Texture(Image(1, static_cast<int>(height))));
+    const auto& [upperLeft, upperRight, lowerLeft, lowerRight] = block.texels;
+    for (std::size_t k = 0; k < block.count(); ++k) {
+      EXPECT_GE(lowerLeft[k], upperLeft[k]);
+      EXPECT_LT(lowerLeft[k], height);
     }
   }
 }

@@ -209,18 +209,20 @@ TEST(MarkedOutlinesOfLevels, LieExactlyWhereTheSurfaceChanges) {
 // --- Coverage ------------------------------------------------------------------------------------
 
 TEST(MarkedCoverage, SignalsPixelsThatNobodyDrawsOrSomeTwice) {
-  const Pixel lit = pixelOf({200, 100, 40});
+  Strip strip;
+  strip.begin(3, 4, Rgb{200, 100, 40});
+  const int column = 3 * Strip::kColumns + 5;
   ShownColumns<ShownTimes> shown(4);
   shown.here() = {{1}, {0}, {1}, {2}};
-  std::array<Pixel, 4> column{lit, lit, lit, lit};
   const Level level{};
   const Geometry geometry{};
-  mark({level, geometry}, shown, column.data());
+  mark({level, geometry}, shown, strip, column);
   constexpr Rgb kDimmed = {70, 35, 14};
-  EXPECT_EQ(colorOf(column[0]), kDimmed);
-  EXPECT_EQ(colorOf(column[1]), kHole);
-  EXPECT_EQ(colorOf(column[2]), kDimmed);
-  EXPECT_EQ(colorOf(column[3]), (Rgb{255, 0, 0}));
+  const auto colorIn = [&](int row) { return unpacked(*strip.at(column, row)); };
+  EXPECT_EQ(colorIn(0), kDimmed);
+  EXPECT_EQ(colorIn(1), kHole);
+  EXPECT_EQ(colorIn(2), kDimmed);
+  EXPECT_EQ(colorIn(3), (Rgb{255, 0, 0}));
 }
 
 TEST(MarkedCoverage, IsQuietInSoundLevels) {

@@ -33,10 +33,10 @@ constexpr std::array kApproximations = {
     Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear|mipmapped",
                   "none of the nearest texel, which is what levels are defined to show; mixtures "
                   "and means differ by up to the contrast of neighbouring texels",
-                  "engine/render/row_kernels.cpp"},
+                  "engine/render/pixel_kernels.h"},
     Approximation{Option::LightFilter, Of::Frame, "nearest|bilinear",
                   "nearest: half of the difference of neighbouring texels, and steps that are seen",
-                  "engine/render/row_kernels.cpp"},
+                  "engine/render/pixel_kernels.h"},
     Approximation{Option::PixelSize, Of::Frame, "1|2|3|4",
                   "all edges are moved by up to half of a square; what is smaller comes and goes",
                   "engine/render/renderer.cpp"},

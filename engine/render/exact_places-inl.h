@@ -1,0 +1,139 @@
+// Where the pixels of a block lie on images and lightmaps, each computed in double precision: as
+// many at once as a register holds. Included once for each instruction set: see pixel_kernels.cpp,
+// and Highway's guide on the guard.
+
+#if defined(HEARTH_RENDER_EXACT_PLACES) == defined(HWY_TARGET_TOGGLE)
+#ifdef HEARTH_RENDER_EXACT_PLACES
+#undef HEARTH_RENDER_EXACT_PLACES
+#else
+#define HEARTH_RENDER_EXACT_PLACES
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "light/lightmap.h"
+#include "render/draw_settings.h"
+#include "render/pixel_axes-inl.h"
+#include "render/texture.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+
+constexpr std::size_t kLanes = PixelBlock::kLanes;
+
+/// Calls visit(pixel, lane) for as many pixels at once as a register of doubles holds.
+template <typename Visit>
+HWY_INLINE void forEachDoubles(const PixelBlock& block, Visit&& visit) {
+  for (std::size_t row = 0; row < block.count(); row += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kDouble)) visit(row + lane, lane);
+}
+
+inline void findParameters(PixelBlock& block, const GroupMapping& mapping) {
+  forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
+    const Doubles raySlope = all(block.raySlopes[pixel / kLanes]);
+    if (!mapping.isPlane) return hn::Store(raySlope, kDouble, &block.parameters[pixel]);
+    const Doubles farthest = hn::Load(kDouble, &mapping.depth[lane]);
+    const Doubles found =
+        hn::Div(all(mapping.height), hn::Sub(raySlope, hn::Load(kDouble, &mapping.rise[lane])));
+    const auto isInside = hn::And(hn::Ge(found, all(0)), hn::Lt(found, farthest));
+    hn::Store(hn::IfThenElse(isInside, found, farthest), kDouble, &block.parameters[pixel]);
+  });
+}
+
+/// Whole numbers of less than 2^32.
+HWY_INLINE void store(Doubles number, std::uint32_t* to) {
+  // Of less than 2^52: added to it, they are its lowest bits.
+  const LongWords bits = hn::BitCast(kLongWord, hn::Add(number, all(0x1p52)));
+  const hn::Rebind<std::uint32_t, decltype(kLongWord)> tag;
+  hn::Store(hn::TruncateTo(tag, bits), tag, to);
+}
+
+/// The number of a texel of which `size` lie one behind the other.
+HWY_INLINE Doubles numberOf(Doubles line, Doubles place, int size) {
+  return hn::Add(hn::Mul(line, all(size)), place);
+}
+
+template <typename Rows>
+inline void findTexelsIn(PixelBlock& block, const GroupMapping& mapping, const Texture& image,
+                         const Rows& rows) {
+  const Repeating columns(image.width());
+  forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
+    const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
+    store(numberOf(columns.texel(at(mapping.u, lane, parameter)),
+                   rows.texel(at(mapping.v, lane, parameter)), image.height()),
+          &block.texels[0][pixel]);
+  });
+}
+
+inline void findTexels(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
+  if (mapping.isSky) return findTexelsIn(block, mapping, image, SkyRows(image.height()));
+  findTexelsIn(block, mapping, image, Repeating(image.height()));
+}
+
+/// A fraction of 0 to 1 as a Mix has it.
+HWY_INLINE void storeMinusFraction(Doubles fraction, std::uint32_t* to) {
+  const Doubles minus =
+      hn::Sub(all(0x10000), hn::Floor(hn::Add(hn::Mul(fraction, all(0x8000)), all(0.5))));
+  const Doubles number = hn::IfThenElseZero(hn::Lt(minus, all(0x10000)), minus);
+  store(numberOf(number, number, 0x10000), to);
+}
+
+HWY_INLINE void storeMix(Doubles across, Doubles down, PixelBlock::Mix& mix, std::size_t pixel) {
+  storeMinusFraction(across, &mix.across[pixel]);
+  storeMinusFraction(down, &mix.down[pixel]);
+}
+
+template <typename Rows>
+inline void findTexelsAroundIn(PixelBlock& block, const GroupMapping& mapping, const Texture& image,
+                               const Rows& rows) {
+  const Repeating columns(image.width());
+  const int height = image.height();
+  forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
+    const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
+    const Between across = columns.between(at(mapping.u, lane, parameter));
+    const Between down = rows.between(at(mapping.v, lane, parameter));
+    store(numberOf(across.first, down.first, height), &block.texels[0][pixel]);
+    store(numberOf(across.next, down.first, height), &block.texels[1][pixel]);
+    store(numberOf(across.first, down.next, height), &block.texels[2][pixel]);
+    store(numberOf(across.next, down.next, height), &block.texels[3][pixel]);
+    storeMix(across.fraction, down.fraction, block.betweenTexels, pixel);
+  });
+}
+
+inline void findTexelsAround(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
+  if (mapping.isSky) return findTexelsAroundIn(block, mapping, image, SkyRows(image.height()));
+  findTexelsAroundIn(block, mapping, image, Repeating(image.height()));
+}
+
+/// All of the nearer texel where nothing is to be mixed.
+HWY_INLINE Doubles filtered(Doubles fraction, LightFilter filter) {
+  return filter == LightFilter::Nearest ? hn::Floor(hn::Add(fraction, all(0.5))) : fraction;
+}
+
+/// Lightmaps hold the light at the centres of texels.
+inline Vec2 centreOfFirst(const TexelRect& rect) { return {rect.i0 + 0.5, rect.j0 + 0.5}; }
+
+inline void findLightTexels(PixelBlock& block, const GroupMapping& mapping,
+                            const Lightmap& lightmap, LightFilter filter) {
+  const TexelRect& rect = lightmap.rect;
+  const Vec2 first = centreOfFirst(rect);
+  forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
+    const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
+    const Between across =
+        betweenKept(hn::Sub(at(mapping.s, lane, parameter), all(first.x)), rect.width);
+    const Between down =
+        betweenKept(hn::Sub(at(mapping.t, lane, parameter), all(first.y)), rect.height);
+    store(hn::Mul(numberOf(down.first, across.first, rect.width), all(lightmap.channels)),
+          &block.lightTexels[pixel]);
+    storeMix(filtered(across.fraction, filter), filtered(down.fraction, filter),
+             block.betweenLightTexels, pixel);
+  });
+}
+
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

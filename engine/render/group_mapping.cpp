@@ -1,0 +1,204 @@
+#include "render/group_mapping.h"
+
+#include <limits>
+
+#include "math/trig.h"
+
+namespace hearth {
+
+namespace {
+
+/// The spans of a group by column, and others where it has none.
+using LaneSpans = std::array<const Span*, Strip::kColumns>;
+
+LaneSpans filled(const SpanGroup& group) {
+  LaneSpans spans = group.spans;
+  const Span* last = nullptr;
+  for (const Span*& span : spans) last = span = span ? span : last;
+  for (std::size_t lane = spans.size(); lane-- > 0;)
+    last = spans[lane] = spans[lane] ? spans[lane] : last;
+  return spans;
+}
+
+/// The same texel all along a column.
+void setConstant(LaneImageAxis& axis) {
+  axis.place.per.fill(0);
+  axis.origin.fill(0);
+}
+
+// --- What is upright -----------------------------------------------------------------------------
+
+void mapUprightImage(const TextureMapping& texture, const Texture& image, double eyeZ,
+                     const LaneSpans& spans, GroupMapping& mapping) {
+  for (std::size_t lane = 0; lane < spans.size(); ++lane) {
+    mapping.u.place.atZero[lane] =
+        image.width() * (spans[lane]->s + texture.along) / texture.repeat.x -
+        texture.offsetTexels.x;
+    mapping.v.place.atZero[lane] = eyeZ;
+    mapping.v.place.per[lane] = spans[lane]->depth;
+    mapping.v.origin[lane] = spans[lane]->zRef;
+  }
+  setConstant(mapping.u);
+  mapping.v.texelsPerPlace = -image.height() / texture.repeat.y;
+  mapping.v.offset = texture.offsetTexels.y;
+}
+
+void mapUprightLight(const Segment& segment, const TexelGrid& grid, double eyeZ,
+                     const LaneSpans& spans, GroupMapping& mapping) {
+  for (std::size_t lane = 0; lane < spans.size(); ++lane) {
+    const Vec2 at = lerp(segment.p0, segment.p1, spans[lane]->fraction);
+    mapping.s.atZero[lane] = grid.toTexels({at.x, at.y, 0}).x;
+    mapping.t.atZero[lane] = eyeZ / grid.texel;
+    mapping.t.per[lane] = spans[lane]->depth / grid.texel;
+  }
+  mapping.s.per.fill(0);
+}
+
+// --- Planes --------------------------------------------------------------------------------------
+
+/// The directions of the view rays of a group's columns in plan, 1 m deep.
+using LaneRays = std::array<Vec2, Strip::kColumns>;
+
+LaneRays raysOf(const Projection& projection, const SpanGroup& group) {
+  LaneRays rays;
+  for (std::size_t lane = 0; lane < rays.size(); ++lane)
+    rays[lane] = projection.rayOf(group.firstColumn + static_cast<int>(lane) + 0.5);
+  return rays;
+}
+
+void mapPlaneImage(const TextureMapping& texture, const Texture& image, Vec2 origin, Vec2 eye,
+                   const LaneRays& rays, GroupMapping& mapping) {
+  for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+    mapping.u.place.atZero[lane] = eye.x;
+    mapping.u.place.per[lane] = rays[lane].x;
+    mapping.v.place.atZero[lane] = eye.y;
+    mapping.v.place.per[lane] = rays[lane].y;
+  }
+  mapping.u.origin.fill(origin.x);
+  mapping.v.origin.fill(origin.y);
+  mapping.u.texelsPerPlace = image.width() / texture.repeat.x;
+  mapping.v.texelsPerPlace = image.height() / texture.repeat.y;
+  mapping.u.offset = texture.offsetTexels.x;
+  mapping.v.offset = texture.offsetTexels.y;
+}
+
+void mapPlaneLight(const TexelGrid& grid, Vec3 belowEye, const LaneRays& rays,
+                   GroupMapping& mapping) {
+  const Vec2 atEye = grid.toTexels(belowEye);
+  for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+    const Vec3 direction{rays[lane].x, rays[lane].y, mapping.rise[lane]};
+    mapping.s.atZero[lane] = atEye.x;
+    mapping.s.per[lane] = dot(direction, grid.axisS) / grid.texel;
+    mapping.t.atZero[lane] = atEye.y;
+    mapping.t.per[lane] = dot(direction, grid.axisT) / grid.texel;
+  }
+}
+
+void mapPlane(const Scene& scene, const Projection& projection, const SpanGroup& group,
+              const Texture* image, const LitSurface* lit, GroupMapping& mapping) {
+  const Surface& surface = scene[group.surface];
+  const Sector& sector = scene[surface.sector];
+  const Flat& flat = facesDown(surface.kind) ? sector.ceiling : sector.floor;
+  const Vec3 eye = projection.eye();
+  const LaneRays rays = raysOf(projection, group);
+  double zAtEye = 0;  // the plane's height above the eye's place on the map
+  mapping.isPlane = true;
+  mapping.isLevel = !isSlope(surface.kind);
+  if (mapping.isLevel) {
+    zAtEye = scene.geometryOf(group.surface).zBottom;
+    mapping.rise.fill(0);
+  } else {
+    const Slope& slope =
+        surface.kind == SurfaceKind::SlopeFloor ? *sector.floorSlope : *sector.ceilingSlope;
+    zAtEye = slope.zAt(eye.xy());
+    for (std::size_t lane = 0; lane < rays.size(); ++lane)
+      mapping.rise[lane] = dot(slope.gradient, rays[lane]);
+  }
+  mapping.height = zAtEye - eye.z;
+  if (image) mapPlaneImage(surface.mapping, *image, flat.textureOrigin, eye.xy(), rays, mapping);
+  if (lit) mapPlaneLight(lit->grid, {eye.x, eye.y, zAtEye}, rays, mapping);
+}
+
+// --- Skies ---------------------------------------------------------------------------------------
+
+void mapSky(const Surface& surface, const Texture& image, const LaneRays& rays,
+            GroupMapping& mapping) {
+  const TextureMapping& texture = surface.mapping;
+  const bool below =
+      surface.kind == SurfaceKind::SkyFloor || surface.kind == SurfaceKind::SkyLowerStep;
+  for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+    mapping.u.place.atZero[lane] =
+        image.width() * (compassDegrees(rays[lane]) / 360) / texture.repeat.x -
+        texture.offsetTexels.x;
+    mapping.v.place.per[lane] = (below ? -1 : 1) / length(rays[lane]);
+  }
+  setConstant(mapping.u);
+  mapping.v.place.atZero.fill(0);
+  mapping.v.origin.fill(texture.repeat.y);
+  mapping.v.texelsPerPlace = -image.height() / texture.repeat.y;
+  mapping.v.offset = texture.offsetTexels.y;
+}
+
+Affine laneOf(const LaneAffine& along, std::size_t lane) {
+  return {along.atZero[lane], along.per[lane]};
+}
+
+ImageAxis laneOf(const LaneImageAxis& along, std::size_t lane) {
+  return {laneOf(along.place, lane), along.origin[lane], along.texelsPerPlace, along.offset};
+}
+
+}  // namespace
+
+SpanMapping GroupMapping::of(std::size_t lane) const {
+  return {.isPlane = isPlane,
+          .isSky = isSky,
+          .height = height,
+          .rise = rise[lane],
+          .depth = depth[lane],
+          .u = laneOf(u, lane),
+          .v = laneOf(v, lane),
+          .s = laneOf(s, lane),
+          .t = laneOf(t, lane)};
+}
+
+GroupMapping mappingOf(const Scene& scene, const Projection& projection, const SpanGroup& group,
+                       const Texture* image, const LitSurface* lit) {
+  GroupMapping mapping;
+  const Surface& surface = scene[group.surface];
+  if (isSky(surface.kind)) {
+    mapping.isSky = true;
+    mapping.depth.fill(std::numeric_limits<double>::infinity());
+    mapSky(surface, *image, raysOf(projection, group), mapping);
+    return mapping;
+  }
+  const LaneSpans spans = filled(group);
+  for (std::size_t lane = 0; lane < spans.size(); ++lane) mapping.depth[lane] = spans[lane]->depth;
+  if (!surface.segment) {
+    mapPlane(scene, projection, group, image, lit, mapping);
+    return mapping;
+  }
+  const double eyeZ = projection.eye().z;
+  if (image) mapUprightImage(surface.mapping, *image, eyeZ, spans, mapping);
+  if (lit) mapUprightLight(scene[*surface.segment], lit->grid, eyeZ, spans, mapping);
+  return mapping;
+}
+
+GroupMapping onImage(GroupMapping mapping, const Texture& from, const Texture& to) {
+  const auto scale = [](LaneImageAxis& axis, int sizeFrom, int sizeTo) {
+    const double scaled = static_cast<double>(sizeTo) / sizeFrom;
+    axis.texelsPerPlace *= scaled;
+    axis.offset *= scaled;
+  };
+  scale(mapping.u, from.width(), to.width());
+  scale(mapping.v, from.height(), to.height());
+  return mapping;
+}
+
+SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
+                      const Texture* image, const LitSurface* lit) {
+  SpanGroup group{span.surface, span.column, span.rowBegin, span.rowEnd, {}};
+  group.spans[0] = &span;
+  return mappingOf(scene, projection, group, image, lit).of(0);
+}
+
+}  // namespace hearth

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "level/scene.h"
+#include "light/lit_surface.h"
+#include "render/camera.h"
+#include "render/span_groups.h"
+#include "render/span_mapping.h"
+#include "render/texture.h"
+
+namespace hearth {
+
+/// A number for each column of a group.
+struct alignas(64) LaneDoubles : std::array<double, Strip::kColumns> {};
+
+/// A linear function for each column.
+struct LaneAffine {
+  LaneDoubles atZero;
+  LaneDoubles per;
+};
+
+/// A texel coordinate of an image for each column (see ImageAxis).
+struct LaneImageAxis {
+  LaneAffine place;
+  LaneDoubles origin;
+  double texelsPerPlace = 1;
+  double offset = 0;
+};
+
+/// The mappings of a group's spans (see SpanMapping). Columns without a span have one, too: on
+/// planes their own, else that of another column.
+struct GroupMapping {
+  bool isPlane = false;
+  bool isLevel = false;  ///< a plane that does not rise
+  bool isSky = false;
+  double height = 0;  ///< of planes
+  LaneDoubles rise;   ///< of planes
+  LaneDoubles depth;
+  LaneImageAxis u;
+  LaneImageAxis v;
+  LaneAffine s;  ///< only with light
+  LaneAffine t;
+
+  SpanMapping of(std::size_t lane) const;
+};
+
+/// `image` is null where only the place on the lightmap counts. `lit` is null for surfaces that no
+/// light can reach: skies, and those that do not show.
+GroupMapping mappingOf(const Scene& scene, const Projection& projection, const SpanGroup& group,
+                       const Texture* image, const LitSurface* lit);
+
+/// The same group on another size of the same image.
+GroupMapping onImage(GroupMapping mapping, const Texture& from, const Texture& to);
+
+/// The mapping of one span.
+SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
+                      const Texture* image, const LitSurface* lit);
+
+}  // namespace hearth

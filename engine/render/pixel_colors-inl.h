@@ -1,0 +1,231 @@
+// Arithmetic of colours, for as many pixels at once as a register holds. A word holds two channels,
+// of 16 bits each: its fields. Included once for each instruction set: see pixel_kernels.cpp, and
+// Highway's guide on the guard.
+
+#if defined(HEARTH_RENDER_PIXEL_COLORS) == defined(HWY_TARGET_TOGGLE)
+#ifdef HEARTH_RENDER_PIXEL_COLORS
+#undef HEARTH_RENDER_PIXEL_COLORS
+#else
+#define HEARTH_RENDER_PIXEL_COLORS
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "render/pixel_block.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<std::uint32_t, PixelBlock::kLanes> kWord;
+using Words = hn::Vec<decltype(kWord)>;
+constexpr hn::RebindToSigned<decltype(kWord)> kSigned;
+using Integers = hn::Vec<decltype(kSigned)>;
+
+HWY_INLINE Words allWords(std::uint32_t value) { return hn::Set(kWord, value); }
+
+HWY_INLINE Words lowFields(Words x) { return hn::And(x, allWords(0xFFFF)); }
+HWY_INLINE Words highFields(Words x) { return hn::ShiftRight<16>(x); }
+HWY_INLINE Words fieldsOf(Words low, Words high) { return hn::Or(low, hn::ShiftLeft<16>(high)); }
+HWY_INLINE Words withFieldsSwapped(Words x) { return hn::RotateRight<16>(x); }
+
+#if HWY_TARGET == HWY_SCALAR
+
+// One lane holds one word, and no two fields.
+
+/// use(a, b) of the signed numbers in the lower fields and of those in the upper ones.
+template <typename Use>
+HWY_INLINE Words onFields(Words a, Words b, Use&& use) {
+  const std::uint32_t x = hn::GetLane(a);
+  const std::uint32_t y = hn::GetLane(b);
+  const auto field = [](std::uint32_t word) {
+    return std::int32_t{static_cast<std::int16_t>(word)};
+  };
+  const auto low = static_cast<std::uint16_t>(use(field(x), field(y)));
+  const auto high = static_cast<std::uint16_t>(use(field(x >> 16), field(y >> 16)));
+  return allWords(std::uint32_t{low} | std::uint32_t{high} << 16);
+}
+
+HWY_INLINE Words differenceOfFields(Words a, Words b) {
+  return onFields(a, b, [](std::int32_t x, std::int32_t y) { return x - y; });
+}
+HWY_INLINE Words sumOfFields(Words a, Words b) {
+  return onFields(a, b, [](std::int32_t x, std::int32_t y) { return x + y; });
+}
+
+/// Products of signed numbers, the second in 2^-15, rounded.
+HWY_INLINE Words productOfFields(Words a, Words b) {
+  return onFields(a, b, [](std::int32_t x, std::int32_t y) { return (x * y + 0x4000) >> 15; });
+}
+
+HWY_INLINE Words minOfUnsignedFields(Words a, Words b) {
+  return fieldsOf(hn::Min(lowFields(a), lowFields(b)), hn::Min(highFields(a), highFields(b)));
+}
+
+/// The upper 16 bits of products of unsigned numbers.
+HWY_INLINE Words highProductOfFields(Words a, Words b) {
+  return fieldsOf(highFields(hn::Mul(lowFields(a), lowFields(b))),
+                  highFields(hn::Mul(highFields(a), highFields(b))));
+}
+
+#else
+
+constexpr hn::Repartition<std::int16_t, decltype(kWord)> kField;
+constexpr hn::Repartition<std::uint16_t, decltype(kWord)> kUnsignedField;
+
+HWY_INLINE Words differenceOfFields(Words a, Words b) {
+  return hn::BitCast(kWord, hn::Sub(hn::BitCast(kField, a), hn::BitCast(kField, b)));
+}
+HWY_INLINE Words sumOfFields(Words a, Words b) {
+  return hn::BitCast(kWord, hn::Add(hn::BitCast(kField, a), hn::BitCast(kField, b)));
+}
+
+/// Products of signed numbers, the second in 2^-15, rounded.
+HWY_INLINE Words productOfFields(Words a, Words b) {
+  return hn::BitCast(kWord, hn::MulFixedPoint15(hn::BitCast(kField, a), hn::BitCast(kField, b)));
+}
+
+HWY_INLINE Words minOfUnsignedFields(Words a, Words b) {
+  return hn::BitCast(kWord,
+                     hn::Min(hn::BitCast(kUnsignedField, a), hn::BitCast(kUnsignedField, b)));
+}
+
+/// The upper 16 bits of products of unsigned numbers.
+HWY_INLINE Words highProductOfFields(Words a, Words b) {
+  return hn::BitCast(kWord,
+                     hn::MulHigh(hn::BitCast(kUnsignedField, a), hn::BitCast(kUnsignedField, b)));
+}
+
+#endif
+
+/// Levels of light and colour, 0 to 255, are kept in 128ths: so they and their differences are
+/// signed numbers of 16 bits.
+constexpr int kLevelBits = 7;
+
+/// The channels of a colour. The outer ones, the lowest byte and the third, share a word; the
+/// middle one fills both fields of another.
+struct Channels {
+  Words outer;
+  Words middle;
+};
+
+/// Of light that is equal in all channels.
+HWY_INLINE Channels grey(Words level) { return {level, level}; }
+
+/// The same number in both fields of each word.
+HWY_INLINE Words twice(Words number) { return hn::Or(number, hn::ShiftLeft<16>(number)); }
+
+/// In 128ths, of colours whose highest byte means nothing.
+HWY_INLINE Channels channelsOf(Words colors) {
+  const Words outer = hn::And(colors, allWords(0x00FF00FF));
+  const Words middle = hn::And(hn::ShiftRight<8>(colors), allWords(0xFF));
+  return {hn::ShiftLeft<kLevelBits>(outer), hn::ShiftLeft<kLevelBits>(twice(middle))};
+}
+
+/// The nearest colours of 8 bits a channel.
+HWY_INLINE Words colorsOf(const Channels& channels) {
+  const Words half = allWords(0x00400040);
+  const Words outer =
+      hn::And(hn::ShiftRight<kLevelBits>(hn::Add(channels.outer, half)), allWords(0x00FF00FF));
+  const Words middle = hn::ShiftLeft<1>(hn::Add(channels.middle, half));
+  return hn::Or(outer, hn::And(middle, allWords(0xFF00)));
+}
+
+/// `first`, or what lies between it and the next one, of which it is the larger by `drop`. How far
+/// between is less than 0, in 2^-15: so it can be all of the way, and both ends are exact.
+HWY_INLINE Words between(Words first, Words drop, Words minusFraction) {
+  return sumOfFields(first, productOfFields(drop, minusFraction));
+}
+
+/// How far a pixel is from the left to the right texels and from the upper to the lower ones, as
+/// between() takes it.
+struct Weights {
+  Words across;
+  Words down;
+};
+
+/// A 2x2 neighbourhood of texels, one or two channels of it.
+struct Neighbourhood {
+  Words upperLeft;
+  Words upperDrop;  ///< to the right
+  Words lowerLeft;
+  Words lowerDrop;
+
+  HWY_INLINE Words at(const Weights& weights) const {
+    const Words upper = between(upperLeft, upperDrop, weights.across);
+    const Words lower = between(lowerLeft, lowerDrop, weights.across);
+    return between(upper, differenceOfFields(upper, lower), weights.down);
+  }
+};
+
+HWY_INLINE Neighbourhood neighbourhoodOf(Words upperLeft, Words upperRight, Words lowerLeft,
+                                         Words lowerRight) {
+  return {upperLeft, differenceOfFields(upperLeft, upperRight), lowerLeft,
+          differenceOfFields(lowerLeft, lowerRight)};
+}
+
+/// All channels of a 2x2 neighbourhood.
+struct ColorNeighbourhood {
+  Neighbourhood outer;
+  Neighbourhood middle;
+
+  HWY_INLINE Channels at(const Weights& weights) const {
+    return {outer.at(weights), middle.at(weights)};
+  }
+};
+
+HWY_INLINE ColorNeighbourhood neighbourhoodOf(const Channels& upperLeft, const Channels& upperRight,
+                                              const Channels& lowerLeft,
+                                              const Channels& lowerRight) {
+  return {
+      neighbourhoodOf(upperLeft.outer, upperRight.outer, lowerLeft.outer, lowerRight.outer),
+      neighbourhoodOf(upperLeft.middle, upperRight.middle, lowerLeft.middle, lowerRight.middle)};
+}
+
+/// Colours in a light that shows so much of each channel: 256 * 255 is all of it.
+HWY_INLINE Words shaded(Words colors, const Channels& shown) {
+  const Words outer = hn::And(colors, allWords(0x00FF00FF));
+  const Words middle = hn::And(hn::ShiftRight<8>(colors), allWords(0x00FF00FF));
+  // A byte b twice is 257 b, and 257 * 256 * 255 / 2^16 is almost 256: what comes out is less than
+  // a 256th of a level times 2 too small. So halves are rounded up, as they should be, by adding
+  // 130.
+  const auto product = [](Words bytes, Words levels) HWY_ATTR {
+    const Words bytesTwice = hn::Or(bytes, hn::ShiftLeft<8>(bytes));
+    return hn::Add(highProductOfFields(bytesTwice, levels), allWords(130 * 0x10001));
+  };
+  const Words outers = hn::ShiftRight<8>(product(outer, shown.outer));
+  return hn::Or(hn::And(outers, allWords(0x00FF00FF)),
+                hn::And(product(middle, shown.middle), allWords(0xFF00)));
+}
+
+/// What shows in the light of a lightmap and of the sector: min(1, lightmap + sector). In numbers
+/// of which 256 * 255 is all.
+class SectorLight {
+ public:
+  explicit SectorLight(double level)
+      : level_(static_cast<std::uint32_t>(level * kAll + 0.5) * 0x10001),
+        room_(kAll * 0x10001 - level_) {}
+
+  /// `levels` are those of the lightmap, in 128ths.
+  HWY_INLINE Channels with(const Channels& levels) const {
+    return {with(levels.outer), with(levels.middle)};
+  }
+  HWY_INLINE Words with(Words levels) const {
+    return hn::Add(minOfUnsignedFields(hn::Add(levels, levels), allWords(room_)), allWords(level_));
+  }
+
+ private:
+  static constexpr std::uint32_t kAll = 256 * 255;
+
+  std::uint32_t level_;  ///< in both fields
+  std::uint32_t room_;   ///< for the lightmap
+};
+
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "light/lightmap.h"
+#include "render/draw_settings.h"
+#include "render/group_mapping.h"
+#include "render/pixel_block.h"
+#include "render/texture.h"
+
+namespace hearth {
+
+/// The light of a group's pixels.
+struct GroupLight {
+  const Lightmap* lightmap;  ///< null if no light reaches the surface
+  double sectorLight;        ///< 0..1
+
+  /// Whether it differs from pixel to pixel.
+  bool varies() const { return lightmap && !lightmap->isUniform(); }
+};
+
+/// The texels of a group's pixels.
+struct GroupTexels {
+  const Texture* image;  ///< null if all are white
+  bool areMixed;         ///< four for each pixel
+  bool haveHoles;        ///< pixels of holes stay as they are
+  bool areWhite;         ///< except holes
+};
+
+/// Loops over the pixels of a block, as many at once as the registers of a processor hold. The
+/// results are the same to the bit on every processor.
+struct PixelKernels {
+  /// The parameters of the pixels.
+  void (*findParameters)(PixelBlock& block, const GroupMapping& mapping);
+  // The next two find texels in fixed point. They return false where that cannot tell them. Then
+  // the others do, from the parameters.
+  bool (*findLinearTexels)(PixelBlock& block, const GroupMapping& mapping, const Texture& image);
+  bool (*findLinearLightTexels)(PixelBlock& block, const GroupMapping& mapping,
+                                const Lightmap& lightmap, LightFilter filter);
+  /// The texels that the pixels fall into.
+  void (*findTexels)(PixelBlock& block, const GroupMapping& mapping, const Texture& image);
+  /// The four texels around the pixels.
+  void (*findTexelsAround)(PixelBlock& block, const GroupMapping& mapping, const Texture& image);
+  /// Those of a lightmap that is not uniform.
+  void (*findLightTexels)(PixelBlock& block, const GroupMapping& mapping, const Lightmap& lightmap,
+                          LightFilter filter);
+  /// Writes the pixels of the rows, of which each has eight.
+  void (*shade)(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
+                std::uint32_t* rows);
+};
+
+/// The kernels for the widest registers that this processor has.
+const PixelKernels& pixelKernels();
+
+}  // namespace hearth

@@ -1,0 +1,231 @@
+// The colours of the pixels of a block in their light. Included once for each instruction set: see
+// pixel_kernels.cpp, and Highway's guide on the guard.
+
+#if defined(HEARTH_RENDER_PIXEL_SHADING) == defined(HWY_TARGET_TOGGLE)
+#ifdef HEARTH_RENDER_PIXEL_SHADING
+#undef HEARTH_RENDER_PIXEL_SHADING
+#else
+#define HEARTH_RENDER_PIXEL_SHADING
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "light/lightmap.h"
+#include "render/pixel_colors-inl.h"
+#include "render/pixel_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hearth::HWY_NAMESPACE {
+
+HWY_INLINE Weights weightsAt(const PixelBlock::Mix& mix, std::size_t pixel) {
+  return {hn::Load(kWord, &mix.across[pixel]), hn::Load(kWord, &mix.down[pixel])};
+}
+
+/// White.
+struct NoTexels {
+  HWY_INLINE Words colors(std::size_t) const { return allWords(0xFFFFFF); }
+};
+
+struct NearestTexels {
+  const PixelBlock& block;
+
+  HWY_INLINE Words colors(std::size_t pixel) const {
+    return hn::Load(kWord, &block.colors[0][pixel]);
+  }
+};
+
+struct MixedTexels {
+  const PixelBlock& block;
+
+  HWY_INLINE Words colors(std::size_t pixel) const {
+    const auto at = [&](std::size_t i)
+                        HWY_ATTR { return channelsOf(hn::Load(kWord, &block.colors[i][pixel])); };
+    return colorsOf(
+        neighbourhoodOf(at(0), at(1), at(2), at(3)).at(weightsAt(block.betweenTexels, pixel)));
+  }
+};
+
+/// The same light in all pixels.
+class UniformLight {
+ public:
+  UniformLight(const Lightmap* lightmap, const SectorLight& sector) {
+    const auto level = [&](int channel) {
+      if (!lightmap) return std::uint32_t{0};
+      return std::uint32_t{lightmap->at(lightmap->rect.i0, lightmap->rect.j0, channel)};
+    };
+    shown_ = sector.with(channelsOf(allWords(level(0) << 16 | level(1) << 8 | level(2))));
+  }
+
+  HWY_INLINE Channels shown(std::size_t, std::size_t) const { return shown_; }
+
+ private:
+  Channels shown_;
+};
+
+/// The texels around the last pixels of each register of a row. Light is coarse: often the next row
+/// has the same ones.
+template <typename Neighbours>
+class KeptTexels {
+ public:
+  HWY_INLINE KeptTexels() { texels_.fill(allWords(~std::uint32_t{0})); }
+
+  /// `find()` finds those around the pixels from `lane` on, which are between these texels.
+  template <typename Find>
+  HWY_INLINE const Neighbours& around(Words texels, std::size_t lane, Find&& find) {
+    const std::size_t i = lane / hn::MaxLanes(kWord);
+    if (!hn::AllTrue(kWord, hn::Eq(texels, texels_[i]))) {
+      texels_[i] = texels;
+      neighbours_[i] = find();
+    }
+    return neighbours_[i];
+  }
+
+ private:
+  static constexpr std::size_t kRegisters = kLanes / hn::MaxLanes(kWord);
+
+  std::array<Words, kRegisters> texels_;
+  std::array<Neighbours, kRegisters> neighbours_;
+};
+
+/// Texels of a lightmap whose light is white.
+class WhiteLight {
+ public:
+  WhiteLight(const PixelBlock& block, const Lightmap& lightmap, const SectorLight& sector)
+      : block_(block),
+        upper_(lightmap.levels.data()),
+        lower_(upper_ + lightmap.rect.width),
+        sector_(sector) {}
+
+  HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
+    const Words texels = hn::Load(kWord, &block_.lightTexels[pixel]);
+    const Neighbourhood& near =
+        kept_.around(texels, lane, [&]() HWY_ATTR { return around(pixel); });
+    return grey(sector_.with(near.at(weightsAt(block_.betweenLightTexels, pixel))));
+  }
+
+ private:
+  HWY_INLINE Neighbourhood around(std::size_t pixel) const {
+    const auto levels = [&](const std::uint8_t* from) HWY_ATTR {
+      alignas(64) std::array<std::uint32_t, kLanes> words;
+      for (std::size_t k = 0; k < hn::Lanes(kWord); ++k)
+        words[k] = from[block_.lightTexels[pixel + k]];
+      return hn::ShiftLeft<kLevelBits>(twice(hn::Load(kWord, words.data())));
+    };
+    return neighbourhoodOf(levels(upper_), levels(upper_ + 1), levels(lower_), levels(lower_ + 1));
+  }
+
+  const PixelBlock& block_;
+  const std::uint8_t* upper_;
+  const std::uint8_t* lower_;
+  const SectorLight& sector_;
+  KeptTexels<Neighbourhood> kept_;
+};
+
+/// Texels of a lightmap with three channels: red in the lowest byte.
+class ColoredLight {
+ public:
+  ColoredLight(const PixelBlock& block, const Lightmap& lightmap, const SectorLight& sector)
+      : block_(block),
+        upper_(lightmap.levels.data()),
+        lower_(upper_ + std::size_t{3} * static_cast<std::size_t>(lightmap.rect.width) - 2),
+        sector_(sector) {}
+
+  HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
+    const Words texels = hn::Load(kWord, &block_.lightTexels[pixel]);
+    const ColorNeighbourhood& near =
+        kept_.around(texels, lane, [&]() HWY_ATTR { return around(pixel); });
+    return sector_.with(near.at(weightsAt(block_.betweenLightTexels, pixel)));
+  }
+
+ private:
+  /// The six bytes of a pair are read as eight. The two more are behind the upper pair, where the
+  /// lower row of the lightmap follows, and before the lower pair.
+  HWY_INLINE ColorNeighbourhood around(std::size_t pixel) const {
+    Words low;
+    Words high;
+    load(upper_, pixel, low, high);
+    const Channels upperLeft = inPictureOrder(low);
+    const Channels upperRight =
+        inPictureOrder(hn::Or(hn::ShiftRight<24>(low), hn::ShiftLeft<8>(high)));
+    load(lower_, pixel, low, high);
+    const Channels lowerLeft =
+        inPictureOrder(hn::Or(hn::ShiftRight<16>(low), hn::ShiftLeft<16>(high)));
+    const Channels lowerRight = inPictureOrder(hn::ShiftRight<8>(high));
+    return neighbourhoodOf(upperLeft, upperRight, lowerLeft, lowerRight);
+  }
+
+  HWY_INLINE void load(const std::uint8_t* from, std::size_t pixel, Words& low, Words& high) const {
+    alignas(64) std::array<std::uint64_t, kLanes> pairs;
+    for (std::size_t k = 0; k < hn::Lanes(kWord); ++k)
+      std::memcpy(&pairs[k], from + block_.lightTexels[pixel + k], sizeof pairs[k]);
+    hn::LoadInterleaved2(kWord, reinterpret_cast<const std::uint32_t*>(pairs.data()), low, high);
+  }
+
+  /// Pictures have blue in the lowest byte.
+  static HWY_INLINE Channels inPictureOrder(Words colors) {
+    const Channels channels = channelsOf(colors);
+    return {withFieldsSwapped(channels.outer), channels.middle};
+  }
+
+  const PixelBlock& block_;
+  const std::uint8_t* upper_;
+  const std::uint8_t* lower_;
+  const SectorLight& sector_;
+  KeptTexels<ColorNeighbourhood> kept_;
+};
+
+/// Writes pixels of rows where their columns show the surface, except those of holes.
+template <bool kHasHoles, typename Texels, typename Light>
+inline void shadeIn(const PixelBlock& block, const Texels& texels, Light light,
+                    std::uint32_t* rows) {
+  for (int i = 0; i < block.rows; ++i) {
+    const int row = block.firstRow + i;
+    const bool isFull = !kHasHoles && row >= block.columns.fullBegin && row < block.columns.fullEnd;
+    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kWord)) {
+      const std::size_t pixel = static_cast<std::size_t>(i) * kLanes + lane;
+      const Words colors = texels.colors(pixel);
+      const Words pixels = shaded(colors, light.shown(pixel, lane));
+      if (isFull) {
+        hn::StoreU(pixels, kWord, rows + pixel);
+        continue;
+      }
+      auto isShown = hn::And(
+          hn::Gt(hn::Set(kSigned, row + 1), hn::Load(kSigned, &block.columns.rowBegin[lane])),
+          hn::Gt(hn::Load(kSigned, &block.columns.rowEnd[lane]), hn::Set(kSigned, row)));
+      if constexpr (kHasHoles)
+        isShown = hn::And(isShown, hn::Gt(hn::BitCast(kSigned, colors), hn::Set(kSigned, -1)));
+      const Words before = hn::LoadU(kWord, rows + pixel);
+      hn::StoreU(hn::IfThenElse(hn::RebindMask(kWord, isShown), pixels, before), kWord,
+                 rows + pixel);
+    }
+  }
+}
+
+template <typename Light>
+inline void shadeTexels(const PixelBlock& block, const GroupTexels& texels, const Light& light,
+                        std::uint32_t* rows) {
+  if (!texels.image) return shadeIn<false>(block, NoTexels(), light, rows);
+  if (texels.areMixed) return shadeIn<false>(block, MixedTexels{block}, light, rows);
+  if (texels.haveHoles) return shadeIn<true>(block, NearestTexels{block}, light, rows);
+  shadeIn<false>(block, NearestTexels{block}, light, rows);
+}
+
+inline void shade(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
+                  std::uint32_t* rows) {
+  const SectorLight sector(light.sectorLight);
+  if (!light.varies())
+    return shadeTexels(block, texels, UniformLight(light.lightmap, sector), rows);
+  if (light.lightmap->channels == 1)
+    return shadeTexels(block, texels, WhiteLight(block, *light.lightmap, sector), rows);
+  shadeTexels(block, texels, ColoredLight(block, *light.lightmap, sector), rows);
+}
+
+}  // namespace hearth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
