@@ -92,6 +92,40 @@ class KeptTexels {
   std::array<Neighbours, kRegisters> neighbours_;
 };
 
+#if HWY_TARGET == HWY_SCALAR
+
+/// word(k) of each pixel k of a register.
+template <typename Word>
+HWY_INLINE Words assembled(Word&& word) {
+  return allWords(word(0));
+}
+
+#else
+
+/// Numbers number(k) from the first on, put together in registers.
+template <typename D, typename Number>
+HWY_INLINE hn::Vec<D> assembled(D d, std::size_t first, Number&& number) {
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    return hn::Set(d, number(first));
+  } else {
+    const hn::Half<D> half;
+    return hn::Combine(d, assembled(half, first + hn::MaxLanes(half), number),
+                       assembled(half, first, number));
+  }
+}
+
+/// word(k) of each pixel k of a register. Written to memory word by word, they could not be read as
+/// a register before they have arrived there.
+template <typename Word>
+HWY_INLINE Words assembled(Word&& word) {
+  constexpr hn::Repartition<std::uint64_t, decltype(kWord)> kTwoWords;
+  return hn::BitCast(kWord, assembled(kTwoWords, 0, [&](std::size_t k) HWY_ATTR {
+                       return word(2 * k) | std::uint64_t{word(2 * k + 1)} << 32;
+                     }));
+}
+
+#endif
+
 /// Texels of a lightmap whose light is white.
 class WhiteLight {
  public:
@@ -110,13 +144,19 @@ class WhiteLight {
 
  private:
   HWY_INLINE Neighbourhood around(std::size_t pixel) const {
-    const auto levels = [&](const std::uint8_t* from) HWY_ATTR {
-      alignas(64) std::array<std::uint32_t, kLanes> words;
-      for (std::size_t k = 0; k < hn::Lanes(kWord); ++k)
-        words[k] = from[block_.lightTexels[pixel + k]];
-      return hn::ShiftLeft<kLevelBits>(twice(hn::Load(kWord, words.data())));
+    const Words four = assembled([&](std::size_t k) HWY_ATTR {
+      const std::uint32_t texel = block_.lightTexels[pixel + k];
+      std::uint16_t upper = 0;
+      std::uint16_t lower = 0;
+      std::memcpy(&upper, upper_ + texel, sizeof upper);
+      std::memcpy(&lower, lower_ + texel, sizeof lower);
+      return upper | std::uint32_t{lower} << 16;
+    });
+    const auto level = [](Words words) HWY_ATTR {
+      return hn::ShiftLeft<kLevelBits>(twice(hn::And(words, allWords(0xFF))));
     };
-    return neighbourhoodOf(levels(upper_), levels(upper_ + 1), levels(lower_), levels(lower_ + 1));
+    return neighbourhoodOf(level(four), level(hn::ShiftRight<8>(four)),
+                           level(hn::ShiftRight<16>(four)), level(hn::ShiftRight<24>(four)));
   }
 
   const PixelBlock& block_;
