@@ -12,6 +12,7 @@ namespace hearth {
 namespace {
 
 constexpr ImageSize kFullHd{1920, 1080};
+constexpr ImageSize k4K{3840, 2160};
 constexpr int kTurns = 2;
 
 /// Of frames, milliseconds of their two phases.
@@ -25,19 +26,51 @@ class PhaseTimes {
     const double found = clock();
     color();
     const double end = clock();
+    finds_.push_back(1e3 * (found - begin));
     colors_.push_back(1e3 * (end - found));
     frames_.push_back(1e3 * (end - begin));
   }
 
-  void clear() { colors_.clear(), frames_.clear(); }
+  void clear() { finds_.clear(), colors_.clear(), frames_.clear(); }
 
+  double find() const { return spreadOf(finds_).median; }
   double color() const { return spreadOf(colors_).median; }
   double frame() const { return spreadOf(frames_).median; }
 
  private:
+  std::vector<double> finds_;
   std::vector<double> colors_;
   std::vector<double> frames_;
 };
+
+/// What frames are drawn in.
+class Canvas {
+ public:
+  void find(const Renderer& renderer, const Camera& camera, Workers* workers) {
+    renderer.findSpans(camera, scratch_, workers);
+  }
+  void color(const Renderer& renderer, const Camera& camera, Workers* workers) {
+    renderer.paintSpans(camera, LightMode::Both, scratch_,
+                        memory_.rows(camera.width, camera.height), workers);
+  }
+  /// One frame, both phases.
+  void draw(const Renderer& renderer, const Camera& camera, Workers* workers, PhaseTimes& times,
+            const Clock& clock) {
+    times.add(
+        clock, [&] { find(renderer, camera, workers); }, [&] { color(renderer, camera, workers); });
+  }
+
+ private:
+  FrameScratch scratch_;
+  PixelBuffer memory_;
+};
+
+/// All shots in this size.
+std::vector<Camera> camerasIn(ImageSize size, const PeerLevel& level) {
+  std::vector<Camera> cameras = camerasOf(level.loaded.level);
+  for (Camera& camera : cameras) camera.width = size.width, camera.height = size.height;
+  return cameras;
+}
 
 /// Frames of all shots: on one thread, on two, and two at once that have nothing to do with one
 /// another, which shows what two threads can gain here. Each shot in all three ways, one after the
@@ -45,9 +78,7 @@ class PhaseTimes {
 class ThreadedFrames {
  public:
   explicit ThreadedFrames(const PeerLevel& level)
-      : renderer_(level.renderer), cameras_(camerasOf(level.loaded.level)) {
-    for (Camera& camera : cameras_) camera.width = kFullHd.width, camera.height = kFullHd.height;
-  }
+      : renderer_(level.renderer), cameras_(camerasIn(kFullHd, level)) {}
 
   void measure(const Clock& clock) {
     drawAll(clock);  // caches that others have used are warm again
@@ -63,36 +94,17 @@ class ThreadedFrames {
   }
 
  private:
-  struct Canvas {
-    FrameScratch scratch;
-    PixelBuffer memory;
-  };
-
   void drawAll(const Clock& clock) {
     for (const Camera& camera : cameras_) {
-      draw(camera, nullptr, ofPair_[0], one_, clock);
-      draw(camera, &workers_, ofTwo_, two_, clock);
+      ofPair_[0].draw(renderer_, camera, nullptr, one_, clock);
+      ofTwo_.draw(renderer_, camera, &workers_, two_, clock);
       const auto each = [&](auto&& work) {
         workers_.run(ofPair_.size(), [&](std::size_t i) { work(ofPair_[i]); });
       };
       pair_.add(
-          clock, [&] { each([&](Canvas& canvas) { find(camera, nullptr, canvas); }); },
-          [&] { each([&](Canvas& canvas) { color(camera, nullptr, canvas); }); });
+          clock, [&] { each([&](Canvas& canvas) { canvas.find(renderer_, camera, nullptr); }); },
+          [&] { each([&](Canvas& canvas) { canvas.color(renderer_, camera, nullptr); }); });
     }
-  }
-
-  void draw(const Camera& camera, Workers* workers, Canvas& canvas, PhaseTimes& times,
-            const Clock& clock) const {
-    times.add(
-        clock, [&] { find(camera, workers, canvas); }, [&] { color(camera, workers, canvas); });
-  }
-
-  void find(const Camera& camera, Workers* workers, Canvas& canvas) const {
-    renderer_.findSpans(camera, canvas.scratch, workers);
-  }
-  void color(const Camera& camera, Workers* workers, Canvas& canvas) const {
-    renderer_.paintSpans(camera, LightMode::Both, canvas.scratch,
-                         canvas.memory.rows(camera.width, camera.height), workers);
   }
 
   const Renderer& renderer_;
@@ -105,10 +117,50 @@ class ThreadedFrames {
   PhaseTimes pair_;
 };
 
-Prepared prepareThreads(PeerInputs& inputs, double (PhaseTimes::*part)() const) {
+/// Frames of all shots in full HD on one thread, and each in 4K on two right after it.
+class LargeFrames {
+ public:
+  explicit LargeFrames(const PeerLevel& level)
+      : renderer_(level.renderer),
+        small_(camerasIn(kFullHd, level)),
+        large_(camerasIn(k4K, level)) {}
+
+  Figures measure(const Clock& clock) {
+    drawAll(clock);  // caches that others have used are warm again
+    ofSmall_.clear();
+    ofLarge_.clear();
+    for (int i = 0; i < kTurns; ++i) drawAll(clock);
+    return {ofLarge_.frame() / ofSmall_.frame(), ofLarge_.frame(), ofSmall_.frame(),
+            ofLarge_.find(), ofLarge_.color()};
+  }
+
+ private:
+  void drawAll(const Clock& clock) {
+    for (std::size_t i = 0; i < small_.size(); ++i) {
+      canvas_.draw(renderer_, small_[i], nullptr, ofSmall_, clock);
+      largeCanvas_.draw(renderer_, large_[i], &workers_, ofLarge_, clock);
+    }
+  }
+
+  const Renderer& renderer_;
+  std::vector<Camera> small_;
+  std::vector<Camera> large_;
+  Canvas canvas_;
+  Canvas largeCanvas_;
+  Workers workers_{2};
+  PhaseTimes ofSmall_;
+  PhaseTimes ofLarge_;
+};
+
+/// The castle, on machines that run two threads at once.
+tl::expected<const PeerLevel*, std::string> castleForThreads(PeerInputs& inputs) {
   if (availableThreads() < 2)
     return tl::unexpected<std::string>("this machine runs one thread at once");
-  return inputs.level(inputs.castleFile()).map([&](const PeerLevel* level) -> Measure {
+  return inputs.level(inputs.castleFile());
+}
+
+Prepared prepareThreads(PeerInputs& inputs, double (PhaseTimes::*part)() const) {
+  return castleForThreads(inputs).map([&](const PeerLevel* level) -> Measure {
     return [frames = std::make_shared<ThreadedFrames>(*level), part, &inputs] {
       frames->measure(inputs.clock());
       return frames->figures(part);
@@ -117,6 +169,14 @@ Prepared prepareThreads(PeerInputs& inputs, double (PhaseTimes::*part)() const) 
 }
 
 }  // namespace
+
+Prepared prepareLargeFrames(PeerInputs& inputs) {
+  return castleForThreads(inputs).map([&](const PeerLevel* level) -> Measure {
+    return [frames = std::make_shared<LargeFrames>(*level), &inputs] {
+      return frames->measure(inputs.clock());
+    };
+  });
+}
 
 Prepared prepareFrameThreads(PeerInputs& inputs) {
   return prepareThreads(inputs, &PhaseTimes::frame);
