@@ -47,6 +47,13 @@ BakedLight cachedLight(const Scene& scene, const BakeSettings& settings,
   return std::move(bake.light);
 }
 
+BakedLight noLight(const Scene& scene) {
+  BakedLight none;
+  none.surfaces.resize(scene.level().surfaces.size());
+  none.lightmaps.resize(none.surfaces.size());
+  return none;
+}
+
 }  // namespace
 
 std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
@@ -124,8 +131,11 @@ tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionV
 
 tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
                                                   const OptionValues& values) {
-  if (values.has(Option::LightFrom) || cacheFor(values)) return lightFor(scene, values);
+  const bool showsLight = lightModeFrom(values) != LightMode::None;
+  if (values.has(Option::LightFrom) || (showsLight && cacheFor(values)))
+    return lightFor(scene, values);
   return bakeSettingsFor(scene, values).map([&](const BakeSettings& settings) {
+    if (!showsLight) return noLight(scene);
     LitSurfaces surfaces = makeLitSurfaces(scene, settings.texel);
     DrawSettings frame = drawSettingsFrom(values);
     if (values.has(Option::Channel)) frame.pixelSize = 1;  // channels have all pixels

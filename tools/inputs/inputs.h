@@ -61,7 +61,7 @@ int threadsFrom(const OptionValues& values);
 tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionValues& values);
 
 /// The same for one picture. If no cache keeps the light for later, only the light that the camera
-/// sees is baked.
+/// sees is baked, and nothing is if `--light none` shows none.
 tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
                                                   const OptionValues& values);
 
