@@ -41,6 +41,16 @@ TEST(LightReport, SaysWhySurfacesHaveNoLightmap) {
   EXPECT_EQ(report.all.skippedTexels, report.all.whiteTexels) << "the rooms are alike";
 }
 
+TEST(LightReport, TakesASurfaceThatNoLightCouldReachForOneThatNoneFaces) {
+  const LoadedLevel hall = test::levelFrom(
+      "{'light': 0.1, 'sectors': {" + test::sectorText("hall", "0,0, 40,0, 40,4, 0,4", 0, 3) + "}}",
+      "[{'x':2,'y':2,'z':2,'curve':[[0,255],[6,0]]}]");
+  const LightReport report = reportOf(hall);
+  EXPECT_EQ(report.all.unfaced, 1) << "the wall at the far end, in front of which the light is";
+  EXPECT_EQ(report.all.unreached, 0);
+  EXPECT_EQ(report.all.white, 5);
+}
+
 TEST(LightReport, HasThreeChannelsOnlyWhereColorArrives) {
   const LightReport report =
       reportOf(twoRooms("[{'x':2,'y':2,'z':1,'falloff':1,'color':'#ff8000'},"

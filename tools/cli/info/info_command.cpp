@@ -162,7 +162,7 @@ void printLight(const Contents& contents) {
     printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
   printRow("all", light.all);
   fmt::print(
-      "bare: sky, or nothing of it can show; unfaced: all lights are behind its plane; "
+      "bare: sky, or nothing of it can show; unfaced: no light within reach is in front of it; "
       "unreached: none arrives\n");
   const auto printLights = [](std::string_view what, const LightKindReport& kind) {
     if (kind.lights > 0)

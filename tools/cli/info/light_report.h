@@ -14,8 +14,8 @@ namespace hearth {
 /// Surfaces, and the cost of their light. The first five counts add up to all surfaces.
 struct SurfaceReport {
   std::int64_t bare = 0;       ///< no lightmap: sky, or it cannot show
-  std::int64_t unfaced = 0;    ///< no lightmap: all lights are behind its plane
-  std::int64_t unreached = 0;  ///< no lightmap: lights face it, but none of their light arrives
+  std::int64_t unfaced = 0;    ///< no lightmap: no light within reach is in front of it
+  std::int64_t unreached = 0;  ///< no lightmap: there are such lights, but no light arrives
   std::int64_t white = 0;      ///< lightmaps of one channel
   std::int64_t colored = 0;    ///< lightmaps of three
   std::int64_t even = 0;       ///< of both: all texels are the same, and one is kept
