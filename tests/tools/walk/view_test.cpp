@@ -42,18 +42,48 @@ TEST(FrameRateTest, IsTheMeanOfASecond) {
   const auto mean = rate.count(now, now + 0.0625);
   ASSERT_TRUE(mean);
   EXPECT_NEAR(mean->drawSeconds, 0.0625, 1e-9);
-  EXPECT_NEAR(mean->framesPerSecond, 9 / 1.0625, 1e-9);
+  EXPECT_NEAR(mean->framesPerSecond, 8, 1e-9);
   EXPECT_FALSE(rate.count(now + 0.125, now + 0.25)) << "the next second begins";
+}
+
+TEST(FrameRateTest, IsThatOfTheCapHoweverSoonFramesAreDrawn) {
+  for (const int cap : {2, 60})
+    for (const double drawSeconds : {0.0, 0.005, 0.4 / cap}) {
+      FrameRate rate;
+      int means = 0;
+      for (int i = 0; i < 6 * cap; ++i) {
+        const double begin = i / static_cast<double>(cap);
+        const auto mean = rate.count(begin, begin + drawSeconds);
+        if (!mean) continue;
+        ++means;
+        EXPECT_NEAR(mean->framesPerSecond, cap, 1e-9) << i;
+        EXPECT_NEAR(mean->drawSeconds, drawSeconds, 1e-9) << i;
+      }
+      EXPECT_GE(means, 4);
+    }
 }
 
 TEST(FrameRateTest, StartsAnewAfterARestAndWhenTheClockIsSetBack) {
   FrameRate rate;
   rate.count(0, 0.5);
   EXPECT_FALSE(rate.count(100, 100.5));
-  EXPECT_EQ(rate.count(100.5, 101)->framesPerSecond, 2);
-  rate.count(101, 101.5);
+  EXPECT_FALSE(rate.count(100.5, 101));
+  EXPECT_EQ(rate.count(101, 101.5)->framesPerSecond, 2);
+  rate.count(101.5, 102);
   EXPECT_FALSE(rate.count(3, 3.75));
-  EXPECT_EQ(rate.count(3.75, 4.5)->drawSeconds, 0.75);
+  EXPECT_FALSE(rate.count(3.75, 4.5));
+  EXPECT_EQ(rate.count(4.5, 5.25)->drawSeconds, 0.75);
+}
+
+TEST(FrameRateTest, StartsAnewWhenTheClockIsSetBackWithinAFrame) {
+  FrameRate rate;
+  rate.count(100, 100.5);
+  EXPECT_FALSE(rate.count(100.5, 3));
+  EXPECT_FALSE(rate.count(3, 3.5));
+  const auto mean = rate.count(3.5, 4);
+  ASSERT_TRUE(mean);
+  EXPECT_EQ(mean->drawSeconds, 0.5);
+  EXPECT_EQ(mean->framesPerSecond, 2);
 }
 
 class ScreenshotsTest : public testing::Test {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 namespace hearth {
@@ -13,26 +14,34 @@ class FrameRate {
   };
 
   /// Counts a frame that was drawn from `begin` to `end`, in seconds of a clock that may be set
-  /// back. Gives the mean once a second. After a second in which nothing was drawn it starts anew.
+  /// back. Gives the mean once a second. After a second in which nothing was drawn, and after the
+  /// clock was set back, it starts anew.
   std::optional<Mean> count(double begin, double end) {
-    if (frames_ == 0 || begin < end_ || begin > end_ + 1) *this = FrameRate(begin);
+    const bool isNext = end_ <= begin && begin <= end_ + 1 && begin <= end;
     end_ = end;
+    if (!isNext) {
+      startAt(end);
+      return std::nullopt;
+    }
     drawSeconds_ += end - begin;
     ++frames_;
-    const double seconds = end - begin_;
+    const double seconds = end - start_;
     if (seconds < 1) return std::nullopt;
     const Mean mean{drawSeconds_ / frames_, frames_ / seconds};
-    frames_ = 0;
+    startAt(end);
     return mean;
   }
 
-  FrameRate() = default;
-
  private:
-  explicit FrameRate(double begin) : begin_(begin) {}
+  /// From the end of one frame to the end of another there are as many waits as frames.
+  void startAt(double end) {
+    start_ = end;
+    drawSeconds_ = 0;
+    frames_ = 0;
+  }
 
-  double begin_ = 0;
-  double end_ = 0;
+  double start_ = 0;  ///< the end of the frame before the first that is counted
+  double end_ = -std::numeric_limits<double>::infinity();  ///< of the last frame
   double drawSeconds_ = 0;
   int frames_ = 0;
 };
