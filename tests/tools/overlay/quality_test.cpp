@@ -1,9 +1,12 @@
 // The section that lets choose how accurately a walk is lit and drawn.
 
+#include "settings/quality.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "settings/approximations.h"
 #include "settings/settings.h"
@@ -85,6 +88,18 @@ TEST(QualityOptions, OfAQualityTakeThePlaceOfSingleOnes) {
   EXPECT_FALSE(options.has(Option::PixelSize));
   EXPECT_FALSE(options.has(Option::Texel));
   EXPECT_TRUE(options.has(Option::Threads)) << "how, not what";
+}
+
+TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
+  const auto words = [](std::string_view name) {
+    const Quality& quality = *qualityNamed(name);
+    const QualityInLevel inLevel{{}, quality.bake.of({}), quality.draw, true};
+    return bakeInWords(inLevel) + "; " + framesInWords(inLevel);
+  };
+  EXPECT_EQ(words("draft"), "0.19 x the time, 7.8 levels off; 0.47 x the time, 61 % off");
+  EXPECT_EQ(words("normal"), "as the level says; 1 x the time, 6.6 % off");
+  EXPECT_EQ(words("high"), "2.6 x the time, 3.6 levels off; 1 x the time, 6.6 % off");
+  EXPECT_EQ(words("reference"), "28 x the time, 2.3 levels off; 1 x the time, 6.6 % off");
 }
 
 TEST_F(QualityTest, IsChosenByAClick) {

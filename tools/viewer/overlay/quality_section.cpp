@@ -4,13 +4,13 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "settings/approximations.h"
-#include "settings/measured_pareto_front.h"
-#include "settings/measured_settings.h"
+#include "settings/measured_figures.h"
 #include "settings/quality.h"
 #include "settings/settings.h"
 #include "viewer/overlay/widgets.h"
@@ -31,12 +31,14 @@ constexpr float kValueWidth = 13;
 
 std::string settingNameOf(Option option) { return std::string(row(option).name.substr(2)); }
 
-std::string wordsOfFrame(double cost, double over2) {
-  return fmt::format("{:g} x the time, {:.2g} % off", cost, 100 * over2);
+std::string words(const Figure& figure, Approximation::Of of) {
+  if (of == Approximation::Of::Bake)
+    return fmt::format("{:.2g} x the time, {:g} levels off", figure.cost, figure.off);
+  return fmt::format("{:.2g} x the time, {:.2g} % off", figure.cost, 100 * figure.off);
 }
 
-std::string wordsOfBake(double cost, double rms) {
-  return fmt::format("{:g} x the time, {:g} levels off", cost, rms);
+std::string words(const std::optional<Figure>& figure, Approximation::Of of) {
+  return figure ? words(*figure, of) : "not measured in this combination";
 }
 
 // --- Qualities -----------------------------------------------------------------------------------
@@ -62,23 +64,14 @@ bool showQualities(OptionValues& options) {
   return isChosen;
 }
 
-/// What a bake by these settings was measured to cost and to miss.
-std::string figureOf(const BakeSettings& bake, const BakeSettings& ofLevel) {
-  if (bake == ofLevel) return "as the level says";
-  const auto found = std::ranges::find_if(measuredBakes(), [&](const MeasuredBake& measured) {
-    return measured.bake.of(ofLevel) == bake;
-  });
-  return found == measuredBakes().end() ? "not measured in this combination"
-                                        : wordsOfBake(found->cost, found->rms);
-}
-
-std::string figureOf(const DrawSettings& draw) {
-  const auto found = std::ranges::find(measuredFrames(), draw, &MeasuredFrame::draw);
-  return found == measuredFrames().end() ? "not measured in this combination"
-                                         : wordsOfFrame(found->cost, found->over2);
-}
-
 // --- Settings, one by one ------------------------------------------------------------------------
+
+/// What holds without any option.
+std::string standardOf(const Approximation& approximation, const QualityInLevel& inLevel) {
+  return approximation.of == Approximation::Of::Bake
+             ? valueOf(inLevel.ofLevel, approximation.setting)
+             : valueOf(DrawSettings{}, approximation.setting);
+}
 
 /// What can be chosen: what is measured, the level's own and what holds now.
 std::vector<std::string> valuesOf(const Approximation& approximation, const QualityInLevel& inLevel,
@@ -87,20 +80,17 @@ std::vector<std::string> valuesOf(const Approximation& approximation, const Qual
   const auto add = [&values](const std::string& value) {
     if (std::ranges::find(values, value) == values.end()) values.push_back(value);
   };
-  const Option option = approximation.setting;
-  add(approximation.of == Approximation::Of::Bake ? valueOf(inLevel.ofLevel, option)
-                                                  : valueOf(DrawSettings{}, option));
+  add(standardOf(approximation, inLevel));
   for (const std::string_view value : triedOf(approximation)) add(std::string(value));
   add(current);
   return values;
 }
 
-/// Of a value by itself, all others as they are by default; empty where it was not measured.
-std::string figureOf(const Approximation& approximation, const std::string& value) {
-  const MeasuredSetting* found = measuredAlone(approximation.setting, value);
-  if (!found) return "";
-  return approximation.of == Approximation::Of::Bake ? wordsOfBake(found->cost, found->off)
-                                                     : wordsOfFrame(found->cost, found->off);
+/// Of a value by itself; empty where it was not measured.
+std::string figureWords(const Approximation& approximation, const QualityInLevel& inLevel,
+                        const std::string& value) {
+  const auto figure = figureOf(approximation.setting, value, standardOf(approximation, inLevel));
+  return figure ? words(*figure, approximation.of) : "";
 }
 
 void showBound(const Approximation& approximation) {
@@ -126,7 +116,7 @@ bool showSetting(const Approximation& approximation, const QualityInLevel& inLev
   if (!isListOpen) showBound(approximation);
   if (isListOpen) {
     for (const std::string& value : valuesOf(approximation, inLevel, current)) {
-      const std::string figure = figureOf(approximation, value);
+      const std::string figure = figureWords(approximation, inLevel, value);
       const std::string label = figure.empty() ? value : fmt::format("{:<10}{}", value, figure);
       if (!ImGui::Selectable(label.data(), value == current)) continue;
       options.set(option, value);
@@ -136,7 +126,7 @@ bool showSetting(const Approximation& approximation, const QualityInLevel& inLev
   }
   ImGui::EndDisabled();
   ImGui::TableNextColumn();
-  showText(figureOf(approximation, current));
+  showText(figureWords(approximation, inLevel, current));
   return isChosen;
 }
 
@@ -167,11 +157,20 @@ void chooseQuality(OptionValues& options, std::string_view name) {
   options.set(Option::Quality, std::string(name));
 }
 
+std::string bakeInWords(const QualityInLevel& inLevel) {
+  if (inLevel.bake == inLevel.ofLevel) return "as the level says";
+  return words(figureOf(inLevel.bake, inLevel.ofLevel), Approximation::Of::Bake);
+}
+
+std::string framesInWords(const QualityInLevel& inLevel) {
+  return words(figureOf(inLevel.draw), Approximation::Of::Frame);
+}
+
 bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice) {
   showSliders(choice);
   bool isChosen = showQualities(choice.options);
-  showText("bake: " + figureOf(inLevel.bake, inLevel.ofLevel));
-  showText("frames: " + figureOf(inLevel.draw));
+  showText("bake: " + bakeInWords(inLevel));
+  showText("frames: " + framesInWords(inLevel));
   isChosen |= showSettings(inLevel, choice.options);
   return isChosen;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "level/level.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
@@ -23,6 +26,10 @@ struct QualityInLevel {
 
 /// Asks for settings that go together, and for none by itself.
 void chooseQuality(OptionValues& options, std::string_view name);
+
+/// What all settings together were measured to cost, and how far off they are.
+std::string bakeInWords(const QualityInLevel& inLevel);
+std::string framesInWords(const QualityInLevel& inLevel);
 
 /// A section of the overlay. Returns whether options have been chosen anew.
 bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice);
