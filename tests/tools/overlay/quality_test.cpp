@@ -94,12 +94,21 @@ TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
   const auto words = [](std::string_view name) {
     const Quality& quality = *qualityNamed(name);
     const QualityInLevel inLevel{{}, quality.bake.of({}), quality.draw, true};
-    return bakeInWords(inLevel) + "; " + framesInWords(inLevel);
+    return bakeInWords(inLevel, {}) + "; " + framesInWords(inLevel);
   };
-  EXPECT_EQ(words("draft"), "0.19 x the time, 7.8 levels off; 0.47 x the time, 61 % off");
-  EXPECT_EQ(words("normal"), "as the level says; 1 x the time, 6.6 % off");
-  EXPECT_EQ(words("high"), "2.6 x the time, 3.6 levels off; 1 x the time, 6.6 % off");
-  EXPECT_EQ(words("reference"), "28 x the time, 2.3 levels off; 1 x the time, 6.6 % off");
+  EXPECT_EQ(words("draft"),
+            "0.19 x the time, 7.8 levels off; 0.47 x the time, 61 % of pixels differ");
+  EXPECT_EQ(words("normal"), "as the level says; 1 x the time, 6.6 % of pixels differ");
+  EXPECT_EQ(words("high"), "2.6 x the time, 3.6 levels off; 1 x the time, 6.6 % of pixels differ");
+  EXPECT_EQ(words("reference"),
+            "28 x the time, 2.3 levels off; 1 x the time, 6.6 % of pixels differ");
+}
+
+TEST(QualityInWords, SaysThatLightIsFromAFile) {
+  OptionValues options;
+  options.set(Option::LightFrom, "x.bake");
+  EXPECT_EQ(bakeInWords({{}, {}, {}, false}, options), "from a file");
+  EXPECT_EQ(bakeInWords({{}, {}, {}, false}, {}), "as the level says") << "as in a replay";
 }
 
 TEST_F(QualityTest, IsChosenByAClick) {

@@ -31,14 +31,20 @@ constexpr float kValueWidth = 13;
 
 std::string settingNameOf(Option option) { return std::string(row(option).name.substr(2)); }
 
-std::string words(const Figure& figure, Approximation::Of of) {
-  if (of == Approximation::Of::Bake)
-    return fmt::format("{:.2g} x the time, {:g} levels off", figure.cost, figure.off);
-  return fmt::format("{:.2g} x the time, {:.2g} % off", figure.cost, 100 * figure.off);
+/// With two digits or, of large numbers, more.
+std::string rounded(double number) {
+  return number < 10 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
+}
+
+std::string errorInWords(const Figure& figure, Approximation::Of of) {
+  return of == Approximation::Of::Bake
+             ? fmt::format("{:g} levels off", figure.off)
+             : fmt::format("{} % of pixels differ", rounded(100 * figure.off));
 }
 
 std::string words(const std::optional<Figure>& figure, Approximation::Of of) {
-  return figure ? words(*figure, of) : "not measured in this combination";
+  if (!figure) return "not measured in this combination";
+  return fmt::format("{} x the time, {}", rounded(figure->cost), errorInWords(*figure, of));
 }
 
 // --- Qualities -----------------------------------------------------------------------------------
@@ -86,11 +92,12 @@ std::vector<std::string> valuesOf(const Approximation& approximation, const Qual
   return values;
 }
 
-/// Of a value by itself; empty where it was not measured.
+/// Of a value by itself, as short as its column; empty where it was not measured.
 std::string figureWords(const Approximation& approximation, const QualityInLevel& inLevel,
                         const std::string& value) {
   const auto figure = figureOf(approximation.setting, value, standardOf(approximation, inLevel));
-  return figure ? words(*figure, approximation.of) : "";
+  if (!figure) return "";
+  return fmt::format("{} x, {}", rounded(figure->cost), errorInWords(*figure, approximation.of));
 }
 
 void showBound(const Approximation& approximation) {
@@ -157,7 +164,8 @@ void chooseQuality(OptionValues& options, std::string_view name) {
   options.set(Option::Quality, std::string(name));
 }
 
-std::string bakeInWords(const QualityInLevel& inLevel) {
+std::string bakeInWords(const QualityInLevel& inLevel, const OptionValues& options) {
+  if (options.has(Option::LightFrom)) return "from a file";
   if (inLevel.bake == inLevel.ofLevel) return "as the level says";
   return words(figureOf(inLevel.bake, inLevel.ofLevel), Approximation::Of::Bake);
 }
@@ -169,7 +177,7 @@ std::string framesInWords(const QualityInLevel& inLevel) {
 bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice) {
   showSliders(choice);
   bool isChosen = showQualities(choice.options);
-  showText("bake: " + bakeInWords(inLevel));
+  showText("bake: " + bakeInWords(inLevel, choice.options));
   showText("frames: " + framesInWords(inLevel));
   isChosen |= showSettings(inLevel, choice.options);
   return isChosen;

@@ -28,7 +28,7 @@ struct QualityInLevel {
 void chooseQuality(OptionValues& options, std::string_view name);
 
 /// What all settings together were measured to cost, and how far off they are.
-std::string bakeInWords(const QualityInLevel& inLevel);
+std::string bakeInWords(const QualityInLevel& inLevel, const OptionValues& options);
 std::string framesInWords(const QualityInLevel& inLevel);
 
 /// A section of the overlay. Returns whether options have been chosen anew.
