@@ -1131,6 +1131,8 @@ class Info(InFolder):
         self.assertEqual(info["features"]["stack"], 2)
         self.assertEqual(info["features"]["slope floor"], 1)
         self.assertEqual(info["features"]["closed door"], 0)
+        texels = sum(texture["width"] * texture["height"] for texture in info["textures"])
+        self.assertEqual(info["requires"]["textureBytes"], 4 * texels, "as the renderer keeps them")
 
     def test_surfaces_are_printed_as_json_only(self):
         self.refuse(run("info", self.level, "--surfaces"), "--surfaces: .*--json")

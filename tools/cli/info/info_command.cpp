@@ -9,6 +9,7 @@
 #include "cli/info/light_report.h"
 #include "inputs/inputs.h"
 #include "light/geometry_hash.h"
+#include "render/texture.h"
 
 namespace hearth {
 
@@ -17,8 +18,8 @@ namespace {
 /// What a level holds, and what drawing it needs.
 struct Contents {
   std::int64_t loops = 0;
-  std::int64_t textureBytes = 0;
-  BakeSettings settings;  ///< of the light
+  std::int64_t textureBytes = 0;  ///< as frames read them
+  BakeSettings settings;          ///< of the light
   LightReport light;
   FeatureCounts features;
 };
@@ -30,7 +31,8 @@ Contents contentsOf(const LoadedLevel& loaded, const LevelSource& source, const 
   contents.light = lightReport(loaded.scene(), bake.light);
   for (const Sector& sector : level.sectors) contents.loops += std::ssize(sector.loops);
   for (const Image& image : loaded.textures)
-    contents.textureBytes += std::int64_t{3} * image.width() * image.height();
+    contents.textureBytes +=
+        static_cast<std::int64_t>(sizeof(Texture::Texel)) * image.width() * image.height();
 
   countGeometry(loaded.scene(), contents.features);
   std::vector<std::string_view> texts;
