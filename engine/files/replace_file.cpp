@@ -33,13 +33,12 @@ tl::unexpected<std::string> notWritten(const fs::path& path, int reason) {
 /// A file that is being written, by this program alone. Where it fails, `errno` says why.
 class Part {
  public:
+  /// What a killed program left keeps its permissions.
   Part(fs::path path, mode_t permissions) : path_(std::move(path)) {
     do {
       close();
-      file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-                     permissions);
-      // Where files cannot be locked, writers do not wait for one another.
-      if (file_ >= 0) ::flock(file_, LOCK_EX);
+      open(permissions);
+      lock();
     } while (file_ >= 0 && isTakenAway());
   }
   ~Part() { close(); }
@@ -47,6 +46,10 @@ class Part {
   Part& operator=(const Part&) = delete;
 
   const fs::path& path() const { return path_; }
+
+  bool setPermissions(mode_t permissions) {
+    return file_ >= 0 && ::fchmod(file_, permissions) == 0;
+  }
 
   bool fill(const FileWriter& write) {
     if (file_ < 0 || ::ftruncate(file_, 0) != 0) return false;
@@ -58,12 +61,31 @@ class Part {
     return isWritten && stream.good() && ::fsync(file_) == 0;
   }
 
-  /// Removes the file if it was opened: never another one of its name.
+  /// Removes the file if it was opened: no other of its name, unless files cannot be locked.
   void remove() {
     if (file_ >= 0) ::unlink(path_.c_str());
   }
 
  private:
+  void open(mode_t permissions) {
+    const auto tryToOpen = [&] {
+      file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+                     permissions);
+    };
+    tryToOpen();
+    if (file_ >= 0 || errno != EACCES) return;
+    // A program that was killed just before it renamed the file may have left it read-only.
+    if (::fchmodat(AT_FDCWD, path_.c_str(), S_IRUSR | S_IWUSR, AT_SYMLINK_NOFOLLOW) == 0)
+      tryToOpen();
+    else
+      errno = EACCES;
+  }
+
+  /// Where files cannot be locked, writers do not wait for one another.
+  void lock() const {
+    while (file_ >= 0 && ::flock(file_, LOCK_EX) != 0 && errno == EINTR) continue;
+  }
+
   /// Another process held the lock, and has renamed or removed the file.
   bool isTakenAway() const {
     struct stat opened {};
@@ -97,17 +119,21 @@ fs::path partOf(fs::path file) { return file += ".part"; }
 tl::expected<void, std::string> replaceFile(const fs::path& path, const FileWriter& write) {
   std::error_code error;
   const fs::file_status target = fs::status(path, error);
-  if (fs::exists(target) && !fs::is_regular_file(target))
+  const bool isThere = fs::exists(target);
+  if (isThere && !fs::is_regular_file(target))
     return failure(path, "is not a regular file; name a file to write");
-  // Through a symbolic link, so that the link stays and what it names is replaced.
-  const fs::path file = fs::exists(target) ? fs::canonical(path, error) : path;
-  const fs::perms permissions = target.permissions();
-  Part part(partOf(file), fs::exists(target)
-                              ? static_cast<mode_t>(permissions | fs::perms::owner_write)
-                              : kUsualPermissions);
-  const bool isDone = part.fill(write) &&
-                      (!fs::exists(target) ||
-                       ::chmod(part.path().c_str(), static_cast<mode_t>(permissions)) == 0) &&
+  fs::path file = path;
+  if (isThere) {
+    // Through a symbolic link, so that the link stays and what it names is replaced. A link that
+    // leads nowhere is itself replaced.
+    file = fs::canonical(path, error);
+    if (error) return notWritten(path, error.value());
+  }
+  const auto permissions = static_cast<mode_t>(target.permissions());
+  const mode_t whileFilled = isThere ? permissions | S_IWUSR : kUsualPermissions;
+  Part part(partOf(file), whileFilled);
+  const bool isDone = (!isThere || part.setPermissions(whileFilled)) && part.fill(write) &&
+                      (!isThere || part.setPermissions(permissions)) &&
                       ::rename(part.path().c_str(), file.c_str()) == 0;
   if (isDone) return {};
   const int reason = errno;

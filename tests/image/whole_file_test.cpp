@@ -99,6 +99,44 @@ TEST_F(WholeFile, isWrittenOverWhatAKilledProgramLeft) {
   EXPECT_EQ(countFiles(), 1);
 }
 
+TEST_F(WholeFile, isWrittenOverWhatAKilledProgramLeftReadOnly) {
+  for (const bool isThere : {false, true}) {
+    if (isThere) put("a", "old");
+    put("a.part", "finished, but not renamed");
+    fs::permissions(path("a.part"), fs::perms(0444));
+    ASSERT_TRUE(replaceFile(path("a"), writerOf("new")));
+    EXPECT_EQ(textOf("a"), "new");
+    EXPECT_EQ(countFiles(), 1);
+  }
+}
+
+TEST_F(WholeFile, isAsPrivateWhileItIsWrittenAsTheFileThatItReplaces) {
+  put("a", "old");
+  fs::permissions(path("a"), fs::perms(0600));
+  put("a.part", "left behind, from when everyone could read the file");
+  fs::permissions(path("a.part"), fs::perms(0644));
+  ASSERT_TRUE(replaceFile(path("a"), [&](std::ostream& stream) {
+    EXPECT_EQ(fs::status(path("a.part")).permissions(), fs::perms(0600));
+    return writerOf("new")(stream);
+  }));
+  EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0600));
+}
+
+TEST_F(WholeFile, takesThePlaceOfALinkThatLeadsNowhere) {
+  fs::create_symlink("nowhere", path("a"));
+  ASSERT_TRUE(replaceFile(path("a"), writerOf("new")));
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path("a"))));
+  EXPECT_EQ(countFiles(), 1);
+}
+
+TEST_F(WholeFile, isReplacedBehindALink) {
+  put("b", "old");
+  fs::create_symlink("b", path("a"));
+  ASSERT_TRUE(replaceFile(path("a"), writerOf("new")));
+  EXPECT_TRUE(fs::is_symlink(path("a")));
+  EXPECT_EQ(textOf("b"), "new");
+}
+
 TEST_F(WholeFile, isNotWrittenThroughALinkInPlaceOfItsPart) {
   put("other", "mine");
   fs::create_symlink(path("other"), path("a.part"));
