@@ -41,7 +41,11 @@ tl::expected<std::string, ReadError> readFile(const std::filesystem::path& path,
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return readErrorFromErrno(errno);
   const OpenFile file(::fdopen(descriptor, "rb"));
-  if (!file) return readErrorFromErrno(errno);
+  if (!file) {
+    const int reason = errno;
+    ::close(descriptor);
+    return readErrorFromErrno(reason);
+  }
   struct stat before {};
   if (::fstat(descriptor, &before) != 0) return readErrorFromErrno(errno);
   if (!S_ISREG(before.st_mode)) return failure(ReadErrorCode::NotRegular, "not a regular file");

@@ -9,12 +9,16 @@
 
 namespace hearth {
 
-/// Images that do not change. Copies share them.
+/// Images that do not change. Copies share them. Moves are copies, so that what was moved from
+/// still has its images.
 class SharedImages {
  public:
   SharedImages() : SharedImages(std::vector<Image>{}) {}
   explicit SharedImages(std::vector<Image> images)
       : images_(std::make_shared<const std::vector<Image>>(std::move(images))) {}
+  SharedImages(const SharedImages&) = default;
+  SharedImages& operator=(const SharedImages&) = default;
+  ~SharedImages() = default;
 
   operator const std::vector<Image>&() const { return *images_; }
   const Image& operator[](std::size_t index) const { return (*images_)[index]; }
