@@ -102,8 +102,7 @@ ExitStatus list(const std::string& file, const doom::Wad& wad, bool isJson) {
   std::set<std::string> listed;
   for (const std::string& name : doom::mapNames(wad))
     if (listed.insert(name).second) entries.push_back(entryOf(wad, name));
-  if (entries.empty())
-    return fail(fmt::format("{}: there are no maps of Doom's own format in it", file));
+  if (entries.empty()) return fail(fmt::format("{}: {}", file, doom::kNoMaps));
   if (isJson)
     fmt::print("{}\n", entries.dump(2));
   else

@@ -105,6 +105,20 @@ TEST(MapOfAWad, isRefusedWhereItHasMoreThanNumbersReach) {
   EXPECT_EQ(mistakeOf(lumps.wad()), "MAP01: THINGS has 65537 records, more than 65536");
 }
 
+TEST(MapOfAWad, isRefusedWhereALineCouldNotNameAllSides) {
+  Lumps lumps;
+  lumps.sides.repeat(0, std::size_t{30} * (65535 - 3));
+  EXPECT_TRUE(readMap(opened(lumps.wad()), "MAP01"));
+  lumps.sides.repeat(0, 30);
+  EXPECT_EQ(mistakeOf(lumps.wad()), "MAP01: SIDEDEFS has 65536 records, more than 65535");
+}
+
+TEST(MapOfAWad, isMissingFromAWadWithoutMaps) {
+  WadBuilder builder;
+  builder.add("PLAYPAL");
+  EXPECT_EQ(mistakeOf(builder), "there are no maps of Doom's own format in it");
+}
+
 TEST(MapOfAWad, isNoneWithoutAName) { EXPECT_TRUE(mapNames(opened(Lumps().wad(""))).empty()); }
 
 TEST(MapOfAWad, isRefusedWhereItNamesWhatIsNotThere) {

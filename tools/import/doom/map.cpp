@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint16_t kNone = 0xFFFF;
 constexpr std::size_t kMaxLumps = 11;       // that follow the one with the map's name
-constexpr std::size_t kMaxRecords = 65536;  // of a lump: as many have numbers of 16 bits
+constexpr std::size_t kMaxRecords = 65536;  // of a lump: as many as 16-bit indices can address
+constexpr std::size_t kMaxSides = kNone;    // one index stands for no side
 
 std::uint16_t uint16At(Bytes bytes, std::size_t at) {
   return static_cast<std::uint16_t>(int16At(bytes, at));
@@ -33,7 +34,7 @@ class MapReader {
     if (has("BEHAVIOR")) return tl::unexpected(map_.name + " is a map for Hexen, not for Doom");
     readAll(map_.vertices, "VERTEXES", 4, vertexAt);
     readAll(map_.sectors, "SECTORS", 26, sectorAt);
-    readAll(map_.sides, "SIDEDEFS", 30, sideAt);
+    readAll(map_.sides, "SIDEDEFS", 30, sideAt, kMaxSides);
     readAll(map_.lines, "LINEDEFS", 14, lineAt);
     readAll(map_.things, "THINGS", 10, thingAt);
     checkIndices();
@@ -56,15 +57,15 @@ class MapReader {
 
   template <typename Record>
   void readAll(std::vector<Record>& records, std::string_view name, std::size_t size,
-               Record (*recordAt)(Bytes)) {
+               Record (*recordAt)(Bytes), std::size_t maxRecords = kMaxRecords) {
     const auto bytes = lump(name);
     if (!bytes) return refuse(fmt::format("there is no {}", name));
     if (bytes->size() % size != 0)
       return refuse(
           fmt::format("{} has {} bytes, which is no multiple of {}", name, bytes->size(), size));
-    if (bytes->size() / size > kMaxRecords)
+    if (bytes->size() / size > maxRecords)
       return refuse(
-          fmt::format("{} has {} records, more than {}", name, bytes->size() / size, kMaxRecords));
+          fmt::format("{} has {} records, more than {}", name, bytes->size() / size, maxRecords));
     for (std::size_t at = 0; at < bytes->size(); at += size)
       records.push_back(recordAt(bytes->subspan(at, size)));
   }
@@ -127,8 +128,10 @@ std::vector<std::string> mapNames(const Wad& wad) {
 tl::expected<Map, std::string> readMap(const Wad& wad, std::string_view name) {
   for (std::size_t i = wad.lumps().size(); i-- > 0;)
     if (wad.lumps()[i].name == name && isMarker(wad, i)) return MapReader(wad, i).read();
-  return tl::unexpected(fmt::format("there is no map {}; those of the WAD: {}", name,
-                                    fmt::join(mapNames(wad), ", ")));
+  const std::vector<std::string> names = mapNames(wad);
+  if (names.empty()) return tl::unexpected(std::string(kNoMaps));
+  return tl::unexpected(
+      fmt::format("there is no map {}; those of the WAD: {}", name, fmt::join(names, ", ")));
 }
 
 }  // namespace hearth::doom

@@ -75,6 +75,9 @@ struct Map {
   std::vector<Thing> things;
 };
 
+/// What is wrong with a WAD in which there are none.
+inline constexpr std::string_view kNoMaps = "there are no maps of Doom's own format in it";
+
 /// The maps of a WAD, in its order.
 std::vector<std::string> mapNames(const Wad& wad);
 
