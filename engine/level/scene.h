@@ -10,8 +10,9 @@
 
 namespace hearth {
 
-/// A level with its flats at the heights of a geometry: what is lit, drawn and walked. It is a view
-/// of level and geometry, which must outlive it. Pass and keep it by value, like a pointer.
+/// A level seen at its current heights: `Geometry` says where its flats stand now, which may differ
+/// from where they were authored. This is what is lit, drawn and walked. It is a view of level and
+/// geometry, which must outlive it. Pass and keep it by value, like a pointer.
 class Scene {
  public:
   Scene(const Level& level, const Geometry& geometry) : level_(&level), geometry_(&geometry) {}
@@ -39,9 +40,9 @@ class Scene {
   double zFloor(const Sector& sector) const { return geometryOf(sector).zFloor; }
   double zCeiling(const Sector& sector) const { return geometryOf(sector).zCeiling; }
 
-  /// The surfaces that show, in the order of their ids. Saved bakes and `hearth info` number
-  /// surfaces by their index in this list, so that the numbers do not depend on what would show at
-  /// other heights.
+  /// The surfaces that show, in the order of their ids. A surface's number in saved bakes, in
+  /// `hearth info` and in channels is its index here, not its SurfaceId: ids also count surfaces
+  /// that show only once flats move. Each call looks at all surfaces and allocates.
   std::vector<SurfaceId> shownSurfaces() const {
     std::vector<SurfaceId> shown;
     for (std::size_t i = 0; i < geometry_->surfaces.size(); ++i)

@@ -13,18 +13,18 @@ namespace hearth {
 
 namespace {
 
-constexpr std::int64_t kGap = 8;           // pixels between lightmaps
-constexpr int kLineHeight = 11;            // pixels of one line of a label and the air below it
-constexpr std::int64_t kGoodWidth = 1500;  // pixels; as much as a screen shows
+constexpr std::int64_t kGap = 8;          // pixels between lightmaps
+constexpr int kLineHeight = 11;           // pixels of one line of a label and the air below it
+constexpr std::int64_t kGoodSide = 1500;  // pixels; as much as a screen shows
 constexpr int kMaxPixelsPerTexel = 16;
-constexpr std::size_t kMaxLetters = 24;    // in a line of a label
+constexpr std::size_t kMaxLetters = 24;    // of a name in a label
 constexpr Rgb kBackground = {24, 24, 64};  // no greys, so that no white light has them
 constexpr Rgb kLabel = {255, 208, 112};
 
 /// A lightmap with its label.
 struct Entry {
   const Lightmap& map;
-  bool isTurned;  ///< its rows rise
+  bool flipsRows;  ///< its rows rise
   std::vector<std::string> label;
 
   std::int64_t labelHeight() const { return kLineHeight * std::ssize(label); }
@@ -56,12 +56,12 @@ bool fits(const Shelves& shelves, std::int64_t side) {
 
 /// The texels of a lightmap, each as a square of so many pixels.
 void drawMap(const PixelRows& picture, int x, int y, const Entry& entry, int pixelsPerTexel) {
-  const auto& [map, isTurned, label] = entry;
+  const auto& [map, flipsRows, label] = entry;
   for (int row = 0; row < map.rect.height * pixelsPerTexel; ++row)
     for (int column = 0; column < map.rect.width * pixelsPerTexel; ++column) {
       const int fromTop = row / pixelsPerTexel;
       const int i = map.rect.i0 + column / pixelsPerTexel;
-      const int j = map.rect.j0 + (isTurned ? map.rect.height - 1 - fromTop : fromTop);
+      const int j = map.rect.j0 + (flipsRows ? map.rect.height - 1 - fromTop : fromTop);
       *picture.at(x + column, y + row) =
           packed({map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)});
     }
@@ -124,7 +124,7 @@ tl::expected<Image, std::string> lightmapAtlas(const Level& level, const BakedLi
   const std::vector<Entry> entries = entriesOf(level, light);
   int pixelsPerTexel = kMaxPixelsPerTexel;
   Shelves shelves = place(entries, pixelsPerTexel);
-  while (!fits(shelves, kGoodWidth) && pixelsPerTexel > 1)
+  while (!fits(shelves, kGoodSide) && pixelsPerTexel > 1)
     shelves = place(entries, --pixelsPerTexel);
   if (!fits(shelves, kMaxPictureSide))
     return tl::unexpected(
