@@ -25,7 +25,10 @@ TEST(MeasuredFront, goesFromTheNearestToTruthToTheFastest) {
   const auto frames = measuredFrames();
   EXPECT_EQ(frames.front().draw, DrawSettings{});
   EXPECT_EQ(frames.front().cost, 1);
-  for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_LT(frames[i].cost, frames[i - 1].cost);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_LT(frames[i].cost, frames[i - 1].cost);
+    EXPECT_GT(frames[i].rms, frames[i - 1].rms);
+  }
 }
 
 TEST(MeasuredFront, givesTheNearestToTruthThatIsFastEnough) {
