@@ -62,7 +62,7 @@ TEST(Budget, isNotSpentOnMoreTexelsThanThereCanBe) {
                       test::sectorText("a", "0,0, 90000,0, 90000,90000, 0,90000", 0, 3) + "}}");
   BakeSettings own;
   own.texel = 2;
-  ASSERT_TRUE(mistakeInSettings(field.scene(), measuredBakes().front().bake.of(own)));
+  ASSERT_TRUE(mistakeInSettings(field.scene(), measuredBakes().front().bake.appliedTo(own)));
   const FittingBake fitting = bakeFitting(field.scene(), own, 1e9, 2, clockOf(1));
   EXPECT_EQ(mistakeInSettings(field.scene(), fitting.settings), std::nullopt);
   EXPECT_EQ(fitting.settings.texel, own.texel) << "half of it is too fine";

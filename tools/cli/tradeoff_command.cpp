@@ -56,18 +56,18 @@ tl::expected<TradeoffReport, std::string> measured(const LoadedLevel& loaded,
   report.level = values.level;
   report.machine = thisMachine();
   report.truthSize = parseSize(values.text(Option::Size).value_or("")).value_or(kTruthSize);
-  TrialBench bench;
-  bench.threads = threadsFrom(values);
-  bench.repeats = static_cast<int>(values.number(Option::Repeats).value_or(kTrialRepeats));
-  bench.clock = steadySeconds;
+  TrialSetup setup;
+  setup.threads = threadsFrom(values);
+  setup.repeats = static_cast<int>(values.number(Option::Repeats).value_or(kTrialRepeats));
+  setup.clock = steadySeconds;
   const Told told(values.has(Option::Quiet));
-  bench.onProgress = [&](std::size_t done) { told.tell("settings", done, trials->size()); };
-  report.bakeThreads = bench.threads;
-  report.frameSize = bench.frameSize;
-  const auto truth = truthOf(loaded, report.truthSize, bench.threads, [&](std::size_t done) {
+  setup.onProgress = [&](std::size_t done) { told.tell("settings", done, trials->size()); };
+  report.bakeThreads = setup.threads;
+  report.frameSize = setup.frameSize;
+  const auto truth = truthOf(loaded, report.truthSize, setup.threads, [&](std::size_t done) {
     told.tell("truth of shot", done, loaded.level.shots.size());
   });
-  report.trials = measureTrials(loaded, *trials, truth, bench);
+  report.trials = measureTrials(loaded, *trials, truth, setup);
   return reportOf(std::move(report));
 }
 

@@ -10,17 +10,17 @@
 
 namespace hearth {
 
-FittingBake bakeFitting(const Scene& scene, const BakeSettings& ofLevel, double seconds,
+FittingBake bakeFitting(const Scene& scene, const BakeSettings& authored, double seconds,
                         int threads, const Clock& clock) {
   const MeasuredBake& fastest = measuredBakes().back();
   const double begin = clock();
-  (void)bake(scene, fastest.bake.of(ofLevel), threads);
+  (void)bake(scene, fastest.bake.appliedTo(authored), threads);
   const double tried = clock() - begin;
-  const double ofLevelsOwn = std::max(tried, 1e-6) / fastest.cost;
-  const MeasuredBake* found = &bakeWithin((seconds - tried) / ofLevelsOwn);
+  const double authoredSeconds = std::max(tried, 1e-6) / fastest.cost;
+  const MeasuredBake* found = &bakeWithin((seconds - tried) / authoredSeconds);
   // Of a large level, fine texels may be too many for any time.
-  while (found != &fastest && mistakeInSettings(scene, found->bake.of(ofLevel))) ++found;
-  return {found->bake.of(ofLevel), found->cost * ofLevelsOwn, found->rms};
+  while (found != &fastest && mistakeInSettings(scene, found->bake.appliedTo(authored))) ++found;
+  return {found->bake.appliedTo(authored), found->cost * authoredSeconds, found->rms};
 }
 
 FittingFrame frameFitting(const Renderer& renderer, const Camera& camera, double milliseconds,

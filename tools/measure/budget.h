@@ -15,7 +15,7 @@ struct FittingBake {
 };
 
 /// Bakes coarsely to measure this level on this machine; that time is part of `seconds`.
-FittingBake bakeFitting(const Scene& scene, const BakeSettings& ofLevel, double seconds,
+FittingBake bakeFitting(const Scene& scene, const BakeSettings& authored, double seconds,
                         int threads, const Clock& clock);
 
 struct FittingFrame {

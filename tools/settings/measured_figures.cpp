@@ -48,7 +48,7 @@ std::optional<Figure> figureOf(const BakeSettings& bake, const BakeSettings& aut
   if (bake.lambert != authored.lambert || bake.bounces != authored.bounces) return std::nullopt;
   if (const auto figure = figureOfOne(bake, authored, Approximation::Of::Bake)) return figure;
   const auto found = std::ranges::find_if(measuredBakes(), [&](const MeasuredBake& measured) {
-    return measured.bake.of(authored) == bake;
+    return measured.bake.appliedTo(authored) == bake;
   });
   if (found == measuredBakes().end()) return std::nullopt;
   return Figure{found->cost, found->rms};

@@ -19,10 +19,10 @@ constexpr std::array kQualities = {
 
 }  // namespace
 
-BakeSettings BakeQuality::of(const BakeSettings& levels) const {
-  BakeSettings settings = levels;
-  settings.texel *= texels;
-  if (samplesEdges) settings.samples.reset();
+BakeSettings BakeQuality::appliedTo(const BakeSettings& authored) const {
+  BakeSettings settings = authored;
+  settings.texel *= texelScale;
+  if (adaptiveSamples) settings.samples.reset();
   settings.softSamples = softSamples;
   return settings;
 }

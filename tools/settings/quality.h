@@ -10,11 +10,11 @@ namespace hearth {
 
 /// Settings of a bake, relative to those of the level's author, who knows how large the rooms are.
 struct BakeQuality {
-  double texels;      ///< sides of the level's own
-  bool samplesEdges;  ///< as many samples as edges of shadows need; else as the level says
+  double texelScale;     ///< factor on the level's texel size
+  bool adaptiveSamples;  ///< as many samples as edges of shadows need; else as the level says
   int softSamples;
 
-  BakeSettings of(const BakeSettings& levels) const;
+  BakeSettings appliedTo(const BakeSettings& authored) const;
 };
 
 /// Settings that go together. `hearth tradeoff` measures what each costs and how far off it is.

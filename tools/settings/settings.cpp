@@ -40,7 +40,7 @@ bool hasMaskedMiddles(const Scene& scene) {
 }  // namespace
 
 BakeSettings bakeSettingsFrom(const Scene& scene, const OptionValues& values) {
-  BakeSettings settings = qualityFrom(values).bake.of(scene.level().bake);
+  BakeSettings settings = qualityFrom(values).bake.appliedTo(scene.level().bake);
   settings.texel = values.number(Option::Texel).value_or(settings.texel);
   if (const auto samples = values.number(Option::Samples))
     settings.samples = static_cast<int>(*samples);

@@ -93,7 +93,7 @@ TEST(QualityOptions, OfAQualityTakeThePlaceOfSingleOnes) {
 TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
   const auto words = [](std::string_view name) {
     const Quality& quality = *qualityNamed(name);
-    const QualityInLevel inLevel{{}, quality.bake.of({}), quality.draw, true};
+    const QualityInLevel inLevel{{}, quality.bake.appliedTo({}), quality.draw, true};
     return bakeInWords(inLevel, {}) + "; " + framesInWords(inLevel);
   };
   EXPECT_EQ(words("draft"),

@@ -61,7 +61,7 @@ TEST(Turns, areFewerWhereTheTrialTakesLong) {
 }
 
 /// The base, one that is drawn otherwise, and one that is baked otherwise.
-std::vector<Measured> measuredBy(Clock clock) {
+std::vector<TrialResult> measuredBy(Clock clock) {
   const LoadedLevel level = loaded("tests/levels/rooms.json");
   Trial base{"", level.level.bake, {}};
   base.bake.texel = 1;
@@ -69,12 +69,12 @@ std::vector<Measured> measuredBy(Clock clock) {
   baked.bake.samples = 4;
   Trial drawn = base;
   drawn.draw.pixelSize = 2;
-  TrialBench bench;
-  bench.frameSize = {24, 15};
-  bench.clock = std::move(clock);
-  bench.onProgress = [](std::size_t) {};
+  TrialSetup setup;
+  setup.frameSize = {24, 15};
+  setup.clock = std::move(clock);
+  setup.onProgress = [](std::size_t) {};
   return measureTrials(level, {base, drawn, baked},
-                       truthOf(level, bench.frameSize, 1, bench.onProgress), bench);
+                       truthOf(level, setup.frameSize, 1, setup.onProgress), setup);
 }
 
 TEST(Trials, costWhatTheyDoWhileTheMachineGetsSlower) {
@@ -90,9 +90,9 @@ TEST(Trials, costWhatTheyDoWhileTheMachineGetsSlower) {
   EXPECT_NEAR(measured[2].frameCost, 1, 1e-9);
   EXPECT_GT(measured[0].bakeSeconds, 1);
   EXPECT_GT(measured[0].frameMilliseconds, 1000);
-  for (const Measured& trial : measured) {
-    EXPECT_DOUBLE_EQ(trial.bakeSeconds, trial.bakeCost * measured[0].bakeSeconds);
-    EXPECT_DOUBLE_EQ(trial.frameMilliseconds, trial.frameCost * measured[0].frameMilliseconds);
+  for (const TrialResult& result : measured) {
+    EXPECT_DOUBLE_EQ(result.bakeSeconds, result.bakeCost * measured[0].bakeSeconds);
+    EXPECT_DOUBLE_EQ(result.frameMilliseconds, result.frameCost * measured[0].frameMilliseconds);
   }
 }
 

@@ -45,7 +45,7 @@ TEST(MeasuredFigures, ofOneValueAreThoseOfItsBakeOrFrame) {
 
 TEST(MeasuredFigures, areOfEveryQuality) {
   for (const Quality& quality : qualities()) {
-    const BakeSettings bake = quality.bake.of({});
+    const BakeSettings bake = quality.bake.appliedTo({});
     EXPECT_TRUE(bake == BakeSettings{} || figureOf(bake, {})) << quality.name;
     EXPECT_TRUE(figureOf(quality.draw)) << quality.name;
   }

@@ -17,38 +17,38 @@ namespace {
 
 constexpr ImageSize kSize{48, 30};
 
-std::vector<Measured> measureAll(const LoadedLevel& level, std::vector<Trial> trials) {
-  TrialBench bench;
-  bench.frameSize = kSize;
-  bench.threads = 2;
-  bench.repeats = 1;
-  bench.clock = [now = 0.0]() mutable { return ++now; };
-  bench.onProgress = [](std::size_t) {};
-  return measureTrials(level, std::move(trials), truthOf(level, kSize, 2, bench.onProgress), bench);
+std::vector<TrialResult> measureAll(const LoadedLevel& level, std::vector<Trial> trials) {
+  TrialSetup setup;
+  setup.frameSize = kSize;
+  setup.threads = 2;
+  setup.repeats = 1;
+  setup.clock = [now = 0.0]() mutable { return ++now; };
+  setup.onProgress = [](std::size_t) {};
+  return measureTrials(level, std::move(trials), truthOf(level, kSize, 2, setup.onProgress), setup);
 }
 
 /// All qualities, measured on a shipped level: with twice its texels' side, in a quarter of the
 /// time.
-std::vector<Measured> measured(const std::string& path) {
+std::vector<TrialResult> measured(const std::string& path) {
   const LoadedLevel level = loaded(path);
   BakeSettings coarse = level.level.bake;
   coarse.texel *= 2;
   std::vector<Trial> trials;
   for (const Quality& quality : qualities())
-    trials.push_back({std::string(quality.name), quality.bake.of(coarse), quality.draw});
+    trials.push_back({std::string(quality.name), quality.bake.appliedTo(coarse), quality.draw});
   return measureAll(level, std::move(trials));
 }
 
 TEST(Qualities, fromOneToTheNextAreNearerToTruthForMoreWork) {
   for (const char* path : {"levels/tutorial.json", "levels/keep.json"}) {
-    const std::vector<Measured> all = measured(path);
-    for (const Measured& of : all)
+    const std::vector<TrialResult> all = measured(path);
+    for (const TrialResult& of : all)
       std::cout << path << ' ' << of.trial.options << ": RMS " << of.errors.light.rms << ", over 2 "
                 << of.errors.picture.over2 << ", " << of.texels << " texels, " << of.rays
                 << " rays, " << of.pixels << " pixels\n";
     for (std::size_t i = 1; i < all.size(); ++i) {
-      const Measured& worse = all[i - 1];
-      const Measured& better = all[i];
+      const TrialResult& worse = all[i - 1];
+      const TrialResult& better = all[i];
       EXPECT_LT(better.errors.light.rms, worse.errors.light.rms) << better.trial.options;
       EXPECT_LT(better.errors.picture.rms, worse.errors.picture.rms) << better.trial.options;
       EXPECT_LT(better.errors.picture.over2, worse.errors.picture.over2) << better.trial.options;
@@ -60,7 +60,7 @@ TEST(Qualities, fromOneToTheNextAreNearerToTruthForMoreWork) {
 }
 
 /// What was said is the mean of two levels, this one of them, and in more pixels.
-void expectOffBy(const std::vector<double>& said, const std::vector<Measured>& measured) {
+void expectOffBy(const std::vector<double>& said, const std::vector<TrialResult>& measured) {
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const double fraction = measured[i].errors.light.rms / said[i];
     EXPECT_GT(fraction, 0.75) << i << ": " << measured[i].trial.options;
@@ -73,7 +73,7 @@ TEST(MeasuredFront, isOffByAsMuchAsItSays) {
   std::vector<Trial> trials;
   std::vector<double> said;
   const auto add = [&](const MeasuredBake& of) {
-    trials.push_back({"", of.bake.of(level.level.bake), {}});
+    trials.push_back({"", of.bake.appliedTo(level.level.bake), {}});
     said.push_back(of.rms);
   };
   add(measuredBakes().back());  // first, as it is baked again beside all others: the fastest
@@ -104,10 +104,10 @@ TEST(Qualities, leaveTheLevelsOwnSettingsAsTheyAreByDefault) {
   own.lambert = true;
   const Quality* normal = qualityNamed("normal");
   ASSERT_TRUE(normal);
-  EXPECT_EQ(normal->bake.of(own), own);
+  EXPECT_EQ(normal->bake.appliedTo(own), own);
   EXPECT_EQ(normal->draw, DrawSettings{});
-  EXPECT_EQ(qualityNamed("draft")->bake.of(own).samples, own.samples);
-  EXPECT_TRUE(qualityNamed("draft")->bake.of(own).lambert);
+  EXPECT_EQ(qualityNamed("draft")->bake.appliedTo(own).samples, own.samples);
+  EXPECT_TRUE(qualityNamed("draft")->bake.appliedTo(own).lambert);
   EXPECT_EQ(qualityNamed("best"), nullptr);
 }
 

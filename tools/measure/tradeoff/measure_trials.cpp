@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "light/bakery.h"
+#include "math/spread.h"
 #include "measure/tradeoff/cost.h"
 #include "render/renderer.h"
 
@@ -14,12 +16,12 @@ namespace {
 /// Bakes a level and draws its shots, by a clock.
 class Stopwatch {
  public:
-  Stopwatch(const LoadedLevel& loaded, std::span<const TruthPicture> truth, const TrialBench& bench)
-      : loaded_(loaded), bench_(bench) {
+  Stopwatch(const LoadedLevel& loaded, std::span<const TruthPicture> truth, const TrialSetup& setup)
+      : loaded_(loaded), setup_(setup) {
     for (const TruthPicture& of : truth) {
       Camera camera = of.camera;
-      camera.width = bench.frameSize.width;
-      camera.height = bench.frameSize.height;
+      camera.width = setup.frameSize.width;
+      camera.height = setup.frameSize.height;
       cameras_.push_back(camera);
     }
   }
@@ -28,18 +30,18 @@ class Stopwatch {
 
   double secondsToBake(const BakeSettings& settings, BakedLight& light) const {
     light = {};
-    const double begin = bench_.clock();
-    light = bake(loaded_.scene(), settings, bench_.threads);
-    return bench_.clock() - begin;
+    const double begin = setup_.clock();
+    light = bake(loaded_.scene(), settings, setup_.threads);
+    return setup_.clock() - begin;
   }
 
   /// Draws the frame twice: what the first of them waits for, memory and caches, is no work of the
   /// settings.
   double secondsToDraw(const Renderer& renderer, const Camera& camera) {
     draw(renderer, camera);
-    const double begin = bench_.clock();
+    const double begin = setup_.clock();
     draw(renderer, camera);
-    return bench_.clock() - begin;
+    return setup_.clock() - begin;
   }
 
   const PaintStats& draw(const Renderer& renderer, const Camera& camera) {
@@ -49,7 +51,7 @@ class Stopwatch {
 
  private:
   const LoadedLevel& loaded_;
-  const TrialBench& bench_;
+  const TrialSetup& setup_;
   std::vector<Camera> cameras_;
   FrameScratch scratch_;
   PixelBuffer memory_;
@@ -59,41 +61,42 @@ class Stopwatch {
 class Measurement {
  public:
   Measurement(const LoadedLevel& loaded, const Trial& base, std::span<const TruthPicture> truth,
-              const TrialBench& bench)
+              const TrialSetup& setup)
       : loaded_(loaded),
         base_(base),
         truth_(truth),
-        bench_(bench),
-        watch_(loaded, truth, bench),
+        setup_(setup),
+        watch_(loaded, truth, setup),
         bakeSeconds_{watch_.secondsToBake(base.bake, light_)},
         renderer_(loaded.scene(), loaded.textures, light_, base.draw) {
     for (const Camera& camera : watch_.cameras()) drawBase(camera);
   }
 
   /// Trials of one bake.
-  void measure(std::span<Measured*> trials) {
+  void measure(std::span<TrialResult*> trials) {
     const BakeSettings& settings = trials.front()->trial.bake;
     BakedLight baked;
     const bool isBaseBake = settings == base_.bake;
     const double bakeCost = isBaseBake ? 1 : costOfBake(settings, baked);
     const BakedLight& light = isBaseBake ? light_ : baked;
-    for (Measured* trial : trials) {
-      trial->bakeCost = bakeCost;
-      trial->texels = light.stats.texels;
-      trial->rays = light.stats.rays;
-      trial->bytes = light.stats.bytes;
-      const Renderer renderer(loaded_.scene(), loaded_.textures, light, trial->trial.draw);
-      if (!isBaseBake || trial->trial.draw != base_.draw) trial->frameCost = costOfFrame(renderer);
-      countWork(renderer, *trial);
-      trial->errors = errorsOf(renderer);
+    for (TrialResult* result : trials) {
+      result->bakeCost = bakeCost;
+      result->texels = light.stats.texels;
+      result->rays = light.stats.rays;
+      result->bytes = light.stats.bytes;
+      const Renderer renderer(loaded_.scene(), loaded_.textures, light, result->trial.draw);
+      if (!isBaseBake || result->trial.draw != base_.draw)
+        result->frameCost = costOfFrame(renderer);
+      countWork(renderer, *result);
+      result->errors = errorsOf(renderer);
     }
   }
 
   /// Of all trials, in seconds, once the base was timed beside each.
-  void giveSeconds(std::span<Measured> trials) const {
-    for (Measured& trial : trials) {
-      trial.bakeSeconds = trial.bakeCost * spreadOf(bakeSeconds_).median;
-      trial.frameMilliseconds = trial.frameCost * 1e3 * spreadOf(frameSeconds_).median;
+  void giveSeconds(std::span<TrialResult> trials) const {
+    for (TrialResult& result : trials) {
+      result.bakeSeconds = result.bakeCost * spreadOf(bakeSeconds_).median;
+      result.frameMilliseconds = result.frameCost * 1e3 * spreadOf(frameSeconds_).median;
     }
   }
 
@@ -109,7 +112,7 @@ class Measurement {
   double costOfBake(const BakeSettings& settings, BakedLight& light) {
     const TurnTimes times =
         timedInTurn([&] { return bakeBase(); },
-                    [&] { return watch_.secondsToBake(settings, light); }, bench_.repeats);
+                    [&] { return watch_.secondsToBake(settings, light); }, setup_.repeats);
     return costOf(ratiosOf(times));
   }
 
@@ -118,17 +121,17 @@ class Measurement {
     for (const Camera& camera : watch_.cameras()) {
       const TurnTimes times =
           timedInTurn([&] { return drawBase(camera); },
-                      [&] { return watch_.secondsToDraw(renderer, camera); }, bench_.repeats);
+                      [&] { return watch_.secondsToDraw(renderer, camera); }, setup_.repeats);
       std::ranges::copy(ratiosOf(times), std::back_inserter(ratios));
     }
     return costOf(std::move(ratios));
   }
 
-  void countWork(const Renderer& renderer, Measured& trial) {
+  void countWork(const Renderer& renderer, TrialResult& result) {
     PaintStats sum;
     for (const Camera& camera : watch_.cameras()) sum += watch_.draw(renderer, camera);
     const auto frames = static_cast<double>(watch_.cameras().size());
-    trial.pixels = static_cast<double>(sum.pixels) / frames;
+    result.pixels = static_cast<double>(sum.pixels) / frames;
   }
 
   Errors errorsOf(const Renderer& renderer) const {
@@ -142,7 +145,7 @@ class Measurement {
   const LoadedLevel& loaded_;
   const Trial& base_;
   std::span<const TruthPicture> truth_;
-  const TrialBench& bench_;
+  const TrialSetup& setup_;
   Stopwatch watch_;
   BakedLight light_;                  ///< of the base
   std::vector<double> bakeSeconds_;   ///< ... each time that it was baked
@@ -151,29 +154,30 @@ class Measurement {
 };
 
 /// Those that have the same bake.
-std::vector<Measured*> withBake(std::span<Measured> trials, const BakeSettings& bake) {
-  std::vector<Measured*> same;
-  for (Measured& trial : trials)
-    if (trial.trial.bake == bake) same.push_back(&trial);
+std::vector<TrialResult*> withBake(std::span<TrialResult> trials, const BakeSettings& bake) {
+  std::vector<TrialResult*> same;
+  for (TrialResult& result : trials)
+    if (result.trial.bake == bake) same.push_back(&result);
   return same;
 }
 
 }  // namespace
 
-std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
-                                    std::span<const TruthPicture> truth, const TrialBench& bench) {
-  std::vector<Measured> measured;
+std::vector<TrialResult> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
+                                       std::span<const TruthPicture> truth,
+                                       const TrialSetup& setup) {
+  std::vector<TrialResult> measured;
   for (Trial& trial : trials) measured.emplace_back().trial = std::move(trial);
-  Measurement measurement(loaded, measured.front().trial, truth, bench);
+  Measurement measurement(loaded, measured.front().trial, truth, setup);
   std::vector<BakeSettings> bakes;
   std::size_t count = 0;
-  for (const Measured& trial : measured) {
-    const BakeSettings& settings = trial.trial.bake;
+  for (const TrialResult& result : measured) {
+    const BakeSettings& settings = result.trial.bake;
     if (std::ranges::find(bakes, settings) != bakes.end()) continue;
     bakes.push_back(settings);
-    std::vector<Measured*> same = withBake(measured, settings);
+    std::vector<TrialResult*> same = withBake(measured, settings);
     measurement.measure(same);
-    bench.onProgress(count += same.size());
+    setup.onProgress(count += same.size());
   }
   measurement.giveSeconds(measured);
   return measured;

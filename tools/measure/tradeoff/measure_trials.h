@@ -5,21 +5,22 @@
 #include <span>
 #include <vector>
 
-#include "measure/level_bench.h"
+#include "load/load.h"
+#include "measure/frame_times.h"
 #include "measure/tradeoff/errors.h"
 #include "measure/tradeoff/trials.h"
+#include "settings/options.h"
 
 namespace hearth {
 
-/// The cost of a trial in time, which differs from run to run, and in work, which does not; and its
-/// error.
-struct Measured {
+/// What a trial costs in time (varies from run to run) and in work (does not), and its error.
+struct TrialResult {
   Trial trial;
-  // Times as multiples of the base trial's, the first: medians over pairs that are measured back to
-  // back. Frames are of all shots of the level, on one thread.
+  // Ratios to the first trial, the base: the median over pairs of runs, trial and base measured
+  // back to back. Frames are of all shots of the level, on one thread.
   double bakeCost = 1;
   double frameCost = 1;
-  // These multiplied by the median time of the base over the whole run.
+  // The ratios above times the base's median time over the whole run.
   double bakeSeconds = 0;
   double frameMilliseconds = 0;
   std::int64_t texels = 0;
@@ -30,7 +31,7 @@ struct Measured {
 };
 
 /// How trials are measured.
-struct TrialBench {
+struct TrialSetup {
   ImageSize frameSize{640, 400};                ///< that is timed
   int threads = 1;                              ///< of bakes
   int repeats = 3;                              ///< of bakes, and of frames of each shot
@@ -40,8 +41,9 @@ struct TrialBench {
 
 /// Measures each trial in turn with the first, the base, so that a machine that slows down slows
 /// both alike. Trials with the same bake share its measurement. Neither `trials` nor `truth`, one
-/// for each shot of the level, may be empty; `bench` needs all its functions.
-std::vector<Measured> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
-                                    std::span<const TruthPicture> truth, const TrialBench& bench);
+/// for each shot of the level, may be empty; `setup` needs all its functions.
+std::vector<TrialResult> measureTrials(const LoadedLevel& loaded, std::vector<Trial> trials,
+                                       std::span<const TruthPicture> truth,
+                                       const TrialSetup& setup);
 
 }  // namespace hearth

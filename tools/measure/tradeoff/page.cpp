@@ -38,7 +38,7 @@ constexpr std::string_view kColumns =
     "<th>over 8, %</th><th>largest blob</th><th>PSNR, dB</th><th>SSIM</th><th>front</th></tr>\n";
 
 std::string row(const TradeoffReport& report, std::size_t i) {
-  const Measured& of = report.trials[i];
+  const TrialResult& of = report.trials[i];
   const auto& [light, picture] = of.errors;
   const std::string_view front = frontName(report, i);
   return fmt::format(
@@ -59,7 +59,7 @@ std::string figure(std::string_view caption, const std::string& plot) {
 std::string bakePlot(const TradeoffReport& report) {
   std::vector<PlotPoint> points;
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
-    const Measured& of = report.trials[i];
+    const TrialResult& of = report.trials[i];
     if (of.trial.draw == report.trials.front().trial.draw)
       points.push_back({of.bakeSeconds, of.errors.light.rms, report.onBakeFront[i],
                         std::string(nameOf(of.trial))});
@@ -70,7 +70,7 @@ std::string bakePlot(const TradeoffReport& report) {
 std::string framePlot(const TradeoffReport& report) {
   std::vector<PlotPoint> points;
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
-    const Measured& of = report.trials[i];
+    const TrialResult& of = report.trials[i];
     if (of.trial.bake == report.trials.front().trial.bake)
       points.push_back({of.frameMilliseconds, of.errors.picture.rms, report.onFrameFront[i],
                         std::string(nameOf(of.trial))});

@@ -11,16 +11,16 @@ namespace hearth {
 namespace {
 
 /// By trial, among those that are asked for.
-std::vector<bool> frontAmong(const std::vector<Measured>& trials,
-                             const std::function<bool(const Measured&)>& isAsked,
-                             const std::function<CostAndError(const Measured&)>& pointOf) {
+std::vector<bool> frontAmong(const std::vector<TrialResult>& trials,
+                             const std::function<bool(const TrialResult&)>& isAsked,
+                             const std::function<CostAndError(const TrialResult&)>& pointOf) {
   std::vector<CostAndError> points;
-  for (const Measured& trial : trials)
-    if (isAsked(trial)) points.push_back(pointOf(trial));
+  for (const TrialResult& result : trials)
+    if (isAsked(result)) points.push_back(pointOf(result));
   const std::vector<bool> front = onParetoFront(points);
   std::vector<bool> found;
   std::size_t point = 0;
-  for (const Measured& trial : trials) found.push_back(isAsked(trial) && front[point++]);
+  for (const TrialResult& result : trials) found.push_back(isAsked(result) && front[point++]);
   return found;
 }
 
@@ -38,14 +38,14 @@ std::string_view nameOf(const Trial& trial) {
 TradeoffReport reportOf(TradeoffReport measured) {
   const Trial& own = measured.trials.front().trial;
   measured.onBakeFront = frontAmong(
-      measured.trials, [&](const Measured& trial) { return trial.trial.draw == own.draw; },
-      [](const Measured& trial) {
-        return CostAndError{trial.bakeSeconds, trial.errors.light.rms};
+      measured.trials, [&](const TrialResult& result) { return result.trial.draw == own.draw; },
+      [](const TrialResult& result) {
+        return CostAndError{result.bakeSeconds, result.errors.light.rms};
       });
   measured.onFrameFront = frontAmong(
-      measured.trials, [&](const Measured& trial) { return trial.trial.bake == own.bake; },
-      [](const Measured& trial) {
-        return CostAndError{trial.frameMilliseconds, trial.errors.picture.rms};
+      measured.trials, [&](const TrialResult& result) { return result.trial.bake == own.bake; },
+      [](const TrialResult& result) {
+        return CostAndError{result.frameMilliseconds, result.errors.picture.rms};
       });
   return measured;
 }
@@ -62,7 +62,7 @@ std::string tableOf(const TradeoffReport& report) {
       report.truthSize.height, "settings", "bake x", "bake s", "frame x", "frame ms", "texels",
       "rays", "bytes", "max", "RMS", "p99", "> 2 %", "> 8 %", "blob", "PSNR", "SSIM");
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
-    const Measured& of = report.trials[i];
+    const TrialResult& of = report.trials[i];
     const auto& [light, picture] = of.errors;
     text += fmt::format(
         "{:<38} {:>7.2f} {:>8.3f} {:>7.2f} {:>8.3f} {:>9} {:>10} {:>10} {:>6.1f} {:>6.2f} {:>6.1f} "
@@ -81,7 +81,7 @@ std::string csvOf(const TradeoffReport& report) {
       "pixels,light_max,light_rms,light_p99,picture_rms,over2_share,over8_share,largest_blob,psnr,"
       "ssim\r\n";
   for (std::size_t i = 0; i < report.trials.size(); ++i) {
-    const Measured& of = report.trials[i];
+    const TrialResult& of = report.trials[i];
     const auto& [light, picture] = of.errors;
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
                         of.trial.options, frontName(report, i), of.bakeCost, of.bakeSeconds,

@@ -18,7 +18,7 @@ struct TradeoffReport {
   int bakeThreads = 1;
   ImageSize truthSize{};
   ImageSize frameSize{};
-  std::vector<Measured> trials;  ///< the level's own settings first
+  std::vector<TrialResult> trials;  ///< the level's own settings first
   /// For each trial: whether it is Pareto-optimal in seconds to bake and RMS of light, among trials
   /// that are drawn as accurately as the level's own.
   std::vector<bool> onBakeFront;
