@@ -41,14 +41,17 @@ constexpr bool isSky(SurfaceKind kind) { return kind >= SurfaceKind::SkyCeiling;
 constexpr bool isSidewall(SurfaceKind kind) {
   return kind == SurfaceKind::FloorSidewall || kind == SurfaceKind::CeilingSidewall;
 }
-constexpr bool isFlat(SurfaceKind kind) {
+/// Whether it is level, and no sky.
+constexpr bool isLevelFlat(SurfaceKind kind) {
   return kind == SurfaceKind::Floor || kind == SurfaceKind::Ceiling;
 }
 constexpr bool isSlope(SurfaceKind kind) {
   return kind == SurfaceKind::SlopeFloor || kind == SurfaceKind::SlopeCeiling;
 }
-/// Whether it stands upright on a segment and is not sky.
-constexpr bool isUpright(SurfaceKind kind) { return kind <= SurfaceKind::MaskedMiddle; }
+/// Whether it stands upright on a segment.
+constexpr bool isUpright(SurfaceKind kind) {
+  return kind <= SurfaceKind::MaskedMiddle || kind >= SurfaceKind::SkyUpperStep;
+}
 /// Whether it faces downwards.
 constexpr bool facesDown(SurfaceKind kind) {
   return kind == SurfaceKind::Ceiling || kind == SurfaceKind::SlopeCeiling ||
@@ -60,7 +63,7 @@ constexpr bool facesDown(SurfaceKind kind) {
 struct Surface {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air it bounds, and whose `light` it takes
-  std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
+  std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces only
   TextureMapping mapping;            ///< as authored
 };
 

@@ -94,7 +94,7 @@ class LitSurfaceBuilder {
     const Surface& surface = scene_[id];
     const Sector& sector = scene_[surface.sector];
     const double sign = facesDown(surface.kind) ? -1 : 1;
-    if (isFlat(surface.kind)) {
+    if (isLevelFlat(surface.kind)) {
       const double z = scene_.geometryOf(id).zBottom;
       const TexelGrid grid = flatGrid(z, texel_);
       add(id, grid, {0, 0, z}, {0, 0, sign}, outlinesOf(sector, grid, [&](Vec2) { return z; }));

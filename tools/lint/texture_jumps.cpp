@@ -81,7 +81,8 @@ class JumpFinder {
  private:
   bool isOfWall(SurfaceId surface) const {
     const SurfaceKind kind = scene_[surface].kind;
-    return isUpright(kind) && !isSidewall(kind) && kind != SurfaceKind::MaskedMiddle;
+    return isUpright(kind) && !isSky(kind) && !isSidewall(kind) &&
+           kind != SurfaceKind::MaskedMiddle;
   }
 
   /// So that along a row of walls, whatever the order of their sectors, each is mended before the
