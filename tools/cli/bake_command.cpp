@@ -50,7 +50,7 @@ ExitStatus runBake(const OptionValues& values) {
   if (output && extension != ".png" && extension != ".bake")
     return fail(fmt::format(
         "-o: {}: light is written as a .bake to draw with or as a .png to look at", *output));
-  const std::optional<LoadedLevel> loaded = openLevel(values);
+  const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeInTime(loaded->scene(), values);
   if (!bake) return fail(bake.error());

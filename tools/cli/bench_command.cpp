@@ -137,7 +137,7 @@ ExitStatus runBench(const OptionValues& values) {
   if (values.has(Option::Peers)) return runPeers(values);
   if (values.level.empty()) return fail("name a level, or give --peers");
   if (values.has(Option::Only)) return fail("--only: it chooses rows of --peers");
-  const std::optional<LoadedLevel> loaded = openLevel(values);
+  const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto settings = bakeSettingsFor(loaded->scene(), values);
   if (!settings) return fail(settings.error());

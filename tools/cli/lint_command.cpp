@@ -47,7 +47,7 @@ ExitStatus runLint(const OptionValues& values) {
   const SourcedResult opened = loadLevelOf(values);
   const std::vector<Diagnostic>& ofLoader = opened.result.diagnostics;
   if (!opened.result.loaded) {
-    tell(ofLoader);
+    printDiagnostics(ofLoader);
     return ExitStatus::BadInput;
   }
   const LintedLevel linted{*opened.result.loaded, opened.source};

@@ -16,7 +16,7 @@ ExitStatus runMap(const OptionValues& values) {
   const std::string output = *values.text(Option::Output);
   if (std::filesystem::path(output).extension() != ".svg")
     return fail("-o: " + output + ": the plan is written as a .svg");
-  const std::optional<LoadedLevel> loaded = openLevel(values);
+  const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const std::string plan = planOf(loaded->scene());
   const auto written = replaceFile(output, [&](std::ostream& stream) {

@@ -55,7 +55,7 @@ std::optional<std::string> mistakeInShotOptions(const OptionValues& values) {
 
 ExitStatus runShot(const OptionValues& values) {
   if (const auto mistake = mistakeInShotOptions(values)) return fail(*mistake);
-  const std::optional<LoadedLevel> loaded = openLevel(values);
+  const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto camera = cameraFor(loaded->scene(), values, {320, 200});
   if (!camera) return fail(camera.error());

@@ -79,7 +79,7 @@ ExitStatus runTradeoff(const OptionValues& values) {
   if (values.level.empty())
     return fail(
         fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
-  const std::optional<LoadedLevel> loaded = openLevel(values);
+  const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto report = measured(*loaded, values);
   if (!report) return fail(report.error());

@@ -172,7 +172,7 @@ Config configOfUser() {
 void addConfig(const Config& config, WalkSettings& settings) {
   settings.preferences = config.preferences;
   for (const Diagnostic& warning : config.warnings) settings.notes.push_back(format(warning));
-  tell(config.warnings);
+  printDiagnostics(config.warnings);
 }
 
 ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, const Plan& plan,
@@ -227,7 +227,7 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
 
 ExitStatus runWalk(const OptionValues& values) {
   if (const auto mistake = mistakeInWalkOptions(values)) return fail(*mistake);
-  SourcedResult opened = openLevelWithSource(values);
+  SourcedResult opened = loadAndReportWithSource(values);
   if (!opened.result.loaded) return ExitStatus::BadInput;
   const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
   const Scene scene = loaded->scene();

@@ -23,9 +23,9 @@ void warnIfDark(const Level& level, const BakedLight& light, const OptionValues&
 
 /// What `work` bakes, its progress shown.
 template <typename Work>
-BakedLight whileShown(const OptionValues& values, ProgressStyle inFile, Work&& work) {
+BakedLight whileShown(const OptionValues& values, ProgressStyle styleWithoutTerminal, Work&& work) {
   BakeProgress progress;
-  const ProgressDisplay display(progressStyle(values, inFile), progress);
+  const ProgressDisplay display(progressStyle(values, styleWithoutTerminal), progress);
   return work(progress);
 }
 
@@ -75,18 +75,18 @@ SourcedResult loadLevelOf(const OptionValues& values) {
   return loadLevelWithSource(values.level, limitsFrom(values));
 }
 
-void tell(std::span<const Diagnostic> diagnostics) {
+void printDiagnostics(std::span<const Diagnostic> diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) fmt::print(stderr, "{}\n", format(diagnostic));
 }
 
-SourcedResult openLevelWithSource(const OptionValues& values) {
+SourcedResult loadAndReportWithSource(const OptionValues& values) {
   SourcedResult opened = loadLevelOf(values);
-  tell(opened.result.diagnostics);
+  printDiagnostics(opened.result.diagnostics);
   return opened;
 }
 
-std::optional<LoadedLevel> openLevel(const OptionValues& values) {
-  return openLevelWithSource(values).result.loaded;
+std::optional<LoadedLevel> loadAndReport(const OptionValues& values) {
+  return loadAndReportWithSource(values).result.loaded;
 }
 
 LightMode lightModeFrom(const OptionValues& values) {
@@ -100,10 +100,10 @@ int threadsFrom(const OptionValues& values) {
 }
 
 Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
-              ProgressStyle inFile) {
+              ProgressStyle styleWithoutTerminal) {
   const int threads = threadsFrom(values);
   const auto start = std::chrono::steady_clock::now();
-  BakedLight light = whileShown(values, inFile, [&](BakeProgress& progress) {
+  BakedLight light = whileShown(values, styleWithoutTerminal, [&](BakeProgress& progress) {
     return bake(scene, settings, threads, &progress);
   });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -112,9 +112,9 @@ Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValu
 }
 
 tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
-                                        ProgressStyle inFile) {
+                                        ProgressStyle styleWithoutTerminal) {
   return bakeSettingsFor(scene, values).map([&](const BakeSettings& settings) {
-    return bakeWith(scene, settings, values, inFile);
+    return bakeWith(scene, settings, values, styleWithoutTerminal);
   });
 }
 

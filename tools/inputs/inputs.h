@@ -14,23 +14,25 @@
 #include "settings/options.h"
 #include "settings/settings.h"
 
-/// The steps that commands share: from options to a level, a bake and a camera.
+/// The steps that commands share: from options to a level, a bake and a camera. Functions named
+/// `...For` check what the options ask for, and return an error if it cannot be done. Those named
+/// `...From` only read the options.
 namespace hearth {
 
 /// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
-/// stderr, one per line; nothing after errors.
-std::optional<LoadedLevel> openLevel(const OptionValues& values);
+/// stderr, one per line. Returns nullopt if there are errors.
+std::optional<LoadedLevel> loadAndReport(const OptionValues& values);
 
-/// The same, with the source of the level.
-SourcedResult openLevelWithSource(const OptionValues& values);
+/// The same, with the source of the level. Its `result.loaded` is empty after errors.
+SourcedResult loadAndReportWithSource(const OptionValues& values);
 
-/// The same, without writing its diagnostics.
+/// Loads it so without printing its diagnostics.
 SourcedResult loadLevelOf(const OptionValues& values);
 
-/// Writes them to stderr, a line each.
-void tell(std::span<const Diagnostic> diagnostics);
+/// To stderr, a line each.
+void printDiagnostics(std::span<const Diagnostic> diagnostics);
 
-/// Of a level in which nothing is lit.
+/// The warning to print if no light reaches any surface; nullopt otherwise.
 std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
                                          const OptionValues& values);
 
@@ -44,14 +46,14 @@ struct Bake {
   double seconds;
 };
 
-/// Bakes with the settings above. A terminal shows the progress of a long bake. If stderr is no
-/// terminal, progress is written in the given style.
+/// Bakes with the settings of `bakeSettingsFor(scene, values)`. A terminal shows the progress of a
+/// long bake. If stderr is no terminal, progress is written in the given style.
 tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
-                                        ProgressStyle inFile = ProgressStyle::None);
+                                        ProgressStyle styleWithoutTerminal = ProgressStyle::None);
 
 /// The same with other settings.
 Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
-              ProgressStyle inFile);
+              ProgressStyle styleWithoutTerminal);
 
 /// The threads that bake.
 int threadsFrom(const OptionValues& values);

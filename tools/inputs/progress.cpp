@@ -24,9 +24,9 @@ void writeToStderr(std::string_view text) { std::fwrite(text.data(), 1, text.siz
 
 }  // namespace
 
-ProgressStyle progressStyle(const OptionValues& values, ProgressStyle inFile) {
+ProgressStyle progressStyle(const OptionValues& values, ProgressStyle styleWithoutTerminal) {
   if (values.has(Option::Quiet)) return ProgressStyle::None;
-  return isatty(STDERR_FILENO) == 1 ? ProgressStyle::Line : inFile;
+  return isatty(STDERR_FILENO) == 1 ? ProgressStyle::Line : styleWithoutTerminal;
 }
 
 std::string ProgressWriter::update(const StageProgress& progress) {

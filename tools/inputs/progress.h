@@ -20,8 +20,9 @@ enum class ProgressStyle {
   Lines,  ///< for a file: a line for every tenth of a counted stage, at most one a second
 };
 
-/// The style for the command line and stderr; `inFile` if stderr is no terminal.
-ProgressStyle progressStyle(const OptionValues& values, ProgressStyle inFile = ProgressStyle::None);
+/// The style for the command line and stderr; `styleWithoutTerminal` if stderr is no terminal.
+ProgressStyle progressStyle(const OptionValues& values,
+                            ProgressStyle styleWithoutTerminal = ProgressStyle::None);
 
 /// Turns progress into text to write. Stages shorter than a second are not shown.
 class ProgressWriter {

@@ -88,7 +88,7 @@ class LevelCheck {
   }
 
   LevelFindings run() && {
-    const auto loaded = openLevel(values_);
+    const auto loaded = loadAndReport(values_);
     if (!loaded) return refused();
     if (const auto mistake = mistakeInShots(loaded->level)) return refused(*mistake);
     const auto light = lightFor(loaded->scene(), values_);

@@ -209,7 +209,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
 ExitStatus runInfo(const OptionValues& values) {
   if (values.has(Option::Surfaces) && !values.has(Option::Json))
     return fail("--surfaces: they are printed as JSON only; give --json, too");
-  const auto [result, source] = openLevelWithSource(values);
+  const auto [result, source] = loadAndReportWithSource(values);
   const std::optional<LoadedLevel>& loaded = result.loaded;
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeFor(loaded->scene(), values);
