@@ -32,6 +32,13 @@ class LineCounter {
 
 }  // namespace
 
+FileLocation locationOf(Place place, std::span<const Document> documents) {
+  const Document& document = documents[place.document];
+  LineCounter lines(document.text);
+  lines.moveTo(place.offset);
+  return {document.file, lines.line(), lines.column(), pointerAt(document, place.offset)};
+}
+
 void Report::error(Place place, std::string message, std::string advice) {
   if (errors_++ < kMaxMessages)
     entries_.push_back({place, true, std::move(message), std::move(advice), {}});

@@ -10,6 +10,15 @@
 
 namespace hearth {
 
+/// A place as people and editors name it.
+struct FileLocation {
+  std::string file;     ///< as messages name it
+  int line = 1;         ///< from 1
+  int column = 1;       ///< from 1, in bytes
+  std::string pointer;  ///< JSON pointer (RFC 6901) of the value
+};
+FileLocation locationOf(Place place, std::span<const Document> documents);
+
 /// Collects what is wrong with the files of a load, from all its stages.
 class Report {
  public:

@@ -36,7 +36,7 @@ std::string wallWords(const Level& level, const TruthHit& place) {
 std::string sidewallWords(const Level& level, const TruthHit& place) {
   const std::string_view flat = facesDown(place.kind) ? "ceiling" : "floor";
   return fmt::format("sidewall of the sloped {} of {}, at {}", flat,
-                     level[wedgeOf(level, place)].name, wallWords(level, place));
+                     level[slopedSectorOf(level, place)].name, wallWords(level, place));
 }
 
 std::string remedyWords(const LightSource& light, const LightFinding& finding) {
@@ -103,7 +103,7 @@ std::string surfaceWords(const Level& level, const TruthHit& place) {
   return fmt::format("{} at {}", name(place.kind), wallWords(level, place));
 }
 
-SectorId wedgeOf(const Level& level, const TruthHit& sidewall) {
+SectorId slopedSectorOf(const Level& level, const TruthHit& sidewall) {
   const Segment& segment = level[*sidewall.segment];
   const auto nextOf = [](const auto& kind) { return std::get<Portal>(kind).next; };
   if (const Stack* stack = std::get_if<Stack>(&segment.wall))

@@ -13,8 +13,8 @@ namespace hearth {
 /// belongs to, too.
 std::string surfaceWords(const Level& level, const TruthHit& place);
 
-/// The sector whose wedge a sidewall belongs to.
-SectorId wedgeOf(const Level& level, const TruthHit& sidewall);
+/// The sector whose slope a sidewall belongs to.
+SectorId slopedSectorOf(const Level& level, const TruthHit& sidewall);
 
 /// `1.25,3,0.4`, as files have it: metres, to a millimetre.
 std::string pointWords(Vec3 point, std::string_view separator = ",");
