@@ -5,6 +5,7 @@
 
 #include "level/level.h"
 #include "render/draw_settings.h"
+#include "settings/options.h"
 
 namespace hearth {
 
@@ -29,5 +30,10 @@ std::span<const Quality> qualities();
 
 /// Null where none has the name.
 const Quality* qualityNamed(std::string_view name);
+
+/// The one that holds if none is asked for.
+inline constexpr std::string_view kDefaultQuality = "normal";
+/// What the options ask for.
+const Quality& qualityFrom(const OptionValues& values);
 
 }  // namespace hearth

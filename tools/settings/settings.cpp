@@ -15,12 +15,6 @@ namespace hearth {
 
 namespace {
 
-const Quality& qualityFrom(const OptionValues& values) {
-  const Quality* quality = qualityNamed(values.text(Option::Quality).value_or("normal"));
-  CHECK(quality, *values.text(Option::Quality));  // the option takes no other
-  return *quality;
-}
-
 struct NamedFilter {
   TextureFilter filter;
   std::string_view name;

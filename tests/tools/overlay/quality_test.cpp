@@ -32,14 +32,15 @@ class QualityTest : public testing::Test {
   }
 
   void frame() {
-    const BakeSettings ofLevel;
+    const BakeSettings authored;
     Level level;
-    level.bake = ofLevel;
+    level.bake = authored;
     const Geometry geometry{};
-    const QualityInLevel inLevel{ofLevel, bakeSettingsFrom({level, geometry}, choice_.options),
-                                 drawSettingsFrom(choice_.options), canBake_};
+    const EffectiveSettings effective{authored,
+                                      bakeSettingsFrom({level, geometry}, choice_.options),
+                                      drawSettingsFrom(choice_.options), canBake_};
     overlay_.draw(
-        now_ += 0.02, [&] { wasChosen_ |= showQuality(inLevel, choice_); }, picture_);
+        now_ += 0.02, [&] { wasChosen_ |= showQuality(effective, choice_); }, picture_);
   }
 
   void button(bool isDown, int x, int y) {
@@ -93,8 +94,8 @@ TEST(QualityOptions, OfAQualityTakeThePlaceOfSingleOnes) {
 TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
   const auto words = [](std::string_view name) {
     const Quality& quality = *qualityNamed(name);
-    const QualityInLevel inLevel{{}, quality.bake.appliedTo({}), quality.draw, true};
-    return bakeInWords(inLevel, {}) + "; " + framesInWords(inLevel);
+    const EffectiveSettings effective{{}, quality.bake.appliedTo({}), quality.draw, true};
+    return bakeInWords(effective, {}) + "; " + framesInWords(effective);
   };
   EXPECT_EQ(words("draft"),
             "0.19 x the time, 7.8 levels off; 0.47 x the time, 61 % of pixels differ");

@@ -19,7 +19,7 @@ namespace hearth {
 
 namespace {
 
-/// Degrees that are looked through without straining.
+/// Degrees; beyond these the picture is hard to read.
 constexpr SliderRange kFov{10, 170, 1};
 
 /// More than displays show, so that the slider is fine enough.
@@ -57,7 +57,7 @@ bool hasSingleSettings(const OptionValues& options) {
 
 bool showQualities(OptionValues& options) {
   bool isChosen = false;
-  const std::string current = options.text(Option::Quality).value_or("normal");
+  const std::string_view current = qualityFrom(options).name;
   for (const Quality& quality : qualities()) {
     const bool isCurrent = current == quality.name && !hasSingleSettings(options);
     if (ImGui::RadioButton(std::string(quality.name).data(), isCurrent)) {
@@ -73,29 +73,29 @@ bool showQualities(OptionValues& options) {
 // --- Settings, one by one ------------------------------------------------------------------------
 
 /// What holds without any option.
-std::string standardOf(const Approximation& approximation, const QualityInLevel& inLevel) {
+std::string standardOf(const Approximation& approximation, const EffectiveSettings& effective) {
   return approximation.of == Approximation::Of::Bake
-             ? valueOf(inLevel.ofLevel, approximation.setting)
+             ? valueOf(effective.authored, approximation.setting)
              : valueOf(DrawSettings{}, approximation.setting);
 }
 
 /// What can be chosen: what is measured, the level's own and what holds now.
-std::vector<std::string> valuesOf(const Approximation& approximation, const QualityInLevel& inLevel,
-                                  const std::string& current) {
+std::vector<std::string> valuesOf(const Approximation& approximation,
+                                  const EffectiveSettings& effective, const std::string& current) {
   std::vector<std::string> values;
   const auto add = [&values](const std::string& value) {
     if (std::ranges::find(values, value) == values.end()) values.push_back(value);
   };
-  add(standardOf(approximation, inLevel));
+  add(standardOf(approximation, effective));
   for (const std::string_view value : triedOf(approximation)) add(std::string(value));
   add(current);
   return values;
 }
 
 /// Of a value by itself, as short as its column; empty where it was not measured.
-std::string figureWords(const Approximation& approximation, const QualityInLevel& inLevel,
+std::string figureWords(const Approximation& approximation, const EffectiveSettings& effective,
                         const std::string& value) {
-  const auto figure = figureOf(approximation.setting, value, standardOf(approximation, inLevel));
+  const auto figure = figureOf(approximation.setting, value, standardOf(approximation, effective));
   if (!figure) return "";
   return fmt::format("{} x, {}", rounded(figure->cost), errorInWords(*figure, approximation.of));
 }
@@ -104,47 +104,54 @@ void showBound(const Approximation& approximation) {
   showTip(fmt::format("How far off: {} ({}).", approximation.bound, approximation.code));
 }
 
-bool showSetting(const Approximation& approximation, const QualityInLevel& inLevel,
+/// The list of values. Returns the one that was chosen, if any.
+std::optional<std::string> showValues(const Approximation& approximation,
+                                      const EffectiveSettings& effective,
+                                      const std::string& current) {
+  const std::string id = fmt::format("##{}", settingNameOf(approximation.setting));
+  if (!ImGui::BeginCombo(id.data(), current.data())) {
+    showBound(approximation);
+    return std::nullopt;
+  }
+  std::optional<std::string> chosen;
+  for (const std::string& value : valuesOf(approximation, effective, current)) {
+    const std::string figure = figureWords(approximation, effective, value);
+    const std::string label = figure.empty() ? value : fmt::format("{:<10}{}", value, figure);
+    if (ImGui::Selectable(label.data(), value == current)) chosen = value;
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+bool showSetting(const Approximation& approximation, const EffectiveSettings& effective,
                  OptionValues& options) {
   const Option option = approximation.setting;
   const bool isOfBake = approximation.of == Approximation::Of::Bake;
   const std::string current =
-      isOfBake ? valueOf(inLevel.bake, option) : valueOf(inLevel.draw, option);
-  bool isChosen = false;
+      isOfBake ? valueOf(effective.bake, option) : valueOf(effective.draw, option);
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   showText(settingNameOf(option));
   showBound(approximation);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
-  ImGui::BeginDisabled(isOfBake && !inLevel.canBake);
-  const bool isListOpen =
-      ImGui::BeginCombo(fmt::format("##{}", settingNameOf(option)).data(), current.data());
-  if (!isListOpen) showBound(approximation);
-  if (isListOpen) {
-    for (const std::string& value : valuesOf(approximation, inLevel, current)) {
-      const std::string figure = figureWords(approximation, inLevel, value);
-      const std::string label = figure.empty() ? value : fmt::format("{:<10}{}", value, figure);
-      if (!ImGui::Selectable(label.data(), value == current)) continue;
-      options.set(option, value);
-      isChosen = true;
-    }
-    ImGui::EndCombo();
-  }
+  ImGui::BeginDisabled(isOfBake && !effective.canBake);
+  const std::optional<std::string> chosen = showValues(approximation, effective, current);
   ImGui::EndDisabled();
   ImGui::TableNextColumn();
-  showText(figureWords(approximation, inLevel, current));
-  return isChosen;
+  showText(figureWords(approximation, effective, current));
+  if (chosen) options.set(option, *chosen);
+  return chosen.has_value();
 }
 
-bool showSettings(const QualityInLevel& inLevel, OptionValues& options) {
+bool showSettings(const EffectiveSettings& effective, OptionValues& options) {
   if (!ImGui::BeginTable("settings", 3)) return false;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, letters(kSettingNameWidth));
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, letters(kValueWidth));
   ImGui::TableSetupColumn("figure");
   bool isChosen = false;
   for (const Approximation& approximation : approximations())
-    isChosen |= showSetting(approximation, inLevel, options);
+    isChosen |= showSetting(approximation, effective, options);
   ImGui::EndTable();
   return isChosen;
 }
@@ -153,7 +160,7 @@ bool showSettings(const QualityInLevel& inLevel, OptionValues& options) {
 
 void showSliders(QualityChoice& choice) {
   showSlider("field of view", choice.fov, kFov, fmt::format("{:.0f} degrees", choice.fov));
-  showSlider("most frames", choice.frameCap, kFrames,
+  showSlider("frame cap", choice.frameCap, kFrames,
              choice.frameCap > 0 ? fmt::format("{:.0f} a second", choice.frameCap) : "no limit");
 }
 
@@ -164,22 +171,22 @@ void chooseQuality(OptionValues& options, std::string_view name) {
   options.set(Option::Quality, std::string(name));
 }
 
-std::string bakeInWords(const QualityInLevel& inLevel, const OptionValues& options) {
+std::string bakeInWords(const EffectiveSettings& effective, const OptionValues& options) {
   if (options.has(Option::LightFrom)) return "from a file";
-  if (inLevel.bake == inLevel.ofLevel) return "as the level says";
-  return words(figureOf(inLevel.bake, inLevel.ofLevel), Approximation::Of::Bake);
+  if (effective.bake == effective.authored) return "as the level says";
+  return words(figureOf(effective.bake, effective.authored), Approximation::Of::Bake);
 }
 
-std::string framesInWords(const QualityInLevel& inLevel) {
-  return words(figureOf(inLevel.draw), Approximation::Of::Frame);
+std::string framesInWords(const EffectiveSettings& effective) {
+  return words(figureOf(effective.draw), Approximation::Of::Frame);
 }
 
-bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice) {
+bool showQuality(const EffectiveSettings& effective, QualityChoice& choice) {
   showSliders(choice);
   bool isChosen = showQualities(choice.options);
-  showText("bake: " + bakeInWords(inLevel, choice.options));
-  showText("frames: " + framesInWords(inLevel));
-  isChosen |= showSettings(inLevel, choice.options);
+  showText("bake: " + bakeInWords(effective, choice.options));
+  showText("frames: " + framesInWords(effective));
+  isChosen |= showSettings(effective, choice.options);
   return isChosen;
 }
 

@@ -17,21 +17,21 @@ struct QualityChoice {
 };
 
 /// What the choice has come to in the level at hand.
-struct QualityInLevel {
-  BakeSettings ofLevel;  ///< the file's own
+struct EffectiveSettings {
+  BakeSettings authored;  ///< the file's own
   BakeSettings bake;
   DrawSettings draw;
   bool canBake = false;  ///< else the light is as it is
 };
 
-/// Asks for settings that go together, and for none by itself.
+/// Selects a quality and clears all single settings.
 void chooseQuality(OptionValues& options, std::string_view name);
 
 /// What all settings together were measured to cost, and how far off they are.
-std::string bakeInWords(const QualityInLevel& inLevel, const OptionValues& options);
-std::string framesInWords(const QualityInLevel& inLevel);
+std::string bakeInWords(const EffectiveSettings& effective, const OptionValues& options);
+std::string framesInWords(const EffectiveSettings& effective);
 
 /// A section of the overlay. Returns whether options have been chosen anew.
-bool showQuality(const QualityInLevel& inLevel, QualityChoice& choice);
+bool showQuality(const EffectiveSettings& effective, QualityChoice& choice);
 
 }  // namespace hearth
