@@ -9,8 +9,8 @@
 
 namespace hearth {
 
-/// The rows of a picture while it is drawn, top to bottom, in memory of others, such as a window's.
-/// A pixel has 32 bits: blue in the lowest, then green and red. The highest mean nothing.
+/// A view of a picture being drawn, rows top to bottom, in memory that the caller owns, such as a
+/// window's. A pixel has 32 bits: blue in the lowest, then green and red. The highest mean nothing.
 struct PixelRows {
   std::uint32_t* first;
   std::size_t pixelsPerRow;  ///< from the beginning of a row to that of the next
@@ -62,7 +62,7 @@ class PixelBuffer {
 /// Copies a picture to rows of the same size.
 void copy(const PixelRows& from, const PixelRows& to);
 
-/// The picture as files hold it.
+/// A copy as an Image.
 Image imageOf(const PixelRows& rows);
 
 }  // namespace hearth

@@ -13,12 +13,12 @@ fs::path variable(const char* name) {
   return value ? value : "";
 }
 
-/// The specification has paths that are not absolute ignored.
+/// The XDG specification says to ignore relative paths.
 std::optional<fs::path> folder(const char* name, const char* belowHome) {
-  fs::path home = variable(name);
-  if (!home.is_absolute()) home = variable("HOME") / belowHome;
-  if (!home.is_absolute()) return std::nullopt;
-  return home / "hearth";
+  fs::path base = variable(name);
+  if (!base.is_absolute()) base = variable("HOME") / belowHome;
+  if (!base.is_absolute()) return std::nullopt;
+  return base / "hearth";
 }
 
 }  // namespace
