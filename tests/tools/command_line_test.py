@@ -1143,7 +1143,7 @@ class Info(InFolder):
         self.assertRegex(bakes[0]["geometry"], "^[0-9a-f]{16}$")
         self.assertIn(("sloped floor", "ramp"), {(row["kind"], row["sector"]) for row in surfaces})
 
-    def test_json_says_what_was_modelled_and_what_was_left_out(self):
+    def test_json_says_what_the_level_pays_for_and_what_is_left_out(self):
         info = json.loads(run("info", self.level, "--json", "--texel", "0.5").stdout)
         counted = ["bare", "unfaced", "unreached", "oneChannel", "threeChannels"]
         kinds = info["light"]["kinds"]

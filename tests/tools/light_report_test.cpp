@@ -69,15 +69,15 @@ TEST(LightReport, HasOneValueForALightmapThatIsEven) {
   EXPECT_EQ(report.all.sparedBytes(), 3 * report.all.coloredTexels - 6 * 3);
 }
 
-TEST(LightReport, TellsBallsFromPoints) {
+TEST(LightReport, TellsSpheresFromPoints) {
   const LightReport report =
       reportOf(roomWithCorner("[{'x':1,'y':1,'z':1},{'x':3,'y':3,'z':1,'radius':0.2}]"));
   EXPECT_EQ(report.points.lights, 1);
   EXPECT_GT(report.points.raysPerSample(), 0);
   EXPECT_LE(report.points.raysPerSample(), 1);
-  EXPECT_EQ(report.balls.lights, 1);
-  EXPECT_GT(report.balls.raysPerSample(), 10 * report.points.raysPerSample());
-  EXPECT_EQ(report.points.rays + report.balls.rays, report.all.rays);
+  EXPECT_EQ(report.spheres.lights, 1);
+  EXPECT_GT(report.spheres.raysPerSample(), 10 * report.points.raysPerSample());
+  EXPECT_EQ(report.points.rays + report.spheres.rays, report.all.rays);
 }
 
 TEST(LightReport, CountsLightsThatReachNothing) {

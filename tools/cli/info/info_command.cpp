@@ -104,7 +104,7 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
   for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
     object["kinds"][std::string(name(static_cast<SurfaceKind>(i)))] = toJson(report.kinds[i]);
   object["points"] = toJson(report.points);
-  object["balls"] = toJson(report.balls);
+  object["balls"] = toJson(report.spheres);
   object["coloredLights"] = report.coloredLights;
   object["uselessLights"] = report.uselessLights;
   return object;
@@ -164,7 +164,7 @@ void printLight(const Contents& contents) {
     printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
   printRow("all", light.all);
   fmt::print(
-      "bare: sky, or nothing of it can show; unfaced: no light within reach is in front of it; "
+      "bare: sky, or none of it bounds air; unfaced: no light within reach is in front of it; "
       "unreached: none arrives\n");
   const auto printLights = [](std::string_view what, const LightKindReport& kind) {
     if (kind.lights > 0)
@@ -174,7 +174,7 @@ void printLight(const Contents& contents) {
   printLine("texels of surfaces without a lightmap", light.all.skippedTexels);
   printLine("bytes that even lightmaps spare", light.all.sparedBytes());
   printLights("point lights", light.points);
-  printLights("spherical lights", light.balls);
+  printLights("spherical lights", light.spheres);
   printLine("lights that reach nothing", light.uselessLights);
 }
 
@@ -195,7 +195,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("bytes of lightmaps", contents.light.all.bytes);
   line("rays to bake them", contents.light.all.rays);
   printLight(contents);
-  fmt::print("\n{:<55}{}\n", "models only", "and of the rest");
+  fmt::print("\n{:<55}{}\n", "pays for", "and of the rest");
   for (const FeatureUse& use : featureUses(loaded, contents.light)) {
     const std::string what = fmt::format("of {} {}", use.of, use.name);
     const std::string rest =
@@ -230,8 +230,8 @@ ExitStatus runInfo(const OptionValues& values) {
 
 Command infoCommand() {
   return {"info",
-          "bakes, and prints what the level holds, which features it requires and which of them "
-          "are modelled",
+          "bakes, and prints what the level holds, which features it requires and which engine "
+          "features it pays for",
           std::vector<Option>{Option::Json, Option::Surfaces} + bakeOptions(),
           {},
           runInfo};

@@ -33,7 +33,7 @@ void addLights(const Level& level, const BakedLight& baked, LightReport& report)
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     const LightSource& light = level.lights[i];
     const LightCost& cost = baked.lightCosts[i];
-    LightKindReport& kind = light.radius > 0 ? report.balls : report.points;
+    LightKindReport& kind = light.radius > 0 ? report.spheres : report.points;
     ++kind.lights;
     kind.samples += cost.samples;
     kind.rays += cost.rays;
@@ -42,7 +42,7 @@ void addLights(const Level& level, const BakedLight& baked, LightReport& report)
   }
 }
 
-/// Of authored walls, which linking may have cut.
+/// Counts authored walls; linking may have split one into several segments.
 struct WallCounts {
   std::int64_t all = 0;
   std::int64_t stacks = 0;
@@ -118,7 +118,7 @@ std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport
        surfacesOf(SurfaceKind::FloorSidewall) + surfacesOf(SurfaceKind::CeilingSidewall),
        light.all.surfaces(), "are of walls and planes: no slope shows its side there"},
       {"surfaces that are middle textures", surfacesOf(SurfaceKind::MaskedMiddle),
-       light.all.surfaces(), "have nothing behind them to be drawn before them"},
+       light.all.surfaces(), "are opaque: nothing behind them is drawn"},
       {"images that a surface wears", static_cast<std::int64_t>(loaded.decodedImages),
        count(level.textures, [](const std::string& name) { return !name.starts_with('#'); }),
        "show nowhere, and are not read"},
@@ -130,7 +130,7 @@ std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport
        light.all.white + light.all.colored, "are the same all over, and one texel"},
       {"lights with a colour", light.coloredLights, std::ssize(level.lights),
        "are white, and one number"},
-      {"lights with a radius", light.balls.lights, std::ssize(level.lights),
+      {"lights with a radius", light.spheres.lights, std::ssize(level.lights),
        "are points: a ray to a sample at most"},
   };
 }

@@ -13,7 +13,7 @@ namespace hearth {
 
 /// Surfaces, and the cost of their light. The first five counts add up to all surfaces.
 struct SurfaceReport {
-  std::int64_t bare = 0;       ///< no lightmap: sky, or it cannot show
+  std::int64_t bare = 0;       ///< no lightmap: sky, or none of it bounds air
   std::int64_t unfaced = 0;    ///< no lightmap: no light within reach is in front of it
   std::int64_t unreached = 0;  ///< no lightmap: there are such lights, but no light arrives
   std::int64_t white = 0;      ///< lightmaps of one channel
@@ -40,24 +40,24 @@ struct LightKindReport {
   double raysPerSample() const;  ///< 0 without samples
 };
 
-/// Which of a level's light was modelled, which was left out, and why.
+/// Which of a level's light was baked, which was left out, and why.
 struct LightReport {
   std::array<SurfaceReport, kSurfaceKindCount> kinds{};  ///< by SurfaceKind
   SurfaceReport all;
   LightKindReport points;
-  LightKindReport balls;
+  LightKindReport spheres;
   std::int64_t coloredLights = 0;
   std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
 };
 
 LightReport lightReport(const Scene& scene, const BakedLight& light);
 
-/// How many parts of a kind could be modelled in the level, and how many are.
+/// How many parts of a kind could use a feature in the level, and how many do.
 struct FeatureUse {
   std::string_view name;  ///< stable: scripts read it
   std::int64_t used;
   std::int64_t of;
-  std::string_view rest;  ///< why the others are not
+  std::string_view rest;  ///< why the others do not
 };
 
 /// The features that cost only levels that use them.
