@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "loaded.h"
 #include "support/level_text.h"
 
@@ -111,22 +109,6 @@ TEST(LightReport, AddsUpToTheStatisticsOfTheBake) {
   EXPECT_EQ(sum.bytes, light.stats.bytes);
   EXPECT_EQ(sum.rays, light.stats.rays);
   EXPECT_EQ(sum.bytes, report.all.bytes);
-}
-
-TEST(FeatureUses, CountWallsAsTheyWereWritten) {
-  const LoadedLevel tutorial = loaded("levels/tutorial.json");
-  std::map<std::string_view, FeatureUse> uses;
-  for (const FeatureUse& use : featureUses(tutorial, reportOf(tutorial)))
-    uses.insert({use.name, use});
-  EXPECT_EQ(uses.at("walls that are stacks").used, 18);
-  EXPECT_EQ(uses.at("sectors with a slope").of, std::ssize(tutorial.level.sectors));
-  EXPECT_LT(uses.at("walls that are stacks").of, std::ssize(tutorial.level.segments));
-  EXPECT_EQ(uses.at("images that a surface wears").used, 6);
-  EXPECT_EQ(uses.at("images that a surface wears").of, 6);
-  for (const auto& [name, use] : uses) {
-    EXPECT_LE(0, use.used) << name;
-    EXPECT_LE(use.used, use.of) << name;
-  }
 }
 
 }  // namespace

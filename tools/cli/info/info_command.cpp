@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "cli/command.h"
+#include "cli/info/engine_features.h"
 #include "cli/info/format_features.h"
 #include "cli/info/light_report.h"
 #include "inputs/inputs.h"
@@ -133,7 +134,7 @@ nlohmann::ordered_json toJson(const LoadedLevel& loaded, const Contents& content
                         {"lightmapBytes", contents.light.all.bytes},
                         {"rays", contents.light.all.rays}};
   object["light"] = lightToJson(contents.settings, contents.light);
-  for (const auto& [name, used, of, rest] : featureUses(loaded, contents.light))
+  for (const auto& [name, used, of, rest] : engineFeatureUses(loaded, contents.light))
     object["models"][std::string(name)] = {{"used", used}, {"of", of}, {"rest", rest}};
   object["bake"] = {
       {"texelMetres", contents.settings.texel},
@@ -196,7 +197,7 @@ void print(const LoadedLevel& loaded, const Contents& contents) {
   line("rays to bake them", contents.light.all.rays);
   printLight(contents);
   fmt::print("\n{:<55}{}\n", "pays for", "and of the rest");
-  for (const FeatureUse& use : featureUses(loaded, contents.light)) {
+  for (const EngineFeatureUse& use : engineFeatureUses(loaded, contents.light)) {
     const std::string what = fmt::format("of {} {}", use.of, use.name);
     const std::string rest =
         use.used < use.of ? fmt::format("{:>5} {}", use.of - use.used, use.rest) : "";

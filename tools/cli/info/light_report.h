@@ -2,12 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
-#include <vector>
 
 #include "level/scene.h"
 #include "light/bakery.h"
-#include "load/load.h"
 
 namespace hearth {
 
@@ -51,16 +48,5 @@ struct LightReport {
 };
 
 LightReport lightReport(const Scene& scene, const BakedLight& light);
-
-/// How many parts of a kind could use a feature in the level, and how many do.
-struct FeatureUse {
-  std::string_view name;  ///< stable: scripts read it
-  std::int64_t used;
-  std::int64_t of;
-  std::string_view rest;  ///< why the others do not
-};
-
-/// The features that cost only levels that use them.
-std::vector<FeatureUse> featureUses(const LoadedLevel& loaded, const LightReport& light);
 
 }  // namespace hearth
