@@ -1,0 +1,27 @@
+#include "cli/info/contents.h"
+
+#include <string_view>
+#include <vector>
+
+#include "render/texture.h"
+
+namespace hearth {
+
+Contents contentsOf(const LoadedLevel& loaded, const LevelSource& source, const Bake& bake) {
+  const Level& level = loaded.level;
+  Contents contents;
+  contents.settings = bake.settings;
+  contents.light = lightReport(loaded.scene(), bake.light);
+  for (const Sector& sector : level.sectors) contents.loops += std::ssize(sector.loops);
+  for (const Image& image : loaded.textures)
+    contents.textureBytes +=
+        static_cast<std::int64_t>(sizeof(Texture::Texel)) * image.width() * image.height();
+
+  countGeometry(loaded.scene(), contents.features);
+  std::vector<std::string_view> texts;
+  for (const Document& document : source.documents) texts.push_back(document.text);
+  countSpellings(texts, contents.features);
+  return contents;
+}
+
+}  // namespace hearth

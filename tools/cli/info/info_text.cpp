@@ -1,0 +1,80 @@
+#include "cli/info/info_text.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "cli/info/engine_features.h"
+#include "settings/settings.h"
+
+namespace hearth {
+
+namespace {
+
+void printLine(std::string_view what, std::int64_t count) {
+  if (count > 0) fmt::print("{:>11}  {}\n", count, what);
+}
+
+void printRow(std::string_view name, const SurfaceReport& row) {
+  if (row.surfaces() == 0) return;
+  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>6} {:>11} {:>13}\n", name,
+             row.surfaces(), row.bare, row.unfaced, row.unreached, row.white, row.colored, row.even,
+             row.bytes, row.rays);
+}
+
+void printLight(const Contents& contents) {
+  const LightReport& light = contents.light;
+  fmt::print("\nlight, with texels of {} m, {}\n", contents.settings.texel,
+             samplesInWords(contents.settings));
+  fmt::print("{:<16} {:>8} {:>26} {:>14}\n", "", "", "without a lightmap", "of channels");
+  fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>6} {:>11} {:>13}\n", "", "surfaces",
+             "bare", "unfaced", "unreached", "one", "three", "even", "bytes", "rays");
+  for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
+    printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
+  printRow("all", light.all);
+  fmt::print(
+      "bare: sky, or none of it bounds air; unfaced: no light within reach is in front of it; "
+      "unreached: none arrives\n");
+  const auto printLights = [](std::string_view what, const LightKindReport& kind) {
+    if (kind.lights > 0)
+      fmt::print("{:>11}  {}: {:.2f} rays a sample, {} rays\n", kind.lights, what,
+                 kind.raysPerSample(), kind.rays);
+  };
+  printLine("texels of surfaces without a lightmap", light.all.skippedTexels);
+  printLine("bytes that even lightmaps spare", light.all.sparedBytes());
+  printLights("point lights", light.points);
+  printLights("spherical lights", light.spheres);
+  printLine("lights that reach nothing", light.uselessLights);
+}
+
+}  // namespace
+
+void printInfo(const LoadedLevel& loaded, const Contents& contents) {
+  const Level& level = loaded.level;
+  fmt::print("{}\n\nholds\n", level.name);
+  printLine("sectors", std::ssize(level.sectors));
+  printLine("loops", contents.loops);
+  printLine("segments", std::ssize(level.segments));
+  printLine("flat portals", std::ssize(level.flatPortals));
+  printLine("lights", std::ssize(level.lights));
+  printLine("shots", std::ssize(level.shots));
+  printLine("textures", std::ssize(level.textures));
+  printLine("surfaces", contents.light.all.surfaces());
+  fmt::print("\nrequires\n");
+  printLine("bytes of textures", contents.textureBytes);
+  printLine("bytes of lightmaps", contents.light.all.bytes);
+  printLine("rays to bake them", contents.light.all.rays);
+  printLight(contents);
+  fmt::print("\n{:<55}{}\n", "pays for", "and of the rest");
+  for (const EngineFeatureUse& use : engineFeatureUses(loaded, contents.light)) {
+    const std::string what = fmt::format("of {} {}", use.of, use.name);
+    const std::string rest =
+        use.used < use.of ? fmt::format("{:>5} {}", use.of - use.used, use.rest) : "";
+    fmt::print("{:>11}  {:{}}{}\n", use.used, what, rest.empty() ? 0 : 42, rest);
+  }
+  fmt::print("\nuses\n");
+  for (const auto& [feature, name] : kFormatFeatures) printLine(name, contents.features[feature]);
+}
+
+}  // namespace hearth
