@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "render/segment_columns.h"
@@ -16,7 +15,8 @@ namespace hearth {
 struct FrameColumns {
   ColumnRange range{};  ///< begins with a strip
   VisibilityScratch visibility;
-  SpanGroups groups;
+
+  const VisibleSpans& found() const { return visibility.found; }
 };
 
 /// The memory in which frames are drawn. A caller that keeps it from frame to frame takes no memory
@@ -32,25 +32,28 @@ struct FrameScratch {
   /// each part in which they are seen.
   FrameStats found() const {
     FrameStats sum;
-    for (const FrameColumns& part : parts) sum += part.visibility.found.stats;
+    for (const FrameColumns& part : parts) sum += part.found().stats;
     return sum;
   }
 
-  /// The groups of spans of a strip of the last frame, those of masked middle textures last.
-  std::span<const SpanGroup> groupsOf(int strip) const { return partOf(strip).groups.of(strip); }
+  /// Calls `use(group)` for the groups of spans of a strip of the last frame, in an order in which
+  /// they can be painted.
+  template <typename Use>
+  void forEachGroup(int strip, Use&& use) const {
+    partOf(strip).found().forEachGroup(strip, use);
+  }
 
   /// Whether the spans of a strip of so many rows cover its every pixel.
   bool isFilled(int strip, int rows) const {
     const FrameColumns& part = partOf(strip);
     const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);
-    return part.groups.pixelsOf(strip) == columns * rows;
+    return part.found().solid.pixelsOf(strip) == columns * rows;
   }
 
   /// Calls `use(span)` for all spans of the last frame.
   template <typename Use>
   void forEachSpan(Use&& use) const {
-    for (const FrameColumns& part : parts)
-      for (const Span& span : part.visibility.found.spans) use(span);
+    for (const FrameColumns& part : parts) part.found().forEachSpan(use);
   }
 
  private:

@@ -8,18 +8,6 @@ namespace hearth {
 
 namespace {
 
-/// The spans of a group by column, and others where it has none.
-using LaneSpans = std::array<const Span*, Strip::kColumns>;
-
-LaneSpans filled(const SpanGroup& group) {
-  LaneSpans spans = group.spans;
-  const Span* last = nullptr;
-  for (const Span*& span : spans) last = span = span ? span : last;
-  for (std::size_t lane = spans.size(); lane-- > 0;)
-    last = spans[lane] = spans[lane] ? spans[lane] : last;
-  return spans;
-}
-
 /// The same texel all along a column.
 void setConstant(LaneImageAxis& axis) {
   axis.place.per.fill(0);
@@ -29,28 +17,26 @@ void setConstant(LaneImageAxis& axis) {
 // --- What is upright -----------------------------------------------------------------------------
 
 void mapUprightImage(const TextureMapping& texture, const Texture& image, double eyeZ,
-                     const LaneSpans& spans, GroupMapping& mapping) {
-  for (std::size_t lane = 0; lane < spans.size(); ++lane) {
+                     const SpanGroup& group, GroupMapping& mapping) {
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
     mapping.u.place.atZero[lane] =
-        image.width() * (spans[lane]->s + texture.along) / texture.repeat.x -
-        texture.offsetTexels.x;
-    mapping.v.place.atZero[lane] = eyeZ;
-    mapping.v.place.per[lane] = spans[lane]->depth;
-    mapping.v.origin[lane] = spans[lane]->zRef;
-  }
+        image.width() * (group.s[lane] + texture.along) / texture.repeat.x - texture.offsetTexels.x;
   setConstant(mapping.u);
+  mapping.v.place.atZero.fill(eyeZ);
+  mapping.v.place.per = group.depth;
+  mapping.v.origin = group.zRef;
   mapping.v.texelsPerPlace = -image.height() / texture.repeat.y;
   mapping.v.offset = texture.offsetTexels.y;
 }
 
 void mapUprightLight(const Segment& segment, const TexelGrid& grid, double eyeZ,
-                     const LaneSpans& spans, GroupMapping& mapping) {
-  for (std::size_t lane = 0; lane < spans.size(); ++lane) {
-    const Vec2 at = lerp(segment.p0, segment.p1, spans[lane]->fraction);
+                     const SpanGroup& group, GroupMapping& mapping) {
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
+    const Vec2 at = lerp(segment.p0, segment.p1, group.fraction[lane]);
     mapping.s.atZero[lane] = grid.toTexels({at.x, at.y, 0}).x;
-    mapping.t.atZero[lane] = eyeZ / grid.texel;
-    mapping.t.per[lane] = spans[lane]->depth / grid.texel;
+    mapping.t.per[lane] = group.depth[lane] / grid.texel;
   }
+  mapping.t.atZero.fill(eyeZ / grid.texel);
   mapping.s.per.fill(0);
 }
 
@@ -171,15 +157,14 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     mapSky(surface, *image, raysOf(projection, group), mapping);
     return mapping;
   }
-  const LaneSpans spans = filled(group);
-  for (std::size_t lane = 0; lane < spans.size(); ++lane) mapping.depth[lane] = spans[lane]->depth;
+  mapping.depth = group.depth;
   if (!surface.segment) {
     mapPlane(scene, projection, group, image, lit, mapping);
     return mapping;
   }
   const double eyeZ = projection.eye().z;
-  if (image) mapUprightImage(surface.mapping, *image, eyeZ, spans, mapping);
-  if (lit) mapUprightLight(scene[*surface.segment], lit->grid, eyeZ, spans, mapping);
+  if (image) mapUprightImage(surface.mapping, *image, eyeZ, group, mapping);
+  if (lit) mapUprightLight(scene[*surface.segment], lit->grid, eyeZ, group, mapping);
   return mapping;
 }
 
@@ -196,9 +181,15 @@ GroupMapping onImage(GroupMapping mapping, const Texture& from, const Texture& t
 
 SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
                       const Texture* image, const LitSurface* lit) {
-  SpanGroup group{span.surface, span.column, span.rowBegin, span.rowEnd, {}};
-  group.spans[0] = &span;
-  return mappingOf(scene, projection, group, image, lit).of(0);
+  const auto lane = static_cast<std::size_t>(span.column % Strip::kColumns);
+  SpanGroup group;
+  group.surface = span.surface;
+  group.firstColumn = span.column - static_cast<int>(lane);
+  group.depth.fill(span.depth);
+  group.s.fill(span.s);
+  group.fraction.fill(span.fraction);
+  group.zRef.fill(span.zRef);
+  return mappingOf(scene, projection, group, image, lit).of(lane);
 }
 
 }  // namespace hearth

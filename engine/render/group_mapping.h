@@ -1,19 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "level/scene.h"
 #include "light/lit_surface.h"
 #include "render/camera.h"
+#include "render/lanes.h"
 #include "render/span_groups.h"
 #include "render/span_mapping.h"
 #include "render/texture.h"
 
 namespace hearth {
-
-/// A number for each column of a group.
-struct alignas(64) LaneDoubles : std::array<double, Strip::kColumns> {};
 
 /// A linear function for each column.
 struct LaneAffine {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "render/span_groups.h"
+#include "render/lanes.h"
 #include "render/strip.h"
 
 namespace hearth {
@@ -35,8 +35,7 @@ struct PixelBlock {
   const double* raySlopes;  ///< of the view rays of the rows, see Projection::raySlopeAt
   /// The rows of each column that show the surface.
   struct Columns {
-    alignas(32) std::array<std::int32_t, kLanes> rowBegin;
-    alignas(32) std::array<std::int32_t, kLanes> rowEnd;
+    LaneRowRanges rows;
     int fullBegin;  ///< all columns show it in rows [fullBegin, fullEnd)
     int fullEnd;
   } columns;

@@ -235,8 +235,8 @@ inline void shadeIn(const PixelBlock& block, const Texels& texels, Light light,
         continue;
       }
       auto isShown = hn::And(
-          hn::Gt(hn::Set(kSigned, row + 1), hn::Load(kSigned, &block.columns.rowBegin[lane])),
-          hn::Gt(hn::Load(kSigned, &block.columns.rowEnd[lane]), hn::Set(kSigned, row)));
+          hn::Gt(hn::Set(kSigned, row + 1), hn::Load(kSigned, &block.columns.rows.begin[lane])),
+          hn::Gt(hn::Load(kSigned, &block.columns.rows.end[lane]), hn::Set(kSigned, row)));
       if constexpr (kHasHoles)
         isShown = hn::And(isShown, hn::Gt(hn::BitCast(kSigned, colors), hn::Set(kSigned, -1)));
       const Words before = hn::LoadU(kWord, rows + pixel);

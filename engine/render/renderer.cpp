@@ -100,14 +100,6 @@ void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&&
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
 
-/// Calls `use(span)` for the spans of groups.
-template <typename Use>
-void forEachSpan(std::span<const SpanGroup> groups, Use&& use) {
-  for (const SpanGroup& group : groups)
-    for (const Span* const span : group.spans)
-      if (span) use(*span);
-}
-
 /// Draws a picture strip by strip, with `paint(group, block, strip, stats)` for each group of
 /// spans. Strips that spans fill begin as they happen to be, unless `paint` asks what was there.
 template <typename Paint>
@@ -122,7 +114,7 @@ void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture,
         strip.begin(i, rows);
       else
         strip.begin(i, rows, kHole);
-      for (const SpanGroup& group : scratch.groupsOf(i)) paint(group, block, strip, stats);
+      scratch.forEachGroup(i, [&](const SpanGroup& group) { paint(group, block, strip, stats); });
       strip.copyTo(picture, pixelSize);
     }
   });
@@ -134,9 +126,9 @@ void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int col
                 ShownColumns<Shown>& shown) {
   shown.next();
   const auto lane = static_cast<std::size_t>(column % Strip::kColumns);
-  for (const SpanGroup& group : scratch.groupsOf(column / Strip::kColumns))
-    if (const Span* const span = group.spans[lane])
-      noteShown(painter, *span, scratch.raySlopes, shown.here());
+  scratch.forEachGroup(column / Strip::kColumns, [&](const SpanGroup& group) {
+    if (group.has(lane)) noteShown(painter, group.span(lane), scratch.raySlopes, shown.here());
+  });
 }
 
 /// Marks what is lit already.
@@ -150,8 +142,9 @@ void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& s
     if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
     for (int i = range.begin; i < range.end; ++i) {
       strip.begin(i, picture.height, kHole);
-      for (const SpanGroup& group : scratch.groupsOf(i))
+      scratch.forEachGroup(i, [&](const SpanGroup& group) {
         painter.paint(group, LightMode::Both, block, strip, stats);
+      });
       const int end = std::min((i + 1) * Strip::kColumns, picture.width);
       for (int column = i * Strip::kColumns; column < end; ++column) {
         noteColumn(painter, scratch, column, shown);
@@ -222,7 +215,7 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   const std::vector<std::size_t> numbers = numbersOfShown(scene_);
   paintStrips(scratch, 1, picture, workers, true,
               [&](const SpanGroup& group, PixelBlock&, Strip& strip, PaintStats&) {
-                forEachSpan({&group, 1}, [&](const Span& span) {
+                group.forEachSpan([&](const Span& span) {
                   paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
                 });
               });
@@ -271,8 +264,8 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
   const Camera squares = inSquares(camera, pixelSize);
   divideColumns(scratch.parts, squares.width, workers);
   const auto findPart = [&](std::size_t i) {
-    auto& [range, visibility, groups] = scratch.parts[i];
-    groups.group(findVisibleSpans(scene_, squares, projection, range, visibility), range);
+    FrameColumns& part = scratch.parts[i];
+    findVisibleSpans(scene_, squares, projection, part.range, part.visibility);
   };
   runAll(scratch.parts.size(), workers, findPart);
   findRaySlopes(scratch.raySlopes, projection, squares.height);

@@ -37,6 +37,7 @@ class SegmentMeetings {
 /// Where a column's ray leaves a sector.
 struct ColumnHit {
   SegmentId segment;
+  bool hasLevelAir;  ///< see SegmentFront
   double depth;
   double fraction;
 };

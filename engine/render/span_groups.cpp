@@ -1,73 +1,91 @@
 #include "render/span_groups.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace hearth {
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 /// As many groups of a strip are looked at. Neighbouring columns of a sector have fewer.
 constexpr int kLookedAt = 12;
 
-bool overlapInRows(const SpanGroup& group, const Span& span) {
-  return span.rowBegin < group.rowEnd && group.rowBegin < span.rowEnd;
+/// Rows [begin, end).
+struct Rows {
+  int begin = std::numeric_limits<int>::max();
+  int end = 0;
+};
+
+/// Those between the first and the last of all lanes.
+Rows allRows(const LaneRowRanges& rows) {
+  Rows all;
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
+    all.begin = std::min(all.begin, rows.has(lane) ? rows.begin[lane] : all.begin);
+    all.end = std::max(all.end, rows.has(lane) ? rows.end[lane] : 0);
+  }
+  return all;
 }
 
 }  // namespace
 
-void SpanGroups::group(const VisibleSpans& found, ColumnRange columns) {
-  const auto strips = static_cast<std::size_t>(Strip::countIn(columns.end - columns.begin));
-  firstStrip_ = columns.begin / Strip::kColumns;
-  pixels_.assign(strips, 0);
-  last_.assign(strips, kNone);
-  found_.clear();
-  const std::size_t withoutHoles = found.spans.size() - found.stats.maskedMiddleSpans;
-  for (std::size_t i = 0; i < found.spans.size(); ++i) {
-    const Span& span = found.spans[i];
-    const auto strip = static_cast<std::size_t>(span.column / Strip::kColumns - firstStrip_);
-    if (i < withoutHoles) pixels_[strip] += span.rowEnd - span.rowBegin;
-    SpanGroup& group = *groupFor(span, strip, i >= withoutHoles);
-    group.rowBegin = std::min(group.rowBegin, span.rowBegin);
-    group.rowEnd = std::max(group.rowEnd, span.rowEnd);
-    group.spans[static_cast<std::size_t>(span.column % Strip::kColumns)] = &span;
-  }
-  sortByStrip();
+void SpanGroups::clear(int firstStrip, int strips) {
+  firstStrip_ = firstStrip;
+  strips_.assign(static_cast<std::size_t>(strips), {});
+  links_.clear();
+  spans_ = 0;
 }
 
-/// A group of the span's surface that has no span in its column yet, or a new one. Spans in front
-/// of others stay behind them: `staysInFront` of all that are found in its column already.
-SpanGroup* SpanGroups::groupFor(const Span& span, std::size_t strip, bool staysInFront) {
-  const auto lane = static_cast<std::size_t>(span.column % Strip::kColumns);
-  std::uint32_t index = last_[strip];
-  for (int i = 0; i < kLookedAt && index != kNone; ++i, index = found_[index].before) {
-    SpanGroup& group = found_[index].group;
-    if (group.spans[lane]) {
-      if (staysInFront) break;
-    } else if (group.surface == span.surface && overlapInRows(group, span)) {
-      return &group;
+SpanGroups::Added SpanGroups::add(SurfaceId surface, int strip, const LaneRowRanges& rows) {
+  const LaneSet lanes = rows.lanes();
+  if (lanes == 0) return {nullptr, 0};
+  const Rows all = allRows(rows);
+  const std::uint32_t index = indexFor(surface, strip, lanes, all.begin, all.end);
+  SpanGroup& group = groups_[index];
+  const bool isNew = group.lanes == 0;
+  group.lanes |= lanes;
+  links_[index].lanes = group.lanes;
+  group.rowBegin = std::min(group.rowBegin, all.begin);
+  group.rowEnd = std::max(group.rowEnd, all.end);
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
+    group.rows.begin[lane] = rows.has(lane) ? rows.begin[lane] : group.rows.begin[lane];
+    group.rows.end[lane] = rows.has(lane) ? rows.end[lane] : group.rows.end[lane];
+  }
+  strips_[indexOf(strip)].pixels += rows.rowCount();
+  spans_ += static_cast<std::size_t>(rows.laneCount());
+  return {&group, isNew ? kAllLanes : lanes};
+}
+
+/// A group of the surface that has no spans in these lanes yet, or a new one. Spans that have to be
+/// visited before others never join a group that comes after them.
+std::uint32_t SpanGroups::indexFor(SurfaceId surface, int strip, LaneSet lanes, int rowBegin,
+                                   int rowEnd) {
+  std::uint32_t index = strips_[indexOf(strip)].last;
+  for (int i = 0; i < kLookedAt && index != kNone; ++i, index = links_[index].before) {
+    const Link& link = links_[index];
+    if ((link.lanes & lanes) != 0) {
+      if (order_ == Order::LastToFirst) break;
+    } else if (link.surface == surface && rowBegin < groups_[index].rowEnd &&
+               groups_[index].rowBegin < rowEnd) {
+      return index;
     }
   }
-  found_.push_back({{span.surface,
-                     span.column / Strip::kColumns * Strip::kColumns,
-                     span.rowBegin,
-                     span.rowEnd,
-                     {}},
-                    static_cast<std::uint32_t>(strip),
-                    last_[strip]});
-  last_[strip] = static_cast<std::uint32_t>(found_.size() - 1);
-  return &found_.back().group;
+  return begin(surface, strip);
 }
 
-/// A counting sort.
-void SpanGroups::sortByStrip() {
-  begin_.assign(pixels_.size() + 2, 0);
-  for (const Found& found : found_) ++begin_[found.strip + 2];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  sorted_.resize(found_.size());
-  for (const Found& found : found_) sorted_[begin_[found.strip + 1]++] = found.group;
+std::uint32_t SpanGroups::begin(SurfaceId surface, int strip) {
+  const auto index = static_cast<std::uint32_t>(links_.size());
+  std::uint32_t& last = strips_[indexOf(strip)].last;
+  links_.push_back({last, surface, 0});
+  last = index;
+  if (index == groups_.size()) groups_.emplace_back();
+  SpanGroup& group = groups_[index];
+  group.surface = surface;
+  group.firstColumn = strip * Strip::kColumns;
+  group.lanes = 0;
+  group.rowBegin = std::numeric_limits<int>::max();
+  group.rowEnd = 0;
+  group.rows = {};
+  return index;
 }
 
 }  // namespace hearth

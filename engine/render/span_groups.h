@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "render/segment_columns.h"
+#include "level/ids.h"
+#include "render/frame_stats.h"
+#include "render/lanes.h"
 #include "render/span.h"
 #include "render/strip.h"
 
@@ -16,47 +16,134 @@ namespace hearth {
 /// together: each column is a lane of a register.
 struct SpanGroup {
   SurfaceId surface;
-  int firstColumn;
-  int rowBegin;                                    ///< of all spans: the first row ...
-  int rowEnd;                                      ///< ... and the one behind the last
-  std::array<const Span*, Strip::kColumns> spans;  ///< by column; null where there is none
-};
+  int firstColumn;  ///< of the strip
+  LaneSet lanes;    ///< the columns that have a span
+  int rowBegin;     ///< of all spans: the first row ...
+  int rowEnd;       ///< ... and the one behind the last
+  LaneRowRanges rows;
 
-/// The spans of some of a frame's columns, in groups, by the strips that they lie in. Keeps its
-/// memory from frame to frame.
-class SpanGroups {
- public:
-  /// `columns` begin with a strip. Keeps pointers to the spans.
-  void group(const VisibleSpans& found, ColumnRange columns);
+  // As in Span. Lanes without a span have the numbers of another one.
+  LaneDoubles depth;
+  LaneDoubles s;
+  LaneDoubles fraction;
+  LaneDoubles zRef;
 
-  /// The number of pixels of a strip that show a surface without holes: no two such spans share a
-  /// pixel.
-  int pixelsOf(int strip) const { return pixels_[static_cast<std::size_t>(strip - firstStrip_)]; }
+  bool has(std::size_t lane) const { return (lanes >> lane & 1) != 0; }
 
-  /// The groups of one strip of the frame, those of masked middle textures last. In each column
-  /// these come from far to near.
-  std::span<const SpanGroup> of(int strip) const {
-    const auto index = static_cast<std::size_t>(strip - firstStrip_);
-    return std::span(sorted_).subspan(begin_[index], begin_[index + 1] - begin_[index]);
+  /// The span of a lane that has one.
+  Span span(std::size_t lane) const {
+    return {firstColumn + static_cast<int>(lane),
+            rows.begin[lane],
+            rows.end[lane],
+            surface,
+            depth[lane],
+            s[lane],
+            fraction[lane],
+            zRef[lane]};
   }
 
- private:
-  SpanGroup* groupFor(const Span& span, std::size_t strip, bool staysInFront);
-  void sortByStrip();
+  /// Calls `use(span)` for all spans.
+  template <typename Use>
+  void forEachSpan(Use&& use) const {
+    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+      if (has(lane)) use(span(lane));
+  }
+};
 
-  /// A group while they are found, with the one before it in its strip.
-  struct Found {
-    SpanGroup group;
-    std::uint32_t strip;
-    std::uint32_t before;
+/// Groups of spans by the strips that they lie in. Keeps its memory from frame to frame.
+class SpanGroups {
+ public:
+  /// In what order `forEach` visits spans that share a pixel.
+  enum class Order {
+    Any,         ///< none do
+    LastToFirst  ///< that in which they were added, reversed
+  };
+  explicit SpanGroups(Order order) : order_(order) {}
+
+  /// Removes all groups, and prepares for these strips.
+  void clear(int firstStrip, int strips);
+
+  struct Added {
+    SpanGroup* group;  ///< null if all rows were empty
+    LaneSet lanes;     ///< whose numbers the caller has to set
+  };
+  /// Adds spans of a surface with these rows. The group is valid until the next call.
+  Added add(SurfaceId surface, int strip, const LaneRowRanges& rows);
+
+  /// Calls `use(group)` for the groups of a strip.
+  template <typename Use>
+  void forEach(int strip, Use&& use) const {
+    for (std::uint32_t i = strips_[indexOf(strip)].last; i != kNone; i = links_[i].before) {
+      prefetch(links_[i].before);
+      use(groups_[i]);
+    }
+  }
+
+  /// Calls `use(span)` for all spans.
+  template <typename Use>
+  void forEachSpan(Use&& use) const {
+    for (std::size_t i = 0; i < links_.size(); ++i) groups_[i].forEachSpan(use);
+  }
+
+  /// Of a strip, in all its spans.
+  int pixelsOf(int strip) const { return strips_[indexOf(strip)].pixels; }
+
+  std::size_t spans() const { return spans_; }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  struct StripGroups {
+    std::uint32_t last = kNone;  ///< index of the group added last
+    int pixels = 0;
+  };
+  /// What the search for a group looks at first, close together.
+  struct Link {
+    std::uint32_t before;  ///< index of the group that was added before it in its strip
+    SurfaceId surface;
+    LaneSet lanes;
   };
 
+  /// The groups of a strip lie far apart.
+  void prefetch(std::uint32_t index) const {
+    if (index == kNone) return;
+    const char* const group = reinterpret_cast<const char*>(&groups_[index]);
+    for (std::size_t i = 0; i < sizeof(SpanGroup); i += 64) __builtin_prefetch(group + i);
+  }
+
+  std::size_t indexOf(int strip) const { return static_cast<std::size_t>(strip - firstStrip_); }
+  std::uint32_t indexFor(SurfaceId surface, int strip, LaneSet lanes, int rowBegin, int rowEnd);
+  std::uint32_t begin(SurfaceId surface, int strip);
+
+  Order order_;
   int firstStrip_ = 0;
-  std::vector<int> pixels_;          ///< by strip
-  std::vector<std::uint32_t> last_;  ///< by strip: its last group in found_
-  std::vector<Found> found_;
-  std::vector<SpanGroup> sorted_;
-  std::vector<std::size_t> begin_;  ///< of the i-th strip are [begin_[i], begin_[i + 1])
+  std::vector<StripGroups> strips_;
+  std::vector<Link> links_;        ///< of each group
+  std::vector<SpanGroup> groups_;  ///< and more, of earlier frames, to be written over
+  std::size_t spans_ = 0;
+};
+
+/// The spans of neighbouring strips of a frame. Every pixel lies in exactly one span of a surface
+/// without holes.
+struct VisibleSpans {
+  SpanGroups solid{SpanGroups::Order::Any};  ///< of surfaces without holes
+  /// Of masked middle textures, added near to far.
+  SpanGroups maskedMiddles{SpanGroups::Order::LastToFirst};
+  FrameStats stats;
+
+  /// Calls `use(group)` for the groups of a strip in an order in which they can be painted.
+  template <typename Use>
+  void forEachGroup(int strip, Use&& use) const {
+    solid.forEach(strip, use);
+    maskedMiddles.forEach(strip, use);
+  }
+
+  /// Calls `use(span)` for all spans.
+  template <typename Use>
+  void forEachSpan(Use&& use) const {
+    solid.forEachSpan(use);
+    maskedMiddles.forEachSpan(use);
+  }
 };
 
 }  // namespace hearth

@@ -1,6 +1,7 @@
 #include "render/span_painter.h"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "render/footprint.h"
@@ -12,32 +13,18 @@ namespace {
 
 void count(const SpanGroup& group, const Material& material, PaintStats& stats) {
   const SurfaceKind kind = material.surface.kind;
-  for (const Span* const span : group.spans) {
-    if (!span) continue;
-    if (isSlope(kind) || isSidewall(kind)) ++stats.slopeSpans;
-    const auto rows = static_cast<std::size_t>(span->rowEnd - span->rowBegin);
-    stats.pixels += rows;
-    if (!material.hasVaryingLight()) continue;
-    ++stats.lightmapSpans;
-    if (material.lightmap->channels == 3) ++stats.coloredSpans;
-    stats.lightmapPixels += rows;
-  }
+  const auto spans = static_cast<std::size_t>(group.rows.laneCount());
+  const auto pixels = static_cast<std::size_t>(group.rows.rowCount());
+  if (isSlope(kind) || isSidewall(kind)) stats.slopeSpans += spans;
+  stats.pixels += pixels;
+  if (!material.hasVaryingLight()) return;
+  stats.lightmapSpans += spans;
+  if (material.lightmap->channels == 3) stats.coloredSpans += spans;
+  stats.lightmapPixels += pixels;
 }
 
 PixelBlock::Columns columnsOf(const SpanGroup& group) {
-  PixelBlock::Columns columns{{}, {}, group.rowBegin, group.rowEnd};
-  for (std::size_t lane = 0; lane < group.spans.size(); ++lane) {
-    const Span* const span = group.spans[lane];
-    columns.rowBegin[lane] = span ? span->rowBegin : 0;
-    columns.rowEnd[lane] = span ? span->rowEnd : 0;
-    columns.fullBegin = std::max(columns.fullBegin, columns.rowBegin[lane]);
-    columns.fullEnd = std::min(columns.fullEnd, columns.rowEnd[lane]);
-  }
-  return columns;
-}
-
-const Span& firstOf(const SpanGroup& group) {
-  return **std::ranges::find_if(group.spans, [](const Span* span) { return span != nullptr; });
+  return {group.rows, std::ranges::max(group.rows.begin), std::ranges::min(group.rows.end)};
 }
 
 /// The size of the texture that fits the first row of a column. Only the rows that it fits stay in
@@ -75,12 +62,11 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   const bool areWhite = mode == LightMode::Only;
   GroupTexels texels{areWhite && !haveHoles ? nullptr : &material.image(),
                      filter == TextureFilter::Bilinear, haveHoles, areWhite};
-  const Span& firstSpan = firstOf(group);
-  const SpanMapping first =
-      mapping.of(static_cast<std::size_t>(firstSpan.column % Strip::kColumns));
+  const auto firstLane = static_cast<std::size_t>(std::countr_zero(group.lanes));
+  const SpanMapping first = mapping.of(firstLane);
   std::optional<Footprint> footprint;
   if (filter == TextureFilter::Mipmapped && texels.image)
-    footprint.emplace(scene_, projection_, firstSpan, material.image(), first);
+    footprint.emplace(scene_, projection_, group.span(firstLane), material.image(), first);
   block.columns = columnsOf(group);
   for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
     block.firstRow = row;

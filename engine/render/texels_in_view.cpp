@@ -63,9 +63,10 @@ std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& s
   VisibilityScratch scratch;
   std::map<SurfaceId, Reads> reads;
   const Camera squares = inSquares(camera, settings.pixelSize);
-  for (const Span& span : findVisibleSpans(scene, squares, projection, scratch).spans)
+  findVisibleSpans(scene, squares, projection, scratch).forEachSpan([&](const Span& span) {
     if (const auto& lit = surfaces[span.surface.index()])
       addEnds(mappingOf(scene, projection, span, nullptr, &*lit), projection, span, reads);
+  });
 
   std::vector<SurfaceTexels> seen;
   for (const auto& [id, read] : reads)

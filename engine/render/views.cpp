@@ -217,12 +217,12 @@ class ShownPixels {
         seenSectors_(scene.level().sectors.size(), false) {
     seenSectors_[camera.sector.index()] = true;
     VisibilityScratch scratch;
-    for (const Span& span : findVisibleSpans(scene, camera, projection, scratch).spans) {
+    findVisibleSpans(scene, camera, projection, scratch).forEachSpan([&](const Span& span) {
       const SectorId sector = scene[span.surface].sector;
       seenSectors_[sector.index()] = true;
       for (int row = span.rowBegin; row < span.rowEnd; ++row)
         pixels_[index(span.column, row)] = {sector, span.depth};
-    }
+    });
   }
 
   bool isSeen(SectorId sector) const { return seenSectors_[sector.index()]; }

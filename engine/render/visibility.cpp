@@ -1,8 +1,8 @@
 #include "render/visibility.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
+#include <bit>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,10 +10,11 @@
 
 #include "level/openings.h"
 #include "math/check.h"
-#include "math/predicates.h"
 #include "math/round_up.h"
 #include "math/tolerance.h"
-#include "render/segment_columns.h"
+#include "render/column_run.h"
+#include "render/ray_exits.h"
+#include "render/span_groups.h"
 
 namespace hearth {
 
@@ -27,6 +28,7 @@ class Visibility {
         camera_(camera),
         projection_(projection),
         columns_(columns),
+        exits_(scene, projection, camera.width, columns, scratch.rayExits),
         scratch_(scratch),
         found_(scratch.found),
         viewports_(scratch.viewports),
@@ -40,36 +42,32 @@ class Visibility {
       else
         lookAtLast(flatPortals_);
     }
-    addMaskedMiddles();
-    found_.stats.spans = found_.spans.size();
+    found_.stats.segments = exits_.projectedSegments();
+    found_.stats.maskedMiddleSpans = found_.maskedMiddles.spans();
+    found_.stats.spans = found_.solid.spans() + found_.maskedMiddles.spans();
   }
 
  private:
   void start() {
-    found_.spans.clear();
+    const int firstStrip = columns_.begin / Strip::kColumns;
+    const int strips = Strip::countIn(columns_.end - columns_.begin);
+    found_.solid.clear(firstStrip, strips);
+    found_.maskedMiddles.clear(firstStrip, strips);
     found_.stats = {};
-    scratch_.maskedMiddles.clear();
-    scratch_.slants.clear();
+    Viewport first{nullptr, camera_.sector, std::nullopt, noWindows()};
     for (int column = columns_.begin; column < columns_.end; ++column)
-      scratch_.slants.push_back(projection_.slantOf(column + 0.5));
-    Viewport first{camera_.sector, std::nullopt, noWindows()};
-    for (int column = columns_.begin; column < columns_.end; ++column)
-      first.windows.push_back({column, 0, camera_.height, 0});
+      first.windows.emplace_back(column, 0, camera_.height, 0);
     viewports_.push_back(std::move(first));
   }
 
-  /// What lies behind an opening is looked at after it, so that nearer ones were found before.
-  void addMaskedMiddles() {
-    found_.spans.insert(found_.spans.end(), scratch_.maskedMiddles.rbegin(),
-                        scratch_.maskedMiddles.rend());
-    found_.stats.maskedMiddleSpans = scratch_.maskedMiddles.size();
-  }
-
-  /// Takes the last off a stack; looking may put more there.
+  /// Takes the last off a stack; looking may put more there. So what lies behind an opening is
+  /// looked at after it.
   template <typename View>
   void lookAtLast(std::vector<View>& views) {
     View view = std::move(views.back());
     views.pop_back();
+    firstNewViewport_ = viewports_.size();
+    firstNewFlatPortal_ = flatPortals_.size();
     look(view);
     scratch_.spareWindows.giveBack(std::move(view.windows));
   }
@@ -82,188 +80,173 @@ class Visibility {
 
   void look(const Viewport& viewport) {
     ++found_.stats.viewports;
-    found_.stats.windows += viewport.windows.size();
-    const std::size_t firstNew = viewports_.size();
-    const std::size_t firstNewFlat = flatPortals_.size();
-    const std::vector<ColumnHit>& hits = closestHits(viewport);
-    for (std::size_t i = 0; i < viewport.windows.size(); ++i)
-      if (hits[i].depth < kNoDepth)
-        showColumn(viewport.sector, viewport.windows[i], hits[i], firstNew, firstNewFlat);
-  }
-
-  /// For every window the nearest segment, seen from its front, beyond the viewport's entry; at
-  /// kNoDepth where there is none.
-  const std::vector<ColumnHit>& closestHits(const Viewport& viewport) {
-    std::vector<ColumnHit>& closest = scratch_.closest;
-    closest.assign(viewport.windows.size(), {SegmentId(0), kNoDepth, 0});
     const std::vector<Window>& windows = viewport.windows;
-    const std::optional<SegmentId> entry = viewport.entry;
-    meetSegments(viewport.sector, entry, windows, [&](std::size_t k, const ColumnHit& hit) {
-      if (isBeyond(entry, windows[k].depth, hit) && isNearer(hit, closest[k])) set(closest[k], hit);
-    });
-    return closest;
-  }
-
-  static constexpr double kNoDepth = std::numeric_limits<double>::infinity();
-
-  /// Number by number: copied as a whole, it would have to be in memory first.
-  static void set(ColumnHit& to, const ColumnHit& hit) {
-    to.segment = hit.segment;
-    to.depth = hit.depth;
-    to.fraction = hit.fraction;
-  }
-
-  /// Calls `met(k, hit)` for windows k and the segments, except the one whose fronts they show.
-  template <typename Met>
-  void meetSegments(SectorId id, std::optional<SegmentId> except,
-                    const std::vector<Window>& windows, Met&& met) {
-    const Sector& sector = scene_[id];
-    for (std::size_t i = 0; i < sector.segmentCount; ++i) {
-      const SegmentId segment(sector.firstSegment.index() + i);
-      if (segment == except) continue;
-      ++found_.stats.segments;
-      const ColumnRange columns = columnsOf(projection_, scene_[segment], camera_.width);
-      const auto [begin, end] = windowsIn(windows, columns);
-      if (begin == end) continue;
-      const SegmentMeetings meetings(projection_, scene_[segment]);
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto [depth, fraction] = meetings.at(slantOf(windows[k].column));
-        met(k, ColumnHit{segment, depth, fraction});
+    found_.stats.windows += windows.size();
+    const std::vector<ColumnHit>& hits = exits_.closest(viewport.sector, viewport.entry, windows);
+    for (std::size_t i = 0; i < windows.size();) {
+      if (hits[i].depth == RayExits::kNoDepth) {
+        ++i;
+        continue;
       }
+      ColumnRun run(scene_[viewport.sector], scene_[hits[i].segment], windows[i], hits[i]);
+      while (++i < windows.size() && hits[i].depth < RayExits::kNoDepth &&
+             run.continuesIn(windows[i], hits[i]))
+        run.add(windows[i], hits[i]);
+      show(run);
     }
   }
 
-  double slantOf(int column) const {
-    return scratch_.slants[static_cast<std::size_t>(column - columns_.begin)];
+  // --- columns that leave a sector at one segment -----------------------------------------------
+
+  /// Ceiling, wall and floor of a sector, from the height at which the columns leave it.
+  void show(const ColumnRun& run) {
+    LaneRowRanges wall;
+    for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) {
+      const AirColumn air = scene_.airAt(run.segment, run.fractions[lane]);
+      wall.begin[lane] = rowIn(run, run.open, lane, air.zTop);
+      wall.end[lane] = std::max(wall.begin[lane], rowIn(run, run.open, lane, air.zBottom));
+    }
+    showFlat(run, run.sector.ceiling, run.sector.ceilingSurface, {run.open.begin, wall.begin},
+             false);
+    showFlat(run, run.sector.floor, run.sector.floorSurface, {wall.end, run.open.end}, true);
+    if (wall.lanes() != 0) showWall(run, wall);
   }
 
-  /// Indices [begin, end) of the windows whose column lies in the range.
-  static std::pair<std::size_t, std::size_t> windowsIn(const std::vector<Window>& windows,
-                                                       ColumnRange columns) {
-    if (columns.end <= windows.front().column || columns.begin > windows.back().column)
-      return {0, 0};
-    const auto isLeftOf = [](const Window& window, int column) { return window.column < column; };
-    const auto begin = std::lower_bound(windows.begin(), windows.end(), columns.begin, isLeftOf);
-    const auto end = std::lower_bound(begin, windows.end(), columns.end, isLeftOf);
-    return {static_cast<std::size_t>(begin - windows.begin()),
-            static_cast<std::size_t>(end - windows.begin())};
+  /// The first of a lane's rows whose centre is not above height z.
+  int rowIn(const ColumnRun& run, const LaneRowRanges& rows, std::size_t lane, double z) const {
+    return rowIn(rows.begin[lane], rows.end[lane], z, run.depths[lane]);
   }
-
-  bool isBeyond(std::optional<SegmentId> entry, double entryDepth, const ColumnHit& hit) const {
-    if (hit.depth > entryDepth * (1 + kNearTie)) return true;
-    if (!entry || hit.depth < entryDepth * (1 - kNearTie)) return false;
-    return inOrder(*entry, hit.segment);
-  }
-
-  bool isNearer(const ColumnHit& a, const ColumnHit& b) const {
-    if (a.depth < b.depth * (1 - kNearTie)) return true;
-    if (a.depth > b.depth * (1 + kNearTie)) return false;
-    return inOrder(a.segment, b.segment);
-  }
-
-  bool inOrder(SegmentId a, SegmentId b) const {
-    return meetsFirst(projection_.eye().xy(), scene_[a].p0, scene_[a].p1, scene_[b].p0,
-                      scene_[b].p1);
-  }
-
-  // --- one column of one sector -----------------------------------------------------------------
-
-  /// Ceiling, wall and floor of a sector in a window, from the height at which the column leaves
-  /// it.
-  void showColumn(SectorId id, const Window& window, const ColumnHit& hit, std::size_t firstNew,
-                  std::size_t firstNewFlat) {
-    const Sector& sector = scene_[id];
-    const Segment& segment = scene_[hit.segment];
-    const AirColumn air = scene_.airAt(segment, hit.fraction);
-    const int wallTop = rowIn(window, air.zTop, hit.depth);
-    const int wallBottom = std::max(wallTop, rowIn(window, air.zBottom, hit.depth));
-    const Window above{window.column, window.top, wallTop, hit.depth};
-    const Window below{window.column, wallBottom, window.bottom, hit.depth};
-    showFlat(sector.ceiling, sector.ceilingSurface, above, false, firstNewFlat);
-    showFlat(sector.floor, sector.floorSurface, below, true, firstNewFlat);
-    if (wallTop < wallBottom)
-      showWall(segment, air, {window.column, wallTop, wallBottom, hit.depth}, hit, firstNew);
-  }
-
-  /// The first row of the window whose centre is not above height z.
-  int rowIn(const Window& window, double z, double depth) const {
+  int rowIn(int begin, int end, double z, double depth) const {
     const double row = projection_.rowOf(z, depth) - 0.5;
-    return roundedUp(
-        std::clamp(row, static_cast<double>(window.top), static_cast<double>(window.bottom)));
+    return roundedUp(std::clamp(row, static_cast<double>(begin), static_cast<double>(end)));
   }
 
-  void showFlat(const Flat& flat, std::optional<SurfaceId> surface, const Window& window,
-                bool isFloor, std::size_t firstNewFlat) {
-    if (window.top >= window.bottom) return;
-    if (surface) {
-      found_.spans.emplace_back(window.column, window.top, window.bottom, *surface, window.depth);
-      return;
+  void showFlat(const ColumnRun& run, const Flat& flat, std::optional<SurfaceId> surface,
+                const LaneRowRanges& rows, bool isFloor) {
+    if (!surface) {
+      if (rows.lanes() != 0) addWindows(run, rows, flatPortalView(*flat.flatPortal, isFloor));
+    } else if (const auto [group, lanes] = found_.solid.add(*surface, run.strip, rows); group) {
+      set(group->depth, run.depths, lanes);
     }
-    addTo(flatPortalView(*flat.flatPortal, isFloor, firstNewFlat).windows, window);
   }
 
-  /// `window` is the part of it that shows the wall: all of the air.
-  void showWall(const Segment& segment, AirColumn air, const Window& window, const ColumnHit& hit,
-                std::size_t firstNew) {
-    countColumn(segment);
+  /// `shown` are the rows that show the wall: all of the air.
+  void showWall(const ColumnRun& run, const LaneRowRanges& shown) {
+    countColumns(run.segment, shown.laneCount());
+    std::vector<WallPart>& parts = scratch_.wallParts;
+    parts.clear();
+    if (run.hasLevelAir)
+      addParts(run, run.laneBegin, run.laneEnd, shown);
+    else
+      for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane)
+        if (shown.has(lane)) addParts(run, lane, lane + 1, shown);
+    for (const WallPart& part : parts)
+      if (part.opening)
+        showOpening(run, *part.opening, part.rows);
+      else
+        addUprightSpans(found_.solid, part.surface, run, part.rows);
+  }
+
+  /// Adds what the wall shows in lanes [begin, end), where it has the same heights.
+  void addParts(const ColumnRun& run, std::size_t begin, std::size_t end,
+                const LaneRowRanges& shown) {
+    const double fraction = run.fractions[begin];
+    const AirColumn air = scene_.airAt(run.segment, fraction);
     // What lies above something begins where that ends, so most rows are known.
     double zReached = air.zBottom;
-    int rowReached = window.bottom;
-    const auto part = [&](double zBottom, double zTop) {
-      const int bottom = zBottom == zReached ? rowReached : rowIn(window, zBottom, hit.depth);
-      rowReached = zTop == air.zTop ? window.top : rowIn(window, zTop, hit.depth);
+    LaneRows reached = shown.end;
+    const auto add = [&](const Opening* opening, SurfaceId surface, double zBottom, double zTop) {
+      LaneRowRanges& rows = partOf(opening, surface).rows;
+      for (std::size_t lane = begin; lane < end; ++lane) {
+        rows.end[lane] = zBottom == zReached ? reached[lane] : rowIn(run, shown, lane, zBottom);
+        rows.begin[lane] = zTop == air.zTop ? shown.begin[lane] : rowIn(run, shown, lane, zTop);
+        reached[lane] = rows.begin[lane];
+      }
       zReached = zTop;
-      return Window{window.column, rowReached, bottom, hit.depth};
     };
     visitWallColumn(
-        scene_, segment, hit.fraction,
+        scene_, run.segment, fraction,
         [&](SurfaceId surface, double zBottom, double zTop) {
-          const Window shown = part(zBottom, zTop);
-          if (shown.top < shown.bottom) addUprightSpan(found_.spans, surface, shown, hit);
+          add(nullptr, surface, zBottom, zTop);
         },
         [&](const Opening& opening, double zBottom, double zTop) {
-          const Window open = part(zBottom, zTop);
-          if (open.top < open.bottom) showOpening(opening, open, hit, firstNew);
+          add(&opening, {}, zBottom, zTop);
         });
   }
 
-  void showOpening(const Opening& opening, const Window& window, const ColumnHit& hit,
-                   std::size_t firstNew) {
-    addTo(viewportBehind(opening, firstNew).windows, window);
+  WallPart& partOf(const Opening* opening, SurfaceId surface) {
+    std::vector<WallPart>& parts = scratch_.wallParts;
+    for (WallPart& part : parts)
+      if (part.opening == opening && part.surface == surface) return part;
+    return parts.emplace_back(WallPart{opening, surface, {}});
+  }
+
+  void showOpening(const ColumnRun& run, const Opening& opening, const LaneRowRanges& rows) {
+    if (rows.lanes() == 0) return;
+    addWindows(run, rows, viewportBehind(opening));
     if (!opening.maskedMiddle) return;
     const SurfaceGeometry& middle = scene_.geometryOf(*opening.maskedMiddle);
-    const int top = rowIn(window, middle.zTop, hit.depth);
-    const int bottom = rowIn(window, middle.zBottom, hit.depth);
-    if (top < bottom)
-      addUprightSpan(scratch_.maskedMiddles, *opening.maskedMiddle,
-                     {window.column, top, bottom, hit.depth}, hit);
-  }
-
-  void countColumn(const Segment& segment) {
-    ++found_.stats.wallColumns;
-    if (std::holds_alternative<Stack>(segment.wall)) ++found_.stats.stackColumns;
-    if (scene_.geometryOf(segment).airRises) ++found_.stats.slopeColumns;
-  }
-
-  static void addTo(std::vector<Window>& windows, const Window& window) {
-    windows.emplace_back(window.column, window.top, window.bottom, window.depth);
-  }
-
-  void addUprightSpan(std::vector<Span>& to, SurfaceId id, const Window& window,
-                      const ColumnHit& hit) const {
-    const Surface& surface = scene_[id];
-    const Segment& segment = scene_[hit.segment];
-    Span& span = to.emplace_back(window.column, window.top, window.bottom, id, hit.depth);
-    span.fraction = hit.fraction;
-    span.s = segment.sBefore + hit.fraction * segment.length;
-    if (isSidewall(surface.kind)) {
-      // A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
-      const Segment& far = scene_[twinOf(segment, id)];
-      span.s = far.sAfter + hit.fraction * far.length;
-      const AirColumn edge = scene_.airAt(far, 1 - hit.fraction);
-      span.zRef = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
+    LaneRowRanges hung;
+    for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) {
+      hung.begin[lane] = rowIn(run, rows, lane, middle.zTop);
+      hung.end[lane] = rowIn(run, rows, lane, middle.zBottom);
     }
-    if (const auto zRef = scene_.geometryOf(id).zRef) span.zRef = *zRef;
+    addUprightSpans(found_.maskedMiddles, *opening.maskedMiddle, run, hung);
+  }
+
+  void countColumns(const Segment& segment, int columns) {
+    const auto count = static_cast<std::size_t>(columns);
+    found_.stats.wallColumns += count;
+    if (std::holds_alternative<Stack>(segment.wall)) found_.stats.stackColumns += count;
+    if (scene_.geometryOf(segment).airRises) found_.stats.slopeColumns += count;
+  }
+
+  static void addWindows(const ColumnRun& run, const LaneRowRanges& rows,
+                         std::vector<Window>& windows) {
+    for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane)
+      if (rows.has(lane))
+        windows.emplace_back(run.strip * Strip::kColumns + static_cast<int>(lane), rows.begin[lane],
+                             rows.end[lane], run.depths[lane]);
+  }
+
+  static void set(LaneDoubles& to, const LaneDoubles& from, LaneSet lanes) {
+    if (lanes == kAllLanes)
+      to = from;
+    else
+      for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+        to[lane] = from[lane];
+      }
+  }
+
+  void addUprightSpans(SpanGroups& to, SurfaceId id, const ColumnRun& run,
+                       const LaneRowRanges& rows) const {
+    const auto [group, lanes] = to.add(id, run.strip, rows);
+    if (!group) return;
+    LaneDoubles s;
+    LaneDoubles zRef;
+    if (isSidewall(scene_[id].kind)) {
+      mapSidewall(id, run, s, zRef);
+    } else {
+      for (std::size_t lane = 0; lane < s.size(); ++lane)
+        s[lane] = run.segment.sBefore + run.fractions[lane] * run.segment.length;
+      zRef.fill(0);
+    }
+    if (const auto& known = scene_.geometryOf(id).zRef) zRef.fill(*known);
+    set(group->depth, run.depths, lanes);
+    set(group->s, s, lanes);
+    set(group->fraction, run.fractions, lanes);
+    set(group->zRef, zRef, lanes);
+  }
+
+  /// A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
+  void mapSidewall(SurfaceId id, const ColumnRun& run, LaneDoubles& s, LaneDoubles& zRef) const {
+    const Segment& far = scene_[twinOf(run.segment, id)];
+    for (std::size_t lane = 0; lane < s.size(); ++lane) {
+      s[lane] = far.sAfter + run.fractions[lane] * far.length;
+      const AirColumn edge = scene_.airAt(far, 1 - run.fractions[lane]);
+      zRef[lane] = scene_[id].kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
+    }
   }
 
   SegmentId twinOf(const Segment& segment, SurfaceId sidewall) const {
@@ -275,101 +258,61 @@ class Visibility {
     CHECK(false, sidewall);
   }
 
-  /// The viewport behind an opening, among those begun by the present look.
-  Viewport& viewportBehind(const Opening& opening, std::size_t firstNew) {
-    for (std::size_t i = viewports_.size(); i-- > firstNew;)
-      if (viewports_[i].entry == opening.twin && viewports_[i].sector == opening.next)
-        return viewports_[i];
-    viewports_.push_back({opening.next, opening.twin, noWindows()});
-    return viewports_.back();
+  /// Into the viewport behind an opening: among those begun by the present look.
+  std::vector<Window>& viewportBehind(const Opening& opening) {
+    for (std::size_t i = viewports_.size(); i-- > firstNewViewport_;)
+      if (viewports_[i].opening == &opening) return viewports_[i].windows;
+    viewports_.push_back({&opening, opening.next, opening.twin, noWindows()});
+    return viewports_.back().windows;
   }
 
   // --- sectors seen through flat portals --------------------------------------------------------
 
-  FlatPortalView& flatPortalView(FlatPortalId id, bool down, std::size_t firstNew) {
-    for (std::size_t i = flatPortals_.size(); i-- > firstNew;)
-      if (flatPortals_[i].flatPortal == id && flatPortals_[i].down == down) return flatPortals_[i];
+  std::vector<Window>& flatPortalView(FlatPortalId id, bool down) {
+    for (std::size_t i = flatPortals_.size(); i-- > firstNewFlatPortal_;)
+      if (flatPortals_[i].flatPortal == id && flatPortals_[i].down == down)
+        return flatPortals_[i].windows;
     flatPortals_.push_back({id, down, noWindows()});
-    return flatPortals_.back();
+    return flatPortals_.back().windows;
   }
 
   void look(const FlatPortalView& view) {
     ++found_.stats.flatPortals;
     found_.stats.windows += view.windows.size();
-    const std::size_t firstNew = viewports_.size();
-    const std::size_t firstNewFlat = flatPortals_.size();
     const FlatPortal& flatPortal = scene_[view.flatPortal];
-    findStretches(view.down ? flatPortal.lower : flatPortal.upper, view.windows);
+    exits_.findStretches(view.down ? flatPortal.lower : flatPortal.upper, view.windows);
     for (std::size_t i = 0; i < view.windows.size(); ++i)
-      lookThroughPlane(flatPortal.z, view.down, view.windows[i], stretchesOf(i), firstNew,
-                       firstNewFlat);
+      lookThroughPlane(flatPortal.z, view.down, view.windows[i], exits_.stretchesOf(i));
   }
 
   /// Divides a window on the plane among the stretches behind it, near to far, without gap.
-  void lookThroughPlane(double z, bool down, Window window, std::span<const Stretch> stretches,
-                        std::size_t firstNew, std::size_t firstNewFlat) {
+  void lookThroughPlane(double z, bool down, Window window, std::span<const Stretch> stretches) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const ColumnHit& exit = stretches[i].exit;
+      const auto& [sector, exit] = stretches[i];
       // The farthest stretch ends where the window does, whatever rounding says; one that ends
       // before the window begins must not turn the look back, or it might go on for ever.
       const bool rest = i + 1 == stretches.size() && exit.depth > window.depth * (1 - kNearTie);
-      const int farRow = rest ? (down ? window.top : window.bottom) : rowIn(window, z, exit.depth);
+      const int farRow = rest ? (down ? window.top : window.bottom)
+                              : rowIn(window.top, window.bottom, z, exit.depth);
       Window part = window;
       (down ? part.top : part.bottom) = farRow;
       (down ? window.bottom : window.top) = farRow;
-      if (part.top < part.bottom)
-        showColumn(stretches[i].sector, part, exit, firstNew, firstNewFlat);
+      if (part.top < part.bottom) show(ColumnRun(scene_[sector], scene_[exit.segment], part, exit));
     }
-  }
-
-  /// For every window the stretches of its column inside the members, by rising depth. Only where
-  /// the ray leaves a member matters: where it came in, another stretch has ended.
-  void findStretches(const std::vector<SectorId>& members, const std::vector<Window>& windows) {
-    scratch_.stretches.clear();
-    for (const SectorId member : members) addStretches(member, windows);
-    groupByWindow(windows.size());
-    for (std::size_t i = 0; i < windows.size(); ++i) sortByDepth(stretchesOf(i));
-  }
-
-  void addStretches(SectorId id, const std::vector<Window>& windows) {
-    meetSegments(id, std::nullopt, windows, [&](std::size_t k, const ColumnHit& exit) {
-      scratch_.stretches.push_back({k, {id, exit}});
-    });
-  }
-
-  /// Counts the stretches of each window, and puts them where those of the windows before end.
-  void groupByWindow(std::size_t windowCount) {
-    std::vector<std::size_t>& begin = scratch_.stretchesBegin;
-    begin.assign(windowCount + 2, 0);
-    for (const auto& [window, stretch] : scratch_.stretches) ++begin[window + 2];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    scratch_.stretchesByWindow.resize(scratch_.stretches.size());
-    for (const auto& [window, stretch] : scratch_.stretches)
-      scratch_.stretchesByWindow[begin[window + 1]++] = stretch;
-  }
-
-  std::span<Stretch> stretchesOf(std::size_t window) {
-    const std::size_t begin = scratch_.stretchesBegin[window];
-    return std::span(scratch_.stretchesByWindow)
-        .subspan(begin, scratch_.stretchesBegin[window + 1] - begin);
-  }
-
-  /// Near to far, near ties in exact order.
-  void sortByDepth(std::span<Stretch> stretches) const {
-    std::ranges::sort(stretches, {}, [](const Stretch& stretch) { return stretch.exit.depth; });
-    for (std::size_t i = 1; i < stretches.size(); ++i)
-      for (std::size_t k = i; k > 0 && isNearer(stretches[k].exit, stretches[k - 1].exit); --k)
-        std::swap(stretches[k], stretches[k - 1]);
   }
 
   Scene scene_;
   const Camera& camera_;
   const Projection& projection_;
   ColumnRange columns_;
+  RayExits exits_;
   VisibilityScratch& scratch_;
   VisibleSpans& found_;
   std::vector<Viewport>& viewports_;
   std::vector<FlatPortalView>& flatPortals_;
+  // Of the present look:
+  std::size_t firstNewViewport_ = 0;
+  std::size_t firstNewFlatPortal_ = 0;
 };
 
 }  // namespace

@@ -2,14 +2,15 @@
 
 #include "level/scene.h"
 #include "render/camera.h"
-#include "render/span.h"
+#include "render/span_groups.h"
 #include "render/visibility_scratch.h"
 
 namespace hearth {
 
-/// The first phase of a frame: finds which surface shows in which rows of some of its columns. Each
-/// column is independent of the others. The camera's sector must contain its eye; `projection` has
-/// moved the eye off the walls. The result lies in `scratch` until the next search.
+/// The first phase of a frame: finds which surface shows in which rows of some of its columns,
+/// which begin with a strip. No column depends on the others. The camera's sector must contain its
+/// eye; `projection` has moved the eye off the walls. The result lies in `scratch` until the next
+/// search.
 const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                      const Projection& projection, ColumnRange columns,
                                      VisibilityScratch& scratch);

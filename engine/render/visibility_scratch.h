@@ -1,30 +1,19 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "level/scene.h"
-#include "render/segment_columns.h"
-#include "render/span.h"
+#include "render/lanes.h"
+#include "render/ray_exits.h"
+#include "render/span_groups.h"
+#include "render/window.h"
 
 namespace hearth {
 
-/// Rows [top, bottom) of one column that are still open.
-struct Window {
-  /// As of Span.
-  Window(int atColumn, int begin, int end, double atDepth)
-      : column(atColumn), top(begin), bottom(end), depth(atDepth) {}
-
-  int column;
-  int top;
-  int bottom;
-  double depth;  ///< metres at which the column leaves the sector in front
-};
-
 /// A sector seen through the windows that a portal leaves open.
 struct Viewport {
+  const Opening* opening;  ///< null for the camera's sector
   SectorId sector;
   std::optional<SegmentId> entry;  ///< the sector's own side of that portal
   std::vector<Window> windows;     ///< by rising column
@@ -37,44 +26,24 @@ struct FlatPortalView {
   std::vector<Window> windows;
 };
 
-/// A stretch of a column's ray inside one sector, up to `exit`.
-struct Stretch {
-  SectorId sector;
-  ColumnHit exit;
-};
-
-/// Lists of windows that nothing uses at the moment. Each has room for a window in every column, so
-/// a viewport can get any of them.
-class SpareWindows {
- public:
-  std::vector<Window> take(int columns) {
-    std::vector<Window> windows;
-    if (!spare_.empty()) {
-      windows = std::move(spare_.back());
-      spare_.pop_back();
-    }
-    windows.reserve(static_cast<std::size_t>(columns));
-    return windows;
-  }
-  void giveBack(std::vector<Window>&& windows) {
-    windows.clear();
-    spare_.push_back(std::move(windows));
-  }
-
- private:
-  std::vector<std::vector<Window>> spare_;
+/// What a wall shows in some columns: a surface or an opening, in these rows.
+struct WallPart {
+  const Opening* opening;  ///< null if it is a surface
+  SurfaceId surface;
+  LaneRowRanges rows;
 };
 
 /// The memory of the search for visible spans. Kept from frame to frame, it soon grows no more.
 struct VisibilityScratch {
-  VisibleSpans found;               ///< of the last frame
-  std::vector<Span> maskedMiddles;  ///< of the present frame, as they are found: near to far
+  VisibleSpans found;  ///< of the last frame
 
   std::vector<Viewport> viewports;
   std::vector<FlatPortalView> flatPortals;
   SpareWindows spareWindows;
-  std::vector<ColumnHit> closest;  ///< by window of the present viewport
-  std::vector<double> slants;      ///< of the rays of the columns, see Projection::slantOf
+  RayExitScratch rayExits;
+  std::vector<WallPart> wallParts;  ///< of the present columns
+  std::vector<ColumnHit> closest;   ///< by window of the present viewport
+  std::vector<double> slants;       ///< of the rays of the columns, see Projection::slantOf
 
   /// Of the present look through a flat portal: as they are found, with their windows, ...
   std::vector<std::pair<std::size_t, Stretch>> stretches;

@@ -124,24 +124,28 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
   FrameScratch scratch;
   scratch.parts.resize(1);
   scratch.parts[0].range = {0, 2 * Strip::kColumns + 3};  // the last strip is narrower
-  VisibleSpans found;
-  for (int column = 0; column < scratch.parts[0].range.end; ++column) {
-    found.spans.push_back({column, 4, kRows, wall, 1});
-    found.spans.push_back({column, 0, 4, wall, 1});
-  }
+  VisibleSpans& found = scratch.parts[0].visibility.found;
+  found.solid.clear(0, 3);
+  found.maskedMiddles.clear(0, 3);
+  const auto add = [&](SpanGroups& to, int column, int begin, int end) {
+    LaneRowRanges rows;
+    rows.begin[static_cast<std::size_t>(column % Strip::kColumns)] = begin;
+    rows.end[static_cast<std::size_t>(column % Strip::kColumns)] = end;
+    to.add(wall, column / Strip::kColumns, rows);
+  };
   const auto filled = [&] {
-    scratch.parts[0].groups.group(found, scratch.parts[0].range);
     return std::vector{scratch.isFilled(0, kRows), scratch.isFilled(1, kRows),
                        scratch.isFilled(2, kRows)};
   };
-  EXPECT_EQ(filled(), (std::vector{true, true, true}));
-  found.spans[21].rowEnd = 3;
+  for (int column = 0; column < scratch.parts[0].range.end; ++column) {
+    add(found.solid, column, 4, kRows);
+    add(found.solid, column, 0, column == 10 ? 3 : 4);
+  }
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
-  // A masked middle texture, which comes last, can have holes.
-  found.spans.push_back({10, 3, 4, wall, 1});
-  found.stats.maskedMiddleSpans = 1;
+  // A masked middle texture can have holes.
+  add(found.maskedMiddles, 10, 3, 4);
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
-  found.stats.maskedMiddleSpans = 0;
+  add(found.solid, 10, 3, 4);
   EXPECT_EQ(filled(), (std::vector{true, true, true}));
 }
 

@@ -24,14 +24,14 @@ void forEachPixel(const Scene& scene, const Camera& camera, SurfaceKind kind, Se
                   Visit&& visit) {
   VisibilityScratch scratch;
   const Projection projection = projectionFor(scene, camera);
-  for (const Span& span : findVisibleSpans(scene, camera, projection, scratch).spans) {
+  findVisibleSpans(scene, camera, projection, scratch).forEachSpan([&](const Span& span) {
     const Surface& surface = scene[span.surface];
-    if (surface.kind != kind || surface.sector != sector) continue;
+    if (surface.kind != kind || surface.sector != sector) return;
     const SpanMapping mapping = mappingOf(scene, projection, span, &kTexture, nullptr);
     const Footprint footprint(scene, projection, span, kTexture, mapping);
     for (int row = span.rowBegin; row < span.rowEnd; ++row)
       visit(span, mapping, footprint, projection.raySlopeAt(row + 0.5));
-  }
+  });
 }
 
 double texelsOf(const Scene& scene, const Camera& camera, SurfaceKind kind, SectorId sector) {

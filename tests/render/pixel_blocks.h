@@ -22,8 +22,8 @@ inline void setRows(PixelBlock& block, const std::vector<double>& parameters) {
 
 /// Makes all pixels of a block's rows show the surface.
 inline void setFull(PixelBlock& block) {
-  block.columns.rowBegin.fill(block.firstRow);
-  block.columns.rowEnd.fill(block.firstRow + block.rows);
+  block.columns.rows.begin.fill(block.firstRow);
+  block.columns.rows.end.fill(block.firstRow + block.rows);
   block.columns.fullBegin = block.firstRow;
   block.columns.fullEnd = block.firstRow + block.rows;
 }

@@ -377,11 +377,11 @@ TEST(PixelKernels, writeNoPixelThatDoesNotShowTheSurface) {
     block.rows = 1 + i % PixelBlock::kRows;
     setFull(block);
     for (std::size_t lane = 0; lane < PixelBlock::kLanes; ++lane) {
-      block.columns.rowBegin[lane] = anyRow(random);
-      block.columns.rowEnd[lane] = anyRow(random);
+      block.columns.rows.begin[lane] = anyRow(random);
+      block.columns.rows.end[lane] = anyRow(random);
     }
-    block.columns.fullBegin = std::ranges::max(block.columns.rowBegin);
-    block.columns.fullEnd = std::ranges::min(block.columns.rowEnd);
+    block.columns.fullBegin = std::ranges::max(block.columns.rows.begin);
+    block.columns.fullEnd = std::ranges::min(block.columns.rows.end);
     const bool haveHoles = i % 2 == 0;
     for (std::size_t k = 0; haveHoles && k < block.count(); ++k) block.texels[0][k] = k % 3 == 0;
     std::vector<std::uint32_t> rows(block.count(), kUntouched);
@@ -391,8 +391,8 @@ TEST(PixelKernels, writeNoPixelThatDoesNotShowTheSurface) {
     for (std::size_t k = 0; k < block.count(); ++k) {
       const int row = block.firstRow + static_cast<int>(k) / PixelBlock::kLanes;
       const std::size_t lane = k % PixelBlock::kLanes;
-      const bool isShown = block.columns.rowBegin[lane] <= row &&
-                           row < block.columns.rowEnd[lane] && block.texels[0][k] == 0;
+      const bool isShown = block.columns.rows.begin[lane] <= row &&
+                           row < block.columns.rows.end[lane] && block.texels[0][k] == 0;
       ASSERT_EQ(rows[k], isShown ? packed({1, 2, 3}) : kUntouched) << i << ' ' << k;
     }
   }
