@@ -113,9 +113,6 @@ struct Channels {
   Words middle;
 };
 
-/// Of light that is equal in all channels.
-HWY_INLINE Channels grey(Words level) { return {level, level}; }
-
 /// The same number in both fields of each word.
 HWY_INLINE Words twice(Words number) { return hn::Or(number, hn::ShiftLeft<16>(number)); }
 
@@ -148,6 +145,14 @@ struct Weights {
   Words down;
 };
 
+/// What lies between the columns of a neighbourhood, in its upper and in its lower row.
+struct NeighbourRows {
+  Words upper;
+  Words drop;  ///< to the lower row
+
+  HWY_INLINE Words at(Words down) const { return between(upper, drop, down); }
+};
+
 /// A 2x2 neighbourhood of texels, one or two channels of it.
 struct Neighbourhood {
   Words upperLeft;
@@ -155,10 +160,13 @@ struct Neighbourhood {
   Words lowerLeft;
   Words lowerDrop;
 
+  HWY_INLINE NeighbourRows rowsAt(Words across) const {
+    const Words upper = between(upperLeft, upperDrop, across);
+    const Words lower = between(lowerLeft, lowerDrop, across);
+    return {upper, differenceOfFields(upper, lower)};
+  }
   HWY_INLINE Words at(const Weights& weights) const {
-    const Words upper = between(upperLeft, upperDrop, weights.across);
-    const Words lower = between(lowerLeft, lowerDrop, weights.across);
-    return between(upper, differenceOfFields(upper, lower), weights.down);
+    return rowsAt(weights.across).at(weights.down);
   }
 };
 
@@ -168,11 +176,20 @@ HWY_INLINE Neighbourhood neighbourhoodOf(Words upperLeft, Words upperRight, Word
           differenceOfFields(lowerLeft, lowerRight)};
 }
 
-/// All channels of a 2x2 neighbourhood.
+/// All channels of a 2x2 neighbourhood, or of its rows.
+struct ColorRows {
+  NeighbourRows outer;
+  NeighbourRows middle;
+
+  HWY_INLINE Channels at(Words down) const { return {outer.at(down), middle.at(down)}; }
+};
 struct ColorNeighbourhood {
   Neighbourhood outer;
   Neighbourhood middle;
 
+  HWY_INLINE ColorRows rowsAt(Words across) const {
+    return {outer.rowsAt(across), middle.rowsAt(across)};
+  }
   HWY_INLINE Channels at(const Weights& weights) const {
     return {outer.at(weights), middle.at(weights)};
   }
@@ -210,16 +227,21 @@ class SectorLight {
       : level_(static_cast<std::uint32_t>(level * kAll + 0.5) * 0x10001),
         room_(kAll * 0x10001 - level_) {}
 
-  /// `levels` are those of the lightmap, in 128ths.
-  HWY_INLINE Channels with(const Channels& levels) const {
+  /// `levels` are those of the lightmap, in 128ths: of three channels, or the same of all.
+  HWY_INLINE Channels shownWith(const Channels& levels) const {
     return {with(levels.outer), with(levels.middle)};
   }
-  HWY_INLINE Words with(Words levels) const {
-    return hn::Add(minOfUnsignedFields(hn::Add(levels, levels), allWords(room_)), allWords(level_));
+  HWY_INLINE Channels shownWith(Words level) const {
+    const Words shown = with(level);
+    return {shown, shown};
   }
 
  private:
   static constexpr std::uint32_t kAll = 256 * 255;
+
+  HWY_INLINE Words with(Words levels) const {
+    return hn::Add(minOfUnsignedFields(hn::Add(levels, levels), allWords(room_)), allWords(level_));
+  }
 
   std::uint32_t level_;  ///< in both fields
   std::uint32_t room_;   ///< for the lightmap

@@ -14,6 +14,7 @@ namespace hearth {
 struct GroupLight {
   const Lightmap* lightmap;  ///< null if no light reaches the surface
   double sectorLight;        ///< 0..1
+  bool isUpright;            ///< the surface
 
   /// Whether it differs from pixel to pixel.
   bool varies() const { return lightmap && !lightmap->isUniform(); }

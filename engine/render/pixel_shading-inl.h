@@ -58,7 +58,7 @@ class UniformLight {
       if (!lightmap) return std::uint32_t{0};
       return std::uint32_t{lightmap->at(lightmap->rect.i0, lightmap->rect.j0, channel)};
     };
-    shown_ = sector.with(channelsOf(allWords(level(0) << 16 | level(1) << 8 | level(2))));
+    shown_ = sector.shownWith(channelsOf(allWords(level(0) << 16 | level(1) << 8 | level(2))));
   }
 
   HWY_INLINE Channels shown(std::size_t, std::size_t) const { return shown_; }
@@ -127,22 +127,12 @@ HWY_INLINE Words assembled(Word&& word) {
 #endif
 
 /// Texels of a lightmap whose light is white.
-class WhiteLight {
+class WhiteTexels {
  public:
-  WhiteLight(const PixelBlock& block, const Lightmap& lightmap, const SectorLight& sector)
-      : block_(block),
-        upper_(lightmap.levels.data()),
-        lower_(upper_ + lightmap.rect.width),
-        sector_(sector) {}
+  WhiteTexels(const PixelBlock& block, const Lightmap& lightmap)
+      : block_(block), upper_(lightmap.levels.data()), lower_(upper_ + lightmap.rect.width) {}
 
-  HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
-    const Words texels = hn::Load(kWord, &block_.lightTexels[pixel]);
-    const Neighbourhood& near =
-        kept_.around(texels, lane, [&]() HWY_ATTR { return around(pixel); });
-    return grey(sector_.with(near.at(weightsAt(block_.betweenLightTexels, pixel))));
-  }
-
- private:
+  /// Those around as many pixels as a register holds.
   HWY_INLINE Neighbourhood around(std::size_t pixel) const {
     const Words four = assembled([&](std::size_t k) HWY_ATTR {
       const std::uint32_t texel = block_.lightTexels[pixel + k];
@@ -159,32 +149,23 @@ class WhiteLight {
                            level(hn::ShiftRight<16>(four)), level(hn::ShiftRight<24>(four)));
   }
 
+ private:
   const PixelBlock& block_;
   const std::uint8_t* upper_;
   const std::uint8_t* lower_;
-  const SectorLight& sector_;
-  KeptTexels<Neighbourhood> kept_;
 };
 
 /// Texels of a lightmap with three channels: red in the lowest byte.
-class ColoredLight {
+class ColoredTexels {
  public:
-  ColoredLight(const PixelBlock& block, const Lightmap& lightmap, const SectorLight& sector)
+  ColoredTexels(const PixelBlock& block, const Lightmap& lightmap)
       : block_(block),
         upper_(lightmap.levels.data()),
-        lower_(upper_ + std::size_t{3} * static_cast<std::size_t>(lightmap.rect.width) - 2),
-        sector_(sector) {}
+        lower_(upper_ + std::size_t{3} * static_cast<std::size_t>(lightmap.rect.width) - 2) {}
 
-  HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
-    const Words texels = hn::Load(kWord, &block_.lightTexels[pixel]);
-    const ColorNeighbourhood& near =
-        kept_.around(texels, lane, [&]() HWY_ATTR { return around(pixel); });
-    return sector_.with(near.at(weightsAt(block_.betweenLightTexels, pixel)));
-  }
-
- private:
-  /// The six bytes of a pair are read as eight. The two more are behind the upper pair, where the
-  /// lower row of the lightmap follows, and before the lower pair.
+  /// Those around as many pixels as a register holds. The six bytes of a pair are read as eight.
+  /// The two more are behind the upper pair, where the lower row of the lightmap follows, and
+  /// before the lower pair.
   HWY_INLINE ColorNeighbourhood around(std::size_t pixel) const {
     Words low;
     Words high;
@@ -199,6 +180,7 @@ class ColoredLight {
     return neighbourhoodOf(upperLeft, upperRight, lowerLeft, lowerRight);
   }
 
+ private:
   HWY_INLINE void load(const std::uint8_t* from, std::size_t pixel, Words& low, Words& high) const {
     alignas(64) std::array<std::uint64_t, kLanes> pairs;
     for (std::size_t k = 0; k < hn::Lanes(kWord); ++k)
@@ -215,8 +197,50 @@ class ColoredLight {
   const PixelBlock& block_;
   const std::uint8_t* upper_;
   const std::uint8_t* lower_;
+};
+
+/// Light between the texels of a lightmap.
+template <typename Texels>
+class LightBetween {
+ public:
+  LightBetween(const PixelBlock& block, const Texels& texels, const SectorLight& sector)
+      : block_(block), texels_(texels), sector_(sector) {}
+
+  HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
+    const auto& near = kept_.around(hn::Load(kWord, &block_.lightTexels[pixel]), lane,
+                                    [&]() HWY_ATTR { return texels_.around(pixel); });
+    return sector_.shownWith(near.at(weightsAt(block_.betweenLightTexels, pixel)));
+  }
+
+ private:
+  const PixelBlock& block_;
+  Texels texels_;
   const SectorLight& sector_;
-  KeptTexels<ColorNeighbourhood> kept_;
+  KeptTexels<decltype(texels_.around(0))> kept_;
+};
+
+/// The same on upright surfaces. There all pixels of a column are between the same two columns of
+/// texels, and equally far.
+template <typename Texels>
+class UprightLightBetween {
+ public:
+  UprightLightBetween(const PixelBlock& block, const Texels& texels, const SectorLight& sector)
+      : block_(block), texels_(texels), sector_(sector) {}
+
+  HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
+    const PixelBlock::Mix& mix = block_.betweenLightTexels;
+    const auto& rows =
+        kept_.around(hn::Load(kWord, &block_.lightTexels[pixel]), lane, [&]() HWY_ATTR {
+          return texels_.around(pixel).rowsAt(hn::Load(kWord, &mix.across[pixel]));
+        });
+    return sector_.shownWith(rows.at(hn::Load(kWord, &mix.down[pixel])));
+  }
+
+ private:
+  const PixelBlock& block_;
+  Texels texels_;
+  const SectorLight& sector_;
+  KeptTexels<decltype(texels_.around(0).rowsAt(Words()))> kept_;
 };
 
 /// Writes pixels of rows where their columns show the surface, except those of holes.
@@ -255,14 +279,26 @@ inline void shadeTexels(const PixelBlock& block, const GroupTexels& texels, cons
   shadeIn<false>(block, NearestTexels{block}, light, rows);
 }
 
+template <typename LightTexels>
+inline void shadeBetween(const PixelBlock& block, const GroupTexels& texels,
+                         const LightTexels& lightTexels, bool isUpright, const SectorLight& sector,
+                         std::uint32_t* rows) {
+  if (isUpright)
+    shadeTexels(block, texels, UprightLightBetween(block, lightTexels, sector), rows);
+  else
+    shadeTexels(block, texels, LightBetween(block, lightTexels, sector), rows);
+}
+
 inline void shade(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
                   std::uint32_t* rows) {
   const SectorLight sector(light.sectorLight);
   if (!light.varies())
-    return shadeTexels(block, texels, UniformLight(light.lightmap, sector), rows);
-  if (light.lightmap->channels == 1)
-    return shadeTexels(block, texels, WhiteLight(block, *light.lightmap, sector), rows);
-  shadeTexels(block, texels, ColoredLight(block, *light.lightmap, sector), rows);
+    shadeTexels(block, texels, UniformLight(light.lightmap, sector), rows);
+  else if (light.lightmap->channels == 1)
+    shadeBetween(block, texels, WhiteTexels(block, *light.lightmap), light.isUpright, sector, rows);
+  else
+    shadeBetween(block, texels, ColoredTexels(block, *light.lightmap), light.isUpright, sector,
+                 rows);
 }
 
 }  // namespace hearth::HWY_NAMESPACE

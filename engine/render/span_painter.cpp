@@ -55,7 +55,7 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   count(group, material, stats);
   const GroupMapping mapping =
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
-  const GroupLight light{material.lightmap, material.sectorLight};
+  const GroupLight light{material.lightmap, material.sectorLight, !mapping.isPlane};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
   const bool haveHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
   const TextureFilter filter = haveHoles ? TextureFilter::Nearest : settings_.textureFilter;
