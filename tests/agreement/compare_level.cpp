@@ -25,8 +25,8 @@ constexpr double kNearLight = 0.3;  ///< metres around a light where light chang
 /// over texels of h misses i h^2 / (4 d^2), which at i = 255 and h = 1/8 m makes 2 levels.
 constexpr double kNearLightWithCosine = 0.7;
 /// Levels: half for the rounding of texels, half for that of pixels, both of which can be exact
-/// halves; and what doubles add to that.
-constexpr double kGridTolerance = 1 + 1e-9;
+/// halves; and the 1/40 that the renderer's 16 bits may add (tests/render/pixel_kernels_test.cpp).
+constexpr double kGridTolerance = 1 + 1.0 / 40;
 /// Levels. Where some of the four texels clip at full light and some do not, this cannot hold:
 /// along a line between two centres h apart, light that falls by g levels a metre passes 255
 /// somewhere, p of the way. Interpolated between 255 and 255 - (1 - p) g h it misses min(255, .)
