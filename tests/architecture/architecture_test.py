@@ -33,8 +33,8 @@ LAYERS |= {
     "import": ["folders", "text", "files", "image", "level", "load", "math"],
     "measure": ["settings", "text", "files", "image", "level", "light", "load", "math", "render", "truth"],
     "viewer": ["settings", "text", *ENGINE],
-    "desktop": ["folders", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
-    "cli": ["desktop", "folders", "import", "lint", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
+    "cli": ["folders", "import", "lint", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
+    "desktop": ["cli", "folders", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
     "peers": ["cli", "desktop", "folders", "import", "measure", "inputs", "settings", *ENGINE],
 }
 # Of tools/, what is not a library of the program.

@@ -1,15 +1,12 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/start_instead.h"
 #include "inputs/inputs.h"
 #include "measure/level_bench.h"
 #include "measure/machine.h"
@@ -114,11 +111,7 @@ std::optional<std::string> mistakeBesidePeers(const OptionValues& values) {
 /// Runs hearth-peers, which lies beside this program where it is built, in this program's place.
 ExitStatus runPeers(const OptionValues& values) {
   if (const auto mistake = mistakeBesidePeers(values)) return fail(*mistake);
-  const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe").replace_filename("hearth-peers");
-  if (!exists(program))
-    return fail("--peers: hearth-peers is not beside this program; build it with tools/test");
-  std::vector<std::string> words = {program.string(), "run"};
+  std::vector<std::string> words = {"hearth-peers", "run"};
   if (values.has(Option::Json)) words.emplace_back("--json");
   for (const Option option : {Option::Only, Option::Repeats})
     if (const auto text = values.text(option)) {
@@ -128,9 +121,7 @@ ExitStatus runPeers(const OptionValues& values) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  execv(program.c_str(), arguments.data());
-  return fail(
-      fmt::format("--peers: {} cannot be started: {}", program.string(), std::strerror(errno)));
+  return fail(fmt::format("--peers: {}", startInstead(words.front(), arguments.data())));
 }
 
 ExitStatus runBench(const OptionValues& values) {

@@ -22,12 +22,13 @@ struct Command {
   std::string_view name;
   std::string_view help;
   std::vector<Option> options;
-  std::vector<Option> required;  ///< of the options
-  ExitStatus (*run)(const OptionValues& values);
+  std::vector<Option> required = {};  ///< of the options
+  ExitStatus (*run)(const OptionValues& values) = nullptr;
   LevelFiles levels = LevelFiles::One;
   std::string more = {};                  ///< text of its help after the options
   std::string_view argument = "LEVEL";    ///< the placeholder of the level files in the help
   std::string (*moreOfUser)() = nullptr;  ///< replaces `more` if the user's files matter
+  std::string_view program = {};          ///< if not empty, what runs the command instead of `run`
 };
 
 Command walkCommand();

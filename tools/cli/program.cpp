@@ -13,6 +13,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/start_instead.h"
 #include "math/check.h"
 #include "settings/shell_text.h"
 
@@ -67,6 +68,8 @@ ExitStatus parseAndRun(CLI::App& program, std::span<const Command> commands,
         first.empty() ? "name a command" : fmt::format("there is no command \"{}\"", first),
         fmt::join(names, ", "), values.program));
   }
+  if (command != commands.end() && !command->program.empty())
+    return fail(startInstead(command->program, argv));
   const std::string_view name = command == commands.end() ? "" : command->name;
   try {
     program.parse(argc, argv);

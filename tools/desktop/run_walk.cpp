@@ -1,0 +1,251 @@
+#include "desktop/run_walk.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/recording_file.h"
+#include "desktop/bookmarks_file.h"
+#include "desktop/disk.h"
+#include "desktop/live_level.h"
+#include "desktop/screenshot_files.h"
+#include "desktop/window.h"
+#include "desktop/window_place.h"
+#include "folders/user_folders.h"
+#include "inputs/inputs.h"
+#include "measure/budget.h"
+#include "render/renderer.h"
+#include "viewer/edit/shots_edit.h"
+#include "viewer/input/actions.h"
+#include "viewer/preferences/config.h"
+#include "viewer/walk/walk_loop.h"
+
+namespace hearth {
+
+namespace {
+
+/// A walk that is about to begin: from where, how it is shown, and whose input it takes.
+struct Plan {
+  RecordedStart start;
+  WalkSettings settings;
+  std::optional<Recording> replay;
+};
+
+/// Recordings are of one version of a level, and saved light is of one geometry.
+bool isLive(const OptionValues& values) {
+  return !values.has(Option::Record) && !values.has(Option::Replay) &&
+         !values.has(Option::LightFrom);
+}
+
+tl::expected<Plan, std::string> planFor(const Scene& scene, const OptionValues& values) {
+  Plan plan;
+  if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
+  plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
+  plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
+  plan.settings.view.mode = lightModeFrom(values);
+  plan.settings.options = values;
+  plan.settings.canBake = isLive(values);
+  if (values.has(Option::Replay)) {
+    auto recording = readReplay(values);
+    if (!recording) return tl::unexpected(recording.error());
+    plan.start = recording->start;
+    plan.replay = std::move(*recording);
+    return plan;
+  }
+  const auto camera = cameraFor(scene, values, kFirstWindowSize);
+  if (!camera) return tl::unexpected(camera.error());
+  plan.start = {scene[camera->sector].name, camera->eye, camera->angle, camera->pitch};
+  plan.settings.fov = camera->fov;
+  return plan;
+}
+
+std::optional<std::string> mistakeInWalkOptions(const OptionValues& values) {
+  if (values.has(Option::TargetMs))
+    for (const Option option : std::vector<Option>{Option::Quality} + drawOptions())
+      if (values.has(option))
+        return fmt::format("give --target-ms or {}, not both", row(option).name);
+  if (values.has(Option::Headless) && !values.has(Option::Replay))
+    return "--headless: give --replay, which alone needs no window";
+  if (!values.has(Option::Replay)) return std::nullopt;
+  for (const Option option :
+       {Option::Start, Option::Camera, Option::Sector, Option::Shot, Option::Record})
+    if (values.has(option)) return fmt::format("give --replay or {}, not both", row(option).name);
+  return std::nullopt;
+}
+
+std::string words(const RecordedState& state) {
+  const Walker& walker = state.walker;
+  return fmt::format("sector {}, feet {},{},{}, angle {}, pitch {}", state.sector, walker.feet.x,
+                     walker.feet.y, walker.feet.z, walker.angle, walker.pitch);
+}
+
+/// Where a replay has ended, and whether that is where it was recorded to end.
+ExitStatus judge(const Scene& scene, const WalkSession& session, const Recording& recording) {
+  const RecordedState end = recordedState(scene, session.walker());
+  fmt::print("{} ticks, end: {}\n", recording.inputs.size(), words(end));
+  if (end == recording.end) {
+    fmt::print("as recorded, to the bit\n");
+    return ExitStatus::Done;
+  }
+  fmt::print("not as recorded: {}\n", words(recording.end));
+  return ExitStatus::Differs;
+}
+
+ExitStatus replayHeadless(const Scene& scene, WalkSession& session, const Recording& recording) {
+  for (const WalkInput& input : recording.inputs) session.tick(input);
+  return judge(scene, session, recording);
+}
+
+using SharedLevel = std::shared_ptr<const LoadedLevel>;
+using SharedSource = std::shared_ptr<const LevelSource>;
+using SharedLitLevel = std::shared_ptr<const LitLevel>;
+
+/// Bakes while the window answers to the desktop.
+tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
+                                                    const SharedSource& source,
+                                                    const OptionValues& values) {
+  auto light = std::async(std::launch::async, [&] { return lightFor(loaded->scene(), values); });
+  while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    WalkWindow::answerDesktop();
+  return light.get().map([&](BakedLight baked) {
+    const DrawSettings settings = drawSettingsFrom(values);
+    return std::make_shared<const LitLevel>(
+        loaded, source, drawnTextures(loaded->textures, settings.textureFilter),
+        std::make_shared<const BakedLight>(std::move(baked)), settings);
+  });
+}
+
+/// Where the place of the window is kept. Pictures of a size of their own have windows that fit.
+std::optional<std::filesystem::path> windowFile(const Plan& plan) {
+  const auto folder = stateFolder();
+  if (!folder || plan.settings.size) return std::nullopt;
+  return *folder / "window.json";
+}
+
+WindowSettings windowSettings(const Plan& plan, const OptionValues& values) {
+  WindowSettings settings;
+  settings.pictureSize = plan.settings.size;
+  if (values.text(Option::Scale) == "integer") settings.scaling = Scaling::Integer;
+  if (const auto file = windowFile(plan)) settings.place = readWindowPlace(*file);
+  settings.waitsForDisplay = values.text(Option::Vsync) != "off";
+  return settings;
+}
+
+/// Writes the walk so far where `--record` says.
+ExitStatus keepWalk(const Scene& scene, const RecordedStart& start, const WalkSession& session,
+                    const OptionValues& values) {
+  const std::optional<std::string> path = values.text(Option::Record);
+  if (!path) return ExitStatus::Done;
+  const auto written =
+      writeRecordingFile(*path, {start, session.inputs(), recordedState(scene, session.walker())});
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+/// Adds options with which a frame fits the time.
+void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, const Plan& plan,
+               WalkWindow& window, Workers* workers, OptionValues& options) {
+  const auto [width, height] =
+      plan.settings.size.value_or(window.windowSize().value_or(kFirstWindowSize));
+  const Camera camera{eye.sector,        eye.point, eye.angle, eye.pitch,
+                      plan.settings.fov, width,     height};
+  const FittingFrame fitting = frameFitting(renderer, camera, milliseconds,
+                                            workersFor({width, height}, workers), steadySeconds);
+  fmt::print("picked {}\n", words(fitting));
+  std::fflush(stdout);  // before the walk, not after it
+  for (const Option option : notStandard(fitting.draw))
+    options.set(option, valueOf(fitting.draw, option));
+}
+
+/// What the user has set. Mistakes there are told, and do not stop the walk.
+Config configOfUser() {
+  const auto file = configFile();
+  Disk disk;
+  return file ? readConfig(disk, *file) : Config{};
+}
+
+void addConfig(const Config& config, WalkSettings& settings) {
+  settings.preferences = config.preferences;
+  for (const Diagnostic& warning : config.warnings) settings.notes.push_back(format(warning));
+  printDiagnostics(config.warnings);
+}
+
+ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, const Plan& plan,
+                        WalkSession& session, const OptionValues& values) {
+  const Scene scene = loaded->scene();
+  auto window = WalkWindow::open(loaded->level.name + " - baking", windowSettings(plan, values));
+  if (!window)
+    return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
+                            window.error(), values.program));
+  std::optional<LiveLevel> live;
+  if (isLive(values)) live.emplace(values, loaded, source);
+  auto lit = live ? live->awaitFirst(WalkWindow::answerDesktop) : litBehind(loaded, source, values);
+  if (!lit) return fail(lit.error());
+  Disk disk;
+  WalkSettings settings = plan.settings;
+  if (live) settings.lightsFile = loaded->lights;
+  addConfig(configOfUser(), settings);
+  settings.config = configFile().value_or("");
+  if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(disk, *file);
+  settings.writeShot = [&disk, &live, &loaded](const Bookmark& bookmark) {
+    return writeShot(disk, live ? *live->shown()->loaded : *loaded, bookmark);
+  };
+  Workers workers(threadsFrom(values));
+  if (const auto target = values.number(Option::TargetMs)) {
+    fitFrames(*target, (*lit)->renderer, eyeOf(scene, session.walker()), plan, *window, &workers,
+              settings.options);
+    if (live) live->setOptions(settings.options);
+    *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
+  }
+
+  ScreenshotFiles screenshots(".", std::filesystem::path(values.level).stem().string());
+  WalkLoop loop(scene, (*lit)->renderer, session, {*window, disk, screenshots, &workers}, settings,
+                source);
+  if (plan.replay) loop.replay(plan.replay->inputs);
+  // A recording that cannot be written is refused before the walk, not after it.
+  if (keepWalk(scene, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;
+  while (loop.round()) {
+    if (live) {
+      live->update(loop, session, *window);
+    } else if (const auto options = loop.takeChoice()) {
+      const auto next = redrawn(**lit, drawSettingsFrom(*options));
+      loop.continueIn(scene, next->renderer, source);
+      *lit = next;
+    }
+  }
+  if (const auto file = windowFile(plan)) keepWindowPlace(*file, window->place());
+  loop.awaitScreenshots();
+  if (!plan.replay) return keepWalk(scene, plan.start, session, values);
+  if (!loop.isReplayOver()) return fail("--replay: left before its end");
+  return judge(scene, session, *plan.replay);
+}
+
+}  // namespace
+
+ExitStatus runWalk(const OptionValues& values) {
+  if (const auto mistake = mistakeInWalkOptions(values)) return fail(*mistake);
+  SourcedResult opened = loadAndReportWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
+  const Scene scene = loaded->scene();
+  const auto plan = planFor(scene, values);
+  if (!plan) return fail(plan.error());
+  const auto walker = walkerAtStart(scene, plan->start);
+  if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
+  WalkSession session(
+      scene, *walker,
+      values.has(Option::Record) ? WalkSession::Record::Yes : WalkSession::Record::No);
+  if (values.has(Option::Headless)) return replayHeadless(scene, session, *plan->replay);
+  const auto source = std::make_shared<const LevelSource>(std::move(opened.source));
+  return walkInWindow(loaded, source, *plan, session, values);
+}
+
+std::string keyHelpOfUser() { return "Keys:\n" + keyHelp(configOfUser().preferences.keys); }
+
+}  // namespace hearth
