@@ -43,7 +43,8 @@ struct FrameScratch {
     partOf(strip).found().forEachGroup(strip, use);
   }
 
-  /// Whether the spans of a strip of so many rows cover its every pixel.
+  /// Whether the spans of a strip of so many rows cover its every pixel: as no two that have no
+  /// holes share one, they do if their pixels are as many.
   bool isFilled(int strip, int rows) const {
     const FrameColumns& part = partOf(strip);
     const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);

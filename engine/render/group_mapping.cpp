@@ -139,7 +139,7 @@ SpanMapping GroupMapping::of(std::size_t lane) const {
   return {.isPlane = isPlane,
           .isSky = isSky,
           .height = height,
-          .rise = rise[lane],
+          .rise = isPlane ? rise[lane] : 0,
           .depth = depth[lane],
           .u = laneOf(u, lane),
           .v = laneOf(v, lane),
@@ -150,6 +150,9 @@ SpanMapping GroupMapping::of(std::size_t lane) const {
 GroupMapping mappingOf(const Scene& scene, const Projection& projection, const SpanGroup& group,
                        const Texture* image, const LitSurface* lit) {
   GroupMapping mapping;
+  // What is not asked for is 0.
+  if (!image) mapping.u = mapping.v = {};
+  if (!lit) mapping.s = mapping.t = {};
   const Surface& surface = scene[group.surface];
   if (isSky(surface.kind)) {
     mapping.isSky = true;

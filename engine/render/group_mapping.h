@@ -27,7 +27,8 @@ struct LaneImageAxis {
 };
 
 /// The mappings of a group's spans (see SpanMapping). Columns without a span have one, too: on
-/// planes their own, else that of another column.
+/// planes their own, else that of another column. `u` and `v` are set only with an image, `s` and
+/// `t` only with light.
 struct GroupMapping {
   bool isPlane = false;
   bool isLevel = false;  ///< a plane that does not rise
@@ -37,7 +38,7 @@ struct GroupMapping {
   LaneDoubles depth;
   LaneImageAxis u;
   LaneImageAxis v;
-  LaneAffine s;  ///< only with light
+  LaneAffine s;
   LaneAffine t;
 
   SpanMapping of(std::size_t lane) const;

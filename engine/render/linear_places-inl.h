@@ -29,7 +29,7 @@ struct Scale {
   double largest;  ///< of the places
 };
 
-inline Scale repeatsOf(int size) { return {kPlacesPerRepeat / size, kMaxRepeats * size}; }
+inline Scale repeatScale(int size) { return {kPlacesPerRepeat / size, kMaxRepeats * size}; }
 constexpr Scale kSkyScale{1 << FixedSkyRows::kBits, FixedSkyRows::kLargest};
 constexpr Scale kLightScale{kPlacesPerLightTexel, kMaxLightTexels};
 
@@ -154,7 +154,7 @@ inline bool findTexelsDown(PixelBlock& block, const FixedNumbers<kLanes>& column
 
 inline bool findTexelsDown(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
   const int height = image.height();
-  const Scale scale = mapping.isSky ? kSkyScale : repeatsOf(height);
+  const Scale scale = mapping.isSky ? kSkyScale : repeatScale(height);
   Down down;
   if (!findDown(block, mapping.v, 0, scale, down)) return false;
   const Repeating across(image.width());
@@ -187,8 +187,8 @@ inline bool findTexelsAcross(PixelBlock& block, const GroupMapping& mapping, con
   findDepths(block, mapping, depths);
   Across u;
   Across v;
-  if (!findAcross(block, depths, RowAxis(mapping.u), repeatsOf(image.width()), u)) return false;
-  if (!findAcross(block, depths, RowAxis(mapping.v), repeatsOf(image.height()), v)) return false;
+  if (!findAcross(block, depths, RowAxis(mapping.u), repeatScale(image.width()), u)) return false;
+  if (!findAcross(block, depths, RowAxis(mapping.v), repeatScale(image.height()), v)) return false;
   return isPowerOfTwo(image.width()) && isPowerOfTwo(image.height())
              ? findTexelsAcross<true>(block, u, v, image)
              : findTexelsAcross<false>(block, u, v, image);
@@ -216,15 +216,13 @@ inline bool findLightDown(PixelBlock& block, const GroupMapping& mapping, const 
   Down down;
   if (!findDown(block, mapping.t, first.y, kLightScale, down)) return false;
   FixedNumbers<kLanes> columns;
-  PixelBlock::Mix& mix = block.betweenLightTexels;
+  FixedNumbers<kLanes> across;
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kDouble)) {
     const Between between =
         betweenKept(hn::Sub(at(mapping.s, lane, all(0)), all(first.x)), rect.width);
     store(hn::Mul(between.first, all(lightmap.channels)), &columns[lane]);
-    storeMix(filtered(between.fraction, filter), all(0), mix, lane);
+    storeMinusFraction(filtered(between.fraction, filter), &across[lane]);
   }
-  FixedNumbers<kLanes> across;
-  std::copy_n(mix.across.begin(), kLanes, across.begin());
   const FixedLightAxis rows(rect.height, filter);
   const Words bytesPerRow = allWords(static_cast<std::uint32_t>(rect.width * lightmap.channels));
   forEachDown(block, down, [&](std::size_t pixel, std::size_t lane, Words place) HWY_ATTR {

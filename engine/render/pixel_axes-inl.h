@@ -16,6 +16,7 @@
 #include <cstdint>
 
 #include "render/group_mapping.h"
+#include "render/pixel_block.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {

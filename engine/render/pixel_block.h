@@ -20,9 +20,9 @@ struct PixelBlock {
   template <typename T>
   struct alignas(64) Pixels : std::array<T, std::size_t{kRows} * kLanes> {};
 
-  /// How far a pixel is from the left of four texels to the right ones, and from the upper to the
-  /// lower ones. In -2^-15, from 0 to -2^15, as numbers of 16 bits: the same in the lower and in
-  /// the upper half of a word.
+  /// Bilinear weights: how far a pixel is from the left of four texels to the right ones, and from
+  /// the upper to the lower ones. Minus that fraction, in 2^-15, as a number of 16 bits in both
+  /// halves of a word. Minus, because +2^15 would not fit.
   struct Mix {
     Pixels<std::uint32_t> across;
     Pixels<std::uint32_t> down;

@@ -182,10 +182,10 @@ class ColoredTexels {
 
  private:
   HWY_INLINE void load(const std::uint8_t* from, std::size_t pixel, Words& low, Words& high) const {
-    alignas(64) std::array<std::uint64_t, kLanes> pairs;
+    alignas(64) std::array<std::uint32_t, 2 * kLanes> pairs;
     for (std::size_t k = 0; k < hn::Lanes(kWord); ++k)
-      std::memcpy(&pairs[k], from + block_.lightTexels[pixel + k], sizeof pairs[k]);
-    hn::LoadInterleaved2(kWord, reinterpret_cast<const std::uint32_t*>(pairs.data()), low, high);
+      std::memcpy(&pairs[2 * k], from + block_.lightTexels[pixel + k], 2 * sizeof pairs[0]);
+    hn::LoadInterleaved2(kWord, pairs.data(), low, high);
   }
 
   /// Pictures have blue in the lowest byte.

@@ -10,7 +10,7 @@ namespace hearth {
 
 namespace {
 
-/// Number by number: copied as a whole, it would have to be in memory first.
+/// Number by number: see Window on store-forwarding stalls.
 void set(ColumnHit& to, const ColumnHit& hit) {
   to.segment = hit.segment;
   to.hasLevelAir = hit.hasLevelAir;
@@ -105,13 +105,10 @@ void RayExits::findStretches(const std::vector<SectorId>& members,
       scratch_.stretches.push_back({k, {member, exit}});
     });
   groupByWindow(windows.size());
-  for (std::size_t i = 0; i < windows.size(); ++i)
-    sortByDepth(std::span(scratch_.stretchesByWindow)
-                    .subspan(scratch_.stretchesBegin[i],
-                             scratch_.stretchesBegin[i + 1] - scratch_.stretchesBegin[i]));
+  for (std::size_t i = 0; i < windows.size(); ++i) sortByDepth(stretchesIn(i));
 }
 
-std::span<const Stretch> RayExits::stretchesOf(std::size_t window) const {
+std::span<Stretch> RayExits::stretchesIn(std::size_t window) {
   const std::size_t begin = scratch_.stretchesBegin[window];
   return std::span(scratch_.stretchesByWindow)
       .subspan(begin, scratch_.stretchesBegin[window + 1] - begin);

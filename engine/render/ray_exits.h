@@ -35,7 +35,8 @@ struct RayExitScratch {
 };
 
 /// Where the rays through windows leave the sectors behind them, in one frame. Windows are by
-/// rising column, at least one of them, and all of them in the columns of the frame.
+/// rising column, which may repeat; at least one of them, and all of them in the columns of the
+/// frame.
 class RayExits {
  public:
   /// `columns` are of a screen that is so wide.
@@ -54,7 +55,7 @@ class RayExits {
   /// the ray leaves a member matters: where it came in, another stretch has ended.
   void findStretches(const std::vector<SectorId>& members, const std::vector<Window>& windows);
   /// Those of a window, as they have been found last.
-  std::span<const Stretch> stretchesOf(std::size_t window) const;
+  std::span<const Stretch> stretchesOf(std::size_t window) { return stretchesIn(window); }
 
   int projectedSegments() const { return projectedSegments_; }
 
@@ -67,6 +68,7 @@ class RayExits {
   bool isBeyond(std::optional<SegmentId> entry, double entryDepth, const ColumnHit& hit) const;
   bool isNearer(const ColumnHit& a, const ColumnHit& b) const;
   bool inOrder(SegmentId a, SegmentId b) const;
+  std::span<Stretch> stretchesIn(std::size_t window);
   void groupByWindow(std::size_t windowCount);
   void sortByDepth(std::span<Stretch> stretches) const;
 

@@ -212,7 +212,8 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   findSpans(camera, 1, scratch, workers);
   const Projection projection = projectionFor(scene_, camera);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
-  const std::vector<std::size_t> numbers = numbersOfShown(scene_);
+  const std::vector<std::size_t> numbers =
+      channel == Channel::Surface ? numbersOfShown(scene_) : std::vector<std::size_t>();
   paintStrips(scratch, 1, picture, workers, true,
               [&](const SpanGroup& group, PixelBlock&, Strip& strip, PaintStats&) {
                 group.forEachSpan([&](const Span& span) {

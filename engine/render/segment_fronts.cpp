@@ -1,6 +1,7 @@
 #include "render/segment_fronts.h"
 
 #include <algorithm>
+#include <bit>
 #include <variant>
 
 namespace hearth {
@@ -19,7 +20,7 @@ bool hasLevelAir(const Scene& scene, const Segment& segment) {
 /// Where the search for a sector begins in a table of so many places: Fibonacci hashing (Knuth,
 /// "The Art of Computer Programming", 6.4).
 std::size_t firstPlace(SectorId sector, std::size_t places) {
-  return (std::uint64_t{sector.value} * 0x9E3779B97F4A7C15U >> 32) & (places - 1);
+  return std::uint64_t{sector.value} * 0x9E3779B97F4A7C15U >> (64 - std::countr_zero(places));
 }
 
 }  // namespace

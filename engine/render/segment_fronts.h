@@ -54,7 +54,7 @@ class SegmentFronts {
 
   std::vector<SegmentFront> fronts_;
   std::vector<Found> sectors_;
-  /// A hash table of indices into sectors_, a power of two in size and half empty.
+  /// A hash table of indices into sectors_, a power of two in size and at most half full.
   std::vector<std::uint32_t> table_ = std::vector<std::uint32_t>(64, kFree);
 };
 

@@ -7,7 +7,8 @@ namespace hearth {
 
 namespace {
 
-/// As many groups of a strip are looked at. Neighbouring columns of a sector have fewer.
+/// The search for a group to join stops after so many of the strip's last groups. Neighbouring
+/// columns of a sector have fewer.
 constexpr int kLookedAt = 12;
 
 /// Rows [begin, end).
@@ -55,8 +56,9 @@ SpanGroups::Added SpanGroups::add(SurfaceId surface, int strip, const LaneRowRan
   return {&group, isNew ? kAllLanes : lanes};
 }
 
-/// A group of the surface that has no spans in these lanes yet, or a new one. Spans that have to be
-/// visited before others never join a group that comes after them.
+/// A group of the surface that has no spans in these lanes yet, or a new one. With LastToFirst a
+/// span must not join a group that was added before another span of its column: it would be painted
+/// over that.
 std::uint32_t SpanGroups::indexFor(SurfaceId surface, int strip, LaneSet lanes, int rowBegin,
                                    int rowEnd) {
   std::uint32_t index = strips_[indexOf(strip)].last;

@@ -24,7 +24,7 @@ struct SpanGroup {
 
   // As in Span. Lanes without a span have the numbers of another one.
   LaneDoubles depth;
-  LaneDoubles s;
+  LaneDoubles s;  ///< this and the rest only of what is upright
   LaneDoubles fraction;
   LaneDoubles zRef;
 
@@ -55,7 +55,7 @@ class SpanGroups {
  public:
   /// In what order `forEach` visits spans that share a pixel.
   enum class Order {
-    Any,         ///< none do
+    Any,         ///< no two do
     LastToFirst  ///< that in which they were added, reversed
   };
   explicit SpanGroups(Order order) : order_(order) {}
@@ -65,9 +65,10 @@ class SpanGroups {
 
   struct Added {
     SpanGroup* group;  ///< null if all rows were empty
-    LaneSet lanes;     ///< whose numbers the caller has to set
+    LaneSet lanes;     ///< of its numbers, those that the caller has to set before the next call
   };
-  /// Adds spans of a surface with these rows. The group is valid until the next call.
+  /// Adds spans of a surface with these rows: to a group of it in this strip, or to a new one. The
+  /// group is valid until the next call.
   Added add(SurfaceId surface, int strip, const LaneRowRanges& rows);
 
   /// Calls `use(group)` for the groups of a strip.

@@ -27,19 +27,47 @@ PixelBlock::Columns columnsOf(const SpanGroup& group) {
   return {group.rows, std::ranges::max(group.rows.begin), std::ranges::min(group.rows.end)};
 }
 
-/// The size of the texture that fits the first row of a column. Only the rows that it fits stay in
-/// the block.
-const Texture& fitting(const MipMap& texture, const Footprint& footprint,
-                       const SpanMapping& mapping, PixelBlock& block) {
-  const auto levelIn = [&](int row) {
-    return footprint.mipLevelAt(mapping.parameterAt(block.raySlopes[row]));
-  };
-  const int level = levelIn(0);
-  int rows = 1;
-  while (rows < block.rows && levelIn(rows) == level) ++rows;
-  block.rows = rows;
-  return texture.level(level);
+/// The column that goes deepest, of those that have a span. On a level plane no row that another
+/// one shows is deeper than there.
+std::size_t deepestLane(const SpanGroup& group) {
+  auto deepest = static_cast<std::size_t>(std::countr_zero(group.lanes));
+  for (std::size_t lane = deepest; lane < Strip::kColumns; ++lane)
+    if (group.has(lane) && group.depth[lane] > group.depth[deepest]) deepest = lane;
+  return deepest;
 }
+
+/// The sizes of a texture that fit the rows of a group: those that fit one of its columns.
+class MipLevels {
+ public:
+  MipLevels(const Scene& scene, const Projection& projection, const SpanGroup& group,
+            const MipMap& texture, const GroupMapping& mapping)
+      : MipLevels(scene, projection, group.span(deepestLane(group)), texture,
+                  mapping.of(deepestLane(group))) {}
+
+  /// That of the first row of a block. Only the rows that it fits stay in the block.
+  const Texture& fitting(PixelBlock& block) const {
+    const int level = levelIn(block, 0);
+    int rows = 1;
+    while (rows < block.rows && levelIn(block, rows) == level) ++rows;
+    block.rows = rows;
+    return texture_.level(level);
+  }
+
+ private:
+  MipLevels(const Scene& scene, const Projection& projection, const Span& span,
+            const MipMap& texture, const SpanMapping& mapping)
+      : texture_(texture),
+        mapping_(mapping),
+        footprint_(scene, projection, span, texture.full(), mapping) {}
+
+  int levelIn(const PixelBlock& block, int row) const {
+    return footprint_.mipLevelAt(mapping_.parameterAt(block.raySlopes[row]));
+  }
+
+  const MipMap& texture_;
+  SpanMapping mapping_;
+  Footprint footprint_;
+};
 
 }  // namespace
 
@@ -62,18 +90,16 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   const bool areWhite = mode == LightMode::Only;
   GroupTexels texels{areWhite && !haveHoles ? nullptr : &material.image(),
                      filter == TextureFilter::Bilinear, haveHoles, areWhite};
-  const auto firstLane = static_cast<std::size_t>(std::countr_zero(group.lanes));
-  const SpanMapping first = mapping.of(firstLane);
-  std::optional<Footprint> footprint;
+  std::optional<MipLevels> mipLevels;
   if (filter == TextureFilter::Mipmapped && texels.image)
-    footprint.emplace(scene_, projection_, group.span(firstLane), material.image(), first);
+    mipLevels.emplace(scene_, projection_, group, material.texture, mapping);
   block.columns = columnsOf(group);
   for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
     block.firstRow = row;
     block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
     block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
-    if (footprint) {
-      texels.image = &fitting(material.texture, *footprint, first, block);
+    if (mipLevels) {
+      texels.image = &mipLevels->fitting(block);
       findPlaces(texels, light, onImage(mapping, material.image(), *texels.image), block);
     } else {
       findPlaces(texels, light, mapping, block);

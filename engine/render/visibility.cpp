@@ -61,7 +61,9 @@ class Visibility {
   }
 
   /// Takes the last off a stack; looking may put more there. So what lies behind an opening is
-  /// looked at after it.
+  /// looked at after it. New ones are in the order of the level, not of the columns that see them
+  /// first: so a strip's groups, and all that is rounded on the way through them, do not depend on
+  /// the strips that are found with it.
   template <typename View>
   void lookAtLast(std::vector<View>& views) {
     View view = std::move(views.back());
@@ -69,7 +71,14 @@ class Visibility {
     firstNewViewport_ = viewports_.size();
     firstNewFlatPortal_ = flatPortals_.size();
     look(view);
+    sortFrom(viewports_, firstNewViewport_);
+    sortFrom(flatPortals_, firstNewFlatPortal_);
     scratch_.spareWindows.giveBack(std::move(view.windows));
+  }
+
+  template <typename View>
+  static void sortFrom(std::vector<View>& views, std::size_t first) {
+    std::ranges::sort(std::span(views).subspan(first), {}, &View::place);
   }
 
   std::vector<Window> noWindows() {
@@ -126,7 +135,7 @@ class Visibility {
     if (!surface) {
       if (rows.lanes() != 0) addWindows(run, rows, flatPortalView(*flat.flatPortal, isFloor));
     } else if (const auto [group, lanes] = found_.solid.add(*surface, run.strip, rows); group) {
-      set(group->depth, run.depths, lanes);
+      setLanes(group->depth, run.depths, lanes);
     }
   }
 
@@ -209,7 +218,7 @@ class Visibility {
                              rows.end[lane], run.depths[lane]);
   }
 
-  static void set(LaneDoubles& to, const LaneDoubles& from, LaneSet lanes) {
+  static void setLanes(LaneDoubles& to, const LaneDoubles& from, LaneSet lanes) {
     if (lanes == kAllLanes)
       to = from;
     else
@@ -223,30 +232,35 @@ class Visibility {
                        const LaneRowRanges& rows) const {
     const auto [group, lanes] = to.add(id, run.strip, rows);
     if (!group) return;
-    LaneDoubles s;
-    LaneDoubles zRef;
-    if (isSidewall(scene_[id].kind)) {
-      mapSidewall(id, run, s, zRef);
-    } else {
-      for (std::size_t lane = 0; lane < s.size(); ++lane)
-        s[lane] = run.segment.sBefore + run.fractions[lane] * run.segment.length;
-      zRef.fill(0);
-    }
-    if (const auto& known = scene_.geometryOf(id).zRef) zRef.fill(*known);
-    set(group->depth, run.depths, lanes);
-    set(group->s, s, lanes);
-    set(group->fraction, run.fractions, lanes);
-    set(group->zRef, zRef, lanes);
+    setLanes(group->depth, run.depths, lanes);
+    setLanes(group->s, sOf(id, run), lanes);
+    setLanes(group->fraction, run.fractions, lanes);
+    setLanes(group->zRef, zRefOf(id, run), lanes);
   }
 
   /// A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
-  void mapSidewall(SurfaceId id, const ColumnRun& run, LaneDoubles& s, LaneDoubles& zRef) const {
+  LaneDoubles sOf(SurfaceId id, const ColumnRun& run) const {
+    const bool isFar = isSidewall(scene_[id].kind);
+    const Segment& wall = isFar ? scene_[twinOf(run.segment, id)] : run.segment;
+    const double before = isFar ? wall.sAfter : wall.sBefore;
+    LaneDoubles s;
+    for (std::size_t lane = 0; lane < s.size(); ++lane)
+      s[lane] = before + run.fractions[lane] * wall.length;
+    return s;
+  }
+
+  /// Where it is not known, that of a sky, which has none, or of a sidewall: its slope's edge.
+  LaneDoubles zRefOf(SurfaceId id, const ColumnRun& run) const {
+    const SurfaceKind kind = scene_[id].kind;
+    LaneDoubles zRef;
+    zRef.fill(scene_.geometryOf(id).zRef.value_or(0));
+    if (scene_.geometryOf(id).zRef || !isSidewall(kind)) return zRef;
     const Segment& far = scene_[twinOf(run.segment, id)];
-    for (std::size_t lane = 0; lane < s.size(); ++lane) {
-      s[lane] = far.sAfter + run.fractions[lane] * far.length;
+    for (std::size_t lane = 0; lane < zRef.size(); ++lane) {
       const AirColumn edge = scene_.airAt(far, 1 - run.fractions[lane]);
-      zRef[lane] = scene_[id].kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
+      zRef[lane] = kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
     }
+    return zRef;
   }
 
   SegmentId twinOf(const Segment& segment, SurfaceId sidewall) const {
@@ -286,6 +300,7 @@ class Visibility {
   }
 
   /// Divides a window on the plane among the stretches behind it, near to far, without gap.
+  /// One column at a time: its neighbours are divided differently.
   void lookThroughPlane(double z, bool down, Window window, std::span<const Stretch> stretches) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const auto& [sector, exit] = stretches[i];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "level/scene.h"
@@ -17,6 +18,9 @@ struct Viewport {
   SectorId sector;
   std::optional<SegmentId> entry;  ///< the sector's own side of that portal
   std::vector<Window> windows;     ///< by rising column
+
+  /// In the level: rising from opening to opening.
+  const Opening* place() const { return opening; }
 };
 
 /// The sectors of one side of a flat portal, seen through the windows that a flat portal leaves.
@@ -24,6 +28,8 @@ struct FlatPortalView {
   FlatPortalId flatPortal;
   bool down;
   std::vector<Window> windows;
+
+  std::pair<FlatPortalId, bool> place() const { return {flatPortal, down}; }
 };
 
 /// What a wall shows in some columns: a surface or an opening, in these rows.
@@ -42,14 +48,6 @@ struct VisibilityScratch {
   SpareWindows spareWindows;
   RayExitScratch rayExits;
   std::vector<WallPart> wallParts;  ///< of the present columns
-  std::vector<ColumnHit> closest;   ///< by window of the present viewport
-  std::vector<double> slants;       ///< of the rays of the columns, see Projection::slantOf
-
-  /// Of the present look through a flat portal: as they are found, with their windows, ...
-  std::vector<std::pair<std::size_t, Stretch>> stretches;
-  /// ... and by window: those of window i are [stretchesBegin[i], stretchesBegin[i + 1]).
-  std::vector<Stretch> stretchesByWindow;
-  std::vector<std::size_t> stretchesBegin;
 };
 
 }  // namespace hearth

@@ -8,7 +8,8 @@ namespace hearth {
 
 /// Rows [top, bottom) of one column that are still open.
 struct Window {
-  /// With it a list makes windows where they stay. A copy would wait until its parts are in memory.
+  /// With it a list makes windows where they stay. This avoids a store-forwarding stall: a copy is
+  /// a wide load right after narrow stores, and waits for them.
   Window(int atColumn, int begin, int end, double atDepth)
       : column(atColumn), top(begin), bottom(end), depth(atDepth) {}
 
@@ -18,8 +19,8 @@ struct Window {
   double depth;  ///< metres at which the column leaves the sector in front
 };
 
-/// Lists of windows that nothing uses at the moment. Each has room for a window in every column, so
-/// a viewport can get any of them.
+/// Lists of windows that nothing uses at the moment. Each has room for a window in every column
+/// that is searched, so a viewport can get any of them.
 class SpareWindows {
  public:
   std::vector<Window> take(int columns) {

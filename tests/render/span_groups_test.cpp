@@ -2,13 +2,21 @@
 
 #include "render/span_groups.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
+
+#include "load/load.h"
+#include "render/renderer.h"
+#include "render/visibility.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -103,6 +111,42 @@ TEST(GroupsInOrder, visitWhatWasAddedToAPixelLastFirst) {
         }
       });
     });
+  }
+}
+
+/// What a strip shows, group by group.
+using StripGroups = std::vector<std::tuple<SurfaceId, LaneSet, LaneRows, LaneRows>>;
+
+StripGroups groupsOf(const VisibleSpans& found, int strip) {
+  StripGroups groups;
+  found.forEachGroup(strip, [&](const SpanGroup& group) {
+    groups.emplace_back(group.surface, group.lanes, group.rows.begin, group.rows.end);
+  });
+  return groups;
+}
+
+/// So no pixel depends on how threads divide a picture: light is computed from the first row of a
+/// group on, and rounded on the way.
+TEST(VisibleGroups, ofAStripDoNotDependOnTheStripsBesideIt) {
+  for (const char* const name : {"keep", "tutorial"}) {
+    const LoadedLevel loaded =
+        loadLevel(test::inTree(fmt::format("levels/{}.json", name))).loaded.value();
+    VisibilityScratch whole;
+    VisibilityScratch alone;
+    for (const Shot& shot : loaded.level.shots) {
+      Camera camera = cameraOf(shot);
+      camera.width = 643;
+      camera.height = 400;
+      const Projection projection = projectionFor(loaded.scene(), camera);
+      findVisibleSpans(loaded.scene(), camera, projection, whole);
+      for (int strip = 0; strip < Strip::countIn(camera.width); ++strip) {
+        const ColumnRange columns{strip * Strip::kColumns,
+                                  std::min((strip + 1) * Strip::kColumns, camera.width)};
+        findVisibleSpans(loaded.scene(), camera, projection, columns, alone);
+        EXPECT_EQ(groupsOf(whole.found, strip), groupsOf(alone.found, strip))
+            << shot.name << ' ' << strip;
+      }
+    }
   }
 }
 
