@@ -40,6 +40,13 @@ HWY_INLINE Doubles perOf(const LaneImageAxis& along, std::size_t lane) {
   return hn::Mul(perOf(along.place, lane), all(along.texelsPerPlace));
 }
 
+/// A place before the image's edge is subtracted: there it is rounded. Lightmaps need no such care:
+/// their light changes little from one side of a rounded place to the other.
+HWY_INLINE Doubles fromZero(const LaneImageAxis& along, std::size_t lane, Doubles parameter) {
+  return hn::Mul(at(along.place, lane, parameter), all(along.texelsPerPlace));
+}
+HWY_INLINE Doubles fromZero(const LaneAffine&, std::size_t, Doubles) { return all(0); }
+
 /// The places, less `offset`, down the columns of what is upright. False if they are too large.
 template <typename Along>
 inline bool findDown(const PixelBlock& block, const Along& along, double offset, const Scale& scale,
@@ -51,8 +58,10 @@ inline bool findDown(const PixelBlock& block, const Along& along, double offset,
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kDouble)) {
     const Doubles start = hn::Sub(at(along, lane, all(first)), all(offset));
     const Doubles end = hn::Sub(at(along, lane, all(last)), all(offset));
-    const Doubles larger = hn::Max(hn::Abs(start), hn::Abs(end));
-    areSmall = areSmall && hn::AllTrue(kDouble, hn::Lt(larger, all(scale.largest)));
+    Doubles largest = hn::Max(hn::Abs(start), hn::Abs(end));
+    for (const double raySlope : {first, last})
+      largest = hn::Max(largest, hn::Abs(fromZero(along, lane, all(raySlope))));
+    areSmall = areSmall && hn::AllTrue(kDouble, hn::Lt(largest, all(scale.largest)));
     storeModulo(hn::Mul(start, all(scale.unitsPerOne)), &down.start[lane]);
     storeModulo(hn::Mul(perOf(along, lane), all(perRow * scale.unitsPerOne)), &down.step[lane]);
   }
@@ -77,30 +86,36 @@ struct RowAxis {
   double origin;
   double scale;
   double offset;
+  bool isOfImage;
 
-  explicit RowAxis(const LaneAffine& along, double from) : RowAxis(along, from, 1, 0) {}
+  explicit RowAxis(const LaneAffine& along, double from) : RowAxis(along, from, 1, 0, false) {}
   explicit RowAxis(const LaneImageAxis& along)
-      : RowAxis(along.place, along.origin[0], along.texelsPerPlace, along.offset) {}
+      : RowAxis(along.place, along.origin[0], along.texelsPerPlace, along.offset, true) {}
 
   HWY_INLINE Doubles at(Doubles depth) const {
     const Doubles place = hn::Add(all(atZero), hn::Mul(depth, all(per)));
     return hn::Sub(hn::Mul(hn::Sub(place, all(origin)), all(scale)), all(offset));
   }
-  /// The largest place in a row of this depth.
+  /// The largest place in a row of this depth; of images also before their edge is subtracted.
   double largestAt(double depth) const {
-    const double first = (atZero + depth * per - origin) * scale - offset;
-    const double step = depth * perColumn * scale;
-    return std::max(std::abs(first), std::abs(first + (kLanes - 1) * step));
+    const auto largerEnd = [&](double first) {
+      const double last = first + (kLanes - 1) * depth * perColumn * scale;
+      return std::max(std::abs(first), std::abs(last));
+    };
+    const double place = atZero + depth * per;
+    const double largest = largerEnd((place - origin) * scale - offset);
+    return isOfImage ? std::max(largest, largerEnd(place * scale)) : largest;
   }
 
  private:
-  RowAxis(const LaneAffine& along, double from, double times, double less)
+  RowAxis(const LaneAffine& along, double from, double times, double less, bool ofImage)
       : atZero(along.atZero[0]),
         per(along.per[0]),
         perColumn((along.per[kLanes - 1] - along.per[0]) / (kLanes - 1)),
         origin(from),
         scale(times),
-        offset(less) {}
+        offset(less),
+        isOfImage(ofImage) {}
 };
 
 /// The places across the rows of a level plane. False if they are too large, as at the horizon.

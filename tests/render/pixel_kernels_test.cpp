@@ -211,6 +211,38 @@ TEST(PixelKernels, findTheTexelsAcrossFlatsHoweverNearToTheNextTheyAre) {
   linear.expectSomeToBeTold();
 }
 
+/// Far from the origin the places themselves are rounded, before their image's edge is subtracted.
+TEST(PixelKernels, findTheTexelsOfImagesWhoseEdgeIsFarAway) {
+  LinearTexels linear;
+  std::vector<double> raySlopes;
+  for (int row = 0; row < PixelBlock::kRows + PixelBlock::kSpareRows; ++row)
+    raySlopes.push_back(-0.25 - row / 160.0);
+  constexpr int kTexelsPerMetre = 1024;
+  for (const bool isPlane : {false, true})
+    for (const double far : {0.0, 1e7})
+      for (int exponent = 15; exponent < 30; ++exponent)
+        for (int whole = -9; whole <= 9; ++whole) {
+          GroupMapping mapping = inAllColumns({.isPlane = isPlane, .height = -1, .depth = 1e9});
+          for (LaneImageAxis* const axis : {&mapping.u, &mapping.v}) {
+            axis->texelsPerPlace = kTexelsPerMetre;
+            axis->origin.fill(far);
+            axis->place.atZero.fill(far);
+          }
+          if (isPlane) mapping.v.offset = 0.37;
+          // The first column of a plane's first row, or the first row of a wall, shows the middle
+          // of a texel. To the next one it is slightly less than to the edge of a texel.
+          const double metres = (whole + 0.5 - std::ldexp(1, -exponent)) / kTexelsPerMetre;
+          for (std::size_t lane = 0; lane < PixelBlock::kLanes; ++lane)
+            if (isPlane)
+              mapping.u.place.per[lane] = -raySlopes[0] * static_cast<double>(lane) * metres;
+            else
+              mapping.v.place.per[lane] = -160 * metres;
+          (isPlane ? mapping.u : mapping.v).offset = isPlane ? -0.5 : -0.5 - 40 * (whole + 0.5);
+          linear.compare(mapping, raySlopes, 1 + (whole + 9) % 4, {64, 64});
+        }
+  linear.expectSomeToBeTold();
+}
+
 TEST(PixelKernels, findDepthsThatAreThoseOfEachRow) {
   const SpanMapping slope{.isPlane = true, .height = -1.5, .rise = 0.125, .depth = 20};
   std::vector<double> raySlopes;
