@@ -13,6 +13,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/heap.h"
 #include "cli/start_instead.h"
 #include "math/check.h"
 #include "settings/shell_text.h"
@@ -103,6 +104,7 @@ ExitStatus parseAndRun(std::string_view about, std::span<const Command> commands
 }  // namespace
 
 int runProgram(std::string_view about, std::span<const Command> commands, int argc, char** argv) {
+  useHugePages();
   ExitStatus status{};
   try {
     status = afterPrinting(parseAndRun(about, commands, argc, argv));
