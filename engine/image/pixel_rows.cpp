@@ -15,7 +15,7 @@ Image imageOf(const PixelRows& rows) {
   Image image(rows.width, rows.height);
   if (rows.width == 0) return image;
   for (int row = 0; row < rows.height; ++row)
-    std::transform(rows.at(0, row), rows.at(0, row) + rows.width, &image.at(0, row), unpacked);
+    std::transform(rows.at(0, row), rows.at(0, row) + rows.width, &image.at(0, row), fromXrgb);
   return image;
 }
 

@@ -13,34 +13,34 @@ namespace hearth {
 /// window's. A pixel has 32 bits: blue in the lowest, then green and red. The highest mean nothing.
 struct PixelRows {
   std::uint32_t* first;
-  std::size_t pixelsPerRow;  ///< from the beginning of a row to that of the next
+  std::size_t stride;  ///< pixels from the beginning of a row to that of the next
   int width;
   int height;
 
   std::uint32_t* at(int column, int row) const {
-    return first + static_cast<std::size_t>(row) * pixelsPerRow + column;
+    return first + static_cast<std::size_t>(row) * stride + column;
   }
 
   /// A rectangle of the picture, which lies in it.
   PixelRows part(int left, int top, int partWidth, int partHeight) const {
-    return {at(left, top), pixelsPerRow, partWidth, partHeight};
+    return {at(left, top), stride, partWidth, partHeight};
   }
 
   void fill(Rgb color) const;
 };
 
 /// The pixel of a colour.
-constexpr std::uint32_t packed(Rgb color) {
+constexpr std::uint32_t toXrgb(Rgb color) {
   return std::uint32_t{color.r} << 16 | std::uint32_t{color.g} << 8 | color.b;
 }
 
-constexpr Rgb unpacked(std::uint32_t pixel) {
+constexpr Rgb fromXrgb(std::uint32_t pixel) {
   return {static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
           static_cast<std::uint8_t>(pixel)};
 }
 
 inline void PixelRows::fill(Rgb color) const {
-  for (int row = 0; row < height; ++row) std::fill_n(at(0, row), width, packed(color));
+  for (int row = 0; row < height; ++row) std::fill_n(at(0, row), width, toXrgb(color));
 }
 
 /// Memory for one picture after the other.

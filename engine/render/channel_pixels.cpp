@@ -93,7 +93,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
   for (int row = span.rowBegin; row < span.rowEnd; ++row) {
     const double parameter = mapping.parameterAt(raySlopes[static_cast<std::size_t>(row)]);
     if (hasHoles && isHole(mapping, parameter, material.image())) continue;
-    Rgb pixel = unpacked(*strip.at(span.column, row));
+    Rgb pixel = fromXrgb(*strip.at(span.column, row));
     switch (channel) {
       case Channel::Sector:
         pixel = indexColor(material.surface.sector.index());
@@ -117,7 +117,7 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = pixel == kHole ? Rgb{0, 160, 0} : Rgb{255, 0, 0};
         break;
     }
-    *strip.at(span.column, row) = packed(pixel);
+    *strip.at(span.column, row) = toXrgb(pixel);
   }
 }
 

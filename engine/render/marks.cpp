@@ -76,7 +76,7 @@ void markLines(const ShownTexel& shown, const ShownTexel& left, const ShownTexel
                std::uint32_t& pixel) {
   const double strength =
       strengthOfLines(shown, onSurfaceOf(shown, left), onSurfaceOf(shown, above));
-  if (strength > 0) pixel = packed(mixed(unpacked(pixel), kTexelColor, strength));
+  if (strength > 0) pixel = toXrgb(mixed(fromXrgb(pixel), kTexelColor, strength));
 }
 
 // --- Coverage ------------------------------------------------------------------------------------
@@ -119,13 +119,13 @@ void mark(const Scene& scene, const ShownColumns<ShownSurface>& shown, Strip& st
                     const ShownSurface& above) {
              // Most pixels are in the midst of a surface.
              if (here.surface == left.surface && here.surface == above.surface) return;
-             if (const auto color = outlineColor(scene, here, left, above)) pixel = packed(*color);
+             if (const auto color = outlineColor(scene, here, left, above)) pixel = toXrgb(*color);
            });
 }
 
 void mark(const Scene&, const ShownColumns<ShownTimes>& shown, Strip& strip, int column) {
   markEach(shown, strip, column, [](std::uint32_t& pixel, ShownTimes here, ShownTimes, ShownTimes) {
-    pixel = packed(signalOf(here.times, unpacked(pixel)));
+    pixel = toXrgb(signalOf(here.times, fromXrgb(pixel)));
   });
 }
 

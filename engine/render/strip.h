@@ -27,7 +27,7 @@ class Strip {
   /// Begins a strip with all pixels in one colour.
   void begin(int index, int height, Rgb color) {
     begin(index, height);
-    std::ranges::fill(pixels_, packed(color));
+    std::ranges::fill(pixels_, toXrgb(color));
   }
 
   /// The eight pixels of a row. The next row follows. Columns beyond the picture have pixels, too.

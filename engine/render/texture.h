@@ -26,7 +26,7 @@ class Texture {
     texels_.reserve(image.pixels().size());
     for (int x = 0; x < width_; ++x)
       for (int y = 0; y < height_; ++y)
-        texels_.push_back(packed(image.at(x, y)) | (image.isHole(x, y) ? kHoleBit : 0));
+        texels_.push_back(toXrgb(image.at(x, y)) | (image.isHole(x, y) ? kHoleBit : 0));
   }
 
   int width() const { return width_; }

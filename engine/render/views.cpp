@@ -39,7 +39,7 @@ Rgb dimmed(Rgb color) {
 
 void drawLine(const PixelRows& picture, Vec2 a, Vec2 b, Rgb color) {
   forEachPixelOfLine(a, b, picture.width, picture.height,
-                     [&](int x, int y, double) { *picture.at(x, y) = packed(color); });
+                     [&](int x, int y, double) { *picture.at(x, y) = toXrgb(color); });
 }
 
 /// The eye, as a small cross.
@@ -389,9 +389,9 @@ void drawScreen(const Scene& scene, const Camera& camera, const Projection& proj
     plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
       std::uint32_t& pixel = *picture.at(x, y);
       if (shown.shows(x, y, segment.sector, depth))
-        pixel = packed(color);
-      else if (pixel == packed(kBackground))
-        pixel = packed(dimmed(color));
+        pixel = toXrgb(color);
+      else if (pixel == toXrgb(kBackground))
+        pixel = toXrgb(dimmed(color));
     });
   };
   forSegmentsInView(scene, camera, projection, shown, kNearPlaneOfScreen, draw);
@@ -416,7 +416,7 @@ void drawWireframe(const Scene& scene, const Camera& camera, const Projection& p
     const ViewedSegment seen = viewed(projection, segment, edge, kNearPlaneOfScreen);
     if (!seen.part) return;
     plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
-      *picture.at(x, y) = packed(faded(color, depth));
+      *picture.at(x, y) = toXrgb(faded(color, depth));
     });
   });
 }

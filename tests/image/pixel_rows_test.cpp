@@ -22,18 +22,18 @@ void number(const PixelRows& rows) {
   for (int y = 0; y < rows.height; ++y)
     for (int x = 0; x < rows.width; ++x)
       *rows.at(x, y) =
-          0xFF000000 | packed({static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 7});
+          0xFF000000 | toXrgb({static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 7});
 }
 
 TEST(Pixels, HaveBlueLowestThenGreenAndRed) {
-  EXPECT_EQ(packed({0x12, 0x34, 0x56}), 0x123456U);
-  EXPECT_EQ(unpacked(0x123456), (Rgb{0x12, 0x34, 0x56}));
+  EXPECT_EQ(toXrgb({0x12, 0x34, 0x56}), 0x123456U);
+  EXPECT_EQ(fromXrgb(0x123456), (Rgb{0x12, 0x34, 0x56}));
 }
 
 TEST(Pixels, MeanNothingByTheirHighestBits) {
-  EXPECT_EQ(unpacked(0xFF123456), (Rgb{0x12, 0x34, 0x56}));
-  EXPECT_EQ(unpacked(packed({255, 255, 255})), (Rgb{255, 255, 255}));
-  EXPECT_EQ(packed({255, 255, 255}) >> 24, 0U);
+  EXPECT_EQ(fromXrgb(0xFF123456), (Rgb{0x12, 0x34, 0x56}));
+  EXPECT_EQ(fromXrgb(toXrgb({255, 255, 255})), (Rgb{255, 255, 255}));
+  EXPECT_EQ(toXrgb({255, 255, 255}) >> 24, 0U);
 }
 
 TEST(PixelRows, HaveTheSamePixelsInAPart) {
@@ -50,10 +50,10 @@ TEST(PixelRows, AreFilledAndNothingBesideThem) {
   const PaddedRows memory(4, 3);
   memory.rows.part(1, 1, 2, 2).fill(kColor);
   for (std::size_t i = 0; i < memory.pixels.size(); ++i) {
-    const std::size_t x = i % memory.rows.pixelsPerRow;
-    const std::size_t y = i / memory.rows.pixelsPerRow;
+    const std::size_t x = i % memory.rows.stride;
+    const std::size_t y = i / memory.rows.stride;
     const bool isInside = (y == 1 || y == 2) && (x == 1 || x == 2);
-    EXPECT_EQ(memory.pixels[i], isInside ? packed(kColor) : kUntouched) << i;
+    EXPECT_EQ(memory.pixels[i], isInside ? toXrgb(kColor) : kUntouched) << i;
   }
 }
 

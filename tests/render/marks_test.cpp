@@ -218,7 +218,7 @@ TEST(MarkedCoverage, SignalsPixelsThatNobodyDrawsOrSomeTwice) {
   const Geometry geometry{};
   mark({level, geometry}, shown, strip, column);
   constexpr Rgb kDimmed = {70, 35, 14};
-  const auto colorIn = [&](int row) { return unpacked(*strip.at(column, row)); };
+  const auto colorIn = [&](int row) { return fromXrgb(*strip.at(column, row)); };
   EXPECT_EQ(colorIn(0), kDimmed);
   EXPECT_EQ(colorIn(1), kHole);
   EXPECT_EQ(colorIn(2), kDimmed);

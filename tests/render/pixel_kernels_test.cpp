@@ -38,7 +38,7 @@ Rgb pixelOf(PixelBlock& block, const Texture* image, const GroupLight& light) {
   const GroupTexels texels{image, false, false, false};
   if (image) fetchColors(block, texels);
   pixelKernels().shade(block, texels, light, row.data());
-  return unpacked(row[0]);
+  return fromXrgb(row[0]);
 }
 
 /// A pixel of this colour in light that is the same everywhere.
@@ -385,7 +385,7 @@ TEST(PixelKernels, mixTheLightOfEachPixelWhateverLightTheRowAboveHas) {
       for (std::size_t k = 0; k < block.count(); ++k) {
         const SpanMapping at = mapping.of(k % PixelBlock::kLanes);
         const double parameter = parameters[k / PixelBlock::kLanes];
-        const Rgb shown = unpacked(rows[k]);
+        const Rgb shown = fromXrgb(rows[k]);
         const auto light = [&](int channel) {
           return lightmap.sample(at.s.at(parameter), at.t.at(parameter),
                                  channels == 1 ? 0 : channel);
@@ -428,7 +428,7 @@ TEST(PixelKernels, writeNoPixelThatDoesNotShowTheSurface) {
       const std::size_t lane = k % PixelBlock::kLanes;
       const bool isShown = block.columns.rows.begin[lane] <= row &&
                            row < block.columns.rows.end[lane] && block.texels[0][k] == 0;
-      ASSERT_EQ(rows[k], isShown ? packed({1, 2, 3}) : kUntouched) << i << ' ' << k;
+      ASSERT_EQ(rows[k], isShown ? toXrgb({1, 2, 3}) : kUntouched) << i << ' ' << k;
     }
   }
 }

@@ -22,7 +22,7 @@ void expectTheSame(const Image& expected, const PaddedRows& memory) {
   int different = 0;
   for (int y = 0; y < expected.height(); ++y) {
     for (int x = 0; x < expected.width(); ++x)
-      if (unpacked(*memory.rows.at(x, y)) != expected.at(x, y)) ++different;
+      if (fromXrgb(*memory.rows.at(x, y)) != expected.at(x, y)) ++different;
     for (int x = expected.width(); x < expected.width() + PaddedRows::kPadding; ++x)
       if (*memory.rows.at(x, y) != kUntouched) ++different;
   }

@@ -17,7 +17,7 @@ class Canvas {
 
   int width() const { return rows_.width; }
   int height() const { return rows_.height; }
-  Rgb at(int x, int y) const { return unpacked(*rows_.at(x, y)); }
+  Rgb at(int x, int y) const { return fromXrgb(*rows_.at(x, y)); }
   Image image() const { return imageOf(rows_); }
 
  private:

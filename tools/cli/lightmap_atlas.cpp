@@ -63,7 +63,7 @@ void drawMap(const PixelRows& picture, int x, int y, const Entry& entry, int pix
       const int i = map.rect.i0 + column / pixelsPerTexel;
       const int j = map.rect.j0 + (flipsRows ? map.rect.height - 1 - fromTop : fromTop);
       *picture.at(x + column, y + row) =
-          packed({map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)});
+          toXrgb({map.at(i, j, 0), map.at(i, j, 1), map.at(i, j, 2)});
     }
 }
 

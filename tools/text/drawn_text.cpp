@@ -33,7 +33,7 @@ void fill(const PixelRows& picture, int left, int top, int right, int bottom, Rg
   right = std::min(picture.width, right);
   if (left >= right) return;
   for (int y = std::max(0, top); y < std::min(picture.height, bottom); ++y)
-    std::fill(picture.at(left, y), picture.at(right, y), packed(color));
+    std::fill(picture.at(left, y), picture.at(right, y), toXrgb(color));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ GlyphAtlas atlas() { return {8, 4, texels()}; }
 /// The highest byte of a pixel means nothing, so it may be any.
 void fill(const PixelRows& rows, const Image& picture) {
   for (int y = 0; y < rows.height; ++y)
-    for (int x = 0; x < rows.width; ++x) *rows.at(x, y) = 0xB5000000 | packed(picture.at(x, y));
+    for (int x = 0; x < rows.width; ++x) *rows.at(x, y) = 0xB5000000 | toXrgb(picture.at(x, y));
 }
 
 /// Lists as ImGui makes them.

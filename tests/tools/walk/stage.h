@@ -29,7 +29,7 @@ class Stage : public WindowHost {
     if (shown.width() != size.width || shown.height() != size.height)
       shown = Image(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) shown.at(x, y) = unpacked(*rows.at(x, y));
+      for (int x = 0; x < size.width; ++x) shown.at(x, y) = fromXrgb(*rows.at(x, y));
     ++frames;
   }
   void setTitle(const std::string& text) override { title = text; }

@@ -100,7 +100,7 @@ class AutomapDrawer {
   void drawDot(int left, int top, Rgb color) {
     for (int y = top; y < std::min(top + lineWidth_, picture_.height); ++y)
       for (int x = left; x < std::min(left + lineWidth_, picture_.width); ++x)
-        *picture_.at(x, y) = packed(color);
+        *picture_.at(x, y) = toXrgb(color);
   }
 
   static Rgb colorOf(WallKind kind) {

@@ -69,9 +69,9 @@ void drawMark(const PixelRows& picture, Vec2 pixel, const Mark& mark) {
       const bool isRim = fromMiddle > half - 2 * scale;
       std::uint32_t& shown = *picture.at(x, y);
       if (!mark.isHidden)
-        shown = packed(isRim ? mark.rim : mark.color);
+        shown = toXrgb(isRim ? mark.rim : mark.color);
       else if (isRim)
-        shown = packed(mixed(mark.rim, unpacked(shown)));
+        shown = toXrgb(mixed(mark.rim, fromXrgb(shown)));
     }
 }
 

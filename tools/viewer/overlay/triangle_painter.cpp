@@ -115,8 +115,8 @@ void blend(std::uint32_t& pixel, Rgba color, unsigned alpha) {
   const auto mixed = [alpha](unsigned below, unsigned above) {
     return static_cast<std::uint8_t>(per255(above * alpha + below * (255 - alpha)));
   };
-  const Rgb below = unpacked(pixel);
-  pixel = packed({mixed(below.r, color.r), mixed(below.g, color.g), mixed(below.b, color.b)});
+  const Rgb below = fromXrgb(pixel);
+  pixel = toXrgb({mixed(below.r, color.r), mixed(below.g, color.g), mixed(below.b, color.b)});
 }
 
 /// As `blend` does, two channels at once: a product of 16 bits has room for one of them, so red and
