@@ -136,8 +136,8 @@ TEST_F(LiveLights, KeepTheLastGoodLightWhereTheLoaderRefusesThem) {
 TEST_F(LiveLights, AreKeptWhenAnotherProgramChangesTheirFile) {
   beginEditing();
   setIntensity(40);
-  roundsForAWhile();
-  const Image edited = stage_.shown;
+  const Image edited = freshWith(lights().bytes());
+  ASSERT_TRUE(comesTo([&] { return stage_.shown == edited; }));
   const std::string others = R"([{"x": 2, "y": 3, "z": 2.5, "color": "#ff0000"}])";
   write(lightsFile(), others);
   roundsForAWhile();
