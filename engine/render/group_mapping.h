@@ -27,8 +27,8 @@ struct LaneImageAxis {
 };
 
 /// The mappings of a group's spans (see SpanMapping). Columns without a span have one, too: on
-/// planes their own, else that of another column. `u` and `v` are set only with an image, `s` and
-/// `t` only with light.
+/// planes their own, else that of another column. `u` and `v` are 0 without an image, `s` and `t`
+/// without light.
 struct GroupMapping {
   bool isPlane = false;
   bool isLevel = false;  ///< a plane that does not rise
