@@ -297,6 +297,22 @@ Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing
   return geometry;
 }
 
+void addSpriteSurfaces(Level& level, Geometry& geometry) {
+  for (Sprite& sprite : level.sprites) {
+    SurfaceKind kind = SurfaceKind::CameraSprite;
+    if (sprite.facing == Facing::Angle) kind = SurfaceKind::FixedSprite;
+    if (sprite.facing == Facing::Flat) kind = SurfaceKind::FlatSprite;
+    const SpriteView& first = sprite.frames.front().front();
+    sprite.surface = SurfaceId(level.surfaces.size());
+    TextureMapping mapping;
+    mapping.texture = first.texture;
+    level.surfaces.push_back({kind, sprite.sector, std::nullopt, mapping});
+    const double height = sprite.facing == Facing::Flat ? 0 : first.size.y;
+    const double zBottom = sprite.position.z + (height > 0 ? sprite.offset.y : 0);
+    geometry.surfaces.push_back({true, zBottom, zBottom + height, {}});
+  }
+}
+
 void moveFlats(const Level& level, SectorId id, SectorGeometry heights, Geometry& geometry) {
   const Sector& sector = level[id];
   CHECK(heights.zFloor <= heights.zCeiling, sector.name, heights.zFloor, heights.zCeiling);

@@ -112,6 +112,9 @@ struct MissingTexture {
 /// Expects a level that `linkSurfaces` has completed.
 Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing);
 
+/// Adds a surface for each of the level's sprites, to a level and geometry that have none yet.
+void addSpriteSurfaces(Level& level, Geometry& geometry);
+
 /// Moves the flats of one sector to `heights`, and derives the sector and the walls that lead into
 /// it anew. The time depends on these alone. Stacks move with their floor.
 ///

@@ -10,6 +10,7 @@
 #include "level/light_source.h"
 #include "level/sector.h"
 #include "level/segment.h"
+#include "level/sprite.h"
 #include "level/surface.h"
 #include "level/texel_holes.h"
 
@@ -48,15 +49,16 @@ struct Level {
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;
+  std::vector<Sprite> sprites;  ///< of two at one place the later hides the earlier
   std::vector<LightSource> lights;
   BakeSettings bake;
   std::optional<Player> player;
   std::vector<Shot> shots;
 
   // Set by `linkSurfaces`:
-  std::vector<Surface> surfaces;              ///< all that can show, at whatever heights
-  std::vector<WallSurfaces> wallSurfaces;     ///< of all segments
-  std::vector<SegmentId> entrances;           ///< of all sectors
+  std::vector<Surface> surfaces;           ///< all that can show, at whatever heights; sprites last
+  std::vector<WallSurfaces> wallSurfaces;  ///< of all segments
+  std::vector<SegmentId> entrances;        ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
   const Sector& operator[](SectorId id) const { return sectors[id.index()]; }
@@ -65,6 +67,11 @@ struct Level {
   Segment& operator[](SegmentId id) { return segments[id.index()]; }
   const Surface& operator[](SurfaceId id) const { return surfaces[id.index()]; }
   const FlatPortal& operator[](FlatPortalId id) const { return flatPortals[id.index()]; }
+
+  /// Of the surface of a sprite.
+  const Sprite& spriteOf(SurfaceId id) const {
+    return sprites[id.index() - sprites.front().surface.index()];
+  }
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {
     return {&segments[sector.firstSegment.index()], sector.segmentCount};

@@ -8,7 +8,8 @@ std::string_view name(SurfaceKind kind) {
       "stack solid",    "stack lower step", "stack upper step",
       "floor sidewall", "ceiling sidewall", "middle texture",
       "floor",          "ceiling",          "sloped floor",
-      "sloped ceiling", "sky ceiling",      "sky floor",
+      "sloped ceiling", "camera sprite",    "fixed sprite",
+      "flat sprite",    "sky ceiling",      "sky floor",
       "sky upper step", "sky lower step"};
   return kNames[static_cast<std::size_t>(kind)];
 }

@@ -11,8 +11,8 @@
 
 namespace hearth {
 
-/// All kinds of surface that can show. Reports use this order, and isSky() and isUpright() rely on
-/// it.
+/// All kinds of surface that can show. Reports use this order, and isSky(), isSprite() and
+/// isUpright() rely on it.
 enum class SurfaceKind : std::uint8_t {
   Solid,
   LowerStep,
@@ -27,6 +27,9 @@ enum class SurfaceKind : std::uint8_t {
   Ceiling,
   SlopeFloor,
   SlopeCeiling,
+  CameraSprite,
+  FixedSprite,
+  FlatSprite,
   SkyCeiling,
   SkyFloor,
   SkyUpperStep,
@@ -48,6 +51,14 @@ constexpr bool isLevelFlat(SurfaceKind kind) {
 constexpr bool isSlope(SurfaceKind kind) {
   return kind == SurfaceKind::SlopeFloor || kind == SurfaceKind::SlopeCeiling;
 }
+/// Whether it is a sprite: it stands or lies in the air of its sector, and bounds none.
+constexpr bool isSprite(SurfaceKind kind) {
+  return kind >= SurfaceKind::CameraSprite && kind <= SurfaceKind::FlatSprite;
+}
+/// Whether texels of its image may be holes, through which what is behind it shows.
+constexpr bool mayHaveHoles(SurfaceKind kind) {
+  return kind == SurfaceKind::MaskedMiddle || isSprite(kind);
+}
 /// Whether it stands upright on a segment.
 constexpr bool isUpright(SurfaceKind kind) {
   return kind <= SurfaceKind::MaskedMiddle || kind >= SurfaceKind::SkyUpperStep;
@@ -58,13 +69,14 @@ constexpr bool facesDown(SurfaceKind kind) {
          kind == SurfaceKind::SkyCeiling;
 }
 
-/// A part of a sector's boundary that can show. It is drawn with one texture and lit by one
-/// lightmap. `SurfaceGeometry` says whether it shows, and between which heights.
+/// A part of a sector's boundary that can show, or a sprite in its air. A part of the boundary is
+/// drawn with one texture and lit by one lightmap. `SurfaceGeometry` says whether it shows, and
+/// between which heights.
 struct Surface {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air it bounds, and whose `light` it takes
   std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces only
-  TextureMapping mapping;            ///< as authored
+  TextureMapping mapping;            ///< as authored; of a sprite its first image
 };
 
 }  // namespace hearth

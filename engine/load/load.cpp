@@ -110,10 +110,15 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   validateFlatPortals(linking);
   validateRings(linking);
   const bool isEmpty = linking.level.segments.empty();
-  if (!isEmpty) addSurfacesAndGeometry(linking);
+  if (!isEmpty) {
+    addSurfacesAndGeometry(linking);
+    linkSprites(linking);
+  }
   TextureFiles textures =
       readTextures(report_, table, linking.scene(), {from_, file_, description.textures}, limits_);
   if (isEmpty) return std::nullopt;
+  sizeSprites(linking.level, textures.images);
+  addSpriteSurfaces(linking.level, linking.geometry);
   validatePortals(linking);
   linkPositions(linking, lights);
   if (report_.hasErrors()) return std::nullopt;

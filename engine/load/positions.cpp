@@ -121,6 +121,23 @@ tl::expected<SectorId, Locator::Failure> Locator::locate(Vec3 p, std::optional<S
   return choose(p, found);
 }
 
+tl::expected<SectorId, Locator::Failure> Locator::locateOnFloor(
+    Vec2 p, std::optional<SectorId> sector) const {
+  const auto onFloor = [&](SectorId id) { return Vec3{p.x, p.y, scene_.airBottom(scene_[id], p)}; };
+  if (sector) return locate(onFloor(*sector), sector, PositionOf::Camera);
+  std::vector<SectorId> found;
+  sectors_.query(grown({p, p}, kPositionSlack), [&](std::uint32_t i) {
+    if (liesInOutline(scene_.level(), scene_.level().sectors[i], p)) found.emplace_back(i);
+  });
+  std::sort(found.begin(), found.end());
+  if (found.empty()) return tl::unexpected(outside({p.x, p.y, 0}, std::nullopt));
+  const Vec3 first = onFloor(found.front());
+  for (const SectorId other : found)
+    if (std::abs(onFloor(other).z - first.z) > kPositionSlack)
+      return tl::unexpected(severalAt(first, found));
+  return choose(first, found);
+}
+
 /// Where all of several sectors are open to each other at `p`, directly or through others of them,
 /// any of them gives the same picture.
 tl::expected<SectorId, Locator::Failure> Locator::choose(Vec3 p,
@@ -132,12 +149,15 @@ tl::expected<SectorId, Locator::Failure> Locator::choose(Vec3 p,
                                         opensTo(scene_, scene_[other], reached[i], p)))
         reached.push_back(other);
   if (reached.size() == found.size()) return found.front();
+  return tl::unexpected(severalAt(p, found));
+}
+
+Locator::Failure Locator::severalAt(Vec3 p, const std::vector<SectorId>& found) const {
   std::vector<std::string> names;
   for (const SectorId id : found) names.push_back(fmt::format("\"{}\"", scene_[id].name));
   if (names.size() > 8) names.resize(8);
-  return tl::unexpected(
-      Failure{fmt::format("{} lies in several sectors: {}", text(p), fmt::join(names, ", ")),
-              "say in which with \"sector\""});
+  return {fmt::format("{} lies in several sectors: {}", text(p), fmt::join(names, ", ")),
+          "say in which with \"sector\""};
 }
 
 Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const {

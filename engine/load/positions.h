@@ -29,11 +29,15 @@ class Locator {
 
   tl::expected<SectorId, Failure> locate(Vec3 p, std::optional<SectorId> sector,
                                          PositionOf what) const;
+  /// The sector on whose floor, or slope, a point of the map lies. Where several contain it, they
+  /// must be open to each other there, at one height.
+  tl::expected<SectorId, Failure> locateOnFloor(Vec2 p, std::optional<SectorId> sector) const;
 
  private:
   tl::expected<SectorId, Failure> choose(Vec3 p, const std::vector<SectorId>& found) const;
   std::vector<SectorId> sectorsAt(Vec3 p) const;
   std::vector<SectorId> skySectorsAt(Vec3 p) const;
+  Failure severalAt(Vec3 p, const std::vector<SectorId>& found) const;
   Failure outside(Vec3 p, std::optional<SectorId> sector) const;
 
   Scene scene_;

@@ -143,6 +143,9 @@ ImageRead readFrom(const FileSource& files, const fs::path& path, bool isWorn,
 std::vector<bool> wornIn(const Scene& scene, std::size_t textures) {
   std::vector<bool> worn(textures);
   for (const SurfaceId id : scene.shownSurfaces()) worn[scene[id].mapping.texture.index()] = true;
+  for (const Sprite& sprite : scene.level().sprites)
+    for (const std::vector<SpriteView>& views : sprite.frames)
+      for (const SpriteView& view : views) worn[view.texture.index()] = true;
   return worn;
 }
 
@@ -249,6 +252,17 @@ TextureFiles readTextures(Report& report, const TextureTable& table, const Scene
     }
   }
   return textures;
+}
+
+void sizeSprites(Level& level, const std::vector<Image>& images) {
+  constexpr double kTexelsPerMetre = 64;
+  for (Sprite& sprite : level.sprites)
+    for (std::vector<SpriteView>& views : sprite.frames)
+      for (SpriteView& view : views) {
+        const Image& image = images[view.texture.index()];
+        if (view.size == Vec2{})
+          view.size = {image.width() / kTexelsPerMetre, image.height() / kTexelsPerMetre};
+      }
 }
 
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images) {

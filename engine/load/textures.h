@@ -21,6 +21,7 @@ namespace hearth {
 /// Gives every distinct texture name an id, in the order of linking.
 class TextureTable {
  public:
+  TextureId idOf(const NameReference& name);
   TextureMapping link(const TextureDescription& texture);
   /// For a texture that could not be read. A level with it must not be used.
   TextureMapping standIn();
@@ -29,8 +30,6 @@ class TextureTable {
   const std::vector<NameReference>& names() const { return names_; }
 
  private:
-  TextureId idOf(const NameReference& name);
-
   std::vector<NameReference> names_;
   std::map<std::string, TextureId> ids_;
 };
@@ -53,6 +52,9 @@ struct TexturePlace {
 /// first used.
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
                           const TexturePlace& place, const LoadLimits& limits);
+
+/// Gives views of sprites that have no size of their own that of their image.
+void sizeSprites(Level& level, const std::vector<Image>& images);
 
 /// By TextureId: the holes of images of masked middle textures; none for the others.
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images);

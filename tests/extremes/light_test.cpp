@@ -104,7 +104,7 @@ TEST(LightPlace, inAPlaneOrAMicrometreBehindItDoesNotLightItWhateverItIs) {
       kinds.insert(surface.kind);
     }
   }
-  EXPECT_EQ(kinds.size(), kSurfaceKindCount - 4) << "all but those of skies";
+  EXPECT_EQ(kinds.size(), kSurfaceKindCount - 7) << "all but those of skies and sprites";
 }
 
 /// Four rooms round the origin, open to each other.

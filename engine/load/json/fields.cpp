@@ -191,6 +191,14 @@ bool Fields::read(std::string_view key, NumberRange range, std::optional<double>
   return isGood;
 }
 
+bool Fields::read(std::string_view key, NumberRange range, Vec2& target) const {
+  const std::optional<JsonValue> value = find(key);
+  if (!value) return true;
+  const auto pair = readNumbers(report_, *value, 2, range);
+  if (pair) target = {(*pair)[0], (*pair)[1]};
+  return pair.has_value();
+}
+
 bool Fields::read(std::string_view key, bool& target) const {
   const std::optional<JsonValue> value = find(key);
   if (!value) return true;

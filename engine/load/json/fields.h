@@ -9,6 +9,7 @@
 #include "image/image.h"
 #include "load/json/document.h"
 #include "load/json/report.h"
+#include "math/vec.h"
 
 namespace hearth {
 
@@ -65,6 +66,8 @@ class Fields {
   bool read(std::string_view key, NumberRange range, double& target) const;
   bool read(std::string_view key, NumberRange range, std::optional<double>& target) const;
   bool read(std::string_view key, bool& target) const;
+  /// Both numbers in the range.
+  bool read(std::string_view key, NumberRange range, Vec2& target) const;
 
  private:
   Report& report_;

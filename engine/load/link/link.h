@@ -92,6 +92,8 @@ void reportMissingTextures(Linking& linking, std::span<const MissingTexture> mis
 /// Sectors of player, shots and lights. After `deriveGeometry`. A position is skipped if a
 /// mistake has been reported about a sector that may contain it.
 void linkPositions(Linking& linking, const LightsDescription& lights);
+/// The sprites, their images and their sectors. After `deriveGeometry`.
+void linkSprites(Linking& linking);
 /// Only the lights, and the settings of the bake.
 void linkLights(Linking& linking, const LightsDescription& lights);
 /// Whether neither level nor lights mention light: then all is fully bright.

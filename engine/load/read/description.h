@@ -8,6 +8,7 @@
 
 #include "level/bake_settings.h"
 #include "level/light_source.h"
+#include "level/sprite.h"
 #include "load/json/document.h"
 #include "math/vec.h"
 
@@ -134,6 +135,17 @@ struct ShotDescription {
   int height = 200;
 };
 
+struct SpriteDescription {
+  Place place;
+  Place zPlace;  ///< of `z`, else of the sprite
+  std::optional<NameReference> sector;
+  Vec2 position;
+  std::optional<double> z;                         ///< absolute; else it stands on what is below it
+  std::optional<Vec2> size;                        ///< metres; else 64 texels a metre
+  std::vector<std::vector<NameReference>> frames;  ///< images, from each side
+  Sprite sprite;                                   ///< all else
+};
+
 struct LightDescription {
   Place place;
   std::optional<NameReference> sector;
@@ -148,6 +160,7 @@ struct LevelDescription {
   std::optional<double> light;
   std::optional<PlayerDescription> player;
   std::vector<ShotDescription> shots;
+  std::vector<SpriteDescription> sprites;
   std::vector<SectorDescription> sectors;
 };
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "load/json/document.h"
+#include "load/json/fields.h"
 #include "load/json/report.h"
 #include "load/limits.h"
 #include "load/read/description.h"
@@ -28,6 +29,10 @@ struct VertexBudget {
 };
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
                              VertexBudget& budget);
+void readThings(Report& report, JsonValue value, LevelDescription& level);
 std::optional<NameReference> readReference(Report& report, JsonValue value);
+/// Reads `sector`, if it is given. False after a mistake.
+bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target);
+inline constexpr NumberRange kAngle{-1e6, 1e6};  ///< degrees
 
 }  // namespace hearth

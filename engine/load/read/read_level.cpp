@@ -10,23 +10,15 @@ namespace hearth {
 
 namespace {
 
-constexpr NumberRange kAngle{-1e6, 1e6};  // degrees
 constexpr NumberRange kPitch{-60, 60};
 constexpr NumberRange kFov{1, 179};
 constexpr NumberRange kPixels{1, 16384};  // of a picture's side
 
-constexpr std::array<std::string_view, 8> kLevelKeys{"version", "name",   "textures", "lights",
-                                                     "light",   "player", "shots",    "sectors"};
+constexpr std::array<std::string_view, 9> kLevelKeys{
+    "version", "name", "textures", "lights", "light", "player", "shots", "things", "sectors"};
 constexpr std::array<std::string_view, 9> kPlayerKeys{"sector", "x",   "y",      "z",   "angle",
                                                       "height", "eye", "radius", "step"};
 constexpr std::array<std::string_view, 5> kShotKeys{"name", "camera", "fov", "size", "sector"};
-
-bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target) {
-  const std::optional<JsonValue> value = fields.find("sector");
-  if (!value) return true;
-  target = readReference(report, *value);
-  return target.has_value();
-}
 
 void checkBody(Report& report, JsonValue value, const PlayerDescription& player) {
   if (player.eyeHeight > player.height)
@@ -149,6 +141,7 @@ LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& lim
   fields.read("light", {0, 1}, level.light);
   if (const auto player = fields.find("player")) level.player = readPlayer(report, *player);
   if (const auto shots = fields.find("shots")) readShots(report, *shots, level);
+  if (const auto things = fields.find("things")) readThings(report, *things, level);
   if (const auto sectors = fields.require("sectors", "give at least one sector"))
     readSectors(report, *sectors, limits, level);
   return level;

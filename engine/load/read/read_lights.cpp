@@ -73,10 +73,7 @@ std::optional<LightDescription> readLight(Report& report, JsonValue value) {
   isGood &= fields.read("x", kCoordinate, source.position.x);
   isGood &= fields.read("y", kCoordinate, source.position.y);
   isGood &= fields.read("z", kCoordinate, source.position.z);
-  if (const auto sector = fields.find("sector")) {
-    light.sector = readReference(report, *sector);
-    isGood &= light.sector.has_value();
-  }
+  isGood &= readSectorName(report, fields, light.sector);
   fields.read("intensity", kLevels, source.intensity);
   fields.read("falloff", kLevels, source.falloff);
   fields.read("radius", kLength, source.radius);

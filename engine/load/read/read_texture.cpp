@@ -61,15 +61,6 @@ std::optional<TextureDescription> readShortTexture(Report& report, JsonValue val
   return texture;
 }
 
-bool readPair(Report& report, const Fields& fields, std::string_view key, NumberRange range,
-              Vec2& target) {
-  const std::optional<JsonValue> value = fields.find(key);
-  if (!value) return true;
-  const auto pair = readNumbers(report, *value, 2, range);
-  if (pair) target = {(*pair)[0], (*pair)[1]};
-  return pair.has_value();
-}
-
 void refuseWallKeys(Report& report, const Fields& fields) {
   for (const std::string_view key : {"along", "zref"})
     if (const std::optional<JsonValue> value = fields.find(key))
@@ -87,8 +78,8 @@ std::optional<TextureDescription> readTexture(Report& report, JsonValue value, T
   }
   const Fields fields(report, value, kTextureKeys);
   TextureDescription texture;
-  bool isGood = readPair(report, fields, "scale", kScale, texture.scale);
-  isGood &= readPair(report, fields, "offset", kOffset, texture.offset);
+  bool isGood = fields.read("scale", kScale, texture.scale);
+  isGood &= fields.read("offset", kOffset, texture.offset);
   isGood &= fields.read("along", kCoordinate, texture.along);
   isGood &= fields.read("zref", kCoordinate, texture.zRef);
   if (use == TextureUse::OnFlat) refuseWallKeys(report, fields);

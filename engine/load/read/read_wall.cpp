@@ -119,6 +119,13 @@ std::optional<NameReference> readReference(Report& report, JsonValue value) {
   return NameReference{*std::move(name), value.place()};
 }
 
+bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target) {
+  const std::optional<JsonValue> value = fields.find("sector");
+  if (!value) return true;
+  target = readReference(report, *value);
+  return target.has_value();
+}
+
 WallDescription readWall(Report& report, JsonValue value) {
   const Fields fields(report, value, kWallKeys, kOfTextures);
   WallDescription wall{value.place(), {}};

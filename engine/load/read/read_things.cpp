@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "load/json/fields.h"
+#include "load/read/read.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr NumberRange kSize{1e-6, kWorldLimit};  // metres
+constexpr NumberRange kFramesPerSecond{1e-6, 1000};
+
+constexpr std::array<std::string_view, 15> kSpriteKeys{
+    "name",  "sprite", "frames", "fps",    "x",      "y",      "z",     "sector",
+    "angle", "size",   "offset", "facing", "bright", "radius", "height"};
+
+/// The images of one frame: a name, or one for each side from which it can be seen.
+std::vector<NameReference> readViews(Report& report, JsonValue value) {
+  if (!value.isString() && !value.isArray()) {
+    reportWrongType(report, value, "an image's name, or a list of them");
+    return {};
+  }
+  std::vector<NameReference> views;
+  const std::vector<JsonValue> names =
+      value.isArray() ? value.elements() : std::vector<JsonValue>{value};
+  bool isGood = true;
+  for (const JsonValue name : names) {
+    const std::optional<NameReference> view = readReference(report, name);
+    isGood &= view.has_value();
+    if (view) views.push_back(*view);
+  }
+  if (names.empty()) report.error(value.place(), "no image", "name at least one");
+  return isGood ? views : std::vector<NameReference>{};
+}
+
+void readFrames(Report& report, JsonValue value, const Fields& fields, SpriteDescription& sprite) {
+  if (!value.isArray()) return reportWrongType(report, value, "a list of frames");
+  for (const JsonValue frame : value.elements()) sprite.frames.push_back(readViews(report, frame));
+  if (sprite.frames.empty()) report.error(value.place(), "no frame", "give at least one");
+  if (fields.require("fps", "say how many frames a second show"))
+    fields.read("fps", kFramesPerSecond, sprite.sprite.framesPerSecond);
+}
+
+/// Reads `sprite` or, in its place, `frames` and `fps`. False after a mistake.
+bool readImages(Report& report, const Fields& fields, SpriteDescription& sprite) {
+  const std::optional<JsonValue> frames = fields.find("frames");
+  if (frames) {
+    if (const std::optional<JsonValue> still = fields.find("sprite"))
+      report.error(still->place(), "\"sprite\" beside \"frames\"", "give one of them");
+    readFrames(report, *frames, fields, sprite);
+  } else {
+    if (const std::optional<JsonValue> rate = fields.find("fps"))
+      report.error(rate->place(), "\"fps\" without \"frames\"",
+                   "give the images as \"frames\", or remove it");
+    const std::optional<JsonValue> still = fields.require("sprite", "name its image");
+    if (!still) return false;
+    sprite.frames.push_back(readViews(report, *still));
+  }
+  for (const std::vector<NameReference>& views : sprite.frames)
+    if (views.empty()) return false;
+  return !sprite.frames.empty();
+}
+
+void readFacing(Report& report, JsonValue value, Facing& facing) {
+  constexpr std::array<std::string_view, 3> kNames{"camera", "angle", "flat"};  // by Facing
+  for (std::size_t i = 0; i < kNames.size(); ++i)
+    if (value.isString() && value.text() == kNames[i]) facing = static_cast<Facing>(i);
+  if (value.isString() && value.text() == kNames[static_cast<std::size_t>(facing)]) return;
+  if (!value.isString()) return reportWrongType(report, value, "the name of a facing");
+  report.error(value.place(), fmt::format("\"{}\" is no way to face", value.text()),
+               "write \"camera\", \"angle\" or \"flat\"");
+}
+
+void readBody(Report& report, const Fields& fields, Sprite& sprite) {
+  const std::optional<JsonValue> radius = fields.find("radius");
+  const std::optional<JsonValue> height = fields.find("height");
+  if (radius && height) {
+    SpriteBody body{};
+    fields.read("radius", kSize, body.radius);
+    fields.read("height", kSize, body.height);
+    sprite.body = body;
+  } else if (radius || height) {
+    report.error((radius ? radius : height)->place(), "half of a body",
+                 "give \"radius\" and \"height\", or neither");
+  }
+}
+
+void readSprite(Report& report, JsonValue value, LevelDescription& level) {
+  const Fields fields(report, value, kSpriteKeys);
+  SpriteDescription sprite;
+  sprite.place = value.place();
+  bool isGood = fields.isObject() && readSectorName(report, fields, sprite.sector);
+  for (const std::string_view key : {"x", "y"})
+    isGood &= fields.require(key, "give the sprite's position").has_value();
+  isGood &= fields.read("x", kCoordinate, sprite.position.x);
+  isGood &= fields.read("y", kCoordinate, sprite.position.y);
+  isGood &= fields.read("z", kCoordinate, sprite.z);
+  isGood &= fields.isObject() && readImages(report, fields, sprite);
+  if (const auto name = fields.find("name"))
+    sprite.sprite.name = readName(report, *name).value_or("");
+  fields.read("angle", kAngle, sprite.sprite.angle);
+  if (const auto size = fields.find("size")) {
+    Vec2 metres;
+    if (fields.read("size", kSize, metres)) sprite.size = metres;
+  }
+  fields.read("offset", kCoordinate, sprite.sprite.offset);
+  if (const auto facing = fields.find("facing")) readFacing(report, *facing, sprite.sprite.facing);
+  fields.read("bright", sprite.sprite.isBright);
+  readBody(report, fields, sprite.sprite);
+  if (isGood) level.sprites.push_back(std::move(sprite));
+}
+
+}  // namespace
+
+void readThings(Report& report, JsonValue value, LevelDescription& level) {
+  if (!value.isArray()) return reportWrongType(report, value, "an array of things");
+  for (const JsonValue thing : value.elements()) readSprite(report, thing, level);
+}
+
+}  // namespace hearth
