@@ -135,8 +135,11 @@ TEST(TruthAgainstEmbree, AMillionRaysEndAtTheSamePlaces) {
   EXPECT_EQ(counts.rays, 1'000'000);
   EXPECT_EQ(counts.disagreements, counts.nearEdges);
   EXPECT_LT(counts.disagreements, 100);
-  for (std::size_t kind = 0; kind < kSurfaceKindCount; ++kind)
-    EXPECT_GT(counts.hits[kind], 50) << name(static_cast<SurfaceKind>(kind));
+  for (std::size_t i = 0; i < kSurfaceKindCount; ++i) {
+    const auto kind = static_cast<SurfaceKind>(i);
+    if (isSprite(kind)) continue;  // the scenes have none
+    EXPECT_GT(counts.hits[i], 50) << name(kind);
+  }
 }
 
 TEST(TruthAgainstEmbree, RaysAimedAtEdgesDifferOnlyThere) {
