@@ -152,10 +152,12 @@ std::variant<TruthHit, Stage> throughFlat(const Level& level, const Ray& ray, Se
   return Stage{sectorAcross(level, ray, level[*flat.flatPortal], to, place), t, place};
 }
 
+std::optional<TruthHit> emptyAir(const AirStretch&) { return std::nullopt; }
+
 /// The surface that the ray meets first, or the sector in which it is at `tEnd`: with kNever, the
 /// sky sector through which light leaves the level.
 std::variant<TruthHit, SectorId> follow(const Level& level, SectorId sector, const Ray& ray,
-                                        double tEnd) {
+                                        double tEnd, const MeetInAir& meetInAir = emptyAir) {
   Stage stage{sector, 0, {}};
   for (int step = 0; step < kMaxSteps; ++step) {
     const std::optional<SegmentId> exit = findExit(level, ray, stage);
@@ -166,6 +168,7 @@ std::variant<TruthHit, SectorId> follow(const Level& level, SectorId sector, con
     if (tFirst >= tEnd) return stage.sector;
 
     const double t = std::max(tFirst, stage.t);  // what was behind us by rounding is here
+    if (const auto met = meetInAir({stage.sector, stage.t, t})) return *met;
     const auto next = tFirst == tWall ? throughWall(level, ray, *exit, t)
                                       : throughFlat(level, ray, stage.sector, tFirst == tFloor, t);
     if (const TruthHit* hit = std::get_if<TruthHit>(&next)) return *hit;
@@ -182,6 +185,12 @@ std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, 
   if (const TruthHit* hit = std::get_if<TruthHit>(&end)) return *hit;
   CHECK(kind == RayKind::Light, level[std::get<SectorId>(end)].name);
   return std::nullopt;
+}
+
+TruthHit traceLook(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
+                   const MeetInAir& meetInAir) {
+  const Ray ray = makeRay(origin, direction, RayKind::Look);
+  return std::get<TruthHit>(follow(level, sector, ray, kNever, meetInAir));
 }
 
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
@@ -201,7 +210,7 @@ std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origi
 }
 
 bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b) {
-  return a.kind == b.kind && a.sector == b.sector && a.segment == b.segment;
+  return a.kind == b.kind && a.sector == b.sector && a.segment == b.segment && a.sprite == b.sprite;
 }
 
 }  // namespace hearth

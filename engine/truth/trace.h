@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "level/level.h"
@@ -14,6 +15,7 @@ struct SurfacePoint {
   std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
   Vec3 point;                        ///< metres
   Vec3 normal;                       ///< unit, into the air
+  std::optional<SurfaceId> sprite = std::nullopt;  ///< which one, if it is a sprite
 };
 
 /// Where a ray ends.
@@ -42,6 +44,20 @@ enum class RayKind {
 /// be compared with it.
 std::optional<TruthHit> trace(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                               RayKind kind);
+
+/// The part of a ray that is in the air of one sector, from where it enters to where it leaves.
+struct AirStretch {
+  SectorId sector;
+  double tEnter;  ///< ray parameters, as in TruthHit
+  double tLeave;
+};
+
+/// What is met in a stretch of air; none if it is empty.
+using MeetInAir = std::function<std::optional<TruthHit>(const AirStretch&)>;
+
+/// As `trace` for a look, but asks at each stretch of air, from the origin on, what is met in it.
+TruthHit traceLook(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
+                   const MeetInAir& meetInAir);
 
 /// The first surface that light from `origin`, as above, meets on its way to a point. A masked
 /// middle texture is met at that point even if it has a hole there.

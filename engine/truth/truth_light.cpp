@@ -50,7 +50,13 @@ TruthSource::TruthSource(const Level& level, const LightSource& light, int ballP
 
 double TruthSource::seenFraction(const SurfacePoint& place) const {
   const auto seen =
-      std::ranges::count_if(origins_, [&](const Origin& origin) { return sees(origin, place); });
+      std::ranges::count_if(origins_, [&](const AirPoint& origin) { return sees(origin, place); });
+  return static_cast<double>(seen) / count_;
+}
+
+double TruthSource::seenFraction(const AirPoint& place) const {
+  const auto seen =
+      std::ranges::count_if(origins_, [&](const AirPoint& origin) { return sees(origin, place); });
   return static_cast<double>(seen) / count_;
 }
 
@@ -62,15 +68,19 @@ double TruthSource::unshaded(const LightSource& light, const SurfacePoint& place
   return light.brightnessAt(distance) * cosine;
 }
 
-bool TruthSource::sees(const Origin& origin, const SurfacePoint& place) const {
+bool TruthSource::sees(const AirPoint& origin, const SurfacePoint& place) const {
   if (dot(place.normal, origin.point - place.point) <= kInPlane) return false;
   // A straight line meets a plane once: where it meets this surface, it meets it at this point.
   const std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
   return met && isSameSurface(*met, place);
 }
 
+bool TruthSource::sees(const AirPoint& origin, const AirPoint& place) const {
+  return sectorAt(level_, origin.sector, origin.point, place.point) == place.sector;
+}
+
 std::optional<TruthHit> TruthSource::firstMet(const SurfacePoint& place) const {
-  const auto metFrom = [&](const Origin& origin) -> std::optional<TruthHit> {
+  const auto metFrom = [&](const AirPoint& origin) -> std::optional<TruthHit> {
     std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
     return met && isSameSurface(*met, place) ? std::nullopt : met;
   };
@@ -83,7 +93,8 @@ TruthLight::TruthLight(const Level& level, int ballPoints) : level_(level) {
   for (const LightSource& light : level.lights) sources_.emplace_back(level, light, ballPoints);
 }
 
-Vec3 TruthLight::at(const SurfacePoint& place) const {
+template <typename Place>
+Vec3 TruthLight::sumAt(const Place& place) const {
   Vec3 sum;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const LightSource& light = level_.lights[i];
@@ -93,8 +104,18 @@ Vec3 TruthLight::at(const SurfacePoint& place) const {
   return sum;
 }
 
+Vec3 TruthLight::at(const SurfacePoint& place) const { return sumAt(place); }
+
+Vec3 TruthLight::at(const AirPoint& place) const { return sumAt(place); }
+
 double TruthLight::from(std::size_t light, const SurfacePoint& place) const {
   return unshaded(light, place) * seenFraction(light, place);
+}
+
+double TruthLight::from(std::size_t light, const AirPoint& place) const {
+  const LightSource& source = level_.lights[light];
+  return source.brightnessAt(length(source.position - place.point)) *
+         sources_[light].seenFraction(place);
 }
 
 double TruthLight::seenFraction(std::size_t light, const SurfacePoint& place) const {

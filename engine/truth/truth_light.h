@@ -6,7 +6,13 @@
 
 namespace hearth {
 
-/// One light, as points of surfaces see it.
+/// A point in the air of a sector, or for lights also beyond its sky.
+struct AirPoint {
+  Vec3 point;
+  SectorId sector;
+};
+
+/// One light, as points of surfaces and of the air see it.
 class TruthSource {
  public:
   /// Keeps a reference to the level. A ball of light is so many points.
@@ -14,6 +20,7 @@ class TruthSource {
 
   /// The fraction of the light that sees the point, 0..1.
   double seenFraction(const SurfacePoint& place) const;
+  double seenFraction(const AirPoint& place) const;
 
   /// The levels (255 is full) that the light would add if it were white and nothing stood between,
   /// at a point that need not lie on a surface; 0 in the plane of the light. Multiplied by the
@@ -25,24 +32,19 @@ class TruthSource {
   std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
 
  private:
-  /// A point from which it shines.
-  struct Origin {
-    Vec3 point;
-    SectorId sector;
-  };
-
-  bool sees(const Origin& origin, const SurfacePoint& place) const;
+  bool sees(const AirPoint& origin, const SurfacePoint& place) const;
+  bool sees(const AirPoint& origin, const AirPoint& place) const;
 
   const Level& level_;
-  Origin center_;
-  /// Many points of a ball, all alike; one of a point light. The points of a ball that its centre
-  /// does not see shine nowhere.
-  std::vector<Origin> origins_;
+  AirPoint center_;
+  /// From which it shines: many points of a ball, all alike; one of a point light. The points of a
+  /// ball that its centre does not see shine nowhere.
+  std::vector<AirPoint> origins_;
   int count_ = 1;  ///< with those that shine nowhere
 };
 
-/// The light at points of surfaces as the file format defines it, not as any bake samples it: the
-/// reference for bakes.
+/// The light at points of surfaces and of the air as the file format defines it, not as any bake
+/// samples it: the reference for bakes.
 class TruthLight {
  public:
   /// Of a ball. The fraction of it that lies before a plane is right within 0.4 % then.
@@ -54,10 +56,13 @@ class TruthLight {
   /// Levels (255 is full) of red, green and blue, neither clamped nor rounded: the sum over the
   /// lights that see the point.
   Vec3 at(const SurfacePoint& place) const;
+  /// The same of a point in the air of its sector, off its walls and flats: without a cosine.
+  Vec3 at(const AirPoint& place) const;
 
   /// The levels that the light of that index would add if it were white; 0 if it does not see the
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
+  double from(std::size_t light, const AirPoint& place) const;
 
   /// The fraction of the light that sees the point, 0..1.
   double seenFraction(std::size_t light, const SurfacePoint& place) const;
@@ -67,6 +72,9 @@ class TruthLight {
   double unshaded(std::size_t light, const SurfacePoint& place) const;
 
  private:
+  template <typename Place>
+  Vec3 sumAt(const Place& place) const;
+
   const Level& level_;
   std::vector<TruthSource> sources_;  ///< by index of light
 };

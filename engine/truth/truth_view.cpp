@@ -14,6 +14,14 @@ namespace {
 
 std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::floor(value + 0.5)); }
 
+Vec3 vectorOf(Rgb color) { return {1.0 * color.r, 1.0 * color.g, 1.0 * color.b}; }
+
+/// The fractions that show of red, green and blue under that light, in levels.
+Vec3 fractionsOf(Vec3 levels, double sectorLight) {
+  const auto fraction = [&](double level) { return std::min(1.0, level / 255 + sectorLight); };
+  return {fraction(levels.x), fraction(levels.y), fraction(levels.z)};
+}
+
 }  // namespace
 
 Vec2 texelOf(const TruthHit& hit, int width, int height) {
@@ -25,7 +33,11 @@ Vec2 texelOf(const TruthHit& hit, int width, int height) {
 
 TruthView::TruthView(const Level& level, const std::vector<Image>& textures, const Shot& camera,
                      int ballPoints)
-    : level_(level), textures_(textures), camera_(camera), light_(level, ballPoints) {
+    : level_(level),
+      textures_(textures),
+      camera_(camera),
+      light_(level, ballPoints),
+      sprites_(level, textures, camera) {
   camera_.eye = nudgedInside(level, level[camera.sector], camera.eye);
 }
 
@@ -40,10 +52,12 @@ Vec3 TruthView::directionTo(double i, double j) const {
 }
 
 TruthHit TruthView::hit(double i, double j) const {
-  const std::optional<TruthHit> found =
-      trace(level_, camera_.sector, camera_.eye, directionTo(i, j), RayKind::Look);
-  CHECK(found && found->texture, i, j);
-  return *found;
+  const Vec3 direction = directionTo(i, j);
+  const TruthHit found = traceLook(
+      level_, camera_.sector, camera_.eye, direction,
+      [&](const AirStretch& air) { return sprites_.nearest(camera_.eye, direction, air); });
+  CHECK(found.texture, i, j);
+  return found;
 }
 
 Vec2 TruthView::texelAt(const TruthHit& hit) const {
@@ -53,20 +67,30 @@ Vec2 TruthView::texelAt(const TruthHit& hit) const {
 
 Vec3 TruthView::textureColor(const TruthHit& hit) const {
   const Image& image = textures_[hit.texture->texture.index()];
+  if (hit.sprite) {
+    const SpriteTexel texel = spriteTexelOf(hit, image);
+    return vectorOf(image.at(texel.x, texel.y));
+  }
   const Vec2 texel = texelAt(hit);
   const int row = isSky(hit.kind)
                       ? static_cast<int>(std::clamp(std::floor(texel.y), 0.0, image.height() - 1.0))
                       : wrapped(texel.y, image.height());
-  const Rgb color = image.at(wrapped(texel.x, image.width()), row);
-  return {static_cast<double>(color.r), static_cast<double>(color.g), static_cast<double>(color.b)};
+  return vectorOf(image.at(wrapped(texel.x, image.width()), row));
 }
 
 /// The fractions of a texture's red, green and blue that show.
 Vec3 TruthView::lightOn(const TruthHit& hit) const {
-  const Vec3 baked = light_.at(hit);
-  const double sector = level_[hit.sector].light;
-  const auto fraction = [&](double level) { return std::min(1.0, level / 255 + sector); };
-  return {fraction(baked.x), fraction(baked.y), fraction(baked.z)};
+  if (hit.sprite) return lightOnSprite(level_.spriteOf(*hit.sprite));
+  return fractionsOf(light_.at(hit), level_[hit.sector].light);
+}
+
+/// Its light is one of 8 bits, like a lightmap's texel.
+Vec3 TruthView::lightOnSprite(const Sprite& sprite) const {
+  if (sprite.isBright) return {1, 1, 1};
+  const Vec3 levels = light_.at(litPointOf(level_, sprite));
+  const auto stored = [](double level) { return std::floor(std::clamp(level, 0.0, 255.0) + 0.5); };
+  return fractionsOf({stored(levels.x), stored(levels.y), stored(levels.z)},
+                     level_[sprite.sector].light);
 }
 
 TruthPixel TruthView::pixel(double i, double j, TruthLightMode mode) const {

@@ -5,6 +5,7 @@
 #include "image/image.h"
 #include "truth/trace.h"
 #include "truth/truth_light.h"
+#include "truth/truth_sprites.h"
 
 namespace hearth {
 
@@ -17,7 +18,8 @@ enum class TruthLightMode {
 struct TruthPixel {
   Rgb color;   ///< rounded half up
   Vec3 exact;  ///< red, green, blue before rounding, 0..255
-  Vec3 light;  ///< the factors of red, green and blue, 0..1; 1 for sky, and without light
+  Vec3 light;  ///< the factors of red, green and blue, 0..1; 1 for sky, what is bright, and
+               ///< without light
   TruthHit hit;
 };
 
@@ -25,7 +27,8 @@ struct TruthPixel {
 /// y).
 Vec2 texelOf(const TruthHit& hit, int width, int height);
 
-/// A level seen by one camera, pixel by pixel, with exact light: the reference for pictures.
+/// A level and its sprites seen by one camera, pixel by pixel, with exact light: the reference for
+/// pictures.
 ///
 /// Pixel positions (i, j) are real numbers, in pixels from the picture's upper left corner: the
 /// centre of the first pixel is (0.5, 0.5).
@@ -53,11 +56,13 @@ class TruthView {
   Vec3 directionTo(double i, double j) const;
   Vec3 textureColor(const TruthHit& hit) const;
   Vec3 lightOn(const TruthHit& hit) const;
+  Vec3 lightOnSprite(const Sprite& sprite) const;
 
   const Level& level_;
   const std::vector<Image>& textures_;
   Shot camera_;  ///< its eye clear of walls and flats
   TruthLight light_;
+  TruthSprites sprites_;
 };
 
 }  // namespace hearth

@@ -99,6 +99,17 @@ LightSource& TestLevel::addLight(SectorId sector, Vec3 position, double intensit
   return level_.lights.back();
 }
 
+Sprite& TestLevel::addSprite(SectorId sector, Vec3 position, Facing facing, Vec2 sizeMetres,
+                             TextureMapping image) {
+  Sprite sprite;
+  sprite.position = position;
+  sprite.sector = sector;
+  sprite.facing = facing;
+  sprite.frames = {{{image.texture, sizeMetres}}};
+  level_.sprites.push_back(sprite);
+  return level_.sprites.back();
+}
+
 const Level& TestLevel::finished() {
   for (Sector& sector : level_.sectors)
     for (Flat* flat : {&sector.floor, &sector.ceiling})
@@ -107,6 +118,7 @@ const Level& TestLevel::finished() {
   std::vector<MissingTexture> missing;
   geometry_ = deriveGeometry(level_, missing);
   CHECK(missing.empty(), "test levels have no faults");
+  addSpriteSurfaces(level_, geometry_);
   return level_;
 }
 

@@ -44,8 +44,12 @@ class TestLevel {
   SegmentId wallId(SectorId sector, std::size_t index) const;
   LightSource& addLight(SectorId sector, Vec3 position, double intensity = 255, double falloff = 0);
 
-  /// Derives what is derived. Sectors are in order of their first loop: add all loops of one sector
-  /// before the next one's.
+  /// One image, whatever the side from which it is seen.
+  Sprite& addSprite(SectorId sector, Vec3 position, Facing facing, Vec2 sizeMetres,
+                    TextureMapping image);
+
+  /// Derives what is derived. Once only for a level with sprites. Sectors are in order of their
+  /// first loop: add all loops of one sector before the next one's.
   const Level& finished();
   const Level& level() const { return level_; }
   /// Once finished.

@@ -1,0 +1,265 @@
+#include "truth/sprite_sectors.h"
+
+#include <gtest/gtest.h>
+
+#include "test_level.h"
+#include "truth/truth_view.h"
+
+namespace hearth {
+namespace {
+
+/// An upright rectangle above a line of the map.
+Corners upright(Vec2 a, Vec2 b, double zBottom, double zTop) {
+  return {{{a.x, a.y, zBottom}, {b.x, b.y, zBottom}, {b.x, b.y, zTop}, {a.x, a.y, zTop}}};
+}
+
+Corners lying(Vec2 min, Vec2 max, double z) {
+  return {{{min.x, min.y, z}, {max.x, min.y, z}, {max.x, max.y, z}, {min.x, max.y, z}}};
+}
+
+/// The names of the sectors that it is in, in the order of the level.
+std::string namesOf(const Level& level, SectorId sector, const Corners& corners) {
+  const std::vector<bool> isIn = sectorsCrossedBy(level, sector, corners);
+  std::string names;
+  for (std::size_t i = 0; i < isIn.size(); ++i)
+    if (isIn[i]) names += level.sectors[i].name;
+  return names;
+}
+
+/// Rooms of 4 x 4 m along x, "a", "b" and so on, open to one another.
+struct Row {
+  TestLevel test;
+  std::vector<SectorId> rooms;
+
+  explicit Row(const std::vector<TestLevel::Heights>& heights) {
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const double x = 4 * static_cast<double>(i);
+      rooms.push_back(
+          test.addBox(std::string(1, static_cast<char>('a' + i)), {x, 0}, {x + 4, 4}, heights[i]));
+      if (i > 0) test.link(rooms[i - 1], rooms[i]);
+    }
+  }
+  std::string names(const Corners& corners, std::size_t from = 0) {
+    return namesOf(test.finished(), rooms[from], corners);
+  }
+};
+
+TEST(SpriteSectors, AreItsOwnAndThoseBehindOpeningsThatItCrosses) {
+  EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({1, 2}, {3, 2}, 0, 1)), "a");
+  EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({3, 2}, {5, 2}, 0, 1)), "ab");
+  EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({3, 2}, {9, 3}, 0, 1)), "abc");
+  EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({3, 2}, {9, 3}, 0, 1), 2), "abc");
+}
+
+TEST(SpriteSectors, CrossingIncludesTouching) {
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(upright({4, 1}, {4, 2}, 0, 1)), "ab") << "in its plane";
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(upright({3, 1}, {4, 2}, 0, 1)), "ab");
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(upright({3, 1}, {3.9999, 2}, 0, 1)), "a");
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(lying({3, 1}, {5, 2}, 0)), "ab") << "a rug on both floors";
+  EXPECT_EQ(Row({{0, 4}, {-1, 4}}).names(lying({3, 1}, {5, 2}, 0)), "ab") << "over the edge";
+}
+
+TEST(SpriteSectors, AreNotThoseBehindStepsAndSolidWalls) {
+  EXPECT_EQ(Row({{0, 4}, {1, 4}}).names(upright({3, 2}, {5, 2}, 0, 0.9)), "a");
+  EXPECT_EQ(Row({{0, 4}, {1, 4}}).names(upright({3, 2}, {5, 2}, 0, 1.1)), "ab");
+  EXPECT_EQ(Row({{0, 4}, {0, 2}}).names(upright({3, 2}, {5, 2}, 2.1, 3)), "a");
+  EXPECT_EQ(Row({{0, 4}, {2, 2}}).names(upright({3, 2}, {5, 2}, 0, 4)), "a") << "a closed door";
+  Row walled({{0, 4}, {0, 4}});
+  walled.test.wall(walled.rooms[0], 1).wall = Solid{walled.test.texture()};
+  EXPECT_EQ(walled.names(upright({3, 2}, {5, 2}, 0, 1)), "a");
+  EXPECT_EQ(namesOf(walled.test.level(), walled.rooms[1], upright({3, 2}, {5, 2}, 0, 1)), "ab")
+      << "one-way";
+}
+
+TEST(SpriteSectors, KnowTheHeightsOfSubWalls) {
+  const auto names = [](double zBottom, double zTop) {
+    Row row({{0, 4}, {0, 4}});
+    Segment& wall = row.test.wall(row.rooms[0], 1);
+    const Portal portal = std::get<Portal>(wall.wall);
+    Stack stack;
+    stack.subWalls = {{1, Solid{*portal.lower}}, {2, portal}, {4, Solid{*portal.upper}}};
+    wall.wall = stack;
+    return row.names(upright({3, 2}, {5, 2}, zBottom, zTop));
+  };
+  EXPECT_EQ(names(0, 0.9), "a");
+  EXPECT_EQ(names(0, 1.1), "ab");
+  EXPECT_EQ(names(2.1, 3), "a");
+  EXPECT_EQ(names(1.4, 1.6), "ab");
+}
+
+TEST(SpriteSectors, KnowWhatSlopesLeaveOfAnOpening) {
+  const auto names = [](double y, double zTop) {
+    Row row({{0, 4}, {0, 4}});
+    Slope slope;  // 1 m high at y = 0, and 3 m at y = 4
+    slope.zAt0 = 1;
+    slope.gradient = {0, 0.5};
+    slope.sidewall = row.test.texture();
+    row.test.sector(row.rooms[1]).floorSlope = slope;
+    return row.names(upright({3, y}, {5, y}, 0, zTop));
+  };
+  EXPECT_EQ(names(1, 1.4), "a");
+  EXPECT_EQ(names(1, 1.6), "ab");
+  EXPECT_EQ(names(3, 1.6), "a");
+  EXPECT_EQ(names(3, 2.6), "ab");
+}
+
+/// Two rooms below, walled off from each other: "a" at x from 0 to 4, and "b" from 4 to 8; above
+/// them "c" from 0 to 3, and "d" from 3 to 8.
+struct Storeys {
+  TestLevel test;
+  std::vector<SectorId> lower{test.addBox("a", {0, 0}, {4, 4}, {0, 3}),
+                              test.addBox("b", {4, 0}, {8, 4}, {0, 3})};
+  std::vector<SectorId> upper{test.addBox("c", {0, 0}, {3, 4}, {3, 6}),
+                              test.addBox("d", {3, 0}, {8, 4}, {3, 6})};
+
+  Storeys() { test.connect(upper, lower); }
+  std::string names(SectorId from, const Corners& corners) {
+    return namesOf(test.finished(), from, corners);
+  }
+};
+
+TEST(SpriteSectors, AreThoseOfTheOtherSideOfAFlatPortalWhereItCrosses) {
+  EXPECT_EQ(Storeys().names(SectorId(0), upright({1, 2}, {2, 2}, 1, 2.9)), "a");
+  EXPECT_EQ(Storeys().names(SectorId(0), upright({1, 2}, {2, 2}, 1, 3.1)), "ac");
+  EXPECT_EQ(Storeys().names(SectorId(0), upright({2, 2}, {3.5, 2}, 1, 3.1)), "acd");
+  EXPECT_EQ(Storeys().names(SectorId(2), upright({1, 2}, {2, 2}, 2.9, 4)), "ac");
+  EXPECT_EQ(Storeys().names(SectorId(1), upright({5, 2}, {6, 2}, 1, 3)), "bd") << "touches it";
+  EXPECT_EQ(Storeys().names(SectorId(0), lying({1, 1}, {2, 2}, 3)), "ac") << "lies in it";
+  EXPECT_EQ(Storeys().names(SectorId(0), lying({2, 1}, {3, 2}, 3)), "acd") << "and touches d";
+  EXPECT_EQ(Storeys().names(SectorId(0), lying({-1, -1}, {9, 5}, 3)), "abcd") << "over all, by d";
+  EXPECT_EQ(Storeys().names(SectorId(0), lying({1, 1}, {2, 2}, 2.9)), "a");
+}
+
+TEST(SpriteSectors, AreNotThoseThatAFlatPortalHasBehindAWall) {
+  TestLevel test;
+  const SectorId a = test.addBox("a", {0, 0}, {4, 4}, {0, 3});
+  const SectorId b = test.addBox("b", {4, 0}, {8, 4}, {0, 3});
+  const SectorId c = test.addBox("c", {0, 0}, {4, 4}, {3, 6});
+  const SectorId d = test.addBox("d", {4, 0}, {8, 4}, {3, 6});
+  test.connect({c, d}, {a, b});
+  EXPECT_EQ(namesOf(test.finished(), a, upright({3, 2}, {5, 2}, 2, 4)), "ac");
+  EXPECT_EQ(namesOf(test.level(), a, upright({3, 2}, {4, 2}, 2, 4)), "ac") << "up to the wall";
+}
+
+// ---- seen there
+
+Shot cameraAt(SectorId sector, Vec3 eye) {
+  Shot camera;
+  camera.sector = sector;
+  camera.eye = eye;
+  camera.width = 8;
+  camera.height = 4;
+  return camera;
+}
+
+/// Whether the camera at the eye, which looks along `angle`, sees a sprite straight ahead.
+bool seesSprite(const TestLevel& test, SectorId sector, Vec3 eye, double angle) {
+  Shot camera = cameraAt(sector, eye);
+  camera.angle = angle;
+  return isSprite(TruthView(test.level(), test.textures(), camera).hit(4, 2).kind);
+}
+
+/// Two rooms along x, in the first a sprite that reaches 1 m into where the second is, across y.
+struct Straddled : Row {
+  Straddled() : Row({{0, 4}, {0, 4}}) {
+    Sprite& sprite = test.addSprite(rooms[0], {4, 2, 0}, Facing::Angle, {2, 2}, test.texture(4, 4));
+    sprite.angle = 90;
+  }
+};
+
+TEST(TruthSprites, ShowOnBothSidesOfAnOpeningThatTheyStraddle) {
+  Straddled scene;
+  scene.test.finished();
+  for (const double x : {3.5, 4.5}) {
+    EXPECT_TRUE(seesSprite(scene.test, scene.rooms[x > 4], {x, 0.5, 1}, 90));
+    EXPECT_TRUE(seesSprite(scene.test, scene.rooms[x > 4], {x, 3.5, 1}, 270));
+  }
+}
+
+TEST(TruthSprites, DoNotShowBehindASolidWallThatTheyPokeThrough) {
+  Straddled scene;
+  scene.test.wall(scene.rooms[0], 1).wall = Solid{scene.test.texture()};
+  scene.test.wall(scene.rooms[1], 3).wall = Solid{scene.test.texture()};
+  scene.test.finished();
+  EXPECT_TRUE(seesSprite(scene.test, scene.rooms[0], {3.5, 0.5, 1}, 90));
+  EXPECT_FALSE(seesSprite(scene.test, scene.rooms[1], {4.5, 0.5, 1}, 90));
+}
+
+TEST(TruthSprites, ThatStandInAnOpeningShowFromBothSides) {
+  Row row({{0, 4}, {0, 4}});
+  row.test.addSprite(row.rooms[1], {4, 2, 0}, Facing::Angle, {2, 2}, row.test.texture(4, 4));
+  row.test.finished();
+  EXPECT_TRUE(seesSprite(row.test, row.rooms[0], {2, 2, 1}, 0));
+  EXPECT_TRUE(seesSprite(row.test, row.rooms[1], {6, 2, 1}, 180));
+}
+
+TEST(TruthSprites, AreHiddenByStepsBeforeThemAndSeenThroughTheOpening) {
+  Row row({{0, 4}, {1, 4}});
+  row.test.addSprite(row.rooms[1], {6, 2, 1}, Facing::Camera, {2, 2}, row.test.texture(4, 4));
+  const Level& level = row.test.finished();
+  // Over the edge of the step, 3 m ahead and half a metre up, one sees what is above 1 1/3 m at 5
+  // m.
+  const TruthView view(level, row.test.textures(), cameraAt(row.rooms[0], {1, 2, 0.5}));
+  EXPECT_EQ(view.hit(4, 2 - 4 * 0.8 / 5).kind, SurfaceKind::LowerStep);
+  EXPECT_EQ(view.hit(4, 2 - 4 * 0.86 / 5).kind, SurfaceKind::CameraSprite);
+}
+
+TEST(TruthSprites, AreSeenThroughStacksAndFlatPortals) {
+  Row row({{0, 4}, {0, 4}});
+  Segment& wall = row.test.wall(row.rooms[0], 1);
+  const Portal portal = std::get<Portal>(wall.wall);
+  Stack stack;
+  stack.subWalls = {{1, Solid{*portal.lower}}, {2, portal}, {4, Solid{*portal.upper}}};
+  wall.wall = stack;
+  row.test.addSprite(row.rooms[1], {6, 2, 0}, Facing::Camera, {2, 4}, row.test.texture(4, 4));
+  row.test.finished();
+  EXPECT_TRUE(seesSprite(row.test, row.rooms[0], {2, 2, 1.5}, 0));
+  EXPECT_FALSE(seesSprite(row.test, row.rooms[0], {2, 2, 0.5}, 0));
+  EXPECT_FALSE(seesSprite(row.test, row.rooms[0], {2, 2, 2.5}, 0));
+
+  Storeys storeys;
+  storeys.test.addSprite(storeys.upper[1], {7, 2, 3}, Facing::Camera, {2, 3},
+                         storeys.test.texture(4, 4));
+  const TruthView view(storeys.test.finished(), storeys.test.textures(),
+                       cameraAt(storeys.lower[1], {4.5, 2, 2.5}));
+  const TruthHit hit = view.hit(4, 2 - 4 * 1 / 2.5);  // 3.5 m up, 2.5 m ahead
+  EXPECT_EQ(hit.kind, SurfaceKind::CameraSprite);
+  EXPECT_EQ(hit.sector, storeys.upper[1]);
+  EXPECT_EQ(view.hit(4, 2 - 4 * 0.4 / 2.5).kind, SurfaceKind::Solid);
+}
+
+TEST(TruthSprites, InAnotherSectorAtThePlaceDoNotShow) {
+  TestLevel test;
+  const SectorId here = test.addBox("here", {0, 0}, {8, 4}, {0, 4});
+  const SectorId there = test.addBox("there", {0, 0}, {8, 4}, {0, 4});
+  test.addSprite(there, {5, 2, 0}, Facing::Camera, {2, 2}, test.texture(4, 4));
+  test.finished();
+  EXPECT_FALSE(seesSprite(test, here, {1, 2, 1}, 0));
+  EXPECT_TRUE(seesSprite(test, there, {1, 2, 1}, 0));
+}
+
+TEST(TruthSprites, TakeTheLightOfTheirOwnSector) {
+  Straddled scene;
+  scene.test.sector(scene.rooms[0]).light = 0.2;
+  scene.test.sector(scene.rooms[1]).light = 0.6;
+  scene.test.finished();
+  Shot camera = cameraAt(scene.rooms[1], {4.5, 0.5, 1});
+  camera.angle = 90;
+  const TruthView view(scene.test.level(), scene.test.textures(), camera);
+  EXPECT_EQ(view.hit(4, 2).sector, scene.rooms[0]);
+  EXPECT_NEAR(view.pixel(4, 2, TruthLightMode::Only).exact.x, 51, 1e-9);
+}
+
+TEST(TruthSprites, OnAnOpeningTakeTheLightOfBothItsSides) {
+  Straddled scene;
+  scene.test.addLight(scene.rooms[0], {2, 2, 1}, 50);
+  scene.test.addLight(scene.rooms[1], {6, 2, 1}, 20);
+  scene.test.finished();
+  Shot camera = cameraAt(scene.rooms[1], {4.5, 0.5, 1});
+  camera.angle = 90;
+  const TruthView view(scene.test.level(), scene.test.textures(), camera);
+  EXPECT_NEAR(view.pixel(4, 2, TruthLightMode::Only).exact.x, 70, 1e-9);
+}
+
+}  // namespace
+}  // namespace hearth
