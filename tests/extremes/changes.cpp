@@ -110,7 +110,7 @@ void changePlace(Json& place, const char* x, const char* y, const char* z,
   const Vec2 p = change.point({place[x].get<double>(), place[y].get<double>()});
   place[x] = p.x;
   place[y] = p.y;
-  place[z] = change.height(place[z].get<double>());
+  if (place.contains(z)) place[z] = change.height(place[z].get<double>());
 }
 
 void changeCamera(Json& camera, const LengthChange& change) {
@@ -161,10 +161,17 @@ void changeSector(Json& sector, const LengthChange& change) {
   });
 }
 
-/// Calls `visit(place)` for what has x, y, z: the player and the lights.
+template <typename Visit>
+void forEachThing(Json& level, Visit&& visit) {
+  if (!level.contains("things")) return;
+  for (Json& thing : level["things"]) visit(thing);
+}
+
+/// Calls `visit(place)` for what has x, y and mostly z: the player, things and lights.
 template <typename Visit>
 void forEachPlace(Documents& files, Visit&& visit) {
   if (files.level.contains("player")) visit(files.level["player"]);
+  forEachThing(files.level, visit);
   for (Json& light : files.lights["lights"]) visit(light);
 }
 
@@ -208,6 +215,20 @@ void scaleLight(Json& light, double factor) {
   if (light.contains("radius")) light["radius"] = light["radius"].get<double>() * factor;
   if (light.contains("curve"))
     for (Json& point : light["curve"]) point[0] = point[0].get<double>() * factor;
+}
+
+/// Except those sizes that come from images.
+void scaleThing(Json& thing, double factor) {
+  for (const char* key : {"size", "offset"})
+    if (thing.contains(key))
+      for (Json& length : thing[key]) length = length.get<double>() * factor;
+  for (const char* key : {"radius", "height"})
+    if (thing.contains(key)) thing[key] = thing[key].get<double>() * factor;
+}
+
+void turnThings(Json& level, double degrees) {
+  forEachThing(level,
+               [degrees](Json& thing) { thing["angle"] = thing.value("angle", 0.0) + degrees; });
 }
 
 void turnCameras(Json& level, double degrees) {
@@ -375,6 +396,7 @@ LevelFiles scaled(const LevelFiles& original, double factor) {
         files,
         {.point = [factor](Vec2 p) { return factor * p; }, .height = times, .length = times});
     scaleTextures(files.level, factor);
+    forEachThing(files.level, [factor](Json& thing) { scaleThing(thing, factor); });
     for (Json& light : files.lights["lights"]) scaleLight(light, factor);
     Json& texel = files.lights["bake"]["texel"];
     texel = texel.get<double>() * factor;
@@ -391,6 +413,7 @@ LevelFiles turned(const LevelFiles& original, double degrees) {
                               },
                           .height = same,
                           .length = same});
+    turnThings(files.level, degrees);
     turnCameras(files.level, degrees);
   });
 }
@@ -471,6 +494,10 @@ LevelFiles withPlainColors(const LevelFiles& original) {
     Palette palette;
     forEachTexture(files.level, [&](Json& texture) { texture = palette.next(); });
   });
+}
+
+LevelFiles withoutThings(const LevelFiles& original) {
+  return changed(original, [](Documents& files) { files.level.erase("things"); });
 }
 
 LevelFiles withUnseenSector(const LevelFiles& original) {

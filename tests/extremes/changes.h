@@ -51,6 +51,9 @@ LevelFiles withPlainSidewalls(const LevelFiles& files);
 /// Every texture a colour of its own.
 LevelFiles withPlainColors(const LevelFiles& files);
 
+/// Without things: their images have sizes of their own, and have no mirror.
+LevelFiles withoutThings(const LevelFiles& files);
+
 /// With a sealed sector far away from everything, that has all that costs something where it is
 /// used: a slope, stacks, coloured balls of light with curves.
 LevelFiles withUnseenSector(const LevelFiles& files);

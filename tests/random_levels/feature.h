@@ -89,10 +89,27 @@ enum class Feature {
   ViewInLineWithWall,
   ViewAlongAxis,
   ViewUpOrDown,
+  CameraSprite,
+  FixedSprite,
+  FlatSprite,
+  SpriteOfSeveralViews,
+  SpriteWithoutSize,
+  SpriteWithOffset,
+  BrightSprite,
+  SpriteWithoutHeight,
+  SpriteWithoutSector,
+  SpriteBeforeEye,
+  SpriteAcrossPortal,
+  SpriteInWall,
+  SpriteOnWall,
+  SpriteOnFloors,
+  SpriteAcrossFlatPortal,
+  SpriteBehindMiddle,
+  SpritesAtOnePlace,
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 81> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 98> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -174,6 +191,23 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 81> kFeatures{
     {Feature::ViewInLineWithWall, "view in line with a wall"},
     {Feature::ViewAlongAxis, "view along an axis or diagonal"},
     {Feature::ViewUpOrDown, "view up or down"},
+    {Feature::CameraSprite, "sprite that faces the camera"},
+    {Feature::FixedSprite, "sprite that faces an angle"},
+    {Feature::FlatSprite, "sprite that lies"},
+    {Feature::SpriteOfSeveralViews, "sprite of several views"},
+    {Feature::SpriteWithoutSize, "sprite without a size"},
+    {Feature::SpriteWithOffset, "sprite with an offset"},
+    {Feature::BrightSprite, "bright sprite"},
+    {Feature::SpriteWithoutHeight, "sprite without its height"},
+    {Feature::SpriteWithoutSector, "sprite without its sector"},
+    {Feature::SpriteBeforeEye, "sprite before a view's eye"},
+    {Feature::SpriteAcrossPortal, "sprite at a portal"},
+    {Feature::SpriteInWall, "sprite that reaches into a wall"},
+    {Feature::SpriteOnWall, "sprite in a wall's plane"},
+    {Feature::SpriteOnFloors, "sprite on a floor at a portal"},
+    {Feature::SpriteAcrossFlatPortal, "sprite at an interface"},
+    {Feature::SpriteBehindMiddle, "sprite behind a middle texture"},
+    {Feature::SpritesAtOnePlace, "sprites at one place"},
 }};
 
 }  // namespace hearth

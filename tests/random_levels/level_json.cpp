@@ -174,10 +174,26 @@ Json shotJson(const RandomView& view) {
   return json;
 }
 
+Json spriteJson(const Model& model, const RandomSprite& sprite) {
+  const Vec3 p = sprite.place.position;
+  Json json{{"x", number(p.x)}, {"y", number(p.y)}};
+  if (sprite.saysHeight) json["z"] = number(p.z);
+  if (sprite.namesSector) json["sector"] = model.sectors[sprite.place.sector].name;
+  json["sprite"] = sprite.images.size() == 1 ? Json(sprite.images[0]) : Json(sprite.images);
+  if (sprite.facing != SpriteFacing::Camera)
+    json["facing"] = sprite.facing == SpriteFacing::Angle ? "angle" : "flat";
+  if (sprite.angle != 0) json["angle"] = number(sprite.angle);
+  if (sprite.size) json["size"] = pairOf(*sprite.size);
+  if (sprite.offset) json["offset"] = pairOf(*sprite.offset);
+  if (sprite.isBright) json["bright"] = true;
+  return json;
+}
+
 }  // namespace
 
 std::string levelJson(const Model& model, const std::string& name,
-                      const std::vector<RandomView>& views, const Spelling& spelling) {
+                      const std::vector<RandomView>& views,
+                      const std::vector<RandomSprite>& sprites, const Spelling& spelling) {
   Json level{{"$schema", "level.schema.json"}, {"version", 1}, {"name", name}};
   level["textures"] = "textures";
   if (spelling.namesLightsFile) level["lights"] = name + ".lights.json";
@@ -191,6 +207,7 @@ std::string levelJson(const Model& model, const std::string& name,
   level["shots"] = Json::array();
   for (const RandomView& view : views) level["shots"].push_back(shotJson(view));
   level["sectors"] = LevelWriter(model, spelling).sectors();
+  for (const RandomSprite& sprite : sprites) level["things"].push_back(spriteJson(model, sprite));
   return level.dump(1) + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "random_levels/places.h"
+#include "random_levels/sprites.h"
 
 namespace hearth::random_levels {
 
@@ -21,7 +22,8 @@ struct Spelling {
 };
 
 std::string levelJson(const Model& model, const std::string& name,
-                      const std::vector<RandomView>& views, const Spelling& spelling);
+                      const std::vector<RandomView>& views,
+                      const std::vector<RandomSprite>& sprites, const Spelling& spelling);
 std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
                        const Spelling& spelling);
 

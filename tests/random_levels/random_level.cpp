@@ -13,6 +13,7 @@
 #include "random_levels/middles.h"
 #include "random_levels/places.h"
 #include "random_levels/slopes.h"
+#include "random_levels/sprites.h"
 #include "random_levels/storeys.h"
 #include "random_levels/walls.h"
 
@@ -131,6 +132,16 @@ void chooseMiddles(std::uint64_t seed, Model& model) {
   if (random.chance(0.3)) hangMiddles(random, model, random.pick({0.1, 0.3, 0.6}));
 }
 
+/// By numbers of their own, too. More levels with middle textures have some, so that enough have
+/// one behind such a texture: 30 % of all in the end.
+std::vector<RandomSprite> chooseSprites(std::uint64_t seed, const Model& model,
+                                        const std::vector<RandomView>& views,
+                                        std::set<Feature>& features) {
+  Random random(seed ^ 0x5370726974657321u);
+  if (!random.chance(features.contains(Feature::MiddleTexture) ? 0.5 : 0.24)) return {};
+  return makeSprites(random, model, views, features);
+}
+
 Model makeModel(Random& random) {
   while (true) {
     const LevelStyle style = chooseStyle(random);
@@ -194,7 +205,8 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   Spelling spelling = chooseSpelling(random, model);
   makeColorsAndCurves(random, lights, level.features);
   chooseBake(random, spelling, level.features);
-  level.levelJson = levelJson(model, level.name, level.views, spelling);
+  const std::vector<RandomSprite> sprites = chooseSprites(seed, model, level.views, level.features);
+  level.levelJson = levelJson(model, level.name, level.views, sprites, spelling);
   level.lightsJson = lightsJson(model, lights, spelling);
   if (lights.empty()) level.features.insert(Feature::NoLights);
   const bool hasArrays = spelling.hasSectorArray || spelling.hasLoopArrays;

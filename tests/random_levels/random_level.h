@@ -58,7 +58,7 @@ inline constexpr std::array<RandomTexture, 8> kRandomLevelTextures{{{"dot", 1, 1
                                                                     {"strip", 1, 40},
                                                                     {"large", 128, 96}}};
 
-/// Those that hang in openings: about half of their texels are holes.
+/// Those that hang in openings and that most sprites wear: about half of their texels are holes.
 inline constexpr std::array<RandomTexture, 3> kRandomLevelMiddles{
     {{"bars", 8, 8}, {"lattice", 11, 7}, {"veil", 5, 24}}};
 
