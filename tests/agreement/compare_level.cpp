@@ -56,6 +56,8 @@ Channels sum(const Channels& a, const Channels& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
+Channels same(double level) { return {level, level, level}; }
+
 /// With lights and samples as truth can follow them.
 Level comparable(Level level) {
   for (LightSource& light : level.lights) light.radius = 0;
@@ -109,8 +111,8 @@ class Comparison {
       noteMiss(view, "hole", i, j);
     }
     const auto atEdge = [&] { return !view.truth.isClear(i + 0.5, j + 0.5, kEdgePx); };
-    const bool same = view.textured.at(i, j) == pixel.color;
-    count(kind.texture, same, atEdge, [&] { noteMiss(view, "texture", i, j); });
+    const bool isSame = view.textured.at(i, j) == pixel.color;
+    count(kind.texture, isSame, atEdge, [&] { noteMiss(view, "texture", i, j); });
     const int index = j * view.shot.width + i;
     if (index % kClearStride == 0) {
       ++tally_.asked;
@@ -118,7 +120,7 @@ class Comparison {
     }
     if (index % kLightStride != 0) return;
     ++tally_.lightAsked;
-    if (same && !isSky(pixel.hit.kind)) compareLight(view, pixel.hit, kind, i, j);
+    if (isSame && !isSky(pixel.hit.kind)) compareLight(view, pixel.hit, kind, i, j);
   }
 
   template <typename AtEdge, typename OnMiss>
@@ -134,27 +136,52 @@ class Comparison {
   }
 
   void compareLight(const View& view, const TruthHit& hit, KindTally& kind, int i, int j) {
+    if (hit.sprite) return compareSpriteLight(view, hit, kind, i, j);
     const std::optional<PatchLight> patch = truth_.around(hit);
-    if (!patch) return;
-    const Rgb color = view.lit.at(i, j);
-    const Channels drawn{1.0 * color.r, 1.0 * color.g, 1.0 * color.b};
+    if (!patch) {
+      ++kind.gridLight.missed;
+      return noteMiss(view, "light of no surface", i, j);
+    }
+    const auto slack = [&] { return truth_.hairSlack(*patch); };
     const auto compare = [&](Count& sort, const Channels& levels, const Channels& tolerance,
                              std::string_view what) {
-      const Channels expected = shown(levels, level_[hit.sector].light);
-      const auto atEdge = [&] {
-        if (!view.truth.isClear(i + 0.5, j + 0.5, kEdgePx)) return true;
-        if (!areWithin(sum(tolerance, truth_.hairSlack(*patch)), drawn, expected)) return false;
-        tally_.atJumps += truth_.isAtJump(*patch) ? 1 : 0;
-        return true;
-      };
-      count(sort, areWithin(tolerance, drawn, expected), atEdge,
-            [&] { noteMiss(view, what, i, j); });
+      const bool byHair = compareLevels(view, i, j, sort, shown(levels, level_[hit.sector].light),
+                                        tolerance, slack, what);
+      if (byHair && truth_.isAtJump(*patch)) ++tally_.atJumps;
     };
     const Channels grid{patch->interpolated(0), patch->interpolated(1), patch->interpolated(2)};
-    compare(kind.gridLight, grid, {kGridTolerance, kGridTolerance, kGridTolerance},
-            "light at texels");
+    compare(kind.gridLight, grid, same(kGridTolerance), "light at texels");
     if (const std::optional<Channels> tolerance = exactTolerance(*patch, hit))
       compare(kind.exactLight, truth_.at(hit), *tolerance, "exact light");
+  }
+
+  /// Nothing is interpolated: light at texels and exact light are that of the sprite's point.
+  void compareSpriteLight(const View& view, const TruthHit& hit, KindTally& kind, int i, int j) {
+    const Sprite& sprite = level_.spriteOf(*hit.sprite);
+    const AirPoint place = litPointOf(level_, sprite);
+    const Channels expected =
+        sprite.isBright ? same(255) : shown(truth_.at(place), level_[sprite.sector].light);
+    const auto slack = [&] { return sprite.isBright ? Channels{} : truth_.hairSlack(place); };
+    compareLevels(view, i, j, kind.gridLight, expected, same(kGridTolerance), slack,
+                  "light of a sprite");
+    compareLevels(view, i, j, kind.exactLight, expected, same(kExactTolerance), slack,
+                  "exact light of a sprite");
+  }
+
+  /// Whether it was excused because the places that are lit are known to a hair only, which may
+  /// make a difference of `slack()`.
+  template <typename Slack>
+  bool compareLevels(const View& view, int i, int j, Count& sort, const Channels& expected,
+                     const Channels& tolerance, Slack&& slack, std::string_view what) {
+    const Rgb color = view.lit.at(i, j);
+    const Channels drawn{1.0 * color.r, 1.0 * color.g, 1.0 * color.b};
+    bool byHair = false;
+    const auto atEdge = [&] {
+      if (!view.truth.isClear(i + 0.5, j + 0.5, kEdgePx)) return true;
+      return byHair = areWithin(sum(tolerance, slack()), drawn, expected);
+    };
+    count(sort, areWithin(tolerance, drawn, expected), atEdge, [&] { noteMiss(view, what, i, j); });
+    return byHair;
   }
 
   /// As a picture shows it with the sector's own light.

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "agreement/curve_miss.h"
+#include "level/locate.h"
 
 namespace hearth::agreement {
 
@@ -18,6 +19,19 @@ namespace {
 /// are in one line: 413 pixels of a sloped floor of seed 1949, where that line is y = 2.125.
 constexpr std::array kHairs{1e-6, 2e-6};
 constexpr double kStep = 0.25;  ///< levels: more is an edge of a shadow or a jump
+
+/// Points so far from one along the axes and between them.
+std::vector<Vec3> ballAround(Vec3 center, double radiusMetres) {
+  std::vector<Vec3> points;
+  for (const double x : {-1, 0, 1})
+    for (const double y : {-1, 0, 1})
+      for (const double z : {-1, 0, 1}) {
+        const Vec3 direction{x, y, z};
+        const double size = length(direction);
+        if (size > 0) points.push_back(center + radiusMetres / size * direction);
+      }
+  return points;
+}
 
 /// Of the samples around a point, as interpolation takes them to lie.
 std::vector<WeightedDistance> distancesTo(const LightSource& light, const PatchLight& patch) {
@@ -45,7 +59,7 @@ bool PatchLight::clipsBetween(std::size_t channel) const {
 }
 
 TexelTruth::TexelTruth(const Scene& scene)
-    : level_(scene.level()), truth_(level_), texels_(scene) {}
+    : scene_(scene), level_(scene.level()), truth_(level_), texels_(scene) {}
 
 std::optional<PatchLight> TexelTruth::around(const SurfacePoint& hit) {
   const std::optional<TexelPatch> patch = texels_.around(hit);
@@ -56,6 +70,11 @@ std::optional<PatchLight> TexelTruth::around(const SurfacePoint& hit) {
 }
 
 Channels TexelTruth::at(const SurfacePoint& place) const {
+  const Vec3 levels = truth_.at(place);
+  return {levels.x, levels.y, levels.z};
+}
+
+Channels TexelTruth::at(const AirPoint& place) const {
   const Vec3 levels = truth_.at(place);
   return {levels.x, levels.y, levels.z};
 }
@@ -108,6 +127,20 @@ Channels TexelTruth::stepAround(const TexelSample& sample) const {
     double greatest = 0;
     for (const SurfacePoint& place : places)
       greatest = std::max(greatest, std::abs(truth_.from(i, place) - here));
+    if (greatest > kStep) add(steps, i, greatest);
+  }
+  return steps;
+}
+
+Channels TexelTruth::hairSlack(const AirPoint& place) const {
+  Channels steps{};
+  for (std::size_t i = 0; i < level_.lights.size(); ++i) {
+    const double here = truth_.from(i, place);
+    double greatest = 0;
+    for (const double hair : kHairs)
+      for (const Vec3 p : ballAround(place.point, hair))
+        if (contains(scene_, level_[place.sector], p, 0))
+          greatest = std::max(greatest, std::abs(truth_.from(i, AirPoint{p, place.sector}) - here));
     if (greatest > kStep) add(steps, i, greatest);
   }
   return steps;

@@ -43,10 +43,13 @@ class TexelTruth {
 
   /// Levels at the very point, not clamped.
   Channels at(const SurfacePoint& place) const;
+  Channels at(const AirPoint& place) const;
 
   /// Levels by which the texels' light at the point may be another because the places of their
   /// samples are known to a hair only: at the edges of shadows and at jumps of curves.
   Channels hairSlack(const PatchLight& patch) const;
+  /// The same of a point of air.
+  Channels hairSlack(const AirPoint& place) const;
 
   /// Whether a jump of a curve is so near to a sample.
   bool isAtJump(const PatchLight& patch) const;
@@ -67,6 +70,7 @@ class TexelTruth {
   Channels stepAround(const TexelSample& sample) const;
   void add(Channels& sum, std::size_t light, double level) const;
 
+  Scene scene_;
   const Level& level_;
   TruthLight truth_;
   PlainTexels texels_;
