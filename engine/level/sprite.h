@@ -48,6 +48,9 @@ struct Sprite {
   SurfaceId surface;  ///< set by `addSpriteSurfaces`
 };
 
+/// Whether what it shows depends on time.
+inline bool isAnimated(const Sprite& sprite) { return sprite.frames.size() > 1; }
+
 /// What a sprite shows to an eye at a time: the frame of that time, seen from the nearest side.
 const SpriteView& viewOf(const Sprite& sprite, Vec2 eye, double seconds);
 

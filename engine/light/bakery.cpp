@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "light/baking/baked_surface.h"
+#include "light/baking/sprite_light.h"
 #include "light/grid/texel_limits.h"
 #include "math/parallel.h"
 
@@ -62,6 +63,7 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
     const std::scoped_lock lock(lightCostsMutex);
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });
+  lightSprites(scene, visibilities, threads, baked);
   baked.stats = statsOf(baked);
   return baked;
 }

@@ -89,6 +89,10 @@ std::uint64_t geometryHash(const Scene& scene, double texel) {
   for (const TexelHoles& holes : scene.level().holes) addHoles(hash, holes);
   hash.addWhole(scene.level().sectors.size());
   for (const Sector& sector : scene.level().sectors) addGeometry(hash, scene, sector, ids);
+  for (const Sprite& sprite : scene.level().sprites) {
+    hash.addPoint(lightPointOf(scene, sprite));
+    hash.addWhole(sprite.sector.value);
+  }
   return hash.value();
 }
 

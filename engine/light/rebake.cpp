@@ -12,6 +12,7 @@
 #include "light/baking/baked_surface.h"
 #include "light/baking/light_dependencies.h"
 #include "light/baking/light_visibility.h"
+#include "light/baking/sprite_light.h"
 #include "light/baking/surface_light.h"
 #include "light/baking/texel_sums.h"
 #include "light/geometry_hash.h"
@@ -363,6 +364,7 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
       baked.surfaceCosts[i].rays += cost.rays;
     }
   }
+  lightSprites(scene_, visibilities_, threads_, baked);
   baked.stats = statsOf(baked);
   return baked;
 }
@@ -386,6 +388,7 @@ BakedLight Rebake::Baker::draft() const {
   parallelFor(order.size(), threads_, [&](std::size_t job) {
     baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), visibilities);
   });
+  lightSprites(scene_, visibilities, threads_, baked);
   baked.stats = statsOf(baked);
   return baked;
 }

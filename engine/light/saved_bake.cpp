@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 
+#include "light/baking/sprite_light.h"
 #include "light/geometry_hash.h"
 #include "light/grid/texel_limits.h"
 #include "math/check.h"
@@ -225,9 +226,9 @@ Mistake mistakeInGeometry(const Scene& scene, const Header& header, std::string_
 }
 
 /// As many bytes as the lightmaps of all surfaces can have.
-std::uint64_t maxLightmapBytes(const LitSurfaces& surfaces) {
+std::uint64_t maxLightmapBytes(const LitSurfaces& surfaces, std::size_t sprites) {
   constexpr std::uint64_t kBytesPerTexel = 3;
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = sprites * (kMapNumbers * kShortBytes + kBytesPerTexel);
   for (const auto& surface : surfaces)
     if (surface) bytes += kMapNumbers * kShortBytes + kBytesPerTexel * texelsIn(surface->texels);
   return bytes;
@@ -235,8 +236,8 @@ std::uint64_t maxLightmapBytes(const LitSurfaces& surfaces) {
 
 /// That no more memory is needed for the lightmaps than there is light in the level, and allowed.
 std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces& surfaces,
-                                         std::uint64_t maxLightBytes) {
-  const std::uint64_t most = maxLightmapBytes(surfaces);
+                                         std::size_t sprites, std::uint64_t maxLightBytes) {
+  const std::uint64_t most = maxLightmapBytes(surfaces, sprites);
   if (header.lightmapBytes > most)
     return BakeMistake{fmt::format("has lightmaps of {} bytes, where at most {} can be",
                                    header.lightmapBytes, most)};
@@ -278,13 +279,15 @@ class LightmapReader {
     const std::size_t index = surfaces_[surface].index();
     const auto& lit = light_.surfaces[index];
     std::optional<Lightmap>& map = light_.lightmaps[index];
-    if (!lit) return wrong(surface, "that never shows light");
+    const bool isOfSprite = isSprite(scene_[surfaces_[surface]].kind);
+    if (!lit && !isOfSprite) return wrong(surface, "that never shows light");
     if (map) return wrong(surface, "that has one already");
     const TexelRect rect{unfolded(i0), unfolded(j0), static_cast<int>(width),
                          static_cast<int>(height)};
-    if (rect != lit->texels)
+    const TexelRect& texels = isOfSprite ? kSpriteTexel : lit->texels;
+    if (rect != texels)
       return wrong(surface,
-                   fmt::format("with texels {} instead of {}", words(rect), words(lit->texels)));
+                   fmt::format("with texels {} instead of {}", words(rect), words(texels)));
     if (channels != 1 && channels != 3)
       return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
     if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
@@ -363,7 +366,8 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string
   BakedLight light;
   light.surfaces = makeLitSurfaces(scene, header.texel);
   light.lightmaps.resize(light.surfaces.size());
-  if (auto mistake = mistakeInSize(header, light.surfaces, maxLightBytes))
+  const std::size_t sprites = scene.level().sprites.size();
+  if (auto mistake = mistakeInSize(header, light.surfaces, sprites, maxLightBytes))
     return tl::unexpected(std::move(*mistake));
   const auto lightmaps = unpacked(in.take(in.left()), header.lightmapBytes);
   if (!lightmaps) return refused(lightmaps.error());

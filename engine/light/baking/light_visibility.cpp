@@ -192,7 +192,7 @@ LightVisibility::LightVisibility(const Scene& scene, const LightSource& light, i
     if (dot(p, p) > 1) continue;
     ++pointCount_;
     const Vec3 position = center_.position + radius_ * p;
-    const std::optional<SectorId> sector = raytracer_.sectorAt(center_, position, met);
+    const std::optional<SectorId> sector = raytracer_.sectorAt(center_, position, &met);
     if (sector) points_.push_back({position, *sector});
     isCutByPlanesOnly_ &= isInFrontOfPlanes(position) == (sector == center_.sector);
     isCutByPlanesOnly_ &= !sector || sector == center_.sector;
@@ -229,16 +229,28 @@ double LightVisibility::seenFraction(const LightTarget& target, const Shaft& sha
   return seenFractionBy(target, [](const Raytracer::Source&) { return true; });
 }
 
-/// `sees` answers whether the line from a source arrives.
+double LightVisibility::seenFractionFromAir(Vec3 point, SectorId sector, std::int64_t& rays) const {
+  return seenFractionBy(point, [&](const Raytracer::Source& source) {
+    ++rays;
+    return raytracer_.sectorAt(source, point) == sector;
+  });
+}
+
 template <typename Sees>
 double LightVisibility::seenFractionBy(const LightTarget& target, Sees&& sees) const {
+  // A point light is known to be in front.
   if (radius_ == 0) return sees(center_) ? 1 : 0;
-  const auto seesInFront = [&](const Raytracer::Source& source) {
+  return seenFractionBy(target.point, [&](const Raytracer::Source& source) {
     return target.plane.inFront(source.position) > kInPlane && sees(source);
-  };
-  const bool isNear = length(center_.position - target.point) < kMinDiscDistance * radius_;
-  return isNear || !isCutByPlanesOnly_ ? seenOfPoints(seesInFront)
-                                       : seenOfDisc(target, seesInFront);
+  });
+}
+
+/// `sees` answers whether the line from a source arrives.
+template <typename Sees>
+double LightVisibility::seenFractionBy(Vec3 point, Sees&& sees) const {
+  if (radius_ == 0) return sees(center_) ? 1 : 0;
+  const bool isNear = length(center_.position - point) < kMinDiscDistance * radius_;
+  return isNear || !isCutByPlanesOnly_ ? seenOfPoints(sees) : seenOfDisc(point, sees);
 }
 
 template <typename Sees>
@@ -247,8 +259,8 @@ double LightVisibility::seenOfPoints(Sees&& sees) const {
 }
 
 template <typename Sees>
-double LightVisibility::seenOfDisc(const LightTarget& target, Sees&& sees) const {
-  const BallDisc disc(target.point, center_.position, radius_, planes_);
+double LightVisibility::seenOfDisc(Vec3 point, Sees&& sees) const {
+  const BallDisc disc(point, center_.position, radius_, planes_);
   const auto seesAt = [&](Vec2 p, BallDisc::Chord whole) {
     const BallDisc::Chord chord = disc.shiningChord(p, whole);
     return chord.from <= chord.to && sees({disc.pointAt(p, chord.middle()), center_.sector});

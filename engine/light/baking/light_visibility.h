@@ -65,6 +65,9 @@ class LightVisibility {
   double seenFraction(const LightTarget& target, const Shaft& shaft, TargetVisibility outcome,
                       std::int64_t& rays) const;
 
+  /// The same for a point inside the air of a sector, which no surface hides from any side.
+  double seenFractionFromAir(Vec3 point, SectorId sector, std::int64_t& rays) const;
+
   const ShaftLight& shaftLight() const { return shaftLight_; }
   /// From now on the first call of `beams` finds the beam tree of a point light. Balls have none.
   void useBeams(const Scene& scene, double reach, std::size_t maxBytes);
@@ -80,9 +83,11 @@ class LightVisibility {
  private:
   template <typename Sees>
   double seenFractionBy(const LightTarget& target, Sees&& sees) const;
+  template <typename Sees>
+  double seenFractionBy(Vec3 point, Sees&& sees) const;
   bool isInFrontOfPlanes(Vec3 p) const;
   template <typename Sees>
-  double seenOfDisc(const LightTarget& target, Sees&& sees) const;
+  double seenOfDisc(Vec3 point, Sees&& sees) const;
   template <typename Sees>
   double seenOfPoints(Sees&& sees) const;
 

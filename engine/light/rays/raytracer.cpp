@@ -295,8 +295,8 @@ bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const S
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
-                                            SectorSet& met) const {
-  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, &met).sectorAtEnd();
+                                            SectorSet* met) const {
+  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, met).sectorAtEnd();
 }
 
 }  // namespace hearth

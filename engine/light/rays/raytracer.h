@@ -33,7 +33,8 @@ class Raytracer {
 
   /// The sector in which the line from the source arrives at a point of the air; none if it
   /// meets a surface before.
-  std::optional<SectorId> sectorAt(const Source& source, Vec3 point, SectorSet& met) const;
+  std::optional<SectorId> sectorAt(const Source& source, Vec3 point,
+                                   SectorSet* met = nullptr) const;
 
  private:
   Scene scene_;

@@ -35,8 +35,7 @@ constexpr double kMaxBefore = 1;
 /// The sector of a point that the eye sees.
 std::optional<SectorId> seenAt(const Scene& scene, const Camera& camera, Vec3 point) {
   const Vec3 eye = nudgedInside(scene, scene[camera.sector], camera.eye);
-  SectorSet met;
-  return Raytracer(scene).sectorAt({eye, camera.sector}, point, met);
+  return Raytracer(scene).sectorAt({eye, camera.sector}, point);
 }
 
 /// A drag along both sides of a map goes where the mouse has gone farther.

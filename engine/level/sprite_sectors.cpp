@@ -1,0 +1,173 @@
+#include "level/sprite_sectors.h"
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include "level/locate.h"
+#include "level/openings.h"
+#include "math/box.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// A part of a line, as fractions of the way along it.
+struct LinePart {
+  double from = 0;
+  double to = 1;
+};
+
+/// Cuts off `part` where a linear function along the line, from `first` to `second` metres, is less
+/// than -kPositionSlack (Liang and Barsky, 1984). From > to where nothing is left.
+void keepPositive(LinePart& part, double first, double second) {
+  first += kPositionSlack;
+  second += kPositionSlack;
+  if (first < 0 && second < 0) part = {1, 0};
+  if (first < 0 && second >= 0) part.from = std::max(part.from, first / (first - second));
+  if (second < 0 && first >= 0) part.to = std::min(part.to, first / (first - second));
+}
+
+/// What a sprite's image covers of the map, a rectangle, and its heights. The rectangle of what
+/// stands is a line.
+class Footprint {
+ public:
+  explicit Footprint(const SpriteRect& rect)
+      : corner_(rect.corner.xy()),
+        width_(length(rect.right)),
+        across_((1 / width_) * rect.right.xy()),
+        depth_(length(rect.up.xy())),
+        along_(depth_ > 0 ? (1 / depth_) * rect.up.xy() : turned90(across_)),
+        zBottom_(rect.corner.z),
+        zTop_(rect.corner.z + rect.up.z) {
+    for (const Vec2 p :
+         {corner_, at(width_), at(width_) + depth_ * along_, corner_ + depth_ * along_})
+      box_.add(p);
+  }
+
+  bool mayTouch(const Sector& sector) const {
+    return touch(grown(box_, kPositionSlack), sector.box);
+  }
+
+  /// The part of a segment that it covers.
+  std::optional<LinePart> partOf(const Segment& segment) const {
+    LinePart part;
+    keepInside(across_, width_, segment, part);
+    keepInside(along_, depth_, segment, part);
+    return part.from <= part.to ? std::optional(part) : std::nullopt;
+  }
+
+  bool reaches(double zBottom, double zTop) const {
+    return zTop >= zBottom_ - kPositionSlack && zBottom <= zTop_ + kPositionSlack;
+  }
+
+  /// Whether it covers a point that two sectors have in common. Of what lies: a point of `b`, of
+  /// which the outlines around `a` tell no more.
+  /// Uses `cuts` as memory.
+  bool meetsBoth(const Level& level, const Sector& a, const Sector& b,
+                 std::vector<double>& cuts) const {
+    if (depth_ > 0) return meets(level, b);
+    // Between two places where an outline cuts the line, all of it is inside or outside.
+    cuts.assign({0, width_});
+    for (const Sector* sector : {&a, &b})
+      for (const Segment& segment : level.segmentsOf(*sector))
+        if (const auto part = partOf(segment))
+          for (const double fraction : {part->from, part->to})
+            cuts.push_back(dot(lerp(segment.p0, segment.p1, fraction) - corner_, across_));
+    std::ranges::sort(cuts);
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const Vec2 middle = at(std::clamp((cuts[i - 1] + cuts[i]) / 2, 0.0, width_));
+      if (contains(level, a, middle) && contains(level, b, middle)) return true;
+    }
+    return false;
+  }
+
+ private:
+  Vec2 at(double across) const { return corner_ + across * across_; }
+
+  void keepInside(Vec2 axis, double size, const Segment& segment, LinePart& part) const {
+    const double first = dot(segment.p0 - corner_, axis);
+    const double second = dot(segment.p1 - corner_, axis);
+    keepPositive(part, first, second);
+    keepPositive(part, size - first, size - second);
+  }
+
+  bool meets(const Level& level, const Sector& sector) const {
+    return contains(level, sector, corner_) ||
+           std::ranges::any_of(level.segmentsOf(sector), [this](const Segment& segment) {
+             return partOf(segment).has_value();
+           });
+  }
+
+  Vec2 corner_;
+  double width_;
+  Vec2 across_;
+  double depth_;
+  Vec2 along_;
+  double zBottom_;
+  double zTop_;
+  Box box_;
+};
+
+class SectorFinder {
+ public:
+  SectorFinder(const Scene& scene, const Footprint& footprint, std::vector<SectorId>& sectors,
+               std::vector<double>& cuts)
+      : scene_(scene), footprint_(footprint), sectors_(sectors), cuts_(cuts) {}
+
+  void findFrom(SectorId first) {
+    sectors_.assign(1, first);
+    for (std::size_t i = 0; i < sectors_.size(); ++i) addNeighboursOf(scene_[sectors_[i]]);
+  }
+
+ private:
+  void addNeighboursOf(const Sector& sector) {
+    for (const Segment& segment : scene_.segmentsOf(sector))
+      if (const auto part = footprint_.partOf(segment)) addBehind(segment, *part);
+    if (sector.floor.flatPortal) addAcross(sector, *sector.floor.flatPortal, FlatPortalSide::Lower);
+    if (sector.ceiling.flatPortal)
+      addAcross(sector, *sector.ceiling.flatPortal, FlatPortalSide::Upper);
+  }
+
+  /// Heights of openings change evenly along a segment, or with one bend.
+  void addBehind(const Segment& segment, LinePart part) {
+    for (const double fraction : {part.from, (part.from + part.to) / 2, part.to})
+      for (const WallPiece& piece : scene_.piecesOf(segment)) {
+        const Opening* const opening = std::get_if<Opening>(&piece.content);
+        if (!opening || isKnown(opening->next)) continue;
+        const OpeningSpan span = openingSpan(piece, scene_.airAt(segment, fraction),
+                                             scene_.airAt(scene_[opening->twin], 1 - fraction));
+        if (span.zBottom < span.zTop && footprint_.reaches(span.zBottom, span.zTop))
+          sectors_.push_back(opening->next);
+      }
+  }
+
+  void addAcross(const Sector& sector, FlatPortalId id, FlatPortalSide to) {
+    const FlatPortal& flatPortal = scene_[id];
+    if (!footprint_.reaches(flatPortal.z, flatPortal.z)) return;
+    for (const SectorId other : flatPortal.members(to))
+      if (!isKnown(other) && footprint_.mayTouch(scene_[other]) &&
+          footprint_.meetsBoth(scene_.level(), sector, scene_[other], cuts_))
+        sectors_.push_back(other);
+  }
+
+  bool isKnown(SectorId sector) const {
+    return std::ranges::find(sectors_, sector) != sectors_.end();
+  }
+
+  Scene scene_;
+  const Footprint& footprint_;
+  std::vector<SectorId>& sectors_;
+  std::vector<double>& cuts_;
+};
+
+}  // namespace
+
+const std::vector<SectorId>& SpriteSectors::find(const Scene& scene, const Sprite& sprite,
+                                                 const SpriteRect& rect) {
+  SectorFinder(scene, Footprint(rect), sectors_, cuts_).findFrom(sprite.sector);
+  return sectors_;
+}
+
+}  // namespace hearth

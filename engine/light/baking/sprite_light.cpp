@@ -1,0 +1,40 @@
+#include "light/baking/sprite_light.h"
+
+#include "light/baking/texel_sums.h"
+#include "math/parallel.h"
+
+namespace hearth {
+
+namespace {
+
+std::optional<Lightmap> lightOf(const Scene& scene, const LightVisibilities& visibilities,
+                                const Sprite& sprite, std::int64_t& rays) {
+  const Vec3 point = lightPointOf(scene, sprite);
+  constexpr int kChannels = 3;
+  TexelSums sums(kSpriteTexel, kChannels);
+  for (std::size_t i = 0; i < scene.level().lights.size(); ++i) {
+    const LightSource& light = scene.level().lights[i];
+    const double distance = length(point - light.position);
+    if (distance > visibilities.reach[i]) continue;
+    const double brightness = light.brightnessAt(distance);
+    if (brightness <= 0) continue;
+    sums.add(0, 0, light,
+             brightness * visibilities.fine[i].seenFractionFromAir(point, sprite.sector, rays));
+  }
+  return sums.toLightmap(1);
+}
+
+}  // namespace
+
+void lightSprites(const Scene& scene, const LightVisibilities& visibilities, int threads,
+                  BakedLight& baked) {
+  const std::vector<Sprite>& sprites = scene.level().sprites;
+  parallelFor(sprites.size(), threads, [&](std::size_t i) {
+    const std::size_t surface = sprites[i].surface.index();
+    std::int64_t rays = 0;
+    baked.lightmaps[surface] = lightOf(scene, visibilities, sprites[i], rays);
+    if (!baked.surfaceCosts.empty()) baked.surfaceCosts[surface].rays = rays;
+  });
+}
+
+}  // namespace hearth
