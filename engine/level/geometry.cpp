@@ -273,6 +273,16 @@ void deriveAir(const Scene& scene, const Sector& sector, Geometry& geometry) {
   }
 }
 
+/// All of those that have surfaces.
+void showSprites(const Level& level, Geometry& geometry) {
+  for (const Sprite& sprite : level.sprites) {
+    const bool lies = sprite.facing == Facing::Flat;
+    const double zBottom = sprite.position.z + (lies ? 0 : sprite.offset.y);
+    const double height = lies ? 0 : sprite.frames.front().front().size.y;
+    geometry.surfaces[sprite.surface.index()] = {true, zBottom, zBottom + height, {}};
+  }
+}
+
 /// Whether a flat stays where it was authored.
 bool isFixed(const Flat& flat, const std::optional<Slope>& slope) {
   return flat.isSky || flat.flatPortal || slope;
@@ -294,6 +304,7 @@ Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing
   for (const Segment& segment : level.segments)
     SegmentDeriver(level, geometry, segment.id, &missing).derive();
   for (const Segment& segment : level.segments) addMaskedMiddlesOfTwins(scene, segment, geometry);
+  showSprites(level, geometry);
   return geometry;
 }
 
@@ -302,15 +313,13 @@ void addSpriteSurfaces(Level& level, Geometry& geometry) {
     SurfaceKind kind = SurfaceKind::CameraSprite;
     if (sprite.facing == Facing::Angle) kind = SurfaceKind::FixedSprite;
     if (sprite.facing == Facing::Flat) kind = SurfaceKind::FlatSprite;
-    const SpriteView& first = sprite.frames.front().front();
-    sprite.surface = SurfaceId(level.surfaces.size());
     TextureMapping mapping;
-    mapping.texture = first.texture;
+    mapping.texture = sprite.frames.front().front().texture;
+    sprite.surface = SurfaceId(level.surfaces.size());
     level.surfaces.push_back({kind, sprite.sector, std::nullopt, mapping});
-    const double height = sprite.facing == Facing::Flat ? 0 : first.size.y;
-    const double zBottom = sprite.position.z + (height > 0 ? sprite.offset.y : 0);
-    geometry.surfaces.push_back({true, zBottom, zBottom + height, {}});
   }
+  geometry.surfaces.resize(level.surfaces.size());
+  showSprites(level, geometry);
 }
 
 void moveFlats(const Level& level, SectorId id, SectorGeometry heights, Geometry& geometry) {

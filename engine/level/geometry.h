@@ -112,7 +112,7 @@ struct MissingTexture {
 /// Expects a level that `linkSurfaces` has completed.
 Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing);
 
-/// Adds a surface for each of the level's sprites, to a level and geometry that have none yet.
+/// Adds a surface for each sprite to a level that has none yet, and shows them.
 void addSpriteSurfaces(Level& level, Geometry& geometry);
 
 /// Moves the flats of one sector to `heights`, and derives the sector and the walls that lead into

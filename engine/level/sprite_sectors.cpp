@@ -29,6 +29,9 @@ void keepPositive(LinePart& part, double first, double second) {
   if (second < 0 && first >= 0) part.to = std::min(part.to, first / (first - second));
 }
 
+/// Metres to either side of a line: more than a touch.
+constexpr double kBeside = 4 * kPositionSlack;
+
 /// What a sprite's image covers of the map, a rectangle, and its heights. The rectangle of what
 /// stands is a line.
 class Footprint {
@@ -62,25 +65,28 @@ class Footprint {
     return zTop >= zBottom_ - kPositionSlack && zBottom <= zTop_ + kPositionSlack;
   }
 
-  /// Whether it covers a point that two sectors have in common. Of what lies: a point of `b`, of
-  /// which the outlines around `a` tell no more.
-  /// Uses `cuts` as memory.
+  /// Whether it covers a point that two sectors have in common, a common edge apart. Looks beside
+  /// each line on which outlines may bound what is common: on the edges of the rectangle, and on
+  /// those of the outlines inside. Uses `cuts` as memory.
   bool meetsBoth(const Level& level, const Sector& a, const Sector& b,
                  std::vector<double>& cuts) const {
-    if (depth_ > 0) return meets(level, b);
-    // Between two places where an outline cuts the line, all of it is inside or outside.
-    cuts.assign({0, width_});
-    for (const Sector* sector : {&a, &b})
-      for (const Segment& segment : level.segmentsOf(*sector))
-        if (const auto part = partOf(segment))
-          for (const double fraction : {part->from, part->to})
-            cuts.push_back(dot(lerp(segment.p0, segment.p1, fraction) - corner_, across_));
-    std::ranges::sort(cuts);
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-      const Vec2 middle = at(std::clamp((cuts[i - 1] + cuts[i]) / 2, 0.0, width_));
-      if (contains(level, a, middle) && contains(level, b, middle)) return true;
-    }
-    return false;
+    const auto meetBeside = [&](Vec2 from, Vec2 to) {
+      return hasPointBeside(level, a, b, from, to, cuts);
+    };
+    const Vec2 right = at(width_);
+    if (depth_ == 0) return meetBeside(corner_, right);
+    const Vec2 up = depth_ * along_;
+    if (meetBeside(corner_, right) || meetBeside(right, right + up) ||
+        meetBeside(right + up, corner_ + up) || meetBeside(corner_ + up, corner_))
+      return true;
+    const auto meetsBesideOutline = [&](const Sector& sector) {
+      return std::ranges::any_of(level.segmentsOf(sector), [&](const Segment& segment) {
+        const auto part = partOf(segment);
+        return part && meetBeside(lerp(segment.p0, segment.p1, part->from),
+                                  lerp(segment.p0, segment.p1, part->to));
+      });
+    };
+    return meetsBesideOutline(a) || meetsBesideOutline(b);
   }
 
  private:
@@ -93,11 +99,35 @@ class Footprint {
     keepPositive(part, size - first, size - second);
   }
 
-  bool meets(const Level& level, const Sector& sector) const {
-    return contains(level, sector, corner_) ||
-           std::ranges::any_of(level.segmentsOf(sector), [this](const Segment& segment) {
-             return partOf(segment).has_value();
-           });
+  bool covers(Vec2 p) const {
+    constexpr double kSlack = 2 * kBeside;
+    const double across = dot(p - corner_, across_);
+    const double along = dot(p - corner_, along_);
+    return across >= -kSlack && across <= width_ + kSlack && along >= -kSlack &&
+           along <= depth_ + kSlack;
+  }
+
+  /// Whether both sectors have air on a line in the rectangle, or on one side of it. Between two
+  /// places where an outline cuts the line that is so everywhere or nowhere.
+  bool hasPointBeside(const Level& level, const Sector& a, const Sector& b, Vec2 from, Vec2 to,
+                      std::vector<double>& cuts) const {
+    const Vec2 line = to - from;
+    cuts.assign({0, 1});
+    for (const Sector* sector : {&a, &b})
+      for (const Segment& segment : level.segmentsOf(*sector)) {
+        const double speed = cross(line, segment.p1 - segment.p0);
+        const double cut = cross(segment.p0 - from, segment.p1 - segment.p0) / speed;
+        if (cut > 0 && cut < 1) cuts.push_back(cut);
+      }
+    std::ranges::sort(cuts);
+    const double size = length(line);
+    const Vec2 aside = size > 0 ? (kBeside / size) * turned90(line) : Vec2{kBeside, 0};
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const Vec2 middle = lerp(from, to, (cuts[i - 1] + cuts[i]) / 2);
+      for (const Vec2 p : {middle, middle + aside, middle - aside})
+        if (covers(p) && contains(level, a, p) && contains(level, b, p)) return true;
+    }
+    return false;
   }
 
   Vec2 corner_;
@@ -138,7 +168,8 @@ class SectorFinder {
         if (!opening || isKnown(opening->next)) continue;
         const OpeningSpan span = openingSpan(piece, scene_.airAt(segment, fraction),
                                              scene_.airAt(scene_[opening->twin], 1 - fraction));
-        if (span.zBottom < span.zTop && footprint_.reaches(span.zBottom, span.zTop))
+        if (span.zTop - span.zBottom > kPositionSlack &&
+            footprint_.reaches(span.zBottom, span.zTop))
           sectors_.push_back(opening->next);
       }
   }

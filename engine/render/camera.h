@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+
 #include "level/scene.h"
+#include "math/round_up.h"
 #include "math/trig.h"
 #include "math/vec.h"
 
@@ -14,12 +17,13 @@ struct Camera {
   double fov = 90;   ///< degrees, horizontal, 1..179
   int width = 320;
   int height = 200;
+  double seconds = 0;  ///< that animations of sprites have run
 
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 inline Camera cameraOf(const Shot& shot) {
-  return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height};
+  return {shot.sector, shot.eye, shot.angle, shot.pitch, shot.fov, shot.width, shot.height, 0};
 }
 
 /// A point in plan as the camera sees it, in metres.
@@ -48,9 +52,10 @@ class Projection {
   double distancePx() const { return distancePx_; }
   double horizonRow() const { return horizonRow_; }
 
-  CameraPoint toCamera(Vec2 world) const {
-    const Vec2 fromEye = world - eye_.xy();
-    return {dot(fromEye, direction_), dot(fromEye, right_)};
+  CameraPoint toCamera(Vec2 world) const { return toCameraDirection(world - eye_.xy()); }
+  /// From one point to another.
+  CameraPoint toCameraDirection(Vec2 world) const {
+    return {dot(world, direction_), dot(world, right_)};
   }
   /// The column of a point in front of the eye (depth > 0).
   double columnOf(CameraPoint p) const {
@@ -58,6 +63,11 @@ class Projection {
   }
   double rowOf(double z, double depth) const {
     return horizonRow_ - (z - eye_.z) * distancePx_ / depth;
+  }
+  /// The first of rows [begin, end) whose centre is not above height z at this depth, or `end`.
+  int rowIn(int begin, int end, double z, double depth) const {
+    const double row = rowOf(z, depth) - 0.5;
+    return roundedUp(std::clamp(row, static_cast<double>(begin), static_cast<double>(end)));
   }
   /// How far the ray through a column goes to the right per metre of depth.
   double slantOf(double column) const { return (column - centerColumn_) / distancePx_; }

@@ -86,9 +86,9 @@ std::vector<std::size_t> numbersOfShown(const Scene& scene) {
 void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
                   std::span<const std::size_t> surfaceNumbers, std::span<const double> raySlopes,
                   Strip& strip) {
-  const Material material = painter.materialOf(span.surface);
+  const Material material = painter.materialOf(span);
   const SpanMapping mapping = painter.mappingOf(material, span);
-  const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
+  const bool hasHoles = mayHaveHoles(material.surface.kind);
   if (hasHoles && channel == Channel::Overdraw) return;
   for (int row = span.rowBegin; row < span.rowEnd; ++row) {
     const double parameter = mapping.parameterAt(raySlopes[static_cast<std::size_t>(row)]);
@@ -123,9 +123,9 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
 
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownTexel> column) {
-  const Material material = painter.materialOf(span.surface);
+  const Material material = painter.materialOf(span);
   const SpanMapping mapping = painter.mappingOf(material, span);
-  const bool hasHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
+  const bool hasHoles = mayHaveHoles(material.surface.kind);
   const auto surface = material.lit ? std::optional(span.surface) : std::nullopt;
   const std::span rows = rowsOf(span, column);
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -140,8 +140,8 @@ void noteShown(const SpanPainter& painter, const Span& span, std::span<const dou
 
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownSurface> column) {
-  const Material material = painter.materialOf(span.surface);
-  if (material.surface.kind == SurfaceKind::MaskedMiddle) return;
+  const Material material = painter.materialOf(span);
+  if (mayHaveHoles(material.surface.kind)) return;
   const SpanMapping mapping = painter.mappingOf(material, span);
   const std::span rows = rowsOf(span, column);
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -150,7 +150,7 @@ void noteShown(const SpanPainter& painter, const Span& span, std::span<const dou
 
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double>,
                std::span<ShownTimes> column) {
-  if (painter.materialOf(span.surface).surface.kind == SurfaceKind::MaskedMiddle) return;
+  if (mayHaveHoles(painter.materialOf(span).surface.kind)) return;
   for (ShownTimes& row : rowsOf(span, column)) ++row.times;
 }
 

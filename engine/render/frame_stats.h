@@ -16,7 +16,7 @@ struct FrameStats {
   std::size_t stackColumns = 0;  ///< of those, of walls that are stacks
   std::size_t slopeColumns = 0;  ///< of those, of walls along which floor or ceiling rises
   std::size_t spans = 0;
-  std::size_t maskedMiddleSpans = 0;  ///< of those, of masked middle textures
+  std::size_t maskedSpans = 0;  ///< of those, of masked middle textures and sprites
 
   FrameStats& operator+=(const FrameStats& other) {
     viewports += other.viewports;
@@ -27,7 +27,7 @@ struct FrameStats {
     stackColumns += other.stackColumns;
     slopeColumns += other.slopeColumns;
     spans += other.spans;
-    maskedMiddleSpans += other.maskedMiddleSpans;
+    maskedSpans += other.maskedSpans;
     return *this;
   }
   friend bool operator==(const FrameStats&, const FrameStats&) = default;

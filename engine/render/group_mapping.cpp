@@ -125,6 +125,41 @@ void mapSky(const Surface& surface, const Texture& image, const LaneRays& rays,
   mapping.v.offset = texture.offsetTexels.y;
 }
 
+// --- Sprites -------------------------------------------------------------------------------------
+
+/// How a sprite's image lies on it. Its edges are moved by so much of a texel that rounding takes
+/// no pixel beyond them, to the texels of the opposite edge: a texel of 100 pixels by 1/160 of one.
+TextureMapping mappingOfImage(const SpriteView& view, const Texture& image) {
+  constexpr double kInset = 0x1p-14;
+  const auto grown = [](double size, int texels) { return size / (1 - 2 * kInset / texels); };
+  TextureMapping mapping;
+  mapping.texture = view.texture;
+  mapping.repeat = {grown(view.size.x, image.width()), grown(view.size.y, image.height())};
+  mapping.offsetTexels = {-kInset, -kInset};
+  return mapping;
+}
+
+/// What lies is a plane, whose image is turned.
+void mapLyingSprite(const Sprite& sprite, const SpriteView& view, const Projection& projection,
+                    const SpanGroup& group, const Texture* image, GroupMapping& mapping) {
+  const Vec2 eye = projection.eye().xy();
+  const LaneRays rays = raysOf(projection, group);
+  mapping.isPlane = true;
+  mapping.isLevel = true;
+  mapping.rise.fill(0);
+  mapping.height = sprite.position.z - projection.eye().z;
+  if (!image) return;
+  const SpriteRect rect = rectOf(sprite, view, {});
+  const Vec2 upperLeft = rect.corner.xy() + rect.up.xy();
+  const Vec2 right = unit(rect.right.xy());
+  const Vec2 down = unit(-1 * rect.up.xy());
+  LaneRays turned;
+  for (std::size_t lane = 0; lane < rays.size(); ++lane)
+    turned[lane] = {dot(rays[lane], right), dot(rays[lane], down)};
+  mapPlaneImage(mappingOfImage(view, *image), *image, {dot(upperLeft, right), dot(upperLeft, down)},
+                {dot(eye, right), dot(eye, down)}, turned, mapping);
+}
+
 Affine laneOf(const LaneAffine& along, std::size_t lane) {
   return {along.atZero[lane], along.per[lane]};
 }
@@ -161,6 +196,17 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     return mapping;
   }
   mapping.depth = group.depth;
+  if (surface.kind == SurfaceKind::FlatSprite) {
+    mapLyingSprite(scene.level().spriteOf(group.surface), *group.view, projection, group, image,
+                   mapping);
+    return mapping;
+  }
+  if (isSprite(surface.kind)) {
+    if (image)
+      mapUprightImage(mappingOfImage(*group.view, *image), *image, projection.eye().z, group,
+                      mapping);
+    return mapping;
+  }
   if (!surface.segment) {
     mapPlane(scene, projection, group, image, lit, mapping);
     return mapping;
@@ -187,6 +233,7 @@ SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Sp
   const auto lane = static_cast<std::size_t>(span.column % Strip::kColumns);
   SpanGroup group;
   group.surface = span.surface;
+  group.view = span.view;
   group.firstColumn = span.column - static_cast<int>(lane);
   group.depth.fill(span.depth);
   group.s.fill(span.s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,6 +20,17 @@ struct alignas(32) LaneRows : std::array<std::int32_t, Strip::kColumns> {};
 /// Some lanes: bit i is set for the i-th.
 using LaneSet = std::uint8_t;
 inline constexpr LaneSet kAllLanes = 0xFF;
+
+/// Sets some lanes of one to those of another.
+inline void setLanes(LaneDoubles& to, const LaneDoubles& from, LaneSet lanes) {
+  if (lanes == kAllLanes)
+    to = from;
+  else
+    for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      to[lane] = from[lane];
+    }
+}
 
 /// Rows [begin, end) of each lane. A lane may have none.
 struct LaneRowRanges {

@@ -70,7 +70,7 @@ void RayExits::meetSegments(SectorId sector, std::optional<SegmentId> except,
 std::span<const SegmentFront> RayExits::frontsOf(SectorId sector) {
   SegmentFronts& fronts = scratch_.fronts;
   if (!fronts.has(sector)) {
-    fronts.find(scene_, projection_, sector, width_, columns_);
+    findFronts(scene_, projection_, sector, width_, columns_, fronts);
     projectedSegments_ += static_cast<int>(scene_[sector].segmentCount);
   }
   return fronts.of(sector);

@@ -178,7 +178,11 @@ DrawnTextures drawnTextures(const std::vector<Image>& images, TextureFilter filt
 
 Renderer::Renderer(const Scene& scene, DrawnTextures textures, const BakedLight& light,
                    DrawSettings settings)
-    : scene_(scene), textures_(std::move(textures)), light_(light), settings_(settings) {}
+    : scene_(scene),
+      sprites_(scene.level()),
+      textures_(std::move(textures)),
+      light_(light),
+      settings_(settings) {}
 
 Renderer::Renderer(const Scene& scene, const std::vector<Image>& images, const BakedLight& light,
                    DrawSettings settings)
@@ -266,7 +270,7 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
   divideColumns(scratch.parts, squares.width, workers);
   const auto findPart = [&](std::size_t i) {
     FrameColumns& part = scratch.parts[i];
-    findVisibleSpans(scene_, squares, projection, part.range, part.visibility);
+    findVisibleSpans(scene_, sprites_, squares, projection, part.range, part.visibility);
   };
   runAll(scratch.parts.size(), workers, findPart);
   findRaySlopes(scratch.raySlopes, projection, squares.height);

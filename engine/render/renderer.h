@@ -5,6 +5,7 @@
 #include "image/image.h"
 #include "image/pixel_rows.h"
 #include "level/scene.h"
+#include "level/sprite_index.h"
 #include "light/bakery.h"
 #include "math/parallel.h"
 #include "render/camera.h"
@@ -59,6 +60,7 @@ class Renderer {
                  Workers* workers) const;
 
   Scene scene_;
+  SpriteIndex sprites_;
   DrawnTextures textures_;
   const BakedLight& light_;
   DrawSettings settings_;

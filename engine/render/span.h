@@ -1,6 +1,7 @@
 #pragma once
 
 #include "level/ids.h"
+#include "level/sprite.h"
 
 namespace hearth {
 
@@ -10,12 +11,14 @@ struct Span {
   int rowBegin;
   int rowEnd;
   SurfaceId surface;
+  const SpriteView* view;  ///< what a sprite shows; null for all else
   /// Depth in metres at which the column leaves the sector: the depth of an upright surface, and
   /// the greatest depth of a flat or slope.
   double depth;
-  double s = 0;         ///< upright: metres along the authored wall, for the texture
+  /// Upright: metres along the authored wall, for the texture; of a sprite from its left edge.
+  double s = 0;
   double fraction = 0;  ///< upright: of the way from the segment's p0 to p1
-  double zRef = 0;      ///< upright: the absolute height at which v is 0
+  double zRef = 0;      ///< upright, also a sprite: the absolute height at which v is 0
 };
 
 }  // namespace hearth

@@ -82,6 +82,7 @@ std::uint32_t SpanGroups::begin(SurfaceId surface, int strip) {
   if (index == groups_.size()) groups_.emplace_back();
   SpanGroup& group = groups_[index];
   group.surface = surface;
+  group.view = nullptr;
   group.firstColumn = strip * Strip::kColumns;
   group.lanes = 0;
   group.rowBegin = std::numeric_limits<int>::max();

@@ -16,10 +16,11 @@ namespace hearth {
 /// together: each column is a lane of a register.
 struct SpanGroup {
   SurfaceId surface;
-  int firstColumn;  ///< of the strip
-  LaneSet lanes;    ///< the columns that have a span
-  int rowBegin;     ///< of all spans: the first row ...
-  int rowEnd;       ///< ... and the one behind the last
+  const SpriteView* view;  ///< as in Span
+  int firstColumn;         ///< of the strip
+  LaneSet lanes;           ///< the columns that have a span
+  int rowBegin;            ///< of all spans: the first row ...
+  int rowEnd;              ///< ... and the one behind the last
   LaneRowRanges rows;
 
   // As in Span. Lanes without a span have the numbers of another one.
@@ -36,6 +37,7 @@ struct SpanGroup {
             rows.begin[lane],
             rows.end[lane],
             surface,
+            view,
             depth[lane],
             s[lane],
             fraction[lane],
@@ -128,22 +130,22 @@ class SpanGroups {
 /// without holes.
 struct VisibleSpans {
   SpanGroups solid{SpanGroups::Order::Any};  ///< of surfaces without holes
-  /// Of masked middle textures, added near to far.
-  SpanGroups maskedMiddles{SpanGroups::Order::LastToFirst};
+  /// Of masked middle textures and sprites, added near to far.
+  SpanGroups masked{SpanGroups::Order::LastToFirst};
   FrameStats stats;
 
   /// Calls `use(group)` for the groups of a strip in an order in which they can be painted.
   template <typename Use>
   void forEachGroup(int strip, Use&& use) const {
     solid.forEach(strip, use);
-    maskedMiddles.forEach(strip, use);
+    masked.forEach(strip, use);
   }
 
   /// Calls `use(span)` for all spans.
   template <typename Use>
   void forEachSpan(Use&& use) const {
     solid.forEachSpan(use);
-    maskedMiddles.forEachSpan(use);
+    masked.forEachSpan(use);
   }
 };
 

@@ -73,7 +73,7 @@ class MipLevels {
 
 void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
-  Material material = materialOf(group.surface);
+  Material material = materialOf(group.surface, group.view);
   if (mode == LightMode::None) {
     material.lightmap = nullptr;
     material.sectorLight = 1;
@@ -85,7 +85,7 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
   const GroupLight light{material.lightmap, material.sectorLight, !mapping.isPlane};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
-  const bool haveHoles = material.surface.kind == SurfaceKind::MaskedMiddle;
+  const bool haveHoles = mayHaveHoles(material.surface.kind);
   const TextureFilter filter = haveHoles ? TextureFilter::Nearest : settings_.textureFilter;
   const bool areWhite = mode == LightMode::Only;
   GroupTexels texels{areWhite && !haveHoles ? nullptr : &material.image(),
@@ -124,16 +124,20 @@ void SpanPainter::findPlaces(const GroupTexels& texels, const GroupLight& light,
   if (!hasLight) kernels_.findLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
 }
 
-Material SpanPainter::materialOf(SurfaceId id) const {
+Material SpanPainter::materialOf(SurfaceId id, const SpriteView* view) const {
   const Surface& surface = scene_[id];
+  const TextureId texture = view ? view->texture : surface.mapping.texture;
   const auto& lit = light_.surfaces[id.index()];
   const auto& lightmap = light_.lightmaps[id.index()];
-  return {surface, textures_[surface.mapping.texture.index()], lightmap ? &*lightmap : nullptr,
-          lit ? &*lit : nullptr, sectorLightOn(surface)};
+  return {surface, textures_[texture.index()], lightmap ? &*lightmap : nullptr,
+          lit ? &*lit : nullptr, sectorLightOn(id)};
 }
 
-double SpanPainter::sectorLightOn(const Surface& surface) const {
-  return isSky(surface.kind) ? 1 : scene_[surface.sector].light;
+double SpanPainter::sectorLightOn(SurfaceId id) const {
+  const Surface& surface = scene_[id];
+  const bool isBright =
+      isSky(surface.kind) || (isSprite(surface.kind) && scene_.level().spriteOf(id).isBright);
+  return isBright ? 1 : scene_[surface.sector].light;
 }
 
 }  // namespace hearth

@@ -23,7 +23,7 @@ struct Material {
   const MipMap& texture;
   const Lightmap* lightmap;  ///< null where no light reaches the surface
   const LitSurface* lit;     ///< null for sky
-  double sectorLight;        ///< 0..1; sky is bright by itself
+  double sectorLight;        ///< 0..1; sky and some sprites are bright by themselves
 
   const Texture& image() const { return texture.full(); }
   /// Whether light differs from pixel to pixel.
@@ -50,13 +50,15 @@ class SpanPainter {
   void paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
              PaintStats& stats) const;
 
-  Material materialOf(SurfaceId id) const;
+  /// `view` is what a sprite shows.
+  Material materialOf(SurfaceId id, const SpriteView* view) const;
+  Material materialOf(const Span& span) const { return materialOf(span.surface, span.view); }
   SpanMapping mappingOf(const Material& material, const Span& span) const {
     return hearth::mappingOf(scene_, projection_, span, &material.image(), material.lit);
   }
 
  private:
-  double sectorLightOn(const Surface& surface) const;
+  double sectorLightOn(SurfaceId id) const;
   /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
   void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,
                   PixelBlock& block) const;

@@ -1,7 +1,6 @@
 #include "render/visibility.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -10,7 +9,6 @@
 
 #include "level/openings.h"
 #include "math/check.h"
-#include "math/round_up.h"
 #include "math/tolerance.h"
 #include "render/column_run.h"
 #include "render/ray_exits.h"
@@ -22,13 +20,15 @@ namespace {
 
 class Visibility {
  public:
-  Visibility(const Scene& scene, const Camera& camera, const Projection& projection,
-             ColumnRange columns, VisibilityScratch& scratch)
+  Visibility(const Scene& scene, const SpriteIndex& sprites, const Camera& camera,
+             const Projection& projection, ColumnRange columns, VisibilityScratch& scratch)
       : scene_(scene),
         camera_(camera),
         projection_(projection),
         columns_(columns),
         exits_(scene, projection, camera.width, columns, scratch.rayExits),
+        hasSprites_(!sprites.isEmpty()),
+        sprites_(scene, sprites, camera, projection, columns, scratch.sprites),
         scratch_(scratch),
         found_(scratch.found),
         viewports_(scratch.viewports),
@@ -43,8 +43,8 @@ class Visibility {
         lookAtLast(flatPortals_);
     }
     found_.stats.segments = exits_.projectedSegments();
-    found_.stats.maskedMiddleSpans = found_.maskedMiddles.spans();
-    found_.stats.spans = found_.solid.spans() + found_.maskedMiddles.spans();
+    found_.stats.maskedSpans = found_.masked.spans();
+    found_.stats.spans = found_.solid.spans() + found_.masked.spans();
   }
 
  private:
@@ -52,9 +52,9 @@ class Visibility {
     const int firstStrip = columns_.begin / Strip::kColumns;
     const int strips = Strip::countIn(columns_.end - columns_.begin);
     found_.solid.clear(firstStrip, strips);
-    found_.maskedMiddles.clear(firstStrip, strips);
+    found_.masked.clear(firstStrip, strips);
     found_.stats = {};
-    Viewport first{nullptr, camera_.sector, std::nullopt, noWindows()};
+    Viewport first{nullptr, camera_.sector, std::nullopt, std::nullopt, noWindows()};
     for (int column = columns_.begin; column < columns_.end; ++column)
       first.windows.emplace_back(column, 0, camera_.height, 0);
     viewports_.push_back(std::move(first));
@@ -97,12 +97,25 @@ class Visibility {
         ++i;
         continue;
       }
+      const std::size_t first = i;
       ColumnRun run(scene_[viewport.sector], scene_[hits[i].segment], windows[i], hits[i]);
       while (++i < windows.size() && hits[i].depth < RayExits::kNoDepth &&
              run.continuesIn(windows[i], hits[i]))
         run.add(windows[i], hits[i]);
+      if (hasSprites_)
+        showSprites(run, viewport.from, std::span(windows).subspan(first, i - first));
       show(run);
     }
+  }
+
+  /// Before what is behind them.
+  void showSprites(const ColumnRun& run, std::optional<SectorId> from,
+                   std::span<const Window> windows) {
+    SpriteSpans::Entry entry;
+    entry.from = from;
+    for (const Window& window : windows)
+      entry.depths[static_cast<std::size_t>(window.column % Strip::kColumns)] = window.depth;
+    sprites_.show(run, entry, found_.masked);
   }
 
   // --- columns that leave a sector at one segment -----------------------------------------------
@@ -123,11 +136,7 @@ class Visibility {
 
   /// The first of a lane's rows whose centre is not above height z.
   int rowIn(const ColumnRun& run, const LaneRowRanges& rows, std::size_t lane, double z) const {
-    return rowIn(rows.begin[lane], rows.end[lane], z, run.depths[lane]);
-  }
-  int rowIn(int begin, int end, double z, double depth) const {
-    const double row = projection_.rowOf(z, depth) - 0.5;
-    return roundedUp(std::clamp(row, static_cast<double>(begin), static_cast<double>(end)));
+    return projection_.rowIn(rows.begin[lane], rows.end[lane], z, run.depths[lane]);
   }
 
   void showFlat(const ColumnRun& run, const Flat& flat, std::optional<SurfaceId> surface,
@@ -192,7 +201,7 @@ class Visibility {
 
   void showOpening(const ColumnRun& run, const Opening& opening, const LaneRowRanges& rows) {
     if (rows.lanes() == 0) return;
-    addWindows(run, rows, viewportBehind(opening));
+    addWindows(run, rows, viewportBehind(opening, run.sector.id));
     if (!opening.maskedMiddle) return;
     const SurfaceGeometry& middle = scene_.geometryOf(*opening.maskedMiddle);
     LaneRowRanges hung;
@@ -200,7 +209,7 @@ class Visibility {
       hung.begin[lane] = rowIn(run, rows, lane, middle.zTop);
       hung.end[lane] = rowIn(run, rows, lane, middle.zBottom);
     }
-    addUprightSpans(found_.maskedMiddles, *opening.maskedMiddle, run, hung);
+    addUprightSpans(found_.masked, *opening.maskedMiddle, run, hung);
   }
 
   void countColumns(const Segment& segment, int columns) {
@@ -216,16 +225,6 @@ class Visibility {
       if (rows.has(lane))
         windows.emplace_back(run.strip * Strip::kColumns + static_cast<int>(lane), rows.begin[lane],
                              rows.end[lane], run.depths[lane]);
-  }
-
-  static void setLanes(LaneDoubles& to, const LaneDoubles& from, LaneSet lanes) {
-    if (lanes == kAllLanes)
-      to = from;
-    else
-      for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        to[lane] = from[lane];
-      }
   }
 
   void addUprightSpans(SpanGroups& to, SurfaceId id, const ColumnRun& run,
@@ -273,10 +272,10 @@ class Visibility {
   }
 
   /// Into the viewport behind an opening: among those begun by the present look.
-  std::vector<Window>& viewportBehind(const Opening& opening) {
+  std::vector<Window>& viewportBehind(const Opening& opening, SectorId from) {
     for (std::size_t i = viewports_.size(); i-- > firstNewViewport_;)
       if (viewports_[i].opening == &opening) return viewports_[i].windows;
-    viewports_.push_back({&opening, opening.next, opening.twin, noWindows()});
+    viewports_.push_back({&opening, opening.next, opening.twin, from, noWindows()});
     return viewports_.back().windows;
   }
 
@@ -308,11 +307,14 @@ class Visibility {
       // before the window begins must not turn the look back, or it might go on for ever.
       const bool rest = i + 1 == stretches.size() && exit.depth > window.depth * (1 - kNearTie);
       const int farRow = rest ? (down ? window.top : window.bottom)
-                              : rowIn(window.top, window.bottom, z, exit.depth);
+                              : projection_.rowIn(window.top, window.bottom, z, exit.depth);
       Window part = window;
       (down ? part.top : part.bottom) = farRow;
       (down ? window.bottom : window.top) = farRow;
-      if (part.top < part.bottom) show(ColumnRun(scene_[sector], scene_[exit.segment], part, exit));
+      if (part.top >= part.bottom) continue;
+      const ColumnRun run(scene_[sector], scene_[exit.segment], part, exit);
+      if (hasSprites_) sprites_.show(run, {{}, std::nullopt, z}, found_.masked);
+      show(run);
     }
   }
 
@@ -321,6 +323,8 @@ class Visibility {
   const Projection& projection_;
   ColumnRange columns_;
   RayExits exits_;
+  bool hasSprites_;
+  SpriteSpans sprites_;
   VisibilityScratch& scratch_;
   VisibleSpans& found_;
   std::vector<Viewport>& viewports_;
@@ -332,10 +336,10 @@ class Visibility {
 
 }  // namespace
 
-const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
-                                     const Projection& projection, ColumnRange columns,
-                                     VisibilityScratch& scratch) {
-  Visibility(scene, camera, projection, columns, scratch).find();
+const VisibleSpans& findVisibleSpans(const Scene& scene, const SpriteIndex& sprites,
+                                     const Camera& camera, const Projection& projection,
+                                     ColumnRange columns, VisibilityScratch& scratch) {
+  Visibility(scene, sprites, camera, projection, columns, scratch).find();
   return scratch.found;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "level/scene.h"
+#include "level/sprite_index.h"
 #include "render/camera.h"
 #include "render/span_groups.h"
 #include "render/visibility_scratch.h"
@@ -11,14 +12,14 @@ namespace hearth {
 /// which begin with a strip. No column depends on the others. The camera's sector must contain its
 /// eye; `projection` has moved the eye off the walls. The result lies in `scratch` until the next
 /// search.
-const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
-                                     const Projection& projection, ColumnRange columns,
-                                     VisibilityScratch& scratch);
-/// The same for all columns.
+const VisibleSpans& findVisibleSpans(const Scene& scene, const SpriteIndex& sprites,
+                                     const Camera& camera, const Projection& projection,
+                                     ColumnRange columns, VisibilityScratch& scratch);
+/// The same for all columns, without sprites.
 inline const VisibleSpans& findVisibleSpans(const Scene& scene, const Camera& camera,
                                             const Projection& projection,
                                             VisibilityScratch& scratch) {
-  return findVisibleSpans(scene, camera, projection, {0, camera.width}, scratch);
+  return findVisibleSpans(scene, SpriteIndex(), camera, projection, {0, camera.width}, scratch);
 }
 
 }  // namespace hearth

@@ -8,6 +8,7 @@
 #include "render/lanes.h"
 #include "render/ray_exits.h"
 #include "render/span_groups.h"
+#include "render/sprite_spans.h"
 #include "render/window.h"
 
 namespace hearth {
@@ -17,6 +18,7 @@ struct Viewport {
   const Opening* opening;  ///< null for the camera's sector
   SectorId sector;
   std::optional<SegmentId> entry;  ///< the sector's own side of that portal
+  std::optional<SectorId> from;    ///< the sector on its other side
   std::vector<Window> windows;     ///< by rising column
 
   /// In the level: rising from opening to opening.
@@ -47,6 +49,7 @@ struct VisibilityScratch {
   std::vector<FlatPortalView> flatPortals;
   SpareWindows spareWindows;
   RayExitScratch rayExits;
+  SpriteSpansScratch sprites;
   std::vector<WallPart> wallParts;  ///< of the present columns
 };
 

@@ -130,11 +130,9 @@ struct Authored {
 std::optional<Authored> authoredAt(Level level, SectorId id, SectorGeometry heights) {
   level[id].floor.z = heights.zFloor;
   level[id].ceiling.z = heights.zCeiling;
-  std::erase_if(level.surfaces, [](const Surface& surface) { return isSprite(surface.kind); });
   std::vector<MissingTexture> missing;
   Geometry geometry = deriveGeometry(level, missing);
   if (!missing.empty()) return std::nullopt;
-  addSpriteSurfaces(level, geometry);
   return Authored{std::move(level), std::move(geometry)};
 }
 

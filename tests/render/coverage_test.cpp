@@ -126,7 +126,7 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
   scratch.parts[0].range = {0, 2 * Strip::kColumns + 3};  // the last strip is narrower
   VisibleSpans& found = scratch.parts[0].visibility.found;
   found.solid.clear(0, 3);
-  found.maskedMiddles.clear(0, 3);
+  found.masked.clear(0, 3);
   const auto add = [&](SpanGroups& to, int column, int begin, int end) {
     LaneRowRanges rows;
     rows.begin[static_cast<std::size_t>(column % Strip::kColumns)] = begin;
@@ -143,7 +143,7 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
   }
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
   // A masked middle texture can have holes.
-  add(found.maskedMiddles, 10, 3, 4);
+  add(found.masked, 10, 3, 4);
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
   add(found.solid, 10, 3, 4);
   EXPECT_EQ(filled(), (std::vector{true, true, true}));

@@ -121,7 +121,7 @@ TEST(MiddleTextures, areCountedAndCostNothingWhereThereAreNone) {
     test::Canvas picture(kSize, kSize);
     Renderer(loaded.scene(), texturesOf(loaded.level), light)
         .draw({SectorId(0), {1, 0, 2}, 0, 0, 90, kSize, kSize}, LightMode::None, scratch, picture);
-    return scratch.found().maskedMiddleSpans;
+    return scratch.found().maskedSpans;
   };
   EXPECT_EQ(spansOf(rooms("", "")), 0U);
   EXPECT_EQ(spansOf(rooms(kNearMiddle, "")), 42U) << "4 m at 3 m deep, of 64 columns for 6 m";

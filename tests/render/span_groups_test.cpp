@@ -142,7 +142,7 @@ TEST(VisibleGroups, ofAStripDoNotDependOnTheStripsBesideIt) {
       for (int strip = 0; strip < Strip::countIn(camera.width); ++strip) {
         const ColumnRange columns{strip * Strip::kColumns,
                                   std::min((strip + 1) * Strip::kColumns, camera.width)};
-        findVisibleSpans(loaded.scene(), camera, projection, columns, alone);
+        findVisibleSpans(loaded.scene(), SpriteIndex(), camera, projection, columns, alone);
         EXPECT_EQ(groupsOf(whole.found, strip), groupsOf(alone.found, strip))
             << shot.name << ' ' << strip;
       }

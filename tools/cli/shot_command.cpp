@@ -71,8 +71,8 @@ Command shotCommand() {
   return {"shot",
           "bakes and draws one picture; needs no display",
           std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
-                              Option::Size, Option::Fov, Option::Light, Option::Channel,
-                              Option::Quiet} +
+                              Option::Size, Option::Fov, Option::Time, Option::Light,
+                              Option::Channel, Option::Quiet} +
               drawOptions() + lightOptions(),
           {Option::Output},
           runShot};

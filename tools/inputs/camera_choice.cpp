@@ -94,6 +94,7 @@ CameraResult cameraFor(const Scene& scene, const OptionValues& values, ImageSize
   CameraResult camera = placed(scene, values);
   if (!camera) return camera;
   camera->fov = values.number(Option::Fov).value_or(camera->fov);
+  camera->seconds = values.number(Option::Time).value_or(camera->seconds);
   if (!values.has(Option::Shot)) {
     camera->width = standardSize.width;
     camera->height = standardSize.height;

@@ -30,6 +30,8 @@ constexpr std::array kTable = {
               "320x200; in a window, as large as that", "size of the picture in pixels"},
     OptionRow{Option::Fov, "--fov", ValueKind::Number, "DEGREES", 1, 179, "90",
               "horizontal field of view"},
+    OptionRow{Option::Time, "--time", ValueKind::Number, "SECONDS", 0, kMax, "0",
+              "how long animations of sprites have run"},
     OptionRow{Option::Light, "--light", ValueKind::Choice, "both|none|only", 0, 0, "both",
               "what the picture shows of texture and light"},
     OptionRow{

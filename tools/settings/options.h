@@ -19,6 +19,7 @@ enum class Option {
   Shot,
   Size,
   Fov,
+  Time,
   Light,
   Channel,
   Quality,

@@ -30,9 +30,10 @@ std::string shotOptionsOf(const WalkFrame& frame, std::string_view sector,
   const std::string what = frame.view.channel.empty()
                                ? fmt::format("--light {}", nameOf(frame.view.mode))
                                : fmt::format("--channel {}", frame.view.channel);
-  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}", camera.eye.x,
-                     camera.eye.y, camera.eye.z, camera.angle, camera.pitch, shellWord(sector),
-                     camera.fov, camera.width, camera.height, what,
+  const std::string time = camera.seconds > 0 ? fmt::format("--time {} ", camera.seconds) : "";
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}{}",
+                     camera.eye.x, camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
+                     shellWord(sector), camera.fov, camera.width, camera.height, time, what,
                      drawOptions.empty() ? "" : " " + drawOptions);
 }
 

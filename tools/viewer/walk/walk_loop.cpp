@@ -232,9 +232,13 @@ void WalkLoop::aimCamera() {
   frame_.eye = session_.eye(fractionOfTick_);
   const Eye eye = session_.eye(fractionOfTick_, settings_.preferences.viewBob);
   const int beside = isGeometry(frame_.view.channel) ? panel_.widthBeside(frame_.size.width) : 0;
-  frame_.camera = {eye.sector,        eye.point,     eye.angle,
-                   eye.pitch,         settings_.fov, beside > 0 ? beside : frame_.size.width,
-                   frame_.size.height};
+  frame_.camera = {eye.sector,         eye.point,
+                   eye.angle,          eye.pitch,
+                   settings_.fov,      beside > 0 ? beside : frame_.size.width,
+                   frame_.size.height, 0};
+  // A level in which nothing moves is not drawn again and again.
+  if (std::ranges::any_of(scene_.level().sprites, isAnimated))
+    frame_.camera.seconds = session_.seconds(fractionOfTick_);
 }
 
 // --- The panel -----------------------------------------------------------------------------------

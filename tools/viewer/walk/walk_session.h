@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "level/scene.h"
@@ -27,6 +28,7 @@ class WalkSession {
     current_ = walked(scene_, current_, input);
     currentGait_ = walkedOn(currentGait_, previous_, current_);
     if (isRecording_) inputs_.push_back(input);
+    ++ticks_;
   }
 
   /// Goes on in another scene from where `walker` stands in it. Not while recording: the recording
@@ -53,6 +55,10 @@ class WalkSession {
                     std::lerp(previousGait_.swing, currentGait_.swing, fraction)};
     return bobbed(scene_, eye(fraction), gait, bob);
   }
+  /// How long the walk has lasted, in the moment that `eye(fraction)` shows.
+  double seconds(double fraction) const {
+    return ticks_ == 0 ? 0 : (static_cast<double>(ticks_ - 1) + fraction) / kTicksPerSecond;
+  }
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 
  private:
@@ -63,6 +69,7 @@ class WalkSession {
   Gait previousGait_;
   Gait currentGait_;
   std::vector<WalkInput> inputs_;
+  std::int64_t ticks_ = 0;
 };
 
 }  // namespace hearth

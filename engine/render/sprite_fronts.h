@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "level/scene.h"
+#include "level/sprite_index.h"
+#include "level/sprite_sectors.h"
+#include "render/by_sector.h"
+#include "render/camera.h"
+#include "render/segment_columns.h"
+
+namespace hearth {
+
+/// A sprite before the eye.
+class SpriteFront {
+ public:
+  /// `view` is what it shows.
+  SpriteFront(const Sprite& sprite, const SpriteView& view, const SpriteRect& rect,
+              const Projection& projection);
+
+  SurfaceId surface() const { return surface_; }
+  const SpriteView& view() const { return *view_; }
+  bool lies() const { return lies_; }
+  double zBottom() const { return zBottom_; }
+  double zTop() const { return zTop_; }  ///< as zBottom() where it lies
+
+  /// Columns of a screen of this width outside which it does not show; empty if it shows in none.
+  ColumnRange columnsIn(const Projection& projection, int width) const;
+
+  /// Where a ray meets what stands.
+  struct Meeting {
+    double depth;  ///< > 0
+    double s;      ///< metres from the image's left edge, less than its width
+  };
+  /// Of the ray with this slant (see Projection::slantOf), if it meets it.
+  std::optional<Meeting> meet(double slant) const;
+
+  /// A stretch of a ray, in metres of depth: more than `from`, up to `to`.
+  struct Depths {
+    double from;
+    double to;
+
+    /// Cuts off where a linear function of the depth, `atEye` at the eye, is negative.
+    void keepPositive(double atEye, double perMetre);
+  };
+  /// Of the ray with this slant, over or below what lies. Empty where it passes beside.
+  Depths over(double slant) const;
+
+ private:
+  CameraPoint at(double right, double up) const;
+
+  SurfaceId surface_;
+  const SpriteView* view_;
+  bool lies_;
+  double zBottom_;
+  double zTop_;
+  CameraPoint corner_;  ///< the image's lower left
+  CameraPoint right_;   ///< along its lower edge
+  CameraPoint up_;      ///< along its left edge; 0 where it stands
+};
+
+/// The sprites of the sectors in view, each sector's found once in a frame. Those of a sector are
+/// in the order of the level.
+class SpriteFronts {
+ public:
+  /// Forgets all sectors, and begins a frame.
+  void clear() {
+    fronts_.clear();
+    guests_.clear();
+    sectors_.clear();
+  }
+
+  bool has(SectorId sector) const { return fronts_.has(sector); }
+
+  /// Finds those of another sector that may show in some of these columns.
+  void find(const Scene& scene, const SpriteIndex& index, const Camera& camera,
+            const Projection& projection, SectorId sector, ColumnRange columns);
+
+  /// Those of a sector for which they have been found. Valid until `find` is called again.
+  std::span<const SpriteFront> of(SectorId sector) const { return fronts_.of(sector); }
+
+ private:
+  /// A sprite that reaches beyond its own sector, and where it is in this frame.
+  struct Guest {
+    std::uint32_t sprite;
+    std::size_t begin;  ///< its sectors are [begin, end) of sectors_
+    std::size_t end;
+  };
+
+  bool isIn(const Scene& scene, const Projection& projection, double seconds, std::uint32_t sprite,
+            SectorId sector);
+  Guest guestOf(const Scene& scene, const Projection& projection, double seconds,
+                std::uint32_t sprite);
+
+  BySector<SpriteFront> fronts_;
+  std::vector<Guest> guests_;
+  std::vector<SectorId> sectors_;
+  SpriteSectors finder_;
+  std::vector<std::uint32_t> found_;  ///< sprites of the present sector
+};
+
+}  // namespace hearth

@@ -1,0 +1,227 @@
+#include "render/sprite_spans.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "math/tolerance.h"
+#include "render/ray_exits.h"
+
+namespace hearth {
+
+namespace {
+
+/// Whether a depth is less than another, or as good as equal.
+bool isBefore(double depth, double at) { return depth <= at * (1 + kNearTie) + kPositionSlack; }
+
+void add(const SpritePart& part, int strip, const LaneRowRanges& rows, SpanGroups& found) {
+  const auto [group, lanes] = found.add(part.front->surface(), strip, rows);
+  if (!group) return;
+  group->view = &part.front->view();
+  setLanes(group->depth, part.depth, lanes);
+  setLanes(group->s, part.s, lanes);
+  LaneDoubles zTop;
+  zTop.fill(part.front->zTop());
+  setLanes(group->zRef, zTop, lanes);
+}
+
+LaneRowRanges only(std::size_t lane, const LaneRowRanges& rows) {
+  LaneRowRanges one;
+  one.begin[lane] = rows.begin[lane];
+  one.end[lane] = rows.end[lane];
+  return one;
+}
+
+}  // namespace
+
+/// A run, and the air that its rays cross.
+struct SpriteSpans::Look {
+  const ColumnRun& run;
+  const Entry& entry;
+  const Projection& projection;
+
+  double slantOf(std::size_t lane) const { return projection.slantOf(columnOf(lane) + 0.5); }
+  Vec2 rayOf(std::size_t lane) const { return projection.rayOf(columnOf(lane) + 0.5); }
+  int columnOf(std::size_t lane) const {
+    return run.strip * Strip::kColumns + static_cast<int>(lane);
+  }
+  int rowIn(std::size_t lane, double z, double depth) const {
+    return projection.rowIn(run.open.begin[lane], run.open.end[lane], z, depth);
+  }
+};
+
+SpriteSpans::SpriteSpans(const Scene& scene, const SpriteIndex& index, const Camera& camera,
+                         const Projection& projection, ColumnRange columns,
+                         SpriteSpansScratch& scratch)
+    : scene_(scene),
+      index_(index),
+      camera_(camera),
+      projection_(projection),
+      columns_(columns),
+      scratch_(scratch) {
+  scratch_.fronts.clear();
+}
+
+std::span<const SpriteFront> SpriteSpans::frontsIn(SectorId sector) {
+  if (!scratch_.fronts.has(sector))
+    scratch_.fronts.find(scene_, index_, camera_, projection_, sector, columns_);
+  return scratch_.fronts.of(sector);
+}
+
+void SpriteSpans::show(const ColumnRun& run, const Entry& entry, SpanGroups& found) {
+  const std::span<const SpriteFront> fronts = frontsIn(run.sector.id);
+  if (fronts.empty()) return;
+  const Look look{run, entry, projection_};
+  auto& [all, standing, lying] = scratch_;
+  standing.clear();
+  lying.clear();
+  for (const SpriteFront& front : fronts)
+    if (front.lies())
+      lying.push_back(&front);
+    else
+      findStanding(look, front);
+  const double eyeZ = projection_.eye().z;
+  // Of two at one height the later in the level first.
+  std::ranges::sort(lying, {}, [eyeZ](const SpriteFront* front) {
+    return std::pair(std::abs(front->zBottom() - eyeZ), ~front->surface().value);
+  });
+  if (standing.empty()) {
+    for (const SpriteFront* front : lying) {
+      const SpritePart part = lyingPart(look, *front);
+      add(part, run.strip, part.rows, found);
+    }
+  } else if (lying.empty() && haveOneOrder(look)) {
+    for (const SpritePart& part : standing) add(part, run.strip, part.rows, found);
+  } else {
+    for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) showLane(look, lane, found);
+  }
+}
+
+// --- What stands ---------------------------------------------------------------------------------
+
+void SpriteSpans::findStanding(const Look& look, const SpriteFront& front) {
+  SpritePart part{&front, {}, {}, {}};
+  for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane) {
+    const auto meeting = front.meet(look.slantOf(lane));
+    if (!meeting || !isBefore(meeting->depth, look.run.depths[lane]) ||
+        !isBehindEntry(look, lane, front, meeting->depth))
+      continue;
+    const Vec2 at = projection_.eye().xy() + meeting->depth * look.rayOf(lane);
+    const double zBottom = std::max(front.zBottom(), scene_.airBottom(look.run.sector, at));
+    const double zTop = std::min(front.zTop(), scene_.airTop(look.run.sector, at));
+    if (zBottom >= zTop) continue;
+    part.rows.begin[lane] = look.rowIn(lane, zTop, meeting->depth);
+    part.rows.end[lane] = look.rowIn(lane, zBottom, meeting->depth);
+    part.depth[lane] = meeting->depth;
+    part.s[lane] = meeting->s;
+  }
+  if (part.rows.lanes() != 0) scratch_.standing.push_back(part);
+}
+
+/// What is at an opening belongs to the sector before it, if it is in that one, too.
+bool SpriteSpans::isBehindEntry(const Look& look, std::size_t lane, const SpriteFront& front,
+                                double depth) const {
+  const double entered = look.entry.depths[lane];
+  if (entered == 0 || !isBefore(depth, entered)) return true;
+  if (!isBefore(entered, depth) || !look.entry.from) return false;
+  return std::ranges::find(scratch_.fronts.of(*look.entry.from), front.surface(),
+                           &SpriteFront::surface) == scratch_.fronts.of(*look.entry.from).end();
+}
+
+/// Sorts what stands by rising depth, and says whether that is the order in every column.
+bool SpriteSpans::haveOneOrder(const Look& look) {
+  const auto leastDepth = [](const SpritePart& part) {
+    double least = RayExits::kNoDepth;
+    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+      if (part.rows.has(lane)) least = std::min(least, part.depth[lane]);
+    return least;
+  };
+  std::ranges::sort(scratch_.standing, {}, leastDepth);
+  LaneDoubles reached{};
+  for (const SpritePart& part : scratch_.standing)
+    for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane) {
+      if (!part.rows.has(lane)) continue;
+      if (part.depth[lane] <= reached[lane] * (1 + kNearTie)) return false;
+      reached[lane] = part.depth[lane];
+    }
+  return true;
+}
+
+// --- What lies -----------------------------------------------------------------------------------
+
+/// All of what lies, if nothing stands in it.
+SpritePart SpriteSpans::lyingPart(const Look& look, const SpriteFront& front) const {
+  SpritePart part{&front, {}, {}, {}};
+  for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane)
+    lie(look, lane, {look.entry.depths[lane], look.run.depths[lane]}, part);
+  return part;
+}
+
+/// Finds the rows of one column in which it lies between two depths, the first excluded.
+void SpriteSpans::lie(const Look& look, std::size_t lane, SpriteFront::Depths between,
+                      SpritePart& part) const {
+  const double z = part.front->zBottom();
+  const double eyeZ = projection_.eye().z;
+  if (z == eyeZ) return;
+  // What lies in a flat portal belongs to the side that it is seen from.
+  if (look.entry.plane && std::abs(z - *look.entry.plane) <= kPositionSlack) return;
+  SpriteFront::Depths depths = part.front->over(look.slantOf(lane));
+  depths = {std::max(depths.from, between.from), std::min(depths.to, between.to)};
+  const Sector& sector = look.run.sector;
+  const Vec2 eye = projection_.eye().xy();
+  const Vec2 ray = look.rayOf(lane);
+  const auto rise = [&](const std::optional<Slope>& slope) {
+    return slope ? dot(slope->gradient, ray) : 0;
+  };
+  depths.keepPositive(z - scene_.airBottom(sector, eye) + kPositionSlack, -rise(sector.floorSlope));
+  depths.keepPositive(scene_.airTop(sector, eye) - z + kPositionSlack, rise(sector.ceilingSlope));
+  if (depths.from >= depths.to) return;
+  const double upper = z < eyeZ ? depths.to : depths.from;
+  const double lower = z < eyeZ ? depths.from : depths.to;
+  part.rows.begin[lane] = look.rowIn(lane, z, upper);
+  part.rows.end[lane] = look.rowIn(lane, z, lower);
+  part.depth[lane] = depths.to;
+}
+
+// --- Both, column by column ----------------------------------------------------------------------
+
+/// What lies is divided by the depths of what stands. Between two of these it hides what lies
+/// farther from the height of the eye: where two share a pixel, the ray meets that later.
+void SpriteSpans::showLane(const Look& look, std::size_t lane, SpanGroups& found) {
+  const auto depthOf = [lane](const SpritePart& part) {
+    return part.rows.has(lane) ? part.depth[lane] : RayExits::kNoDepth;
+  };
+  std::ranges::sort(scratch_.standing, {}, depthOf);
+  putLaterFirst(lane);
+  double reached = look.entry.depths[lane];
+  for (const SpritePart& part : scratch_.standing) {
+    if (!part.rows.has(lane)) break;
+    showLying(look, lane, {reached, part.depth[lane]}, found);
+    add(part, look.run.strip, only(lane, part.rows), found);
+    reached = std::max(reached, part.depth[lane]);
+  }
+  showLying(look, lane, {reached, look.run.depths[lane]}, found);
+}
+
+/// Where depths differ by rounding alone, as in one plane.
+void SpriteSpans::putLaterFirst(std::size_t lane) {
+  std::vector<SpritePart>& parts = scratch_.standing;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    for (std::size_t k = i; k > 0 && parts[k].rows.has(lane); --k) {
+      if (parts[k].depth[lane] > parts[k - 1].depth[lane] * (1 + kNearTie)) break;
+      if (parts[k].front < parts[k - 1].front) break;
+      std::swap(parts[k], parts[k - 1]);
+    }
+}
+
+void SpriteSpans::showLying(const Look& look, std::size_t lane, SpriteFront::Depths between,
+                            SpanGroups& found) const {
+  for (const SpriteFront* front : scratch_.lying) {
+    SpritePart part{front, {}, {}, {}};
+    lie(look, lane, between, part);
+    add(part, look.run.strip, part.rows, found);
+  }
+}
+
+}  // namespace hearth

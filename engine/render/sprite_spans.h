@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "level/scene.h"
+#include "level/sprite_index.h"
+#include "render/camera.h"
+#include "render/column_run.h"
+#include "render/lanes.h"
+#include "render/span_groups.h"
+#include "render/sprite_fronts.h"
+
+namespace hearth {
+
+/// What a sprite shows in some columns.
+struct SpritePart {
+  const SpriteFront* front;
+  LaneRowRanges rows;
+  LaneDoubles depth;  ///< metres; where it lies, those at which it ends
+  LaneDoubles s;      ///< metres from the image's left edge; of what stands
+};
+
+/// The memory of SpriteSpans, kept from frame to frame.
+struct SpriteSpansScratch {
+  SpriteFronts fronts;
+  // Of the present columns:
+  std::vector<SpritePart> standing;
+  std::vector<const SpriteFront*> lying;  ///< by rising distance from the height of the eye
+};
+
+/// Finds the spans of sprites: where they are between the depths at which a ray enters a sector and
+/// leaves it, in its air. So no depth of a pixel has to be kept.
+class SpriteSpans {
+ public:
+  /// Columns of the camera's picture.
+  SpriteSpans(const Scene& scene, const SpriteIndex& index, const Camera& camera,
+              const Projection& projection, ColumnRange columns, SpriteSpansScratch& scratch);
+
+  /// How the rays of a run come into its sector.
+  struct Entry {
+    LaneDoubles depths;            ///< metres; 0 for those that begin there or ...
+    std::optional<SectorId> from;  ///< ... come from no other sector through a wall ...
+    std::optional<double> plane;   ///< ... but through a flat portal, at this height
+  };
+  /// Adds the spans of a run, near to far, to those found.
+  void show(const ColumnRun& run, const Entry& entry, SpanGroups& found);
+
+ private:
+  struct Look;
+
+  std::span<const SpriteFront> frontsIn(SectorId sector);
+  void findStanding(const Look& look, const SpriteFront& front);
+  bool isBehindEntry(const Look& look, std::size_t lane, const SpriteFront& front,
+                     double depth) const;
+  SpritePart lyingPart(const Look& look, const SpriteFront& front) const;
+  void lie(const Look& look, std::size_t lane, SpriteFront::Depths between, SpritePart& part) const;
+  bool haveOneOrder(const Look& look);
+  void showLane(const Look& look, std::size_t lane, SpanGroups& found);
+  void putLaterFirst(std::size_t lane);
+  void showLying(const Look& look, std::size_t lane, SpriteFront::Depths between,
+                 SpanGroups& found) const;
+
+  Scene scene_;
+  const SpriteIndex& index_;
+  const Camera& camera_;
+  const Projection& projection_;
+  ColumnRange columns_;
+  SpriteSpansScratch& scratch_;
+};
+
+}  // namespace hearth
