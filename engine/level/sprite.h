@@ -26,8 +26,8 @@ struct SpriteView {
 
 /// The body of a sprite that is solid to the player: a cylinder around its position.
 struct SpriteBody {
-  double radius;  ///< metres
-  double height;  ///< metres, from the sprite's position up
+  double radius = 0;  ///< metres
+  double height = 0;  ///< metres, from the sprite's position up
 };
 
 /// An image that stands or lies in the air of a level. Doom calls these things, Build sprites.

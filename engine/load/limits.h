@@ -12,6 +12,7 @@ struct LoadLimits {
   std::int64_t imagePixels = std::int64_t{1} << 26;   ///< --max-image-pixels, per image
   std::size_t vertices = 1'000'000;                   ///< --max-vertices, in all loops together
   std::size_t lights = 100'000;                       ///< --max-lights
+  std::size_t spriteImages = 250'000;  ///< --max-sprite-images, in all things together
 };
 
 }  // namespace hearth

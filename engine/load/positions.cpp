@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "level/locate.h"
 #include "load/suggest.h"
@@ -59,14 +60,18 @@ bool opensTo(const Scene& scene, const Sector& sector, SectorId next, Vec3 p) {
   return false;
 }
 
+/// Metres from `p` to the outline of a sector; 0 inside.
+double distanceOnPlan(const Scene& scene, const Sector& sector, Vec2 p) {
+  if (contains(scene.level(), sector, p)) return 0;
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Segment& segment : scene.segmentsOf(sector))
+    distance = std::min(distance, distanceToWall(segment, p));
+  return distance;
+}
+
 /// Metres from `p` to the air of a sector, nearly: its slopes are taken as they are above `p`.
 double distanceTo(const Scene& scene, const Sector& sector, Vec3 p) {
-  double aside = 0;
-  if (!contains(scene.level(), sector, p.xy())) {
-    aside = std::numeric_limits<double>::infinity();
-    for (const Segment& segment : scene.segmentsOf(sector))
-      aside = std::min(aside, distanceToWall(segment, p.xy()));
-  }
+  const double aside = distanceOnPlan(scene, sector, p.xy());
   const double above =
       std::max({0.0, scene.airBottom(sector, p.xy()) - p.z, p.z - scene.airTop(sector, p.xy())});
   return std::sqrt(aside * aside + above * above);
@@ -78,6 +83,27 @@ double distanceToBox(const Sector& sector, Vec2 p) {
   return length(gap);
 }
 
+/// The sector of the least `distanceTo`, and that; none of a level without segments.
+template <typename DistanceTo>
+std::pair<const Sector*, double> nearestTo(const Level& level, Vec2 p, DistanceTo&& distanceTo) {
+  const Sector* nearest = nullptr;
+  double best = std::numeric_limits<double>::infinity();
+  for (const Sector& candidate : level.sectors) {
+    if (candidate.segmentCount == 0 || distanceToBox(candidate, p) >= best) continue;
+    const double distance = distanceTo(candidate);
+    if (distance < best) nearest = &candidate, best = distance;
+  }
+  return {nearest, best};
+}
+
+std::string listed(const Level& level, const std::vector<SectorId>& found) {
+  std::vector<std::string> names;
+  for (const SectorId id : found) names.push_back(fmt::format("\"{}\"", level[id].name));
+  if (names.size() > 8) names.resize(8);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string text(Vec2 p) { return fmt::format("({}, {})", p.x, p.y); }
 std::string text(Vec3 p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
 
 }  // namespace
@@ -127,14 +153,19 @@ tl::expected<SectorId, Locator::Failure> Locator::locateOnFloor(
   if (sector) return locate(onFloor(*sector), sector, PositionOf::Camera);
   std::vector<SectorId> found;
   sectors_.query(grown({p, p}, kPositionSlack), [&](std::uint32_t i) {
-    if (liesInOutline(scene_.level(), scene_.level().sectors[i], p)) found.emplace_back(i);
+    const Sector& candidate = scene_.level().sectors[i];
+    // A floor that is a flat portal bears nothing; what it is open to is found, too.
+    if (!candidate.floor.flatPortal && liesInOutline(scene_.level(), candidate, p))
+      found.emplace_back(i);
   });
   std::sort(found.begin(), found.end());
-  if (found.empty()) return tl::unexpected(outside({p.x, p.y, 0}, std::nullopt));
+  if (found.empty()) return tl::unexpected(outsideOnPlan(p));
   const Vec3 first = onFloor(found.front());
   for (const SectorId other : found)
     if (std::abs(onFloor(other).z - first.z) > kPositionSlack)
-      return tl::unexpected(severalAt(first, found));
+      return tl::unexpected(Failure{
+          fmt::format("{} lies in several sectors: {}", text(p), listed(scene_.level(), found)),
+          "say in which with \"sector\", or how high with \"z\""});
   return choose(first, found);
 }
 
@@ -153,11 +184,17 @@ tl::expected<SectorId, Locator::Failure> Locator::choose(Vec3 p,
 }
 
 Locator::Failure Locator::severalAt(Vec3 p, const std::vector<SectorId>& found) const {
-  std::vector<std::string> names;
-  for (const SectorId id : found) names.push_back(fmt::format("\"{}\"", scene_[id].name));
-  if (names.size() > 8) names.resize(8);
-  return {fmt::format("{} lies in several sectors: {}", text(p), fmt::join(names, ", ")),
+  return {fmt::format("{} lies in several sectors: {}", text(p), listed(scene_.level(), found)),
           "say in which with \"sector\""};
+}
+
+Locator::Failure Locator::outsideOnPlan(Vec2 p) const {
+  const auto [nearest, distance] = nearestTo(
+      scene_.level(), p, [&](const Sector& sector) { return distanceOnPlan(scene_, sector, p); });
+  if (!nearest) return {fmt::format("{} lies in no sector", text(p)), "move it"};
+  return {fmt::format("{} lies in no sector; the nearest is \"{}\", {:.6g} m away", text(p),
+                      nearest->name, distance),
+          "move it inside a sector"};
 }
 
 Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const {
@@ -167,13 +204,9 @@ Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const 
   if (!found.empty())
     return {fmt::format("{} lies {}, in \"{}\"", text(p), where, scene_[found.front()].name),
             fmt::format("name that sector, or move it into \"{}\"", scene_[*sector].name)};
-  const Sector* nearest = nullptr;
-  double best = std::numeric_limits<double>::infinity();
-  for (const Sector& candidate : scene_.level().sectors) {
-    if (candidate.segmentCount == 0 || distanceToBox(candidate, p.xy()) >= best) continue;
-    const double distance = distanceTo(scene_, candidate, p);
-    if (distance < best) nearest = &candidate, best = distance;
-  }
+  const auto [nearest, best] = nearestTo(scene_.level(), p.xy(), [&](const Sector& candidate) {
+    return distanceTo(scene_, candidate, p);
+  });
   if (!nearest) return {fmt::format("{} lies {}", text(p), where), "move it"};
   if (contains(scene_.level(), *nearest, p.xy()))
     return {fmt::format("{} lies {}; it is {:.6g} m {} sector \"{}\"", text(p), where, best,

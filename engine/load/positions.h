@@ -29,8 +29,9 @@ class Locator {
 
   tl::expected<SectorId, Failure> locate(Vec3 p, std::optional<SectorId> sector,
                                          PositionOf what) const;
-  /// The sector on whose floor, or slope, a point of the map lies. Where several contain it, they
-  /// must be open to each other there, at one height.
+  /// The sector on whose floor, or slope, a point of the map lies; without a name none whose floor
+  /// is a flat portal. Where several contain it, they must be open to each other there, at one
+  /// height.
   tl::expected<SectorId, Failure> locateOnFloor(Vec2 p, std::optional<SectorId> sector) const;
 
  private:
@@ -39,6 +40,7 @@ class Locator {
   std::vector<SectorId> skySectorsAt(Vec3 p) const;
   Failure severalAt(Vec3 p, const std::vector<SectorId>& found) const;
   Failure outside(Vec3 p, std::optional<SectorId> sector) const;
+  Failure outsideOnPlan(Vec2 p) const;
 
   Scene scene_;
   BoxTree sectors_;

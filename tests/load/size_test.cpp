@@ -110,5 +110,28 @@ TEST(Size, thirtyMillionZeros) {
   EXPECT_LT(watch.seconds(), kSeconds);
 }
 
+TEST(Size, fifteenMillionViewsOfASprite) {
+  std::string views = "{'light': 1, 'things': [{'x': 1, 'y': 1, 'sprite': ['a'";
+  while (views.size() + 4 < std::size_t{60} << 20) views += ",'a'";
+  const Stopwatch watch;
+  const LoadResult result =
+      loadText(views + "]}], 'sectors': {" + sectorText("a", "0,0, 4,0, 4,4, 0,4") + "}}");
+  EXPECT_LT(watch.seconds(), kSeconds);
+  EXPECT_EQ(countErrors(result), 1U) << listed(result);
+}
+
+TEST(Size, aQuarterOfAMillionSprites) {
+  std::string things;
+  for (int i = 0; i < 250'000; ++i)
+    things += fmt::format("{}{{'x':{},'y':{},'sprite':'#c04020'}}", i > 0 ? "," : "", 0.5 + i % 317,
+                          0.5 + i / 317 % 317);
+  const Stopwatch watch;
+  const LoadResult result =
+      loadText("{'light': 1, 'things': [" + things + "], 'sectors': {" + grid(317) + "}}");
+  EXPECT_LT(watch.seconds(), kSeconds);
+  ASSERT_TRUE(result.loaded) << listed(result);
+  EXPECT_EQ(result.loaded->level.sprites.size(), 250'000U);
+}
+
 }  // namespace
 }  // namespace hearth

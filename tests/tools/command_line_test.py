@@ -177,6 +177,14 @@ class Mistakes(InFolder):
                 self.assertEqual(result.returncode, 2, result.stderr)
                 self.assertRegex(result.stderr, f"tutorial.*error: .*{option}")
 
+    def test_the_limit_of_images_of_sprites_names_its_option(self):
+        level = self.folder / "level.json"
+        level.write_text((SOURCE / "tests/levels/rooms.json").read_text().replace(
+            '"sectors"', '"things": [{"sprite": ["#808080", "#404040"], "x": 1, "y": 2}], "sectors"', 1))
+        result = run("info", level, "--max-sprite-images", "1")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertRegex(result.stderr, r"level.json:\d+:\d+: error: .*--max-sprite-images")
+
     def test_a_picture_is_not_called_what_it_is_not(self):
         for ending in ["jpg", "jpeg", "bmp", "tga", "gif", "webp", "JPG"]:
             with self.subTest(ending=ending):

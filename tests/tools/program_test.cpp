@@ -13,7 +13,7 @@ namespace hearth {
 namespace {
 
 TEST(Options, EveryRowIsFoundUnderItsOwnNumber) {
-  const auto last = static_cast<int>(Option::MaxLights);
+  const auto last = static_cast<int>(Option::MaxSpriteImages);
   std::set<std::string_view> names;
   for (int i = 0; i <= last; ++i) names.insert(row(static_cast<Option>(i)).name);
   EXPECT_EQ(std::ssize(names), last + 1);

@@ -129,10 +129,13 @@ constexpr std::array kTable = {
               "1000000", "refuse levels of more vertices"},
     OptionRow{Option::MaxLights, "--max-lights", ValueKind::Integer, "COUNT", 1, kMax, "100000",
               "refuse more lights"},
+    OptionRow{Option::MaxSpriteImages, "--max-sprite-images", ValueKind::Integer, "COUNT", 1, kMax,
+              "250000", "refuse things of more images"},
 };
 
 static_assert(LoadLimits{}.fileBytes == 67108864 && LoadLimits{}.imagePixels == 67108864 &&
-                  LoadLimits{}.vertices == 1000000 && LoadLimits{}.lights == 100000,
+                  LoadLimits{}.vertices == 1000000 && LoadLimits{}.lights == 100000 &&
+                  LoadLimits{}.spriteImages == 250000,
               "the table's defaults are those of the loader");
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -243,7 +246,8 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text) {
 }
 
 std::vector<Option> limitOptions() {
-  return {Option::MaxFileBytes, Option::MaxImagePixels, Option::MaxVertices, Option::MaxLights};
+  return {Option::MaxFileBytes, Option::MaxImagePixels, Option::MaxVertices, Option::MaxLights,
+          Option::MaxSpriteImages};
 }
 
 std::vector<Option> settingOptions() {

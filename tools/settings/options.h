@@ -66,6 +66,7 @@ enum class Option {
   MaxImagePixels,
   MaxVertices,
   MaxLights,
+  MaxSpriteImages,
 };
 
 enum class ValueKind { Flag, Text, Choice, Number, Integer };

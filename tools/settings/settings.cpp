@@ -106,6 +106,7 @@ LoadLimits limitsFrom(const OptionValues& values) {
   take(Option::MaxImagePixels, limits.imagePixels);
   take(Option::MaxVertices, limits.vertices);
   take(Option::MaxLights, limits.lights);
+  take(Option::MaxSpriteImages, limits.spriteImages);
   return limits;
 }
 

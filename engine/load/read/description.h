@@ -137,7 +137,6 @@ struct ShotDescription {
 
 struct SpriteDescription {
   Place place;
-  Place zPlace;  ///< of `z`, else of the sprite
   std::optional<NameReference> sector;
   Vec2 position;
   std::optional<double> z;                         ///< absolute; else it stands on what is below it

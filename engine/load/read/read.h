@@ -29,7 +29,7 @@ struct VertexBudget {
 };
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
                              VertexBudget& budget);
-void readThings(Report& report, JsonValue value, LevelDescription& level);
+void readThings(Report& report, JsonValue value, const LoadLimits& limits, LevelDescription& level);
 std::optional<NameReference> readReference(Report& report, JsonValue value);
 /// Reads `sector`, if it is given. False after a mistake.
 bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target);

@@ -141,7 +141,7 @@ LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& lim
   fields.read("light", {0, 1}, level.light);
   if (const auto player = fields.find("player")) level.player = readPlayer(report, *player);
   if (const auto shots = fields.find("shots")) readShots(report, *shots, level);
-  if (const auto things = fields.find("things")) readThings(report, *things, level);
+  if (const auto things = fields.find("things")) readThings(report, *things, limits, level);
   if (const auto sectors = fields.require("sectors", "give at least one sector"))
     readSectors(report, *sectors, limits, level);
   return level;

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "load/json/fields.h"
 #include "load/read/read.h"
+#include "load/suggest.h"
 
 namespace hearth {
 
@@ -16,12 +18,30 @@ constexpr std::array<std::string_view, 15> kSpriteKeys{
     "name",  "sprite", "frames", "fps",    "x",      "y",      "z",     "sector",
     "angle", "size",   "offset", "facing", "bright", "radius", "height"};
 
+/// What the limit of sprites' images still allows.
+struct ImageBudget {
+  std::size_t left;
+  bool isExceeded = false;  // reported once; the things that follow are left out
+};
+
+bool allows(Report& report, JsonValue value, std::size_t images, ImageBudget& budget) {
+  if (budget.isExceeded) return false;
+  budget.isExceeded = images > budget.left;
+  if (budget.isExceeded)
+    report.error(value.place(), "too many images of sprites",
+                 "raise the limit with --max-sprite-images");
+  return !budget.isExceeded;
+}
+
 /// The images of one frame: a name, or one for each side from which it can be seen.
-std::vector<NameReference> readViews(Report& report, JsonValue value) {
+std::vector<NameReference> readViews(Report& report, JsonValue value, ImageBudget& budget) {
   if (!value.isString() && !value.isArray()) {
     reportWrongType(report, value, "an image's name, or a list of them");
     return {};
   }
+  const std::size_t count = value.isArray() ? value.size() : 1;
+  if (!allows(report, value, count, budget)) return {};
+  budget.left -= count;
   std::vector<NameReference> views;
   const std::vector<JsonValue> names =
       value.isArray() ? value.elements() : std::vector<JsonValue>{value};
@@ -35,28 +55,32 @@ std::vector<NameReference> readViews(Report& report, JsonValue value) {
   return isGood ? views : std::vector<NameReference>{};
 }
 
-void readFrames(Report& report, JsonValue value, const Fields& fields, SpriteDescription& sprite) {
+void readFrames(Report& report, JsonValue value, ImageBudget& budget, const Fields& fields,
+                SpriteDescription& sprite) {
   if (!value.isArray()) return reportWrongType(report, value, "a list of frames");
-  for (const JsonValue frame : value.elements()) sprite.frames.push_back(readViews(report, frame));
+  if (!allows(report, value, value.size(), budget)) return;
+  for (const JsonValue frame : value.elements())
+    sprite.frames.push_back(readViews(report, frame, budget));
   if (sprite.frames.empty()) report.error(value.place(), "no frame", "give at least one");
   if (fields.require("fps", "say how many frames a second show"))
     fields.read("fps", kFramesPerSecond, sprite.sprite.framesPerSecond);
 }
 
 /// Reads `sprite` or, in its place, `frames` and `fps`. False after a mistake.
-bool readImages(Report& report, const Fields& fields, SpriteDescription& sprite) {
+bool readImages(Report& report, const Fields& fields, ImageBudget& budget,
+                SpriteDescription& sprite) {
   const std::optional<JsonValue> frames = fields.find("frames");
   if (frames) {
     if (const std::optional<JsonValue> still = fields.find("sprite"))
       report.error(still->place(), "\"sprite\" beside \"frames\"", "give one of them");
-    readFrames(report, *frames, fields, sprite);
+    readFrames(report, *frames, budget, fields, sprite);
   } else {
     if (const std::optional<JsonValue> rate = fields.find("fps"))
       report.error(rate->place(), "\"fps\" without \"frames\"",
                    "give the images as \"frames\", or remove it");
     const std::optional<JsonValue> still = fields.require("sprite", "name its image");
     if (!still) return false;
-    sprite.frames.push_back(readViews(report, *still));
+    sprite.frames.push_back(readViews(report, *still, budget));
   }
   for (const std::vector<NameReference>& views : sprite.frames)
     if (views.empty()) return false;
@@ -65,29 +89,30 @@ bool readImages(Report& report, const Fields& fields, SpriteDescription& sprite)
 
 void readFacing(Report& report, JsonValue value, Facing& facing) {
   constexpr std::array<std::string_view, 3> kNames{"camera", "angle", "flat"};  // by Facing
-  for (std::size_t i = 0; i < kNames.size(); ++i)
-    if (value.isString() && value.text() == kNames[i]) facing = static_cast<Facing>(i);
-  if (value.isString() && value.text() == kNames[static_cast<std::size_t>(facing)]) return;
-  if (!value.isString()) return reportWrongType(report, value, "the name of a facing");
-  report.error(value.place(), fmt::format("\"{}\" is no way to face", value.text()),
-               "write \"camera\", \"angle\" or \"flat\"");
+  if (!value.isString()) return reportWrongType(report, value, "\"camera\", \"angle\" or \"flat\"");
+  const auto found = std::ranges::find(kNames, value.text());
+  if (found == kNames.end())
+    report.error(value.place(), fmt::format("\"{}\" is no facing", value.text()),
+                 suggest(value.text(), kNames, ""));
+  else
+    facing = static_cast<Facing>(found - kNames.begin());
 }
 
 void readBody(Report& report, const Fields& fields, Sprite& sprite) {
   const std::optional<JsonValue> radius = fields.find("radius");
   const std::optional<JsonValue> height = fields.find("height");
   if (radius && height) {
-    SpriteBody body{};
-    fields.read("radius", kSize, body.radius);
-    fields.read("height", kSize, body.height);
-    sprite.body = body;
+    sprite.body.emplace();
+    fields.read("radius", kSize, sprite.body->radius);
+    fields.read("height", kSize, sprite.body->height);
   } else if (radius || height) {
-    report.error((radius ? radius : height)->place(), "half of a body",
-                 "give \"radius\" and \"height\", or neither");
+    report.error((radius ? radius : height)->place(),
+                 radius ? "\"radius\" without \"height\"" : "\"height\" without \"radius\"",
+                 "give both, or neither");
   }
 }
 
-void readSprite(Report& report, JsonValue value, LevelDescription& level) {
+void readSprite(Report& report, JsonValue value, ImageBudget& budget, LevelDescription& level) {
   const Fields fields(report, value, kSpriteKeys);
   SpriteDescription sprite;
   sprite.place = value.place();
@@ -97,7 +122,7 @@ void readSprite(Report& report, JsonValue value, LevelDescription& level) {
   isGood &= fields.read("x", kCoordinate, sprite.position.x);
   isGood &= fields.read("y", kCoordinate, sprite.position.y);
   isGood &= fields.read("z", kCoordinate, sprite.z);
-  isGood &= fields.isObject() && readImages(report, fields, sprite);
+  isGood &= fields.isObject() && readImages(report, fields, budget, sprite);
   if (const auto name = fields.find("name"))
     sprite.sprite.name = readName(report, *name).value_or("");
   fields.read("angle", kAngle, sprite.sprite.angle);
@@ -114,9 +139,12 @@ void readSprite(Report& report, JsonValue value, LevelDescription& level) {
 
 }  // namespace
 
-void readThings(Report& report, JsonValue value, LevelDescription& level) {
+void readThings(Report& report, JsonValue value, const LoadLimits& limits,
+                LevelDescription& level) {
   if (!value.isArray()) return reportWrongType(report, value, "an array of things");
-  for (const JsonValue thing : value.elements()) readSprite(report, thing, level);
+  ImageBudget budget{limits.spriteImages};
+  if (!allows(report, value, value.size(), budget)) return;  // each has an image
+  for (const JsonValue thing : value.elements()) readSprite(report, thing, budget, level);
 }
 
 }  // namespace hearth
