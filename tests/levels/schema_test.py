@@ -40,11 +40,15 @@ BEYOND_SCHEMAS = frozenset("""
     shot_above_the_ceiling shot_in_two_sectors shots_of_one_name sidewall_without_texture
     sky_without_texture slope_in_line slope_in_line_of_three slope_is_no_plane
     slope_null_below_the_floor slope_of_three_heights slope_passes_the_ceiling slopes_pass_each_other
+    sprite_image_broken sprite_image_missing sprite_image_with_a_scale sprite_image_with_extension
+    sprite_view_missing
     stack_z_above_the_ceiling stack_z_does_not_rise stack_z_missing stack_z_on_the_last
     step_down_without_texture step_in_a_stack_without_texture step_up_without_texture
     texture_broken_image texture_meant_for_a_colour texture_missing_far texture_missing_near
     texture_missing_twice texture_of_2_to_the_31_pixels texture_scale_zero texture_too_large
     texture_with_extension texture_with_extension_misspelled textures_folder_missing
+    thing_above_the_ceiling thing_below_the_floor thing_in_another_sector thing_in_two_sectors
+    thing_in_two_sectors_without_z thing_of_an_unknown_sector thing_outside thing_outside_with_z
 """.split())
 
 
@@ -156,6 +160,10 @@ class Changes(unittest.TestCase):
         self.folder = Path(scratch.name)
         self.good = {"level": json.loads((SOURCE / "tests/levels/rooms.json").read_text()),
                      "lights": json.loads((SOURCE / "tests/levels/rooms.lights.json").read_text())}
+        self.good["level"]["things"] = [
+            {"name": "lamp", "sprite": "#ffd0a0", "x": 2, "y": 2, "z": 1, "sector": "hall", "angle": 90,
+             "facing": "angle", "size": [0.2, 0.3], "offset": [0, 0.1], "bright": True},
+            {"frames": [["#ff8040", "#c06030"], "#ffa060"], "fps": 4, "x": 1, "y": 2, "radius": 0.2, "height": 0.5}]
         self.schemas = {"level": schema("level"), "lights": schema("lights")}
 
     def load(self, changed):
