@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +39,12 @@ struct Shot {
   int height = 200;
 };
 
+/// A solid sprite whose body reaches into the air of a sector.
+struct BodyInSector {
+  SectorId sector;
+  std::uint32_t sprite;  ///< index
+};
+
 /// A level as authored, linked and valid. Immutable once `linkSurfaces` has run. Data that follows
 /// from heights lives in a `Geometry`; data of a frame or a bake lives with the renderer and the
 /// bakery.
@@ -61,6 +68,8 @@ struct Level {
   std::vector<SegmentId> entrances;        ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
+  std::vector<BodyInSector> bodies;  ///< by sector, then as the file has them; set by `addBodies`
+
   const Sector& operator[](SectorId id) const { return sectors[id.index()]; }
   Sector& operator[](SectorId id) { return sectors[id.index()]; }
   const Segment& operator[](SegmentId id) const { return segments[id.index()]; }
@@ -71,6 +80,12 @@ struct Level {
   /// Of the surface of a sprite.
   const Sprite& spriteOf(SurfaceId id) const {
     return sprites[id.index() - sprites.front().surface.index()];
+  }
+
+  std::span<const BodyInSector> bodiesIn(SectorId sector) const {
+    const auto first = std::ranges::lower_bound(bodies, sector, {}, &BodyInSector::sector);
+    const auto last = std::ranges::upper_bound(bodies, sector, {}, &BodyInSector::sector);
+    return {first, last};
   }
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {

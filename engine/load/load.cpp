@@ -6,6 +6,7 @@
 #include <string>
 
 #include "level/link_surfaces.h"
+#include "level/sprite_bodies.h"
 #include "load/json/read_document.h"
 #include "load/link/link.h"
 #include "load/read/read.h"
@@ -93,6 +94,18 @@ void addSurfacesAndGeometry(Linking& linking) {
   reportMissingTextures(linking, textures);
 }
 
+/// Solid things, once all are linked.
+bool addBodiesWithinLimit(Linking& linking) {
+  const std::optional<std::size_t> excess = addBodies(linking.level, linking.geometry);
+  if (!excess) return true;
+  linking.report.error(linking.description.sprites[*excess].place,
+                       fmt::format("solid things reach into more than {} sectors, with this one "
+                                   "and those before it",
+                                   kMaxBodies),
+                       "lower their \"radius\"");
+  return false;
+}
+
 std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
                                         const LightsDescription& lights) {
   if (description.sectors.empty()) return std::nullopt;
@@ -122,6 +135,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   validatePortals(linking);
   linkPositions(linking, lights);
   if (report_.hasErrors()) return std::nullopt;
+  if (!addBodiesWithinLimit(linking)) return std::nullopt;
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 
   for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);

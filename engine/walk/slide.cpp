@@ -44,9 +44,21 @@ std::optional<Contact> earlier(std::optional<Contact> a, std::optional<Contact> 
   return b->fraction < a->fraction ? b : a;
 }
 
+/// When it touches the round blocker.
+std::optional<Contact> touchRound(const Blocker& blocker, Vec2 q, Vec2 motion, double radius,
+                                  double tolerance) {
+  const Vec2 away = q - blocker.a;
+  const double distance = length(away);
+  const double reach = radius + blocker.radius;
+  if (distance >= reach) return touchVertex(blocker.a, q, motion, reach, tolerance);
+  if (distance == 0 || dot(motion, away) >= -tolerance * distance) return std::nullopt;
+  return Contact{0, (1 / distance) * away};
+}
+
 /// A blocker is convex, so once a motion does not come nearer to it, it never will again.
 std::optional<Contact> touch(const Blocker& blocker, Vec2 q, Vec2 motion, double radius,
                              double tolerance) {
+  if (blocker.radius > 0) return touchRound(blocker, q, motion, radius, tolerance);
   const Vec2 along = blocker.b - blocker.a;
   const double size = length(along);
   const double side = cross(along, q - blocker.a);

@@ -36,6 +36,10 @@ Surroundings::Surroundings(const Scene& scene, SectorId from, const SweepQuery& 
     : scene_(scene), query_(query), sweptRadius_(query.radius + query.travel) {
   add(from);
   for (std::size_t i = 0; i < sectors_.size(); ++i) visitSector(scene_[sectors_[i]]);
+  // One that reaches into several of the sectors counts more than once, which changes nothing.
+  for (const SectorId sector : sectors_)
+    for (const BodyInSector& body : scene_.level().bodiesIn(sector))
+      visitBody(scene_.level().sprites[body.sprite]);
 }
 
 void Surroundings::add(SectorId sector) {
@@ -156,6 +160,19 @@ void Surroundings::block(const Segment& segment, Interval chord) {
     from = std::max(from, open.high);
   }
   blockUpTo(chord.high);
+}
+
+/// Its top bears a body that can step up to it, and its bottom is a ceiling to one that is below.
+void Surroundings::visitBody(const Sprite& sprite) {
+  const Vec2 at = sprite.position.xy() - query_.center;
+  if (!(length(at) < sweptRadius_ + sprite.body->radius)) return;
+  const double zTop = sprite.position.z + sprite.body->height;
+  if (zTop > query_.body.zClimb + kSkin && sprite.position.z >= query_.body.zHead() - kSkin) {
+    zCap_ = std::min(zCap_, sprite.position.z);
+    return;
+  }
+  addSupport(zTop);
+  if (zTop > query_.body.zClimb + kSkin) blockers_.push_back({at, at, false, sprite.body->radius});
 }
 
 void Surroundings::addFlats(const Sector& sector) {

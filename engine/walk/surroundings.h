@@ -12,7 +12,8 @@
 
 namespace hearth {
 
-/// A line that stops a body from the front of a -> b. Relative to SweepQuery::center, in metres.
+/// A line that stops a body from the front of a -> b, or a disc round `a`. Relative to
+/// SweepQuery::center, in metres.
 struct Blocker {
   Vec2 a;
   Vec2 b;
@@ -20,6 +21,7 @@ struct Blocker {
   /// put more than 360 degrees of air round a vertex. From some of this air no wall at the vertex
   /// faces the body, so no wall would stop it.
   bool isCorner = false;
+  double radius = 0;  ///< of the disc; 0 of a line
 };
 
 /// A body and how far to look round it.
@@ -34,7 +36,8 @@ struct SweepQuery {
 
 /// What a body at `center` meets within reach. The search follows links from its sector, through
 /// openings that the body fits through. So sectors that merely overlap in space are left out, and a
-/// wall stops only a body in front of it.
+/// wall stops only a body in front of it. Solid sprites stop it where they reach into a sector that
+/// is found.
 class Surroundings {
  public:
   Surroundings(const Scene& scene, SectorId from, const SweepQuery& query);
@@ -58,6 +61,7 @@ class Surroundings {
   void visitVertex(const Segment& before, const Segment& after);
   void visitWallBelow(const Segment& segment, Interval chord);
   void visitWallAbove(const Segment& segment, Interval chord);
+  void visitBody(const Sprite& sprite);
   void addFlats(const Sector& sector);
   bool isBelow(const Sector& sector) const;
   bool isAbove(const Sector& sector) const;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "level/locate.h"
+#include "level/sprite_bodies.h"
 #include "load/load.h"
 #include "math/tolerance.h"
 #include "math/trig.h"
@@ -104,6 +105,7 @@ class Walk {
     expect(isIn(scene_, between.sector, between.point), "an eye between ticks is nowhere");
     expectPhysics(before, input);
     expectFree();
+    expectOutOfBodies();
   }
 
   void count(const Walker& before) {
@@ -134,6 +136,41 @@ class Walk {
     const double fall = std::max({-before.velocity.z, walker_.isFlying ? wanted : 0.0});
     expect(moved.z <= rise * kTick + lift, "higher than physics allows");
     expect(-moved.z <= fall * kTick + 9.81 * kTick * kTick + lift, "deeper than physics allows");
+  }
+
+  void expectOutOfBodies() {
+    const Body body = bodyOf(scene_.level(), walker_.crouch);
+    for (const Sprite& sprite : scene_.level().sprites)
+      if (sprite.body) meet(sprite, body);
+  }
+
+  /// They overlap where the air between their axes is free, and leads to the sprite's sector.
+  void meet(const Sprite& sprite, const Body& body) {
+    const Vec2 across = sprite.position.xy() - walker_.feet.xy();
+    const double apart = length(across) - body.radius - sprite.body->radius;
+    const double zTop = sprite.position.z + sprite.body->height;
+    if (apart > kEdgeInset || walker_.feet.z > zTop + kEdgeInset) return;
+    if (walker_.feet.z >= zTop - kEdgeInset) {
+      report_.onBodies += walker_.isOnGround;
+      return;
+    }
+    const double zLow = std::max(walker_.feet.z, sprite.position.z);
+    const double zHigh = std::min(walker_.feet.z + body.height, zTop);
+    if (zHigh - zLow <= 2 * kEdgeInset) return;
+    if (apart >= -kEdgeInset) {
+      ++report_.againstBodies;
+      return;
+    }
+    if (solids_.isBesideOneWay(walker_.feet.xy(), body.radius + sprite.body->radius)) return;
+    const double z = (zLow + zHigh) / 2;
+    const Vec3 axis{walker_.feet.x, walker_.feet.y, z};
+    const Vec3 other{sprite.position.x, sprite.position.y, z};
+    const SectorId sector = solids_.inColumn(walker_.sector, axis);
+    if (solids_.sectorAlong(sector, axis, other) == solids_.inColumn(sprite.sector, other))
+      fail(fmt::format(
+          "{:.3g} m in the body at {:.6g},{:.6g},{:.6g} of radius {:.3g}, height {:.3g}", -apart,
+          sprite.position.x, sprite.position.y, sprite.position.z, sprite.body->radius,
+          sprite.body->height));
   }
 
   /// A few lines out of the axis, at the feet, the head and between.
@@ -177,6 +214,35 @@ std::optional<SectorId> sectorNamed(const Level& level, const std::string& name)
   return std::nullopt;
 }
 
+/// Whether a walker that starts there would be in one, or might be.
+bool isInABody(const Level& level, const Walker& walker) {
+  const Body body = bodyOf(level, walker.crouch);
+  return std::ranges::any_of(level.sprites, [&](const Sprite& sprite) {
+    return sprite.body &&
+           length(sprite.position.xy() - walker.feet.xy()) < body.radius + sprite.body->radius &&
+           walker.feet.z < sprite.position.z + sprite.body->height &&
+           sprite.position.z < walker.feet.z + body.height;
+  });
+}
+
+/// Near the level's views, on the floor or above it.
+void addSolidSprites(LoadedLevel& loaded, const RandomLevel& random, int count) {
+  Random choices(random.views.size() + loaded.level.segments.size());
+  for (int i = 0; i < count; ++i) {
+    const RandomView& view = choices.pickFrom(random.views);
+    const auto sector = sectorNamed(loaded.level, view.sector);
+    const Vec2 p = Vec2{view.x, view.y} + Vec2{choices.real(-1, 1), choices.real(-1, 1)};
+    if (!sector || !contains(loaded.level, loaded.level[*sector], p)) continue;
+    const double zBottom = loaded.scene().airBottom(loaded.level[*sector], p);
+    const double room = loaded.scene().airTop(loaded.level[*sector], p) - zBottom;
+    Sprite& sprite = loaded.level.sprites.emplace_back();
+    sprite.position = {p.x, p.y, zBottom + (choices.chance(0.5) ? 0 : room * choices.unit())};
+    sprite.sector = *sector;
+    sprite.body = SpriteBody{choices.real(0.05, 0.7), choices.real(0.05, 2)};
+  }
+  addBodies(loaded.level, loaded.geometry);
+}
+
 Report failed(std::string why) { return {.failures = 1, .first = std::move(why)}; }
 
 }  // namespace
@@ -210,15 +276,18 @@ Report& Report::operator+=(const Report& other) {
   crossings += other.crossings;
   throughFlats += other.throughFlats;
   stuck += other.stuck;
+  onBodies += other.onBodies;
+  againstBodies += other.againstBodies;
   besideOneWay += other.besideOneWay;
   return *this;
 }
 
 Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
-                       int ticks, int lines) {
+                       int ticks, int lines, int solidSprites) {
   const RandomLevel random = makeRandomLevel(seed);
   std::optional<LoadedLevel> loaded = loadRandom(random, folder);
   if (!loaded) return failed(fmt::format("seed {} does not load", seed));
+  addSolidSprites(*loaded, random, solidSprites);
   const Scene scene = loaded->scene();
   const Solids solids(scene);
   Random choices(seed);
@@ -228,6 +297,7 @@ Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, 
     std::optional<Walker> start;
     for (int attempt = 0; !start && attempt < 8; ++attempt)
       start = standIn(scene, solids, choices.pickFrom(random.views));
+    if (start && isInABody(loaded->level, *start)) start.reset();
     if (!start) {
       ++report.stuck;
       continue;
@@ -242,10 +312,11 @@ Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, 
 std::string inWords(const Report& report) {
   return fmt::format(
       "{} walks, {} ticks: {} on the ground, {} in flight, {} into another sector, {} of these "
-      "through flat portals; {} beside one-way walls, where solids are not looked for; {} starts "
-      "without room; {} walks failed\n{}",
+      "through flat portals; {} on solid sprites, {} against their sides; {} beside one-way walls, "
+      "where solids are not looked for; {} starts without room; {} walks failed\n{}",
       report.walks, report.ticks, report.onGround, report.inFlight, report.crossings,
-      report.throughFlats, report.besideOneWay, report.stuck, report.failures, report.first);
+      report.throughFlats, report.onBodies, report.againstBodies, report.besideOneWay, report.stuck,
+      report.failures, report.first);
 }
 
 }  // namespace hearth::random_walks

@@ -22,6 +22,19 @@ TEST(RandomWalks, KeepEveryPromise) {
   EXPECT_GT(report.throughFlats, 10u);
 }
 
+TEST(RandomWalks, NeverEndInsideASolidSprite) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / fmt::format("hearth-bodies-{}", ::getpid());
+  ASSERT_TRUE(writeRandomLevelTextures(folder / "textures"));
+  Report report;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+    report += walkRandomLevel(seed, folder, 5, 400, 3, 12);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(report.failures, 0u) << report.first;
+  EXPECT_GT(report.onBodies, 300u);
+  EXPECT_GT(report.againstBodies, 300u);
+}
+
 TEST(RandomWalks, TakeEveryStraightWayThatASearchCallsOpen) {
   const auto folder =
       std::filesystem::temp_directory_path() / fmt::format("hearth-ways-{}", ::getpid());
