@@ -8,6 +8,7 @@
 #include "cli/lightmap_atlas.h"
 #include "loaded.h"
 #include "support/canvas.h"
+#include "support/level_text.h"
 #include "text/drawn_text.h"
 
 namespace hearth {
@@ -131,6 +132,22 @@ TEST(AtlasLabel, NamesKindSectorLoopAndWall) {
   EXPECT_EQ(labels.count(Lines{"floor", "hall"}), 1U);
   EXPECT_EQ(labels.count(Lines{"solid wall", "hall 0"}), 1U);
   EXPECT_EQ(labels.count(Lines{"solid wall", "hall/pillar 3"}), 1U);
+}
+
+TEST(Atlas, ShowsTheLightOfASprite) {
+  const LoadedLevel room = test::levelFrom(
+      "{'light': 0.1, 'things': [{'name': 'lamp', 'sprite': '#c04020', 'x': 1, 'y': 1},"
+      "{'sprite': '#c04020', 'x': 3, 'y': 1, 'facing': 'flat'}], 'sectors': {" +
+      test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
+  BakedLight light = bake(room.scene(), {.texel = 0.5}, 1);
+  for (const Sprite& sprite : room.level.sprites) {
+    light.surfaces[sprite.surface.index()].reset();
+    light.lightmaps[sprite.surface.index()] = Lightmap{{0, 0, 1, 1}, {200}};
+  }
+  EXPECT_EQ(pixelsPerTexel(light, lightmapAtlas(room.level, light).value()), 16);
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(labelOf(room.level, room.level.sprites[0].surface), (Lines{"camera sprite", "lamp"}));
+  EXPECT_EQ(labelOf(room.level, room.level.sprites[1].surface), (Lines{"flat sprite", "#c04020"}));
 }
 
 TEST(AtlasLabel, CutsLongNamesButNotTheNumberOfTheWall) {

@@ -1083,7 +1083,7 @@ class Map(InFolder):
     def test_has_a_key_of_its_signs(self):
         plan = self.plan(self.level)
         words = [text.text for text in plan.iter(self.SVG + "text") if text.get("class") == "key"]
-        self.assertTrue({"light", "player", "shot: from the dot, into the angle"} <= set(words), words)
+        self.assertTrue({"light", "player", "sprite", "shot: from the dot, into the angle"} <= set(words), words)
         shots = json.loads(self.level.read_text())["shots"]
         self.assertEqual(len(self.eyes(plan, "shot")), len(shots) + 1)
         self.assertEqual(len(self.eyes(plan, "player")), 2)
@@ -1103,6 +1103,19 @@ class Map(InFolder):
         (self.folder / "rooms.lights.json").write_text("[]")
         titles = self.titles(self.plan(level))
         self.assertTrue(any(t.startswith("<b>&\"garden': floor ") for t in titles), titles)
+
+    def test_marks_sprites_and_the_bodies_of_solid_ones(self):
+        level = self.folder / "rooms.json"
+        level.write_text((SOURCE / "tests/levels/rooms.json").read_text().replace("\"sectors\"", """"things": [
+            {"name": "a <lamp>", "sprite": "#808080", "x": 1, "y": 1, "z": 2},
+            {"sprite": "#404040", "x": 3, "y": 1, "radius": 0.4, "height": 1.5}], "sectors\"""", 1))
+        plan = self.plan(level)
+        titles = [title for title in self.titles(plan) if title.startswith("sprite ")]
+        self.assertEqual(titles, ["sprite a <lamp> at z 2", "sprite #404040 at z 0, solid, 1.5 m high"])
+        bodies = [circle for circle in plan.iter(self.SVG + "circle") if circle.get("class") == "body"]
+        self.assertEqual(len(bodies), 1)
+        diamonds = [path for path in plan.iter(self.SVG + "path") if path.get("class") == "sprite"]
+        self.assertEqual(len(diamonds), 3, "one of them in the key")
 
     def test_leaves_what_is_far_larger_out_of_the_frame(self):
         plan = self.plan(SOURCE / "levels/keep.json")  # with a lake of 2 km
@@ -1141,6 +1154,20 @@ class Info(InFolder):
         self.assertEqual(info["features"]["closed door"], 0)
         texels = sum(texture["width"] * texture["height"] for texture in info["textures"])
         self.assertEqual(info["requires"]["textureBytes"], 4 * texels, "as the renderer keeps them")
+
+    def test_counts_sprites_by_what_they_are(self):
+        level = self.folder / "rooms.json"
+        level.write_text((SOURCE / "tests/levels/rooms.json").read_text().replace("\"sectors\"", """"things": [
+            {"sprite": "#808080", "x": 1, "y": 1, "facing": "flat"},
+            {"sprite": "#404040", "x": 3, "y": 1, "radius": 0.4, "height": 1.5}], "sectors\"""", 1))
+        info = json.loads(run("info", level, "--json").stdout)
+        self.assertEqual(info["sprites"], 2)
+        self.assertEqual(info["surfaces"]["flat sprite"], 1)
+        self.assertEqual(info["features"]["sprite that faces the camera"], 1)
+        self.assertEqual(info["features"]["solid sprite"], 1)
+        text = run("info", level).stdout
+        for line in ("2  sprites", "1  sprite that lies flat", "1  solid sprite"):
+            self.assertRegex(text, rf"(?m)^ +{line}$")
 
     def test_surfaces_are_printed_as_json_only(self):
         self.refuse(run("info", self.level, "--surfaces"), "--surfaces: .*--json")
@@ -1189,8 +1216,9 @@ class Info(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(result.stdout)["features"]
 
-    def test_the_tutorial_shows_every_feature_of_the_format_but_that_of_the_gaol(self):
-        unused = [name for name, count in self.features_of("tutorial.json").items() if count == 0]
+    def test_the_tutorial_shows_every_feature_of_the_format_but_that_of_the_gaol_and_sprites(self):
+        unused = [name for name, count in self.features_of("tutorial.json").items()
+                  if count == 0 and "sprite" not in name]
         self.assertEqual(unused, ["middle texture"])
         self.assertGreater(self.features_of("gaol.json")["middle texture"], 0)
 

@@ -184,6 +184,21 @@ TEST(Layout, breaksWhatIsLongerThanALine) {
 )");
 }
 
+TEST(Layout, hasALineForEachOfMoreThanTwoThingsAndFillsThemLikeShots) {
+  EXPECT_EQ(
+      laidOut("{\"things\":[{\"sprite\":[\"a\",\"b\"],\"x\":1,\"y\":2},"
+              "{\"frames\":[[\"a\",\"b\"],\"c\"],\"fps\":4,\"x\":1,\"y\":2,\"facing\":\"flat\"},"
+              "{\"sprite\":\"barrel\",\"x\":1,\"y\":2,\"radius\":0.3,\"height\":0.9}]}"),
+      R"({
+  "things": [
+    { "sprite": ["a", "b"], "x": 1, "y": 2 },
+    { "frames": [["a", "b"], "c"], "fps": 4, "x": 1, "y": 2, "facing": "flat" },
+    { "sprite": "barrel", "x": 1, "y": 2, "radius": 0.3, "height": 0.9 }
+  ]
+}
+)");
+}
+
 TEST(Layout, keepsOneOfSeveralBlankLinesBetweenMembers) {
   EXPECT_EQ(laidOut("{\r\n\r\n\r\n\"sectors\" : {} ,\n\n\n\n\"shots\":[{}]\n\n}\n\n"),
             "{\n\n  \"sectors\": {},\n\n  \"shots\": [ {} ]\n}\n");

@@ -49,6 +49,22 @@ TEST(LightReport, TakesASurfaceThatNoLightCouldReachForOneThatNoneFaces) {
   EXPECT_EQ(report.all.white, 5);
 }
 
+TEST(LightReport, CountsTheOneTexelOfASpriteWhichHasNoOutline) {
+  const LoadedLevel room = test::levelFrom(
+      "{'light': 0.1, 'things': [{'sprite': '#c04020', 'x': 1, 'y': 1},"
+      "{'sprite': '#c04020', 'x': 3, 'y': 1}], 'sectors': {" +
+      test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
+  BakedLight light = bake(room.scene(), {.texel = 0.5}, 1);
+  for (const Sprite& sprite : room.level.sprites) light.surfaces[sprite.surface.index()].reset();
+  light.lightmaps[room.level.sprites[0].surface.index()] = Lightmap{{0, 0, 1, 1}, {200, 100, 0}, 3};
+  const LightReport report = lightReport(room.scene(), light);
+  const SurfaceReport& sprites = report.kinds[static_cast<std::size_t>(SurfaceKind::CameraSprite)];
+  EXPECT_EQ(sprites.colored, 1);
+  EXPECT_EQ(sprites.coloredTexels, 1);
+  EXPECT_EQ(sprites.bytes, 3);
+  EXPECT_EQ(sprites.bare, 1) << "no light reaches the other one";
+}
+
 TEST(LightReport, HasThreeChannelsOnlyWhereColorArrives) {
   const LightReport report =
       reportOf(twoRooms("[{'x':2,'y':2,'z':1,'falloff':1,'color':'#ff8000'},"

@@ -7,6 +7,7 @@
 #include "cli/info/format_features.h"
 #include "loaded.h"
 #include "settings/options.h"
+#include "support/level_text.h"
 
 namespace hearth {
 
@@ -58,6 +59,37 @@ TEST(FormatFeatures, CommentsAreNotCounted) {
   EXPECT_EQ(counts[FormatFeature::SolidWall], 1);
   EXPECT_EQ(counts[FormatFeature::TextureOffset], 1);
   EXPECT_EQ(counts[FormatFeature::PlainColour], 0);
+}
+
+TEST(FormatFeatures, SpritesAreCountedByWhatTheyAre) {
+  const LoadedLevel level = test::levelFrom(
+      "{'light': 1, 'things': ["
+      "{'sprite': '#c04020', 'x': 1, 'y': 1, 'radius': 0.3, 'height': 1},"
+      "{'sprite': ['#c04020', '#a04020'], 'x': 2, 'y': 1, 'bright': true},"
+      "{'sprite': '#c04020', 'x': 3, 'y': 1, 'facing': 'angle'},"
+      "{'frames': ['#c04020', '#a04020'], 'fps': 2, 'x': 1, 'y': 2, 'facing': 'flat'}],"
+      "'sectors': {" +
+      test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
+  FeatureCounts counts;
+  countGeometry(level.scene(), counts);
+  EXPECT_EQ(counts[FormatFeature::CameraSprite], 2);
+  EXPECT_EQ(counts[FormatFeature::FixedSprite], 1);
+  EXPECT_EQ(counts[FormatFeature::FlatSprite], 1);
+  EXPECT_EQ(counts[FormatFeature::SolidSprite], 1);
+  EXPECT_EQ(counts[FormatFeature::BrightSprite], 1);
+  EXPECT_EQ(counts[FormatFeature::SpriteOfManySides], 1);
+  EXPECT_EQ(counts[FormatFeature::AnimatedSprite], 1);
+}
+
+TEST(FormatFeatures, SpellingsOfThingsAreCounted) {
+  FeatureCounts counts;
+  const std::string level = R"({"sectors": {}, "things": [
+      {"frames": ["flame", ["#ff0000", "#00ff00"]], "fps": 2, "x": 1, "y": 1, "sector": "a"},
+      {"sprite": "#ff0000", "x": 1, "y": 1}]})";
+  countSpellings(std::array<std::string_view, 1>{level}, counts);
+  EXPECT_EQ(counts[FormatFeature::PlainColour], 3);
+  EXPECT_EQ(counts[FormatFeature::PositionWithSector], 1);
+  EXPECT_EQ(counts[FormatFeature::PositionWithoutSector], 1);
 }
 
 }  // namespace

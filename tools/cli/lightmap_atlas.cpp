@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "level/sprite_name.h"
 #include "settings/options.h"
 #include "text/drawn_text.h"
 
@@ -37,10 +38,12 @@ struct Entry {
 
 std::vector<Entry> entriesOf(const Level& level, const BakedLight& light) {
   std::vector<Entry> entries;
-  for (std::size_t i = 0; i < light.lightmaps.size(); ++i)
-    if (light.lightmaps[i])
-      entries.push_back(
-          {*light.lightmaps[i], light.surfaces[i]->grid.axisT.z > 0, labelOf(level, SurfaceId(i))});
+  for (std::size_t i = 0; i < light.lightmaps.size(); ++i) {
+    if (!light.lightmaps[i]) continue;
+    const std::optional<LitSurface>& surface = light.surfaces[i];  // none of a sprite
+    const bool flipsRows = surface && surface->grid.axisT.z > 0;
+    entries.push_back({*light.lightmaps[i], flipsRows, labelOf(level, SurfaceId(i))});
+  }
   return entries;
 }
 
@@ -113,6 +116,7 @@ std::vector<std::string> labelOf(const Level& level, SurfaceId id) {
   const Surface& surface = level[id];
   const Sector& sector = level[surface.sector];
   const std::string kind(name(surface.kind));
+  if (isSprite(surface.kind)) return {kind, shortened(nameOf(level, level.spriteOf(id)))};
   if (!surface.segment) return {kind, shortened(sector.name)};
   const Segment& segment = level[*surface.segment];
   std::string where = sector.name;

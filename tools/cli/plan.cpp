@@ -14,6 +14,7 @@
 #include "image/image.h"
 #include "level/locate.h"
 #include "level/plan_bounds.h"
+#include "level/sprite_name.h"
 #include "math/predicates.h"
 #include "math/trig.h"
 #include "text/html.h"
@@ -45,7 +46,9 @@ constexpr std::string_view kPlanStyle =
     ".solid{stroke:#141414;stroke-width:2.5}.step{stroke:#b4541e;stroke-width:1.5}"
     ".opening{stroke:#141414;stroke-width:.7;stroke-dasharray:3 4}"
     ".oneway{stroke:#c4006e;stroke-width:2.5;stroke-dasharray:7 4}"
-    ".light{stroke:#141414;stroke-width:.7}.key{text-anchor:start;font-size:14px}"
+    ".light,.sprite{stroke:#141414;stroke-width:.7}.sprite{fill:#a878c8}"
+    ".body{fill:#a878c8;fill-opacity:.35;stroke:#141414;stroke-width:.7}.key{text-anchor:start;"
+    "font-size:14px}"
     ".shot,.player{stroke:#0a5a2c;stroke-width:1.5}.player{stroke-width:3}"
     ".shot circle,.player circle{fill:#0a5a2c;stroke:none}"
     ".shotname{fill:#0a5a2c;stroke:#fff;stroke-opacity:.85;stroke-width:3;"
@@ -120,6 +123,7 @@ class PlanDrawing {
     begin();
     drawSectors();
     for (const LineStyle& style : kLines) drawLines(style);
+    drawSprites();
     drawLights();
     drawCameras();
     drawNames();
@@ -256,6 +260,27 @@ class PlanDrawing {
     }
   }
 
+  static std::string diamond(Vec2 at) {
+    constexpr double kHalf = 5;
+    return fmt::format("M{0:.2f},{1:.2f}l{2},{2}l-{2},{2}l-{2},-{2}z", at.x, at.y - kHalf, kHalf);
+  }
+
+  /// A solid one with its body.
+  void drawSprites() {
+    for (const Sprite& sprite : scene_.level().sprites) {
+      const Vec2 at = toPaper(sprite.position.xy());
+      const double radius = std::max(5.0, sprite.body ? scale_ * sprite.body->radius : 0.0);
+      taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
+      if (sprite.body)
+        add("<circle class=\"body\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", at.x, at.y,
+            scale_ * sprite.body->radius);
+      const std::string solid =
+          sprite.body ? fmt::format(", solid, {:g} m high", sprite.body->height) : "";
+      add("<path class=\"sprite\" d=\"{}\"><title>sprite {} at z {:g}{}</title></path>\n",
+          diamond(at), escaped(nameOf(scene_.level(), sprite)), sprite.position.z, solid);
+    }
+  }
+
   /// Where one looks from, a dot, and the two sides of what is in view; the box around these.
   Box drawEye(std::string_view style, Vec2 eye, double angle, double fov, std::string_view title) {
     constexpr double kLength = 18;
@@ -336,6 +361,8 @@ class PlanDrawing {
     add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"#ffe8c8\"/>\n",
         kMargin + 18, row);
     double column = explain("light", kMargin + 44, row);
+    add("<path class=\"sprite\" d=\"{}\"/>\n", diamond({column + 10, row}));
+    column = explain("sprite", column + 28, row);
     drawEye("player", {column + 10, row}, 0, kPlayersFov, "");
     column = explain("player", column + 44, row);
     drawEye("shot", {column + 10, row}, 0, kPlayersFov, "");

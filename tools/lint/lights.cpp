@@ -197,7 +197,9 @@ class OverexposedFinder {
   void look() {
     for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
       // Who gives a sector all light there is wants its textures as they are.
-      if (dimmed_.lightmaps[i] && level_[level_.surfaces[i].sector].light < 1) lookAt(i);
+      if (dimmed_.surfaces[i] && dimmed_.lightmaps[i] &&
+          level_[level_.surfaces[i].sector].light < 1)
+        lookAt(i);
     for (const auto& [light, glare] : glaring_) report(light, glare);
   }
 

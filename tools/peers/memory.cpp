@@ -12,7 +12,7 @@ namespace {
 std::int64_t channelsOfTexels(const BakedLight& light) {
   std::int64_t count = 0;
   for (std::size_t i = 0; i < light.surfaces.size(); ++i) {
-    if (!light.lightmaps[i]) continue;
+    if (!light.surfaces[i] || !light.lightmaps[i]) continue;
     const LitSurface& surface = *light.surfaces[i];
     const TexelRect& rect = surface.texels;
     std::int64_t texels = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -143,6 +144,21 @@ void countOverlaps(const Level& level, FeatureCounts& counts) {
   }
 }
 
+void countSprite(const Sprite& sprite, FeatureCounts& counts) {
+  constexpr std::array kByFacing{FormatFeature::CameraSprite, FormatFeature::FixedSprite,
+                                 FormatFeature::FlatSprite};
+  counts.add(kByFacing[static_cast<std::size_t>(sprite.facing)]);
+  const auto addIf = [&](bool holds, FormatFeature feature) {
+    if (holds) counts.add(feature);
+  };
+  addIf(sprite.body.has_value(), FormatFeature::SolidSprite);
+  addIf(sprite.isBright, FormatFeature::BrightSprite);
+  const bool hasSides = std::ranges::any_of(
+      sprite.frames, [](const std::vector<SpriteView>& views) { return views.size() > 1; });
+  addIf(hasSides, FormatFeature::SpriteOfManySides);
+  addIf(sprite.frames.size() > 1, FormatFeature::AnimatedSprite);
+}
+
 }  // namespace
 
 void countGeometry(const Scene& scene, FeatureCounts& counts) {
@@ -154,6 +170,7 @@ void countGeometry(const Scene& scene, FeatureCounts& counts) {
   for (const FlatPortal& flatPortal : level.flatPortals)
     if (flatPortal.upper.size() > 1 || flatPortal.lower.size() > 1)
       counts.add(FormatFeature::FlatPortalOfManySectors);
+  for (const Sprite& sprite : level.sprites) countSprite(sprite, counts);
   for (const LightSource& light : level.lights) {
     const Sector& sector = level[light.sector];
     if (light.position.z > sector.ceiling.z) counts.add(FormatFeature::LightAboveSky);

@@ -35,6 +35,11 @@ class SpellingCounter {
         counts_.add(FormatFeature::Shot);
         countPosition(shot);
       });
+    if (level.contains("things"))
+      forEachChild(level["things"], [&](const json& thing) {
+        countPosition(thing);
+        countImages(thing.contains("frames") ? thing["frames"] : thing.at("sprite"));
+      });
     forEachChild(level.at("sectors"), [&](const json& sector) { countSector(sector); });
   }
 
@@ -60,6 +65,15 @@ class SpellingCounter {
   void countPosition(const json& holder) {
     counts_.add(holder.contains("sector") ? FormatFeature::PositionWithSector
                                           : FormatFeature::PositionWithoutSector);
+  }
+
+  /// A name, or a list of names and of such lists.
+  void countImages(const json& images) {
+    if (images.is_array()) {
+      for (const json& image : images) countImages(image);
+    } else {
+      addIf(images.get<std::string>().starts_with('#'), FormatFeature::PlainColour);
+    }
   }
 
   void countSector(const json& sector) {

@@ -63,6 +63,13 @@ enum class FormatFeature : std::size_t {
   LightAboveSky,
   LightBelowSky,
   BakeSettings,
+  CameraSprite,
+  FixedSprite,
+  FlatSprite,
+  SolidSprite,
+  BrightSprite,
+  SpriteOfManySides,
+  AnimatedSprite,
 };
 
 struct FormatFeatureName {
@@ -124,6 +131,13 @@ inline constexpr std::array kFormatFeatures{
     FormatFeatureName{FormatFeature::LightAboveSky, "light above a sky ceiling"},
     FormatFeatureName{FormatFeature::LightBelowSky, "light below a sky floor"},
     FormatFeatureName{FormatFeature::BakeSettings, "bake settings"},
+    FormatFeatureName{FormatFeature::CameraSprite, "sprite that faces the camera"},
+    FormatFeatureName{FormatFeature::FixedSprite, "sprite that faces its angle"},
+    FormatFeatureName{FormatFeature::FlatSprite, "sprite that lies flat"},
+    FormatFeatureName{FormatFeature::SolidSprite, "solid sprite"},
+    FormatFeatureName{FormatFeature::BrightSprite, "bright sprite"},
+    FormatFeatureName{FormatFeature::SpriteOfManySides, "sprite with an image for each side"},
+    FormatFeatureName{FormatFeature::AnimatedSprite, "animated sprite"},
 };
 
 /// How often a level uses each.

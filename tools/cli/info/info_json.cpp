@@ -68,6 +68,7 @@ nlohmann::ordered_json infoToJson(const LoadedLevel& loaded, const Contents& con
   object["interfaces"] = level.flatPortals.size();  // scripts know them by this name
   object["lights"] = level.lights.size();
   object["shots"] = level.shots.size();
+  object["sprites"] = level.sprites.size();
   for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
     object["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] =
         contents.light.kinds[i].surfaces();

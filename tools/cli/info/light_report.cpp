@@ -7,12 +7,14 @@ namespace {
 SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
   SurfaceReport report;
   report.rays = light.surfaceCosts[i].rays;
-  if (!light.surfaces[i]) {
+  const std::optional<LitSurface>& surface = light.surfaces[i];
+  const std::optional<Lightmap>& map = light.lightmaps[i];
+  if (!surface && !map) {
     report.bare = 1;
     return report;
   }
-  const std::int64_t texels = light.surfaces[i]->texels.count();
-  if (const auto& map = light.lightmaps[i]) {
+  const std::int64_t texels = (surface ? surface->texels : map->rect).count();  // of a sprite: one
+  if (map) {
     const bool isWhite = map->channels == 1;
     (isWhite ? report.white : report.colored) = 1;
     (isWhite ? report.whiteTexels : report.coloredTexels) = texels;
