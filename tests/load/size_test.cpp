@@ -133,5 +133,18 @@ TEST(Size, aQuarterOfAMillionSprites) {
   EXPECT_EQ(result.loaded->level.sprites.size(), 250'000U);
 }
 
+TEST(Size, aThousandBodiesThatReachEverywhere) {
+  std::string things;
+  for (int i = 0; i < 1000; ++i)
+    things += fmt::format("{}{{'x':{},'y':0.5,'sprite':'#c04020','radius':1e9,'height':1}}",
+                          i > 0 ? "," : "", 0.5 + i % 33);
+  const Stopwatch watch;
+  const LoadResult result =
+      loadText("{'light': 1, 'things': [" + things + "], 'sectors': {" + grid(33) + "}}");
+  EXPECT_LT(watch.seconds(), kSeconds);
+  ASSERT_EQ(countErrors(result), 1U) << listed(result);
+  EXPECT_EQ(result.diagnostics[0].pointer, "/things/918") << "1089 sectors each";
+}
+
 }  // namespace
 }  // namespace hearth
