@@ -4,12 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "desktop/disk.h"
 #include "support/canvas.h"
 #include "support/in_tree.h"
+#include "support/level_text.h"
 #include "viewer/inspect/places.h"
 #include "viewer/inspect/words.h"
 #include "viewer/overlay/overlay.h"
@@ -26,8 +30,10 @@ constexpr int kColumn = 95;
 /// The panel with this section alone, over a picture of the rooms.
 class InspectorTest : public testing::Test {
  protected:
-  InspectorTest()
-      : sourced_(loadLevelWithSource(test::inTree("tests/levels/rooms.json"))),
+  InspectorTest() : InspectorTest(loadLevelWithSource(test::inTree("tests/levels/rooms.json"))) {}
+
+  explicit InspectorTest(SourcedResult sourced)
+      : sourced_(std::move(sourced)),
         place_(*sourced_.result.loaded),
         light_(bake(place_.scene(), place_.level.bake, 1)),
         renderer_(place_.scene(), place_.textures, light_),
@@ -102,6 +108,30 @@ class InspectorTest : public testing::Test {
   double now_ = 1;
   std::set<std::string> copied_;
 };
+
+/// The player looks at a sprite that is larger than the picture.
+class InspectorOfASprite : public InspectorTest {
+ protected:
+  InspectorOfASprite()
+      : InspectorTest(test::levelWithSourceFrom(
+            "{'light':1,'player':{'x':1,'y':2,'z':1.5},'things':["
+            "{'name':'curtain','sprite':'#c04020','x':2,'y':2,'size':[9,9],'offset':[0,-4]}],"
+            "'sectors':{" +
+            test::sectorText("room", "0,0, 4,0, 4,4, 0,4", 0, 4) + "}}")) {}
+
+  bool hasCopied(std::string_view ending) const {
+    return std::ranges::any_of(copied_,
+                               [&](const std::string& text) { return text.ends_with(ending); });
+  }
+};
+
+TEST_F(InspectorOfASprite, TellsItInPlaceOfTheWallBehindAndCopiesItsPlaces) {
+  clickAt(300, 400);
+  EXPECT_FALSE(inspector_.found()) << "no surface";
+  clickThroughPanel([&] { return hasCopied("/things/0") && hasCopied("/things/0/sprite"); });
+  EXPECT_TRUE(hasCopied(" /things/0"));
+  EXPECT_TRUE(hasCopied(" /things/0/sprite"));
+}
 
 TEST_F(InspectorTest, FollowsThePointerUnlessItIsClosed) {
   moveTo(300, 400);

@@ -83,6 +83,14 @@ std::string placeOfTexture(const LevelSource& source, const Level& level, const 
   return formatPlace(source, found.texture ? found.texture->name.place : found.place);
 }
 
+std::string placeOfSprite(const LevelSource& source, std::size_t sprite) {
+  return formatPlace(source, source.level.sprites[sprite].place);
+}
+
+std::string placeOfSpriteImage(const LevelSource& source, std::size_t sprite) {
+  return formatPlace(source, source.level.sprites[sprite].frames.front().front().place);
+}
+
 std::string placeOfLight(const LevelSource& source, std::size_t light) {
   return formatPlace(source, source.lights.lights[light].place);
 }

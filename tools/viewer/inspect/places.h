@@ -15,6 +15,9 @@ std::string placeOfSector(const LevelSource& source, SectorId sector);
 std::string placeOfSurface(const LevelSource& source, const Level& level, const TruthHit& surface);
 /// The place of its texture; for a surface without a texture of its own the same as above.
 std::string placeOfTexture(const LevelSource& source, const Level& level, const TruthHit& surface);
+std::string placeOfSprite(const LevelSource& source, std::size_t sprite);
+/// The place of its first image.
+std::string placeOfSpriteImage(const LevelSource& source, std::size_t sprite);
 std::string placeOfLight(const LevelSource& source, std::size_t light);
 
 }  // namespace hearth

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "level/sprite_name.h"
 #include "viewer/inspect/remedy.h"
 
 namespace hearth {
@@ -93,6 +94,15 @@ std::string lightsWords(const Level& level, double sum) {
                      sum < kFaintLevel ? ", next to nothing" : "");
 }
 
+/// Of what the lights and its sector's own light give.
+std::string brightnessOf(const Level& level, SectorId sector, double lights) {
+  const double own = 255 * level[sector].light;
+  std::string words = fmt::format("{}, {} of 255: {}", brightnessWord(lights + own),
+                                  levelWords(lights + own), lightsWords(level, lights));
+  if (own > 0) words += fmt::format("; the sector's own light gives {}", levelWords(own));
+  return words;
+}
+
 }  // namespace
 
 std::string surfaceWords(const Level& level, const TruthHit& place) {
@@ -122,12 +132,21 @@ double brightest(Vec3 levels) { return std::max({levels.x, levels.y, levels.z});
 
 std::string brightnessWords(const Level& level, const Inspection& found) {
   if (!found.lightmap) return "sky: always fully bright";
-  const double lights = brightest(found.sum);
-  const double own = 255 * level[found.place.sector].light;
-  std::string words = fmt::format("{}, {} of 255: {}", brightnessWord(lights + own),
-                                  levelWords(lights + own), lightsWords(level, lights));
-  if (own > 0) words += fmt::format("; the sector's own light gives {}", levelWords(own));
-  return words;
+  return brightnessOf(level, found.place.sector, brightest(found.sum));
+}
+
+std::string spriteWords(const Level& level, std::size_t sprite) {
+  const Sprite& found = level.sprites[sprite];
+  return fmt::format("{} \"{}\"", name(level[found.surface].kind), nameOf(level, found));
+}
+
+std::string spriteBrightnessWords(const Level& level, std::size_t sprite, const BakedLight& light) {
+  const Sprite& found = level.sprites[sprite];
+  if (found.isBright) return "bright: shows as it is";
+  Vec3 levels;
+  if (const auto& map = light.lightmaps[found.surface.index()])
+    levels = {double(map->at(0, 0, 0)), double(map->at(0, 0, 1)), double(map->at(0, 0, 2))};
+  return brightnessOf(level, found.sector, brightest(levels));
 }
 
 std::string reasonWords(const Level& level, const SurfacePoint& place,

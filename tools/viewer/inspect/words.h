@@ -27,6 +27,11 @@ double brightest(Vec3 levels);
 /// How bright the place is, and how much of that comes from lights.
 std::string brightnessWords(const Level& level, const Inspection& found);
 
+/// `camera sprite "lamp"`; without a name its image stands for it.
+std::string spriteWords(const Level& level, std::size_t sprite);
+/// How bright it is, of which lights give what its lightmap holds, if it has one.
+std::string spriteBrightnessWords(const Level& level, std::size_t sprite, const BakedLight& light);
+
 /// Why a light gives the place nothing, or hardly anything, and what to do about it; or the
 /// fraction of a ball that the place sees. Empty if it sees all of the light.
 std::string reasonWords(const Level& level, const SurfacePoint& place, const LightFinding& finding);

@@ -33,19 +33,23 @@ Inspector::Look Inspector::lookThrough(Pixel pixel, const InspectedLevel& in,
   const Vec2 ray = projection.rayOf(pixel.x + 0.5);
   return {in.scene[camera.sector].name,
           projection.eye(),
-          {ray.x, ray.y, projection.raySlopeAt(pixel.y + 0.5)}};
+          {ray.x, ray.y, projection.raySlopeAt(pixel.y + 0.5)},
+          turned90(projection.direction())};
 }
 
 /// Where the eye is in no sector of that name any more, nothing is found.
 void Inspector::find(const Look& look, const InspectedLevel& in) {
-  if (found_ && look_ == look) return;
+  if ((found_ || sprite_) && look_ == look) return;
   look_ = look;
-  found_.reset();
+  forget();
   const auto sector = findSector(in.scene.level(), look.sector);
   if (!sector || !contains(in.scene, in.scene[*sector], look.eye, kPositionSlack)) return;
   const Vec3 eye = nudgedInside(in.scene, in.scene[*sector], look.eye);
-  if (const auto hit = trace(in.scene.level(), *sector, eye, look.direction, RayKind::Look))
-    found_ = inspect(in.scene, in.renderer.light(), in.settings, *hit);
+  const auto hit = trace(in.scene.level(), *sector, eye, look.direction, RayKind::Look);
+  if (!hit) return;
+  sprite_ = spriteAt(in.scene, in.renderer.textures(),
+                     {*sector, eye, look.direction, look.pictureRight}, hit->t);
+  if (!sprite_) found_ = inspect(in.scene, in.renderer.light(), in.settings, *hit);
 }
 
 std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
@@ -60,6 +64,12 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
     return std::nullopt;
   }
   find(pinned_ ? *pinned_ : lookThrough(*mouse_, in, camera), in);
+  if (sprite_) {
+    const InspectorRequest asked =
+        showSprite(in.scene.level(), *sprite_, in.renderer.light(), in.source, pinned_.has_value());
+    if (asked.letsGo) letGo();
+    return asked.copied;
+  }
   if (!found_) return std::nullopt;
   const Texture& texture = in.renderer.texture(found_->place.texture->texture);
   LightsTool* const lights = in.lights && in.lights->editor().isOpen() ? in.lights : nullptr;

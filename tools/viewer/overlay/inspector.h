@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "viewer/input/event.h"
 #include "viewer/inspect/inspect.h"
+#include "viewer/inspect/sprite_at.h"
 #include "viewer/overlay/collapsible_section.h"
 #include "viewer/overlay/lights_tool.h"
 
@@ -33,9 +34,12 @@ class Inspector {
   bool letGo();
 
   /// From now on the level is another, or lit otherwise. What is pinned is looked at anew.
-  void forget() { found_.reset(); }
+  void forget() {
+    found_.reset();
+    sprite_.reset();
+  }
 
-  /// What the section shows; none where it is closed, or the pointer at nothing.
+  /// What the section shows; none where it is closed, or the pointer at nothing or at a sprite.
   const std::optional<Inspection>& found() const { return found_; }
 
   /// `camera` is that of the picture. Returns what is to be copied.
@@ -47,6 +51,7 @@ class Inspector {
     std::string sector;  ///< of the eye
     Vec3 eye;
     Vec3 direction;
+    Vec2 pictureRight;
 
     friend bool operator==(const Look&, const Look&) = default;
   };
@@ -64,6 +69,7 @@ class Inspector {
   std::optional<Look> pinned_;
   std::optional<Look> look_;  ///< by which the last was found
   std::optional<Inspection> found_;
+  std::optional<SpriteHit> sprite_;  ///< found in place of a surface
 };
 
 }  // namespace hearth

@@ -50,6 +50,18 @@ void showColumns(float left, const std::string& distance, const std::string& lev
       fmt::format("{:>{}}{:>{}}", distance, kDistanceWidth, level, kLevelWidth).data());
 }
 
+/// Lets the text before be clicked on, which copies another.
+void offer(InspectorRequest& asked, const std::string& copied) {
+  if (!ImGui::IsItemHovered()) return;
+  showTip("A click copies " + copied);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) asked.copied = copied;
+}
+
+void showUnpin(InspectorRequest& asked) {
+  asked.letsGo = ImGui::SmallButton("unpin");
+  showTip("Then the pointer says again which place this is about. Esc does the same.");
+}
+
 /// The section of one frame.
 class Section {
  public:
@@ -74,21 +86,14 @@ class Section {
       showTip("A metre before this surface, or half as far as there is room.");
       ImGui::SameLine();
     }
-    asked_.letsGo = ImGui::SmallButton("unpin");
-    showTip("Then the pointer says again which place this is about. Esc does the same.");
+    showUnpin(asked_);
   }
 
-  /// Lets the text before be clicked on, which copies another.
-  void offer(const std::string& copied) {
-    if (!ImGui::IsItemHovered()) return;
-    showTip("A click copies " + copied);
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) asked_.copied = copied;
-  }
-
-  /// The same with a place in the level's files: `placeIn(source)` works it out.
+  /// Lets the text before be clicked on, which copies a place in the level's files:
+  /// `placeIn(source)` works it out.
   template <typename PlaceIn>
   void offerPlace(PlaceIn&& placeIn) {
-    if (surface_.source && ImGui::IsItemHovered()) offer(placeIn(*surface_.source));
+    if (surface_.source && ImGui::IsItemHovered()) offer(asked_, placeIn(*surface_.source));
   }
 
   void showPlace() {
@@ -100,7 +105,7 @@ class Section {
     if (place_.segment) showSegment(level_[*place_.segment]);
     showTexture();
     showValue("point", pointWords(place_.point, ", "));
-    offer(pointWords(place_.point));
+    offer(asked_, pointWords(place_.point));
   }
 
   void showSegment(const Segment& segment) {
@@ -226,6 +231,27 @@ std::string InspectedSurface::nameOf(std::size_t light) const {
 std::size_t listedLights(const Inspection& found) {
   const auto end = std::ranges::find(found.lights, false, &LightFinding::comesNear);
   return std::min(kMaxListedLights, static_cast<std::size_t>(end - found.lights.begin()));
+}
+
+InspectorRequest showSprite(const Level& level, const SpriteHit& found, const BakedLight& light,
+                            const LevelSource* source, bool isPinned) {
+  const Sprite& sprite = level.sprites[found.sprite];
+  InspectorRequest asked;
+  showWrapped(spriteBrightnessWords(level, found.sprite, light));
+  if (isPinned) showUnpin(asked);
+  ImGui::Separator();
+  showValue("sprite", spriteWords(level, found.sprite));
+  if (source) offer(asked, placeOfSprite(*source, found.sprite));
+  showValue("sector", level[sprite.sector].name);
+  if (source) offer(asked, placeOfSector(*source, sprite.sector));
+  showValue("image", level.textures[found.image.index()]);
+  if (source) offer(asked, placeOfSpriteImage(*source, found.sprite));
+  showValue("position", pointWords(sprite.position, ", "));
+  offer(asked, pointWords(sprite.position));
+  if (sprite.body)
+    showValue("body",
+              fmt::format("radius {:g} m, {:g} m high", sprite.body->radius, sprite.body->height));
+  return asked;
 }
 
 InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,
