@@ -1240,6 +1240,18 @@ class LintOfShipped(unittest.TestCase):
 
 
 class Lint(InFolder):
+    def test_finds_in_a_level_with_sprites_what_it_finds_without(self):
+        text = (SOURCE / "tests/levels/rooms.json").read_text()
+        things = '"things": [{"sprite": "#808080", "x": 1, "y": 1, "facing": "flat"}, {"sprite": "#404040", ' \
+                 '"x": 3, "y": 1, "size": [1, 2], "radius": 0.4, "height": 1.5}], "sectors"'
+        found = []
+        for each in (text, text.replace('"sectors"', things, 1)):
+            level = self.folder / "rooms.json"
+            level.write_text(each)
+            result = lint(level)
+            found.append((result.returncode, re.findall(r"at (\S+), .*\[([a-z-]+)\]$", result.stdout, re.MULTILINE)))
+        self.assertEqual(found[0], found[1])
+
     def test_finds_nothing_in_a_new_level(self):
         run("new", self.folder / "castle")
         result = lint(self.folder / "castle.json")
