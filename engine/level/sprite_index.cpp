@@ -58,7 +58,7 @@ std::vector<Box> boxesOf(const Level& level, std::span<const std::uint32_t> spri
 
 SpriteIndex::SpriteIndex(const Level& level)
     : atHome_(level.sprites.size()),
-      begin_(level.sectors.size() + 1),
+      begin_(level.sprites.empty() ? 0 : level.sectors.size() + 1),
       roaming_(roamingIn(level)),
       tree_(boxesOf(level, roaming_)) {
   const auto sectorOf = [&](std::uint32_t i) { return level.sprites[i].sector; };

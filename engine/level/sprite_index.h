@@ -19,7 +19,7 @@ class SpriteIndex {
 
   bool isEmpty() const { return atHome_.empty(); }
 
-  /// Indices of the sprites whose position is in the sector, rising.
+  /// Indices of the sprites whose position is in the sector, rising. Not of an empty index.
   std::span<const std::uint32_t> atHomeIn(SectorId sector) const {
     const std::size_t i = sector.index();
     return std::span(atHome_).subspan(begin_[i], begin_[i + 1] - begin_[i]);

@@ -107,8 +107,8 @@ class Footprint {
            along <= depth_ + kSlack;
   }
 
-  /// Whether both sectors have air on a line in the rectangle, or on one side of it. Between two
-  /// places where an outline cuts the line that is so everywhere or nowhere.
+  /// Whether both sectors have air on one side of a line in the rectangle. Between two places where
+  /// an outline cuts the line that is so everywhere or nowhere.
   bool hasPointBeside(const Level& level, const Sector& a, const Sector& b, Vec2 from, Vec2 to,
                       std::vector<double>& cuts) const {
     const Vec2 line = to - from;
@@ -123,8 +123,9 @@ class Footprint {
     const double size = length(line);
     const Vec2 aside = size > 0 ? (kBeside / size) * turned90(line) : Vec2{kBeside, 0};
     for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if (size * (cuts[i] - cuts[i - 1]) < kBeside) continue;
       const Vec2 middle = lerp(from, to, (cuts[i - 1] + cuts[i]) / 2);
-      for (const Vec2 p : {middle, middle + aside, middle - aside})
+      for (const Vec2 p : {middle + aside, middle - aside})
         if (covers(p) && contains(level, a, p) && contains(level, b, p)) return true;
     }
     return false;
