@@ -77,7 +77,7 @@ class UsedTexelRow {
   std::size_t next_ = 0;
 };
 
-/// By SurfaceId; none for skies and for surfaces that do not show.
+/// By SurfaceId; none for skies, sprites and surfaces that do not show.
 using LitSurfaces = std::vector<std::optional<LitSurface>>;
 
 /// `texel` in metres, > 0. Grids are those of levels/README.md, "Lightmaps".
