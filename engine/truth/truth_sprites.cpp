@@ -42,10 +42,8 @@ SurfaceKind kindOf(const Sprite& sprite) {
   return sprite.facing == Facing::Angle ? SurfaceKind::FixedSprite : SurfaceKind::CameraSprite;
 }
 
-/// Of a ray with that direction: what two parameters may differ by where the depths are equal.
-double depthTie(double t, Vec3 direction) {
-  return std::max(kNearTie * t, kPositionSlack / length(direction));
-}
+/// Metres. What two depths may differ by and still be equal.
+double depthTie(double depth) { return std::max(kNearTie * depth, kPositionSlack); }
 
 }  // namespace
 
@@ -94,7 +92,7 @@ std::optional<TruthHit> TruthSprites::nearest(Vec3 origin, Vec3 direction,
     if (!picture.isIn[stretch.sector.index()]) continue;
     const std::optional<TruthHit> hit = meet(picture, origin, direction);
     if (!hit) continue;
-    const double tie = depthTie(hit->t, direction);
+    const double tie = depthTie(hit->t);
     if (hit->t < stretch.tEnter - tie || hit->t > stretch.tLeave + tie) continue;
     if (!best || hit->t <= best->t + tie) best = hit;
   }

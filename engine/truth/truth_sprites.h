@@ -19,6 +19,7 @@ class TruthSprites {
 
   /// What a look from `origin` meets of them in a stretch of air: the nearest that has no hole
   /// there; of two at one depth the later. What bounds the stretch and is no nearer is behind them.
+  /// `direction` goes 1 m deep before the camera: so the parameters of its ray are depths.
   std::optional<TruthHit> nearest(Vec3 origin, Vec3 direction, const AirStretch& stretch) const;
 
  private:

@@ -51,8 +51,7 @@ LevelFiles withPlainSidewalls(const LevelFiles& files);
 /// Every texture a colour of its own.
 LevelFiles withPlainColors(const LevelFiles& files);
 
-/// Without things: their images have sizes of their own, and have no mirror. Those that stand
-/// exactly in a plane of the level do so no longer after a turn.
+/// Without things: their images have sizes of their own, and have no mirror.
 LevelFiles withoutThings(const LevelFiles& files);
 
 /// With a sealed sector far away from everything, that has all that costs something where it is

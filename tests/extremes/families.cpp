@@ -230,7 +230,7 @@ bool expectLargenessMeansNothing(std::uint64_t seed) {
 }
 
 void expectDirectionMeansNothing(std::uint64_t seed, double degrees) {
-  const LevelFiles files = withPlainFlats(withoutThings(randomFiles(seed)));
+  const LevelFiles files = withPlainFlats(randomFiles(seed));
   const LitLevel before(files);
   const LitLevel after(turned(files, degrees));
   expectSameTexturesOffEdges(before, after);
