@@ -7,27 +7,12 @@
 #include "level/locate.h"
 #include "level/openings.h"
 #include "math/box.h"
+#include "math/line_part.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
-
-/// A part of a line, as fractions of the way along it.
-struct LinePart {
-  double from = 0;
-  double to = 1;
-};
-
-/// Cuts off `part` where a linear function along the line, from `first` to `second` metres, is less
-/// than -kPositionSlack (Liang and Barsky, 1984). From > to where nothing is left.
-void keepPositive(LinePart& part, double first, double second) {
-  first += kPositionSlack;
-  second += kPositionSlack;
-  if (first < 0 && second < 0) part = {1, 0};
-  if (first < 0 && second >= 0) part.from = std::max(part.from, first / (first - second));
-  if (second < 0 && first >= 0) part.to = std::min(part.to, first / (first - second));
-}
 
 /// Metres to either side of a line: more than a touch.
 constexpr double kBeside = 4 * kPositionSlack;
@@ -55,10 +40,8 @@ class Footprint {
 
   /// The part of a segment that it covers.
   std::optional<LinePart> partOf(const Segment& segment) const {
-    LinePart part;
-    keepInside(across_, width_, segment, part);
-    keepInside(along_, depth_, segment, part);
-    return part.from <= part.to ? std::optional(part) : std::nullopt;
+    const std::optional<LinePart> part = partBetweenEdges(across_, width_, segment, {});
+    return part ? partBetweenEdges(along_, depth_, segment, *part) : std::nullopt;
   }
 
   bool reaches(double zBottom, double zTop) const {
@@ -92,11 +75,14 @@ class Footprint {
  private:
   Vec2 at(double across) const { return corner_ + across * across_; }
 
-  void keepInside(Vec2 axis, double size, const Segment& segment, LinePart& part) const {
-    const double first = dot(segment.p0 - corner_, axis);
-    const double second = dot(segment.p1 - corner_, axis);
-    keepPositive(part, first, second);
-    keepPositive(part, size - first, size - second);
+  /// No more than kPositionSlack outside the two edges across an axis.
+  std::optional<LinePart> partBetweenEdges(Vec2 axis, double size, const Segment& segment,
+                                           LinePart part) const {
+    const double first = dot(segment.p0 - corner_, axis) + kPositionSlack;
+    const double second = dot(segment.p1 - corner_, axis) + kPositionSlack;
+    const std::optional<LinePart> kept = keepPositive(part, first, second);
+    const double end = size + 2 * kPositionSlack;
+    return kept ? keepPositive(*kept, end - first, end - second) : std::nullopt;
   }
 
   bool covers(Vec2 p) const {
