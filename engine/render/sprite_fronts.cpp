@@ -12,12 +12,12 @@ namespace {
 
 Vec2 pictureRight(const Projection& projection) { return turned90(projection.direction()); }
 
-struct Shown {
+struct ShownImage {
   const SpriteView& view;
   SpriteRect rect;
 };
 
-Shown shownOf(const Sprite& sprite, const Projection& projection, double seconds) {
+ShownImage shownOf(const Sprite& sprite, const Projection& projection, double seconds) {
   const SpriteView& view = viewOf(sprite, projection.eye().xy(), seconds);
   return {view, rectOf(sprite, view, pictureRight(projection))};
 }
