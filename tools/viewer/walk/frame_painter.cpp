@@ -33,7 +33,10 @@ void FramePainter::paint(const WalkFrame& frame, const PixelRows& picture) {
 void FramePainter::noteSeen(const WalkFrame& frame, SectorId player) {
   seen_.add(frame.camera.sector);
   seen_.add(player);
-  scratch_.forEachSpan([this](const Span& span) { seen_.add(span); });
+  // Of a sprite that reaches into a sector, its own may be out of sight.
+  scratch_.forEachSpan([this](const Span& span) {
+    if (!span.view) seen_.add(span);
+  });
 }
 
 void FramePainter::drawMap(const WalkFrame& frame, const PixelRows& picture) const {
