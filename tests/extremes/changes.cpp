@@ -346,32 +346,6 @@ void changeLengths(Documents& files, const LengthChange& change) {
   for (Json& shot : files.level["shots"]) changeCamera(shot["camera"], change);
 }
 
-/// A sealed sector far away from everything, with all that costs something where it is used.
-void addUnseenSector(Documents& files) {
-  const Json wall = {{"walls", {{{"texture", "#123456"}, {"z", 1.0}}, {{"texture", "#654321"}}}}};
-  Json sector = {{"floor", {{"z", 0.0}, {"texture", "#405060"}}},
-                 {"ceiling", {{"z", 4.0}, {"texture", "#605040"}}},
-                 {"slopeFloor", {{"z", {0.0, 0.0, 0.5, 0.5}}, {"sidewall", "#ffffff"}}},
-                 {"loops",
-                  {{"border",
-                    {{"v", {500.0, 500.0, 504.0, 500.0, 504.0, 504.0, 500.0, 504.0}},
-                     {"walls", Json::array({wall, wall, wall, wall})}}}}}};
-  if (files.level["sectors"].is_object()) {
-    files.level["sectors"]["unseen"] = sector;
-  } else {
-    sector["name"] = "unseen";
-    files.level["sectors"].push_back(sector);
-  }
-  for (const char* color : {"#ff0000", "#00ff40"})
-    files.lights["lights"].push_back({{"x", 502.0},
-                                      {"y", 502.0},
-                                      {"z", 2.0},
-                                      {"sector", "unseen"},
-                                      {"color", color},
-                                      {"radius", 0.25},
-                                      {"curve", {{0.0, 255.0}, {2.0, 100.0}}}});
-}
-
 }  // namespace
 
 LevelFiles withLengths(const LevelFiles& original, const LengthChange& change) {
@@ -498,10 +472,6 @@ LevelFiles withPlainColors(const LevelFiles& original) {
 
 LevelFiles withoutThings(const LevelFiles& original) {
   return changed(original, [](Documents& files) { files.level.erase("things"); });
-}
-
-LevelFiles withUnseenSector(const LevelFiles& original) {
-  return changed(original, addUnseenSector);
 }
 
 }  // namespace hearth::extremes
