@@ -140,10 +140,8 @@ TEST(Atlas, ShowsTheLightOfASprite) {
       "{'sprite': '#c04020', 'x': 3, 'y': 1, 'facing': 'flat'}], 'sectors': {" +
       test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
   BakedLight light = bake(room.scene(), {.texel = 0.5}, 1);
-  for (const Sprite& sprite : room.level.sprites) {
-    light.surfaces[sprite.surface.index()].reset();
+  for (const Sprite& sprite : room.level.sprites)
     light.lightmaps[sprite.surface.index()] = Lightmap{{0, 0, 1, 1}, {200}};
-  }
   EXPECT_EQ(pixelsPerTexel(light, lightmapAtlas(room.level, light).value()), 16);
   using Lines = std::vector<std::string>;
   EXPECT_EQ(labelOf(room.level, room.level.sprites[0].surface), (Lines{"camera sprite", "lamp"}));

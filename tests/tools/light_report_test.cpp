@@ -55,7 +55,6 @@ TEST(LightReport, CountsTheOneTexelOfASpriteWhichHasNoOutline) {
       "{'sprite': '#c04020', 'x': 3, 'y': 1}], 'sectors': {" +
       test::sectorText("a", "0,0, 4,0, 4,4, 0,4", 0, 3) + "}}");
   BakedLight light = bake(room.scene(), {.texel = 0.5}, 1);
-  for (const Sprite& sprite : room.level.sprites) light.surfaces[sprite.surface.index()].reset();
   light.lightmaps[room.level.sprites[0].surface.index()] = Lightmap{{0, 0, 1, 1}, {200, 100, 0}, 3};
   const LightReport report = lightReport(room.scene(), light);
   const SurfaceReport& sprites = report.kinds[static_cast<std::size_t>(SurfaceKind::CameraSprite)];

@@ -143,19 +143,9 @@ TEST(SpriteSectors, AreNotThoseThatAFlatPortalHasBehindAWall) {
 
 // ---- seen there
 
-Shot cameraAt(SectorId sector, Vec3 eye) {
-  Shot camera;
-  camera.sector = sector;
-  camera.eye = eye;
-  camera.width = 8;
-  camera.height = 4;
-  return camera;
-}
-
 /// Whether the camera at the eye, which looks along `angle`, sees a sprite straight ahead.
 bool seesSprite(const TestLevel& test, SectorId sector, Vec3 eye, double angle) {
-  Shot camera = cameraAt(sector, eye);
-  camera.angle = angle;
+  const Shot camera = cameraAt(sector, eye, angle);
   return isSprite(TruthView(test.level(), test.textures(), camera).hit(4, 2).kind);
 }
 

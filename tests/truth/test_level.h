@@ -62,4 +62,15 @@ class TestLevel {
   std::vector<Image> textures_;
 };
 
+/// 90 degrees over 8 pixels: 4 pixels per tangent, the horizon at row 2.
+inline Shot cameraAt(SectorId sector, Vec3 eye, double angle = 0) {
+  Shot camera;
+  camera.sector = sector;
+  camera.eye = eye;
+  camera.angle = angle;
+  camera.width = 8;
+  camera.height = 4;
+  return camera;
+}
+
 }  // namespace hearth

@@ -11,17 +11,6 @@
 namespace hearth {
 namespace {
 
-/// 90 degrees over 8 pixels: 4 pixels per tangent, the horizon at row 2.
-Shot cameraAt(SectorId sector, Vec3 eye, double angle = 0) {
-  Shot camera;
-  camera.sector = sector;
-  camera.eye = eye;
-  camera.angle = angle;
-  camera.width = 8;
-  camera.height = 4;
-  return camera;
-}
-
 /// What the camera sees at a point of the world before it.
 class Look {
  public:

@@ -9,15 +9,6 @@
 namespace hearth {
 namespace {
 
-Shot cameraAt(SectorId sector, Vec3 eye) {
-  Shot camera;
-  camera.sector = sector;
-  camera.eye = eye;
-  camera.width = 8;
-  camera.height = 4;
-  return camera;
-}
-
 /// A box of 4 m whose walls wear images of 16 x 16 texels, 1 m a repeat; texel (x, y) is of the
 /// colour (x, y, number of the texture).
 struct BoxScene {

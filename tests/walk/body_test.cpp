@@ -14,10 +14,9 @@ namespace {
 using test::after;
 using test::kForward;
 using test::kRun;
+using test::kSolid;
 using test::sectorText;
 using test::standing;
-
-const std::string kSolid = "{'texture':'#808080'}";
 
 std::string to(const std::string& next) {
   return fmt::format("{{'texture':'#808080','next':'{}'}}", next);

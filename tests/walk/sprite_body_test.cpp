@@ -13,10 +13,9 @@ namespace {
 using test::after;
 using test::kForward;
 using test::kRun;
+using test::kSolid;
 using test::sectorText;
 using test::standing;
-
-const std::string kSolid = "{'texture':'#808080'}";
 
 /// Round, at (x, y), from `z` up.
 std::string body(double x, double y, double z, double radius, double height) {

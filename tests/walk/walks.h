@@ -41,6 +41,9 @@ inline Walker after(const Scene& scene, Walker walker, const WalkInput& input, i
   return walker;
 }
 
+/// A wall that nothing passes.
+inline const std::string kSolid = "{'texture':'#808080'}";
+
 inline constexpr WalkInput kForward{.forward = 127};
 inline constexpr WalkInput kRun{.forward = 127, .run = true};
 
