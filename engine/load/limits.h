@@ -13,6 +13,7 @@ struct LoadLimits {
   std::size_t vertices = 1'000'000;                   ///< --max-vertices, in all loops together
   std::size_t lights = 100'000;                       ///< --max-lights
   std::size_t spriteImages = 250'000;  ///< --max-sprite-images, in all things together
+  std::size_t meshFaces = 4'000'000;   ///< --max-mesh-faces, in all models of a level together
 };
 
 }  // namespace hearth

@@ -6,56 +6,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
-#include <sstream>
 #include <string>
 
 #include "load_text.h"
 #include "support/in_tree.h"
+#include "support/memory_files.h"
 
 namespace hearth {
 namespace {
 
 namespace fs = std::filesystem;
-
-class MemoryFiles final : public FileSource {
- public:
-  void add(const fs::path& path, std::string bytes) { files_[path] = std::move(bytes); }
-  void remove(const fs::path& path) { files_.erase(path); }
-  std::string& at(const fs::path& path) { return files_.at(path); }
-
-  FileKind kindOf(const fs::path& path) const override {
-    if (find(path)) return FileKind::Regular;
-    return namesIn(path).empty() ? FileKind::None : FileKind::Folder;
-  }
-  tl::expected<std::string, ReadError> read(const fs::path& path,
-                                            std::uint64_t maxBytes) const override {
-    const std::string* bytes = find(path);
-    if (!bytes) return readErrorFromErrno(ENOENT);
-    if (bytes->size() > maxBytes)
-      return tl::make_unexpected(ReadError{ReadErrorCode::TooLong, "too long"});
-    return *bytes;
-  }
-  tl::expected<std::unique_ptr<std::istream>, ReadError> open(const fs::path& path) const override {
-    const std::string* bytes = find(path);
-    if (!bytes) return readErrorFromErrno(ENOENT);
-    return std::make_unique<std::istringstream>(*bytes);
-  }
-  std::vector<fs::path> namesIn(const fs::path& folder) const override {
-    std::vector<fs::path> names;
-    for (const auto& [path, bytes] : files_)
-      if (path.parent_path() == folder.lexically_normal()) names.push_back(path.filename());
-    return names;
-  }
-
- private:
-  const std::string* find(const fs::path& path) const {
-    const auto found = files_.find(path.lexically_normal());
-    return found == files_.end() ? nullptr : &found->second;
-  }
-
-  std::map<fs::path, std::string> files_;
-};
 
 constexpr std::uint64_t kMaxBytes = 1 << 24;
 
@@ -71,7 +31,7 @@ class LevelInMemory : public testing::Test {
   LoadResult load() const { return loadLevel("levels/tutorial.json", {}, memory_); }
 
   LoadedLevel onDisk_ = *loadLevel(test::inTree("levels/tutorial.json")).loaded;
-  MemoryFiles memory_;
+  test::MemoryFiles memory_;
 };
 
 TEST_F(LevelInMemory, isTheLevelOnTheDisk) {

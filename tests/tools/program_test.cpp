@@ -14,7 +14,7 @@ namespace hearth {
 namespace {
 
 TEST(Options, EveryRowIsFoundUnderItsOwnNumber) {
-  const auto last = static_cast<int>(Option::MaxSpriteImages);
+  const auto last = static_cast<int>(Option::MaxMeshFaces);
   std::set<std::string_view> names;
   for (int i = 0; i <= last; ++i) names.insert(row(static_cast<Option>(i)).name);
   EXPECT_EQ(std::ssize(names), last + 1);

@@ -131,11 +131,13 @@ constexpr std::array kTable = {
               "refuse more lights"},
     OptionRow{Option::MaxSpriteImages, "--max-sprite-images", ValueKind::Integer, "COUNT", 1, kMax,
               "250000", "refuse things of more images"},
+    OptionRow{Option::MaxMeshFaces, "--max-mesh-faces", ValueKind::Integer, "COUNT", 1, kMax,
+              "4000000", "refuse meshes of more triangles"},
 };
 
 static_assert(LoadLimits{}.fileBytes == 67108864 && LoadLimits{}.imagePixels == 67108864 &&
                   LoadLimits{}.vertices == 1000000 && LoadLimits{}.lights == 100000 &&
-                  LoadLimits{}.spriteImages == 250000,
+                  LoadLimits{}.spriteImages == 250000 && LoadLimits{}.meshFaces == 4000000,
               "the table's defaults are those of the loader");
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -246,8 +248,8 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text) {
 }
 
 std::vector<Option> limitOptions() {
-  return {Option::MaxFileBytes, Option::MaxImagePixels, Option::MaxVertices, Option::MaxLights,
-          Option::MaxSpriteImages};
+  return {Option::MaxFileBytes, Option::MaxImagePixels,  Option::MaxVertices,
+          Option::MaxLights,    Option::MaxSpriteImages, Option::MaxMeshFaces};
 }
 
 std::vector<Option> settingOptions() {

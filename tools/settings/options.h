@@ -67,6 +67,7 @@ enum class Option {
   MaxVertices,
   MaxLights,
   MaxSpriteImages,
+  MaxMeshFaces,
 };
 
 enum class ValueKind { Flag, Text, Choice, Number, Integer };

@@ -107,6 +107,7 @@ LoadLimits limitsFrom(const OptionValues& values) {
   take(Option::MaxVertices, limits.vertices);
   take(Option::MaxLights, limits.lights);
   take(Option::MaxSpriteImages, limits.spriteImages);
+  take(Option::MaxMeshFaces, limits.meshFaces);
   return limits;
 }
 
