@@ -273,14 +273,31 @@ void deriveAir(const Scene& scene, const Sector& sector, Geometry& geometry) {
   }
 }
 
+AirColumn heightsOf(const Level& level, const Mesh& mesh) {
+  AirColumn heights{mesh.position.z, mesh.position.z};
+  for (const MeshFace& face : level.facesOf(mesh))
+    for (const Vec3 corner : face.corners)
+      heights = {std::min(heights.zBottom, corner.z), std::max(heights.zTop, corner.z)};
+  return heights;
+}
+
 /// All of those that have surfaces.
-void showSprites(const Level& level, Geometry& geometry) {
+void showThings(const Level& level, Geometry& geometry) {
   for (const Sprite& sprite : level.sprites) {
     const bool lies = sprite.facing == Facing::Flat;
     const double zBottom = sprite.position.z + (lies ? 0 : sprite.offset.y);
     const double height = lies ? 0 : sprite.frames.front().front().size.y;
     geometry.surfaces[sprite.surface.index()] = {true, zBottom, zBottom + height, {}};
   }
+  for (const Mesh& mesh : level.meshes) {
+    const auto [zBottom, zTop] = heightsOf(level, mesh);
+    geometry.surfaces[mesh.surface.index()] = {true, zBottom, zTop, {}};
+  }
+}
+
+SurfaceKind kindOf(Facing facing) {
+  if (facing == Facing::Angle) return SurfaceKind::FixedSprite;
+  return facing == Facing::Flat ? SurfaceKind::FlatSprite : SurfaceKind::CameraSprite;
 }
 
 /// Whether a flat stays where it was authored.
@@ -304,22 +321,27 @@ Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing
   for (const Segment& segment : level.segments)
     SegmentDeriver(level, geometry, segment.id, &missing).derive();
   for (const Segment& segment : level.segments) addMaskedMiddlesOfTwins(scene, segment, geometry);
-  showSprites(level, geometry);
+  showThings(level, geometry);
   return geometry;
 }
 
-void addSpriteSurfaces(Level& level, Geometry& geometry) {
+void addThingSurfaces(Level& level, Geometry& geometry) {
+  const auto add = [&](SurfaceKind kind, SectorId sector, const TextureMapping& mapping) {
+    level.surfaces.push_back({kind, sector, std::nullopt, mapping});
+    return SurfaceId(level.surfaces.size() - 1);
+  };
   for (Sprite& sprite : level.sprites) {
-    SurfaceKind kind = SurfaceKind::CameraSprite;
-    if (sprite.facing == Facing::Angle) kind = SurfaceKind::FixedSprite;
-    if (sprite.facing == Facing::Flat) kind = SurfaceKind::FlatSprite;
     TextureMapping mapping;
     mapping.texture = sprite.frames.front().front().texture;
-    sprite.surface = SurfaceId(level.surfaces.size());
-    level.surfaces.push_back({kind, sprite.sector, std::nullopt, mapping});
+    sprite.surface = add(kindOf(sprite.facing), sprite.sector, mapping);
+  }
+  for (Mesh& mesh : level.meshes) {
+    TextureMapping mapping;
+    mapping.texture = level.facesOf(mesh).front().texture;
+    mesh.surface = add(SurfaceKind::Mesh, mesh.sector, mapping);
   }
   geometry.surfaces.resize(level.surfaces.size());
-  showSprites(level, geometry);
+  showThings(level, geometry);
 }
 
 void moveFlats(const Level& level, SectorId id, SectorGeometry heights, Geometry& geometry) {

@@ -112,8 +112,8 @@ struct MissingTexture {
 /// Expects a level that `linkSurfaces` has completed.
 Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing);
 
-/// Adds a surface for each sprite to a level that has none yet, and shows them.
-void addSpriteSurfaces(Level& level, Geometry& geometry);
+/// Adds a surface for each sprite and each mesh to a level that has none yet, and shows them.
+void addThingSurfaces(Level& level, Geometry& geometry);
 
 /// Moves the flats of one sector to `heights`, and derives the sector and the walls that lead into
 /// it anew. The time depends on these alone. Stacks move with their floor.

@@ -9,6 +9,7 @@
 #include "level/bake_settings.h"
 #include "level/ids.h"
 #include "level/light_source.h"
+#include "level/mesh.h"
 #include "level/sector.h"
 #include "level/segment.h"
 #include "level/sprite.h"
@@ -45,6 +46,12 @@ struct BodyInSector {
   std::uint32_t sprite;  ///< index
 };
 
+/// A mesh some of whose faces reach into the air of a sector.
+struct MeshInSector {
+  SectorId sector;
+  std::uint32_t mesh;  ///< index
+};
+
 /// A level as authored, linked and valid. Immutable once `linkSurfaces` has run. Data that follows
 /// from heights lives in a `Geometry`; data of a frame or a bake lives with the renderer and the
 /// bakery.
@@ -56,19 +63,24 @@ struct Level {
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;
-  std::vector<Sprite> sprites;  ///< of two at one place the later hides the earlier
+  std::vector<Sprite> sprites;  ///< of two things at one place the later hides the earlier
+  std::vector<Mesh> meshes;
+  std::vector<MeshFace> meshFaces;
   std::vector<LightSource> lights;
   BakeSettings bake;
   std::optional<Player> player;
   std::vector<Shot> shots;
 
   // Set by `linkSurfaces`:
-  std::vector<Surface> surfaces;           ///< all that can show, at whatever heights; sprites last
-  std::vector<WallSurfaces> wallSurfaces;  ///< of all segments
-  std::vector<SegmentId> entrances;        ///< of all sectors
+  std::vector<Surface>
+      surfaces;  ///< all that can show, at whatever heights; things last: sprites, then meshes
+  std::vector<WallSurfaces> wallSurfaces;     ///< of all segments
+  std::vector<SegmentId> entrances;           ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
-  std::vector<BodyInSector> bodies;  ///< by sector, then as the file has them; set by `addBodies`
+  // By sector, then as the file has them:
+  std::vector<BodyInSector> bodies;          ///< set by `addBodies`
+  std::vector<MeshInSector> meshesBySector;  ///< set by `addMeshSectors`
 
   const Sector& operator[](SectorId id) const { return sectors[id.index()]; }
   Sector& operator[](SectorId id) { return sectors[id.index()]; }
@@ -82,10 +94,17 @@ struct Level {
     return sprites[id.index() - sprites.front().surface.index()];
   }
 
-  std::span<const BodyInSector> bodiesIn(SectorId sector) const {
-    const auto first = std::ranges::lower_bound(bodies, sector, {}, &BodyInSector::sector);
-    const auto last = std::ranges::upper_bound(bodies, sector, {}, &BodyInSector::sector);
-    return {first, last};
+  /// Of the surface of a mesh.
+  const Mesh& meshOf(SurfaceId id) const {
+    return meshes[id.index() - meshes.front().surface.index()];
+  }
+  std::span<const MeshFace> facesOf(const Mesh& mesh) const {
+    return {meshFaces.data() + mesh.firstFace, mesh.faceCount};
+  }
+
+  std::span<const BodyInSector> bodiesIn(SectorId sector) const { return inSector(bodies, sector); }
+  std::span<const MeshInSector> meshesIn(SectorId sector) const {
+    return inSector(meshesBySector, sector);
   }
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {
@@ -97,6 +116,14 @@ struct Level {
   /// The segments of other sectors that lead into a sector, each once.
   std::span<const SegmentId> entrancesOf(const Sector& sector) const {
     return {entrances.data() + sector.firstEntrance, sector.entranceCount};
+  }
+
+ private:
+  template <typename T>
+  static std::span<const T> inSector(const std::vector<T>& sorted, SectorId sector) {
+    const auto first = std::ranges::lower_bound(sorted, sector, {}, &T::sector);
+    const auto last = std::ranges::upper_bound(sorted, sector, {}, &T::sector);
+    return {first, last};
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,8 +45,9 @@ struct Sprite {
   double framesPerSecond = 0;
   bool isBright = false;  ///< shows as it is, whatever the light
   std::optional<SpriteBody> body;
+  std::uint32_t thing = 0;  ///< index among the level's sprites and meshes together
 
-  SurfaceId surface;  ///< set by `addSpriteSurfaces`
+  SurfaceId surface;  ///< set by `addThingSurfaces`
 };
 
 /// Whether what it shows depends on time.

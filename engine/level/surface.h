@@ -11,8 +11,8 @@
 
 namespace hearth {
 
-/// All kinds of surface that can show. Reports use this order, and isSky(), isSprite() and
-/// isUpright() rely on it.
+/// All kinds of surface that can show. Reports use this order, and isSky(), isSprite(), isThing()
+/// and isUpright() rely on it.
 enum class SurfaceKind : std::uint8_t {
   Solid,
   LowerStep,
@@ -30,6 +30,7 @@ enum class SurfaceKind : std::uint8_t {
   CameraSprite,
   FixedSprite,
   FlatSprite,
+  Mesh,
   SkyCeiling,
   SkyFloor,
   SkyUpperStep,
@@ -55,6 +56,8 @@ constexpr bool isSlope(SurfaceKind kind) {
 constexpr bool isSprite(SurfaceKind kind) {
   return kind >= SurfaceKind::CameraSprite && kind <= SurfaceKind::FlatSprite;
 }
+/// Whether it is a sprite or a mesh.
+constexpr bool isThing(SurfaceKind kind) { return isSprite(kind) || kind == SurfaceKind::Mesh; }
 /// Whether texels of its image may be holes, through which what is behind it shows.
 constexpr bool mayHaveHoles(SurfaceKind kind) {
   return kind == SurfaceKind::MaskedMiddle || isSprite(kind);
@@ -69,14 +72,15 @@ constexpr bool facesDown(SurfaceKind kind) {
          kind == SurfaceKind::SkyCeiling;
 }
 
-/// A part of a sector's boundary that can show, or a sprite in its air. A part of the boundary is
+/// A part of a sector's boundary that can show, or a thing in its air. A part of the boundary is
 /// drawn with one texture and lit by one lightmap. `SurfaceGeometry` says whether it shows, and
 /// between which heights.
 struct Surface {
   SurfaceKind kind;
   SectorId sector;                   ///< whose air it bounds, and whose `light` it takes
   std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces only
-  TextureMapping mapping;            ///< as authored; of a sprite its first image
+  TextureMapping mapping;            ///< as authored; of a sprite its first image, of a mesh
+                                     ///< its first face's
 };
 
 }  // namespace hearth

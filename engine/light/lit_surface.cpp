@@ -54,7 +54,7 @@ class LitSurfaceBuilder {
     for (std::size_t i = 0; i < lit_.size(); ++i) {
       const SurfaceId id(i);
       const SurfaceKind kind = scene_[id].kind;
-      if (isSky(kind) || isSprite(kind) || !scene_.geometryOf(id).shows) continue;
+      if (isSky(kind) || isThing(kind) || !scene_.geometryOf(id).shows) continue;
       if (isUpright(kind))
         addUpright(id);
       else

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "level/link_surfaces.h"
+#include "level/mesh_sectors.h"
 #include "level/sprite_bodies.h"
 #include "load/json/read_document.h"
 #include "load/link/link.h"
@@ -106,6 +107,18 @@ bool addBodiesWithinLimit(Linking& linking) {
   return false;
 }
 
+/// Where meshes are, once all are linked.
+bool addMeshSectorsWithinLimit(Linking& linking) {
+  const std::optional<std::size_t> excess = addMeshSectors(linking.level, linking.geometry);
+  if (!excess) return true;
+  linking.report.error(linking.description.meshes[*excess].place,
+                       fmt::format("meshes reach into more than {} sectors, with this one and "
+                                   "those before it",
+                                   kMaxMeshesInSectors),
+                       "lower their \"scale\"");
+  return false;
+}
+
 std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
                                         const LightsDescription& lights) {
   if (description.sectors.empty()) return std::nullopt;
@@ -126,19 +139,22 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   if (!isEmpty) {
     addSurfacesAndGeometry(linking);
     linkSprites(linking);
+    for (fs::path& file : linkMeshes(linking, {from_, file_, limits_}))
+      files_.push_back(std::move(file));
   }
   TextureFiles textures =
       readTextures(report_, table, linking.scene(), {from_, file_, description.textures}, limits_);
   if (isEmpty) return std::nullopt;
   sizeSprites(linking.level, textures.images);
-  addSpriteSurfaces(linking.level, linking.geometry);
+  addThingSurfaces(linking.level, linking.geometry);
   validatePortals(linking);
   linkPositions(linking, lights);
   if (report_.hasErrors()) return std::nullopt;
-  if (!addBodiesWithinLimit(linking)) return std::nullopt;
+  if (!addBodiesWithinLimit(linking) || !addMeshSectorsWithinLimit(linking)) return std::nullopt;
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 
-  for (const NameReference& name : table.names()) linking.level.textures.push_back(name.name);
+  for (const NamedTexture& texture : table.textures())
+    linking.level.textures.push_back(texture.name);
   linking.level.holes = holesOfMaskedMiddles(linking.scene(), textures.images);
   files_.insert(files_.end(), textures.files.begin(), textures.files.end());
   source_.outlines = std::move(linking.outlines);

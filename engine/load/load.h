@@ -21,8 +21,8 @@ struct LoadedLevel {
   SharedImages textures;  ///< by TextureId; one black pixel where no surface wears it
   std::filesystem::path path;
   std::filesystem::path lights;  ///< file of its lights: where one belongs if there is none
-  /// All that was read: the level first, then its lights if it has any, then the images. A program
-  /// that watches these knows when to load again.
+  /// All that was read: the level first, then its lights if it has any, then models with their
+  /// materials, then the images. A program that watches these knows when to load again.
   std::vector<std::filesystem::path> files;
   /// Images among the files that a surface wears. Of the others only the header is read.
   std::size_t decodedImages = 0;
@@ -40,9 +40,9 @@ struct LoadResult {
 /// Where the lights of a level lie that does not name their file.
 std::filesystem::path lightsBeside(const std::filesystem::path& level);
 
-/// Reads a level with its lights and textures. All mistakes are reported together, each at its
-/// place; there is no level unless there is none. Up to four threads read the images, one for each
-/// core. levels/README.md says what the files hold.
+/// Reads a level with its lights, models and textures. All mistakes are reported together, each at
+/// its place; there is no level unless there is none. Up to four threads read the images, one for
+/// each core. levels/README.md says what the files hold.
 LoadResult loadLevel(const std::filesystem::path& file, const LoadLimits& limits = {},
                      const FileSource& files = DiskFiles());
 

@@ -114,6 +114,36 @@ void reportMissingFolder(Report& report, const NameReference& folder, const Imag
                "give the folder of the images, seen from the folder of this file");
 }
 
+/// Reports textures of which there is no file.
+class MissingReporter {
+ public:
+  MissingReporter(Report& report, const TexturePlace& place, const ImageFinder& finder)
+      : report_(report), place_(place), finder_(finder) {}
+
+  void tell(const NamedTexture& texture) {
+    if (texture.foreign) return tellForeign(texture.place, *texture.foreign);
+    if (isFolderMissing_) return;
+    isFolderMissing_ = place_.folder && !finder_.hasFolder();
+    if (isFolderMissing_)
+      reportMissingFolder(report_, *place_.folder, finder_);
+    else
+      reportMissing(report_, texture, finder_);
+  }
+
+ private:
+  void tellForeign(Place place, const ForeignImage& image) {
+    report_.error(
+        place,
+        fmt::format("there is no file {}, which {} names", image.file.string(), image.namedBy),
+        "put the image there, or correct its path, which is relative to the file that names it");
+  }
+
+  Report& report_;
+  const TexturePlace& place_;
+  const ImageFinder& finder_;
+  bool isFolderMissing_ = false;  // reported once
+};
+
 struct Mistake {
   std::string message;
   std::string advice;
@@ -146,21 +176,32 @@ std::vector<bool> wornIn(const Scene& scene, std::size_t textures) {
   for (const Sprite& sprite : scene.level().sprites)
     for (const std::vector<SpriteView>& views : sprite.frames)
       for (const SpriteView& view : views) worn[view.texture.index()] = true;
+  for (const MeshFace& face : scene.level().meshFaces) worn[face.texture.index()] = true;
   return worn;
 }
 
-bool isColor(const NameReference& name) { return name.name.starts_with('#'); }
-bool isPath(const NameReference& name) {
-  return name.name.find_first_of("/\\") != std::string::npos;
+bool isColor(const NamedTexture& texture) {
+  return !texture.foreign && texture.name.starts_with('#');
+}
+bool isPath(const NamedTexture& texture) {
+  return !texture.foreign && texture.name.find_first_of("/\\") != std::string::npos;
 }
 
-/// By TextureId, of images; none of those that are not found.
-std::vector<std::optional<fs::path>> pathsOf(std::span<const NameReference> names,
-                                             const ImageFinder& finder) {
-  std::vector<std::optional<fs::path>> paths(names.size());
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (!isColor(names[i]) && !isPath(names[i])) paths[i] = finder.find(names[i].name);
-  return paths;
+/// None of what is no image, or of one that is not found.
+std::optional<fs::path> pathOf(const NamedTexture& texture, const ImageFinder& finder,
+                               const FileSource& files) {
+  if (isColor(texture) || isPath(texture)) return std::nullopt;
+  if (!texture.foreign) return finder.find(texture.name);
+  const fs::path& file = texture.foreign->file;
+  return files.kindOf(file) == FileKind::Regular ? std::optional(file) : std::nullopt;
+}
+
+/// The image of a colour; one of a mistake, which is reported.
+Image imageOfColor(Report& report, const NameReference& name) {
+  if (const std::optional<Rgb> color = parseColor(name.name)) return Image(1, 1, *color);
+  report.error(name.place, fmt::format("\"{}\" is no colour", name.name),
+               "write \"#rrggbb\" with hexadecimal digits");
+  return Image(1, 1);
 }
 
 /// By TextureId.
@@ -204,51 +245,50 @@ TextureMapping TextureTable::standIn() {
 }
 
 TextureId TextureTable::idOf(const NameReference& name) {
-  const auto [found, isNew] = ids_.emplace(name.name, TextureId(names_.size()));
-  if (isNew) names_.push_back(name);
-  Place& firstUse = names_[found->second.index()].place;
-  firstUse = std::min(firstUse, name.place);
-  return found->second;
+  const auto [found, isNew] = ids_.emplace(name.name, TextureId(textures_.size()));
+  if (isNew) textures_.push_back({name, std::nullopt});
+  return usedAt(found->second, name.place);
+}
+
+TextureId TextureTable::idOf(const NameReference& name, const ForeignImage& image) {
+  const auto [found, isNew] = foreign_.emplace(image.file.string(), TextureId(textures_.size()));
+  if (isNew) textures_.push_back({name, image});
+  return usedAt(found->second, name.place);
+}
+
+TextureId TextureTable::usedAt(TextureId id, Place place) {
+  Place& firstUse = textures_[id.index()].place;
+  firstUse = std::min(firstUse, place);
+  return id;
 }
 
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
                           const TexturePlace& place, const LoadLimits& limits) {
   const ImageFinder finder(place);
-  const std::vector<NameReference>& names = table.names();
-  const std::vector<std::optional<fs::path>> paths = pathsOf(names, finder);
-  std::vector<ImageRead> reads = readAll(place.files, paths, wornIn(scene, names.size()), limits);
-  bool hasFolder = true;
+  const std::vector<NamedTexture>& named = table.textures();
+  std::vector<std::optional<fs::path>> paths;
+  for (const NamedTexture& texture : named) paths.push_back(pathOf(texture, finder, place.files));
+  std::vector<ImageRead> reads = readAll(place.files, paths, wornIn(scene, named.size()), limits);
+  MissingReporter missing(report, place, finder);
   TextureFiles textures;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const NameReference& name = names[i];
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const NamedTexture& texture = named[i];
     Image& image = textures.images.emplace_back(1, 1);
-    if (isColor(name)) {
-      if (const std::optional<Rgb> color = parseColor(name.name))
-        image = Image(1, 1, *color);
-      else
-        report.error(name.place, fmt::format("\"{}\" is no colour", name.name),
-                     "write \"#rrggbb\" with hexadecimal digits");
-      continue;
-    }
-    if (isPath(name)) {
-      report.error(name.place, fmt::format("\"{}\" is a path", name.name),
+    if (isColor(texture)) {
+      image = imageOfColor(report, texture);
+    } else if (isPath(texture)) {
+      report.error(texture.place, fmt::format("\"{}\" is a path", texture.name),
                    "write the name of an image of the textures folder");
-      continue;
-    }
-    if (!paths[i] && hasFolder) {
-      hasFolder = !place.folder || finder.hasFolder();
-      if (hasFolder)
-        reportMissing(report, name, finder);
-      else
-        reportMissingFolder(report, *place.folder, finder);
-    }
-    if (!paths[i]) continue;
-    textures.files.push_back(*paths[i]);
-    if (!reads[i]) {
-      report.error(name.place, reads[i].error().message, reads[i].error().advice);
-    } else if (*reads[i]) {
-      ++textures.decoded;
-      image = **std::move(reads[i]);
+    } else if (!paths[i]) {
+      missing.tell(texture);
+    } else {
+      textures.files.push_back(*paths[i]);
+      if (!reads[i]) {
+        report.error(texture.place, reads[i].error().message, reads[i].error().advice);
+      } else if (*reads[i]) {
+        ++textures.decoded;
+        image = **std::move(reads[i]);
+      }
     }
   }
   return textures;

@@ -18,20 +18,37 @@
 
 namespace hearth {
 
-/// Gives every distinct texture name an id, in the order of linking.
+/// An image that another file than the level's names.
+struct ForeignImage {
+  std::filesystem::path file;
+  std::string namedBy;  ///< in words, for messages: "a material of crate.obj"
+};
+
+/// An image of the textures folder or a colour; or an image from elsewhere, and what reports call
+/// it.
+struct NamedTexture : NameReference {
+  std::optional<ForeignImage> foreign;
+};
+
+/// Gives every distinct texture an id, in the order of linking.
 class TextureTable {
  public:
   TextureId idOf(const NameReference& name);
+  /// The same file is the same texture, whatever its names.
+  TextureId idOf(const NameReference& name, const ForeignImage& image);
   TextureMapping link(const TextureDescription& texture);
   /// For a texture that could not be read. A level with it must not be used.
   TextureMapping standIn();
 
   /// By id, each at the place of its first use in the file.
-  const std::vector<NameReference>& names() const { return names_; }
+  const std::vector<NamedTexture>& textures() const { return textures_; }
 
  private:
-  std::vector<NameReference> names_;
-  std::map<std::string, TextureId> ids_;
+  TextureId usedAt(TextureId id, Place place);
+
+  std::vector<NamedTexture> textures_;
+  std::map<std::string, TextureId> ids_;      ///< by name
+  std::map<std::string, TextureId> foreign_;  ///< by path
 };
 
 struct TextureFiles {
@@ -47,9 +64,9 @@ struct TexturePlace {
   const std::optional<NameReference>& folder;  ///< that the level file names, if it does
 };
 
-/// Reads the images of surfaces that show. For the others it reads only the header, and gives one
-/// black pixel. Up to four threads read them. A missing or broken image is reported where it is
-/// first used.
+/// Reads the images of surfaces that show and of things. For the others it reads only the header,
+/// and gives one black pixel. Up to four threads read them. A missing or broken image is reported
+/// where it is first used.
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
                           const TexturePlace& place, const LoadLimits& limits);
 

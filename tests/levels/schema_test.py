@@ -31,7 +31,11 @@ BEYOND_SCHEMAS = frozenset("""
     loop_leaves_the_border_where_it_touches loop_odd_coordinates loop_repeats_a_vertex
     loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_too_many_walls loop_touches_itself
     loop_without_area loops_are_equal loops_cross loops_leave_no_area loops_nest
-    loops_nest_where_they_touch loops_of_one_name next_unknown_but_there next_unknown_far
+    loops_nest_where_they_touch loops_of_one_name mesh_above_the_ceiling mesh_broken_twice
+    mesh_file_missing mesh_file_missing_far mesh_image_broken mesh_image_missing mesh_in_line
+    mesh_is_a_folder mesh_materials_missing mesh_of_an_unknown_sector mesh_of_an_unknown_vertex
+    mesh_of_nan mesh_outside mesh_texture_missing mesh_too_far mesh_too_small mesh_without_faces
+    next_unknown_but_there next_unknown_far
     next_unknown_near next_unknown_near_its_own player_eye_above_the_body player_in_a_slope
     player_in_another_sector player_of_an_unknown_sector player_outside
     portal_five_centimetres_off_along_the_wall portal_misses_a_vertex portal_of_a_turned_loop
@@ -163,7 +167,11 @@ class Changes(unittest.TestCase):
         self.good["level"]["things"] = [
             {"name": "lamp", "sprite": "#ffd0a0", "x": 2, "y": 2, "z": 1, "sector": "hall", "angle": 90,
              "facing": "angle", "size": [0.2, 0.3], "offset": [0, 0.1], "bright": True},
-            {"frames": [["#ff8040", "#c06030"], "#ffa060"], "fps": 4, "x": 1, "y": 2, "radius": 0.2, "height": 0.5}]
+            {"frames": [["#ff8040", "#c06030"], "#ffa060"], "fps": 4, "x": 1, "y": 2, "radius": 0.2, "height": 0.5},
+            {"name": "tent", "mesh": "tent.obj", "x": 2, "y": 1, "z": 0.5, "sector": "hall", "angle": 30,
+             "scale": [1, 0.5, 1], "texture": "#c0a080", "twoSided": True},
+            {"mesh": "tent.obj", "x": 1, "y": 1, "scale": 0.5}]
+        (self.folder / "tent.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
         self.schemas = {"level": schema("level"), "lights": schema("lights")}
 
     def load(self, changed):

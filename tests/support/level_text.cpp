@@ -21,12 +21,14 @@ void write(const std::filesystem::path& file, std::string_view text) {
 
 }  // namespace
 
-SourcedResult levelWithSourceFrom(std::string_view levelText, std::string_view lightsText) {
+SourcedResult levelWithSourceFrom(std::string_view levelText, std::string_view lightsText,
+                                  const std::vector<NamedText>& others) {
   const auto folder =
       std::filesystem::temp_directory_path() / fmt::format("hearth-test-{}", ::getpid());
   std::filesystem::create_directories(folder);
   write(folder / "level.json", levelText);
   write(folder / "level.lights.json", lightsText);
+  for (const NamedText& other : others) write(folder / other.name, other.text);
   SourcedResult sourced = loadLevelWithSource(folder / "level.json");
   std::filesystem::remove_all(folder);
   std::string messages;
@@ -36,8 +38,9 @@ SourcedResult levelWithSourceFrom(std::string_view levelText, std::string_view l
   return sourced;
 }
 
-LoadedLevel levelFrom(std::string_view levelText, std::string_view lightsText) {
-  return std::move(*levelWithSourceFrom(levelText, lightsText).result.loaded);
+LoadedLevel levelFrom(std::string_view levelText, std::string_view lightsText,
+                      const std::vector<NamedText>& others) {
+  return std::move(*levelWithSourceFrom(levelText, lightsText, others).result.loaded);
 }
 
 std::string sectorText(std::string_view name, std::string_view vertices, double floor,

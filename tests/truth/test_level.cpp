@@ -1,6 +1,9 @@
 #include "test_level.h"
 
+#include <utility>
+
 #include "level/link_surfaces.h"
+#include "level/mesh_sectors.h"
 #include "math/check.h"
 
 namespace hearth {
@@ -106,8 +109,22 @@ Sprite& TestLevel::addSprite(SectorId sector, Vec3 position, Facing facing, Vec2
   sprite.sector = sector;
   sprite.facing = facing;
   sprite.frames = {{{image.texture, sizeMetres}}};
+  sprite.thing = thingCount();
   level_.sprites.push_back(sprite);
   return level_.sprites.back();
+}
+
+Mesh& TestLevel::addMesh(SectorId sector, std::string name, const std::vector<MeshFace>& faces) {
+  Mesh mesh;
+  mesh.name = std::move(name);
+  mesh.position = faces.front().corners.front();
+  mesh.sector = sector;
+  mesh.thing = thingCount();
+  mesh.firstFace = static_cast<std::uint32_t>(level_.meshFaces.size());
+  mesh.faceCount = static_cast<std::uint32_t>(faces.size());
+  level_.meshFaces.insert(level_.meshFaces.end(), faces.begin(), faces.end());
+  level_.meshes.push_back(std::move(mesh));
+  return level_.meshes.back();
 }
 
 const Level& TestLevel::finished() {
@@ -118,7 +135,8 @@ const Level& TestLevel::finished() {
   std::vector<MissingTexture> missing;
   geometry_ = deriveGeometry(level_, missing);
   CHECK(missing.empty(), "test levels have no faults");
-  addSpriteSurfaces(level_, geometry_);
+  addThingSurfaces(level_, geometry_);
+  CHECK(!addMeshSectors(level_, geometry_), "test levels have no faults");
   return level_;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,10 @@ class TestLevel {
   Sprite& addSprite(SectorId sector, Vec3 position, Facing facing, Vec2 sizeMetres,
                     TextureMapping image);
 
-  /// Derives what is derived. Once only for a level with sprites. Sectors are in order of their
+  /// Its faces are where they are in the level.
+  Mesh& addMesh(SectorId sector, std::string name, const std::vector<MeshFace>& faces);
+
+  /// Derives what is derived. Once only for a level with things. Sectors are in order of their
   /// first loop: add all loops of one sector before the next one's.
   const Level& finished();
   const Level& level() const { return level_; }
@@ -57,6 +61,10 @@ class TestLevel {
   const std::vector<Image>& textures() const { return textures_; }
 
  private:
+  std::uint32_t thingCount() const {
+    return static_cast<std::uint32_t>(level_.sprites.size() + level_.meshes.size());
+  }
+
   Level level_;
   Geometry geometry_;
   std::vector<Image> textures_;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "level/sprite_name.h"
+#include "level/thing_name.h"
 #include "settings/options.h"
 #include "text/drawn_text.h"
 

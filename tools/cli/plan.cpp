@@ -14,7 +14,7 @@
 #include "image/image.h"
 #include "level/locate.h"
 #include "level/plan_bounds.h"
-#include "level/sprite_name.h"
+#include "level/thing_name.h"
 #include "math/predicates.h"
 #include "math/trig.h"
 #include "text/html.h"
@@ -47,6 +47,7 @@ constexpr std::string_view kPlanStyle =
     ".opening{stroke:#141414;stroke-width:.7;stroke-dasharray:3 4}"
     ".oneway{stroke:#c4006e;stroke-width:2.5;stroke-dasharray:7 4}"
     ".light,.sprite{stroke:#141414;stroke-width:.7}.sprite{fill:#a878c8}"
+    ".mesh{fill:#c8b878;stroke:#141414;stroke-width:.5}"
     ".body{fill:#a878c8;fill-opacity:.35;stroke:#141414;stroke-width:.7}.key{text-anchor:start;"
     "font-size:14px}"
     ".shot,.player{stroke:#0a5a2c;stroke-width:1.5}.player{stroke-width:3}"
@@ -123,6 +124,7 @@ class PlanDrawing {
     begin();
     drawSectors();
     for (const LineStyle& style : kLines) drawLines(style);
+    drawMeshes();
     drawSprites();
     drawLights();
     drawCameras();
@@ -265,6 +267,21 @@ class PlanDrawing {
     return fmt::format("M{0:.2f},{1:.2f}l{2},{2}l-{2},{2}l-{2},-{2}z", at.x, at.y - kHalf, kHalf);
   }
 
+  /// Their faces, from above.
+  void drawMeshes() {
+    for (const Mesh& mesh : scene_.level().meshes) {
+      std::string faces;
+      for (const MeshFace& face : scene_.level().facesOf(mesh))
+        for (std::size_t i = 0; i < face.corners.size(); ++i) {
+          const Vec2 at = toPaper(face.corners[i].xy());
+          faces += fmt::format("{}{:.2f},{:.2f}{}", i == 0 ? 'M' : 'L', at.x, at.y,
+                               i + 1 == face.corners.size() ? "z" : "");
+        }
+      add("<path class=\"mesh\" d=\"{}\"><title>mesh {} of {} faces at z {:g}</title></path>\n",
+          faces, escaped(nameOf(scene_.level(), mesh)), mesh.faceCount, mesh.position.z);
+    }
+  }
+
   /// A solid one with its body.
   void drawSprites() {
     for (const Sprite& sprite : scene_.level().sprites) {
@@ -361,6 +378,8 @@ class PlanDrawing {
     add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"#ffe8c8\"/>\n",
         kMargin + 18, row);
     double column = explain("light", kMargin + 44, row);
+    add("<path class=\"mesh\" d=\"M{:.2f},{:.2f}h16v10h-16zl16,10\"/>\n", column, row - 5);
+    column = explain("mesh", column + 28, row);
     add("<path class=\"sprite\" d=\"{}\"/>\n", diamond({column + 10, row}));
     column = explain("sprite", column + 28, row);
     drawEye("player", {column + 10, row}, 0, kPlayersFov, "");

@@ -49,6 +49,7 @@ inline constexpr std::array kLoaderKinds{
     LoaderKindRow{"far-away", "a coordinate is too far from the origin for exact light"},
     LoaderKindRow{"light-in-plane", "a light lies on a surface, which it does not light"},
     LoaderKindRow{"no-light", "nothing is said of light, and all is fully bright"},
+    LoaderKindRow{"model-skips", "something in a model or its materials is left out"},
 };
 
 inline constexpr std::array kFindingKinds{

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "files/file_source.h"
 #include "level/level.h"
 #include "level/scene.h"
 #include "load/json/report.h"
+#include "load/limits.h"
 #include "load/link/outline.h"
 #include "load/link/weld.h"
 #include "load/read/description.h"
@@ -62,6 +65,13 @@ struct Linking {
   }
 };
 
+/// Where the models of a level lie, and how much of them is taken.
+struct ModelPlace {
+  const FileSource& files;
+  const std::filesystem::path& level;  ///< its file
+  const LoadLimits& limits;
+};
+
 // The steps of linking, in this order. Each reports what it cannot link and puts a stand-in in its
 // place, so that the next ones and `linkSurfaces` find a level without holes.
 
@@ -94,6 +104,9 @@ void reportMissingTextures(Linking& linking, std::span<const MissingTexture> mis
 void linkPositions(Linking& linking, const LightsDescription& lights);
 /// The sprites, their images and their sectors. After `deriveGeometry`.
 void linkSprites(Linking& linking);
+/// The meshes: their models, placed in the level, the images of these, and their sectors. After
+/// `deriveGeometry`. Returns the files that were read; images not among them.
+std::vector<std::filesystem::path> linkMeshes(Linking& linking, const ModelPlace& place);
 /// Only the lights, and the settings of the bake.
 void linkLights(Linking& linking, const LightsDescription& lights);
 /// Whether neither level nor lights mention light: then all is fully bright.

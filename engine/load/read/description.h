@@ -8,6 +8,7 @@
 
 #include "level/bake_settings.h"
 #include "level/light_source.h"
+#include "level/mesh.h"
 #include "level/sprite.h"
 #include "load/json/document.h"
 #include "math/vec.h"
@@ -135,14 +136,26 @@ struct ShotDescription {
   int height = 200;
 };
 
-struct SpriteDescription {
+/// Where a thing stands.
+struct ThingDescription {
   Place place;
   std::optional<NameReference> sector;
   Vec2 position;
-  std::optional<double> z;                         ///< absolute; else it stands on what is below it
+  std::optional<double> z;  ///< absolute; else it stands on what is below it
+};
+
+struct SpriteDescription : ThingDescription {
   std::optional<Vec2> size;                        ///< metres; else 64 texels a metre
   std::vector<std::vector<NameReference>> frames;  ///< images, from each side
   Sprite sprite;                                   ///< all else
+};
+
+struct MeshDescription : ThingDescription {
+  NameReference file;                    ///< OBJ, relative to the level file
+  double angle = 0;                      ///< degrees
+  Vec3 scale = {1, 1, 1};                ///< along the level's axes, before it is turned
+  std::optional<NameReference> texture;  ///< of faces without a material
+  Mesh mesh;                             ///< all else
 };
 
 struct LightDescription {
@@ -160,6 +173,7 @@ struct LevelDescription {
   std::optional<PlayerDescription> player;
   std::vector<ShotDescription> shots;
   std::vector<SpriteDescription> sprites;
+  std::vector<MeshDescription> meshes;
   std::vector<SectorDescription> sectors;
 };
 

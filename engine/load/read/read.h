@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "load/json/document.h"
@@ -30,6 +32,17 @@ struct VertexBudget {
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
                              VertexBudget& budget);
 void readThings(Report& report, JsonValue value, const LoadLimits& limits, LevelDescription& level);
+/// What the limit of sprites' images still allows.
+struct ImageBudget {
+  std::size_t left;
+  bool isExceeded = false;  ///< reported once; the sprites that follow are left out
+};
+/// Whether a budget has room for so many images; reported at `value` if it has not.
+bool allowsImages(Report& report, JsonValue value, std::size_t images, ImageBudget& budget);
+std::optional<SpriteDescription> readSprite(Report& report, JsonValue value, ImageBudget& budget);
+std::optional<MeshDescription> readMesh(Report& report, JsonValue value);
+/// Reads where a thing stands. False after a mistake.
+bool readThingPosition(Report& report, const Fields& fields, ThingDescription& thing);
 std::optional<NameReference> readReference(Report& report, JsonValue value);
 /// Reads `sector`, if it is given. False after a mistake.
 bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "load/json/fields.h"
 #include "load/read/read.h"
@@ -11,140 +12,76 @@ namespace hearth {
 
 namespace {
 
-constexpr NumberRange kSize{1e-6, kWorldLimit};  // metres
-constexpr NumberRange kFramesPerSecond{1e-6, 1000};
+/// Says what a thing is.
+constexpr std::array<std::string_view, 3> kKindKeys{"mesh", "sprite", "frames"};
 
-constexpr std::array<std::string_view, 15> kSpriteKeys{
-    "name",  "sprite", "frames", "fps",    "x",      "y",      "z",     "sector",
-    "angle", "size",   "offset", "facing", "bright", "radius", "height"};
-
-/// What the limit of sprites' images still allows.
-struct ImageBudget {
-  std::size_t left;
-  bool isExceeded = false;  // reported once; the things that follow are left out
-};
-
-bool allows(Report& report, JsonValue value, std::size_t images, ImageBudget& budget) {
-  if (budget.isExceeded) return false;
-  budget.isExceeded = images > budget.left;
-  if (budget.isExceeded)
-    report.error(value.place(), "too many images of sprites",
-                 "raise the limit with --max-sprite-images");
-  return !budget.isExceeded;
+bool hasKey(const std::vector<JsonValue::Member>& members, std::string_view key) {
+  return std::ranges::any_of(
+      members, [&](const JsonValue::Member& member) { return member.key.text() == key; });
 }
 
-/// The images of one frame: a name, or one for each side from which it can be seen.
-std::vector<NameReference> readViews(Report& report, JsonValue value, ImageBudget& budget) {
-  if (!value.isString() && !value.isArray()) {
-    reportWrongType(report, value, "an image's name, or a list of them");
-    return {};
+/// By the key that says so or, where none does, a slip of it.
+bool isMesh(JsonValue thing) {
+  if (!thing.isObject()) return false;
+  const std::vector<JsonValue::Member> members = thing.members();
+  if (hasKey(members, "mesh")) return true;
+  if (hasKey(members, "sprite") || hasKey(members, "frames")) return false;
+  return std::ranges::any_of(members, [](const JsonValue::Member& member) {
+    return nearestName(member.key.text(), kKindKeys) == "mesh";
+  });
+}
+
+/// A mesh that is a sprite, too: which of its other keys are right depends on what is meant.
+bool refuseTwoKinds(Report& report, JsonValue mesh) {
+  for (const JsonValue::Member& member : mesh.members()) {
+    const std::string_view key = member.key.text();
+    if (key != "sprite" && key != "frames") continue;
+    report.error(member.value.place(), fmt::format("\"{}\" beside \"mesh\"", key),
+                 "give one of them");
+    return true;
   }
-  const std::size_t count = value.isArray() ? value.size() : 1;
-  if (!allows(report, value, count, budget)) return {};
-  budget.left -= count;
-  std::vector<NameReference> views;
-  const std::vector<JsonValue> names =
-      value.isArray() ? value.elements() : std::vector<JsonValue>{value};
-  bool isGood = true;
-  for (const JsonValue name : names) {
-    const std::optional<NameReference> view = readReference(report, name);
-    isGood &= view.has_value();
-    if (view) views.push_back(*view);
-  }
-  if (names.empty()) report.error(value.place(), "no image", "name at least one");
-  return isGood ? views : std::vector<NameReference>{};
-}
-
-void readFrames(Report& report, JsonValue value, ImageBudget& budget, const Fields& fields,
-                SpriteDescription& sprite) {
-  if (!value.isArray()) return reportWrongType(report, value, "a list of frames");
-  if (!allows(report, value, value.size(), budget)) return;
-  for (const JsonValue frame : value.elements())
-    sprite.frames.push_back(readViews(report, frame, budget));
-  if (sprite.frames.empty()) report.error(value.place(), "no frame", "give at least one");
-  if (fields.require("fps", "say how many frames a second show"))
-    fields.read("fps", kFramesPerSecond, sprite.sprite.framesPerSecond);
-}
-
-/// Reads `sprite` or, in its place, `frames` and `fps`. False after a mistake.
-bool readImages(Report& report, const Fields& fields, ImageBudget& budget,
-                SpriteDescription& sprite) {
-  const std::optional<JsonValue> frames = fields.find("frames");
-  if (frames) {
-    if (const std::optional<JsonValue> still = fields.find("sprite"))
-      report.error(still->place(), "\"sprite\" beside \"frames\"", "give one of them");
-    readFrames(report, *frames, budget, fields, sprite);
-  } else {
-    if (const std::optional<JsonValue> rate = fields.find("fps"))
-      report.error(rate->place(), "\"fps\" without \"frames\"",
-                   "give the images as \"frames\", or remove it");
-    const std::optional<JsonValue> still = fields.require("sprite", "name its image");
-    if (!still) return false;
-    sprite.frames.push_back(readViews(report, *still, budget));
-  }
-  for (const std::vector<NameReference>& views : sprite.frames)
-    if (views.empty()) return false;
-  return !sprite.frames.empty();
-}
-
-void readFacing(Report& report, JsonValue value, Facing& facing) {
-  constexpr std::array<std::string_view, 3> kNames{"camera", "angle", "flat"};  // by Facing
-  if (!value.isString()) return reportWrongType(report, value, "\"camera\", \"angle\" or \"flat\"");
-  const auto found = std::ranges::find(kNames, value.text());
-  if (found == kNames.end())
-    report.error(value.place(), fmt::format("\"{}\" is no facing", value.text()),
-                 suggest(value.text(), kNames, ""));
-  else
-    facing = static_cast<Facing>(found - kNames.begin());
-}
-
-void readBody(Report& report, const Fields& fields, Sprite& sprite) {
-  const std::optional<JsonValue> radius = fields.find("radius");
-  const std::optional<JsonValue> height = fields.find("height");
-  if (radius && height) {
-    sprite.body.emplace();
-    fields.read("radius", kSize, sprite.body->radius);
-    fields.read("height", kSize, sprite.body->height);
-  } else if (radius || height) {
-    report.error((radius ? radius : height)->place(),
-                 radius ? "\"radius\" without \"height\"" : "\"height\" without \"radius\"",
-                 "give both, or neither");
-  }
-}
-
-void readSprite(Report& report, JsonValue value, ImageBudget& budget, LevelDescription& level) {
-  const Fields fields(report, value, kSpriteKeys);
-  SpriteDescription sprite;
-  sprite.place = value.place();
-  bool isGood = fields.isObject() && readSectorName(report, fields, sprite.sector);
-  for (const std::string_view key : {"x", "y"})
-    isGood &= fields.require(key, "give the sprite's position").has_value();
-  isGood &= fields.read("x", kCoordinate, sprite.position.x);
-  isGood &= fields.read("y", kCoordinate, sprite.position.y);
-  isGood &= fields.read("z", kCoordinate, sprite.z);
-  isGood &= fields.isObject() && readImages(report, fields, budget, sprite);
-  if (const auto name = fields.find("name"))
-    sprite.sprite.name = readName(report, *name).value_or("");
-  fields.read("angle", kAngle, sprite.sprite.angle);
-  if (const auto size = fields.find("size")) {
-    Vec2 metres;
-    if (fields.read("size", kSize, metres)) sprite.size = metres;
-  }
-  fields.read("offset", kCoordinate, sprite.sprite.offset);
-  if (const auto facing = fields.find("facing")) readFacing(report, *facing, sprite.sprite.facing);
-  fields.read("bright", sprite.sprite.isBright);
-  readBody(report, fields, sprite.sprite);
-  if (isGood) level.sprites.push_back(std::move(sprite));
+  return false;
 }
 
 }  // namespace
 
+bool readThingPosition(Report& report, const Fields& fields, ThingDescription& thing) {
+  thing.place = fields.value().place();
+  bool isGood = fields.isObject() && readSectorName(report, fields, thing.sector);
+  for (const std::string_view key : {"x", "y"})
+    isGood &= fields.require(key, "give the thing's position").has_value();
+  isGood &= fields.read("x", kCoordinate, thing.position.x);
+  isGood &= fields.read("y", kCoordinate, thing.position.y);
+  isGood &= fields.read("z", kCoordinate, thing.z);
+  return isGood;
+}
+
 void readThings(Report& report, JsonValue value, const LoadLimits& limits,
                 LevelDescription& level) {
   if (!value.isArray()) return reportWrongType(report, value, "an array of things");
+  if (value.size() > limits.spriteImages + limits.meshFaces)
+    return report.error(value.place(), "too many things",
+                        "raise the limits with --max-sprite-images or --max-mesh-faces");
+  const std::vector<JsonValue> things = value.elements();
+  const auto meshes = static_cast<std::size_t>(std::ranges::count_if(things, isMesh));
+  // Each has at least an image or a face.
   ImageBudget budget{limits.spriteImages};
-  if (!allows(report, value, value.size(), budget)) return;  // each has an image
-  for (const JsonValue thing : value.elements()) readSprite(report, thing, budget, level);
+  if (!allowsImages(report, value, things.size() - meshes, budget)) return;
+  if (meshes > limits.meshFaces)
+    return report.error(value.place(), "too many meshes", "raise the limit with --max-mesh-faces");
+  for (std::uint32_t i = 0; i < things.size(); ++i) {
+    if (!isMesh(things[i])) {
+      if (auto sprite = readSprite(report, things[i], budget)) {
+        sprite->sprite.thing = i;
+        level.sprites.push_back(*std::move(sprite));
+      }
+    } else if (!refuseTwoKinds(report, things[i])) {
+      if (auto mesh = readMesh(report, things[i])) {
+        mesh->mesh.thing = i;
+        level.meshes.push_back(*std::move(mesh));
+      }
+    }
+  }
 }
 
 }  // namespace hearth

@@ -171,6 +171,10 @@ void countGeometry(const Scene& scene, FeatureCounts& counts) {
     if (flatPortal.upper.size() > 1 || flatPortal.lower.size() > 1)
       counts.add(FormatFeature::FlatPortalOfManySectors);
   for (const Sprite& sprite : level.sprites) countSprite(sprite, counts);
+  for (const Mesh& mesh : level.meshes) {
+    counts.add(FormatFeature::Mesh);
+    if (mesh.isTwoSided) counts.add(FormatFeature::TwoSidedMesh);
+  }
   for (const LightSource& light : level.lights) {
     const Sector& sector = level[light.sector];
     if (light.position.z > sector.ceiling.z) counts.add(FormatFeature::LightAboveSky);

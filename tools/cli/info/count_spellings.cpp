@@ -38,7 +38,8 @@ class SpellingCounter {
     if (level.contains("things"))
       forEachChild(level["things"], [&](const json& thing) {
         countPosition(thing);
-        countImages(thing.contains("frames") ? thing["frames"] : thing.at("sprite"));
+        if (!thing.contains("mesh"))
+          countImages(thing.contains("frames") ? thing["frames"] : thing.at("sprite"));
       });
     forEachChild(level.at("sectors"), [&](const json& sector) { countSector(sector); });
   }

@@ -70,6 +70,8 @@ enum class FormatFeature : std::size_t {
   BrightSprite,
   SpriteOfManySides,
   AnimatedSprite,
+  Mesh,
+  TwoSidedMesh,
 };
 
 struct FormatFeatureName {
@@ -138,6 +140,8 @@ inline constexpr std::array kFormatFeatures{
     FormatFeatureName{FormatFeature::BrightSprite, "bright sprite"},
     FormatFeatureName{FormatFeature::SpriteOfManySides, "sprite with an image for each side"},
     FormatFeatureName{FormatFeature::AnimatedSprite, "animated sprite"},
+    FormatFeatureName{FormatFeature::Mesh, "mesh"},
+    FormatFeatureName{FormatFeature::TwoSidedMesh, "two-sided mesh"},
 };
 
 /// How often a level uses each.

@@ -69,6 +69,8 @@ nlohmann::ordered_json infoToJson(const LoadedLevel& loaded, const Contents& con
   object["lights"] = level.lights.size();
   object["shots"] = level.shots.size();
   object["sprites"] = level.sprites.size();
+  object["meshes"] = level.meshes.size();
+  object["meshFaces"] = level.meshFaces.size();
   for (std::size_t i = 0; i < kSurfaceKindCount; ++i)
     object["surfaces"][std::string(name(static_cast<SurfaceKind>(i)))] =
         contents.light.kinds[i].surfaces();

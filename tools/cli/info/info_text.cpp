@@ -34,7 +34,8 @@ void printLight(const Contents& contents) {
     printRow(name(static_cast<SurfaceKind>(i)), light.kinds[i]);
   printRow("all", light.all);
   fmt::print(
-      "bare: sky, sprites in the dark, or none of it bounds air; unfaced: no light within reach is "
+      "bare: sky, meshes, sprites in the dark, or none of it bounds air; unfaced: no light within "
+      "reach is "
       "in front of it; "
       "unreached: none arrives\n");
   const auto printLights = [](std::string_view what, const LightKindReport& kind) {
@@ -61,6 +62,8 @@ void printInfo(const LoadedLevel& loaded, const Contents& contents) {
   printLine("lights", std::ssize(level.lights));
   printLine("shots", std::ssize(level.shots));
   printLine("sprites", std::ssize(level.sprites));
+  printLine("meshes", std::ssize(level.meshes));
+  printLine("faces of meshes", std::ssize(level.meshFaces));
   printLine("textures", std::ssize(level.textures));
   printLine("surfaces", contents.light.all.surfaces());
   fmt::print("\nrequires\n");

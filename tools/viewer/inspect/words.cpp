@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "level/sprite_name.h"
+#include "level/thing_name.h"
 #include "viewer/inspect/remedy.h"
 
 namespace hearth {

@@ -12,4 +12,10 @@ inline const std::string& nameOf(const Level& level, const Sprite& sprite) {
   return level.textures[sprite.frames.front().front().texture.index()];
 }
 
+/// What to call a mesh: its name, else its number.
+inline std::string nameOf(const Level& level, const Mesh& mesh) {
+  if (!mesh.name.empty()) return mesh.name;
+  return std::to_string(&mesh - level.meshes.data());
+}
+
 }  // namespace hearth
