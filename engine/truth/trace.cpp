@@ -210,7 +210,8 @@ std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origi
 }
 
 bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b) {
-  return a.kind == b.kind && a.sector == b.sector && a.segment == b.segment && a.sprite == b.sprite;
+  return a.kind == b.kind && a.sector == b.sector && a.segment == b.segment &&
+         a.sprite == b.sprite && a.mesh == b.mesh && a.face == b.face;
 }
 
 }  // namespace hearth

@@ -15,7 +15,9 @@ struct SurfacePoint {
   std::optional<SegmentId> segment;  ///< of `sector`; upright surfaces and sky steps only
   Vec3 point;                        ///< metres
   Vec3 normal;                       ///< unit, into the air
-  std::optional<SurfaceId> sprite = std::nullopt;  ///< which one, if it is a sprite
+  std::optional<SurfaceId> sprite = std::nullopt;    ///< which one, if it is a sprite
+  std::optional<SurfaceId> mesh = std::nullopt;      ///< which one, if it is a mesh
+  std::optional<std::uint32_t> face = std::nullopt;  ///< of a mesh: index into Level::meshFaces
 };
 
 /// Where a ray ends.
@@ -68,7 +70,7 @@ std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 ori
 /// if a surface stops it before.
 std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end);
 
-/// Whether two points are on one surface.
+/// Whether two points are on one surface; of meshes, on one face.
 bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b);
 
 }  // namespace hearth

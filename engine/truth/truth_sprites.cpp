@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "level/locate.h"
-#include "math/tolerance.h"
 #include "math/trig.h"
+#include "truth/depth.h"
 
 namespace hearth {
 
@@ -42,12 +42,9 @@ SurfaceKind kindOf(const Sprite& sprite) {
   return sprite.facing == Facing::Angle ? SurfaceKind::FixedSprite : SurfaceKind::CameraSprite;
 }
 
-/// Metres. What two depths may differ by and still be equal.
-double depthTie(double depth) { return std::max(kNearTie * depth, kPositionSlack); }
-
 }  // namespace
 
-Corners TruthSprites::Picture::corners() const {
+Polygon TruthSprites::Picture::outline() const {
   const Vec3 bottom = view.size.x * right;
   const Vec3 left = view.size.y * up;
   return {lowerLeft, lowerLeft + bottom, lowerLeft + bottom + left, lowerLeft + left};
@@ -57,8 +54,8 @@ TruthSprites::TruthSprites(const Level& level, const std::vector<Image>& texture
                            const Shot& camera)
     : textures_(textures) {
   for (const Sprite& sprite : level.sprites) {
-    pictures_.push_back(pictureOf(sprite, camera));
-    pictures_.back().isIn = sectorsCrossedBy(level, sprite.sector, pictures_.back().corners());
+    Picture& picture = pictures_.emplace_back(pictureOf(sprite, camera));
+    picture.isIn = sectorsCrossedBy(level, sprite.sector, {picture.outline()});
   }
 }
 
@@ -91,10 +88,8 @@ std::optional<TruthHit> TruthSprites::nearest(Vec3 origin, Vec3 direction,
   for (const Picture& picture : pictures_) {
     if (!picture.isIn[stretch.sector.index()]) continue;
     const std::optional<TruthHit> hit = meet(picture, origin, direction);
-    if (!hit) continue;
-    const double tie = depthTie(hit->t);
-    if (hit->t < stretch.tEnter - tie || hit->t > stretch.tLeave + tie) continue;
-    if (!best || hit->t <= best->t + tie) best = hit;
+    if (!hit || !isIn(stretch, hit->t)) continue;
+    if (!best || hides(hit->t, best->t)) best = hit;
   }
   return best;
 }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "truth/sprite_sectors.h"
+#include "truth/thing_sectors.h"
 #include "truth/trace.h"
 #include "truth/truth_light.h"
 
@@ -32,7 +32,7 @@ class TruthSprites {
     Vec3 up;                 ///< of length 1, along its left edge
     std::vector<bool> isIn;  ///< by SectorId
 
-    Corners corners() const;
+    Polygon outline() const;
   };
 
   Picture pictureOf(const Sprite& sprite, const Shot& camera) const;

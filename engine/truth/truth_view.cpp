@@ -7,6 +7,7 @@
 #include "math/check.h"
 #include "math/trig.h"
 #include "math/wrapped.h"
+#include "truth/depth.h"
 
 namespace hearth {
 
@@ -37,7 +38,8 @@ TruthView::TruthView(const Level& level, const std::vector<Image>& textures, con
       textures_(textures),
       camera_(camera),
       light_(level, ballPoints),
-      sprites_(level, textures, camera) {
+      sprites_(level, textures, camera),
+      meshes_(level) {
   camera_.eye = nudgedInside(level, level[camera.sector], camera.eye);
 }
 
@@ -51,11 +53,23 @@ Vec3 TruthView::directionTo(double i, double j) const {
   return {forward.x + side.x, forward.y + side.y, (centerRow - j) / pixelsPerTangent};
 }
 
+/// The nearest thing in a stretch of air; of two at one depth the later.
+std::optional<TruthHit> TruthView::nearestThing(Vec3 direction, const AirStretch& air) const {
+  const std::optional<TruthHit> sprite = sprites_.nearest(camera_.eye, direction, air);
+  const std::optional<TruthHit> mesh = meshes_.nearest(camera_.eye, direction, air);
+  if (!sprite || !mesh) return sprite ? sprite : mesh;
+  const bool isMeshLater =
+      level_.meshOf(*mesh->mesh).thing > level_.spriteOf(*sprite->sprite).thing;
+  const TruthHit& later = isMeshLater ? *mesh : *sprite;
+  const TruthHit& earlier = isMeshLater ? *sprite : *mesh;
+  return hides(later.t, earlier.t) ? later : earlier;
+}
+
 TruthHit TruthView::hit(double i, double j) const {
   const Vec3 direction = directionTo(i, j);
-  const TruthHit found = traceLook(
-      level_, camera_.sector, camera_.eye, direction,
-      [&](const AirStretch& air) { return sprites_.nearest(camera_.eye, direction, air); });
+  const TruthHit found =
+      traceLook(level_, camera_.sector, camera_.eye, direction,
+                [&](const AirStretch& air) { return nearestThing(direction, air); });
   CHECK(found.texture, i, j);
   return found;
 }
@@ -81,6 +95,7 @@ Vec3 TruthView::textureColor(const TruthHit& hit) const {
 /// The fractions of a texture's red, green and blue that show.
 Vec3 TruthView::lightOn(const TruthHit& hit) const {
   if (hit.sprite) return lightOnSprite(level_.spriteOf(*hit.sprite));
+  if (hit.mesh) return fractionsOf({}, level_[hit.sector].light);
   return fractionsOf(light_.at(hit), level_[hit.sector].light);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "image/image.h"
 #include "truth/trace.h"
 #include "truth/truth_light.h"
+#include "truth/truth_meshes.h"
 #include "truth/truth_sprites.h"
 
 namespace hearth {
@@ -27,8 +29,8 @@ struct TruthPixel {
 /// y).
 Vec2 texelOf(const TruthHit& hit, int width, int height);
 
-/// A level and its sprites seen by one camera, pixel by pixel, with exact light: the reference for
-/// pictures.
+/// A level and its things seen by one camera, pixel by pixel, with exact light: the reference for
+/// pictures. Of lights nothing falls on meshes: they take their sector's own light.
 ///
 /// Pixel positions (i, j) are real numbers, in pixels from the picture's upper left corner: the
 /// centre of the first pixel is (0.5, 0.5).
@@ -54,6 +56,7 @@ class TruthView {
 
  private:
   Vec3 directionTo(double i, double j) const;
+  std::optional<TruthHit> nearestThing(Vec3 direction, const AirStretch& air) const;
   Vec3 textureColor(const TruthHit& hit) const;
   Vec3 lightOn(const TruthHit& hit) const;
   Vec3 lightOnSprite(const Sprite& sprite) const;
@@ -63,6 +66,7 @@ class TruthView {
   Shot camera_;  ///< its eye clear of walls and flats
   TruthLight light_;
   TruthSprites sprites_;
+  TruthMeshes meshes_;
 };
 
 }  // namespace hearth

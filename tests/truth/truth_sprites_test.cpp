@@ -4,39 +4,13 @@
 
 #include <cmath>
 
+#include "look.h"
 #include "support/level_text.h"
 #include "test_level.h"
 #include "truth/truth_view.h"
 
 namespace hearth {
 namespace {
-
-/// What the camera sees at a point of the world before it.
-class Look {
- public:
-  Look(const TestLevel& test, const Shot& camera)
-      : camera_(camera), view_(test.level(), test.textures(), camera) {}
-
-  TruthPixel at(Vec3 point, TruthLightMode mode = TruthLightMode::None) const {
-    const double radians = camera_.angle * std::acos(-1) / 180;
-    const Vec2 forward{std::cos(radians), std::sin(radians)};
-    const Vec3 toPoint = point - camera_.eye;
-    const double perMetre = 4 / dot(forward, toPoint.xy());
-    return view_.pixel(4 + perMetre * dot(turned90(forward), toPoint.xy()),
-                       2 - perMetre * toPoint.z, mode);
-  }
-  SurfaceKind kindAt(Vec3 point) const { return at(point).hit.kind; }
-
- private:
-  Shot camera_;
-  TruthView view_;
-};
-
-/// Texel (x, y) of the texture, as TestLevel paints it.
-Rgb texel(int x, int y, const TextureMapping& image) {
-  return {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
-          static_cast<std::uint8_t>(image.texture.index())};
-}
 
 /// A hall of 8 x 8 x 4 m. The eye is 1 m before the middle of its west wall and looks along +x at a
 /// sprite of 2 x 2 m and 4 x 4 texels, each of half a metre, 4 m before it.

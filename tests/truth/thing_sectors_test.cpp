@@ -1,7 +1,8 @@
-#include "truth/sprite_sectors.h"
+#include "truth/thing_sectors.h"
 
 #include <gtest/gtest.h>
 
+#include "adjoining_rooms.h"
 #include "test_level.h"
 #include "truth/truth_view.h"
 
@@ -9,49 +10,22 @@ namespace hearth {
 namespace {
 
 /// An upright rectangle above a line of the map.
-Corners upright(Vec2 a, Vec2 b, double zBottom, double zTop) {
-  return {{{a.x, a.y, zBottom}, {b.x, b.y, zBottom}, {b.x, b.y, zTop}, {a.x, a.y, zTop}}};
+Polygon upright(Vec2 a, Vec2 b, double zBottom, double zTop) {
+  return {{a.x, a.y, zBottom}, {b.x, b.y, zBottom}, {b.x, b.y, zTop}, {a.x, a.y, zTop}};
 }
 
-Corners lying(Vec2 min, Vec2 max, double z) {
-  return {{{min.x, min.y, z}, {max.x, min.y, z}, {max.x, max.y, z}, {min.x, max.y, z}}};
+Polygon lying(Vec2 min, Vec2 max, double z) {
+  return {{min.x, min.y, z}, {max.x, min.y, z}, {max.x, max.y, z}, {min.x, max.y, z}};
 }
 
-/// The names of the sectors that it is in, in the order of the level.
-std::string namesOf(const Level& level, SectorId sector, const Corners& corners) {
-  const std::vector<bool> isIn = sectorsCrossedBy(level, sector, corners);
-  std::string names;
-  for (std::size_t i = 0; i < isIn.size(); ++i)
-    if (isIn[i]) names += level.sectors[i].name;
-  return names;
-}
-
-/// Rooms of 4 x 4 m along x, "a", "b" and so on, open to one another.
-struct Row {
-  TestLevel test;
-  std::vector<SectorId> rooms;
-
-  explicit Row(const std::vector<TestLevel::Heights>& heights) {
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-      const double x = 4 * static_cast<double>(i);
-      rooms.push_back(
-          test.addBox(std::string(1, static_cast<char>('a' + i)), {x, 0}, {x + 4, 4}, heights[i]));
-      if (i > 0) test.link(rooms[i - 1], rooms[i]);
-    }
-  }
-  std::string names(const Corners& corners, std::size_t from = 0) {
-    return namesOf(test.finished(), rooms[from], corners);
-  }
-};
-
-TEST(SpriteSectors, AreItsOwnAndThoseBehindOpeningsThatItCrosses) {
+TEST(ThingSectors, AreItsOwnAndThoseBehindOpeningsThatItCrosses) {
   EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({1, 2}, {3, 2}, 0, 1)), "a");
   EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({3, 2}, {5, 2}, 0, 1)), "ab");
   EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({3, 2}, {9, 3}, 0, 1)), "abc");
   EXPECT_EQ(Row({{0, 4}, {0, 4}, {0, 4}}).names(upright({3, 2}, {9, 3}, 0, 1), 2), "abc");
 }
 
-TEST(SpriteSectors, CrossingIncludesTouching) {
+TEST(ThingSectors, CrossingIncludesTouching) {
   EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(upright({4, 1}, {4, 2}, 0, 1)), "ab") << "in its plane";
   EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(upright({3, 1}, {4, 2}, 0, 1)), "ab");
   EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(upright({3, 1}, {3.9999, 2}, 0, 1)), "a");
@@ -59,7 +33,7 @@ TEST(SpriteSectors, CrossingIncludesTouching) {
   EXPECT_EQ(Row({{0, 4}, {-1, 4}}).names(lying({3, 1}, {5, 2}, 0)), "ab") << "over the edge";
 }
 
-TEST(SpriteSectors, AreNotThoseBehindStepsAndSolidWalls) {
+TEST(ThingSectors, AreNotThoseBehindStepsAndSolidWalls) {
   EXPECT_EQ(Row({{0, 4}, {1, 4}}).names(upright({3, 2}, {5, 2}, 0, 0.9)), "a");
   EXPECT_EQ(Row({{0, 4}, {1, 4}}).names(upright({3, 2}, {5, 2}, 0, 1.1)), "ab");
   EXPECT_EQ(Row({{0, 4}, {0, 2}}).names(upright({3, 2}, {5, 2}, 2.1, 3)), "a");
@@ -67,18 +41,14 @@ TEST(SpriteSectors, AreNotThoseBehindStepsAndSolidWalls) {
   Row walled({{0, 4}, {0, 4}});
   walled.test.wall(walled.rooms[0], 1).wall = Solid{walled.test.texture()};
   EXPECT_EQ(walled.names(upright({3, 2}, {5, 2}, 0, 1)), "a");
-  EXPECT_EQ(namesOf(walled.test.level(), walled.rooms[1], upright({3, 2}, {5, 2}, 0, 1)), "ab")
+  EXPECT_EQ(namesOf(walled.test.level(), walled.rooms[1], {upright({3, 2}, {5, 2}, 0, 1)}), "ab")
       << "one-way";
 }
 
-TEST(SpriteSectors, KnowTheHeightsOfSubWalls) {
+TEST(ThingSectors, KnowTheHeightsOfSubWalls) {
   const auto names = [](double zBottom, double zTop) {
     Row row({{0, 4}, {0, 4}});
-    Segment& wall = row.test.wall(row.rooms[0], 1);
-    const Portal portal = std::get<Portal>(wall.wall);
-    Stack stack;
-    stack.subWalls = {{1, Solid{*portal.lower}}, {2, portal}, {4, Solid{*portal.upper}}};
-    wall.wall = stack;
+    row.leaveHatch();
     return row.names(upright({3, 2}, {5, 2}, zBottom, zTop));
   };
   EXPECT_EQ(names(0, 0.9), "a");
@@ -87,7 +57,7 @@ TEST(SpriteSectors, KnowTheHeightsOfSubWalls) {
   EXPECT_EQ(names(1.4, 1.6), "ab");
 }
 
-TEST(SpriteSectors, KnowWhatSlopesLeaveOfAnOpening) {
+TEST(ThingSectors, KnowWhatSlopesLeaveOfAnOpening) {
   const auto names = [](double y, double zTop) {
     Row row({{0, 4}, {0, 4}});
     Slope slope;  // 1 m high at y = 0, and 3 m at y = 4
@@ -103,22 +73,7 @@ TEST(SpriteSectors, KnowWhatSlopesLeaveOfAnOpening) {
   EXPECT_EQ(names(3, 2.6), "ab");
 }
 
-/// Two rooms below, walled off from each other: "a" at x from 0 to 4, and "b" from 4 to 8; above
-/// them "c" from 0 to 3, and "d" from 3 to 8.
-struct Storeys {
-  TestLevel test;
-  std::vector<SectorId> lower{test.addBox("a", {0, 0}, {4, 4}, {0, 3}),
-                              test.addBox("b", {4, 0}, {8, 4}, {0, 3})};
-  std::vector<SectorId> upper{test.addBox("c", {0, 0}, {3, 4}, {3, 6}),
-                              test.addBox("d", {3, 0}, {8, 4}, {3, 6})};
-
-  Storeys() { test.connect(upper, lower); }
-  std::string names(SectorId from, const Corners& corners) {
-    return namesOf(test.finished(), from, corners);
-  }
-};
-
-TEST(SpriteSectors, AreThoseOfTheOtherSideOfAFlatPortalWhereItCrosses) {
+TEST(ThingSectors, AreThoseOfTheOtherSideOfAFlatPortalWhereItCrosses) {
   EXPECT_EQ(Storeys().names(SectorId(0), upright({1, 2}, {2, 2}, 1, 2.9)), "a");
   EXPECT_EQ(Storeys().names(SectorId(0), upright({1, 2}, {2, 2}, 1, 3.1)), "ac");
   EXPECT_EQ(Storeys().names(SectorId(0), upright({2, 2}, {3.5, 2}, 1, 3.1)), "acd");
@@ -130,15 +85,61 @@ TEST(SpriteSectors, AreThoseOfTheOtherSideOfAFlatPortalWhereItCrosses) {
   EXPECT_EQ(Storeys().names(SectorId(0), lying({1, 1}, {2, 2}, 2.9)), "a");
 }
 
-TEST(SpriteSectors, AreNotThoseThatAFlatPortalHasBehindAWall) {
+TEST(ThingSectors, AreNotThoseThatAFlatPortalHasBehindAWall) {
   TestLevel test;
   const SectorId a = test.addBox("a", {0, 0}, {4, 4}, {0, 3});
   const SectorId b = test.addBox("b", {4, 0}, {8, 4}, {0, 3});
   const SectorId c = test.addBox("c", {0, 0}, {4, 4}, {3, 6});
   const SectorId d = test.addBox("d", {4, 0}, {8, 4}, {3, 6});
   test.connect({c, d}, {a, b});
-  EXPECT_EQ(namesOf(test.finished(), a, upright({3, 2}, {5, 2}, 2, 4)), "ac");
-  EXPECT_EQ(namesOf(test.level(), a, upright({3, 2}, {4, 2}, 2, 4)), "ac") << "up to the wall";
+  EXPECT_EQ(namesOf(test.finished(), a, {upright({3, 2}, {5, 2}, 2, 4)}), "ac");
+  EXPECT_EQ(namesOf(test.level(), a, {upright({3, 2}, {4, 2}, 2, 4)}), "ac") << "up to the wall";
+}
+
+// ---- of triangles
+
+TEST(ThingSectors, OfATriangleAreThoseThatOneCornerReaches) {
+  const Polygon pointed{{1, 1, 0}, {1, 3, 0}, {4, 2, 1}};
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(pointed), "ab") << "touches";
+  EXPECT_EQ(Row({{0, 4}, {0.9, 4}}).names(pointed), "ab");
+  EXPECT_EQ(Row({{0, 4}, {1.1, 4}}).names(pointed), "a") << "ends before the step";
+  const Polygon longer{{1, 1, 0}, {1, 3, 0}, {7, 2, 2}};
+  EXPECT_EQ(Row({{0, 4}, {0.9, 4}}).names(longer), "ab") << "1 m high where it crosses";
+  EXPECT_EQ(Row({{0, 4}, {1.1, 4}}).names(longer), "a");
+  EXPECT_EQ(Row({{0, 4}, {0, 0.9}}).names(longer), "a");
+}
+
+TEST(ThingSectors, OfATriangleAreNotThoseThatItsBoxAloneReaches) {
+  const Polygon half{{3, 1, 0}, {5, 1, 2}, {3, 1, 2}};  // across the opening it is over 1 m high
+  EXPECT_EQ(Row({{0, 4}, {0, 1.1}}).names(half), "ab");
+  EXPECT_EQ(Row({{0, 4}, {0, 0.9}}).names(half), "a");
+  const Polygon beside{{3, 3, 1}, {5, 5, 1}, {3, 5, 1}};  // across the wall's line at y = 4
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(beside), "ab") << "touches the opening's end";
+  const Polygon pastTheEnd{{3, 3.1, 1}, {5, 5.1, 1}, {3, 5.1, 1}};
+  EXPECT_EQ(Row({{0, 4}, {0, 4}}).names(pastTheEnd), "a");
+}
+
+TEST(ThingSectors, OfAThingAreThoseThatAnyOfItsPolygonsReachFromAnother) {
+  const std::vector<TestLevel::Heights> heights{{0, 4}, {0, 4}, {0, 4}};
+  const Polygon first{{3, 1, 1}, {5, 1, 1}, {4, 2, 1}};
+  const Polygon second{{7, 1, 1}, {9, 1, 1}, {8, 2, 1}};
+  Row row(heights);
+  EXPECT_EQ(namesOf(row.test.finished(), row.rooms[0], {first, second}), "abc");
+  EXPECT_EQ(namesOf(row.test.level(), row.rooms[0], {second}), "a") << "through no other";
+  EXPECT_EQ(namesOf(row.test.level(), row.rooms[0], {}), "a");
+}
+
+TEST(ThingSectors, OfTrianglesKnowWhereTheyCrossAFlatPortal) {
+  // It crosses the height of 3 m from x = 1 to x = 2, and reaches farther only above and below.
+  const Polygon steep{{1, 2, 2}, {3, 2, 2}, {1, 2, 4}};
+  EXPECT_EQ(Storeys().names(SectorId(0), steep), "ac");
+  const Polygon farther{{1, 2, 2}, {3, 2, 2}, {5, 2, 5}};
+  EXPECT_EQ(Storeys().names(SectorId(0), farther), "acd");
+  const Polygon slanted{
+      {1, 1, 2.5}, {1, 3, 2.5}, {6, 2, 3.1}};  // at 3 m where x > 5: past the wall
+  EXPECT_EQ(Storeys().names(SectorId(0), slanted), "a");
+  const Polygon tip{{1, 1, 1}, {2, 1, 1}, {1.5, 1, 3}};
+  EXPECT_EQ(Storeys().names(SectorId(0), tip), "ac") << "touches it";
 }
 
 // ---- seen there
@@ -168,8 +169,7 @@ TEST(TruthSprites, ShowOnBothSidesOfAnOpeningThatTheyStraddle) {
 
 TEST(TruthSprites, DoNotShowBehindASolidWallThatTheyPokeThrough) {
   Straddled scene;
-  scene.test.wall(scene.rooms[0], 1).wall = Solid{scene.test.texture()};
-  scene.test.wall(scene.rooms[1], 3).wall = Solid{scene.test.texture()};
+  scene.close();
   scene.test.finished();
   EXPECT_TRUE(seesSprite(scene.test, scene.rooms[0], {3.5, 0.5, 1}, 90));
   EXPECT_FALSE(seesSprite(scene.test, scene.rooms[1], {4.5, 0.5, 1}, 90));
@@ -196,11 +196,7 @@ TEST(TruthSprites, AreHiddenByStepsBeforeThemAndSeenThroughTheOpening) {
 
 TEST(TruthSprites, AreSeenThroughStacksAndFlatPortals) {
   Row row({{0, 4}, {0, 4}});
-  Segment& wall = row.test.wall(row.rooms[0], 1);
-  const Portal portal = std::get<Portal>(wall.wall);
-  Stack stack;
-  stack.subWalls = {{1, Solid{*portal.lower}}, {2, portal}, {4, Solid{*portal.upper}}};
-  wall.wall = stack;
+  row.leaveHatch();
   row.test.addSprite(row.rooms[1], {6, 2, 0}, Facing::Camera, {2, 4}, row.test.texture(4, 4));
   row.test.finished();
   EXPECT_TRUE(seesSprite(row.test, row.rooms[0], {2, 2, 1.5}, 0));

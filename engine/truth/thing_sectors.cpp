@@ -1,4 +1,4 @@
-#include "truth/sprite_sectors.h"
+#include "truth/thing_sectors.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,10 +17,6 @@ namespace {
 constexpr double kTouch = kPositionSlack;
 /// m^2. An opening is larger: what rounding leaves open between two slopes that touch is none.
 constexpr double kLeastOpening = 1e-9;
-
-/// A convex polygon in space; of what it is cut to, at times a line or a point. Empty if nothing is
-/// left.
-using Polygon = std::vector<Vec3>;
 
 /// All points p with dot(normal, p) <= reach.
 struct HalfSpace {
@@ -100,14 +96,16 @@ std::vector<Gap> gapsOf(const Level& level, const Segment& segment) {
   return gaps;
 }
 
-bool crosses(const Level& level, const Polygon& sprite, const Segment& segment, const Gap& gap) {
+/// The half-spaces whose common part is the opening in a gap. None if it is closed.
+std::optional<std::vector<HalfSpace>> openingIn(const Level& level, const Segment& segment,
+                                                const Gap& gap) {
   std::vector<HalfSpace> spaces{above(gap.zBottom), below(gap.zTop)};
   for (const SectorId side : {segment.sector, gap.next})
     std::ranges::copy(flatsOf(level[side]), std::back_inserter(spaces));
   const auto raised = [](Vec2 p, double z) { return Vec3{p.x, p.y, z}; };
   const Polygon wall{raised(segment.p0, gap.zBottom), raised(segment.p1, gap.zBottom),
                      raised(segment.p1, gap.zTop), raised(segment.p0, gap.zTop)};
-  if (area(clipped(wall, spaces, 0)) < kLeastOpening) return false;
+  if (area(clipped(wall, spaces, 0)) < kLeastOpening) return std::nullopt;
 
   const Vec2 along = unit(segment.p1 - segment.p0);
   const Vec2 across = turned90(along);
@@ -117,7 +115,15 @@ bool crosses(const Level& level, const Polygon& sprite, const Segment& segment, 
   for (const HalfSpace& space : {upTo(along, segment.p1), opposite(upTo(along, segment.p0)),
                                  upTo(across, segment.p0), opposite(upTo(across, segment.p0))})
     spaces.push_back(space);
-  return !clipped(sprite, spaces, kTouch).empty();
+  return spaces;
+}
+
+bool crosses(const Level& level, const std::vector<Polygon>& thing, const Segment& segment,
+             const Gap& gap) {
+  const auto opening = openingIn(level, segment, gap);
+  return opening && std::ranges::any_of(thing, [&](const Polygon& polygon) {
+           return !clipped(polygon, *opening, kTouch).empty();
+         });
 }
 
 // ---- through flat portals
@@ -192,36 +198,45 @@ bool overlapBeside(const Level& level, SectorId a, SectorId b, Vec2 p) {
   return false;
 }
 
-/// The members of the other side of a flat portal to which a sector leads where the sprite is.
-std::vector<SectorId> acrossFlat(const Level& level, const Polygon& sprite, SectorId sector,
-                                 FlatPortalId id, FlatPortalSide to) {
+/// Whether two sectors on either side of a flat portal have air in common in an outline.
+bool overlapIn(const Level& level, const Outline& outline, SectorId a, SectorId b) {
+  std::vector<Edge> edges = edgesOf(outline);
+  for (const SectorId side : {a, b})
+    std::ranges::copy(edgesOf(level, side), std::back_inserter(edges));
+  return std::ranges::any_of(cornersAmong(edges), [&](Vec2 p) {
+    return touches(outline, p) && overlapBeside(level, a, b, p);
+  });
+}
+
+/// The members of the other side of a flat portal to which a sector leads where the thing is.
+std::vector<SectorId> acrossFlat(const Level& level, const std::vector<Polygon>& thing,
+                                 SectorId sector, FlatPortalId id, FlatPortalSide to) {
   const FlatPortal& flatPortal = level[id];
-  Outline there;
-  for (const Vec3 p : clipped(sprite, {above(flatPortal.z), below(flatPortal.z)}, kTouch))
-    there.push_back(p.xy());
-  std::vector<SectorId> reached;
-  if (there.empty()) return reached;
-  for (const SectorId member : flatPortal.members(to)) {
-    std::vector<Edge> edges = edgesOf(there);
-    for (const SectorId side : {sector, member})
-      std::ranges::copy(edgesOf(level, side), std::back_inserter(edges));
-    if (std::ranges::any_of(cornersAmong(edges), [&](Vec2 p) {
-          return touches(there, p) && overlapBeside(level, sector, member, p);
-        }))
-      reached.push_back(member);
+  std::vector<Outline> cuts;  // of the thing, in the portal's plane
+  for (const Polygon& polygon : thing) {
+    const Polygon cut = clipped(polygon, {above(flatPortal.z), below(flatPortal.z)}, kTouch);
+    if (cut.empty()) continue;
+    Outline& outline = cuts.emplace_back();
+    for (const Vec3 p : cut) outline.push_back(p.xy());
   }
+  std::vector<SectorId> reached;
+  for (const SectorId member : flatPortal.members(to))
+    if (std::ranges::any_of(
+            cuts, [&](const Outline& cut) { return overlapIn(level, cut, sector, member); }))
+      reached.push_back(member);
   return reached;
 }
 
-std::vector<SectorId> reachedFrom(const Level& level, const Polygon& sprite, SectorId id) {
+std::vector<SectorId> reachedFrom(const Level& level, const std::vector<Polygon>& thing,
+                                  SectorId id) {
   std::vector<SectorId> reached;
   const Sector& sector = level[id];
   for (const Segment& segment : level.segmentsOf(sector))
     for (const Gap& gap : gapsOf(level, segment))
-      if (crosses(level, sprite, segment, gap)) reached.push_back(gap.next);
+      if (crosses(level, thing, segment, gap)) reached.push_back(gap.next);
   const auto add = [&](const Flat& flat, FlatPortalSide to) {
     if (flat.flatPortal)
-      std::ranges::copy(acrossFlat(level, sprite, id, *flat.flatPortal, to),
+      std::ranges::copy(acrossFlat(level, thing, id, *flat.flatPortal, to),
                         std::back_inserter(reached));
   };
   add(sector.floor, FlatPortalSide::Lower);
@@ -231,8 +246,8 @@ std::vector<SectorId> reachedFrom(const Level& level, const Polygon& sprite, Sec
 
 }  // namespace
 
-std::vector<bool> sectorsCrossedBy(const Level& level, SectorId sector, const Corners& corners) {
-  const Polygon sprite(corners.begin(), corners.end());
+std::vector<bool> sectorsCrossedBy(const Level& level, SectorId sector,
+                                   const std::vector<Polygon>& thing) {
   std::vector<bool> isIn(level.sectors.size());
   std::vector<SectorId> toVisit{sector};
   while (!toVisit.empty()) {
@@ -240,7 +255,7 @@ std::vector<bool> sectorsCrossedBy(const Level& level, SectorId sector, const Co
     toVisit.pop_back();
     if (isIn[id.index()]) continue;
     isIn[id.index()] = true;
-    std::ranges::copy(reachedFrom(level, sprite, id), std::back_inserter(toVisit));
+    std::ranges::copy(reachedFrom(level, thing, id), std::back_inserter(toVisit));
   }
   return isIn;
 }
