@@ -29,8 +29,31 @@ Rgb gray(double level) {
   return {value, value, value};
 }
 
-Rgb normalColor(const LitSurface* lit) {
-  const Vec3 n = lit ? lit->normal : Vec3{};
+/// A colour for each face; darker ones for surfaces, by their numbers.
+Rgb faceColor(const Span& span, const ChannelFrame& frame) {
+  if (span.face)
+    return indexColor(static_cast<std::size_t>(span.face - frame.level.meshFaces.data()));
+  const Rgb surface = indexColor(frame.surfaceNumbers[span.surface.index()]);
+  const auto dark = [](std::uint8_t c) { return static_cast<std::uint8_t>(c / 4); };
+  return {dark(surface.r), dark(surface.g), dark(surface.b)};
+}
+
+/// Out of a surface's front; of sky and sprites none.
+Vec3 normalOf(const Span& span, const LitSurface* lit) {
+  if (!span.face) return lit ? lit->normal : Vec3{};
+  const Vec3 out = frontOf(*span.face);
+  return (1 / length(out)) * out;
+}
+
+/// The brighter the more a surface faces one corner of the world, so that edges can be seen.
+Rgb sideColor(const Span& span, Vec3 normal, Vec3 eye) {
+  constexpr Vec3 kBrightSide = {0.36, 0.48, 0.8};  // of length 1
+  const bool isBack = span.face && dot(frontOf(*span.face), eye - span.face->corners.front()) < 0;
+  const double level = 160 + (isBack ? -72 : 72) * dot(normal, kBrightSide);
+  return isBack ? Rgb{rounded(level), 0, 0} : gray(level);
+}
+
+Rgb normalColor(Vec3 n) {
   return {rounded(127.5 * (n.x + 1)), rounded(127.5 * (n.y + 1)), rounded(127.5 * (n.z + 1))};
 }
 
@@ -54,6 +77,9 @@ Rgb lightColor(const Lightmap* lightmap, const SpanMapping& mapping, double para
 double depthOf(const SpanMapping& mapping, double parameter) {
   return mapping.isPlane ? parameter : mapping.depth;
 }
+
+/// Whether it is painted over what bounds the air.
+bool liesOverLevel(SurfaceKind kind) { return kind == SurfaceKind::MaskedMiddle || isThing(kind); }
 
 bool isHole(const SpanMapping& mapping, double parameter, const Texture& image) {
   const int x = wrapped(mapping.u.at(parameter), image.width());
@@ -83,23 +109,25 @@ std::vector<std::size_t> numbersOfShown(const Scene& scene) {
   return numbers;
 }
 
-void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
-                  std::span<const std::size_t> surfaceNumbers, std::span<const double> raySlopes,
+void paintChannel(const SpanPainter& painter, const Span& span, const ChannelFrame& frame,
                   Strip& strip) {
   const Material material = painter.materialOf(span);
   const SpanMapping mapping = painter.mappingOf(material, span);
   const bool hasHoles = mayHaveHoles(material.surface.kind);
-  if (hasHoles && channel == Channel::Overdraw) return;
+  if (liesOverLevel(material.surface.kind) && frame.channel == Channel::Overdraw) return;
   for (int row = span.rowBegin; row < span.rowEnd; ++row) {
-    const double parameter = mapping.parameterAt(raySlopes[static_cast<std::size_t>(row)]);
+    const double parameter = mapping.parameterAt(frame.raySlopes[static_cast<std::size_t>(row)]);
     if (hasHoles && isHole(mapping, parameter, material.image())) continue;
     Rgb pixel = fromXrgb(*strip.at(span.column, row));
-    switch (channel) {
+    switch (frame.channel) {
       case Channel::Sector:
         pixel = indexColor(material.surface.sector.index());
         break;
       case Channel::Surface:
-        pixel = indexColor(surfaceNumbers[span.surface.index()]);
+        pixel = indexColor(frame.surfaceNumbers[span.surface.index()]);
+        break;
+      case Channel::Faces:
+        pixel = faceColor(span, frame);
         break;
       case Channel::Depth:
         pixel = gray(255 / (1 + depthOf(mapping, parameter)));
@@ -108,7 +136,10 @@ void paintChannel(const SpanPainter& painter, const Span& span, Channel channel,
         pixel = uvColor(mapping, parameter, material.image());
         break;
       case Channel::Normal:
-        pixel = normalColor(material.lit);
+        pixel = normalColor(normalOf(span, material.lit));
+        break;
+      case Channel::Backs:
+        pixel = sideColor(span, normalOf(span, material.lit), frame.eye);
         break;
       case Channel::Light:
         pixel = lightColor(material.lightmap, mapping, parameter);
@@ -141,7 +172,7 @@ void noteShown(const SpanPainter& painter, const Span& span, std::span<const dou
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
                std::span<ShownSurface> column) {
   const Material material = painter.materialOf(span);
-  if (mayHaveHoles(material.surface.kind)) return;
+  if (liesOverLevel(material.surface.kind)) return;
   const SpanMapping mapping = painter.mappingOf(material, span);
   const std::span rows = rowsOf(span, column);
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -150,8 +181,23 @@ void noteShown(const SpanPainter& painter, const Span& span, std::span<const dou
 
 void noteShown(const SpanPainter& painter, const Span& span, std::span<const double>,
                std::span<ShownTimes> column) {
-  if (mayHaveHoles(painter.materialOf(span).surface.kind)) return;
+  if (liesOverLevel(painter.materialOf(span).surface.kind)) return;
   for (ShownTimes& row : rowsOf(span, column)) ++row.times;
+}
+
+void noteShown(const SpanPainter& painter, const Span& span, std::span<const double> raySlopes,
+               std::span<ShownFace> column) {
+  const Material material = painter.materialOf(span);
+  const std::span rows = rowsOf(span, column);
+  if (!mayHaveHoles(material.surface.kind)) {
+    std::ranges::fill(rows, ShownFace{span.face});
+    return;
+  }
+  const SpanMapping mapping = painter.mappingOf(material, span);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double parameter = mapping.parameterAt(rowsOf(span, raySlopes)[k]);
+    if (!isHole(mapping, parameter, material.image())) rows[k] = {};
+  }
 }
 
 }  // namespace hearth

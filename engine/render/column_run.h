@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "level/scene.h"
 #include "render/lanes.h"
@@ -9,6 +10,13 @@
 #include "render/window.h"
 
 namespace hearth {
+
+/// How the rays of a run come into its sector.
+struct RunEntry {
+  LaneDoubles depths;            ///< metres; 0 for those that begin there or ...
+  std::optional<SectorId> from;  ///< ... come from no other sector through a wall ...
+  std::optional<double> plane;   ///< ... but through a flat portal, at this height
+};
 
 /// Columns of one strip, seen in one viewport, that leave the sector at the same segment. What they
 /// show is found for all of them together. The other lanes have no open rows, and the numbers of

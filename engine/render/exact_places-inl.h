@@ -17,6 +17,7 @@
 #include "light/lightmap.h"
 #include "render/draw_settings.h"
 #include "render/pixel_axes-inl.h"
+#include "render/pixel_kernels.h"
 #include "render/texture.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -71,6 +72,26 @@ inline void findTexelsIn(PixelBlock& block, const GroupMapping& mapping, const T
 inline void findTexels(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
   if (mapping.isSky) return findTexelsIn(block, mapping, image, SkyRows(image.height()));
   findTexelsIn(block, mapping, image, Repeating(image.height()));
+}
+
+HWY_INLINE Doubles at(const Affine& along, Doubles parameter) {
+  return hn::Add(all(along.atZero), hn::Mul(parameter, all(along.per)));
+}
+
+inline void findFaceTexels(const FaceColumn& column, const double* raySlopes, int rows,
+                           const Texture& image, std::uint32_t* texels) {
+  const Repeating across(image.width());
+  const Repeating down(image.height());
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); row += hn::Lanes(kDouble)) {
+    const Doubles raySlope = hn::LoadU(kDouble, raySlopes + row);
+    const Doubles depth = hn::Div(all(1), at(column.nearness, raySlope));
+    const auto texel = [&](double atEye, const Affine& along) HWY_ATTR {
+      return hn::Add(all(atEye), hn::Mul(depth, at(along, raySlope)));
+    };
+    store(numberOf(across.texel(texel(column.uAtEye, column.u)),
+                   down.texel(texel(column.vAtEye, column.v)), image.height()),
+          texels + row);
+  }
 }
 
 /// A fraction of 0 to 1 as a Mix has it.

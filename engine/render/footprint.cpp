@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/face_mapping.h"
+
 namespace hearth {
 
 namespace {
@@ -44,22 +46,31 @@ double pixelArea(const Scene& scene, const Projection& projection, const Span& s
   return onWall(scene[*scene[span.surface].segment], ray, span.depth, w);
 }
 
+/// Of a face, 1 m deep along what is a plane.
+double texelsOnFace(const Projection& projection, const Span& span, const Texture& image,
+                    const SpanMapping& mapping) {
+  const double depth = mapping.isPlane ? 1 : span.depth;
+  return image.width() * (image.height() * repeatsOfPixel(projection, *span.face)) * depth * depth *
+         depth;
+}
+
 }  // namespace
 
 Footprint::Footprint(const Scene& scene, const Projection& projection, const Span& span,
                      const Texture& image, const SpanMapping& mapping)
-    : texels_(pixelArea(scene, projection, span, mapping) *
-              density(scene[span.surface].mapping, image)),
+    : texels_(span.face ? texelsOnFace(projection, span, image, mapping)
+                        : pixelArea(scene, projection, span, mapping) *
+                              density(scene[span.surface].mapping, image)),
       growsWithDepth_(mapping.isPlane) {}
 
 double Footprint::texelsAt(double parameter) const {
   return growsWithDepth_ ? texels_ * parameter * parameter * parameter : texels_;
 }
 
-int Footprint::mipLevelAt(double parameter) const {
+int mipLevelOf(double texels) {
   // A texel of level n is 4^n of the full size; it is nearest from 4^(n - 1/2) on.
   constexpr double kMax = 0x1p60;
-  return (std::ilogb(std::clamp(texelsAt(parameter), 1.0, kMax)) + 1) / 2;
+  return (std::ilogb(std::clamp(texels, 1.0, kMax)) + 1) / 2;
 }
 
 }  // namespace hearth

@@ -8,6 +8,10 @@
 
 namespace hearth {
 
+/// The mip level whose texels are nearest in area to pixels that cover so many texels: 0 is the
+/// full size.
+int mipLevelOf(double texels);
+
 /// How many texels the pixels of a span cover.
 class Footprint {
  public:
@@ -17,9 +21,8 @@ class Footprint {
 
   /// The texels under a pixel at one of the span's parameters.
   double texelsAt(double parameter) const;
-  /// The mip level whose texels are nearest to a pixel in area: 0 is the full size. It rises or
-  /// falls along the span, but not both.
-  int mipLevelAt(double parameter) const;
+  /// It rises or falls along the span, but not both.
+  int mipLevelAt(double parameter) const { return mipLevelOf(texelsAt(parameter)); }
 
  private:
   double texels_;        ///< under a pixel; of a plane 1 m deep

@@ -16,7 +16,7 @@ struct FrameStats {
   std::size_t stackColumns = 0;  ///< of those, of walls that are stacks
   std::size_t slopeColumns = 0;  ///< of those, of walls along which floor or ceiling rises
   std::size_t spans = 0;
-  std::size_t maskedSpans = 0;  ///< of those, of masked middle textures and sprites
+  std::size_t maskedSpans = 0;  ///< of those, of masked middle textures and things
 
   FrameStats& operator+=(const FrameStats& other) {
     viewports += other.viewports;

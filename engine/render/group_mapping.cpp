@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "math/trig.h"
+#include "render/face_mapping.h"
 
 namespace hearth {
 
@@ -195,6 +196,10 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     mapSky(surface, *image, raysOf(projection, group), mapping);
     return mapping;
   }
+  if (surface.kind == SurfaceKind::Mesh) {
+    mapFace(projection, group, image, mapping);
+    return mapping;
+  }
   mapping.depth = group.depth;
   if (surface.kind == SurfaceKind::FlatSprite) {
     mapLyingSprite(scene.level().spriteOf(group.surface), *group.view, projection, group, image,
@@ -234,6 +239,7 @@ SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Sp
   SpanGroup group;
   group.surface = span.surface;
   group.view = span.view;
+  group.face = span.face;
   group.firstColumn = span.column - static_cast<int>(lane);
   group.depth.fill(span.depth);
   group.s.fill(span.s);

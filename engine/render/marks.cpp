@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <optional>
 
 #include "render/outline_color.h"
 #include "render/renderer.h"
@@ -89,6 +91,36 @@ Rgb signalOf(int times, Rgb lit) {
   return times == 1 ? mixed({}, lit, kFractionLeft) : kTwice;
 }
 
+// --- Vertices ------------------------------------------------------------------------------------
+
+constexpr Rgb kVertexColor = {255, 232, 32};
+
+struct DotPlace {
+  int column;
+  int row;
+};
+
+/// The pixel that a point lies in, if it is in the picture.
+std::optional<DotPlace> pixelOf(const Projection& projection, Vec3 point,
+                                const PixelRows& picture) {
+  const CameraPoint seen = projection.toCamera(point.xy());
+  if (!(seen.depth > 0)) return std::nullopt;
+  const double column = projection.columnOf(seen);
+  const double row = projection.rowOf(point.z, seen.depth);
+  if (!(column >= 0 && column < picture.width && row >= 0 && row < picture.height))
+    return std::nullopt;
+  return DotPlace{static_cast<int>(column), static_cast<int>(row)};
+}
+
+void drawDot(DotPlace middle, ColumnRange columns, const PixelRows& picture) {
+  const int columnEnd = std::min(middle.column + kDotRadius + 1, columns.end);
+  const int rowEnd = std::min(middle.row + kDotRadius + 1, picture.height);
+  for (int row = std::max(middle.row - kDotRadius, 0); row < rowEnd; ++row)
+    for (int column = std::max(middle.column - kDotRadius, columns.begin); column < columnEnd;
+         ++column)
+      *picture.at(column, row) = toXrgb(kVertexColor);
+}
+
 /// Calls `markPixel(pixel, shown, left, above)` for each pixel, with what it and its neighbours
 /// show; beyond the picture nothing shows.
 template <typename Shown, typename MarkPixel>
@@ -127,6 +159,24 @@ void mark(const Scene&, const ShownColumns<ShownTimes>& shown, Strip& strip, int
   markEach(shown, strip, column, [](std::uint32_t& pixel, ShownTimes here, ShownTimes, ShownTimes) {
     pixel = toXrgb(signalOf(here.times, fromXrgb(pixel)));
   });
+}
+
+void markVertices(const Projection& projection, std::span<const ShownFace> shown, int column,
+                  ColumnRange columns, const PixelRows& picture) {
+  const auto height = static_cast<int>(shown.size());
+  const auto faceIn = [&](int row) { return shown[static_cast<std::size_t>(row)].face; };
+  for (int row = 0; row < height;) {
+    const int begin = row;
+    const MeshFace* const face = faceIn(begin);
+    while (row < height && faceIn(row) == face) ++row;
+    if (!face) continue;
+    for (const Vec3 corner : face->corners) {
+      const std::optional<DotPlace> place = pixelOf(projection, corner, picture);
+      if (place && std::abs(place->column - column) <= kDotRadius &&
+          place->row >= begin - kDotRadius && place->row < row + kDotRadius)
+        drawDot(*place, columns, picture);
+    }
+  }
 }
 
 }  // namespace hearth

@@ -25,6 +25,7 @@ const PixelKernels& kernels() {
       .findTexels = findTexels,
       .findTexelsAround = findTexelsAround,
       .findLightTexels = findLightTexels,
+      .findFaceTexels = findFaceTexels,
       .shade = shade,
   };
   return kKernels;

@@ -28,6 +28,17 @@ struct GroupTexels {
   bool areWhite;         ///< except holes
 };
 
+/// The rays of a column, or some of its rows, on a narrow face: all are linear functions of the
+/// slope of a ray.
+struct FaceColumn {
+  Affine nearness;  ///< 1 / depth
+  // In texels: at the eye, and what is added to that per metre of depth.
+  double uAtEye;
+  double vAtEye;
+  Affine u;
+  Affine v;
+};
+
 /// Loops over the pixels of a block, as many at once as the registers of a processor hold. The
 /// results are the same to the bit on every processor.
 struct PixelKernels {
@@ -45,6 +56,10 @@ struct PixelKernels {
   /// Those of a lightmap that is not uniform.
   void (*findLightTexels)(PixelBlock& block, const GroupMapping& mapping, const Lightmap& lightmap,
                           LightFilter filter);
+  /// The numbers of the texels of so many rows of a face. `texels` is aligned to 64 bytes, and a
+  /// register more may be written.
+  void (*findFaceTexels)(const FaceColumn& column, const double* raySlopes, int rows,
+                         const Texture& image, std::uint32_t* texels);
   /// Writes the pixels of the rows, of which each has eight.
   void (*shade)(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
                 std::uint32_t* rows);

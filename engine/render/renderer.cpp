@@ -120,14 +120,24 @@ void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture,
   });
 }
 
+/// Lights one strip, for marks: on holes where nothing is drawn.
+void paintLit(const SpanPainter& painter, const FrameScratch& scratch, int index, int rows,
+              PixelBlock& block, Strip& strip, PaintStats& stats) {
+  strip.begin(index, rows, kHole);
+  scratch.forEachGroup(index, [&](const SpanGroup& group) {
+    painter.paint(group, LightMode::Both, block, strip, stats);
+  });
+}
+
 /// What the spans of a column show.
 template <typename Shown>
 void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int column,
                 ShownColumns<Shown>& shown) {
   shown.next();
-  const auto lane = static_cast<std::size_t>(column % Strip::kColumns);
   scratch.forEachGroup(column / Strip::kColumns, [&](const SpanGroup& group) {
-    if (group.has(lane)) noteShown(painter, group.span(lane), scratch.raySlopes, shown.here());
+    group.forEachSpan([&](const Span& span) {
+      if (span.column == column) noteShown(painter, span, scratch.raySlopes, shown.here());
+    });
   });
 }
 
@@ -141,16 +151,35 @@ void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& s
     ShownColumns<Shown> shown(picture.height);
     if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
     for (int i = range.begin; i < range.end; ++i) {
-      strip.begin(i, picture.height, kHole);
-      scratch.forEachGroup(i, [&](const SpanGroup& group) {
-        painter.paint(group, LightMode::Both, block, strip, stats);
-      });
+      paintLit(painter, scratch, i, picture.height, block, strip, stats);
       const int end = std::min((i + 1) * Strip::kColumns, picture.width);
       for (int column = i * Strip::kColumns; column < end; ++column) {
         noteColumn(painter, scratch, column, shown);
         mark(scene, shown, strip, column);
       }
       strip.copyTo(picture, 1);
+    }
+  });
+}
+
+/// Likewise with dots, which may reach into the next column: each part draws what lies in its own
+/// columns.
+void paintVertices(const SpanPainter& painter, const Projection& projection, FrameScratch& scratch,
+                   const PixelRows& picture, Workers* workers) {
+  const int strips = Strip::countIn(picture.width);
+  paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
+    PixelBlock block{};
+    for (int i = range.begin; i < range.end; ++i) {
+      paintLit(painter, scratch, i, picture.height, block, strip, stats);
+      strip.copyTo(picture, 1);
+    }
+    const ColumnRange own{range.begin * Strip::kColumns,
+                          std::min(range.end * Strip::kColumns, picture.width)};
+    ShownColumns<ShownFace> shown(picture.height);
+    const int end = std::min(own.end + kDotRadius, picture.width);
+    for (int column = std::max(own.begin - kDotRadius, 0); column < end; ++column) {
+      noteColumn(painter, scratch, column, shown);
+      markVertices(projection, shown.here(), column, own, picture);
     }
   });
 }
@@ -216,14 +245,14 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   findSpans(camera, 1, scratch, workers);
   const Projection projection = projectionFor(scene_, camera);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
-  const std::vector<std::size_t> numbers =
-      channel == Channel::Surface ? numbersOfShown(scene_) : std::vector<std::size_t>();
-  paintStrips(scratch, 1, picture, workers, true,
-              [&](const SpanGroup& group, PixelBlock&, Strip& strip, PaintStats&) {
-                group.forEachSpan([&](const Span& span) {
-                  paintChannel(painter, span, channel, numbers, scratch.raySlopes, strip);
-                });
-              });
+  std::vector<std::size_t> numbers;
+  if (channel == Channel::Surface || channel == Channel::Faces) numbers = numbersOfShown(scene_);
+  const ChannelFrame frame{channel, scene_.level(), projection.eye(), numbers, scratch.raySlopes};
+  paintStrips(
+      scratch, 1, picture, workers, true,
+      [&](const SpanGroup& group, PixelBlock&, Strip& strip, PaintStats&) {
+        group.forEachSpan([&](const Span& span) { paintChannel(painter, span, frame, strip); });
+      });
 }
 
 void Renderer::draw(const Camera& camera, Marks marks, FrameScratch& scratch,
@@ -241,6 +270,9 @@ void Renderer::draw(const Camera& camera, Marks marks, FrameScratch& scratch,
       break;
     case Marks::Coverage:
       paintMarked<ShownTimes>(scene_, painter, scratch, picture, workers);
+      break;
+    case Marks::Vertices:
+      paintVertices(painter, projection, scratch, picture, workers);
       break;
   }
 }

@@ -6,12 +6,13 @@
 #include "image/image.h"
 #include "level/scene.h"
 
-/// The colours in which edges of walls and flats are drawn.
+/// The colours in which edges of walls, flats and meshes are drawn.
 namespace hearth {
 
 inline constexpr Rgb kWallColor = {255, 255, 255};
 inline constexpr Rgb kWayOnColor = {255, 160, 48};
 inline constexpr Rgb kFlatPortalColor = {96, 224, 112};
+inline constexpr Rgb kMeshColor = {144, 160, 255};
 
 /// Whether a segment has an opening.
 inline bool leadsOn(const Scene& scene, const Segment& segment) {

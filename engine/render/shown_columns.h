@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "level/ids.h"
+#include "level/mesh.h"
 #include "math/vec.h"
 
 /// What pixels show, as far as marks need it.
@@ -34,6 +35,10 @@ struct ShownSurface {
 
 struct ShownTimes {
   int times = 0;  ///< how often something was drawn there
+};
+
+struct ShownFace {
+  const MeshFace* face = nullptr;  ///< of what was drawn there last, if it is of a mesh
 };
 
 /// What the pixels of a column show, row by row, and those of the column to its left. Columns come

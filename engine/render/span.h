@@ -1,6 +1,7 @@
 #pragma once
 
 #include "level/ids.h"
+#include "level/mesh.h"
 #include "level/sprite.h"
 
 namespace hearth {
@@ -12,8 +13,9 @@ struct Span {
   int rowEnd;
   SurfaceId surface;
   const SpriteView* view;  ///< what a sprite shows; null for all else
+  const MeshFace* face;    ///< of a mesh; null for all else
   /// Depth in metres at which the column leaves the sector: the depth of an upright surface, and
-  /// the greatest depth of a flat or slope.
+  /// the greatest depth of a flat or slope. Likewise of a sprite or a face.
   double depth;
   /// Upright: metres along the authored wall, for the texture; of a sprite from its left edge.
   double s = 0;

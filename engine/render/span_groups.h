@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "level/ids.h"
+#include "render/face_span.h"
 #include "render/frame_stats.h"
 #include "render/lanes.h"
 #include "render/span.h"
@@ -13,14 +15,19 @@
 namespace hearth {
 
 /// Spans of one surface in columns of one strip, at most one in each column. They are painted
-/// together: each column is a lane of a register.
+/// together: each column is a lane of a register. Or all spans of narrow faces of a mesh, any
+/// number in each column.
 struct SpanGroup {
   SurfaceId surface;
   const SpriteView* view;  ///< as in Span
-  int firstColumn;         ///< of the strip
-  LaneSet lanes;           ///< the columns that have a span
-  int rowBegin;            ///< of all spans: the first row ...
-  int rowEnd;              ///< ... and the one behind the last
+  const MeshFace* face;    ///< as in Span
+  /// Those of narrow faces, by lane, then by row. If there are any, `face`, `rows` and the numbers
+  /// of lanes have no meaning.
+  std::span<const FaceSpan> faces;
+  int firstColumn;  ///< of the strip
+  LaneSet lanes;    ///< the columns that have a span
+  int rowBegin;     ///< of all spans: the first row ...
+  int rowEnd;       ///< ... and the one behind the last
   LaneRowRanges rows;
 
   // As in Span. Lanes without a span have the numbers of another one.
@@ -38,15 +45,29 @@ struct SpanGroup {
             rows.end[lane],
             surface,
             view,
+            face,
             depth[lane],
             s[lane],
             fraction[lane],
             zRef[lane]};
   }
 
+  /// That of a narrow face.
+  Span span(const FaceSpan& of) const {
+    return {firstColumn + static_cast<int>(of.lane),
+            of.rowBegin,
+            of.rowEnd,
+            surface,
+            nullptr,
+            of.front->face,
+            of.depth};
+  }
+
   /// Calls `use(span)` for all spans.
   template <typename Use>
   void forEachSpan(Use&& use) const {
+    for (const FaceSpan& of : faces) use(span(of));
+    if (!faces.empty()) return;
     for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
       if (has(lane)) use(span(lane));
   }
@@ -72,6 +93,10 @@ class SpanGroups {
   /// Adds spans of a surface with these rows: to a group of it in this strip, or to a new one. The
   /// group is valid until the next call.
   Added add(SurfaceId surface, int strip, const LaneRowRanges& rows);
+  /// The same of a face of a mesh, which has this index among those of the level.
+  Added add(SurfaceId mesh, std::uint32_t face, int strip, const LaneRowRanges& rows);
+  /// Adds spans of narrow faces of a mesh, by lane, then by row. Their fronts must stay.
+  void addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> faces);
 
   /// Calls `use(group)` for the groups of a strip.
   template <typename Use>
@@ -95,6 +120,7 @@ class SpanGroups {
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr std::uint32_t kFace = std::uint32_t{1} << 31;
 
   struct StripGroups {
     std::uint32_t last = kNone;  ///< index of the group added last
@@ -103,7 +129,7 @@ class SpanGroups {
   /// What the search for a group looks at first, close together.
   struct Link {
     std::uint32_t before;  ///< index of the group that was added before it in its strip
-    SurfaceId surface;
+    std::uint32_t owner;   ///< of its spans: the SurfaceId, or kFace and the index of a face
     LaneSet lanes;
   };
 
@@ -115,14 +141,17 @@ class SpanGroups {
   }
 
   std::size_t indexOf(int strip) const { return static_cast<std::size_t>(strip - firstStrip_); }
-  std::uint32_t indexFor(SurfaceId surface, int strip, LaneSet lanes, int rowBegin, int rowEnd);
-  std::uint32_t begin(SurfaceId surface, int strip);
+  Added add(std::uint32_t owner, SurfaceId surface, int strip, const LaneRowRanges& rows);
+  std::uint32_t indexFor(std::uint32_t owner, int strip, LaneSet lanes, int rowBegin, int rowEnd);
+  std::uint32_t begin(std::uint32_t owner, int strip);
 
   Order order_;
   int firstStrip_ = 0;
   std::vector<StripGroups> strips_;
-  std::vector<Link> links_;        ///< of each group
-  std::vector<SpanGroup> groups_;  ///< and more, of earlier frames, to be written over
+  std::vector<Link> links_;                   ///< of each group
+  std::vector<SpanGroup> groups_;             ///< and more, of earlier frames, to be written over
+  std::vector<std::vector<FaceSpan>> faces_;  ///< likewise, of groups that have them
+  std::size_t facesCount_ = 0;
   std::size_t spans_ = 0;
 };
 
@@ -130,7 +159,7 @@ class SpanGroups {
 /// without holes.
 struct VisibleSpans {
   SpanGroups solid{SpanGroups::Order::Any};  ///< of surfaces without holes
-  /// Of masked middle textures and sprites, added near to far.
+  /// Of masked middle textures and things, added near to far.
   SpanGroups masked{SpanGroups::Order::LastToFirst};
   FrameStats stats;
 

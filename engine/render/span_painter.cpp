@@ -1,9 +1,11 @@
 #include "render/span_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 
+#include "render/face_mapping.h"
 #include "render/footprint.h"
 #include "render/texel_fetch.h"
 
@@ -73,7 +75,8 @@ class MipLevels {
 
 void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
-  Material material = materialOf(group.surface, group.view);
+  if (!group.faces.empty()) return paintFaces(group, mode, block, strip, stats);
+  Material material = materialOf(group);
   if (mode == LightMode::None) {
     material.lightmap = nullptr;
     material.sectorLight = 1;
@@ -109,6 +112,91 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   }
 }
 
+// --- narrow faces
+// ---------------------------------------------------------------------------------
+
+void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock& block,
+                             Strip& strip, PaintStats& stats) const {
+  if (settings_.textureFilter == TextureFilter::Bilinear)
+    return paintSingly(group, mode, block, strip, stats);
+  const double sectorLight = mode == LightMode::None ? 1 : sectorLightOn(group.surface);
+  // Where no face is, the picture stays as it is.
+  const GroupTexels texels{&textures_.front().full(), false, true, mode == LightMode::Only};
+  std::array<const FaceSpan*, Strip::kColumns + 1> next;  // by lane
+  next.fill(group.faces.data() + group.faces.size());
+  for (std::size_t i = group.faces.size(); i-- > 0;) next[group.faces[i].lane] = &group.faces[i];
+  block.columns.rows.begin.fill(group.rowBegin);
+  block.columns.rows.end.fill(group.rowEnd);
+  for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
+    block.firstRow = row;
+    block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
+    block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
+    block.colors[0].fill(kHoleBit);
+    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
+      const FaceSpan* const end = group.faces.data() + group.faces.size();
+      for (const FaceSpan*& span = next[lane]; span != end && span->lane == lane; ++span) {
+        if (span->rowBegin >= row + block.rows) break;
+        colorFace(*span, group.firstColumn + static_cast<int>(lane), block);
+        if (span->rowEnd > row + block.rows) break;
+      }
+    }
+    if (texels.areWhite)
+      for (std::uint32_t& color : block.colors[0]) color |= color == kHoleBit ? 0 : 0xFFFFFF;
+    kernels_.shade(block, texels, {nullptr, sectorLight, false}, strip.row(row));
+  }
+  for (const FaceSpan& span : group.faces)
+    stats.pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+}
+
+/// Gives those rows of a block their colours in which a face shows.
+void SpanPainter::colorFace(const FaceSpan& span, int column, PixelBlock& block) const {
+  const int begin = std::max(0, span.rowBegin - block.firstRow);
+  const int rows = std::min(block.rows, span.rowEnd - block.firstRow) - begin;
+  const FaceFront& front = *span.front;
+  const Texture& image = imageOf(span);
+  const double slant = projection_.slantOf(column + 0.5);
+  const auto along = [slant](Vec3 perMetre, double scale) {
+    return Affine{scale * (perMetre.x + slant * perMetre.y), scale * perMetre.z};
+  };
+  const FaceColumn face{along(front.nearness, 1), image.width() * front.u.atEye,
+                        image.height() * front.v.atEye, along(front.u.perMetre, image.width()),
+                        along(front.v.perMetre, image.height())};
+  alignas(64) std::array<std::uint32_t, PixelBlock::kRows + PixelBlock::kLanes> texels;
+  kernels_.findFaceTexels(face, block.raySlopes + begin, rows, image, texels.data());
+  fetchColumn(image, texels.data(), rows,
+              &block.colors[0][static_cast<std::size_t>(begin) * PixelBlock::kLanes + span.lane]);
+}
+
+/// The size of a face's image that fits its pixels.
+const Texture& SpanPainter::imageOf(const FaceSpan& span) const {
+  const MipMap& texture = textures_[span.front->face->texture.index()];
+  if (settings_.textureFilter != TextureFilter::Mipmapped) return texture.full();
+  const double texels = repeatsOfPixel(projection_, *span.front->face) * texture.full().width() *
+                        texture.full().height() * span.depth * span.depth * span.depth;
+  return texture.level(mipLevelOf(texels));
+}
+
+/// Span by span, as if each were of a wide face.
+void SpanPainter::paintSingly(const SpanGroup& group, LightMode mode, PixelBlock& block,
+                              Strip& strip, PaintStats& stats) const {
+  SpanGroup single = group;
+  single.faces = {};
+  for (const FaceSpan& span : group.faces) {
+    single.face = span.front->face;
+    single.lanes = static_cast<LaneSet>(1U << span.lane);
+    single.rowBegin = span.rowBegin;
+    single.rowEnd = span.rowEnd;
+    single.rows = {};
+    single.rows.begin[span.lane] = span.rowBegin;
+    single.rows.end[span.lane] = span.rowEnd;
+    single.depth.fill(span.depth);
+    paint(single, mode, block, strip, stats);
+  }
+}
+
+// --- places
+// ---------------------------------------------------------------------------------------
+
 void SpanPainter::findPlaces(const GroupTexels& texels, const GroupLight& light,
                              const GroupMapping& mapping, PixelBlock& block) const {
   const bool hasTexels = !texels.image || (!texels.areMixed && kernels_.findLinearTexels(
@@ -124,9 +212,14 @@ void SpanPainter::findPlaces(const GroupTexels& texels, const GroupLight& light,
   if (!hasLight) kernels_.findLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
 }
 
-Material SpanPainter::materialOf(SurfaceId id, const SpriteView* view) const {
+/// `view` is what a sprite shows, `face` is one of a mesh.
+TextureId SpanPainter::textureOf(SurfaceId id, const SpriteView* view, const MeshFace* face) const {
+  if (view) return view->texture;
+  return face ? face->texture : scene_[id].mapping.texture;
+}
+
+Material SpanPainter::materialOf(SurfaceId id, TextureId texture) const {
   const Surface& surface = scene_[id];
-  const TextureId texture = view ? view->texture : surface.mapping.texture;
   const auto& lit = light_.surfaces[id.index()];
   const auto& lightmap = light_.lightmaps[id.index()];
   return {surface, textures_[texture.index()], lightmap ? &*lightmap : nullptr,

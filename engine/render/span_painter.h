@@ -50,15 +50,25 @@ class SpanPainter {
   void paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
              PaintStats& stats) const;
 
-  /// `view` is what a sprite shows.
-  Material materialOf(SurfaceId id, const SpriteView* view) const;
-  Material materialOf(const Span& span) const { return materialOf(span.surface, span.view); }
+  /// Of a SpanGroup or a Span.
+  template <typename Spans>
+  Material materialOf(const Spans& spans) const {
+    return materialOf(spans.surface, textureOf(spans.surface, spans.view, spans.face));
+  }
   SpanMapping mappingOf(const Material& material, const Span& span) const {
     return hearth::mappingOf(scene_, projection_, span, &material.image(), material.lit);
   }
 
  private:
+  Material materialOf(SurfaceId id, TextureId texture) const;
+  TextureId textureOf(SurfaceId id, const SpriteView* view, const MeshFace* face) const;
   double sectorLightOn(SurfaceId id) const;
+  void paintFaces(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
+                  PaintStats& stats) const;
+  void paintSingly(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
+                   PaintStats& stats) const;
+  void colorFace(const FaceSpan& span, int column, PixelBlock& block) const;
+  const Texture& imageOf(const FaceSpan& span) const;
   /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
   void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,
                   PixelBlock& block) const;

@@ -37,6 +37,7 @@ void SpriteFront::Depths::keepPositive(double atEye, double perMetre) {
 SpriteFront::SpriteFront(const Sprite& sprite, const SpriteView& view, const SpriteRect& rect,
                          const Projection& projection)
     : surface_(sprite.surface),
+      thing_(sprite.thing),
       view_(&view),
       lies_(sprite.facing == Facing::Flat),
       zBottom_(rect.corner.z),

@@ -22,6 +22,7 @@ class SpriteFront {
               const Projection& projection);
 
   SurfaceId surface() const { return surface_; }
+  std::uint32_t thing() const { return thing_; }  ///< see Sprite
   const SpriteView& view() const { return *view_; }
   bool lies() const { return lies_; }
   double zBottom() const { return zBottom_; }
@@ -53,6 +54,7 @@ class SpriteFront {
   CameraPoint at(double right, double up) const;
 
   SurfaceId surface_;
+  std::uint32_t thing_;
   const SpriteView* view_;
   bool lies_;
   double zBottom_;

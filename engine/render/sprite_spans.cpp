@@ -15,7 +15,7 @@ namespace {
 /// Whether a depth is less than another, or as good as equal.
 bool isBefore(double depth, double at) { return depth <= at * (1 + kNearTie) + kPositionSlack; }
 
-void add(const SpritePart& part, int strip, const LaneRowRanges& rows, SpanGroups& found) {
+void addSpans(const SpritePart& part, int strip, const LaneRowRanges& rows, SpanGroups& found) {
   const auto [group, lanes] = found.add(part.front->surface(), strip, rows);
   if (!group) return;
   group->view = &part.front->view();
@@ -26,10 +26,10 @@ void add(const SpritePart& part, int strip, const LaneRowRanges& rows, SpanGroup
   setLanes(group->zRef, zTop, lanes);
 }
 
-LaneRowRanges only(std::size_t lane, const LaneRowRanges& rows) {
+LaneRowRanges only(std::size_t lane, int begin, int end) {
   LaneRowRanges one;
-  one.begin[lane] = rows.begin[lane];
-  one.end[lane] = rows.end[lane];
+  one.begin[lane] = begin;
+  one.end[lane] = end;
   return one;
 }
 
@@ -38,7 +38,8 @@ LaneRowRanges only(std::size_t lane, const LaneRowRanges& rows) {
 /// A run, and the air that its rays cross.
 struct SpriteSpans::Look {
   const ColumnRun& run;
-  const Entry& entry;
+  const RunEntry& entry;
+  const MeshSpans* meshes;  ///< null if none show
   const Projection& projection;
 
   double slantOf(std::size_t lane) const { return projection.slantOf(columnOf(lane) + 0.5); }
@@ -69,10 +70,11 @@ std::span<const SpriteFront> SpriteSpans::frontsIn(SectorId sector) {
   return scratch_.fronts.of(sector);
 }
 
-void SpriteSpans::show(const ColumnRun& run, const Entry& entry, SpanGroups& found) {
+void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSpans* meshes,
+                       SpanGroups& found) {
   const std::span<const SpriteFront> fronts = frontsIn(run.sector.id);
   if (fronts.empty()) return;
-  const Look look{run, entry, projection_};
+  const Look look{run, entry, meshes, projection_};
   auto& [all, standing, lying] = scratch_;
   standing.clear();
   lying.clear();
@@ -89,13 +91,35 @@ void SpriteSpans::show(const ColumnRun& run, const Entry& entry, SpanGroups& fou
   if (standing.empty()) {
     for (const SpriteFront* front : lying) {
       const SpritePart part = lyingPart(look, *front);
-      add(part, run.strip, part.rows, found);
+      add(look, part, part.rows, found);
     }
   } else if (lying.empty() && haveOneOrder(look)) {
-    for (const SpritePart& part : standing) add(part, run.strip, part.rows, found);
+    for (const SpritePart& part : standing) add(look, part, part.rows, found);
   } else {
     for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) showLane(look, lane, found);
   }
+}
+
+/// Adds those of its rows in which no mesh is before it.
+void SpriteSpans::add(const Look& look, const SpritePart& part, const LaneRowRanges& rows,
+                      SpanGroups& found) const {
+  if (!look.meshes) return addSpans(part, look.run.strip, rows, found);
+  for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane) {
+    const auto isHidden = [&](int row) {
+      return look.meshes->hide(lane, row, depthAt(part, lane, row), part.front->thing());
+    };
+    for (int row = rows.begin[lane]; row < rows.end[lane];) {
+      while (row < rows.end[lane] && isHidden(row)) ++row;
+      const int begin = row;
+      while (row < rows.end[lane] && !isHidden(row)) ++row;
+      addSpans(part, look.run.strip, only(lane, begin, row), found);
+    }
+  }
+}
+
+double SpriteSpans::depthAt(const SpritePart& part, std::size_t lane, int row) const {
+  if (!part.front->lies()) return part.depth[lane];
+  return (part.front->zBottom() - projection_.eye().z) / projection_.raySlopeAt(row + 0.5);
 }
 
 // --- What stands ---------------------------------------------------------------------------------
@@ -198,7 +222,7 @@ void SpriteSpans::showLane(const Look& look, std::size_t lane, SpanGroups& found
   for (const SpritePart& part : scratch_.standing) {
     if (!part.rows.has(lane)) break;
     showLying(look, lane, {reached, part.depth[lane]}, found);
-    add(part, look.run.strip, only(lane, part.rows), found);
+    add(look, part, only(lane, part.rows.begin[lane], part.rows.end[lane]), found);
     reached = std::max(reached, part.depth[lane]);
   }
   showLying(look, lane, {reached, look.run.depths[lane]}, found);
@@ -220,7 +244,7 @@ void SpriteSpans::showLying(const Look& look, std::size_t lane, SpriteFront::Dep
   for (const SpriteFront* front : scratch_.lying) {
     SpritePart part{front, {}, {}, {}};
     lie(look, lane, between, part);
-    add(part, look.run.strip, part.rows, found);
+    add(look, part, part.rows, found);
   }
 }
 

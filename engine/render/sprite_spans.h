@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "level/scene.h"
@@ -8,6 +7,7 @@
 #include "render/camera.h"
 #include "render/column_run.h"
 #include "render/lanes.h"
+#include "render/mesh_spans.h"
 #include "render/span_groups.h"
 #include "render/sprite_fronts.h"
 
@@ -37,19 +37,18 @@ class SpriteSpans {
   SpriteSpans(const Scene& scene, const SpriteIndex& index, const Camera& camera,
               const Projection& projection, ColumnRange columns, SpriteSpansScratch& scratch);
 
-  /// How the rays of a run come into its sector.
-  struct Entry {
-    LaneDoubles depths;            ///< metres; 0 for those that begin there or ...
-    std::optional<SectorId> from;  ///< ... come from no other sector through a wall ...
-    std::optional<double> plane;   ///< ... but through a flat portal, at this height
-  };
-  /// Adds the spans of a run, near to far, to those found.
-  void show(const ColumnRun& run, const Entry& entry, SpanGroups& found);
+  /// Adds the spans of a run, near to far, to those found: where they are before `meshes`, those of
+  /// the same run, if any show.
+  void show(const ColumnRun& run, const RunEntry& entry, const MeshSpans* meshes,
+            SpanGroups& found);
 
  private:
   struct Look;
 
   std::span<const SpriteFront> frontsIn(SectorId sector);
+  void add(const Look& look, const SpritePart& part, const LaneRowRanges& rows,
+           SpanGroups& found) const;
+  double depthAt(const SpritePart& part, std::size_t lane, int row) const;
   void findStanding(const Look& look, const SpriteFront& front);
   bool isBehindEntry(const Look& look, std::size_t lane, const SpriteFront& front,
                      double depth) const;

@@ -14,4 +14,12 @@ void fetchColors(PixelBlock& block, const GroupTexels& texels) {
     for (std::size_t k = 0; k < block.count(); ++k) block.colors[0][k] |= 0xFFFFFF;
 }
 
+void fetchColumn(const Texture& image, const std::uint32_t* numbers, int rows,
+                 std::uint32_t* colors) {
+  const std::uint32_t* const from = image.texels();
+  constexpr std::size_t kLanes = PixelBlock::kLanes;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
+    colors[row * kLanes] = from[numbers[row]] & ~kHoleBit;
+}
+
 }  // namespace hearth

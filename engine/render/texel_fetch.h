@@ -10,4 +10,9 @@ namespace hearth {
 /// vectors, take longer.
 void fetchColors(PixelBlock& block, const GroupTexels& texels);
 
+/// Those of some rows of one lane, which stay no holes. `colors` is the lane's first pixel, of rows
+/// of eight.
+void fetchColumn(const Texture& image, const std::uint32_t* numbers, int rows,
+                 std::uint32_t* colors);
+
 }  // namespace hearth

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 #include <vector>
 
-#include "level/openings.h"
 #include "level/plan_bounds.h"
 #include "math/check.h"
 #include "math/tolerance.h"
 #include "render/line.h"
 #include "render/renderer.h"
+#include "render/screen_edges.h"
 #include "render/segment_colors.h"
+#include "render/span_groups.h"
+#include "render/strip.h"
 #include "render/visibility.h"
+#include "render/wireframe.h"
 
 namespace hearth {
 
@@ -28,9 +30,8 @@ constexpr Rgb kFieldOfView = {48, 120, 176};
 constexpr double kMargin = 0.06;
 
 /// Metres of depth. Where 1/depth is drawn, which has no end, what is nearer than authors can mean
-/// is left out; on the screen, what is nearer than any wall is wide.
+/// is left out.
 constexpr double kNearPlane = kAuthorNoise;
-constexpr double kNearPlaneOfScreen = kShortestWall;
 
 Rgb dimmed(Rgb color) {
   const auto dim = [](std::uint8_t c) { return static_cast<std::uint8_t>(c / 4 + 16); };
@@ -49,42 +50,7 @@ void drawEye(const PixelRows& picture, Vec2 p) {
   drawLine(picture, p - Vec2{0, kArm}, p + Vec2{0, kArm}, kEye);
 }
 
-/// Walls that lead on come last: they stay visible where they share a line with others.
-template <typename Draw>
-void forWallsThenWaysOn(const Scene& scene, Draw&& draw) {
-  for (const bool areOpen : {false, true})
-    for (const Segment& segment : scene.level().segments)
-      if (leadsOn(scene, segment) == areOpen) draw(segment);
-}
-
-/// Half the width of the field of view at a depth of one metre.
-double slantOfEdge(const Camera& camera, const Projection& projection) {
-  return camera.width / 2.0 / projection.distancePx();
-}
-
-/// A segment in camera space and the part of it that lies in the field of view.
-struct ViewedSegment {
-  CameraPoint p0;
-  CameraPoint p1;
-  std::optional<LinePart> part;
-
-  CameraPoint at(double fraction) const {
-    return {std::lerp(p0.depth, p1.depth, fraction), std::lerp(p0.lateral, p1.lateral, fraction)};
-  }
-};
-
-ViewedSegment viewed(const Projection& projection, const Segment& segment, double edge,
-                     double nearPlane) {
-  ViewedSegment result{projection.toCamera(segment.p0), projection.toCamera(segment.p1), {}};
-  const auto& [p0, p1, part] = result;
-  std::optional<LinePart> left = keepPositive({}, p0.depth - nearPlane, p1.depth - nearPlane);
-  if (left) left = keepPositive(*left, p0.lateral + edge * p0.depth, p1.lateral + edge * p1.depth);
-  if (left) left = keepPositive(*left, edge * p0.depth - p0.lateral, edge * p1.depth - p1.lateral);
-  result.part = left;
-  return result;
-}
-
-bool facesEye(const ViewedSegment& segment) {
+bool facesEye(const ViewedLine& segment) {
   // Seen from the front, p0 is on the left.
   return segment.p0.lateral * segment.p1.depth < segment.p1.lateral * segment.p0.depth;
 }
@@ -148,7 +114,7 @@ Extent extentInView(const Scene& scene, const Projection& projection, double edg
   Extent extent;
   for (const Segment& segment : scene.level().segments) {
     if (!counts(segment)) continue;
-    const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
+    const ViewedLine seen = viewed(projection, segment.p0, segment.p1, edge, kNearPlane);
     if (!seen.part) continue;
     for (const double fraction : {seen.part->from, seen.part->to}) {
       extent.depth = std::max(extent.depth, seen.at(fraction).depth);
@@ -191,7 +157,7 @@ void drawCamera(const Scene& scene, const Camera& camera, const Projection& proj
              toPicture(projection.toCamera(segment.p1)), dimmed(colorOf(scene, segment)));
   });
   forWallsThenWaysOn(scene, [&](const Segment& segment) {
-    const ViewedSegment seen = viewed(projection, segment, edge, kNearPlane);
+    const ViewedLine seen = viewed(projection, segment.p0, segment.p1, edge, kNearPlane);
     if (seen.part)
       drawLine(picture, toPicture(seen.at(seen.part->from)), toPicture(seen.at(seen.part->to)),
                colorOf(scene, segment));
@@ -217,12 +183,11 @@ class ShownPixels {
         seenSectors_(scene.level().sectors.size(), false) {
     seenSectors_[camera.sector.index()] = true;
     VisibilityScratch scratch;
-    findVisibleSpans(scene, camera, projection, scratch).forEachSpan([&](const Span& span) {
-      const SectorId sector = scene[span.surface].sector;
-      seenSectors_[sector.index()] = true;
-      for (int row = span.rowBegin; row < span.rowEnd; ++row)
-        pixels_[index(span.column, row)] = {sector, span.depth};
-    });
+    const VisibleSpans& found = findVisibleSpans(scene, camera, projection, scratch);
+    for (int strip = 0; strip < Strip::countIn(camera.width); ++strip)
+      found.forEachGroup(strip, [&](const SpanGroup& group) {
+        group.forEachSpan([&](const Span& span) { note(span, scene[span.surface].sector); });
+      });
   }
 
   bool isSeen(SectorId sector) const { return seenSectors_[sector.index()]; }
@@ -240,6 +205,12 @@ class ShownPixels {
   }
 
  private:
+  void note(const Span& span, SectorId sector) {
+    seenSectors_[sector.index()] = true;
+    for (int row = span.rowBegin; row < span.rowEnd; ++row)
+      pixels_[index(span.column, row)] = {sector, span.depth};
+  }
+
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(column);
@@ -259,7 +230,7 @@ void forSegmentsInView(const Scene& scene, const Camera& camera, const Projectio
   const double edge = slantOfEdge(camera, projection);
   forWallsThenWaysOn(scene, [&](const Segment& segment) {
     if (!shown.isSeen(segment.sector)) return;
-    const ViewedSegment seen = viewed(projection, segment, edge, nearPlane);
+    const ViewedLine seen = viewed(projection, segment.p0, segment.p1, edge, nearPlane);
     if (seen.part && facesEye(seen)) draw(segment, seen);
   });
 }
@@ -271,7 +242,7 @@ void drawDepthSpace(const Scene& scene, const Camera& camera, const Projection& 
   const ShownPixels shown(scene, camera, projection);
   double nearest = 0;  // the greatest 1/depth, which goes to the lower edge
   forSegmentsInView(scene, camera, projection, shown, kNearPlane,
-                    [&](const Segment&, const ViewedSegment& seen) {
+                    [&](const Segment&, const ViewedLine& seen) {
                       for (const double fraction : {seen.part->from, seen.part->to})
                         nearest = std::max(nearest, 1 / seen.at(fraction).depth);
                     });
@@ -281,7 +252,7 @@ void drawDepthSpace(const Scene& scene, const Camera& camera, const Projection& 
   drawLine(picture, {0, top}, {picture.width + 0.0, top}, kAxis);
   drawLine(picture, {camera.width / 2.0, 0}, {camera.width / 2.0, picture.height + 0.0}, kAxis);
   forSegmentsInView(scene, camera, projection, shown, kNearPlane,
-                    [&](const Segment& segment, const ViewedSegment& seen) {
+                    [&](const Segment& segment, const ViewedLine& seen) {
                       const auto toPicture = [&](double fraction) {
                         const CameraPoint p = seen.at(fraction);
                         return Vec2{projection.columnOf(p), top + scale / p.depth};
@@ -293,99 +264,11 @@ void drawDepthSpace(const Scene& scene, const Camera& camera, const Projection& 
 
 // --- Screen ----------------------------------------------------------------------------------
 
-/// Where a line begins or ends: at a fraction of the way along a segment, at a height.
-struct LineEnd {
-  double fraction;
-  double z;
-};
-
-/// Calls `draw(from, to, color)` for the edges of the part of a segment in the field of view.
-template <typename Draw>
-class SegmentEdges {
- public:
-  SegmentEdges(const Scene& scene, const Segment& segment, LinePart part, const Draw& draw)
-      : scene_(scene), segment_(segment), part_(part), draw_(draw) {}
-
-  void visit() const {
-    const Sector& sector = scene_[segment_.sector];
-    along(colorOf(sector.floor), 1,
-          [&](double fraction) { return scene_.airAt(segment_, fraction).zBottom; });
-    along(colorOf(sector.ceiling), 1,
-          [&](double fraction) { return scene_.airAt(segment_, fraction).zTop; });
-    if (part_.from == 0) upright(0);
-    if (part_.to == 1) upright(1);
-    const std::span<const WallPiece> pieces = scene_.piecesOf(segment_);
-    for (std::size_t i = 1; i < pieces.size(); ++i) borderBelow(pieces[i]);
-    for (const WallPiece& piece : pieces)
-      if (const Opening* opening = std::get_if<Opening>(&piece.content)) frame(piece, *opening);
-  }
-
- private:
-  /// Between two parts of a stack; frames of openings come over it. Slopes may bend it.
-  void borderBelow(const WallPiece& piece) const {
-    along(kFlatPortalColor, scene_.geometryOf(segment_).airRises ? kBentPieces : 1,
-          [&](double fraction) {
-            const AirColumn air = scene_.airAt(segment_, fraction);
-            return std::clamp(piece.zBottom, air.zBottom, air.zTop);
-          });
-  }
-
-  /// The lower and upper edge of an opening. They may bend where two slopes cross.
-  void frame(const WallPiece& piece, const Opening& opening) const {
-    const Segment& twin = scene_[opening.twin];
-    const auto span = [&](double fraction) {
-      return openingSpan(piece, scene_.airAt(segment_, fraction), scene_.airAt(twin, 1 - fraction));
-    };
-    const bool isBent = scene_.geometryOf(segment_).airRises || scene_.geometryOf(twin).airRises;
-    const int pieces = isBent ? kBentPieces : 1;
-    along(kWayOnColor, pieces, [&](double fraction) { return span(fraction).zBottom; });
-    along(kWayOnColor, pieces, [&](double fraction) { return span(fraction).zTop; });
-  }
-
-  void upright(double fraction) const {
-    const AirColumn air = scene_.airAt(segment_, fraction);
-    draw_(LineEnd{fraction, air.zBottom}, LineEnd{fraction, air.zTop}, colorOf(scene_, segment_));
-  }
-
-  template <typename Height>
-  void along(Rgb color, int pieces, Height&& height) const {
-    for (int i = 0; i < pieces; ++i) {
-      const double a = std::lerp(part_.from, part_.to, static_cast<double>(i) / pieces);
-      const double b = std::lerp(part_.from, part_.to, (i + 1.0) / pieces);
-      draw_(LineEnd{a, height(a)}, LineEnd{b, height(b)}, color);
-    }
-  }
-
-  static constexpr int kBentPieces = 16;
-
-  Scene scene_;
-  const Segment& segment_;
-  LinePart part_;
-  const Draw& draw_;
-};
-
-/// Calls `plot(x, y, depth, color)` for the pixels of a segment's edges, whatever hides them.
-template <typename Plot>
-void plotEdges(const Scene& scene, const Projection& projection, const Camera& camera,
-               const Segment& segment, const ViewedSegment& seen, Plot&& plot) {
-  const auto draw = [&](LineEnd from, LineEnd to, Rgb color) {
-    const CameraPoint a = seen.at(from.fraction);
-    const CameraPoint b = seen.at(to.fraction);
-    const Vec2 onScreenA{projection.columnOf(a), projection.rowOf(from.z, a.depth)};
-    const Vec2 onScreenB{projection.columnOf(b), projection.rowOf(to.z, b.depth)};
-    forEachPixelOfLine(onScreenA, onScreenB, camera.width, camera.height,
-                       [&](int x, int y, double fraction) {
-                         plot(x, y, 1 / std::lerp(1 / a.depth, 1 / b.depth, fraction), color);
-                       });
-  };
-  SegmentEdges(scene, segment, *seen.part, draw).visit();
-}
-
 /// Dim where something hides an edge.
 void drawScreen(const Scene& scene, const Camera& camera, const Projection& projection,
                 const PixelRows& picture) {
   const ShownPixels shown(scene, camera, projection);
-  const auto draw = [&](const Segment& segment, const ViewedSegment& seen) {
+  const auto draw = [&](const Segment& segment, const ViewedLine& seen) {
     plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
       std::uint32_t& pixel = *picture.at(x, y);
       if (shown.shows(x, y, segment.sector, depth))
@@ -395,30 +278,6 @@ void drawScreen(const Scene& scene, const Camera& camera, const Projection& proj
     });
   };
   forSegmentsInView(scene, camera, projection, shown, kNearPlaneOfScreen, draw);
-}
-
-// --- Wireframe -----------------------------------------------------------------------------------
-
-/// Metres at which lines are half as bright as beside the eye.
-constexpr double kHalfBright = 20;
-constexpr double kLeastBright = 0.25;
-
-Rgb faded(Rgb color, double depth) {
-  const double fraction = std::max(kLeastBright, kHalfBright / (kHalfBright + depth));
-  const auto fade = [fraction](std::uint8_t c) { return static_cast<std::uint8_t>(fraction * c); };
-  return {fade(color.r), fade(color.g), fade(color.b)};
-}
-
-void drawWireframe(const Scene& scene, const Camera& camera, const Projection& projection,
-                   const PixelRows& picture) {
-  const double edge = slantOfEdge(camera, projection);
-  forWallsThenWaysOn(scene, [&](const Segment& segment) {
-    const ViewedSegment seen = viewed(projection, segment, edge, kNearPlaneOfScreen);
-    if (!seen.part) return;
-    plotEdges(scene, projection, camera, segment, seen, [&](int x, int y, double depth, Rgb color) {
-      *picture.at(x, y) = toXrgb(faded(color, depth));
-    });
-  });
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ class Visibility {
         exits_(scene, projection, camera.width, columns, scratch.rayExits),
         hasSprites_(!sprites.isEmpty()),
         sprites_(scene, sprites, camera, projection, columns, scratch.sprites),
+        hasMeshes_(!scene.level().meshes.empty()),
+        meshes_(scene, camera, projection, columns, scratch.meshes),
         scratch_(scratch),
         found_(scratch.found),
         viewports_(scratch.viewports),
@@ -102,20 +104,26 @@ class Visibility {
       while (++i < windows.size() && hits[i].depth < RayExits::kNoDepth &&
              run.continuesIn(windows[i], hits[i]))
         run.add(windows[i], hits[i]);
-      if (hasSprites_)
-        showSprites(run, viewport.from, std::span(windows).subspan(first, i - first));
+      if (hasSprites_ || hasMeshes_)
+        showThings(run, viewport.from, std::span(windows).subspan(first, i - first));
       show(run);
     }
   }
 
-  /// Before what is behind them.
-  void showSprites(const ColumnRun& run, std::optional<SectorId> from,
-                   std::span<const Window> windows) {
-    SpriteSpans::Entry entry;
+  void showThings(const ColumnRun& run, std::optional<SectorId> from,
+                  std::span<const Window> windows) {
+    RunEntry entry;
     entry.from = from;
     for (const Window& window : windows)
       entry.depths[static_cast<std::size_t>(window.column % Strip::kColumns)] = window.depth;
-    sprites_.show(run, entry, found_.masked);
+    showThings(run, entry);
+  }
+
+  /// Before what is behind them: the sprites that are before the meshes, then these.
+  void showThings(const ColumnRun& run, const RunEntry& entry) {
+    const bool meshesShow = hasMeshes_ && meshes_.find(run, entry);
+    if (hasSprites_) sprites_.show(run, entry, meshesShow ? &meshes_ : nullptr, found_.masked);
+    if (meshesShow) meshes_.show(run, found_.masked);
   }
 
   // --- columns that leave a sector at one segment -----------------------------------------------
@@ -313,7 +321,7 @@ class Visibility {
       (down ? window.bottom : window.top) = farRow;
       if (part.top >= part.bottom) continue;
       const ColumnRun run(scene_[sector], scene_[exit.segment], part, exit);
-      if (hasSprites_) sprites_.show(run, {{}, std::nullopt, z}, found_.masked);
+      if (hasSprites_ || hasMeshes_) showThings(run, {{}, std::nullopt, z});
       show(run);
     }
   }
@@ -325,6 +333,8 @@ class Visibility {
   RayExits exits_;
   bool hasSprites_;
   SpriteSpans sprites_;
+  bool hasMeshes_;
+  MeshSpans meshes_;
   VisibilityScratch& scratch_;
   VisibleSpans& found_;
   std::vector<Viewport>& viewports_;

@@ -6,6 +6,7 @@
 
 #include "level/scene.h"
 #include "render/lanes.h"
+#include "render/mesh_spans.h"
 #include "render/ray_exits.h"
 #include "render/span_groups.h"
 #include "render/sprite_spans.h"
@@ -50,6 +51,7 @@ struct VisibilityScratch {
   SpareWindows spareWindows;
   RayExitScratch rayExits;
   SpriteSpansScratch sprites;
+  MeshSpansScratch meshes;
   std::vector<WallPart> wallParts;  ///< of the present columns
 };
 

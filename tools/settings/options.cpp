@@ -36,8 +36,8 @@ constexpr std::array kTable = {
               "what the picture shows of texture and light"},
     OptionRow{
         Option::Channel, "--channel", ValueKind::Choice,
-        "grid|outlines|holes|sector|surface|depth|uv|normal|light|overdraw|wireframe|world|camera|"
-        "depthspace|screen|spaces",
+        "grid|outlines|holes|vertices|sector|surface|faces|depth|uv|normal|backs|light|overdraw|"
+        "wireframe|world|camera|depthspace|screen|spaces",
         0, 0, "", "marks on the lit level, the renderer's own numbers, or a view of the geometry"},
     OptionRow{Option::Quality, "--quality", ValueKind::Choice, "draft|normal|high|reference", 0, 0,
               "normal: as the level says",

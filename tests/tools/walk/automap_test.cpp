@@ -142,7 +142,7 @@ TEST_F(AutomapTest, AnyPictureAndAnyPlaceWillDo) {
 }
 
 TEST_F(AutomapTest, SpansTellWhatIsSeen) {
-  seen_.add(Span{0, 0, 1, *level_[east_].floorSurface, nullptr, 2.0});
+  seen_.add(Span{0, 0, 1, *level_[east_].floorSurface, nullptr, nullptr, 2.0});
   EXPECT_TRUE(seen_.has(east_));
   EXPECT_FALSE(seen_.has(west_));
 }

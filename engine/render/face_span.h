@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "level/ids.h"
+#include "level/mesh.h"
+#include "math/vec.h"
+#include "render/face_gradient.h"
+#include "render/segment_columns.h"
+
+namespace hearth {
+
+/// A face of a mesh before the eye. Rays are (1, slant, ray slope): 1 m ahead, to the right and up,
+/// see Projection.
+struct FaceFront {
+  const MeshFace* face;
+  std::uint32_t index;  ///< of the face, into Level::meshFaces
+  std::uint32_t thing;  ///< see Mesh
+  SurfaceId mesh;
+  ColumnRange columns;  ///< outside which it does not show
+  /// A ray meets the face where its product with none of these is negative: homogeneous edge
+  /// functions (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
+  /// 1997). So nothing has to be clipped at the eye. Two faces have the same function, to the bit,
+  /// with opposite signs at a common edge: each ray meets one of them.
+  std::array<Vec3, 3> edges;
+  Vec3 nearness;  ///< a ray's product with it is 1 / depth, per metre
+  // In repeats of the image, along the same axes:
+  FaceGradient u;
+  FaceGradient v;
+
+  /// 1 / depth of a column's rays, as a linear function of their slope.
+  double nearnessAt(double slant, double raySlope) const {
+    return nearness.x + slant * nearness.y + raySlope * nearness.z;
+  }
+  /// Whether it covers so few columns that groups of its spans are not worth their memory.
+  bool isNarrow() const {
+    constexpr int kNarrow = 32;
+    return columns.end - columns.begin <= kNarrow;
+  }
+};
+
+/// Rows [rowBegin, rowEnd) of a lane that show a face.
+struct FaceSpan {
+  const FaceFront* front;
+  std::size_t lane;
+  int rowBegin;
+  int rowEnd;
+  double depth;  ///< metres; as in Span
+};
+
+}  // namespace hearth

@@ -1,0 +1,120 @@
+#include "render/mesh_fronts.h"
+
+#include <algorithm>
+
+#include "render/strip.h"
+
+namespace hearth {
+
+namespace {
+
+/// As far ahead of the eye, to its right and up.
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersBefore(const Projection& projection, const MeshFace& face) {
+  Corners corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const CameraPoint at = projection.toCamera(face.corners[i].xy());
+    corners[i] = {at.depth, at.lateral, face.corners[i].z - projection.eye().z};
+  }
+  return corners;
+}
+
+/// The columns whose centres it may cover.
+ColumnRange columnsOf(const Projection& projection, const Corners& corners, ColumnRange columns) {
+  /// Pixels: more than rounding.
+  constexpr double kSlack = 0x1p-20;
+  double left = columns.end;
+  double right = columns.begin;
+  std::size_t ahead = 0;
+  for (const Vec3 corner : corners) {
+    if (!(corner.x > 0)) continue;
+    ++ahead;
+    const double column = projection.columnOf({corner.x, corner.y});
+    left = std::min(left, column);
+    right = std::max(right, column);
+  }
+  if (ahead == 0) return {0, 0};
+  if (ahead < corners.size()) return columns;
+  left = std::max<double>(left - 0.5 - kSlack, columns.begin);
+  right = std::min<double>(right - 0.5 + kSlack, columns.end - 1);
+  return left <= right ? ColumnRange{roundedUp(left), static_cast<int>(right) + 1}
+                       : ColumnRange{0, 0};
+}
+
+}  // namespace
+
+void MeshFronts::begin(ColumnRange columns) {
+  columns_ = columns;
+  count_ = 0;
+}
+
+const MeshFronts::Found& MeshFronts::foundOf(std::uint32_t mesh) const {
+  return *std::ranges::find(found_, mesh, &Found::mesh);
+}
+
+std::span<const std::uint32_t> MeshFronts::inStrip(std::uint32_t mesh, int strip) const {
+  const Found& found = foundOf(mesh);
+  const auto i = static_cast<std::size_t>(strip - columns_.begin / Strip::kColumns);
+  return std::span(found.byStrip).subspan(found.begins[i], found.begins[i + 1] - found.begins[i]);
+}
+
+void MeshFronts::find(const Scene& scene, const Projection& projection, std::uint32_t index) {
+  const auto known = std::span(found_).first(count_);
+  if (std::ranges::find(known, index, &Found::mesh) != known.end()) return;
+  if (count_ == found_.size()) found_.emplace_back();
+  Found& found = found_[count_++];
+  found.mesh = index;
+  found.fronts.clear();
+  const Mesh& mesh = scene.level().meshes[index];
+  const std::span<const MeshFace> faces = scene.level().facesOf(mesh);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    add(mesh, mesh.firstFace + static_cast<std::uint32_t>(i), faces[i], projection, found.fronts);
+  sortByStrip(found);
+}
+
+void MeshFronts::add(const Mesh& mesh, std::uint32_t index, const MeshFace& face,
+                     const Projection& projection, std::vector<FaceFront>& fronts) const {
+  const Corners corners = cornersBefore(projection, face);
+  const auto& [a, b, c] = corners;
+  const Vec3 out = cross(c - a, b - a);
+  const double towardsEye = -dot(out, a);
+  if (towardsEye == 0 || (towardsEye < 0 && !mesh.isTwoSided)) return;
+  const ColumnRange columns = columnsOf(projection, corners, columns_);
+  if (columns.begin >= columns.end) return;
+  const double side = towardsEye > 0 ? 1 : -1;
+  const auto& [imageA, imageB, imageC] = face.image;
+  fronts.push_back({&face,
+                    index,
+                    mesh.thing,
+                    mesh.surface,
+                    columns,
+                    {side * cross(b, c), side * cross(c, a), side * cross(a, b)},
+                    (-1 / towardsEye) * out,
+                    gradientOf(corners, {}, {imageA.x, imageB.x, imageC.x}),
+                    gradientOf(corners, {}, {imageA.y, imageB.y, imageC.y})});
+}
+
+/// By counting; in each strip they stay in their order.
+void MeshFronts::sortByStrip(Found& found) const {
+  const int firstStrip = columns_.begin / Strip::kColumns;
+  const int strips = Strip::countIn(columns_.end) - firstStrip;
+  found.begins.assign(static_cast<std::size_t>(strips) + 1, 0);
+  const auto visitStrips = [&](const FaceFront& front, auto&& visit) {
+    const int end = Strip::countIn(front.columns.end);
+    for (int strip = front.columns.begin / Strip::kColumns; strip < end; ++strip)
+      visit(found.begins[static_cast<std::size_t>(strip - firstStrip)]);
+  };
+  for (const FaceFront& front : found.fronts)
+    visitStrips(front, [](std::uint32_t& count) { ++count; });
+  std::uint32_t end = 0;
+  for (std::uint32_t& begin : found.begins) begin = end += begin;
+  found.byStrip.resize(end);
+  // From the last face on, each strip's begin moves down from its end.
+  for (std::size_t i = found.fronts.size(); i-- > 0;)
+    visitStrips(found.fronts[i], [&](std::uint32_t& begin) {
+      found.byStrip[--begin] = static_cast<std::uint32_t>(i);
+    });
+}
+
+}  // namespace hearth

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "level/scene.h"
+#include "render/camera.h"
+#include "render/face_span.h"
+#include "render/segment_columns.h"
+
+namespace hearth {
+
+/// The faces of the meshes in view, those of each found once in a frame for some of its columns.
+/// Keeps its memory from frame to frame.
+class MeshFronts {
+ public:
+  /// Forgets all meshes, and begins a frame.
+  void begin(ColumnRange columns);
+
+  /// Finds the faces of a mesh (an index), unless they have been found.
+  void find(const Scene& scene, const Projection& projection, std::uint32_t mesh);
+
+  /// Those of a mesh that has been found that may show in the columns of a strip, by their numbers
+  /// in `frontsOf`, in their order.
+  std::span<const std::uint32_t> inStrip(std::uint32_t mesh, int strip) const;
+  /// All of them. They stay where they are until the next frame.
+  std::span<const FaceFront> frontsOf(std::uint32_t mesh) const { return foundOf(mesh).fronts; }
+
+ private:
+  struct Found {
+    std::uint32_t mesh;
+    std::vector<FaceFront> fronts;
+    std::vector<std::uint32_t> byStrip;  ///< numbers of fronts
+    std::vector<std::uint32_t> begins;   ///< strip i has byStrip[begins[i] ... begins[i + 1])
+  };
+
+  const Found& foundOf(std::uint32_t mesh) const;
+  void add(const Mesh& mesh, std::uint32_t index, const MeshFace& face,
+           const Projection& projection, std::vector<FaceFront>& fronts) const;
+  void sortByStrip(Found& found) const;
+
+  ColumnRange columns_{};
+  std::vector<Found> found_;  ///< and, behind those of this frame, memory of earlier ones
+  std::size_t count_ = 0;     ///< of this frame
+};
+
+}  // namespace hearth
