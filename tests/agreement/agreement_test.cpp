@@ -20,6 +20,7 @@ TEST(Agreement, isCompleteOnRandomLevels) {
   std::filesystem::remove_all(folder);
   EXPECT_EQ(tally.holes, 0) << tally.firstMiss;
   EXPECT_EQ(tally.missed(), 0) << tally.firstMiss << '\n' << table(tally);
+  EXPECT_GE(tally.minTested(), 500) << table(tally);
   EXPECT_EQ(beyond(kRandomLevels, fractionsOf(tally)), "") << table(tally);
 }
 

@@ -20,7 +20,7 @@ PlainTexels::PlainTexels(const Scene& scene)
       panels_(scene.level().surfaces.size()),
       continuations_(scene.level().surfaces.size()) {
   for (const SurfaceId id : scene.shownSurfaces())
-    if (!isSky(scene[id].kind) && !isSprite(scene[id].kind))
+    if (!isSky(scene[id].kind) && !isThing(scene[id].kind))
       panels_[id.index()] = panelOf(scene, id);
   corners_ = cornersOf(scene, panels_);
   grids_ = plainGrids(scene, panels_);

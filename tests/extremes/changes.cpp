@@ -217,6 +217,15 @@ void scaleLight(Json& light, double factor) {
     for (Json& point : light["curve"]) point[0] = point[0].get<double>() * factor;
 }
 
+/// Of a model's file the lengths stay as they are.
+void scaleMesh(Json& thing, double factor) {
+  Json& scale = thing["scale"];
+  if (scale.is_null()) scale = 1.0;
+  if (scale.is_number()) scale = scale.get<double>() * factor;
+  if (scale.is_array())
+    for (Json& axis : scale) axis = axis.get<double>() * factor;
+}
+
 /// Except those sizes that come from images.
 void scaleThing(Json& thing, double factor) {
   for (const char* key : {"size", "offset"})
@@ -224,6 +233,7 @@ void scaleThing(Json& thing, double factor) {
       for (Json& length : thing[key]) length = length.get<double>() * factor;
   for (const char* key : {"radius", "height"})
     if (thing.contains(key)) thing[key] = thing[key].get<double>() * factor;
+  if (thing.contains("mesh")) scaleMesh(thing, factor);
 }
 
 void turnThings(Json& level, double degrees) {

@@ -51,7 +51,8 @@ LevelFiles withPlainSidewalls(const LevelFiles& files);
 /// Every texture a colour of its own.
 LevelFiles withPlainColors(const LevelFiles& files);
 
-/// Without things: their images have sizes of their own, and have no mirror.
+/// Without things: images of sprites have sizes of their own, and nothing that things show has a
+/// mirror.
 LevelFiles withoutThings(const LevelFiles& files);
 
 /// With a sealed sector far away from everything, that has all that costs something where it is

@@ -104,7 +104,7 @@ TEST(LightPlace, inAPlaneOrAMicrometreBehindItDoesNotLightItWhateverItIs) {
       kinds.insert(surface.kind);
     }
   }
-  EXPECT_EQ(kinds.size(), kSurfaceKindCount - 7) << "all but those of skies and sprites";
+  EXPECT_EQ(kinds.size(), kSurfaceKindCount - 8) << "all but those of skies and things";
 }
 
 /// Four rooms round the origin, open to each other.

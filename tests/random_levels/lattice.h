@@ -31,6 +31,10 @@ constexpr Um cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 constexpr Um dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 constexpr Vec2 metres(Point p) { return {metres(p.x), metres(p.y)}; }
 
+/// To a micrometre, or a millionth of a degree: what an author would write.
+inline double rounded(double v) { return std::floor(v * 1e6 + 0.5) / 1e6; }
+inline Vec2 rounded(Vec2 v) { return {rounded(v.x), rounded(v.y)}; }
+
 inline double distance(Point a, Point b) { return length(metres(b) - metres(a)); }
 
 /// Metres from `p` to the segment `a`-`b`.

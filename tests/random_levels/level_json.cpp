@@ -189,11 +189,43 @@ Json spriteJson(const Model& model, const RandomSprite& sprite) {
   return json;
 }
 
+Json placedModelJson(const Model& model, const PlacedModel& placed, const std::string& file) {
+  const Vec3 p = placed.place.position;
+  Json json{{"x", number(p.x)}, {"y", number(p.y)}};
+  if (placed.saysHeight) json["z"] = number(p.z);
+  if (placed.namesSector) json["sector"] = model.sectors[placed.place.sector].name;
+  json["mesh"] = fmt::format("textures/{}.obj", file);
+  const auto& [x, y, z] = placed.scale;
+  if (x != y || y != z)
+    json["scale"] = Json::array({number(x), number(y), number(z)});
+  else if (x != 1)
+    json["scale"] = number(x);
+  if (placed.angle != 0) json["angle"] = number(placed.angle);
+  if (!placed.texture.empty()) json["texture"] = placed.texture;
+  if (placed.isTwoSided) json["twoSided"] = true;
+  return json;
+}
+
+/// Sprites in their order, and models in theirs, each after as many sprites as it says or more.
+Json thingsJson(const Model& model, const std::vector<RandomSprite>& sprites,
+                const std::vector<PlacedModel>& placed) {
+  const std::vector<ObjModel> files = objModels();
+  Json things = Json::array();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i <= sprites.size(); ++i) {
+    for (; next < placed.size() && placed[next].spritesBefore <= i; ++next)
+      things.push_back(placedModelJson(model, placed[next], files[placed[next].model].name));
+    if (i < sprites.size()) things.push_back(spriteJson(model, sprites[i]));
+  }
+  return things;
+}
+
 }  // namespace
 
 std::string levelJson(const Model& model, const std::string& name,
                       const std::vector<RandomView>& views,
-                      const std::vector<RandomSprite>& sprites, const Spelling& spelling) {
+                      const std::vector<RandomSprite>& sprites,
+                      const std::vector<PlacedModel>& models, const Spelling& spelling) {
   Json level{{"$schema", "level.schema.json"}, {"version", 1}, {"name", name}};
   level["textures"] = "textures";
   if (spelling.namesLightsFile) level["lights"] = name + ".lights.json";
@@ -207,7 +239,7 @@ std::string levelJson(const Model& model, const std::string& name,
   level["shots"] = Json::array();
   for (const RandomView& view : views) level["shots"].push_back(shotJson(view));
   level["sectors"] = LevelWriter(model, spelling).sectors();
-  for (const RandomSprite& sprite : sprites) level["things"].push_back(spriteJson(model, sprite));
+  if (!sprites.empty() || !models.empty()) level["things"] = thingsJson(model, sprites, models);
   return level.dump(1) + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "random_levels/placed_models.h"
 #include "random_levels/places.h"
 #include "random_levels/sprites.h"
 
@@ -23,7 +24,8 @@ struct Spelling {
 
 std::string levelJson(const Model& model, const std::string& name,
                       const std::vector<RandomView>& views,
-                      const std::vector<RandomSprite>& sprites, const Spelling& spelling);
+                      const std::vector<RandomSprite>& sprites,
+                      const std::vector<PlacedModel>& models, const Spelling& spelling);
 std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
                        const Spelling& spelling);
 

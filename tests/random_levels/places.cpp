@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "math/check.h"
 
@@ -14,9 +13,6 @@ constexpr double kFromWalls = 0.01;  // m, of places that are to be clear of wal
 constexpr double kFromFlats = 0.02;  // m
 constexpr double kLeastAir = 0.1;    // m between floor and ceiling
 constexpr int kAttempts = 200;
-
-/// To a micrometre: what an author would write.
-double rounded(double v) { return std::floor(v * 1e6 + 0.5) / 1e6; }
 
 /// Whether `next` has a wall between the same vertices with a plain portal back to `s`.
 bool leadsBack(const Sector& next, SectorIndex s, VertexId a, VertexId b) {

@@ -11,6 +11,8 @@
 #include "random_levels/light_colors.h"
 #include "random_levels/mesh.h"
 #include "random_levels/middles.h"
+#include "random_levels/obj_models.h"
+#include "random_levels/placed_models.h"
 #include "random_levels/places.h"
 #include "random_levels/slopes.h"
 #include "random_levels/sprites.h"
@@ -142,6 +144,16 @@ std::vector<RandomSprite> chooseSprites(std::uint64_t seed, const Model& model,
   return makeSprites(random, model, views, features);
 }
 
+/// As sprites, and 30 % of all, too.
+std::vector<PlacedModel> chooseModels(std::uint64_t seed, const Model& model,
+                                      const std::vector<RandomView>& views,
+                                      const std::vector<RandomSprite>& sprites,
+                                      std::set<Feature>& features) {
+  Random random(seed ^ 0x4d6f64656c73u);
+  if (!random.chance(features.contains(Feature::MiddleTexture) ? 0.5 : 0.22)) return {};
+  return placeModels(random, model, views, sprites, features);
+}
+
 Model makeModel(Random& random) {
   while (true) {
     const LevelStyle style = chooseStyle(random);
@@ -189,6 +201,18 @@ Rgb colourOf(std::uint32_t number) {
           static_cast<std::uint8_t>(mixed & 0xFF)};
 }
 
+tl::expected<void, std::string> writeModels(const std::filesystem::path& folder) {
+  for (const random_levels::ObjModel& model : random_levels::objModels()) {
+    if (auto written = writeText(folder / (model.name + ".obj"), objText(model)); !written)
+      return written;
+    const std::string materials = mtlText(model);
+    if (materials.empty()) continue;
+    if (auto written = writeText(folder / (model.name + ".mtl"), materials); !written)
+      return written;
+  }
+  return {};
+}
+
 }  // namespace
 
 RandomLevel makeRandomLevel(std::uint64_t seed) {
@@ -206,7 +230,9 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   makeColorsAndCurves(random, lights, level.features);
   chooseBake(random, spelling, level.features);
   const std::vector<RandomSprite> sprites = chooseSprites(seed, model, level.views, level.features);
-  level.levelJson = levelJson(model, level.name, level.views, sprites, spelling);
+  const std::vector<PlacedModel> models =
+      chooseModels(seed, model, level.views, sprites, level.features);
+  level.levelJson = levelJson(model, level.name, level.views, sprites, models, spelling);
   level.lightsJson = lightsJson(model, lights, spelling);
   if (lights.empty()) level.features.insert(Feature::NoLights);
   const bool hasArrays = spelling.hasSectorArray || spelling.hasLoopArrays;
@@ -233,7 +259,7 @@ tl::expected<void, std::string> writeRandomLevelTextures(const std::filesystem::
     if (auto written = write(texture, 0); !written) return written;
   for (const RandomTexture& texture : kRandomLevelMiddles)
     if (auto written = write(texture, 0.5); !written) return written;
-  return {};
+  return writeModels(folder);
 }
 
 tl::expected<void, std::string> writeRandomLevel(const std::filesystem::path& folder,

@@ -30,9 +30,9 @@ struct RandomView {
 };
 
 struct RandomLevel {
-  std::string name;        // "level_<seed>": the stem of both files
-  std::string levelJson;   // <name>.json; its textures are in the folder "textures" beside it
-  std::string lightsJson;  // <name>.lights.json
+  std::string name;               // "level_<seed>": the stem of both files
+  std::string levelJson;          // <name>.json; its images and models are in "textures" beside it
+  std::string lightsJson;         // <name>.lights.json
   std::vector<RandomView> views;  // at least four; also the level's shots
   std::set<Feature> features;     // what the level holds
 };
@@ -62,10 +62,11 @@ inline constexpr std::array<RandomTexture, 8> kRandomLevelTextures{{{"dot", 1, 1
 inline constexpr std::array<RandomTexture, 3> kRandomLevelMiddles{
     {{"bars", 8, 8}, {"lattice", 11, 7}, {"veil", 5, 24}}};
 
-/// Writes `<folder>/<name>.png` for each; makes the folder. The error names the file.
+/// Writes `<folder>/<name>.png` for each, and beside them the models that meshes show, as OBJ files
+/// with their materials; makes the folder. The error names the file.
 tl::expected<void, std::string> writeRandomLevelTextures(const std::filesystem::path& folder);
 
-/// Writes both files of the level into `folder`, and not its textures.
+/// Writes both files of the level into `folder`, and neither textures nor models.
 tl::expected<void, std::string> writeRandomLevel(const std::filesystem::path& folder,
                                                  const RandomLevel& level);
 

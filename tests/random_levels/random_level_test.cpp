@@ -46,6 +46,19 @@ TEST(RandomLevel, EveryFeatureIsInATwentiethOfTheLevels) {
   }
 }
 
+TEST(RandomLevel, HasMeshesInThreeOfTen) {
+  int withMeshes = 0;
+  for (std::uint64_t seed = 0; seed < kLevels; ++seed) {
+    const auto json = nlohmann::json::parse(makeRandomLevel(seed).levelJson);
+    const auto things = json.value("things", nlohmann::json::array());
+    const auto isMesh = [](const nlohmann::json& thing) { return thing.contains("mesh"); };
+    const auto meshes = std::count_if(things.begin(), things.end(), isMesh);
+    EXPECT_LE(meshes, 4) << seed;
+    withMeshes += meshes > 0 ? 1 : 0;
+  }
+  EXPECT_NEAR(withMeshes, 0.3 * kLevels, 0.05 * kLevels);
+}
+
 TEST(RandomLevel, EveryFeatureHasOneName) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < kFeatures.size(); ++i) {

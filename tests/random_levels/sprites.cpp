@@ -6,54 +6,24 @@
 #include <cmath>
 
 #include "math/trig.h"
+#include "random_levels/thing_places.h"
 
 namespace hearth::random_levels {
 namespace {
 
 constexpr std::size_t kAttempts = 60;
-constexpr double kLeastAir = 0.1;        // m between floor and ceiling
-constexpr double kFromFlats = 0.02;      // m, where slopes are rounded
 constexpr double kFromEyePlane = 0.001;  // m
 constexpr double kTexelsPerMetre = 64;   // of sprites that say no size
-
-/// To a micrometre: what an author would write.
-double rounded(double v) { return std::floor(v * 1e6 + 0.5) / 1e6; }
-Vec2 rounded(Vec2 v) { return {rounded(v.x), rounded(v.y)}; }
-
-Vec2 along(double angle) {
-  const SinCos turn = sinCosDegrees(angle);
-  return {turn.cos, turn.sin};
-}
-
-/// A wall of a sector, from `a` to `b`.
-struct WallAt {
-  SectorIndex sector;
-  const Wall* wall;
-  Vec2 a;
-  Vec2 b;
-
-  Vec2 inward() const { return unit(turned90(b - a)); }
-};
-
-const PortalPiece* onlyPortal(const Wall& wall) {
-  return wall.pieces.size() == 1 ? std::get_if<PortalPiece>(&wall.pieces[0].kind) : nullptr;
-}
-
-bool isSolid(const WallAt& at) { return at.wall->pieces.size() == 1 && !onlyPortal(*at.wall); }
 
 class SpriteMaker {
  public:
   SpriteMaker(Random& random, const Model& model, const std::vector<RandomView>& views,
               std::set<Feature>& features)
-      : random_(random), model_(model), views_(views), features_(features) {
-    for (SectorIndex s = 0; s < model.sectors.size(); ++s)
-      for (const Loop& loop : model.sectors[s].loops)
-        for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-          const VertexId end = loop.vertices[(i + 1) % loop.vertices.size()];
-          walls_.push_back({s, &loop.walls[i], metres(model.mesh.vertices[loop.vertices[i]]),
-                            metres(model.mesh.vertices[end])});
-        }
-  }
+      : random_(random),
+        model_(model),
+        views_(views),
+        features_(features),
+        places_(random, model, views) {}
 
   std::vector<RandomSprite> make(std::size_t count) {
     for (std::size_t i = 0; i < kAttempts * count && sprites_.size() < count; ++i) {
@@ -153,58 +123,20 @@ class SpriteMaker {
     });
   }
 
-  /// Puts it into the air of a sector above `p`, as near to that height as may be.
-  bool put(RandomSprite& sprite, SectorIndex s, Vec2 p, double z) const {
-    const Sector& sector = model_.sectors[s];
-    const double low = model_.floorAt(sector, p) + (sector.floor.wedge ? kFromFlats : 0);
-    const double high = model_.ceilingAt(sector, p) - (sector.ceiling.wedge ? kFromFlats : 0);
-    if (high - low < kLeastAir) return false;
-    sprite.place = {s, {p.x, p.y, std::clamp(rounded(z), low, high)}};
-    return true;
-  }
-
-  /// Mostly the sector of a view, where it is likely to show.
-  SectorIndex nearSector() {
-    if (random_.chance(0.2)) return random_.below(model_.sectors.size());
-    const std::string& name = random_.pickFrom(views_).sector;
-    const auto found = std::ranges::find(model_.sectors, name, &Sector::name);
-    return static_cast<SectorIndex>(found - model_.sectors.begin());
-  }
-
-  /// A wall of such a sector for which `isRight`.
-  template <typename IsRight>
-  std::optional<WallAt> wallNear(IsRight&& isRight) {
-    const SectorIndex s = nearSector();
-    std::vector<WallAt> found;
-    for (const WallAt& wall : walls_)
-      if (wall.sector == s && length(wall.b - wall.a) > 0.2 && isRight(wall)) found.push_back(wall);
-    if (found.empty()) return std::nullopt;
-    return random_.pickFrom(found);
+  static bool setPlace(RandomSprite& sprite, const std::optional<Place>& found) {
+    if (found) sprite.place = *found;
+    return found.has_value();
   }
 
   std::optional<Feature> beforeEye(RandomSprite& sprite) {
-    const RandomView& view = random_.pickFrom(views_);
-    const double depth = random_.real(0.3, 3);
-    const double side = random_.real(-0.6, 0.6) * depth * tanDegrees(std::min(view.fov / 2, 50.0));
-    const Vec2 forward = along(view.angle);
-    const Vec2 p = rounded(Vec2{view.x, view.y} + depth * forward + side * turned90(forward));
-    const double middle = view.z + depth * tanDegrees(view.pitch) + random_.real(-0.3, 0.3);
-    const double z = sprite.facing == SpriteFacing::Flat ? middle : middle - heightOf(sprite) / 2;
-    std::vector<SectorIndex> sectors;
-    for (SectorIndex s = 0; s < model_.sectors.size(); ++s) {
-      const Sector& sector = model_.sectors[s];
-      if (!model_.coversMap(sector, p)) continue;
-      const bool isBeside = model_.floorAt(sector, p) > middle || model_.ceilingAt(sector, p) < z;
-      if (!isBeside) sectors.push_back(s);
-      if (!isBeside && sector.name == view.sector) sectors.assign(20, s);
-    }
-    if (sectors.empty() || !put(sprite, random_.pickFrom(sectors), p, z)) return std::nullopt;
+    const double middle = sprite.facing == SpriteFacing::Flat ? 0 : heightOf(sprite) / 2;
+    if (!setPlace(sprite, places_.beforeEye(middle))) return std::nullopt;
     return Feature::SpriteBeforeEye;
   }
 
   /// In the opening, or up to 0.3 m before it; at times in its plane.
   std::optional<Feature> acrossPortal(RandomSprite& sprite) {
-    const auto wall = wallNear([](const WallAt& at) { return onlyPortal(*at.wall) != nullptr; });
+    const auto wall = places_.wallNear(isPortal);
     if (!wall) return std::nullopt;
     const Sector& next = model_.sectors[onlyPortal(*wall->wall)->next];
     Vec2 p = lerp(wall->a, wall->b, random_.pick({0.5, 0.25, 0.75}));
@@ -218,94 +150,67 @@ class SpriteMaker {
       sprite.angle = compassDegrees(wall->inward());
     }
     const double z = random_.chance(0.5) ? low : low + random_.real(0, 0.8);
-    if (!put(sprite, wall->sector, p, z)) return std::nullopt;
+    if (!setPlace(sprite, places_.put(wall->sector, p, z))) return std::nullopt;
     return Feature::SpriteAcrossPortal;
   }
 
   /// So near to a solid wall that a part of it is in the wall.
   std::optional<Feature> halfInWall(RandomSprite& sprite) {
-    const auto wall = wallNear(isSolid);
-    if (!wall) return std::nullopt;
-    const Vec2 onIt = lerp(wall->a, wall->b, random_.real(0.1, 0.9));
-    const Vec2 p = rounded(onIt + random_.real(0.02, 0.15) * wall->inward());
-    const Sector& sector = model_.sectors[wall->sector];
-    if (!model_.coversMap(sector, p)) return std::nullopt;
+    const auto wall = places_.wallNear(isSolid);
+    const auto p = wall ? places_.before(*wall, {0.1, 0.9}, {0.02, 0.15}) : std::nullopt;
+    if (!p) return std::nullopt;
     sprite.size = {1.25, random_.pick({0.5, 1.25, 2.0})};
-    const double z = model_.floorAt(sector, p) + random_.pick({0.0, 0.4});
-    if (!put(sprite, wall->sector, p, z)) return std::nullopt;
+    const double z = model_.floorAt(model_.sectors[wall->sector], *p) + random_.pick({0.0, 0.4});
+    if (!setPlace(sprite, places_.put(wall->sector, *p, z))) return std::nullopt;
     return Feature::SpriteInWall;
   }
 
   /// Exactly in the plane of a solid wall, like a poster.
   std::optional<Feature> onWall(RandomSprite& sprite) {
-    const auto wall = wallNear(isSolid);
+    const auto wall = places_.wallNear(isSolid);
     if (!wall) return std::nullopt;
     const Vec2 p = lerp(wall->a, wall->b, random_.pick({0.5, 0.25, 0.75}));
     sprite.facing = SpriteFacing::Angle;
     sprite.angle = compassDegrees(wall->inward());
     const double z = model_.floorAt(model_.sectors[wall->sector], p) + random_.real(0.1, 1);
-    if (!put(sprite, wall->sector, p, z)) return std::nullopt;
+    if (!setPlace(sprite, places_.put(wall->sector, p, z))) return std::nullopt;
     return Feature::SpriteOnWall;
   }
 
   /// Exactly on the floors on both sides of a portal, or over the edge of the higher one.
   std::optional<Feature> onTwoFloors(RandomSprite& sprite) {
-    const auto wall = wallNear([](const WallAt& at) { return onlyPortal(*at.wall) != nullptr; });
+    const auto wall = places_.wallNear(isPortal);
     if (!wall || model_.sectors[wall->sector].floor.wedge) return std::nullopt;
-    const Vec2 onIt = lerp(wall->a, wall->b, random_.real(0.2, 0.8));
-    const Vec2 p = rounded(onIt + random_.real(0.01, 0.2) * wall->inward());
-    const Sector& sector = model_.sectors[wall->sector];
-    if (!model_.coversMap(sector, p)) return std::nullopt;
+    const auto p = places_.before(*wall, {0.2, 0.8}, {0.01, 0.2});
+    if (!p) return std::nullopt;
     sprite.facing = SpriteFacing::Flat;
     sprite.size = {1.25, random_.pick({0.5, 0.8, 2.0})};
-    if (!put(sprite, wall->sector, p, metres(sector.floor.z))) return std::nullopt;
+    const double z = metres(model_.sectors[wall->sector].floor.z);
+    if (!setPlace(sprite, places_.put(wall->sector, *p, z))) return std::nullopt;
     return Feature::SpriteOnFloors;
   }
 
   /// Below an opening upwards and through it, or in its plane.
   std::optional<Feature> acrossFlatPortal(RandomSprite& sprite) {
-    const SectorIndex s = nearSector();
-    const Sector& sector = model_.sectors[s];
-    if (!sector.ceiling.flatPortal && !sector.floor.flatPortal) return std::nullopt;
-    const std::vector<VertexId>& border = sector.loops[0].vertices;
-    Vec2 corner = metres(model_.mesh.vertices[random_.pickFrom(border)]);
-    for (int i = 0; i < 2; ++i)
-      corner = lerp(corner, metres(model_.mesh.vertices[random_.pickFrom(border)]), random_.unit());
-    const Vec2 p = rounded(corner);
-    if (!model_.coversMap(sector, p)) return std::nullopt;
-    const double plane = metres(sector.ceiling.flatPortal ? sector.ceiling.z : sector.floor.z);
+    const auto at = places_.atFlatPortal();
+    if (!at) return std::nullopt;
     sprite.size = {random_.pick({0.5, 1.25}), random_.pick({0.8, 1.25, 2.0})};
     const bool isLying = sprite.facing == SpriteFacing::Flat;
     const double below = isLying ? 0 : random_.real(0.2, 0.8) * heightOf(sprite);
-    if (!put(sprite, s, p, plane - below)) return std::nullopt;
+    if (!setPlace(sprite, places_.put(at->sector, at->p, at->plane - below))) return std::nullopt;
     return Feature::SpriteAcrossFlatPortal;
   }
 
   std::optional<Feature> behindMiddle(RandomSprite& sprite) {
-    const auto wall = wallNear([](const WallAt& at) {
-      const PortalPiece* portal = onlyPortal(*at.wall);
-      return portal && portal->maskedMiddle;
-    });
-    if (!wall) return std::nullopt;
-    const SectorIndex next = onlyPortal(*wall->wall)->next;
-    const Vec2 onIt = lerp(wall->a, wall->b, random_.real(0.2, 0.8));
-    const Vec2 p = rounded(onIt - random_.real(0.05, 0.6) * wall->inward());
-    const Sector& sector = model_.sectors[next];
-    if (!model_.coversMap(sector, p)) return std::nullopt;
-    const double z =
-        std::max(model_.floorAt(sector, p), metres(model_.sectors[wall->sector].floor.z));
-    if (!put(sprite, next, p, z + random_.pick({0.0, 0.2, 0.6}))) return std::nullopt;
+    if (!setPlace(sprite, places_.behindMiddle())) return std::nullopt;
     return Feature::SpriteBehindMiddle;
   }
 
   // ---- how they are written
 
   void keep(RandomSprite sprite) {
-    const Vec3 p = sprite.place.position;
-    const Sector& sector = model_.sectors[sprite.place.sector];
-    const bool isOnFloor = std::abs(p.z - model_.floorAt(sector, p.xy())) <= kFromFlats;
-    sprite.saysHeight = !isOnFloor || random_.chance(0.4);
-    const bool isUnique = model_.sectorsAround(p, 0.002).size() == 1;
+    sprite.saysHeight = !places_.isOnFloor(sprite.place) || random_.chance(0.4);
+    const bool isUnique = model_.sectorsAround(sprite.place.position, 0.002).size() == 1;
     sprite.namesSector = !isUnique || !sprite.saysHeight || random_.chance(0.4);
     note(sprite);
     sprites_.push_back(std::move(sprite));
@@ -326,7 +231,7 @@ class SpriteMaker {
   const Model& model_;
   const std::vector<RandomView>& views_;
   std::set<Feature>& features_;
-  std::vector<WallAt> walls_;
+  ThingPlaces places_;
   std::vector<RandomSprite> sprites_;
 };
 
