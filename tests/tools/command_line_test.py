@@ -50,6 +50,14 @@ class InFolder(unittest.TestCase):
     def shot(self, *options, out=None):
         return run("shot", self.level, "-o", out or self.out, *options)
 
+    def stand_a_tile(self, **thing):
+        """From now on the level is a copy of the rooms, with a square mesh."""
+        (self.folder / "tile.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+        tile = {"mesh": "tile.obj", "texture": "#808080", "x": 1, "y": 2} | thing
+        text = self.level.read_text().replace('"sectors"', f'"things": [{json.dumps(tile)}], "sectors"', 1)
+        self.level = self.folder / "level.json"
+        self.level.write_text(text)
+
     def refuse(self, result, message):
         """Status 2, one line on stderr that matches, and no picture."""
         self.assertEqual(result.returncode, 2, result.stderr)
@@ -84,11 +92,14 @@ class Shot(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_every_kind_of_picture_differs_from_the_others(self):
+        (self.folder / "level.lights.json").write_text(
+            (SOURCE / "tests/levels/rooms.lights.json").read_text())
+        self.stand_a_tile(x=2, y=2.5, twoSided=True)
         pictures = {}
         for options in [(), ("--light", "none"), ("--light", "only")] + [
                 ("--channel", name) for name in
-                ("grid outlines holes sector surface depth uv normal light overdraw wireframe world camera "
-                 "depthspace screen spaces").split()]:
+                ("grid outlines holes vertices sector surface faces depth uv normal backs light overdraw "
+                 "wireframe world camera depthspace screen spaces").split()]:
             result = self.shot("--camera", "1,2,1.5,10", *options)
             self.assertEqual(result.returncode, 0, result.stderr)
             pictures[options] = self.out.read_bytes()
@@ -184,6 +195,12 @@ class Mistakes(InFolder):
         result = run("info", level, "--max-sprite-images", "1")
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertRegex(result.stderr, r"level.json:\d+:\d+: error: .*--max-sprite-images")
+
+    def test_the_limit_of_faces_of_meshes_names_its_option(self):
+        self.stand_a_tile()
+        result = run("info", self.level, "--max-mesh-faces", "1")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertRegex(result.stderr, r"error: .*--max-mesh-faces")
 
     def test_a_picture_is_not_called_what_it_is_not(self):
         for ending in ["jpg", "jpeg", "bmp", "tga", "gif", "webp", "JPG"]:
@@ -1216,9 +1233,9 @@ class Info(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(result.stdout)["features"]
 
-    def test_the_tutorial_shows_every_feature_of_the_format_but_that_of_the_gaol_and_sprites(self):
+    def test_the_tutorial_shows_every_feature_of_the_format_but_that_of_the_gaol_and_things(self):
         unused = [name for name, count in self.features_of("tutorial.json").items()
-                  if count == 0 and "sprite" not in name]
+                  if count == 0 and "sprite" not in name and "mesh" not in name]
         self.assertEqual(unused, ["middle texture"])
         self.assertGreater(self.features_of("gaol.json")["middle texture"], 0)
 

@@ -109,20 +109,31 @@ class InspectorTest : public testing::Test {
   std::set<std::string> copied_;
 };
 
-/// The player looks at a sprite that is larger than the picture.
-class InspectorOfASprite : public InspectorTest {
+/// The player looks at a thing that is larger than the picture.
+class InspectorOfAThing : public InspectorTest {
  protected:
-  InspectorOfASprite()
+  explicit InspectorOfAThing(const std::string& thing)
       : InspectorTest(test::levelWithSourceFrom(
-            "{'light':1,'player':{'x':1,'y':2,'z':1.5},'things':["
-            "{'name':'curtain','sprite':'#c04020','x':2,'y':2,'size':[9,9],'offset':[0,-4]}],"
-            "'sectors':{" +
-            test::sectorText("room", "0,0, 4,0, 4,4, 0,4", 0, 4) + "}}")) {}
+            "{'light':1,'player':{'x':1,'y':2,'z':1.5},'things':[" + thing + "],'sectors':{" +
+                test::sectorText("room", "0,0, 4,0, 4,4, 0,4", 0, 4) + "}}",
+            "[]", {{"sheet.obj", "v 0 0 9\nv 0 0 -9\nv 0 9 -9\nv 0 9 9\nf 1 4 3 2\n"}})) {}
 
   bool hasCopied(std::string_view ending) const {
     return std::ranges::any_of(copied_,
                                [&](const std::string& text) { return text.ends_with(ending); });
   }
+};
+
+class InspectorOfASprite : public InspectorOfAThing {
+ protected:
+  InspectorOfASprite()
+      : InspectorOfAThing(
+            "{'name':'curtain','sprite':'#c04020','x':2,'y':2,'size':[9,9],'offset':[0,-4]}") {}
+};
+
+class InspectorOfAMesh : public InspectorOfAThing {
+ protected:
+  InspectorOfAMesh() : InspectorOfAThing("{'name':'sheet','mesh':'sheet.obj','x':2,'y':2}") {}
 };
 
 TEST_F(InspectorOfASprite, TellsItInPlaceOfTheWallBehindAndCopiesItsPlaces) {
@@ -131,6 +142,14 @@ TEST_F(InspectorOfASprite, TellsItInPlaceOfTheWallBehindAndCopiesItsPlaces) {
   clickThroughPanel([&] { return hasCopied("/things/0") && hasCopied("/things/0/sprite"); });
   EXPECT_TRUE(hasCopied(" /things/0"));
   EXPECT_TRUE(hasCopied(" /things/0/sprite"));
+}
+
+TEST_F(InspectorOfAMesh, TellsItInPlaceOfTheWallBehindAndCopiesItsPlaces) {
+  clickAt(300, 400);
+  EXPECT_FALSE(inspector_.found()) << "no surface";
+  clickThroughPanel([&] { return hasCopied("/things/0") && hasCopied("/things/0/mesh"); });
+  EXPECT_TRUE(hasCopied(" /things/0"));
+  EXPECT_TRUE(hasCopied(" /things/0/mesh"));
 }
 
 TEST_F(InspectorTest, FollowsThePointerUnlessItIsClosed) {

@@ -91,6 +91,14 @@ std::string placeOfSpriteImage(const LevelSource& source, std::size_t sprite) {
   return formatPlace(source, source.level.sprites[sprite].frames.front().front().place);
 }
 
+std::string placeOfMesh(const LevelSource& source, std::size_t mesh) {
+  return formatPlace(source, source.level.meshes[mesh].place);
+}
+
+std::string placeOfModel(const LevelSource& source, std::size_t mesh) {
+  return formatPlace(source, source.level.meshes[mesh].file.place);
+}
+
 std::string placeOfLight(const LevelSource& source, std::size_t light) {
   return formatPlace(source, source.lights.lights[light].place);
 }

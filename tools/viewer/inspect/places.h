@@ -18,6 +18,9 @@ std::string placeOfTexture(const LevelSource& source, const Level& level, const 
 std::string placeOfSprite(const LevelSource& source, std::size_t sprite);
 /// The place of its first image.
 std::string placeOfSpriteImage(const LevelSource& source, std::size_t sprite);
+std::string placeOfMesh(const LevelSource& source, std::size_t mesh);
+/// The place of its model's name.
+std::string placeOfModel(const LevelSource& source, std::size_t mesh);
 std::string placeOfLight(const LevelSource& source, std::size_t light);
 
 }  // namespace hearth

@@ -149,6 +149,17 @@ std::string spriteBrightnessWords(const Level& level, std::size_t sprite, const 
   return brightnessOf(level, found.sector, brightest(levels));
 }
 
+std::string meshWords(const Level& level, std::size_t mesh) {
+  const Mesh& found = level.meshes[mesh];
+  const std::string_view quote = found.name.empty() ? "" : "\"";
+  return fmt::format("{} {}{}{}", name(level[found.surface].kind), quote, nameOf(level, found),
+                     quote);
+}
+
+std::string meshBrightnessWords(const Level& level, std::size_t mesh) {
+  return brightnessOf(level, level.meshes[mesh].sector, 0);
+}
+
 std::string reasonWords(const Level& level, const SurfacePoint& place,
                         const LightFinding& finding) {
   switch (finding.reason) {

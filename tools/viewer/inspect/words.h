@@ -32,6 +32,11 @@ std::string spriteWords(const Level& level, std::size_t sprite);
 /// How bright it is, of which lights give what its lightmap holds, if it has one.
 std::string spriteBrightnessWords(const Level& level, std::size_t sprite, const BakedLight& light);
 
+/// `mesh "crate"`; without a name `mesh 3`, counted from 0.
+std::string meshWords(const Level& level, std::size_t mesh);
+/// How bright it is, of its sector's own light.
+std::string meshBrightnessWords(const Level& level, std::size_t mesh);
+
 /// Why a light gives the place nothing, or hardly anything, and what to do about it; or the
 /// fraction of a ball that the place sees. Empty if it sees all of the light.
 std::string reasonWords(const Level& level, const SurfacePoint& place, const LightFinding& finding);

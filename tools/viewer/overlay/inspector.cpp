@@ -39,7 +39,7 @@ Inspector::Look Inspector::lookThrough(Pixel pixel, const InspectedLevel& in,
 
 /// Where the eye is in no sector of that name any more, nothing is found.
 void Inspector::find(const Look& look, const InspectedLevel& in) {
-  if ((found_ || sprite_) && look_ == look) return;
+  if ((found_ || isThingFound()) && look_ == look) return;
   look_ = look;
   forget();
   const auto sector = findSector(in.scene.level(), look.sector);
@@ -49,7 +49,14 @@ void Inspector::find(const Look& look, const InspectedLevel& in) {
   if (!hit) return;
   sprite_ = spriteAt(in.scene, in.renderer.textures(),
                      {*sector, eye, look.direction, look.pictureRight}, hit->t);
-  if (!sprite_) found_ = inspect(in.scene, in.renderer.light(), in.settings, *hit);
+  mesh_ = meshAt(in.scene.level(), *sector, eye, look.direction);
+  if (sprite_ && mesh_) {
+    if (hides(in.scene.level(), *mesh_, *sprite_))
+      sprite_.reset();
+    else
+      mesh_.reset();
+  }
+  if (!isThingFound()) found_ = inspect(in.scene, in.renderer.light(), in.settings, *hit);
 }
 
 std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camera& camera) {
@@ -64,9 +71,11 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
     return std::nullopt;
   }
   find(pinned_ ? *pinned_ : lookThrough(*mouse_, in, camera), in);
-  if (sprite_) {
+  if (isThingFound()) {
+    const Level& level = in.scene.level();
     const InspectorRequest asked =
-        showSprite(in.scene.level(), *sprite_, in.renderer.light(), in.source, pinned_.has_value());
+        sprite_ ? showSprite(level, *sprite_, in.renderer.light(), in.source, pinned_.has_value())
+                : showMesh(level, *mesh_, in.source, pinned_.has_value());
     if (asked.letsGo) letGo();
     return asked.copied;
   }

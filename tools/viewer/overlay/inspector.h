@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "viewer/input/event.h"
 #include "viewer/inspect/inspect.h"
+#include "viewer/inspect/mesh_at.h"
 #include "viewer/inspect/sprite_at.h"
 #include "viewer/overlay/collapsible_section.h"
 #include "viewer/overlay/lights_tool.h"
@@ -37,9 +38,10 @@ class Inspector {
   void forget() {
     found_.reset();
     sprite_.reset();
+    mesh_.reset();
   }
 
-  /// What the section shows; none where it is closed, or the pointer at nothing or at a sprite.
+  /// What the section shows; none where it is closed, or the pointer at nothing or at a thing.
   const std::optional<Inspection>& found() const { return found_; }
 
   /// `camera` is that of the picture. Returns what is to be copied.
@@ -62,6 +64,7 @@ class Inspector {
 
   Look lookThrough(Pixel pixel, const InspectedLevel& in, const Camera& camera) const;
   void find(const Look& look, const InspectedLevel& in);
+  bool isThingFound() const { return sprite_ || mesh_; }
 
   std::optional<Pixel> mouse_;  ///< while it is over the picture
   bool isClicked_ = false;      ///< since it was shown last
@@ -70,6 +73,7 @@ class Inspector {
   std::optional<Look> look_;  ///< by which the last was found
   std::optional<Inspection> found_;
   std::optional<SpriteHit> sprite_;  ///< found in place of a surface
+  std::optional<MeshHit> mesh_;      ///< likewise
 };
 
 }  // namespace hearth

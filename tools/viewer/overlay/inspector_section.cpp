@@ -254,6 +254,26 @@ InspectorRequest showSprite(const Level& level, const SpriteHit& found, const Ba
   return asked;
 }
 
+InspectorRequest showMesh(const Level& level, const MeshHit& found, const LevelSource* source,
+                          bool isPinned) {
+  const Mesh& mesh = level.meshes[found.mesh];
+  InspectorRequest asked;
+  showWrapped(meshBrightnessWords(level, found.mesh));
+  if (isPinned) showUnpin(asked);
+  ImGui::Separator();
+  showValue("mesh", meshWords(level, found.mesh));
+  if (source) offer(asked, placeOfMesh(*source, found.mesh));
+  if (source) showValue("model", source->level.meshes[found.mesh].file.name);
+  if (source) offer(asked, placeOfModel(*source, found.mesh));
+  showValue("face", fmt::format("{} of {}", found.face - mesh.firstFace, mesh.faceCount));
+  showValue("sector", level[mesh.sector].name);
+  if (source) offer(asked, placeOfSector(*source, mesh.sector));
+  showValue("image", level.textures[level.meshFaces[found.face].texture.index()]);
+  showValue("position", pointWords(mesh.position, ", "));
+  offer(asked, pointWords(mesh.position));
+  return asked;
+}
+
 InspectorRequest showInspection(const Inspection& found, const InspectedSurface& surface,
                                 bool isPinned) {
   return Section(found, surface).show(isPinned);

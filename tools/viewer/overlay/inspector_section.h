@@ -6,6 +6,7 @@
 #include "load/source.h"
 #include "render/texture.h"
 #include "viewer/inspect/inspect.h"
+#include "viewer/inspect/mesh_at.h"
 #include "viewer/inspect/sprite_at.h"
 
 namespace hearth {
@@ -38,6 +39,10 @@ InspectorRequest showInspection(const Inspection& found, const InspectedSurface&
 /// The same of a sprite.
 InspectorRequest showSprite(const Level& level, const SpriteHit& found, const BakedLight& light,
                             const LevelSource* source, bool isPinned);
+
+/// The same of a mesh.
+InspectorRequest showMesh(const Level& level, const MeshHit& found, const LevelSource* source,
+                          bool isPinned);
 
 inline constexpr std::size_t kMaxListedLights = 8;
 /// How many of the first lights are listed, and their rays drawn: those whose light comes near.
