@@ -292,6 +292,22 @@ TEST(Sprites, takeTheLightOfTheirPointOfAir) {
   EXPECT_GT(count(picture, (Rgb{255, 255, 255})), 0) << "the bright one";
 }
 
+TEST(Sprites, takeNoLightThroughWhatHangsInThePlaneThatTheyStandIn) {
+  // On the far side of a curtain, and on the near side.
+  const auto loaded = test::levelFrom(
+      fmt::format("{{'things':[{{'sprite':'#ffffff','x':4,'y':0,'sector':'east'}},"
+                  "{{'sprite':'#ffffff','x':4,'y':0,'sector':'west'}}],'sectors':{{{}}}}}",
+                  halves(",'middle':{'name':'#c80000','scale':[8,4]}")),
+      "[{'x':2,'y':0.1,'z':1,'intensity':100}]");
+  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
+  const auto levelOf = [&](std::size_t sprite) {
+    const auto& map = light.lightmaps[loaded.level.sprites[sprite].surface.index()];
+    return map ? map->at(0, 0, 0) : 0;
+  };
+  EXPECT_EQ(levelOf(0), 0);
+  EXPECT_EQ(levelOf(1), 100);
+}
+
 TEST(Sprites, keepTheirLightInSavedBakesAndFromBakeToBake) {
   const auto loaded = test::levelFrom(
       fmt::format("{{'things':[{{'sprite':'#ffffff','x':4,'y':0,'size':[1,2]}}],'sectors':{{{}}}}}",

@@ -75,7 +75,7 @@ class Walk {
       }
       if (sector_ == goal && isAtEnd(exit.t)) return true;
       if (exit.t > 1 && !isNearEnd(exit.t)) return liesBehindFlatPortal(goal);
-      if (!pass(exit)) return false;
+      if (!pass(exit, isAtEnd(exit.t) ? kArrival : 0)) return false;
     }
     return false;
   }
@@ -89,7 +89,7 @@ class Walk {
         continue;
       }
       if (exit.t > 1) return sector_;
-      if (!pass(exit)) return std::nullopt;
+      if (!pass(exit, 0)) return std::nullopt;  // it ends on no surface that would stop it
     }
     return std::nullopt;
   }
@@ -222,9 +222,9 @@ class Walk {
     return leaves == 1;
   }
 
-  /// Goes through the opening of the exit at the ray's height, if there is one.
-  bool pass(const Exit& exit) {
-    const double slack = isAtEnd(exit.t) ? kArrival : 0;
+  /// Goes through the opening of the exit at the ray's height, or within `slack` metres of that, if
+  /// there is one.
+  bool pass(const Exit& exit, double slack) {
     for (const LightOpening& opening : scene_.lightOpeningsOf(*exit.segment)) {
       if (!isOpenAt(opening, exit.t, slack)) continue;
       if (slack == 0 && isStoppedByMaskedMiddle(opening, exit.t)) return false;
