@@ -128,15 +128,15 @@ void mapSky(const Surface& surface, const Texture& image, const LaneRays& rays,
 
 // --- Sprites -------------------------------------------------------------------------------------
 
-/// How a sprite's image lies on it. Its edges are moved by so much of a texel that rounding takes
-/// no pixel beyond them, to the texels of the opposite edge: a texel of 100 pixels by 1/160 of one.
+/// How a sprite's image lies on it. Its edges are moved by so much of the image that rounding takes
+/// no pixel beyond them, to the texels of the opposite edge: four times what 32 rows in fixed point
+/// add up to.
 TextureMapping mappingOfImage(const SpriteView& view, const Texture& image) {
-  constexpr double kInset = 0x1p-14;
-  const auto grown = [](double size, int texels) { return size / (1 - 2 * kInset / texels); };
+  constexpr double kInset = 0x1p-26;
   TextureMapping mapping;
   mapping.texture = view.texture;
-  mapping.repeat = {grown(view.size.x, image.width()), grown(view.size.y, image.height())};
-  mapping.offsetTexels = {-kInset, -kInset};
+  mapping.repeat = (1 / (1 - 2 * kInset)) * view.size;
+  mapping.offsetTexels = -kInset * Vec2{1.0 * image.width(), 1.0 * image.height()};
   return mapping;
 }
 
