@@ -32,7 +32,7 @@ class ClippedFace {
   bool keep(Function&& function) {
     std::array<Vec3, kMaxCorners> kept;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i < count_ && count + 2 <= kept.size(); ++i) {
       const Vec3 from = corners_[i];
       const Vec3 to = corners_[(i + 1) % count_];
       const double atFrom = function(from) + kPositionSlack;
@@ -47,7 +47,8 @@ class ClippedFace {
 
  private:
   static constexpr std::size_t kMaxCuts = 10;
-  /// Each cut adds at most one; two more where rounding bends what should be straight.
+  /// Each cut adds at most one. Where rounding bends what is straight it may add more; then those
+  /// for which there is no room are left out, no farther from the others than rounding.
   static constexpr std::size_t kMaxCorners = 3 + 2 * kMaxCuts;
 
   std::array<Vec3, kMaxCorners> corners_;
