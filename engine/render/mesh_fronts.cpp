@@ -44,13 +44,10 @@ ColumnRange columnsOf(const Projection& projection, const Corners& corners, Colu
 
 }  // namespace
 
-void MeshFronts::begin(ColumnRange columns) {
+void MeshFronts::begin(const Level& level, ColumnRange columns) {
   columns_ = columns;
+  placeOf_.assign(level.meshes.size(), kNone);
   count_ = 0;
-}
-
-const MeshFronts::Found& MeshFronts::foundOf(std::uint32_t mesh) const {
-  return *std::ranges::find(found_, mesh, &Found::mesh);
 }
 
 std::span<const std::uint32_t> MeshFronts::inStrip(std::uint32_t mesh, int strip) const {
@@ -60,11 +57,10 @@ std::span<const std::uint32_t> MeshFronts::inStrip(std::uint32_t mesh, int strip
 }
 
 void MeshFronts::find(const Scene& scene, const Projection& projection, std::uint32_t index) {
-  const auto known = std::span(found_).first(count_);
-  if (std::ranges::find(known, index, &Found::mesh) != known.end()) return;
-  if (count_ == found_.size()) found_.emplace_back();
-  Found& found = found_[count_++];
-  found.mesh = index;
+  if (placeOf_[index] != kNone) return;
+  placeOf_[index] = count_++;
+  if (count_ > found_.size()) found_.emplace_back();
+  Found& found = found_[placeOf_[index]];
   found.fronts.clear();
   const Mesh& mesh = scene.level().meshes[index];
   const std::span<const MeshFace> faces = scene.level().facesOf(mesh);

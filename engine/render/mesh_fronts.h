@@ -17,7 +17,7 @@ namespace hearth {
 class MeshFronts {
  public:
   /// Forgets all meshes, and begins a frame.
-  void begin(ColumnRange columns);
+  void begin(const Level& level, ColumnRange columns);
 
   /// Finds the faces of a mesh (an index), unless they have been found.
   void find(const Scene& scene, const Projection& projection, std::uint32_t mesh);
@@ -29,21 +29,23 @@ class MeshFronts {
   std::span<const FaceFront> frontsOf(std::uint32_t mesh) const { return foundOf(mesh).fronts; }
 
  private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
   struct Found {
-    std::uint32_t mesh;
     std::vector<FaceFront> fronts;
     std::vector<std::uint32_t> byStrip;  ///< numbers of fronts
     std::vector<std::uint32_t> begins;   ///< strip i has byStrip[begins[i] ... begins[i + 1])
   };
 
-  const Found& foundOf(std::uint32_t mesh) const;
+  const Found& foundOf(std::uint32_t mesh) const { return found_[placeOf_[mesh]]; }
   void add(const Mesh& mesh, std::uint32_t index, const MeshFace& face,
            const Projection& projection, std::vector<FaceFront>& fronts) const;
   void sortByStrip(Found& found) const;
 
   ColumnRange columns_{};
-  std::vector<Found> found_;  ///< and, behind those of this frame, memory of earlier ones
-  std::size_t count_ = 0;     ///< of this frame
+  std::vector<std::uint32_t> placeOf_;  ///< by mesh: an index into found_, or kNone
+  std::vector<Found> found_;            ///< and, behind those of this frame, memory of earlier ones
+  std::uint32_t count_ = 0;             ///< of this frame
 };
 
 }  // namespace hearth

@@ -59,7 +59,7 @@ MeshSpans::MeshSpans(const Scene& scene, const Camera& camera, const Projection&
                      ColumnRange columns, MeshSpansScratch& scratch)
     : scene_(scene), projection_(projection), scratch_(scratch) {
   if (scene.level().meshes.empty()) return;
-  scratch_.fronts.begin(columns);
+  scratch_.fronts.begin(scene.level(), columns);
   scratch_.nearest.resize(static_cast<std::size_t>(camera.height) * Strip::kColumns);
 }
 
@@ -185,9 +185,11 @@ void MeshSpans::show(const ColumnRun& run, const FaceSpan& span, SpanGroups& fou
 
 void MeshSpans::showNarrow(const ColumnRun& run, SpanGroups& found) {
   std::vector<FaceSpan>& all = scratch_.narrow;
-  std::ranges::sort(all, {}, [](const FaceSpan& span) {
+  const auto place = [](const FaceSpan& span) {
     return std::tuple(span.front->mesh, span.lane, span.rowBegin);
-  });
+  };
+  // Those of a single mesh are.
+  if (!std::ranges::is_sorted(all, {}, place)) std::ranges::sort(all, {}, place);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
     while (end < all.size() && all[end].front->mesh == all[begin].front->mesh) ++end;
