@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "level/scene.h"
 #include "render/camera.h"
 
@@ -10,6 +12,11 @@ struct ColumnRange {
   int begin;
   int end;
 };
+
+/// Whether they have a column in common.
+constexpr bool haveCommon(ColumnRange a, ColumnRange b) {
+  return std::max(a.begin, b.begin) < std::min(a.end, b.end);
+}
 
 /// The columns of a screen of this width that a segment's front covers: those whose centres lie in
 /// [column of p0, column of p1). Its back covers none. Neighbours share the column of their common

@@ -35,7 +35,7 @@ void SpriteFront::Depths::keepPositive(double atEye, double perMetre) {
 }
 
 SpriteFront::SpriteFront(const Sprite& sprite, const SpriteView& view, const SpriteRect& rect,
-                         const Projection& projection)
+                         const Projection& projection, int width)
     : surface_(sprite.surface),
       thing_(sprite.thing),
       view_(&view),
@@ -44,11 +44,14 @@ SpriteFront::SpriteFront(const Sprite& sprite, const SpriteView& view, const Spr
       zTop_(rect.corner.z + rect.up.z),
       corner_(projection.toCamera(rect.corner.xy())),
       right_(projection.toCameraDirection(rect.right.xy())),
-      up_(projection.toCameraDirection(rect.up.xy())) {
-  // The depth of the whole image, whatever the rounding of its edges.
-  if (sprite.facing != Facing::Camera) return;
-  corner_.depth = projection.toCamera(sprite.position.xy()).depth;
-  right_.depth = 0;
+      up_(projection.toCameraDirection(rect.up.xy())),
+      columns_{} {
+  if (sprite.facing == Facing::Camera) {
+    // The depth of the whole image, whatever the rounding of its edges.
+    corner_.depth = projection.toCamera(sprite.position.xy()).depth;
+    right_.depth = 0;
+  }
+  columns_ = columnsIn(projection, width);
 }
 
 CameraPoint SpriteFront::at(double right, double up) const {
@@ -111,10 +114,8 @@ void SpriteFronts::find(const Scene& scene, const SpriteIndex& index, const Came
   for (const std::uint32_t i : found_) {
     const Sprite& sprite = scene.level().sprites[i];
     const auto [view, rect] = shownOf(sprite, projection, camera.seconds);
-    const SpriteFront front(sprite, view, rect, projection);
-    const ColumnRange covered = front.columnsIn(projection, camera.width);
-    if (std::max(covered.begin, columns.begin) < std::min(covered.end, columns.end))
-      fronts_.add(front);
+    const SpriteFront front(sprite, view, rect, projection, camera.width);
+    if (haveCommon(front.columns(), columns)) fronts_.add(front);
   }
 }
 

@@ -17,9 +17,9 @@ namespace hearth {
 /// A sprite before the eye.
 class SpriteFront {
  public:
-  /// `view` is what it shows.
+  /// `view` is what it shows, on a screen of this width.
   SpriteFront(const Sprite& sprite, const SpriteView& view, const SpriteRect& rect,
-              const Projection& projection);
+              const Projection& projection, int width);
 
   SurfaceId surface() const { return surface_; }
   std::uint32_t thing() const { return thing_; }  ///< see Sprite
@@ -28,8 +28,8 @@ class SpriteFront {
   double zBottom() const { return zBottom_; }
   double zTop() const { return zTop_; }  ///< as zBottom() where it lies
 
-  /// Columns of a screen of this width outside which it does not show; empty if it shows in none.
-  ColumnRange columnsIn(const Projection& projection, int width) const;
+  /// Columns outside which it does not show; empty if it shows in none.
+  ColumnRange columns() const { return columns_; }
 
   /// Where a ray meets what stands.
   struct Meeting {
@@ -52,6 +52,7 @@ class SpriteFront {
 
  private:
   CameraPoint at(double right, double up) const;
+  ColumnRange columnsIn(const Projection& projection, int width) const;
 
   SurfaceId surface_;
   std::uint32_t thing_;
@@ -62,6 +63,7 @@ class SpriteFront {
   CameraPoint corner_;  ///< the image's lower left
   CameraPoint right_;   ///< along its lower edge
   CameraPoint up_;      ///< along its left edge; 0 where it stands
+  ColumnRange columns_;
 };
 
 /// The sprites of the sectors in view, each sector's found once in a frame. Those of a sector are

@@ -44,6 +44,7 @@ struct SpriteSpans::Look {
 
   double slantOf(std::size_t lane) const { return projection.slantOf(columnOf(lane) + 0.5); }
   Vec2 rayOf(std::size_t lane) const { return projection.rayOf(columnOf(lane) + 0.5); }
+  ColumnRange columns() const { return {columnOf(run.laneBegin), columnOf(run.laneEnd)}; }
   int columnOf(std::size_t lane) const {
     return run.strip * Strip::kColumns + static_cast<int>(lane);
   }
@@ -78,11 +79,13 @@ void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSp
   auto& [all, standing, lying] = scratch_;
   standing.clear();
   lying.clear();
-  for (const SpriteFront& front : fronts)
+  for (const SpriteFront& front : fronts) {
+    if (!haveCommon(front.columns(), look.columns())) continue;
     if (front.lies())
       lying.push_back(&front);
     else
       findStanding(look, front);
+  }
   const double eyeZ = projection_.eye().z;
   // Of two at one height the later in the level first.
   std::ranges::sort(lying, {}, [eyeZ](const SpriteFront* front) {
