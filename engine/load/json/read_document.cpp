@@ -7,33 +7,21 @@
 #include <string_view>
 
 #include "load/json/parse.h"
+#include "load/read_advice.h"
 
 namespace hearth {
 
 namespace {
 
-std::string_view adviceOn(ReadErrorCode code) {
-  switch (code) {
-    case ReadErrorCode::Missing:
-    case ReadErrorCode::NotRegular:
-      return "name a JSON file";
-    case ReadErrorCode::TooLong:
-      return "raise the limit with --max-file-bytes";
-    case ReadErrorCode::Changed:
-      return "try again";
-    case ReadErrorCode::Failed:
-      return "make it readable";
-  }
-  return "";
-}
+constexpr std::string_view kOtherwise = "name a JSON file";
 
-/// The same, but suggests the path with `.json` added if there is such a file.
+/// Suggests the path with `.json` added if there is such a file.
 std::string adviceOn(const ReadError& failure, const FileSource& files,
                      std::filesystem::path path) {
   path += ".json";
   if (failure.code == ReadErrorCode::Missing && files.kindOf(path) != FileKind::None)
     return fmt::format("did you mean {}?", path.string());
-  return std::string(adviceOn(failure.code));
+  return std::string(adviceOn(failure.code, kOtherwise));
 }
 
 }  // namespace
@@ -54,7 +42,8 @@ bool readDocument(const std::filesystem::path& path, tl::expected<std::string, R
                   Document& document, std::uint32_t documentIndex, Report& report) {
   document.file = path.string();
   if (bytes) return readText(*std::move(bytes), document, documentIndex, report);
-  report.error({documentIndex, 0}, bytes.error().what, std::string(adviceOn(bytes.error().code)));
+  report.error({documentIndex, 0}, bytes.error().what,
+               std::string(adviceOn(bytes.error().code, kOtherwise)));
   return false;
 }
 

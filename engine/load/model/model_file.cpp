@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "load/model/model_text.h"
+#include "load/read_advice.h"
 #include "load/suggest.h"
 
 namespace hearth {
@@ -33,21 +34,10 @@ std::optional<fs::path> fileWithNearlyTheNameOf(const fs::path& path, const File
 
 std::string adviceOnModelFile(const ReadError& failure, const fs::path& path,
                               const FileSource& files, std::string_view otherwise) {
-  switch (failure.code) {
-    case ReadErrorCode::Missing:
-      if (const auto nearest = fileWithNearlyTheNameOf(path, files))
-        return fmt::format("did you mean {}?", nearest->string());
-      return std::string(otherwise);
-    case ReadErrorCode::NotRegular:
-      return std::string(otherwise);
-    case ReadErrorCode::TooLong:
-      return "raise the limit with --max-file-bytes";
-    case ReadErrorCode::Changed:
-      return "try again";
-    case ReadErrorCode::Failed:
-      return "make it readable";
-  }
-  return "";
+  if (failure.code == ReadErrorCode::Missing)
+    if (const auto nearest = fileWithNearlyTheNameOf(path, files))
+      return fmt::format("did you mean {}?", nearest->string());
+  return std::string(adviceOn(failure.code, otherwise));
 }
 
 }  // namespace
