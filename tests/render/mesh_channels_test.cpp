@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "support/level_text.h"
+#include "things_in_halls.h"
 
 namespace hearth {
 namespace {
 
-constexpr int kSize = 64;  // pixels each way: 32 of them for each metre at a depth of one
+using test::kSize;
+using test::lookingEast;
 
 /// 1 m each way around its centre below.
 constexpr std::string_view kCube =
@@ -27,13 +28,11 @@ constexpr std::string_view kCube =
 /// A square, 1 m each way, that faces x < 0.
 constexpr std::string_view kSquare = "v 0 0 0.5\nv 0 0 -0.5\nv 0 1 -0.5\nv 0 1 0.5\nf 1 4 3 2\n";
 
-/// A hall from x = 0 to 8 and y = -4 to 4, 4 m high.
 class MeshesInAHall {
  public:
   explicit MeshesInAHall(std::string_view things)
-      : loaded_(test::levelFrom(fmt::format("{{'light':1,'things':[{}],'sectors':{{{}}}}}", things,
-                                            test::sectorText("hall", "0,-4, 8,-4, 8,4, 0,4", 0, 4)),
-                                "[]", {{"cube.obj", kCube}, {"square.obj", kSquare}})),
+      : loaded_(
+            test::levelWith(things, test::hall(), {{"cube.obj", kCube}, {"square.obj", kSquare}})),
         light_(bake(loaded_.scene(), loaded_.level.bake, 1)),
         renderer_(loaded_.scene(), loaded_.textures, light_) {}
 
@@ -57,9 +56,6 @@ class MeshesInAHall {
   Renderer renderer_;
 };
 
-/// Along +x.
-Camera ahead() { return {SectorId(0), {0.5, 0.001, 2}, 0, 0, 90, kSize, kSize, 0}; }
-
 /// Of the cube 4 m before that eye.
 constexpr std::string_view kCubeAhead = "{'mesh':'cube.obj','x':5,'y':0,'texture':'#c80000'}";
 bool isFrontAhead(int column, int row) {
@@ -74,8 +70,8 @@ bool isGrey(Rgb pixel) { return pixel.r == pixel.g && pixel.g == pixel.b; }
 
 TEST(ChannelFaces, hasAColourForEachTriangleAndTheSurfacesDark) {
   const MeshesInAHall hall(kCubeAhead);
-  const Image faces = hall.draw(Channel::Faces, ahead());
-  const Image surfaces = hall.draw(Channel::Surface, ahead());
+  const Image faces = hall.draw(Channel::Faces, lookingEast());
+  const Image surfaces = hall.draw(Channel::Surface, lookingEast());
   const Rgb mesh = surfaces.at(32, 44);
   std::set<Color> front;
   std::set<Color> all;
@@ -96,19 +92,19 @@ TEST(ChannelFaces, hasAColourForEachTriangleAndTheSurfacesDark) {
 }
 
 TEST(ChannelDepth, hasThatOfMeshes) {
-  const Image depths = MeshesInAHall(kCubeAhead).draw(Channel::Depth, ahead());
+  const Image depths = MeshesInAHall(kCubeAhead).draw(Channel::Depth, lookingEast());
   for (int row = 40; row < 48; ++row)
     for (int column = 28; column < 36; ++column)
       ASSERT_EQ(colorOf(depths.at(column, row)), Color(51, 51, 51)) << "255 / (1 + 4)";
 }
 
 TEST(ChannelNormal, pointsOutOfTheFrontsOfFaces) {
-  const Image cube = MeshesInAHall(kCubeAhead).draw(Channel::Normal, ahead());
+  const Image cube = MeshesInAHall(kCubeAhead).draw(Channel::Normal, lookingEast());
   EXPECT_EQ(colorOf(cube.at(32, 44)), Color(0, 128, 128));
   EXPECT_EQ(colorOf(cube.at(32, 39)), Color(128, 128, 255)) << "its top";
   const Image turned =
       MeshesInAHall("{'mesh':'square.obj','x':4.5,'y':0,'angle':180,'twoSided':true}")
-          .draw(Channel::Normal, ahead());
+          .draw(Channel::Normal, lookingEast());
   EXPECT_EQ(colorOf(turned.at(32, 44)), Color(255, 128, 128)) << "away from the eye";
 }
 
@@ -118,7 +114,7 @@ TEST(ChannelBacks, hasFacesSeenFromTheirBacksRedAndAllElseGrey) {
         MeshesInAHall(
             fmt::format("{{'mesh':'square.obj','x':4.5,'y':0,'angle':{},'twoSided':true}}",
                         isTurned ? 180 : 0))
-            .draw(Channel::Backs, ahead());
+            .draw(Channel::Backs, lookingEast());
     for (int row = 0; row < kSize; ++row)
       for (int column = 0; column < kSize; ++column) {
         const Rgb pixel = sides.at(column, row);
@@ -129,7 +125,7 @@ TEST(ChannelBacks, hasFacesSeenFromTheirBacksRedAndAllElseGrey) {
 }
 
 TEST(ChannelBacks, isRedAllAroundWithinATwoSidedMesh) {
-  Camera camera = ahead();
+  Camera camera = lookingEast();
   camera.eye = {0.3, 0.1, 2.5};
   const Image inside =
       MeshesInAHall("{'mesh':'cube.obj','x':1,'y':0,'z':1.5,'scale':2,'twoSided':true}")
@@ -142,26 +138,26 @@ TEST(ChannelBacks, isRedAllAroundWithinATwoSidedMesh) {
 
 TEST(MarkedVertices, areDotsAtTheCornersThatShow) {
   const MeshesInAHall hall(kCubeAhead);
-  Image expected = hall.draw(LightMode::Both, ahead());
+  Image expected = hall.draw(LightMode::Both, lookingEast());
   // Those of its front and its top. Those of its bottom behind them are hidden.
   for (const Vec3 corner : {Vec3{4.5, -0.5, 0}, Vec3{4.5, 0.5, 0}, Vec3{4.5, -0.5, 1},
                             Vec3{4.5, 0.5, 1}, Vec3{5.5, -0.5, 1}, Vec3{5.5, 0.5, 1}}) {
-    const auto [column, row] = hall.pixelOf(corner, ahead());
+    const auto [column, row] = hall.pixelOf(corner, lookingEast());
     for (int y = row - 1; y <= row + 1; ++y)
       for (int x = column - 1; x <= column + 1; ++x) expected.at(x, y) = {255, 232, 32};
   }
-  EXPECT_EQ(hall.draw(Marks::Vertices, ahead()), expected);
+  EXPECT_EQ(hall.draw(Marks::Vertices, lookingEast()), expected);
 }
 
 TEST(MarkedVertices, areNotThoseThatASpriteHides) {
   const MeshesInAHall hall(std::string(kCubeAhead) +
                            ",{'sprite':'#0000c8','x':3,'y':0,'size':[4,2]}");
-  EXPECT_EQ(hall.draw(Marks::Vertices, ahead()), hall.draw(LightMode::Both, ahead()));
+  EXPECT_EQ(hall.draw(Marks::Vertices, lookingEast()), hall.draw(LightMode::Both, lookingEast()));
 }
 
 TEST(MarkedVertices, areNotThoseBehindTheEyeOrBesideThePicture) {
   const MeshesInAHall hall("{'mesh':'cube.obj','x':1,'y':0,'z':1.5,'twoSided':true,'scale':1.9}");
-  Camera camera = ahead();
+  Camera camera = lookingEast();
   camera.eye = {1.2, 0.1, 2.5};
   camera.fov = 40;
   EXPECT_EQ(hall.draw(Marks::Vertices, camera), hall.draw(LightMode::Both, camera));
@@ -173,7 +169,7 @@ TEST(MarkedVertices, haveTheSamePixelsOnAnyNumberOfThreads) {
     things += fmt::format("{}{{'mesh':'cube.obj','x':{},'y':{},'angle':{},'scale':{}}}",
                           i > 0 ? "," : "", 1.05 + 0.2 * i, -3 + 0.2 * i, 37 * i, 0.3 + 0.05 * i);
   const MeshesInAHall hall(things);
-  Camera camera = ahead();
+  Camera camera = lookingEast();
   camera.width = 333;
   const Image alone = hall.renderer().draw(camera, Marks::Vertices);
   EXPECT_GT(std::ranges::count(alone.pixels(), Rgb{255, 232, 32}), 100);

@@ -10,16 +10,22 @@
 #include "render/renderer.h"
 #include "support/in_tree.h"
 #include "support/level_text.h"
+#include "things_in_halls.h"
 
 namespace hearth {
 namespace {
 
+using test::count;
+using test::drawn;
+using test::hall;
+using test::halves;
+using test::kGreen;
+using test::kRed;
+using test::kSize;
+using test::kWall;
+using test::lookingEast;
 using test::sectorText;
 
-constexpr int kSize = 64;  // pixels each way: 32 of them for each metre at a depth of one
-constexpr Rgb kWall = {128, 128, 128};
-constexpr Rgb kRed = {200, 0, 0};
-constexpr Rgb kGreen = {0, 200, 0};
 constexpr Rgb kBlue = {0, 0, 200};
 
 /// Red sides, a blue top and a green bottom, 1 m each way around its centre below.
@@ -36,48 +42,12 @@ constexpr std::string_view kPanel =
     "v 0 0 0.5\nv 0 0 -0.5\nv 0 1 -0.5\nv 0 1 0.5\n"
     "vt 1 0\nvt 0 0\nvt 0 1\nvt 1 1\nf 1/1 4/4 3/3 2/2\n";
 
-/// A level of rooms with these things.
-LoadedLevel levelWith(std::string_view things, const std::string& sectors,
+/// A level of rooms with these things, of which one may be "more.obj".
+LoadedLevel levelWith(std::string_view things, std::string_view sectors,
                       std::string_view more = "") {
-  return test::levelFrom(
-      fmt::format("{{'light':1,'things':[{}],'sectors':{{{}}}}}", things, sectors), "[]",
+  return test::levelWith(
+      things, sectors,
       {{"box.obj", kBox}, {"box.mtl", kBoxColors}, {"panel.obj", kPanel}, {"more.obj", more}});
-}
-
-/// From x = 0 to 8 and y = -4 to 4, 4 m high.
-std::string hall() { return sectorText("hall", "0,-4, 8,-4, 8,4, 0,4", 0, 4); }
-
-std::string wallsOf(int portal, std::string_view next) {
-  std::string all;
-  for (int i = 0; i < 4; ++i)
-    all += fmt::format(
-        "{}{}", i > 0 ? "," : "",
-        i == portal ? fmt::format("{{'next':'{}'}}", next) : std::string("{'texture':'#808080'}"));
-  return "[" + all + "]";
-}
-
-/// The same hall, divided at x = 4.
-std::string halves() {
-  return sectorText("west", "0,-4, 4,-4, 4,4, 0,4", 0, 4, wallsOf(1, "east")) + "," +
-         sectorText("east", "4,-4, 8,-4, 8,4, 4,4", 0, 4, wallsOf(3, "west"));
-}
-
-Camera lookingEast(double x = 0.5) {
-  Camera camera;
-  camera.sector = SectorId(0);
-  camera.eye = {x, 0.001, 2};
-  camera.width = camera.height = kSize;
-  return camera;
-}
-
-Image drawn(const LoadedLevel& loaded, const Camera& camera, LightMode mode = LightMode::Both,
-            DrawSettings settings = {}) {
-  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
-  return Renderer(loaded.scene(), loaded.textures, light, settings).draw(camera, mode);
-}
-
-int count(const Image& picture, Rgb color) {
-  return static_cast<int>(std::ranges::count(picture.pixels(), color));
 }
 
 int differences(const Image& a, const Image& b) {

@@ -11,61 +11,22 @@
 #include "light/saved_bake.h"
 #include "render/renderer.h"
 #include "support/level_text.h"
+#include "things_in_halls.h"
 
 namespace hearth {
 namespace {
 
+using test::count;
+using test::drawn;
+using test::hall;
+using test::halves;
+using test::kGreen;
+using test::kRed;
+using test::kSize;
+using test::kWall;
+using test::levelWith;
+using test::lookingEast;
 using test::sectorText;
-
-constexpr int kSize = 64;  // pixels each way: 32 of them for each metre at a depth of one
-constexpr Rgb kWall = {128, 128, 128};
-constexpr Rgb kRed = {200, 0, 0};
-constexpr Rgb kGreen = {0, 200, 0};
-
-/// A level of rooms with these things.
-LoadedLevel levelWith(std::string_view things, const std::string& sectors,
-                      std::string_view lights = "[]") {
-  return test::levelFrom(
-      fmt::format("{{'light':1,'things':[{}],'sectors':{{{}}}}}", things, sectors), lights);
-}
-
-/// From x = 0 to 8 and y = -4 to 4, 4 m high.
-std::string hall() { return sectorText("hall", "0,-4, 8,-4, 8,4, 0,4", 0, 4); }
-
-/// The same hall, divided at x = 4.
-std::string halves(std::string_view west = "", std::string_view east = "") {
-  const auto walls = [](int portal, std::string_view next, std::string_view more) {
-    std::string all;
-    for (int i = 0; i < 4; ++i) {
-      if (i > 0) all += ',';
-      if (i == portal)
-        all += fmt::format("{{'next':'{}'{}}}", next, more);
-      else
-        all += "{'texture':'#808080'}";
-    }
-    return "[" + all + "]";
-  };
-  return sectorText("west", "0,-4, 4,-4, 4,4, 0,4", 0, 4, walls(1, "east", west)) + "," +
-         sectorText("east", "4,-4, 8,-4, 8,4, 4,4", 0, 4, walls(3, "west", east));
-}
-
-Camera lookingEast(double x = 0.5) {
-  Camera camera;
-  camera.sector = SectorId(0);
-  camera.eye = {x, 0.001, 2};
-  camera.width = camera.height = kSize;
-  return camera;
-}
-
-Image drawn(const LoadedLevel& loaded, const Camera& camera, LightMode mode = LightMode::Both,
-            DrawSettings settings = {}) {
-  const BakedLight light = bake(loaded.scene(), loaded.level.bake, 1);
-  return Renderer(loaded.scene(), loaded.textures, light, settings).draw(camera, mode);
-}
-
-int count(const Image& picture, Rgb color) {
-  return static_cast<int>(std::ranges::count(picture.pixels(), color));
-}
 
 TEST(Sprites, standBeforeTheCameraAtTheDepthOfTheirPosition) {
   // 4 m deep a metre is 8 pixels. The sprite's lower edge is 2 m below the eye.
