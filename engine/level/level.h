@@ -15,6 +15,7 @@
 #include "level/sprite.h"
 #include "level/surface.h"
 #include "level/texel_holes.h"
+#include "level/thing_body.h"
 
 namespace hearth {
 
@@ -40,10 +41,10 @@ struct Shot {
   int height = 200;
 };
 
-/// A solid sprite whose body reaches into the air of a sector.
+/// A body that reaches into the air of a sector.
 struct BodyInSector {
   SectorId sector;
-  std::uint32_t sprite;  ///< index
+  std::uint32_t body;  ///< index
 };
 
 /// A mesh some of whose faces reach into the air of a sector.
@@ -78,8 +79,10 @@ struct Level {
   std::vector<SegmentId> entrances;           ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
-  // By sector, then as the file has them:
-  std::vector<BodyInSector> bodies;          ///< set by `addBodies`
+  std::vector<ThingBody> bodies;  ///< of sprites, then of meshes; set by `addBodies`
+
+  // By sector, then by index:
+  std::vector<BodyInSector> bodiesBySector;  ///< set by `addBodies`
   std::vector<MeshInSector> meshesBySector;  ///< set by `addMeshSectors`
 
   const Sector& operator[](SectorId id) const { return sectors[id.index()]; }
@@ -102,7 +105,9 @@ struct Level {
     return {meshFaces.data() + mesh.firstFace, mesh.faceCount};
   }
 
-  std::span<const BodyInSector> bodiesIn(SectorId sector) const { return inSector(bodies, sector); }
+  std::span<const BodyInSector> bodiesIn(SectorId sector) const {
+    return inSector(bodiesBySector, sector);
+  }
   std::span<const MeshInSector> meshesIn(SectorId sector) const {
     return inSector(meshesBySector, sector);
   }

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
 #include "level/link_surfaces.h"
 #include "level/mesh_sectors.h"
-#include "level/sprite_bodies.h"
+#include "level/thing_bodies.h"
 #include "load/json/read_document.h"
 #include "load/link/link.h"
 #include "load/read/read.h"
@@ -95,15 +96,22 @@ void addSurfacesAndGeometry(Linking& linking) {
   reportMissingTextures(linking, textures);
 }
 
+Place placeOfThing(const LevelDescription& description, std::uint32_t thing) {
+  for (const SpriteDescription& sprite : description.sprites)
+    if (sprite.sprite.thing == thing) return sprite.place;
+  for (const MeshDescription& mesh : description.meshes)
+    if (mesh.mesh.thing == thing) return mesh.place;
+  return description.place;
+}
+
 /// Solid things, once all are linked.
 bool addBodiesWithinLimit(Linking& linking) {
-  const std::optional<std::size_t> excess = addBodies(linking.level, linking.geometry);
+  const std::optional<std::uint32_t> excess = addBodies(linking.level, linking.geometry);
   if (!excess) return true;
-  linking.report.error(linking.description.sprites[*excess].place,
-                       fmt::format("solid things reach into more than {} sectors, with this one "
-                                   "and those before it",
-                                   kMaxBodies),
-                       "lower their \"radius\"");
+  linking.report.error(
+      placeOfThing(linking.description, *excess),
+      fmt::format("solid things reach into more than {} sectors, with this one", kMaxBodies),
+      "lower their \"radius\" or \"scale\", or give meshes \"solid\": false");
   return false;
 }
 

@@ -36,10 +36,8 @@ Surroundings::Surroundings(const Scene& scene, SectorId from, const SweepQuery& 
     : scene_(scene), query_(query), sweptRadius_(query.radius + query.travel) {
   add(from);
   for (std::size_t i = 0; i < sectors_.size(); ++i) visitSector(scene_[sectors_[i]]);
-  // One that reaches into several of the sectors counts more than once, which changes nothing.
   for (const SectorId sector : sectors_)
-    for (const BodyInSector& body : scene_.level().bodiesIn(sector))
-      visitBody(scene_.level().sprites[body.sprite]);
+    for (const BodyInSector& at : scene_.level().bodiesIn(sector)) visitBody(at.body);
 }
 
 void Surroundings::add(SectorId sector) {
@@ -163,16 +161,32 @@ void Surroundings::block(const Segment& segment, Interval chord) {
 }
 
 /// Its top bears a body that can step up to it, and its bottom is a ceiling to one that is below.
-void Surroundings::visitBody(const Sprite& sprite) {
-  const Vec2 at = sprite.position.xy() - query_.center;
-  if (!(length(at) < sweptRadius_ + sprite.body->radius)) return;
-  const double zTop = sprite.position.z + sprite.body->height;
-  if (zTop > query_.body.zClimb + kSkin && sprite.position.z >= query_.body.zHead() - kSkin) {
-    zCap_ = std::min(zCap_, sprite.position.z);
+void Surroundings::visitBody(std::uint32_t index) {
+  const ThingBody& body = scene_.level().bodies[index];
+  if (!body.outline.isWithin(query_.center, sweptRadius_ + body.radius)) return;
+  if (std::ranges::find(bodies_, index) != bodies_.end()) return;
+  bodies_.push_back(index);
+  if (body.zTop > query_.body.zClimb + kSkin && body.zBottom >= query_.body.zHead() - kSkin) {
+    zCap_ = std::min(zCap_, body.zBottom);
     return;
   }
-  addSupport(zTop);
-  if (zTop > query_.body.zClimb + kSkin) blockers_.push_back({at, at, false, sprite.body->radius});
+  addSupport(body.zTop);
+  if (body.zTop > query_.body.zClimb + kSkin) block(body);
+}
+
+/// Adds blockers for the edges of a thing within reach.
+void Surroundings::block(const ThingBody& body) {
+  const Vec2 center = query_.center;
+  // A player whose axis begins inside the outline is free to leave.
+  if (body.outline.isWithin(center, kSkin / 2)) return;
+  body.outline.anyEdge(center.x - sweptRadius_, center.x + sweptRadius_, [&](Vec2 p, Vec2 q) {
+    const Vec2 a = p - center;
+    const Vec2 b = q - center;
+    const bool isNear = a == b || (!chordOf(a, b, sweptRadius_).isEmpty() &&
+                                   signedDistance(a, b) >= -query_.travel - kSkin);
+    if (isNear) blockers_.push_back({a, b, false, body.radius});
+    return false;
+  });
 }
 
 void Surroundings::addFlats(const Sector& sector) {

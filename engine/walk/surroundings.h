@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory_resource>
 #include <vector>
 
@@ -12,8 +13,8 @@
 
 namespace hearth {
 
-/// A line that stops a body from the front of a -> b, or a disc round `a`. Relative to
-/// SweepQuery::center, in metres.
+/// A line that stops a body from the front of a -> b, or a disc round `a`, which may be a point.
+/// Relative to SweepQuery::center, in metres.
 struct Blocker {
   Vec2 a;
   Vec2 b;
@@ -36,7 +37,7 @@ struct SweepQuery {
 
 /// What a body at `center` meets within reach. The search follows links from its sector, through
 /// openings that the body fits through. So sectors that merely overlap in space are left out, and a
-/// wall stops only a body in front of it. Solid sprites stop it where they reach into a sector that
+/// wall stops only a body in front of it. Solid things stop it where they reach into a sector that
 /// is found.
 class Surroundings {
  public:
@@ -61,7 +62,7 @@ class Surroundings {
   void visitVertex(const Segment& before, const Segment& after);
   void visitWallBelow(const Segment& segment, Interval chord);
   void visitWallAbove(const Segment& segment, Interval chord);
-  void visitBody(const Sprite& sprite);
+  void visitBody(std::uint32_t index);
   void addFlats(const Sector& sector);
   bool isBelow(const Sector& sector) const;
   bool isAbove(const Sector& sector) const;
@@ -70,12 +71,13 @@ class Surroundings {
   bool touches(const Sector& sector) const;
   void addSupport(double z);
   void block(const Segment& segment, Interval chord);
+  void block(const ThingBody& body);
   void addSlopes(const Sector& sector);
   void blockWhereAbove0(const Sector& sector, double valueAtCenter, Vec2 gradient);
   double highest(const Sector& sector, const Slope& slope, double sign) const;
 
   // Enough for what is near a player as a rule, so that a tick takes no memory from the heap.
-  std::array<std::byte, 16384> buffer_;
+  std::array<std::byte, 65536> buffer_;
   std::pmr::monotonic_buffer_resource arena_{buffer_.data(), buffer_.size()};
 
   Scene scene_;
@@ -83,7 +85,8 @@ class Surroundings {
   double sweptRadius_;  // of the disc with its travel
   std::pmr::vector<SectorId> sectors_{&arena_};
   std::pmr::vector<Blocker> blockers_{&arena_};
-  std::pmr::vector<Passage> passages_{&arena_};  // of the wall that is looked at
+  std::pmr::vector<std::uint32_t> bodies_{&arena_};  // within reach: indices
+  std::pmr::vector<Passage> passages_{&arena_};      // of the wall that is looked at
   std::pmr::vector<Interval> open_{&arena_};
   double zSupport_ = -kInfinity;
   bool isBuried_ = false;

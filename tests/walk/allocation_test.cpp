@@ -1,9 +1,11 @@
+#include <fmt/format.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
+#include "halls.h"
 #include "support/in_tree.h"
-#include "walks.h"
 
 namespace {
 
@@ -44,6 +46,25 @@ TEST(Walker, TakesNoMemoryFromTheHeap) {
   }
   EXPECT_EQ(allocations - before, 0);
   EXPECT_NE(walker.feet.xy(), player.eye.xy());
+}
+
+TEST(Walker, TakesNoMemoryFromTheHeapBesideAMeshOfAThousandSides) {
+  for (const double radius : {0.3, 0.5, 1.0, 1.2}) {
+    const LoadedLevel hall =
+        test::hallWith(fmt::format("{{'mesh':'gon.obj','x':6,'y':2,'scale':[{0},{0},1]}}", radius),
+                       4, {{"gon.obj", test::gon(1000)}});
+    Walker walker = test::standing(hall.scene(), "hall", {2, 2.05, 0});
+    const long before = allocations;
+    int ticksBeside = 0;
+    for (int tick = 0; tick < 64 * 6; ++tick) {
+      const Walker next = walked(hall.scene(), walker, test::kRun);
+      (void)eyeBetween(hall.scene(), walker, next, 0.5);
+      walker = next;
+      ticksBeside += length(walker.feet.xy() - Vec2{6, 2}) < radius + 0.301;
+    }
+    EXPECT_EQ(allocations - before, 0) << radius;
+    EXPECT_GT(ticksBeside, 20);
+  }
 }
 
 }  // namespace

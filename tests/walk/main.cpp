@@ -16,14 +16,14 @@ int main(int argc, char** argv) {
   int ticks = 10000;
   std::uint64_t firstSeed = 1;
   int lines = 3;
-  int solidSprites = 0;
+  int solidThings = 0;
   int threads = availableThreads();
   app.add_option("--walks", walks, "walks, five in each level")->capture_default_str();
   app.add_option("--ticks", ticks, "of each walk")->capture_default_str();
   app.add_option("--seed", firstSeed, "of the first level")->capture_default_str();
   app.add_option("--threads", threads, "levels at a time")->capture_default_str();
   app.add_option("--lines", lines, "that are looked along after each tick")->capture_default_str();
-  app.add_option("--solid-sprites", solidSprites, "in each level")->capture_default_str();
+  app.add_option("--solid-things", solidThings, "in each level")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   constexpr int kWalksPerLevel = 5;
@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   std::mutex mutex;
   parallelFor((walks + kWalksPerLevel - 1) / kWalksPerLevel, threads, [&](std::size_t i) {
     const auto one = random_walks::walkRandomLevel(firstSeed + i, folder, kWalksPerLevel, ticks,
-                                                   lines, solidSprites);
+                                                   lines, solidThings);
     const std::lock_guard lock(mutex);
     report += one;
     if (one.failures > 0) fmt::print(stderr, "{}\n", one.first);

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "level/locate.h"
-#include "level/sprite_bodies.h"
+#include "level/thing_bodies.h"
 #include "load/load.h"
 #include "math/tolerance.h"
 #include "math/trig.h"
@@ -16,6 +18,7 @@
 #include "random_levels/random_level.h"
 #include "walk/body.h"
 #include "walk/walker.h"
+#include "walk_tests/solid_things.h"
 #include "walk_tests/solids.h"
 #include "walk_tests/starts.h"
 
@@ -59,9 +62,11 @@ WalkInput changed(WalkInput input, Random& random) {
 
 class Walk {
  public:
-  Walk(const Scene& scene, const Solids& solids, const Walker& start, std::uint64_t seed, int lines)
+  Walk(const Scene& scene, const Solids& solids, const std::vector<SolidThing>& things,
+       const Walker& start, std::uint64_t seed, int lines)
       : scene_(scene),
         solids_(solids),
+        things_(things),
         walker_(start),
         inputs_(seed),
         checks_(seed),
@@ -105,7 +110,7 @@ class Walk {
     expect(isIn(scene_, between.sector, between.point), "an eye between ticks is nowhere");
     expectPhysics(before, input);
     expectFree();
-    expectOutOfBodies();
+    expectOutOfThings();
   }
 
   void count(const Walker& before) {
@@ -138,39 +143,35 @@ class Walk {
     expect(-moved.z <= fall * kTick + 9.81 * kTick * kTick + lift, "deeper than physics allows");
   }
 
-  void expectOutOfBodies() {
+  void expectOutOfThings() {
     const Body body = bodyOf(scene_.level(), walker_.crouch);
-    for (const Sprite& sprite : scene_.level().sprites)
-      if (sprite.body) meet(sprite, body);
+    for (const SolidThing& thing : things_) meet(thing, body);
   }
 
-  /// They overlap where the air between their axes is free, and leads to the sprite's sector.
-  void meet(const Sprite& sprite, const Body& body) {
-    const Vec2 across = sprite.position.xy() - walker_.feet.xy();
-    const double apart = length(across) - body.radius - sprite.body->radius;
-    const double zTop = sprite.position.z + sprite.body->height;
-    if (apart > kEdgeInset || walker_.feet.z > zTop + kEdgeInset) return;
-    if (walker_.feet.z >= zTop - kEdgeInset) {
-      report_.onBodies += walker_.isOnGround;
+  /// They overlap where the air between their axes is free, and leads to the thing's sector.
+  void meet(const SolidThing& thing, const Body& body) {
+    const double between = apart(thing, walker_.feet.xy(), body.radius);
+    if (between > kEdgeInset || walker_.feet.z > thing.zTop + kEdgeInset) return;
+    if (walker_.feet.z >= thing.zTop - kEdgeInset) {
+      report_.onThings += walker_.isOnGround;
       return;
     }
-    const double zLow = std::max(walker_.feet.z, sprite.position.z);
-    const double zHigh = std::min(walker_.feet.z + body.height, zTop);
+    const double zLow = std::max(walker_.feet.z, thing.position.z);
+    const double zHigh = std::min(walker_.feet.z + body.height, thing.zTop);
     if (zHigh - zLow <= 2 * kEdgeInset) return;
-    if (apart >= -kEdgeInset) {
-      ++report_.againstBodies;
+    if (between >= -kEdgeInset) {
+      ++report_.againstThings;
       return;
     }
-    if (solids_.isBesideOneWay(walker_.feet.xy(), body.radius + sprite.body->radius)) return;
     const double z = (zLow + zHigh) / 2;
     const Vec3 axis{walker_.feet.x, walker_.feet.y, z};
-    const Vec3 other{sprite.position.x, sprite.position.y, z};
+    const Vec3 other{thing.position.x, thing.position.y, z};
+    if (solids_.isBesideOneWay(axis.xy(), length(other.xy() - axis.xy()) + body.radius)) return;
     const SectorId sector = solids_.inColumn(walker_.sector, axis);
-    if (solids_.sectorAlong(sector, axis, other) == solids_.inColumn(sprite.sector, other))
+    if (solids_.sectorAlong(sector, axis, other) == solids_.inColumn(thing.sector, other))
       fail(fmt::format(
-          "{:.3g} m in the body at {:.6g},{:.6g},{:.6g} of radius {:.3g}, height {:.3g}", -apart,
-          sprite.position.x, sprite.position.y, sprite.position.z, sprite.body->radius,
-          sprite.body->height));
+          "{:.3g} m in the thing at {:.6g},{:.6g},{:.6g} of radius {:.3g}, up to {:.6g}", -between,
+          other.x, other.y, thing.position.z, thing.radius, thing.zTop));
   }
 
   /// A few lines out of the axis, at the feet, the head and between.
@@ -199,6 +200,7 @@ class Walk {
 
   Scene scene_;
   const Solids& solids_;
+  const std::vector<SolidThing>& things_;
   Walker walker_;
   Random inputs_;
   Random checks_;  // apart, so that other checks see the same walk
@@ -208,44 +210,20 @@ class Walk {
   std::string fault_;
 };
 
-std::optional<SectorId> sectorNamed(const Level& level, const std::string& name) {
-  for (std::size_t i = 0; i < level.sectors.size(); ++i)
-    if (level.sectors[i].name == name) return SectorId(i);
-  return std::nullopt;
-}
-
-/// Whether a walker that starts there would be in one, or might be.
-bool isInABody(const Level& level, const Walker& walker) {
-  const Body body = bodyOf(level, walker.crouch);
-  return std::ranges::any_of(level.sprites, [&](const Sprite& sprite) {
-    return sprite.body &&
-           length(sprite.position.xy() - walker.feet.xy()) < body.radius + sprite.body->radius &&
-           walker.feet.z < sprite.position.z + sprite.body->height &&
-           sprite.position.z < walker.feet.z + body.height;
-  });
-}
-
-/// Near the level's views, on the floor or above it.
-void addSolidSprites(LoadedLevel& loaded, const RandomLevel& random, int count) {
-  Random choices(random.views.size() + loaded.level.segments.size());
-  for (int i = 0; i < count; ++i) {
-    const RandomView& view = choices.pickFrom(random.views);
-    const auto sector = sectorNamed(loaded.level, view.sector);
-    const Vec2 p = Vec2{view.x, view.y} + Vec2{choices.real(-1, 1), choices.real(-1, 1)};
-    if (!sector || !contains(loaded.level, loaded.level[*sector], p)) continue;
-    const double zBottom = loaded.scene().airBottom(loaded.level[*sector], p);
-    const double room = loaded.scene().airTop(loaded.level[*sector], p) - zBottom;
-    Sprite& sprite = loaded.level.sprites.emplace_back();
-    sprite.position = {p.x, p.y, zBottom + (choices.chance(0.5) ? 0 : room * choices.unit())};
-    sprite.sector = *sector;
-    sprite.body = SpriteBody{choices.real(0.05, 0.7), choices.real(0.05, 2)};
-  }
-  addBodies(loaded.level, loaded.geometry);
+bool isInAny(const std::vector<SolidThing>& things, const Walker& walker, const Body& body) {
+  return std::ranges::any_of(things,
+                             [&](const SolidThing& thing) { return isIn(thing, walker, body); });
 }
 
 Report failed(std::string why) { return {.failures = 1, .first = std::move(why)}; }
 
 }  // namespace
+
+std::optional<SectorId> sectorNamed(const Level& level, const std::string& name) {
+  for (std::size_t i = 0; i < level.sectors.size(); ++i)
+    if (level.sectors[i].name == name) return SectorId(i);
+  return std::nullopt;
+}
 
 std::optional<LoadedLevel> loadRandom(const RandomLevel& random,
                                       const std::filesystem::path& folder) {
@@ -254,6 +232,9 @@ std::optional<LoadedLevel> loadRandom(const RandomLevel& random,
   std::filesystem::remove(folder / (random.name + ".json"));
   std::filesystem::remove(folder / (random.name + ".lights.json"));
   if (!result.loaded) return std::nullopt;
+  Level& level = result.loaded->level;
+  for (Mesh& mesh : level.meshes) mesh.isSolid = false;
+  addBodies(level, result.loaded->geometry);
   return std::move(result.loaded);
 }
 
@@ -276,18 +257,18 @@ Report& Report::operator+=(const Report& other) {
   crossings += other.crossings;
   throughFlats += other.throughFlats;
   stuck += other.stuck;
-  onBodies += other.onBodies;
-  againstBodies += other.againstBodies;
+  onThings += other.onThings;
+  againstThings += other.againstThings;
   besideOneWay += other.besideOneWay;
   return *this;
 }
 
 Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
-                       int ticks, int lines, int solidSprites) {
+                       int ticks, int lines, int solidThings) {
   const RandomLevel random = makeRandomLevel(seed);
   std::optional<LoadedLevel> loaded = loadRandom(random, folder);
   if (!loaded) return failed(fmt::format("seed {} does not load", seed));
-  addSolidSprites(*loaded, random, solidSprites);
+  const std::vector<SolidThing> things = addSolidThings(*loaded, random, solidThings);
   const Scene scene = loaded->scene();
   const Solids solids(scene);
   Random choices(seed);
@@ -297,12 +278,12 @@ Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, 
     std::optional<Walker> start;
     for (int attempt = 0; !start && attempt < 8; ++attempt)
       start = standIn(scene, solids, choices.pickFrom(random.views));
-    if (start && isInABody(loaded->level, *start)) start.reset();
+    if (start && isInAny(things, *start, bodyOf(loaded->level, start->crouch))) start.reset();
     if (!start) {
       ++report.stuck;
       continue;
     }
-    Report one = Walk(scene, solids, *start, choices.next(), lines).run(ticks);
+    Report one = Walk(scene, solids, things, *start, choices.next(), lines).run(ticks);
     if (!one.first.empty()) one.first = fmt::format("seed {} walk {}: {}", seed, i, one.first);
     report += one;
   }
@@ -312,10 +293,10 @@ Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, 
 std::string inWords(const Report& report) {
   return fmt::format(
       "{} walks, {} ticks: {} on the ground, {} in flight, {} into another sector, {} of these "
-      "through flat portals; {} on solid sprites, {} against their sides; {} beside one-way walls, "
+      "through flat portals; {} on solid things, {} against their sides; {} beside one-way walls, "
       "where solids are not looked for; {} starts without room; {} walks failed\n{}",
       report.walks, report.ticks, report.onGround, report.inFlight, report.crossings,
-      report.throughFlats, report.onBodies, report.againstBodies, report.besideOneWay, report.stuck,
+      report.throughFlats, report.onThings, report.againstThings, report.besideOneWay, report.stuck,
       report.failures, report.first);
 }
 

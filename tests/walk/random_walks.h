@@ -19,17 +19,17 @@ struct Report {
   std::uint64_t throughFlats = 0;   ///< ... the way led through a flat portal
   std::uint64_t besideOneWay = 0;   ///< ... solids could not be looked for
   std::uint64_t stuck = 0;          ///< starts without room, that are not walked
-  std::uint64_t onBodies = 0;       ///< ... the walker stood on a solid sprite
-  std::uint64_t againstBodies = 0;  ///< ... or touched one's side
+  std::uint64_t onThings = 0;       ///< ... the walker stood on a solid thing
+  std::uint64_t againstThings = 0;  ///< ... or touched one's side
 
   Report& operator+=(const Report& other);
 };
 
 /// Walks a random level of that seed, whose textures are in `folder`, from some of its views. After
-/// every tick so many lines out of the body's axis must be in the air. So many solid sprites stand
+/// every tick so many lines out of the body's axis must be in the air. So many solid things stand
 /// in the level, or hang in its air, none of which the walker may be in.
 Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
-                       int ticks, int lines, int solidSprites = 0);
+                       int ticks, int lines, int solidThings = 0);
 
 struct WaysReport {
   int asked = 0;      ///< ways that the reference calls open

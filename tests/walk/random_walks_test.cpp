@@ -22,7 +22,7 @@ TEST(RandomWalks, KeepEveryPromise) {
   EXPECT_GT(report.throughFlats, 10u);
 }
 
-TEST(RandomWalks, NeverEndInsideASolidSprite) {
+TEST(RandomWalks, NeverEndInsideASolidThing) {
   const auto folder =
       std::filesystem::temp_directory_path() / fmt::format("hearth-bodies-{}", ::getpid());
   ASSERT_TRUE(writeRandomLevelTextures(folder / "textures"));
@@ -31,8 +31,8 @@ TEST(RandomWalks, NeverEndInsideASolidSprite) {
     report += walkRandomLevel(seed, folder, 5, 400, 3, 12);
   std::filesystem::remove_all(folder);
   EXPECT_EQ(report.failures, 0u) << report.first;
-  EXPECT_GT(report.onBodies, 300u);
-  EXPECT_GT(report.againstBodies, 300u);
+  EXPECT_GT(report.onThings, 300u);
+  EXPECT_GT(report.againstThings, 300u);
 }
 
 TEST(RandomWalks, TakeEveryStraightWayThatASearchCallsOpen) {

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "level/sprite_bodies.h"
+#include "halls.h"
 #include "walk/body.h"
-#include "walks.h"
 
 /// Sprites with a body are solid to the player, whose own body has a radius of 0.3 m, a height of
 /// 1.8 m and a step of 0.4 m.
@@ -11,36 +10,17 @@ namespace hearth {
 namespace {
 
 using test::after;
+using test::hallWith;
 using test::kForward;
 using test::kRun;
 using test::kSolid;
-using test::sectorText;
+using test::roomsWith;
 using test::standing;
 
 /// Round, at (x, y), from `z` up.
 std::string body(double x, double y, double z, double radius, double height) {
   return fmt::format("{{'sprite':'#c04020','x':{},'y':{},'z':{},'radius':{},'height':{}}}", x, y, z,
                      radius, height);
-}
-
-/// A hall of 12 by 4 m.
-LoadedLevel hallWith(const std::string& things, double ceiling = 4) {
-  return test::levelFrom("{'light':1,'things':[" + things + "],'sectors':{" +
-                         sectorText("hall", "0,0, 12,0, 12,4, 0,4", 0, ceiling) + "}}");
-}
-
-/// Two rooms of 4 by 4 m, side by side along x, whose common wall is `toEast` as seen from the
-/// west.
-LoadedLevel roomsWith(const std::string& things, const std::string& toEast,
-                      const std::string& toWest) {
-  return test::levelFrom(
-      "{'light':1,'things':[" + things + "],'sectors':{" +
-      sectorText("west", "0,0, 4,0, 4,4, 0,4", 0, 4,
-                 "[" + kSolid + "," + toEast + "," + kSolid + "," + kSolid + "]") +
-      "," +
-      sectorText("east", "4,0, 8,0, 8,4, 4,4", 0, 4,
-                 "[" + kSolid + "," + kSolid + "," + kSolid + "," + toWest + "]") +
-      "}}");
 }
 
 double distanceTo(const Sprite& sprite, const Walker& walker) {
@@ -191,24 +171,22 @@ TEST(SpriteBody, ReachesThroughAnOpeningIntoTheNextRoom) {
   const LoadedLevel rooms =
       roomsWith(body(4.1, 2, 0, 0.8, 1), "{'next':'east'}", "{'next':'west'}");
   ASSERT_EQ(rooms.level.sprites[0].sector, SectorId(1));
-  ASSERT_EQ(rooms.level.bodies.size(), 2U);
+  ASSERT_EQ(rooms.level.bodiesBySector.size(), 2U);
   const Walker walker = after(rooms.scene(), standing(rooms.scene(), "west", {1, 2, 0}), kRun, 192);
   EXPECT_NEAR(walker.feet.x, 4.1 - 0.8 - 0.3, 1e-4);
 }
 
 TEST(SpriteBody, DoesNotReachThroughAWall) {
   const LoadedLevel rooms = roomsWith(body(4.1, 2, 0, 0.8, 1), kSolid, kSolid);
-  ASSERT_EQ(rooms.level.bodies.size(), 1U);
+  ASSERT_EQ(rooms.level.bodiesBySector.size(), 1U);
   const Walker walker = after(rooms.scene(), standing(rooms.scene(), "west", {1, 2, 0}), kRun, 192);
   EXPECT_NEAR(walker.feet.x, 3.7, 1e-4);
 }
 
 TEST(SpriteBody, ReachesThroughAWindowOnlyWhereItIsAsHighAsTheSill) {
-  const std::string window = "{{'walls':[{{'z':1.2,'texture':'#808080'}},{{'next':'{}'}}]}}";
   for (const double height : {1.0, 1.5}) {
     const LoadedLevel rooms =
-        roomsWith(body(4.1, 2, 0, 0.8, height), fmt::format(fmt::runtime(window), "east"),
-                  fmt::format(fmt::runtime(window), "west"));
+        roomsWith(body(4.1, 2, 0, 0.8, height), test::windowTo("east"), test::windowTo("west"));
     const Walker walker =
         after(rooms.scene(), standing(rooms.scene(), "west", {1, 2, 0}), kRun, 192);
     EXPECT_NEAR(walker.feet.x, height == 1.0 ? 3.7 : 3.0, 1e-4);
@@ -216,13 +194,8 @@ TEST(SpriteBody, ReachesThroughAWindowOnlyWhereItIsAsHighAsTheSill) {
 }
 
 TEST(SpriteBody, ReachesThroughTheFloorsThatItStandsIn) {
-  const std::string loops = "'loops':{'border':{'v':[0,0, 8,0, 8,4, 0,4],'walls':" + kSolid + "}}}";
-  const LoadedLevel storeys = test::levelFrom(
-      "{'light':1,'things':[" + body(5, 2, 0, 0.5, 6) +
-      "],'sectors':{'up':{'floor':{'z':4,'next':'up-low'},'ceiling':{'z':8,'texture':'#808080'}," +
-      loops + ",'low':{'floor':{'texture':'#808080'},'ceiling':{'z':4,'next':'up-low'}," + loops +
-      "}}");
-  ASSERT_EQ(storeys.level.bodies.size(), 2U);
+  const LoadedLevel storeys = test::storeysWith(body(5, 2, 0, 0.5, 6));
+  ASSERT_EQ(storeys.level.bodiesBySector.size(), 2U);
   Walker walker = walkerAt(storeys.scene(), SectorId(0), {2, 2, 6}, 0, 0);
   walker.isFlying = true;
   walker = after(storeys.scene(), walker, kForward, 192);

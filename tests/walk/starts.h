@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "load/load.h"
 #include "random_levels/random_level.h"
@@ -10,7 +11,9 @@
 
 namespace hearth::random_walks {
 
-/// None where it does not load.
+std::optional<SectorId> sectorNamed(const Level& level, const std::string& name);
+
+/// None where it does not load. Nothing in it is solid but the level itself.
 std::optional<LoadedLevel> loadRandom(const RandomLevel& random,
                                       const std::filesystem::path& folder);
 

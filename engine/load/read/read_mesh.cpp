@@ -10,8 +10,8 @@ namespace {
 
 constexpr NumberRange kMeshScale{1e-6, kWorldLimit};
 
-constexpr std::array<std::string_view, 10> kMeshKeys{
-    "name", "mesh", "x", "y", "z", "sector", "angle", "scale", "texture", "twoSided"};
+constexpr std::array<std::string_view, 11> kMeshKeys{
+    "name", "mesh", "x", "y", "z", "sector", "angle", "scale", "texture", "twoSided", "solid"};
 /// Found in a mesh, and of sprites.
 constexpr std::array<std::string_view, 7> kSpriteKeysAlone{"fps",    "size",   "offset", "facing",
                                                            "bright", "radius", "height"};
@@ -43,6 +43,7 @@ std::optional<MeshDescription> readMesh(Report& report, JsonValue value) {
   if (const auto scale = fields.find("scale")) readScale(report, *scale, mesh.scale);
   if (const auto texture = fields.find("texture")) mesh.texture = readReference(report, *texture);
   fields.read("twoSided", mesh.mesh.isTwoSided);
+  fields.read("solid", mesh.mesh.isSolid);
   if (!isGood || !reference) return std::nullopt;
   mesh.file = *reference;
   return mesh;
