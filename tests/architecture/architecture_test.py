@@ -54,6 +54,7 @@ OUTSIDERS = {
     r"hwy/.*": ["engine/light/*/*_kernels.cpp", "engine/light/*/*-inl.h", "engine/render/*.cpp", "engine/render/*-inl.h",
                 "tests/*/*.cpp"],
     r"embree.*": ["tools/peers/embree.*", "tests/*/*"],
+    r"GL/.*": ["tools/peers/llvmpipe.cpp"],
     r"gtest/.*|gmock/.*|rapidcheck.*": ["tests/*/*"],
 }
 

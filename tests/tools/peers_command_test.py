@@ -65,7 +65,9 @@ class Rows(unittest.TestCase):
                 self.assertGreaterEqual(row["shortfall"], 0)
                 if row["shortfall"] == 0:
                     self.assertNotIn("inTheWay", row)
-                elif row["name"].startswith(("doom", "embree", "frame", "start", "threads")):
+                elif row["name"].startswith(
+                        ("doom", "embree", "frame", "model", "sprites", "start", "threads")
+                ):
                     self.assertIn("inTheWay", row)
 
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "math/parallel.h"
+#include "peers/frame_phases.h"
 #include "peers/peer_inputs.h"
 #include "peers/peer_rows.h"
 
@@ -14,56 +15,6 @@ namespace {
 constexpr ImageSize kFullHd{1920, 1080};
 constexpr ImageSize k4K{3840, 2160};
 constexpr int kTurns = 2;
-
-/// Of frames, milliseconds of their two phases.
-class PhaseTimes {
- public:
-  /// Of work that does one after the other.
-  template <typename Find, typename Color>
-  void add(const Clock& clock, Find&& find, Color&& color) {
-    const double begin = clock();
-    find();
-    const double found = clock();
-    color();
-    const double end = clock();
-    finds_.push_back(1e3 * (found - begin));
-    colors_.push_back(1e3 * (end - found));
-    frames_.push_back(1e3 * (end - begin));
-  }
-
-  void clear() { finds_.clear(), colors_.clear(), frames_.clear(); }
-
-  double find() const { return spreadOf(finds_).median; }
-  double color() const { return spreadOf(colors_).median; }
-  double frame() const { return spreadOf(frames_).median; }
-
- private:
-  std::vector<double> finds_;
-  std::vector<double> colors_;
-  std::vector<double> frames_;
-};
-
-/// What frames are drawn in.
-class Canvas {
- public:
-  void find(const Renderer& renderer, const Camera& camera, Workers* workers) {
-    renderer.findSpans(camera, scratch_, workers);
-  }
-  void color(const Renderer& renderer, const Camera& camera, Workers* workers) {
-    renderer.paintSpans(camera, LightMode::Both, scratch_,
-                        memory_.rows(camera.width, camera.height), workers);
-  }
-  /// One frame, both phases.
-  void draw(const Renderer& renderer, const Camera& camera, Workers* workers, PhaseTimes& times,
-            const Clock& clock) {
-    times.add(
-        clock, [&] { find(renderer, camera, workers); }, [&] { color(renderer, camera, workers); });
-  }
-
- private:
-  FrameScratch scratch_;
-  PixelBuffer memory_;
-};
 
 /// All shots in this size.
 std::vector<Camera> camerasIn(ImageSize size, const PeerLevel& level) {

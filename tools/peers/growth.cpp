@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <memory>
 
+#include "peers/evenly.h"
 #include "peers/peer_inputs.h"
 #include "peers/peer_rows.h"
 
@@ -43,16 +43,6 @@ struct Layout {
   Extent large;  ///< of 100,000
 };
 
-/// 0..1, evenly, of three numbers: splitmix64 of them.
-double random(int x, int y, int which) {
-  std::uint64_t bits = static_cast<std::uint64_t>(x + 100'000) * 1'000'003U +
-                       static_cast<std::uint64_t>(y + 100'000) * 7U +
-                       static_cast<std::uint64_t>(which);
-  for (const std::uint64_t factor : {0xbf58476d1ce4e5b9U, 0x94d049bb133111ebU})
-    bits = (bits ^ (bits >> 30)) * factor;
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
-
 constexpr int kSeenInRow = 4;   ///< rooms to the right of the first that are seen
 constexpr int kSeenOnGrid = 2;  ///< and to all sides of it
 
@@ -66,8 +56,8 @@ constexpr Layout kStrip{
 
 constexpr Layout kGrid{
     .isShut = [](int x, int y) { return std::max(std::abs(x), std::abs(y)) == kSeenOnGrid + 1; },
-    .leadsRight = [](int x, int y) { return random(x, y, 1) < 0.7; },
-    .leadsDown = [](int x, int y) { return random(x, y, 2) < 0.7; },
+    .leadsRight = [](int x, int y) { return evenly(x, y, 1) < 0.7; },
+    .leadsDown = [](int x, int y) { return evenly(x, y, 2) < 0.7; },
     .small = {10, 10, 5, 5},
     .large = {400, 250, 200, 125},
 };
@@ -82,8 +72,8 @@ std::string wallText(const Extent& extent, bool leads, int x, int y) {
 
 std::string roomText(const Layout& layout, const Extent& extent, int x, int y) {
   const bool isShut = layout.isShut(x, y);
-  const double floor = isShut ? 0 : 0.5 * random(x, y, 3);
-  const double ceiling = isShut ? 0 : 3 + random(x, y, 4);
+  const double floor = isShut ? 0 : 0.5 * evenly(x, y, 3);
+  const double ceiling = isShut ? 0 : 3 + evenly(x, y, 4);
   const int left = 8 * x - 4;
   const int top = 8 * y - 4;
   return fmt::format(

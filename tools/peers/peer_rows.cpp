@@ -46,6 +46,24 @@ constexpr std::array kRows = {
             {"frame, ms", "write, ms", "spans found, ms", "coloured, ms"},
             2,
             prepareWhiteLitCastleWrites},
+    PeerRow{
+        "model",
+        "frame of a room with a model of 99,856 triangles, 1920x1080, one thread, without light / "
+        "llvmpipe's",
+        "",
+        atMost(1),
+        {"Hearth, ms", "llvmpipe, ms", "spans found, ms", "coloured, ms"},
+        2,
+        prepareModelFrame},
+    PeerRow{
+        "sprites",
+        "frame of a hall with 1,000 sprites on half of the picture, 1920x1080, one thread / the "
+        "same without them",
+        "",
+        atMost(1.5),
+        {"with sprites, ms", "without, ms", "more for finding spans, ms", "more for colouring, ms"},
+        2,
+        prepareSpriteFrame},
     PeerRow{"threads-spans",
             "colouring of found spans of the castle, 1920x1080: one thread / two",
             "",
