@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "level/bake_settings.h"
+#include "level/face_tree.h"
 #include "level/ids.h"
 #include "level/light_source.h"
 #include "level/mesh.h"
@@ -79,7 +80,8 @@ struct Level {
   std::vector<SegmentId> entrances;           ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
 
-  std::vector<ThingBody> bodies;  ///< of sprites, then of meshes; set by `addBodies`
+  std::vector<FaceTree> faceTrees;  ///< by mesh
+  std::vector<ThingBody> bodies;    ///< of sprites, then of meshes; set by `addBodies`
 
   // By sector, then by index:
   std::vector<BodyInSector> bodiesBySector;  ///< set by `addBodies`
@@ -98,9 +100,10 @@ struct Level {
   }
 
   /// Of the surface of a mesh.
-  const Mesh& meshOf(SurfaceId id) const {
-    return meshes[id.index() - meshes.front().surface.index()];
+  std::uint32_t meshIndexOf(SurfaceId id) const {
+    return static_cast<std::uint32_t>(id.index() - meshes.front().surface.index());
   }
+  const Mesh& meshOf(SurfaceId id) const { return meshes[meshIndexOf(id)]; }
   std::span<const MeshFace> facesOf(const Mesh& mesh) const {
     return {meshFaces.data() + mesh.firstFace, mesh.faceCount};
   }

@@ -158,6 +158,8 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   validatePortals(linking);
   linkPositions(linking, lights);
   if (report_.hasErrors()) return std::nullopt;
+  for (const Mesh& mesh : linking.level.meshes)
+    linking.level.faceTrees.emplace_back(linking.level.facesOf(mesh));
   if (!addBodiesWithinLimit(linking) || !addMeshSectorsWithinLimit(linking)) return std::nullopt;
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "math/vec.h"
+
+namespace hearth {
+
+/// A box along the axes, borders included. Empty until a point is added.
+struct Box3 {
+  static constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+  Vec3 min{kEndless, kEndless, kEndless};
+  Vec3 max{-kEndless, -kEndless, -kEndless};
+
+  constexpr void add(Vec3 p) {
+    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+  }
+  constexpr void add(const Box3& other) { add(other.min), add(other.max); }
+
+  /// The farthest point of it along a direction.
+  constexpr Vec3 farthest(Vec3 along) const {
+    return {along.x < 0 ? min.x : max.x, along.y < 0 ? min.y : max.y, along.z < 0 ? min.z : max.z};
+  }
+
+  friend constexpr bool operator==(const Box3&, const Box3&) = default;
+};
+
+}  // namespace hearth
