@@ -29,6 +29,7 @@ struct Mesh {
   SectorId sector;          ///< that contains `position`
   bool isTwoSided = false;  ///< its faces are seen from their backs, too
   bool isSolid = true;      ///< to the player
+  bool castsShadow = true;  ///< it stops light
   std::uint32_t thing = 0;  ///< index among the level's sprites and meshes together
 
   // Its faces are [firstFace, firstFace + faceCount) of Level::meshFaces.

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <functional>
 #include <mutex>
+#include <numeric>
 #include <utility>
 
 #include "light/baking/baked_surface.h"
+#include "light/baking/mesh_light.h"
 #include "light/baking/sprite_light.h"
 #include "light/grid/texel_limits.h"
 #include "math/parallel.h"
@@ -39,16 +41,24 @@ std::int64_t texelsOf(const std::vector<SurfaceTexels>& jobs) {
   return sum;
 }
 
-/// Bakes the texels of these surfaces, all of which can be lit.
-BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const Scene& scene,
-                    const BakeSettings& settings, int threads, BakeProgress* progress) {
+std::int64_t texelsOf(const std::vector<LitMesh>& meshes) {
+  std::int64_t sum = 0;
+  for (const LitMesh& mesh : meshes) sum += mesh.texels.count();
+  return sum;
+}
+
+/// Bakes the texels of these surfaces, all of which can be lit, and these meshes.
+BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32_t> meshes,
+                    LitSurfaces surfaces, const Scene& scene, const BakeSettings& settings,
+                    int threads, BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
   sortByFallingSize(jobs);
-  done.begin(texelsOf(jobs));
 
   BakedLight baked;
   baked.surfaces = std::move(surfaces);
+  baked.meshes = makeLitMeshes(scene.level(), settings.texel, meshes, threads);
+  done.begin(texelsOf(jobs) + texelsOf(baked.meshes));
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
   baked.lightCosts.resize(scene.level().lights.size());
@@ -64,6 +74,8 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, LitSurfaces surfaces, const
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });
   lightSprites(scene, visibilities, threads, baked);
+  lightMeshes(scene, visibilities, settings, threads, meshes, baked);
+  done.add(texelsOf(baked.meshes));
   baked.stats = statsOf(baked);
   return baked;
 }
@@ -78,16 +90,20 @@ std::optional<std::string> mistakeInSquare(int number) {
 
 BakeStats statsOf(const BakedLight& baked) {
   BakeStats stats;
-  for (std::size_t i = 0; i < baked.surfaces.size(); ++i) {
-    if (!baked.surfaces[i]) continue;
+  const auto add = [&](std::size_t surface, const TexelRect& texels) {
     ++stats.surfaces;
-    stats.texels += baked.surfaces[i]->texels.count();
-    if (!baked.surfaceCosts.empty()) stats.rays += baked.surfaceCosts[i].rays;
-    if (!baked.lightmaps[i]) continue;
+    stats.texels += texels.count();
+    if (!baked.surfaceCosts.empty()) stats.rays += baked.surfaceCosts[surface].rays;
+    const std::optional<Lightmap>& lightmap = baked.lightmaps[surface];
+    if (!lightmap) return;
     ++stats.litSurfaces;
-    if (baked.lightmaps[i]->channels == 3) ++stats.coloredSurfaces;
-    stats.bytes += static_cast<std::int64_t>(baked.lightmaps[i]->bytes());
-  }
+    if (lightmap->channels == 3) ++stats.coloredSurfaces;
+    stats.bytes += static_cast<std::int64_t>(lightmap->bytes());
+  };
+  for (std::size_t i = 0; i < baked.surfaces.size(); ++i)
+    if (baked.surfaces[i]) add(i, baked.surfaces[i]->texels);
+  for (const LitMesh& mesh : baked.meshes)
+    if (!mesh.places.empty()) add(mesh.surface.index(), mesh.texels);
   return stats;
 }
 
@@ -111,15 +127,21 @@ BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
   std::vector<SurfaceTexels> all;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i]) all.push_back({SurfaceId(i), surfaces[i]->texels});
-  return bakeJobs(std::move(all), std::move(surfaces), scene, settings, threads, progress);
+  std::vector<std::uint32_t> meshes(scene.level().meshes.size());
+  std::iota(meshes.begin(), meshes.end(), 0U);
+  return bakeJobs(std::move(all), meshes, std::move(surfaces), scene, settings, threads, progress);
 }
 
 BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress) {
   std::vector<SurfaceTexels> jobs;
-  for (const auto& [id, texels] : wanted)
-    jobs.push_back({id, texelsToBake(texels, *surfaces[id.index()], settings)});
-  return bakeJobs(std::move(jobs), std::move(surfaces), scene, settings, threads, progress);
+  std::vector<std::uint32_t> meshes;
+  for (const SurfaceTexels& texels : wanted)
+    if (scene[texels.surface].kind == SurfaceKind::Mesh)
+      meshes.push_back(scene.level().meshIndexOf(texels.surface));
+    else
+      jobs.push_back({texels.surface, texelsToBake(texels, scene, surfaces, settings)});
+  return bakeJobs(std::move(jobs), meshes, std::move(surfaces), scene, settings, threads, progress);
 }
 
 }  // namespace hearth

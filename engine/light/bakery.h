@@ -12,6 +12,7 @@
 #include "light/bake_progress.h"
 #include "light/light_cost.h"
 #include "light/lightmap.h"
+#include "light/lit_mesh.h"
 #include "light/lit_surface.h"
 
 namespace hearth {
@@ -34,6 +35,7 @@ struct SurfaceCost {
 /// The baked light of a level. Surfaces that no light reaches have no lightmap.
 struct BakedLight {
   LitSurfaces surfaces;                            ///< by SurfaceId
+  std::vector<LitMesh> meshes;                     ///< in the order of the level's
   std::vector<std::optional<Lightmap>> lightmaps;  ///< by SurfaceId
   BakeStats stats;
   std::vector<SurfaceCost> surfaceCosts;  ///< by SurfaceId
@@ -52,7 +54,7 @@ std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSetti
 BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
 
-/// Texels of a surface, at least one.
+/// Texels of a surface, at least one. A mesh is baked whole, whatever they are.
 struct SurfaceTexels {
   SurfaceId surface;
   TexelRect texels;

@@ -89,6 +89,10 @@ std::uint64_t geometryHash(const Scene& scene, double texel) {
   for (const TexelHoles& holes : scene.level().holes) addHoles(hash, holes);
   hash.addWhole(scene.level().sectors.size());
   for (const Sector& sector : scene.level().sectors) addGeometry(hash, scene, sector, ids);
+  for (const Mesh& mesh : scene.level().meshes) {
+    addMesh(hash, scene.level(), mesh);
+    hash.addWhole(mesh.sector.value);
+  }
   for (const Sprite& sprite : scene.level().sprites) {
     hash.addPoint(lightPointOf(scene, sprite));
     hash.addWhole(sprite.sector.value);
@@ -98,6 +102,13 @@ std::uint64_t geometryHash(const Scene& scene, double texel) {
 
 void addGeometry(Hash& hash, const Scene& scene, const Sector& sector, const PartNumbers& numbers) {
   GeometryHasher(hash, numbers).add(scene, sector);
+}
+
+void addMesh(Hash& hash, const Level& level, const Mesh& mesh) {
+  hash.addWhole((mesh.castsShadow ? 1 : 0) + (mesh.isTwoSided ? 2 : 0));
+  hash.addWhole(mesh.faceCount);
+  for (const MeshFace& face : level.facesOf(mesh))
+    for (const Vec3 corner : face.corners) hash.addPoint(corner);
 }
 
 void addHoles(Hash& hash, const TexelHoles& holes) {

@@ -10,9 +10,10 @@ namespace hearth {
 class Hash;
 
 /// A hash of all that decides which surfaces show, in which order, and where their texels lie,
-/// which are `texel` metres wide; the same on every machine. It leaves out names, light, the
-/// player, and textures except the holes of masked ones. It also leaves out ids, which count
-/// surfaces that show only at other heights. saved_bake.md lists its input.
+/// which are `texel` metres wide, of where meshes are, and of the points of air whose light sprites
+/// take; the same on every machine. It leaves out names, light, the player, and textures except the
+/// holes of masked ones. It also leaves out ids, which count surfaces that show only at other
+/// heights. saved_bake.md lists its input.
 std::uint64_t geometryHash(const Scene& scene, double texel);
 
 /// The numbers that stand for the parts of a level to which a sector leads.
@@ -24,6 +25,9 @@ struct PartNumbers {
 
 /// Adds one sector to such a hash.
 void addGeometry(Hash& hash, const Scene& scene, const Sector& sector, const PartNumbers& numbers);
+
+/// Adds where the faces of a mesh are, and what they do to light.
+void addMesh(Hash& hash, const Level& level, const Mesh& mesh);
 
 /// Adds which texels of a masked middle texture are holes; nothing where none is.
 void addHoles(Hash& hash, const TexelHoles& holes);

@@ -17,6 +17,7 @@ class Printer {
   Printer(const Scene& scene, const LitSurfaces& surfaces) : scene_(scene), surfaces_(surfaces) {
     for (const Sector& sector : scene.level().sectors) names_.push_back(hashOf(sector.name));
     for (const TexelHoles& texture : scene.level().holes) holes_.push_back(hashOf(texture));
+    for (const Mesh& mesh : scene.level().meshes) meshes_.push_back(hashOf(mesh));
     for (const Sector& sector : scene.level().sectors) outlines_.push_back(outlineOf(sector));
     for (std::size_t i = 0; i < surfaces.size(); ++i) faces_.push_back(faceOf(SurfaceId(i)));
   }
@@ -44,6 +45,18 @@ class Printer {
     return hash.value();
   }
 
+  std::uint64_t hashOf(const Mesh& mesh) const {
+    Hash hash;
+    addMesh(hash, scene_.level(), mesh);
+    return hash.value();
+  }
+
+  /// Those that stop light in a sector.
+  void addMeshes(Hash& hash, SectorId sector) const {
+    for (const MeshInSector& at : scene_.level().meshesIn(sector))
+      if (scene_.level().meshes[at.mesh].castsShadow) hash.addWhole(meshes_[at.mesh]);
+  }
+
   /// A sector without what it leads to, except the names.
   std::uint64_t outlineOf(const Sector& sector) const {
     const PartNumbers numbers{
@@ -63,6 +76,7 @@ class Printer {
     hash.addWhole(outlines_[id.index()]);
     for (const Segment& segment : scene_.segmentsOf(sector)) addOpenings(hash, segment);
     for (const SectorId next : neighboursOf(sector)) hash.addWhole(outlines_[next.index()]);
+    addMeshes(hash, id);
     return hash.value();
   }
 
@@ -99,12 +113,13 @@ class Printer {
     return next;
   }
 
-  /// A surface without what continues it.
+  /// A surface without what continues it, and the meshes in which samples of it may lie.
   std::uint64_t faceOf(SurfaceId id) const {
     const auto& surface = surfaces_[id.index()];
     if (!surface) return 0;
     Hash hash;
     hash.addWhole(names_[scene_[id].sector.index()]);
+    addMeshes(hash, scene_[id].sector);
     const TexelGrid& grid = surface->grid;
     for (const Vec3 v : {grid.origin, grid.axisS, grid.axisT, surface->anchor, surface->normal})
       hash.addPoint(v);
@@ -141,6 +156,7 @@ class Printer {
   const LitSurfaces& surfaces_;
   std::vector<std::uint64_t> names_;     ///< by SectorId
   std::vector<std::uint64_t> holes_;     ///< by TextureId
+  std::vector<std::uint64_t> meshes_;    ///< hashes, in the level's order
   std::vector<std::uint64_t> outlines_;  ///< by SectorId
   std::vector<std::uint64_t> faces_;     ///< by SurfaceId
 };

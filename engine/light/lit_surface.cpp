@@ -18,26 +18,6 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-TexelRect texelsOf(const std::vector<Polygon>& outlines) {
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
-  Vec2 low = {kEndless, kEndless};
-  Vec2 high = {-kEndless, -kEndless};
-  for (const Polygon& outline : outlines)
-    for (const Vec2 p : outline) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  // Bilinear filtering at p reads texels floor(p - 1/2) and the one after it. A whisker more, so
-  // that a point on the edge may be rounded outwards.
-  const auto first = [](double p) { return static_cast<int>(std::floor(p - 0.5 - kFilterSlack)); };
-  const auto last = [](double p) {
-    return static_cast<int>(std::floor(p - 0.5 + kFilterSlack)) + 1;
-  };
-  const int i0 = first(low.x);
-  const int j0 = first(low.y);
-  return {i0, j0, last(high.x) - i0 + 1, last(high.y) - j0 + 1};
-}
-
 class LitSurfaceBuilder {
  public:
   LitSurfaceBuilder(const Scene& scene, double texel)
@@ -71,7 +51,7 @@ class LitSurfaceBuilder {
     lit.grid = grid;
     lit.anchor = anchor;
     lit.normal = normal;
-    lit.texels = texelsOf(outlines);
+    lit.texels = texelsAround(outlines);
     lit.outline = Polygons(outlines);
   }
 
@@ -135,6 +115,26 @@ class LitSurfaceBuilder {
 
 }  // namespace
 
+TexelRect texelsAround(const std::vector<std::vector<Vec2>>& outlines) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  Vec2 low = {kEndless, kEndless};
+  Vec2 high = {-kEndless, -kEndless};
+  for (const std::vector<Vec2>& outline : outlines)
+    for (const Vec2 p : outline) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  // Bilinear filtering at p reads texels floor(p - 1/2) and the one after it. A whisker more, so
+  // that a point on the edge may be rounded outwards.
+  const auto first = [](double p) { return static_cast<int>(std::floor(p - 0.5 - kFilterSlack)); };
+  const auto last = [](double p) {
+    return static_cast<int>(std::floor(p - 0.5 + kFilterSlack)) + 1;
+  };
+  const int i0 = first(low.x);
+  const int j0 = first(low.y);
+  return {i0, j0, last(high.x) - i0 + 1, last(high.y) - j0 + 1};
+}
+
 TexelRect intersection(const TexelRect& a, const TexelRect& b) {
   const int i0 = std::max(a.i0, b.i0);
   const int j0 = std::max(a.j0, b.j0);
@@ -151,7 +151,7 @@ Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
 
 std::vector<LitSurface::TexelRun> LitSurface::usedRuns(int j) const {
   std::vector<TexelRun> used;
-  // See texelsOf: the middles of texels that are used are less than one texel off. Another
+  // See texelsAround: the middles of texels that are used are less than one texel off. Another
   // whisker, so that no rounding leaves a row of its texels without one.
   for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + 2 * kFilterSlack)) {
     const TexelRun next{

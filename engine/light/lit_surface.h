@@ -27,6 +27,9 @@ struct TexelRect {
 /// The texels that both have; they have some.
 TexelRect intersection(const TexelRect& a, const TexelRect& b);
 
+/// The texels that bilinear filtering can read at points of polygons, in texel coordinates.
+TexelRect texelsAround(const std::vector<std::vector<Vec2>>& outlines);
+
 /// A surface that continues another in its plane, and the edge that they share, in texel
 /// coordinates of that other one.
 struct Continuation {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "light/baking/baked_surface.h"
 #include "light/baking/light_dependencies.h"
 #include "light/baking/light_visibility.h"
+#include "light/baking/mesh_light.h"
 #include "light/baking/sprite_light.h"
 #include "light/baking/surface_light.h"
 #include "light/baking/texel_sums.h"
@@ -145,6 +147,8 @@ class Rebake::Baker {
   Contribution contributionOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
                               LightDependencies& dependencies) const;
   TexelSums sumsFor(SurfaceId id) const;
+  void lightThings(const LightVisibilities& visibilities, const BakeSettings& settings,
+                   BakedLight& baked) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
   std::optional<Lightmap> draftOf(SurfaceId id, const LightVisibilities& visibilities) const;
@@ -291,6 +295,9 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
   if (!plan.facing.empty()) {
     TexelSums sums = sumsFor(id);
     for (const auto& contribution : surface.contributions) sums.add(contribution->sums);
+    emptyTexelsOf(SurfaceLight(scene_, surfaces_, visibilities_, settings_.lambert, id),
+                  surfaces_[id.index()]->texels, settings_)
+        .fill(sums);
     surface.lightmap = lightmapOf(sums, settings_);
   }
   return std::make_shared<const Surface>(std::move(surface));
@@ -364,9 +371,19 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
       baked.surfaceCosts[i].rays += cost.rays;
     }
   }
-  lightSprites(scene_, visibilities_, threads_, baked);
+  lightThings(visibilities_, settings_, baked);
   baked.stats = statsOf(baked);
   return baked;
+}
+
+/// Things are lit anew each time.
+void Rebake::Baker::lightThings(const LightVisibilities& visibilities, const BakeSettings& settings,
+                                BakedLight& baked) const {
+  baked.meshes = makeLitMeshes(scene_.level(), settings.texel, threads_);
+  std::vector<std::uint32_t> meshes(baked.meshes.size());
+  std::iota(meshes.begin(), meshes.end(), 0U);
+  lightSprites(scene_, visibilities, threads_, baked);
+  lightMeshes(scene_, visibilities, settings, threads_, meshes, baked);
 }
 
 /// As many as there is room for.
@@ -388,7 +405,7 @@ BakedLight Rebake::Baker::draft() const {
   parallelFor(order.size(), threads_, [&](std::size_t job) {
     baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), visibilities);
   });
-  lightSprites(scene_, visibilities, threads_, baked);
+  lightThings(visibilities, points, baked);
   baked.stats = statsOf(baked);
   return baked;
 }

@@ -22,7 +22,7 @@ namespace {
 // The layout, of which saved_bake.md has the table. Numbers are little-endian.
 constexpr std::string_view kMagic = "\x89HEARTH\n";
 /// To be raised with the layout, and with the rules of surfaces, their order and texel grids.
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::size_t kVersionEnd = 12;
 constexpr std::size_t kHeaderBytes = 52;
 /// Surface, i0, j0, width, height and channels, before the texels of each lightmap.
@@ -226,18 +226,23 @@ Mistake mistakeInGeometry(const Scene& scene, const Header& header, std::string_
 }
 
 /// As many bytes as the lightmaps of all surfaces can have.
-std::uint64_t maxLightmapBytes(const LitSurfaces& surfaces, std::size_t sprites) {
+std::uint64_t maxLightmapBytes(const BakedLight& light, std::size_t sprites) {
   constexpr std::uint64_t kBytesPerTexel = 3;
-  std::uint64_t bytes = sprites * (kMapNumbers * kShortBytes + kBytesPerTexel);
-  for (const auto& surface : surfaces)
-    if (surface) bytes += kMapNumbers * kShortBytes + kBytesPerTexel * texelsIn(surface->texels);
+  std::uint64_t bytes = 0;
+  const auto add = [&](const TexelRect& texels) {
+    bytes += kMapNumbers * kShortBytes + kBytesPerTexel * texelsIn(texels);
+  };
+  for (const auto& surface : light.surfaces)
+    if (surface) add(surface->texels);
+  for (const LitMesh& mesh : light.meshes) add(mesh.texels);
+  for (std::size_t i = 0; i < sprites; ++i) add(kSpriteTexel);
   return bytes;
 }
 
 /// That no more memory is needed for the lightmaps than there is light in the level, and allowed.
-std::optional<BakeMistake> mistakeInSize(const Header& header, const LitSurfaces& surfaces,
+std::optional<BakeMistake> mistakeInSize(const Header& header, const BakedLight& light,
                                          std::size_t sprites, std::uint64_t maxLightBytes) {
-  const std::uint64_t most = maxLightmapBytes(surfaces, sprites);
+  const std::uint64_t most = maxLightmapBytes(light, sprites);
   if (header.lightmapBytes > most)
     return BakeMistake{fmt::format("has lightmaps of {} bytes, where at most {} can be",
                                    header.lightmapBytes, most)};
@@ -277,22 +282,29 @@ class LightmapReader {
       return fmt::format("has a lightmap for surface {}, of a level with {}", surface,
                          surfaces_.size());
     const std::size_t index = surfaces_[surface].index();
-    const auto& lit = light_.surfaces[index];
     std::optional<Lightmap>& map = light_.lightmaps[index];
-    const bool isOfSprite = isSprite(scene_[surfaces_[surface]].kind);
-    if (!lit && !isOfSprite) return wrong(surface, "that never shows light");
+    const TexelRect* const expected = texelsOf(surfaces_[surface]);
+    if (!expected) return wrong(surface, "that never shows light");
     if (map) return wrong(surface, "that has one already");
     const TexelRect rect{unfolded(i0), unfolded(j0), static_cast<int>(width),
                          static_cast<int>(height)};
-    const TexelRect& texels = isOfSprite ? kSpriteTexel : lit->texels;
-    if (rect != texels)
+    if (rect != *expected)
       return wrong(surface,
-                   fmt::format("with texels {} instead of {}", words(rect), words(texels)));
+                   fmt::format("with texels {} instead of {}", words(rect), words(*expected)));
     if (channels != 1 && channels != 3)
       return wrong(surface, fmt::format("with {} channels instead of 1 or 3", channels));
     if (in_.left() / channels < texelsIn(rect)) return wrong(surface, "that is cut short");
     map = compacted({rect, takeTexels(rect, channels), static_cast<int>(channels)});
     return std::nullopt;
+  }
+
+  /// None of a surface that takes no light.
+  const TexelRect* texelsOf(SurfaceId id) const {
+    const SurfaceKind kind = scene_[id].kind;
+    if (isSprite(kind)) return &kSpriteTexel;
+    if (kind == SurfaceKind::Mesh) return &light_.meshes[scene_.level().meshIndexOf(id)].texels;
+    const auto& lit = light_.surfaces[id.index()];
+    return lit ? &lit->texels : nullptr;
   }
 
   std::vector<std::uint8_t> takeTexels(const TexelRect& rect, std::size_t channels) {
@@ -365,9 +377,10 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string
 
   BakedLight light;
   light.surfaces = makeLitSurfaces(scene, header.texel);
+  light.meshes = makeLitMeshes(scene.level(), header.texel, 1);
   light.lightmaps.resize(light.surfaces.size());
   const std::size_t sprites = scene.level().sprites.size();
-  if (auto mistake = mistakeInSize(header, light.surfaces, sprites, maxLightBytes))
+  if (auto mistake = mistakeInSize(header, light, sprites, maxLightBytes))
     return tl::unexpected(std::move(*mistake));
   const auto lightmaps = unpacked(in.take(in.left()), header.lightmapBytes);
   if (!lightmaps) return refused(lightmaps.error());

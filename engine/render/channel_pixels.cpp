@@ -136,10 +136,10 @@ void paintChannel(const SpanPainter& painter, const Span& span, const ChannelFra
         pixel = uvColor(mapping, parameter, material.image());
         break;
       case Channel::Normal:
-        pixel = normalColor(normalOf(span, material.lit));
+        pixel = normalColor(normalOf(span, material.lit.surface));
         break;
       case Channel::Backs:
-        pixel = sideColor(span, normalOf(span, material.lit), frame.eye);
+        pixel = sideColor(span, normalOf(span, material.lit.surface), frame.eye);
         break;
       case Channel::Light:
         pixel = lightColor(material.lightmap, mapping, parameter);

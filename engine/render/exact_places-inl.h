@@ -78,20 +78,27 @@ HWY_INLINE Doubles at(const Affine& along, Doubles parameter) {
   return hn::Add(all(along.atZero), hn::Mul(parameter, all(along.per)));
 }
 
-inline void findFaceTexels(const FaceColumn& column, const double* raySlopes, int rows,
-                           const Texture& image, std::uint32_t* texels) {
-  const Repeating across(image.width());
-  const Repeating down(image.height());
+/// Calls visit(row, u, v) for as many rows at once as a register of doubles holds.
+template <typename Visit>
+HWY_INLINE void forEachOfFace(const FaceColumn& column, const double* raySlopes, int rows,
+                              Visit&& visit) {
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); row += hn::Lanes(kDouble)) {
     const Doubles raySlope = hn::LoadU(kDouble, raySlopes + row);
     const Doubles depth = hn::Div(all(1), at(column.nearness, raySlope));
     const auto texel = [&](double atEye, const Affine& along) HWY_ATTR {
       return hn::Add(all(atEye), hn::Mul(depth, at(along, raySlope)));
     };
-    store(numberOf(across.texel(texel(column.uAtEye, column.u)),
-                   down.texel(texel(column.vAtEye, column.v)), image.height()),
-          texels + row);
+    visit(row, texel(column.uAtEye, column.u), texel(column.vAtEye, column.v));
   }
+}
+
+inline void findFaceTexels(const FaceColumn& column, const double* raySlopes, int rows,
+                           const Texture& image, std::uint32_t* texels) {
+  const Repeating across(image.width());
+  const Repeating down(image.height());
+  forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles u, Doubles v) HWY_ATTR {
+    store(numberOf(across.texel(u), down.texel(v), image.height()), texels + row);
+  });
 }
 
 /// A fraction of 0 to 1 as a Mix has it.
@@ -151,6 +158,20 @@ inline void findLightTexels(PixelBlock& block, const GroupMapping& mapping,
           &block.lightTexels[pixel]);
     storeMix(filtered(across.fraction, filter), filtered(down.fraction, filter),
              block.betweenLightTexels, pixel);
+  });
+}
+
+inline void findFaceLight(const FaceColumn& column, const double* raySlopes, int rows,
+                          const Lightmap& lightmap, LightFilter filter, FaceLightPlaces& places) {
+  const TexelRect& rect = lightmap.rect;
+  const Vec2 first = centreOfFirst(rect);
+  forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles s, Doubles t) HWY_ATTR {
+    const Between across = betweenKept(hn::Sub(s, all(first.x)), rect.width);
+    const Between down = betweenKept(hn::Sub(t, all(first.y)), rect.height);
+    store(hn::Mul(numberOf(down.first, across.first, rect.width), all(lightmap.channels)),
+          &places.texels[row]);
+    storeMinusFraction(filtered(across.fraction, filter), &places.across[row]);
+    storeMinusFraction(filtered(down.fraction, filter), &places.down[row]);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "render/face_gradient.h"
 
@@ -24,8 +25,14 @@ bool isUprightPlane(Vec3 out) {
 
 }  // namespace
 
+const FacePlaces* placesOf(const Level& level, const LitMesh* mesh, const MeshFace& face) {
+  if (!mesh) return nullptr;
+  const std::uint32_t first = level.meshOf(mesh->surface).firstFace;
+  return &mesh->places[static_cast<std::size_t>(&face - level.meshFaces.data()) - first];
+}
+
 void mapFace(const Projection& projection, const SpanGroup& group, const Texture* image,
-             GroupMapping& mapping) {
+             const FacePlaces* places, GroupMapping& mapping) {
   const MeshFace& face = *group.face;
   const Vec3 eye = projection.eye();
   const Vec3 out = frontOf(face);
@@ -39,24 +46,31 @@ void mapFace(const Projection& projection, const SpanGroup& group, const Texture
     rays[lane] = {ray.x, ray.y, mapping.rise[lane]};
   }
   mapping.height = mapping.isPlane ? -eyeBefore(face, out, eye) / out.z : 0;
-  if (!image) return;
-  const auto map = [&](double Vec2::*axis, int size, LaneImageAxis& to) {
-    const auto& [a, b, c] = face.image;
+  const auto map = [&](const std::array<Vec2, 3>& corners, double Vec2::*axis, LaneAffine& to) {
+    const auto& [a, b, c] = corners;
     const FaceGradient gradient = gradientOf(face.corners, eye, {a.*axis, b.*axis, c.*axis});
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
       const double along = dot(gradient.perMetre, rays[lane]);
       // Along what is upright the parameter is the slope of the ray.
-      to.place.atZero[lane] = mapping.isPlane
-                                  ? gradient.atEye + mapping.height * gradient.perMetre.z
-                                  : gradient.atEye + group.depth[lane] * along;
-      to.place.per[lane] = mapping.isPlane ? along : group.depth[lane] * gradient.perMetre.z;
+      to.atZero[lane] = mapping.isPlane ? gradient.atEye + mapping.height * gradient.perMetre.z
+                                        : gradient.atEye + group.depth[lane] * along;
+      to.per[lane] = mapping.isPlane ? along : group.depth[lane] * gradient.perMetre.z;
     }
+  };
+  const auto mapImage = [&](double Vec2::*axis, int size, LaneImageAxis& to) {
+    map(face.image, axis, to.place);
     to.origin.fill(0);
     to.texelsPerPlace = size;
     to.offset = 0;
   };
-  map(&Vec2::x, image->width(), mapping.u);
-  map(&Vec2::y, image->height(), mapping.v);
+  if (image) {
+    mapImage(&Vec2::x, image->width(), mapping.u);
+    mapImage(&Vec2::y, image->height(), mapping.v);
+  }
+  if (places) {
+    map(*places, &Vec2::x, mapping.s);
+    map(*places, &Vec2::y, mapping.t);
+  }
 }
 
 double repeatsOfPixel(const Projection& projection, const MeshFace& face) {

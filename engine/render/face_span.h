@@ -7,10 +7,23 @@
 #include "level/ids.h"
 #include "level/mesh.h"
 #include "math/vec.h"
+#include "render/camera.h"
 #include "render/face_gradient.h"
 #include "render/segment_columns.h"
 
 namespace hearth {
+
+/// The corners of a face: metres ahead of the eye, to its right and up.
+using FaceCorners = std::array<Vec3, 3>;
+
+inline FaceCorners cornersBefore(const Projection& projection, const MeshFace& face) {
+  FaceCorners corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const CameraPoint at = projection.toCamera(face.corners[i].xy());
+    corners[i] = {at.depth, at.lateral, face.corners[i].z - projection.eye().z};
+  }
+  return corners;
+}
 
 /// A face of a mesh before the eye. Rays are (1, slant, ray slope): 1 m ahead, to the right and up,
 /// see Projection.

@@ -184,7 +184,7 @@ SpanMapping GroupMapping::of(std::size_t lane) const {
 }
 
 GroupMapping mappingOf(const Scene& scene, const Projection& projection, const SpanGroup& group,
-                       const Texture* image, const LitSurface* lit) {
+                       const Texture* image, const LitPlaces& lit) {
   GroupMapping mapping;
   // What is not asked for is 0.
   if (!image) mapping.u = mapping.v = {};
@@ -197,7 +197,7 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     return mapping;
   }
   if (surface.kind == SurfaceKind::Mesh) {
-    mapFace(projection, group, image, mapping);
+    mapFace(projection, group, image, placesOf(scene.level(), lit.mesh, *group.face), mapping);
     return mapping;
   }
   mapping.depth = group.depth;
@@ -213,12 +213,13 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     return mapping;
   }
   if (!surface.segment) {
-    mapPlane(scene, projection, group, image, lit, mapping);
+    mapPlane(scene, projection, group, image, lit.surface, mapping);
     return mapping;
   }
   const double eyeZ = projection.eye().z;
   if (image) mapUprightImage(surface.mapping, *image, eyeZ, group, mapping);
-  if (lit) mapUprightLight(scene[*surface.segment], lit->grid, eyeZ, group, mapping);
+  if (lit.surface)
+    mapUprightLight(scene[*surface.segment], lit.surface->grid, eyeZ, group, mapping);
   return mapping;
 }
 
@@ -234,7 +235,7 @@ GroupMapping onImage(GroupMapping mapping, const Texture& from, const Texture& t
 }
 
 SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
-                      const Texture* image, const LitSurface* lit) {
+                      const Texture* image, const LitPlaces& lit) {
   const auto lane = static_cast<std::size_t>(span.column % Strip::kColumns);
   SpanGroup group;
   group.surface = span.surface;

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "level/scene.h"
+#include "light/lit_mesh.h"
 #include "light/lit_surface.h"
 #include "render/camera.h"
 #include "render/lanes.h"
@@ -11,6 +12,15 @@
 #include "render/texture.h"
 
 namespace hearth {
+
+/// Where the light of a surface lies on its lightmap. Nowhere on skies and sprites, on what does
+/// not show, and where nobody asks.
+struct LitPlaces {
+  const LitSurface* surface = nullptr;
+  const LitMesh* mesh = nullptr;  ///< or this one
+
+  explicit operator bool() const { return surface || mesh; }
+};
 
 /// A linear function for each column.
 struct LaneAffine {
@@ -45,16 +55,15 @@ struct GroupMapping {
   SpanMapping of(std::size_t lane) const;
 };
 
-/// `image` is null where only the place on the lightmap counts. `lit` is null for surfaces that no
-/// light can reach: skies, and those that do not show.
+/// `image` is null where only the place on the lightmap counts.
 GroupMapping mappingOf(const Scene& scene, const Projection& projection, const SpanGroup& group,
-                       const Texture* image, const LitSurface* lit);
+                       const Texture* image, const LitPlaces& lit);
 
 /// The same group on another size of the same image.
 GroupMapping onImage(GroupMapping mapping, const Texture& from, const Texture& to);
 
 /// The mapping of one span.
 SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Span& span,
-                      const Texture* image, const LitSurface* lit);
+                      const Texture* image, const LitPlaces& lit);
 
 }  // namespace hearth

@@ -8,20 +8,9 @@ namespace hearth {
 
 namespace {
 
-/// As far ahead of the eye, to its right and up.
-using Corners = std::array<Vec3, 3>;
-
-Corners cornersBefore(const Projection& projection, const MeshFace& face) {
-  Corners corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const CameraPoint at = projection.toCamera(face.corners[i].xy());
-    corners[i] = {at.depth, at.lateral, face.corners[i].z - projection.eye().z};
-  }
-  return corners;
-}
-
 /// The columns whose centres it may cover.
-ColumnRange columnsOf(const Projection& projection, const Corners& corners, ColumnRange columns) {
+ColumnRange columnsOf(const Projection& projection, const FaceCorners& corners,
+                      ColumnRange columns) {
   /// Pixels: more than rounding.
   constexpr double kSlack = 0x1p-20;
   double left = columns.end;
@@ -71,7 +60,7 @@ void MeshFronts::find(const Scene& scene, const Projection& projection, std::uin
 
 void MeshFronts::add(const Mesh& mesh, std::uint32_t index, const MeshFace& face,
                      const Projection& projection, std::vector<FaceFront>& fronts) const {
-  const Corners corners = cornersBefore(projection, face);
+  const FaceCorners corners = cornersBefore(projection, face);
   const auto& [a, b, c] = corners;
   const Vec3 out = cross(c - a, b - a);
   const double towardsEye = -dot(out, a);

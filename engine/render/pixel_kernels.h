@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "light/lightmap.h"
@@ -32,11 +33,21 @@ struct GroupTexels {
 /// slope of a ray.
 struct FaceColumn {
   Affine nearness;  ///< 1 / depth
-  // In texels: at the eye, and what is added to that per metre of depth.
+  // In texels of an image or a lightmap: at the eye, and what is added to that per metre of depth.
   double uAtEye;
   double vAtEye;
   Affine u;
   Affine v;
+};
+
+/// Where rows of a face lie on a lightmap: as PixelBlock has it of its pixels.
+struct FaceLightPlaces {
+  template <typename T>
+  struct alignas(64) Rows : std::array<T, PixelBlock::kRows + PixelBlock::kLanes> {};
+
+  Rows<std::uint32_t> texels;
+  Rows<std::uint32_t> across;
+  Rows<std::uint32_t> down;
 };
 
 /// Loops over the pixels of a block, as many at once as the registers of a processor hold. The
@@ -60,6 +71,9 @@ struct PixelKernels {
   /// register more may be written.
   void (*findFaceTexels)(const FaceColumn& column, const double* raySlopes, int rows,
                          const Texture& image, std::uint32_t* texels);
+  /// The same on a lightmap that is not uniform.
+  void (*findFaceLight)(const FaceColumn& column, const double* raySlopes, int rows,
+                        const Lightmap& lightmap, LightFilter filter, FaceLightPlaces& places);
   /// Writes the pixels of the rows, of which each has eight.
   void (*shade)(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
                 std::uint32_t* rows);

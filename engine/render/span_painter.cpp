@@ -82,11 +82,12 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
     material.sectorLight = 1;
   }
   // Without light that differs from pixel to pixel there is no lightmap to be mapped to.
-  if (!material.hasVaryingLight()) material.lit = nullptr;
+  if (!material.hasVaryingLight()) material.lit = {};
   count(group, material, stats);
   const GroupMapping mapping =
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
-  const GroupLight light{material.lightmap, material.sectorLight, !mapping.isPlane};
+  const bool isUpright = !mapping.isPlane && !mapping.isTurned;
+  const GroupLight light{material.lightmap, material.sectorLight, isUpright};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
   const bool haveHoles = mayHaveHoles(material.surface.kind);
   const TextureFilter filter = haveHoles ? TextureFilter::Nearest : settings_.textureFilter;
@@ -119,7 +120,12 @@ void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock&
                              Strip& strip, PaintStats& stats) const {
   if (settings_.textureFilter == TextureFilter::Bilinear)
     return paintSingly(group, mode, block, strip, stats);
-  const double sectorLight = mode == LightMode::None ? 1 : sectorLightOn(group.surface);
+  Material material = materialOf(group.surface, group.faces.front().front->face->texture);
+  if (mode == LightMode::None) {
+    material.lightmap = nullptr;
+    material.sectorLight = 1;
+  }
+  const bool hasLight = material.hasVaryingLight();
   // Where no face is, the picture stays as it is.
   const GroupTexels texels{&textures_.front().full(), false, true, mode == LightMode::Only};
   std::array<const FaceSpan*, Strip::kColumns + 1> next;  // by lane
@@ -132,39 +138,91 @@ void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock&
     block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
     block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
     block.colors[0].fill(kHoleBit);
+    if (hasLight) block.lightTexels.fill(0);
     for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
       const FaceSpan* const end = group.faces.data() + group.faces.size();
       for (const FaceSpan*& span = next[lane]; span != end && span->lane == lane; ++span) {
         if (span->rowBegin >= row + block.rows) break;
-        colorFace(*span, group.firstColumn + static_cast<int>(lane), block);
+        const int column = group.firstColumn + static_cast<int>(lane);
+        colorFace(*span, column, block);
+        if (hasLight) lightFace(*span, column, *material.lit.mesh, *material.lightmap, block);
         if (span->rowEnd > row + block.rows) break;
       }
     }
     if (texels.areWhite)
       for (std::uint32_t& color : block.colors[0]) color |= color == kHoleBit ? 0 : 0xFFFFFF;
-    kernels_.shade(block, texels, {nullptr, sectorLight, false}, strip.row(row));
+    kernels_.shade(block, texels, {material.lightmap, material.sectorLight, false}, strip.row(row));
   }
-  for (const FaceSpan& span : group.faces)
-    stats.pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+  for (const FaceSpan& span : group.faces) {
+    const auto pixels = static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+    stats.pixels += pixels;
+    if (!hasLight) continue;
+    ++stats.lightmapSpans;
+    if (material.lightmap->channels == 3) ++stats.coloredSpans;
+    stats.lightmapPixels += pixels;
+  }
 }
 
-/// Gives those rows of a block their colours in which a face shows.
-void SpanPainter::colorFace(const FaceSpan& span, int column, PixelBlock& block) const {
-  const int begin = std::max(0, span.rowBegin - block.firstRow);
-  const int rows = std::min(block.rows, span.rowEnd - block.firstRow) - begin;
-  const FaceFront& front = *span.front;
-  const Texture& image = imageOf(span);
-  const double slant = projection_.slantOf(column + 0.5);
+namespace {
+
+/// Those rows of a block in which a face shows.
+struct FaceRows {
+  int begin;
+  int count;
+
+  FaceRows(const FaceSpan& span, const PixelBlock& block)
+      : begin(std::max(0, span.rowBegin - block.firstRow)),
+        count(std::min(block.rows, span.rowEnd - block.firstRow) - begin) {}
+
+  std::size_t firstPixel(const FaceSpan& span) const {
+    return static_cast<std::size_t>(begin) * PixelBlock::kLanes + span.lane;
+  }
+};
+
+/// The rays of a column on a face, along which two numbers change that are so much at the eye.
+FaceColumn columnOf(const FaceFront& front, double slant, const FaceGradient& u, double uScale,
+                    const FaceGradient& v, double vScale) {
   const auto along = [slant](Vec3 perMetre, double scale) {
     return Affine{scale * (perMetre.x + slant * perMetre.y), scale * perMetre.z};
   };
-  const FaceColumn face{along(front.nearness, 1), image.width() * front.u.atEye,
-                        image.height() * front.v.atEye, along(front.u.perMetre, image.width()),
-                        along(front.v.perMetre, image.height())};
+  return {along(front.nearness, 1), uScale * u.atEye, vScale * v.atEye, along(u.perMetre, uScale),
+          along(v.perMetre, vScale)};
+}
+
+}  // namespace
+
+/// Gives those rows of a block their colours in which a face shows.
+void SpanPainter::colorFace(const FaceSpan& span, int column, PixelBlock& block) const {
+  const FaceRows rows(span, block);
+  const FaceFront& front = *span.front;
+  const Texture& image = imageOf(span);
+  const FaceColumn face = columnOf(front, projection_.slantOf(column + 0.5), front.u, image.width(),
+                                   front.v, image.height());
   alignas(64) std::array<std::uint32_t, PixelBlock::kRows + PixelBlock::kLanes> texels;
-  kernels_.findFaceTexels(face, block.raySlopes + begin, rows, image, texels.data());
-  fetchColumn(image, texels.data(), rows,
-              &block.colors[0][static_cast<std::size_t>(begin) * PixelBlock::kLanes + span.lane]);
+  kernels_.findFaceTexels(face, block.raySlopes + rows.begin, rows.count, image, texels.data());
+  fetchColumn(image, texels.data(), rows.count, &block.colors[0][rows.firstPixel(span)]);
+}
+
+/// Gives the same rows their places on the lightmap.
+void SpanPainter::lightFace(const FaceSpan& span, int column, const LitMesh& mesh,
+                            const Lightmap& lightmap, PixelBlock& block) const {
+  const FaceRows rows(span, block);
+  const FaceFront& front = *span.front;
+  const auto& [a, b, c] = *placesOf(scene_.level(), &mesh, *front.face);
+  const FaceCorners corners = cornersBefore(projection_, *front.face);
+  const FaceColumn face =
+      columnOf(front, projection_.slantOf(column + 0.5), gradientOf(corners, {}, {a.x, b.x, c.x}),
+               1, gradientOf(corners, {}, {a.y, b.y, c.y}), 1);
+  FaceLightPlaces places;
+  kernels_.findFaceLight(face, block.raySlopes + rows.begin, rows.count, lightmap,
+                         settings_.lightFilter, places);
+  std::size_t pixel = rows.firstPixel(span);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows.count); ++row) {
+    block.lightTexels[pixel] = places.texels[row];
+    block.betweenLightTexels.across[pixel] = places.across[row];
+    block.betweenLightTexels.down[pixel] = places.down[row];
+    pixel += PixelBlock::kLanes;
+  }
 }
 
 /// The size of a face's image that fits its pixels.
@@ -220,10 +278,17 @@ TextureId SpanPainter::textureOf(SurfaceId id, const SpriteView* view, const Mes
 
 Material SpanPainter::materialOf(SurfaceId id, TextureId texture) const {
   const Surface& surface = scene_[id];
-  const auto& lit = light_.surfaces[id.index()];
   const auto& lightmap = light_.lightmaps[id.index()];
-  return {surface, textures_[texture.index()], lightmap ? &*lightmap : nullptr,
-          lit ? &*lit : nullptr, sectorLightOn(id)};
+  return {surface, textures_[texture.index()], lightmap ? &*lightmap : nullptr, litPlacesOf(id),
+          sectorLightOn(id)};
+}
+
+LitPlaces SpanPainter::litPlacesOf(SurfaceId id) const {
+  if (scene_[id].kind == SurfaceKind::Mesh)
+    return {nullptr, light_.lightmaps[id.index()] ? &light_.meshes[scene_.level().meshIndexOf(id)]
+                                                  : nullptr};
+  const auto& lit = light_.surfaces[id.index()];
+  return {lit ? &*lit : nullptr, nullptr};
 }
 
 double SpanPainter::sectorLightOn(SurfaceId id) const {

@@ -22,7 +22,7 @@ struct Material {
   const Surface& surface;
   const MipMap& texture;
   const Lightmap* lightmap;  ///< null where no light reaches the surface
-  const LitSurface* lit;     ///< null for sky
+  LitPlaces lit;             ///< nowhere on sky
   double sectorLight;        ///< 0..1; sky and some sprites are bright by themselves
 
   const Texture& image() const { return texture.full(); }
@@ -62,12 +62,15 @@ class SpanPainter {
  private:
   Material materialOf(SurfaceId id, TextureId texture) const;
   TextureId textureOf(SurfaceId id, const SpriteView* view, const MeshFace* face) const;
+  LitPlaces litPlacesOf(SurfaceId id) const;
   double sectorLightOn(SurfaceId id) const;
   void paintFaces(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                   PaintStats& stats) const;
   void paintSingly(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                    PaintStats& stats) const;
   void colorFace(const FaceSpan& span, int column, PixelBlock& block) const;
+  void lightFace(const FaceSpan& span, int column, const LitMesh& mesh, const Lightmap& lightmap,
+                 PixelBlock& block) const;
   const Texture& imageOf(const FaceSpan& span) const;
   /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
   void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,

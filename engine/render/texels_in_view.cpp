@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "render/group_mapping.h"
@@ -62,15 +63,19 @@ std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& s
   const Projection projection = projectionFor(scene, camera, settings.pixelSize);
   VisibilityScratch scratch;
   std::map<SurfaceId, Reads> reads;
+  std::set<SurfaceId> meshes;
   const Camera squares = inSquares(camera, settings.pixelSize);
   findVisibleSpans(scene, squares, projection, scratch).forEachSpan([&](const Span& span) {
+    if (span.face) meshes.insert(span.surface);
     if (const auto& lit = surfaces[span.surface.index()])
-      addEnds(mappingOf(scene, projection, span, nullptr, &*lit), projection, span, reads);
+      addEnds(mappingOf(scene, projection, span, nullptr, {&*lit, nullptr}), projection, span,
+              reads);
   });
 
   std::vector<SurfaceTexels> seen;
   for (const auto& [id, read] : reads)
     seen.push_back({id, readIn(read, surfaces[id.index()]->texels)});
+  for (const SurfaceId mesh : meshes) seen.push_back({mesh, {}});
   return seen;
 }
 

@@ -51,6 +51,9 @@ Polygon clipped(const Polygon& polygon, const HalfSpace& space, double slack) {
 }
 
 Polygon clipped(Polygon polygon, const std::vector<HalfSpace>& spaces, double slack) {
+  // Most polygons lie far from most openings.
+  for (const HalfSpace& space : spaces)
+    if (std::ranges::all_of(polygon, [&](Vec3 p) { return space.excess(p) > slack; })) return {};
   for (const HalfSpace& space : spaces) polygon = clipped(polygon, space, slack);
   return polygon;
 }

@@ -8,6 +8,7 @@
 #include "level/locate.h"
 #include "math/check.h"
 #include "math/predicates.h"
+#include "math/tolerance.h"
 #include "truth/ray.h"
 #include "truth/wall_hit.h"
 
@@ -152,12 +153,10 @@ std::variant<TruthHit, Stage> throughFlat(const Level& level, const Ray& ray, Se
   return Stage{sectorAcross(level, ray, level[*flat.flatPortal], to, place), t, place};
 }
 
-std::optional<TruthHit> emptyAir(const AirStretch&) { return std::nullopt; }
-
 /// The surface that the ray meets first, or the sector in which it is at `tEnd`: with kNever, the
 /// sky sector through which light leaves the level.
 std::variant<TruthHit, SectorId> follow(const Level& level, SectorId sector, const Ray& ray,
-                                        double tEnd, const MeetInAir& meetInAir = emptyAir) {
+                                        double tEnd, const MeetInAir& meetInAir = {}) {
   Stage stage{sector, 0, {}};
   for (int step = 0; step < kMaxSteps; ++step) {
     const std::optional<SegmentId> exit = findExit(level, ray, stage);
@@ -165,10 +164,11 @@ std::variant<TruthHit, SectorId> follow(const Level& level, SectorId sector, con
     const double tFloor = meetFlat(ray, level[stage.sector], true);
     const double tCeiling = meetFlat(ray, level[stage.sector], false);
     const double tFirst = std::min({tWall, tFloor, tCeiling});
+    const double t = std::max(tFirst, stage.t);  // what was behind us by rounding is here
+    if (meetInAir)
+      if (const auto met = meetInAir({stage.sector, stage.t, std::min(t, tEnd)})) return *met;
     if (tFirst >= tEnd) return stage.sector;
 
-    const double t = std::max(tFirst, stage.t);  // what was behind us by rounding is here
-    if (const auto met = meetInAir({stage.sector, stage.t, t})) return *met;
     const auto next = tFirst == tWall ? throughWall(level, ray, *exit, t)
                                       : throughFlat(level, ray, stage.sector, tFirst == tFloor, t);
     if (const TruthHit* hit = std::get_if<TruthHit>(&next)) return *hit;
@@ -194,17 +194,24 @@ TruthHit traceLook(const Level& level, SectorId sector, Vec3 origin, Vec3 direct
 }
 
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
-                                   const SurfacePoint& to) {
+                                   const SurfacePoint& to, const MeetInAir& meetInAir) {
   Ray ray = makeRay(origin, to.point - origin, RayKind::Light);
   if (to.kind == SurfaceKind::MaskedMiddle) ray.litMaskedMiddle = to.segment;
-  const auto end = follow(level, sector, ray, kNever);
+  const auto end = follow(level, sector, ray, kNever, meetInAir);
   const TruthHit* hit = std::get_if<TruthHit>(&end);
   return hit ? std::optional(*hit) : std::nullopt;
 }
 
-std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end) {
+std::variant<TruthHit, SectorId> traceLightToMesh(const Level& level, SectorId sector, Vec3 origin,
+                                                  Vec3 end, const MeetInAir& meetInAir) {
   const Ray ray = makeRay(origin, end - origin, RayKind::Light);
-  const auto arrived = follow(level, sector, ray, 1);
+  return follow(level, sector, ray, 1 - kArrival / length(ray.direction), meetInAir);
+}
+
+std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end,
+                                 const MeetInAir& meetInAir) {
+  const Ray ray = makeRay(origin, end - origin, RayKind::Light);
+  const auto arrived = follow(level, sector, ray, 1, meetInAir);
   const SectorId* there = std::get_if<SectorId>(&arrived);
   return there ? std::optional(*there) : std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <variant>
 
 #include "level/level.h"
 
@@ -54,21 +55,29 @@ struct AirStretch {
   double tLeave;
 };
 
-/// What is met in a stretch of air; none if it is empty.
+/// What is met in a stretch of air; none if it is empty. Where a function may get none of these,
+/// all air is empty.
 using MeetInAir = std::function<std::optional<TruthHit>(const AirStretch&)>;
 
 /// As `trace` for a look, but asks at each stretch of air, from the origin on, what is met in it.
 TruthHit traceLook(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                    const MeetInAir& meetInAir);
 
-/// The first surface that light from `origin`, as above, meets on its way to a point. A masked
-/// middle texture is met at that point even if it has a hole there.
+/// The first surface that light from `origin`, as above, meets on its way to a point of a surface
+/// of the level. A masked middle texture is met at that point even if it has a hole there.
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
-                                   const SurfacePoint& to);
+                                   const SurfacePoint& to, const MeetInAir& meetInAir = {});
+
+/// The surface that stops light on the straight line from `origin`, as above, to a point of a mesh,
+/// or the sector in which it arrives there. No surface stops it within kArrival of that point: so
+/// it arrives also where the mesh touches the level.
+std::variant<TruthHit, SectorId> traceLightToMesh(const Level& level, SectorId sector, Vec3 origin,
+                                                  Vec3 end, const MeetInAir& meetInAir = {});
 
 /// The sector in which light arrives on the straight line from `origin`, as above, to `end`; none
 /// if a surface stops it before.
-std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end);
+std::optional<SectorId> sectorAt(const Level& level, SectorId sector, Vec3 origin, Vec3 end,
+                                 const MeetInAir& meetInAir = {});
 
 /// Whether two points are on one surface; of meshes, on one face.
 bool isSameSurface(const SurfacePoint& a, const SurfacePoint& b);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "level/locate.h"
 #include "math/tolerance.h"
@@ -31,8 +32,16 @@ double spread(int index, int base) {
 
 }  // namespace
 
-TruthSource::TruthSource(const Level& level, const LightSource& light, int ballPoints)
-    : level_(level), center_{rayOrigin(level, light), light.sector} {
+SurfacePoint litSideOf(const Level& level, SurfacePoint place) {
+  if (!place.face) return place;
+  const Vec3 front = frontOf(level.meshFaces[*place.face]);
+  place.normal = front == Vec3{} ? Vec3{} : (1 / length(front)) * front;  // none is never lit
+  return place;
+}
+
+TruthSource::TruthSource(const Level& level, const TruthMeshes& meshes, const LightSource& light,
+                         int ballPoints)
+    : level_(level), meshes_(meshes), center_{rayOrigin(level, light), light.sector} {
   if (light.radius == 0) {
     origins_ = {center_};
     return;
@@ -49,8 +58,9 @@ TruthSource::TruthSource(const Level& level, const LightSource& light, int ballP
 }
 
 double TruthSource::seenFraction(const SurfacePoint& place) const {
+  const SurfacePoint lit = litSideOf(level_, place);
   const auto seen =
-      std::ranges::count_if(origins_, [&](const AirPoint& origin) { return sees(origin, place); });
+      std::ranges::count_if(origins_, [&](const AirPoint& origin) { return sees(origin, lit); });
   return static_cast<double>(seen) / count_;
 }
 
@@ -70,27 +80,40 @@ double TruthSource::unshaded(const LightSource& light, const SurfacePoint& place
 
 bool TruthSource::sees(const AirPoint& origin, const SurfacePoint& place) const {
   if (dot(place.normal, origin.point - place.point) <= kInPlane) return false;
-  // A straight line meets a plane once: where it meets this surface, it meets it at this point.
-  const std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
-  return met && isSameSurface(*met, place);
+  return arrivalAt(place, origin).arrives;
 }
 
 bool TruthSource::sees(const AirPoint& origin, const AirPoint& place) const {
-  return sectorAt(level_, origin.sector, origin.point, place.point) == place.sector;
+  return sectorAt(level_, origin.sector, origin.point, place.point,
+                  meshes_.shadowsOn(origin.point, place.point)) == place.sector;
+}
+
+TruthSource::Arrival TruthSource::arrivalAt(const SurfacePoint& place,
+                                            const AirPoint& origin) const {
+  const MeetInAir shadows = meshes_.shadowsOn(origin.point, place.point, place.face);
+  if (place.mesh) {
+    const auto end = traceLightToMesh(level_, origin.sector, origin.point, place.point, shadows);
+    if (const TruthHit* hit = std::get_if<TruthHit>(&end)) return {false, *hit};
+    return {meshes_.isIn(*place.mesh, std::get<SectorId>(end)), std::nullopt};
+  }
+  const std::optional<TruthHit> met =
+      traceLight(level_, origin.sector, origin.point, place, shadows);
+  // A straight line meets a plane once: where it meets this surface, it meets it at this point.
+  if (met && isSameSurface(*met, place)) return {true, std::nullopt};
+  return {false, met};
 }
 
 std::optional<TruthHit> TruthSource::firstMet(const SurfacePoint& place) const {
-  const auto metFrom = [&](const AirPoint& origin) -> std::optional<TruthHit> {
-    std::optional<TruthHit> met = traceLight(level_, origin.sector, origin.point, place);
-    return met && isSameSurface(*met, place) ? std::nullopt : met;
-  };
-  std::optional<TruthHit> met = metFrom(center_);
-  for (std::size_t i = 0; i < origins_.size() && !met; ++i) met = metFrom(origins_[i]);
+  std::optional<TruthHit> met = arrivalAt(place, center_).stop;
+  for (std::size_t i = 0; i < origins_.size() && !met; ++i)
+    met = arrivalAt(place, origins_[i]).stop;
   return met;
 }
 
-TruthLight::TruthLight(const Level& level, int ballPoints) : level_(level) {
-  for (const LightSource& light : level.lights) sources_.emplace_back(level, light, ballPoints);
+TruthLight::TruthLight(const Level& level, int ballPoints)
+    : level_(level), meshes_(std::make_shared<TruthMeshes>(level)) {
+  for (const LightSource& light : level.lights)
+    sources_.emplace_back(level, *meshes_, light, ballPoints);
 }
 
 template <typename Place>
@@ -123,7 +146,7 @@ double TruthLight::seenFraction(std::size_t light, const SurfacePoint& place) co
 }
 
 double TruthLight::unshaded(std::size_t light, const SurfacePoint& place) const {
-  return TruthSource::unshaded(level_.lights[light], place, level_.bake.lambert);
+  return TruthSource::unshaded(level_.lights[light], litSideOf(level_, place), level_.bake.lambert);
 }
 
 }  // namespace hearth

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "truth/trace.h"
+#include "truth/truth_meshes.h"
 
 namespace hearth {
 
@@ -12,11 +14,16 @@ struct AirPoint {
   SectorId sector;
 };
 
-/// One light, as points of surfaces and of the air see it.
+/// The place as light falls on it: on a mesh's face always from its front, whichever side is seen.
+SurfacePoint litSideOf(const Level& level, SurfacePoint place);
+
+/// One light, as points of surfaces and of the air see it. Meshes stop its light where it crosses
+/// the air of a sector that they are in. They take no part of a ball that they reach into.
 class TruthSource {
  public:
-  /// Keeps a reference to the level. A ball of light is so many points.
-  TruthSource(const Level& level, const LightSource& light, int ballPoints);
+  /// Keeps references to the level and its meshes. A ball of light is so many points.
+  TruthSource(const Level& level, const TruthMeshes& meshes, const LightSource& light,
+              int ballPoints);
 
   /// The fraction of the light that sees the point, 0..1.
   double seenFraction(const SurfacePoint& place) const;
@@ -24,7 +31,7 @@ class TruthSource {
 
   /// The levels (255 is full) that the light would add if it were white and nothing stood between,
   /// at a point that need not lie on a surface; 0 in the plane of the light. Multiplied by the
-  /// cosine at the surface with `lambert`.
+  /// cosine at the surface with `lambert`, on the side to which the place's normal points.
   static double unshaded(const LightSource& light, const SurfacePoint& place, bool lambert);
 
   /// The first surface that its light meets on the way to the point: from its centre or, if nothing
@@ -32,10 +39,18 @@ class TruthSource {
   std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
 
  private:
+  struct Arrival {
+    bool arrives;
+    std::optional<TruthHit> stop;  ///< none too if only skies stop it
+  };
+
   bool sees(const AirPoint& origin, const SurfacePoint& place) const;
   bool sees(const AirPoint& origin, const AirPoint& place) const;
+  /// Of its light at the place.
+  Arrival arrivalAt(const SurfacePoint& place, const AirPoint& origin) const;
 
   const Level& level_;
+  const TruthMeshes& meshes_;
   AirPoint center_;
   /// From which it shines: many points of a ball, all alike; one of a point light. The points of a
   /// ball that its centre does not see shine nowhere.
@@ -43,8 +58,8 @@ class TruthSource {
   int count_ = 1;  ///< with those that shine nowhere
 };
 
-/// The light at points of surfaces and of the air as the file format defines it, not as any bake
-/// samples it: the reference for bakes.
+/// The light at points of surfaces, of meshes and of the air as the file format defines it, not as
+/// any bake samples it: the reference for bakes.
 class TruthLight {
  public:
   /// Of a ball. The fraction of it that lies before a plane is right within 0.4 % then.
@@ -71,12 +86,16 @@ class TruthLight {
   /// surface; 0 in the plane of the light.
   double unshaded(std::size_t light, const SurfacePoint& place) const;
 
+  /// The meshes of the level.
+  const TruthMeshes& meshes() const { return *meshes_; }
+
  private:
   template <typename Place>
   Vec3 sumAt(const Place& place) const;
 
   const Level& level_;
-  std::vector<TruthSource> sources_;  ///< by index of light
+  std::shared_ptr<const TruthMeshes> meshes_;  ///< at one address, as the sources refer to them
+  std::vector<TruthSource> sources_;           ///< by index of light
 };
 
 }  // namespace hearth

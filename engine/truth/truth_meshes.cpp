@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
+#include "math/line_part.h"
 #include "math/predicates.h"
+#include "math/tolerance.h"
 #include "truth/depth.h"
 #include "truth/thing_sectors.h"
 
@@ -82,24 +85,22 @@ std::optional<FaceCrossing> faceCrossingOf(const ShearedSpace& space, const Mesh
   return found;
 }
 
-/// One ray in one stretch of air, at one mesh.
+/// One ray at the meshes of a level.
 class MeshMeeting {
  public:
-  MeshMeeting(const Level& level, Vec3 origin, Vec3 direction, const AirStretch& stretch)
-      : level_(level),
-        origin_(origin),
-        direction_(direction),
-        stretch_(stretch),
-        space_(origin, direction) {}
+  MeshMeeting(const Level& level, Vec3 origin, Vec3 direction)
+      : level_(level), origin_(origin), direction_(direction), space_(origin, direction) {}
 
-  std::optional<TruthHit> nearestOf(const Mesh& mesh) const {
+  /// The nearest face of a mesh of those that count: `counts` answers for the index of a face, and
+  /// where the ray, past its origin, crosses it.
+  template <typename Counts>
+  std::optional<TruthHit> nearestOf(const Mesh& mesh, Counts&& counts) const {
     std::optional<FaceCrossing> best;
     std::uint32_t bestFace = 0;
     for (std::uint32_t i = mesh.firstFace; i < mesh.firstFace + mesh.faceCount; ++i) {
       const MeshFace& face = level_.meshFaces[i];
       const std::optional<FaceCrossing> crossing = faceCrossingOf(space_, face);
-      if (!crossing || !(crossing->t > 0) || !isIn(stretch_, crossing->t)) continue;
-      if (!crossing->isFront && !mesh.isTwoSided) continue;
+      if (!crossing || !(crossing->t > 0) || !counts(i, *crossing)) continue;
       if (frontOf(face) == Vec3{}) continue;  // a line, which rounding has turned aside
       if (best && best->t <= crossing->t) continue;
       best = crossing;
@@ -130,7 +131,6 @@ class MeshMeeting {
   const Level& level_;
   Vec3 origin_;
   Vec3 direction_;
-  const AirStretch& stretch_;
   ShearedSpace space_;
 };
 
@@ -141,23 +141,101 @@ std::vector<Polygon> facesAsPolygons(const Level& level, const Mesh& mesh) {
   return faces;
 }
 
+/// A line of light, in a level, to a point or to a face that it lights.
+class LightLine {
+ public:
+  LightLine(const Level& level, Vec3 origin, Vec3 end, std::optional<std::uint32_t> litFace)
+      : meeting_(level, origin, end - origin), metres_(length(end - origin)), litFace_(litFace) {}
+
+  /// What of a mesh stops it in a stretch of air.
+  std::optional<TruthHit> stopAt(const Mesh& mesh, const AirStretch& air) const {
+    const AirStretch airMetres{air.sector, air.tEnter * metres_, air.tLeave * metres_};
+    return meeting_.nearestOf(mesh, [&](std::uint32_t face, const FaceCrossing& crossing) {
+      const double at = crossing.t * metres_;
+      return face != litFace_ && at < metres_ - kArrival && isIn(airMetres, at);
+    });
+  }
+
+ private:
+  MeshMeeting meeting_;
+  double metres_;  ///< its length
+  std::optional<std::uint32_t> litFace_;
+};
+
 }  // namespace
 
 TruthMeshes::TruthMeshes(const Level& level) : level_(level) {
-  for (const Mesh& mesh : level.meshes)
+  for (const Mesh& mesh : level.meshes) {
+    bounds_.push_back(boundsOf(level.facesOf(mesh)));
     isIn_.push_back(sectorsCrossedBy(level, mesh.sector, facesAsPolygons(level, mesh)));
+  }
+}
+
+TruthMeshes::Bounds TruthMeshes::boundsOf(std::span<const MeshFace> faces) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  Bounds bounds{{kEndless, kEndless, kEndless}, {-kEndless, -kEndless, -kEndless}};
+  for (const MeshFace& face : faces)
+    for (const Vec3 p : face.corners) {
+      const auto [min, max] = bounds;
+      bounds.min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+      bounds.max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+    }
+  return bounds;
+}
+
+/// Whether the line passes the bounds, or no farther from them than much more than rounding.
+bool TruthMeshes::mayMeet(const Bounds& bounds, Vec3 origin, Vec3 end) {
+  const std::array<double, 3> min = componentsOf(bounds.min);
+  const std::array<double, 3> max = componentsOf(bounds.max);
+  const std::array<double, 3> from = componentsOf(origin);
+  const std::array<double, 3> to = componentsOf(end);
+  std::optional<LinePart> inside = LinePart{};
+  for (std::size_t i = 0; i < 3 && inside; ++i) {
+    const double low = min[i] - kPositionSlack;
+    const double high = max[i] + kPositionSlack;
+    inside = keepPositive(*inside, from[i] - low, to[i] - low);
+    if (inside) inside = keepPositive(*inside, high - from[i], high - to[i]);
+  }
+  return inside.has_value();
 }
 
 std::optional<TruthHit> TruthMeshes::nearest(Vec3 origin, Vec3 direction,
                                              const AirStretch& stretch) const {
-  const MeshMeeting meeting(level_, origin, direction, stretch);
+  const MeshMeeting meeting(level_, origin, direction);
   std::optional<TruthHit> best;
   for (std::size_t i = 0; i < level_.meshes.size(); ++i) {
     if (!isIn_[i][stretch.sector.index()]) continue;
-    const std::optional<TruthHit> hit = meeting.nearestOf(level_.meshes[i]);
+    const Mesh& mesh = level_.meshes[i];
+    const std::optional<TruthHit> hit =
+        meeting.nearestOf(mesh, [&](std::uint32_t, const FaceCrossing& crossing) {
+          return (crossing.isFront || mesh.isTwoSided) && hearth::isIn(stretch, crossing.t);
+        });
     if (hit && (!best || hides(hit->t, best->t))) best = hit;
   }
   return best;
+}
+
+MeetInAir TruthMeshes::shadowsOn(Vec3 origin, Vec3 end,
+                                 std::optional<std::uint32_t> litFace) const {
+  std::vector<std::size_t> onTheWay;
+  for (std::size_t i = 0; i < level_.meshes.size(); ++i)
+    if (level_.meshes[i].castsShadow && mayMeet(bounds_[i], origin, end)) onTheWay.push_back(i);
+  if (onTheWay.empty() || origin == end) return {};
+  const LightLine line(level_, origin, end, litFace);
+  return [this, line, onTheWay = std::move(onTheWay)](const AirStretch& air) {
+    std::optional<TruthHit> nearest;
+    for (const std::size_t i : onTheWay) {
+      if (!isIn_[i][air.sector.index()]) continue;
+      const std::optional<TruthHit> stop = line.stopAt(level_.meshes[i], air);
+      if (stop && (!nearest || stop->t < nearest->t)) nearest = stop;
+    }
+    return nearest;
+  };
+}
+
+bool TruthMeshes::isIn(SurfaceId mesh, SectorId sector) const {
+  const std::size_t index = mesh.index() - level_.meshes.front().surface.index();
+  return isIn_[index][sector.index()];
 }
 
 }  // namespace hearth

@@ -8,6 +8,7 @@
 #include "math/trig.h"
 #include "math/wrapped.h"
 #include "truth/depth.h"
+#include "truth/truth_meshes.h"
 
 namespace hearth {
 
@@ -38,8 +39,7 @@ TruthView::TruthView(const Level& level, const std::vector<Image>& textures, con
       textures_(textures),
       camera_(camera),
       light_(level, ballPoints),
-      sprites_(level, textures, camera),
-      meshes_(level) {
+      sprites_(level, textures, camera) {
   camera_.eye = nudgedInside(level, level[camera.sector], camera.eye);
 }
 
@@ -56,7 +56,7 @@ Vec3 TruthView::directionTo(double i, double j) const {
 /// The nearest thing in a stretch of air; of two at one depth the later.
 std::optional<TruthHit> TruthView::nearestThing(Vec3 direction, const AirStretch& air) const {
   const std::optional<TruthHit> sprite = sprites_.nearest(camera_.eye, direction, air);
-  const std::optional<TruthHit> mesh = meshes_.nearest(camera_.eye, direction, air);
+  const std::optional<TruthHit> mesh = light_.meshes().nearest(camera_.eye, direction, air);
   if (!sprite || !mesh) return sprite ? sprite : mesh;
   const bool isMeshLater =
       level_.meshOf(*mesh->mesh).thing > level_.spriteOf(*sprite->sprite).thing;
@@ -95,7 +95,6 @@ Vec3 TruthView::textureColor(const TruthHit& hit) const {
 /// The fractions of a texture's red, green and blue that show.
 Vec3 TruthView::lightOn(const TruthHit& hit) const {
   if (hit.sprite) return lightOnSprite(level_.spriteOf(*hit.sprite));
-  if (hit.mesh) return fractionsOf({}, level_[hit.sector].light);
   return fractionsOf(light_.at(hit), level_[hit.sector].light);
 }
 

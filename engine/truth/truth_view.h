@@ -6,7 +6,6 @@
 #include "image/image.h"
 #include "truth/trace.h"
 #include "truth/truth_light.h"
-#include "truth/truth_meshes.h"
 #include "truth/truth_sprites.h"
 
 namespace hearth {
@@ -30,7 +29,7 @@ struct TruthPixel {
 Vec2 texelOf(const TruthHit& hit, int width, int height);
 
 /// A level and its things seen by one camera, pixel by pixel, with exact light: the reference for
-/// pictures. Of lights nothing falls on meshes: they take their sector's own light.
+/// pictures.
 ///
 /// Pixel positions (i, j) are real numbers, in pixels from the picture's upper left corner: the
 /// centre of the first pixel is (0.5, 0.5).
@@ -66,7 +65,6 @@ class TruthView {
   Shot camera_;  ///< its eye clear of walls and flats
   TruthLight light_;
   TruthSprites sprites_;
-  TruthMeshes meshes_;
 };
 
 }  // namespace hearth

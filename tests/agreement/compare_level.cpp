@@ -137,7 +137,6 @@ class Comparison {
 
   void compareLight(const View& view, const TruthHit& hit, KindTally& kind, int i, int j) {
     if (hit.sprite) return compareSpriteLight(view, hit, kind, i, j);
-    if (hit.mesh) return compareMeshLight(view, hit, kind, i, j);
     const std::optional<PatchLight> patch = truth_.around(hit);
     if (!patch) {
       ++kind.gridLight.missed;
@@ -167,16 +166,6 @@ class Comparison {
                   "light of a sprite");
     compareLevels(view, i, j, kind.exactLight, expected, same(kExactTolerance), slack,
                   "exact light of a sprite");
-  }
-
-  /// No light falls on it: its own is that of its sector.
-  void compareMeshLight(const View& view, const TruthHit& hit, KindTally& kind, int i, int j) {
-    const Channels expected = shown(Channels{}, level_[hit.sector].light);
-    const auto slack = [] { return Channels{}; };
-    compareLevels(view, i, j, kind.gridLight, expected, same(kGridTolerance), slack,
-                  "light of a mesh");
-    compareLevels(view, i, j, kind.exactLight, expected, same(kExactTolerance), slack,
-                  "exact light of a mesh");
   }
 
   /// Whether it was excused because the places that are lit are known to a hair only, which may
@@ -240,6 +229,7 @@ class Comparison {
     const double near = level_.bake.lambert ? kNearLightWithCosine : kNearLight;
     for (const LightSource& light : level_.lights)
       if (length(light.position - hit.point) < near) return LeftOut::NearLight;
+    if (patch.lacksSamples()) return LeftOut::InsideMesh;
     if (!truth_.seesAlike(patch, hit)) return LeftOut::ShadowEdge;
     return std::nullopt;
   }

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 #include "agreement/plain_grids.h"
 #include "math/predicates.h"
@@ -13,10 +17,22 @@ namespace {
 
 constexpr double kInsideEdge = 1e-6;  ///< metres that samples keep from the edges of surfaces
 
+/// Of the lightmap of `of`, the texels around a place.
+TexelPatch patchAround(const Texel& of, Vec2 texels) {
+  const double i = std::floor(texels.x - 0.5);
+  const double j = std::floor(texels.y - 0.5);
+  const double fs = texels.x - 0.5 - i;
+  const double ft = texels.y - 0.5 - j;
+  const auto at = [&](double di, double dj) { return Texel{of.surface, of.piece, i + di, j + dj}; };
+  return TexelPatch{{{at(0, 0), at(1, 0), at(0, 1), at(1, 1)}},
+                    {(1 - fs) * (1 - ft), fs * (1 - ft), (1 - fs) * ft, fs * ft}};
+}
+
 }  // namespace
 
 PlainTexels::PlainTexels(const Scene& scene)
     : scene_(scene),
+      meshes_(scene),
       panels_(scene.level().surfaces.size()),
       continuations_(scene.level().surfaces.size()) {
   for (const SurfaceId id : scene.shownSurfaces())
@@ -26,20 +42,142 @@ PlainTexels::PlainTexels(const Scene& scene)
   grids_ = plainGrids(scene, panels_);
 }
 
-std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) const {
+std::optional<TexelPatch> PlainTexels::around(const SurfacePoint& hit) {
+  if (hit.mesh) return aroundOnMesh(hit);
   const std::optional<std::size_t> surface = surfaceOf(hit);
   if (!surface) return std::nullopt;
-  const Vec2 texels = (1 / scene_.level().bake.texel) * grids_[*surface].of(hit.point);
-  const double i = std::floor(texels.x - 0.5);
-  const double j = std::floor(texels.y - 0.5);
-  const double fs = texels.x - 0.5 - i;
-  const double ft = texels.y - 0.5 - j;
-  return TexelPatch{
-      {{{*surface, i, j}, {*surface, i + 1, j}, {*surface, i, j + 1}, {*surface, i + 1, j + 1}}},
-      {(1 - fs) * (1 - ft), fs * (1 - ft), (1 - fs) * ft, fs * ft}};
+  return patchAround({*surface, 0, 0, 0},
+                     (1 / scene_.level().bake.texel) * grids_[*surface].of(hit.point));
+}
+
+std::optional<TexelPatch> PlainTexels::aroundOnMesh(const SurfacePoint& hit) {
+  const MeshPiece& piece = meshes_.pieceOf(*hit.face);
+  const Texel texel{hit.mesh->index(), piece.faces.front(), 0, 0};
+  if (!piece.isSmall)
+    return patchAround(texel, (1 / scene_.level().bake.texel) * piece.panel.axes.of(hit.point));
+  const auto& [a, b, c] = scene_.level().meshFaces[*hit.face].corners;
+  const Vec3 out = cross(c - a, b - a);
+  const auto weight = [&](Vec3 from, Vec3 to) {
+    return dot(out, cross(to - hit.point, from - hit.point)) / dot(out, out);
+  };
+  return patchAround(texel, {weight(c, a) + 0.5, weight(a, b) + 0.5});
+}
+
+bool PlainTexels::isFourthOfSmallFace(const Texel& texel) {
+  return scene_[SurfaceId(texel.surface)].kind == SurfaceKind::Mesh &&
+         meshes_.pieceOf(texel.piece).isSmall && texel.i == 1 && texel.j == 1;
+}
+
+bool PlainTexels::hasCornersForSamples(const Texel& texel) {
+  const bool isOfMesh = scene_[SurfaceId(texel.surface)].kind == SurfaceKind::Mesh;
+  return isOfMesh && meshes_.pieceOf(texel.piece).isSmall;
+}
+
+bool PlainTexels::hasAllSamples(const Texel& texel) {
+  return hasCornersForSamples(texel) ||
+         std::ssize(samplesOf(texel)) == scene_.level().bake.samples.value();
+}
+
+/// One that lies in no air takes the light of the next that does.
+std::vector<TexelSample> PlainTexels::cornerOf(const MeshPiece& piece, std::size_t corner) const {
+  const Mesh& mesh = scene_.level().meshes[piece.mesh];
+  const auto& corners = scene_.level().meshFaces[piece.faces.front()].corners;
+  SurfacePoint place{SurfaceKind::Mesh,  mesh.sector, {},           {},
+                     piece.panel.normal, {},          mesh.surface, piece.faces.front()};
+  place.point = corners[corner];
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const Vec3 at = corners[(corner + k) % 3]; meshes_.isInAir(piece.mesh, at)) {
+      place.point = at;
+      break;
+    }
+  return {{place.point, place, {}}};
+}
+
+std::vector<TexelSample> PlainTexels::meshSamplesOf(const Texel& texel) {
+  const MeshPiece& piece = meshes_.pieceOf(texel.piece);
+  if (piece.isSmall) return cornerOf(piece, texel.i > 0 ? 1 : texel.j > 0 ? 2 : 0);
+  const Mesh& mesh = scene_.level().meshes[piece.mesh];
+  const Panel& panel = piece.panel;
+  const double side = std::sqrt(scene_.level().bake.samples.value());
+  std::vector<TexelSample> samples;
+  for (double t = 0.5; t < side; ++t)
+    for (double s = 0.5; s < side; ++s) {
+      const Vec2 st = scene_.level().bake.texel * Vec2{texel.i + s / side, texel.j + t / side};
+      TexelSample placed{panel.axes.at(st),
+                         {SurfaceKind::Mesh,
+                          mesh.sector,
+                          {},
+                          {},
+                          panel.normal,
+                          {},
+                          mesh.surface,
+                          piece.faces.front()},
+                         {}};
+      const std::vector<Vec2> places =
+          panel.movedInside(panel.contains(st) ? st : panel.nearestOnEdge(st), kInsideEdge, st);
+      placed.place.point = panel.axes.at(places.front());
+      for (std::size_t i = 1; i < places.size(); ++i) {
+        placed.others.push_back(placed.place);
+        placed.others.back().point = panel.axes.at(places[i]);
+      }
+      samples.push_back(std::move(placed));
+    }
+  return samples;
+}
+
+/// Filtering can read it: its middle is less than a texel beside the surface.
+bool PlainTexels::isOnLightmap(const Texel& texel) {
+  const bool isOfMesh = scene_[SurfaceId(texel.surface)].kind == SurfaceKind::Mesh;
+  const Axes& axes = isOfMesh ? meshes_.pieceOf(texel.piece).panel.axes : grids_[texel.surface];
+  const Panel& panel = isOfMesh ? meshes_.pieceOf(texel.piece).panel : *panels_[texel.surface];
+  const Vec3 middle = axes.at(scene_.level().bake.texel * Vec2{texel.i + 0.5, texel.j + 0.5});
+  return panel.distanceTo(panel.axes.of(middle)) < scene_.level().bake.texel;
+}
+
+Texel PlainTexels::nearestWithSamples(const Texel& texel) {
+  if (!samplesOf(texel).empty()) return texel;
+  constexpr int kFarthest = 64;
+  Texel nearest = texel;
+  double least = std::numeric_limits<double>::infinity();
+  for (int ring = 1; ring <= kFarthest && 1.0 * ring * ring < least; ++ring)
+    for (int dj = -ring; dj <= ring; ++dj)
+      for (int di = -ring; di <= ring; di += std::abs(dj) == ring ? 1 : 2 * ring) {
+        const double distance = 1.0 * di * di + 1.0 * dj * dj;
+        const Texel other{texel.surface, texel.piece, texel.i + di, texel.j + dj};
+        if (distance >= least || !isOnLightmap(other) || samplesOf(other).empty()) continue;
+        least = distance;
+        nearest = other;
+      }
+  return nearest;
 }
 
 std::vector<TexelSample> PlainTexels::samplesOf(const Texel& texel) {
+  std::vector<TexelSample> samples = allSamplesOf(texel);
+  if (hasCornersForSamples(texel)) return samples;
+  std::erase_if(samples, [&](const TexelSample& sample) { return isLeftOut(sample.place); });
+  return samples;
+}
+
+bool PlainTexels::isLeftOut(const SurfacePoint& place) const {
+  return place.mesh ? !meshes_.isInAir(scene_.level().meshIndexOf(*place.mesh), place.point)
+                    : meshes_.isInsideMesh(place.point, place.normal, place.sector);
+}
+
+bool PlainTexels::isInDoubt(const Texel& texel) {
+  constexpr double kHair = 2e-6;  // metres
+  if (hasCornersForSamples(texel)) return false;
+  if (samplesOf(texel).empty()) return true;
+  return std::ranges::any_of(allSamplesOf(texel), [&](const TexelSample& sample) {
+    std::vector<SurfacePoint> places = sample.others;
+    std::ranges::copy(ringAround(sample.place, kHair), std::back_inserter(places));
+    const bool isOut = isLeftOut(sample.place);
+    return std::ranges::any_of(
+        places, [&](const SurfacePoint& place) { return isLeftOut(place) != isOut; });
+  });
+}
+
+std::vector<TexelSample> PlainTexels::allSamplesOf(const Texel& texel) {
+  if (scene_[SurfaceId(texel.surface)].kind == SurfaceKind::Mesh) return meshSamplesOf(texel);
   const double side = std::sqrt(scene_.level().bake.samples.value());
   std::vector<TexelSample> samples;
   for (double t = 0.5; t < side; ++t)
@@ -51,11 +189,11 @@ std::vector<TexelSample> PlainTexels::samplesOf(const Texel& texel) {
   return samples;
 }
 
-std::vector<SurfacePoint> PlainTexels::ringAround(const SurfacePoint& place,
-                                                  double radiusMetres) const {
+std::vector<SurfacePoint> PlainTexels::ringAround(const SurfacePoint& place, double radiusMetres) {
   constexpr int kDirections = 16;
   std::vector<SurfacePoint> ring;
-  const Panel& panel = *panels_[*surfaceOf(place)];
+  const Panel& panel =
+      place.face ? meshes_.pieceOf(*place.face).panel : *panels_[*surfaceOf(place)];
   const Vec2 center = panel.axes.of(place.point);
   for (int i = 0; i < kDirections; ++i) {
     const SinCos turn = sinCosDegrees(360.0 * i / kDirections);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "agreement/common_edges.h"
+#include "agreement/mesh_pieces.h"
 #include "truth/trace.h"
 
 namespace hearth::agreement {
@@ -12,6 +14,7 @@ namespace hearth::agreement {
 /// Of the lightmap of a surface, which is given by its index.
 struct Texel {
   std::size_t surface;
+  std::uint32_t piece;  ///< of a mesh: the first face of a piece; of all else 0
   double i;
   double j;
   auto operator<=>(const Texel&) const = default;
@@ -25,7 +28,8 @@ struct TexelSample {
   std::vector<SurfacePoint> others;
 };
 
-/// The four texels whose centres are around a point of a surface.
+/// The four texels whose centres are around a point of a surface. A small face of a mesh has its
+/// corners for the centres of three; the fourth continues these.
 struct TexelPatch {
   std::array<Texel, 4> texels;    ///< (i, j), (i+1, j), (i, j+1), (i+1, j+1)
   std::array<double, 4> weights;  ///< what each counts for at the point
@@ -40,15 +44,35 @@ class PlainTexels {
   explicit PlainTexels(const Scene& scene);
 
   /// None where the hit is on no surface that takes light.
-  std::optional<TexelPatch> around(const SurfacePoint& hit) const;
+  std::optional<TexelPatch> around(const SurfacePoint& hit);
 
+  /// Those that count: none where all are left out, or of the fourth texel of a small face.
   std::vector<TexelSample> samplesOf(const Texel& texel);
+
+  /// The texel itself or, if all its samples are left out, the nearest one that has some.
+  Texel nearestWithSamples(const Texel& texel);
+
+  bool isFourthOfSmallFace(const Texel& texel);
+
+  /// Whether a hair decides which samples it has, or it has none: then hairs decide which texel is
+  /// the nearest one that has some.
+  bool isInDoubt(const Texel& texel);
+
+  /// Whether none of its samples is left out.
+  bool hasAllSamples(const Texel& texel);
 
   /// The points of the same surface at a distance from this one, one in each of 16 directions where
   /// the surface reaches so far.
-  std::vector<SurfacePoint> ringAround(const SurfacePoint& place, double radiusMetres) const;
+  std::vector<SurfacePoint> ringAround(const SurfacePoint& place, double radiusMetres);
 
  private:
+  std::optional<TexelPatch> aroundOnMesh(const SurfacePoint& hit);
+  bool hasCornersForSamples(const Texel& texel);
+  std::vector<TexelSample> allSamplesOf(const Texel& texel);
+  std::vector<TexelSample> meshSamplesOf(const Texel& texel);
+  bool isLeftOut(const SurfacePoint& place) const;
+  std::vector<TexelSample> cornerOf(const MeshPiece& piece, std::size_t corner) const;
+  bool isOnLightmap(const Texel& texel);
   std::optional<std::size_t> surfaceOf(const SurfacePoint& hit) const;
   bool areInOnePlane(std::size_t a, std::size_t b) const;
   const std::vector<CommonEdge>& continuationsOf(std::size_t surface);
@@ -56,6 +80,7 @@ class PlainTexels {
   TexelSample sampleAt(std::size_t surface, Vec3 center);
 
   Scene scene_;
+  MeshPieces meshes_;
   std::vector<std::optional<Panel>>
       panels_;                 ///< by index of surface; none for skies, and where nothing shows
   std::vector<Vec3> corners_;  ///< of the panels

@@ -116,11 +116,12 @@ std::string table(const Tally& tally) {
   text += fmt::format(
       "left out of exact light: {} texel over 1/8 m, {} light nearer than 0.3 m (0.7 m with "
       "lambert), "
+      "{} samples inside a mesh or in a wall, "
       "{} shadow's edge between texels, {} jump or sharp bend of a curve between texels, "
       "{} clipping at full between texels, "
       "{} steep light at an edge beyond which texels are centred\n",
       tally.leftOut[0], tally.leftOut[1], tally.leftOut[2], tally.leftOut[3], tally.leftOut[4],
-      tally.leftOut[5]);
+      tally.leftOut[5], tally.leftOut[6]);
   const Fractions fractions = fractionsOf(tally);
   for (const auto& list : {kTestedFractions, kExcusedFractions})
     for (const FractionName& of : list)

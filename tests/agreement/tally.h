@@ -27,8 +27,8 @@ struct KindTally {
 
 /// Why exact light is not compared at a pixel: the first that holds. The last three can hold for
 /// some channels only: then the others are compared.
-enum class LeftOut { CoarseTexel, NearLight, ShadowEdge, CurveJump, Clip, BeyondEdge };
-inline constexpr std::size_t kLeftOut = 6;
+enum class LeftOut { CoarseTexel, NearLight, InsideMesh, ShadowEdge, CurveJump, Clip, BeyondEdge };
+inline constexpr std::size_t kLeftOut = 7;
 
 struct Tally {
   std::array<KindTally, kSurfaceKindCount> kinds;

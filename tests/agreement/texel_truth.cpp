@@ -58,6 +58,10 @@ bool PatchLight::clipsBetween(std::size_t channel) const {
   return clipped != 0 && clipped != 4;
 }
 
+bool PatchLight::lacksSamples() const {
+  return std::ranges::any_of(texels, &TexelLight::lacksSamples);
+}
+
 TexelTruth::TexelTruth(const Scene& scene)
     : scene_(scene), level_(scene.level()), truth_(level_), texels_(scene) {}
 
@@ -83,7 +87,14 @@ const TexelLight& TexelTruth::lightOf(const Texel& texel) {
   const auto [entry, isNew] = lights_.try_emplace(texel);
   TexelLight& light = entry->second;
   if (!isNew) return light;
+  light.texel = texel;
+  if (texels_.isFourthOfSmallFace(texel)) {
+    light.levels = fourthOf(texel);
+    return light;
+  }
   light.samples = texels_.samplesOf(texel);
+  light.lacksSamples = !texels_.hasAllSamples(texel);
+  if (light.samples.empty()) light.samples = texels_.samplesOf(texels_.nearestWithSamples(texel));
   const auto count = static_cast<double>(light.samples.size());
   for (const TexelSample& sample : light.samples) {
     std::vector<bool>& sees = light.sees.emplace_back(level_.lights.size());
@@ -95,12 +106,26 @@ const TexelLight& TexelTruth::lightOf(const Texel& texel) {
   return light;
 }
 
+/// Of bytes.
+Channels TexelTruth::fourthOf(const Texel& texel) {
+  const auto at = [&](double i, double j, std::size_t channel) {
+    const double level = lightOf({texel.surface, texel.piece, i, j}).levels[channel];
+    return std::floor(std::clamp(level, 0.0, 255.0) + 0.5);
+  };
+  Channels levels;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    levels[channel] = std::max(0.0, at(1, 0, channel) + at(0, 1, channel) - at(0, 0, channel));
+  return levels;
+}
+
 void TexelTruth::add(Channels& sum, std::size_t light, double level) const {
   for (int channel = 0; channel < 3; ++channel)
     sum[static_cast<std::size_t>(channel)] += level * level_.lights[light].colorFactor(channel);
 }
 
-Channels TexelTruth::hairSlack(const PatchLight& patch) const {
+Channels TexelTruth::hairSlack(const PatchLight& patch) {
+  const auto isInDoubt = [&](const TexelLight* texel) { return texels_.isInDoubt(texel->texel); };
+  if (std::ranges::any_of(patch.texels, isInDoubt)) return {255, 255, 255};
   Channels slack{};
   for (std::size_t k = 0; k < 4; ++k)
     for (const TexelSample& sample : patch.texels[k]->samples) {
@@ -114,7 +139,7 @@ Channels TexelTruth::hairSlack(const PatchLight& patch) const {
 
 /// Of each light the greatest difference to a hair away from where the sample may lie, where that
 /// is a step: what one of them gains another may lose.
-Channels TexelTruth::stepAround(const TexelSample& sample) const {
+Channels TexelTruth::stepAround(const TexelSample& sample) {
   std::vector<SurfacePoint> centers = sample.others;
   centers.push_back(sample.place);
   std::vector<SurfacePoint> places = centers;

@@ -18,6 +18,8 @@ struct TexelLight {
   std::vector<TexelSample> samples;
   std::vector<std::vector<bool>> sees;  ///< of each sample: by index of light, whether it sees it
   Channels levels{};                    ///< mean of the samples, not clamped
+  bool lacksSamples = false;            ///< some are left out
+  Texel texel{};
 };
 
 /// Truth's light of the four texels around a point.
@@ -29,6 +31,8 @@ struct PatchLight {
   double interpolated(std::size_t channel) const;
   /// Whether some of them clip at full light and some do not.
   bool clipsBetween(std::size_t channel) const;
+  /// Whether some of them take the light of others, or of fewer samples.
+  bool lacksSamples() const;
 };
 
 /// What texels hold by truth, and how well each of them is known.
@@ -47,7 +51,7 @@ class TexelTruth {
 
   /// Levels by which the texels' light at the point may be another because the places of their
   /// samples are known to a hair only: at the edges of shadows and at jumps of curves.
-  Channels hairSlack(const PatchLight& patch) const;
+  Channels hairSlack(const PatchLight& patch);
   /// The same of a point of air.
   Channels hairSlack(const AirPoint& place) const;
 
@@ -67,7 +71,8 @@ class TexelTruth {
 
  private:
   const TexelLight& lightOf(const Texel& texel);
-  Channels stepAround(const TexelSample& sample) const;
+  Channels stepAround(const TexelSample& sample);
+  Channels fourthOf(const Texel& texel);
   void add(Channels& sum, std::size_t light, double level) const;
 
   Scene scene_;

@@ -169,7 +169,7 @@ class Changes(unittest.TestCase):
              "facing": "angle", "size": [0.2, 0.3], "offset": [0, 0.1], "bright": True},
             {"frames": [["#ff8040", "#c06030"], "#ffa060"], "fps": 4, "x": 1, "y": 2, "radius": 0.2, "height": 0.5},
             {"name": "tent", "mesh": "tent.obj", "x": 2, "y": 1, "z": 0.5, "sector": "hall", "angle": 30,
-             "scale": [1, 0.5, 1], "texture": "#c0a080", "twoSided": True, "solid": False},
+             "scale": [1, 0.5, 1], "texture": "#c0a080", "twoSided": True, "solid": False, "shadow": False},
             {"mesh": "tent.obj", "x": 1, "y": 1, "scale": 0.5}]
         (self.folder / "tent.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
         self.schemas = {"level": schema("level"), "lights": schema("lights")}

@@ -91,6 +91,7 @@ TEST_F(MeshLoad, takesDefaultsForAllButItsModelAndPlace) {
   EXPECT_EQ(mesh.sector, SectorId(0));
   EXPECT_FALSE(mesh.isTwoSided);
   EXPECT_TRUE(mesh.isSolid);
+  EXPECT_TRUE(mesh.castsShadow);
   EXPECT_EQ(mesh.firstFace, 0U);
   EXPECT_EQ(mesh.faceCount, 1U);
   EXPECT_EQ(worn(level), std::vector<std::string>{"#ffffff"});
@@ -100,12 +101,13 @@ TEST_F(MeshLoad, takesEveryKey) {
   const LoadedLevel level = loaded(
       "{'name': 'box', 'mesh': 'crate.obj', 'x': 1, 'y': 2, 'z': 1.5, 'sector': 'room',"
       " 'angle': 90, 'scale': [1, 2, 3], 'texture': '#c04020', 'twoSided': true,"
-      " 'solid': false}");
+      " 'solid': false, 'shadow': false}");
   const Mesh& mesh = level.level.meshes.at(0);
   EXPECT_EQ(mesh.name, "box");
   EXPECT_EQ(mesh.position, (Vec3{1, 2, 1.5}));
   EXPECT_TRUE(mesh.isTwoSided);
   EXPECT_FALSE(mesh.isSolid);
+  EXPECT_FALSE(mesh.castsShadow);
   EXPECT_EQ(worn(level), std::vector<std::string>{"#c04020"});
 }
 

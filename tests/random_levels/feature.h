@@ -109,6 +109,7 @@ enum class Feature {
   ClosedMesh,
   OpenMesh,
   TwoSidedMesh,
+  MeshWithoutShadow,
   MeshOfColors,
   MeshOfImages,
   MeshWithTexture,
@@ -130,7 +131,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 119> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 120> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -232,6 +233,7 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 119> kFeatures
     {Feature::ClosedMesh, "closed mesh"},
     {Feature::OpenMesh, "open mesh"},
     {Feature::TwoSidedMesh, "two-sided mesh"},
+    {Feature::MeshWithoutShadow, "mesh without shadow"},
     {Feature::MeshOfColors, "mesh of plain colours"},
     {Feature::MeshOfImages, "mesh of images"},
     {Feature::MeshWithTexture, "mesh with a texture of the level"},

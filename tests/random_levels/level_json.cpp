@@ -203,6 +203,7 @@ Json placedModelJson(const Model& model, const PlacedModel& placed, const std::s
   if (placed.angle != 0) json["angle"] = number(placed.angle);
   if (!placed.texture.empty()) json["texture"] = placed.texture;
   if (placed.isTwoSided) json["twoSided"] = true;
+  if (!placed.castsShadow) json["shadow"] = false;
   return json;
 }
 

@@ -276,6 +276,7 @@ class ModelPlacer {
     const bool isUnique = model_.sectorsAround(placed.place.position, 0.002).size() == 1;
     placed.namesSector = !isUnique || !placed.saysHeight || random_.chance(0.4);
     placed.spritesBefore = random_.below(sprites_.size() + 1);
+    placed.castsShadow = placed_.size() % 4 != 2;
     note(placed);
     placed_.push_back(std::move(placed));
   }
@@ -288,6 +289,7 @@ class ModelPlacer {
     features_.insert(kSkins[static_cast<std::size_t>(model.skin)]);
     features_.insert(model.isClosed ? Feature::ClosedMesh : Feature::OpenMesh);
     if (placed.isTwoSided) features_.insert(Feature::TwoSidedMesh);
+    if (!placed.castsShadow) features_.insert(Feature::MeshWithoutShadow);
     if (std::ranges::min(placed.scale) < size) features_.insert(Feature::UnevenMesh);
     if (size > kHuge) features_.insert(Feature::HugeMesh);
     if (size < kTiny) features_.insert(Feature::TinyMesh);

@@ -20,6 +20,7 @@ struct PlacedModel {
   double angle = 0;                      ///< degrees
   std::string texture;                   ///< of models without materials
   bool isTwoSided = false;
+  bool castsShadow = true;
   std::size_t spritesBefore = 0;  ///< that the file lists before it
 };
 

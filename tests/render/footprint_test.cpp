@@ -27,7 +27,7 @@ void forEachPixel(const Scene& scene, const Camera& camera, SurfaceKind kind, Se
   findVisibleSpans(scene, camera, projection, scratch).forEachSpan([&](const Span& span) {
     const Surface& surface = scene[span.surface];
     if (surface.kind != kind || surface.sector != sector) return;
-    const SpanMapping mapping = mappingOf(scene, projection, span, &kTexture, nullptr);
+    const SpanMapping mapping = mappingOf(scene, projection, span, &kTexture, {});
     const Footprint footprint(scene, projection, span, kTexture, mapping);
     for (int row = span.rowBegin; row < span.rowEnd; ++row)
       visit(span, mapping, footprint, projection.raySlopeAt(row + 0.5));
@@ -104,7 +104,7 @@ TEST(Footprint, OfASkyIsWhatLiesBetweenNeighbouringPixels) {
         const double down =
             mapping.v.at(raySlope - 1 / projection.distancePx()) - mapping.v.at(raySlope);
         span.column += 1;
-        const SpanMapping next = mappingOf(loaded.scene(), projection, span, &kTexture, nullptr);
+        const SpanMapping next = mappingOf(loaded.scene(), projection, span, &kTexture, {});
         const double across = next.u.at(raySlope) - mapping.u.at(raySlope);
         EXPECT_NEAR(footprint.texelsAt(raySlope) / std::abs(across * down), 1, 0.02);
         ++pixels;

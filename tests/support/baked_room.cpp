@@ -1,6 +1,8 @@
 #include "support/baked_room.h"
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -8,6 +10,24 @@
 #include "support/level_text.h"
 
 namespace hearth::test {
+
+namespace {
+
+/// Of the corners of a face at a point of it; none of a point that is not on it.
+std::optional<Vec3> weightsAt(const MeshFace& face, Vec3 p, Vec3 front) {
+  constexpr double kNear = 1e-6;
+  const auto& [a, b, c] = face.corners;
+  const Vec3 out = frontOf(face);
+  const double area = dot(out, out);
+  if (dot(out, front) <= 0 || std::abs(dot(out, p - a)) > kNear * std::sqrt(area))
+    return std::nullopt;
+  const auto weight = [&](Vec3 from, Vec3 to) { return dot(out, cross(to - p, from - p)) / area; };
+  const Vec3 weights{weight(b, c), weight(c, a), weight(a, b)};
+  const bool isOnFace = weights.x > -kNear && weights.y > -kNear && weights.z > -kNear;
+  return isOnFace ? std::optional(weights) : std::nullopt;
+}
+
+}  // namespace
 
 BakedRoom::BakedRoom(std::string_view levelText, std::string_view lightsText, int threads)
     : BakedRoom(levelFrom(levelText, lightsText), threads) {}
@@ -21,6 +41,23 @@ double BakedRoom::at(SurfaceKind kind, Vec3 p, std::string_view sector, int chan
   const auto& lightmap = light_.lightmaps[id->index()];
   const Vec2 texels = light_.surfaces[id->index()]->grid.toTexels(p);
   return lightmap ? lightmap->sample(texels.x, texels.y, channel) : 0;
+}
+
+double BakedRoom::onMesh(Vec3 p, Vec3 front, int channel) const {
+  for (std::size_t i = 0; i < level().meshes.size(); ++i) {
+    const std::span<const MeshFace> faces = level().facesOf(level().meshes[i]);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      const std::optional<Vec3> weights = weightsAt(faces[k], p, front);
+      if (!weights) continue;
+      const LitMesh& lit = light_.meshes[i];
+      const auto& [a, b, c] = lit.places[k];
+      const Vec2 at = weights->x * a + weights->y * b + weights->z * c;
+      const auto& lightmap = light_.lightmaps[lit.surface.index()];
+      return lightmap ? lightmap->sample(at.x, at.y, channel) : 0;
+    }
+  }
+  CHECK(false, "no face", p.x, p.y, p.z);
+  return 0;
 }
 
 std::optional<SurfaceId> BakedRoom::surfaceAt(SurfaceKind kind, Vec3 p,

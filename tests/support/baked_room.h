@@ -22,6 +22,9 @@ class BakedRoom {
   /// 0 where it has no lightmap. `segmentSector` tells apart surfaces of several sectors.
   double at(SurfaceKind kind, Vec3 p, std::string_view sector = "", int channel = 0) const;
 
+  /// The same on a mesh, at a point of a face whose front looks along `front`. Stops where none is.
+  double onMesh(Vec3 p, Vec3 front, int channel = 0) const;
+
   std::optional<SurfaceId> surfaceAt(SurfaceKind kind, Vec3 p, std::string_view sector) const;
 
  private:

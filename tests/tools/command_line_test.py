@@ -589,7 +589,7 @@ def write_bake(bake, texels_of):
     settings = b"a test"
     packed = zlib.compress(maps)
     whole = b"\x89HEARTH\n" + struct.pack(
-        "<IIQQdIQ", 4, len(settings), 52 + len(settings) + len(packed) + 4, int(bake["geometry"], 16),
+        "<IIQQdIQ", 5, len(settings), 52 + len(settings) + len(packed) + 4, int(bake["geometry"], 16),
         bake["texelMetres"], len(bake["surfaces"]), len(maps)) + settings + packed
     return whole + struct.pack("<I", zlib.crc32(whole))
 

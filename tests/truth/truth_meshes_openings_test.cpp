@@ -77,18 +77,18 @@ TEST(TruthMeshes, InAnotherSectorAtThePlaceDoNotShow) {
   EXPECT_TRUE(seesMesh(test, there, {1, 2, 1}, 0));
 }
 
-TEST(TruthMeshes, TakeTheLightOfTheirOwnSectorAlone) {
+TEST(TruthMeshes, TakeTheLightOfTheirOwnSectorAndThatOfLights) {
   Straddled scene;
   scene.test.sector(scene.rooms[0]).light = 0.2;
   scene.test.sector(scene.rooms[1]).light = 0.6;
-  scene.test.addLight(scene.rooms[1], {4.5, 0.5, 1});
+  scene.test.addLight(scene.rooms[1], {4.5, 0.5, 1}, 30);
   scene.test.finished();
   const TruthView view(scene.test.level(), scene.test.textures(),
                        cameraAt(scene.rooms[1], {4.5, 0.5, 1}, 90));
   EXPECT_EQ(view.hit(4, 2).sector, scene.rooms[0]);
-  EXPECT_NEAR(view.pixel(4, 2, TruthLightMode::Only).exact.x, 51, 1e-9);
+  EXPECT_NEAR(view.pixel(4, 2, TruthLightMode::Only).exact.x, 51 + 30, 1e-9);
   const Vec3 color = view.pixel(4, 2, TruthLightMode::None).exact;
-  EXPECT_NEAR(view.pixel(4, 2, TruthLightMode::Both).exact.x, 0.2 * color.x, 1e-9);
+  EXPECT_NEAR(view.pixel(4, 2, TruthLightMode::Both).exact.x, (0.2 + 30 / 255.0) * color.x, 1e-9);
 
   Straddled bright;
   bright.test.sector(bright.rooms[0]).light = 3;

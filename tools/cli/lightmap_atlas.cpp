@@ -40,7 +40,7 @@ std::vector<Entry> entriesOf(const Level& level, const BakedLight& light) {
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < light.lightmaps.size(); ++i) {
     if (!light.lightmaps[i]) continue;
-    const std::optional<LitSurface>& surface = light.surfaces[i];  // none of a sprite
+    const std::optional<LitSurface>& surface = light.surfaces[i];  // none of a thing
     const bool flipsRows = surface && surface->grid.axisT.z > 0;
     entries.push_back({*light.lightmaps[i], flipsRows, labelOf(level, SurfaceId(i))});
   }
@@ -117,6 +117,7 @@ std::vector<std::string> labelOf(const Level& level, SurfaceId id) {
   const Sector& sector = level[surface.sector];
   const std::string kind(name(surface.kind));
   if (isSprite(surface.kind)) return {kind, shortened(nameOf(level, level.spriteOf(id)))};
+  if (surface.kind == SurfaceKind::Mesh) return {kind, shortened(nameOf(level, level.meshOf(id)))};
   if (!surface.segment) return {kind, shortened(sector.name)};
   const Segment& segment = level[*surface.segment];
   std::string where = sector.name;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "light/baking/clipped_light.h"
+#include "light/baking/patch_light.h"
 #include "light/baking/texel_sums.h"
 
 namespace hearth {
@@ -36,19 +37,56 @@ void addLevels(const Tile& tile, const LightSource& light, const std::vector<dou
   }
 }
 
-void addTile(const Tile& tile, SurfaceLight& surface, const SumsOf& sumsOf) {
-  const SampleBlocks blocks = samplesOf(surface, tile.rect, tile.side);
+/// The samples of a texel, by their indices among those of a tile.
+std::vector<std::size_t> samplesOfTexel(const Tile& tile, int i, int j) {
+  std::vector<std::size_t> samples;
+  const int columns = tile.rect.width * tile.side;
+  for (int row = j * tile.side; row < (j + 1) * tile.side; ++row)
+    for (int column = i * tile.side; column < (i + 1) * tile.side; ++column)
+      samples.push_back(static_cast<std::size_t>(row * columns + column));
+  return samples;
+}
+
+/// How often each sample of a tile counts, so that the others stand for those that are left out.
+std::vector<double> weightsOf(const Tile& tile, const LeftOut& left) {
+  std::vector<double> weights(static_cast<std::size_t>(tile.rect.count() * tile.side * tile.side));
+  for (int j = 0; j < tile.rect.height; ++j)
+    for (int i = 0; i < tile.rect.width; ++i) {
+      const std::vector<std::size_t> samples = samplesOfTexel(tile, i, j);
+      const auto kept = static_cast<double>(
+          std::ranges::count_if(samples, [&](std::size_t sample) { return !left.is(sample); }));
+      for (const std::size_t sample : samples)
+        weights[sample] = left.is(sample) ? 0 : static_cast<double>(samples.size()) / kept;
+    }
+  return weights;
+}
+
+template <typename Lit>
+void addTile(const Tile& tile, Lit& surface, const SumsOf& sumsOf) {
+  const typename Lit::Blocks blocks = samplesOf(surface, tile.rect, tile.side);
+  const LeftOut left(surface, blocks.samples());
+  const std::vector<double> weights = left.isNone() ? std::vector<double>{} : weightsOf(tile, left);
+  std::vector<double> weighted;
   for (const std::size_t light : tile.lights) {
     if (!surface.reaches(light, blocks)) continue;
     TexelSums& sums = sumsOf(light);
-    if (std::ranges::any_of(surface.seenFractions(light, blocks),
-                            [](double seen) { return seen > 0; }))
-      addLevels(tile, surface.light(light), surface.brightness(light, blocks), sums);
+    if (std::ranges::none_of(surface.seenFractions(light, blocks),
+                             [](double seen) { return seen > 0; }))
+      continue;
+    const std::vector<double>& levels = surface.brightness(light, blocks);
+    if (left.isNone()) {
+      addLevels(tile, surface.light(light), levels, sums);
+      continue;
+    }
+    weighted = levels;
+    for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] *= weights[i];
+    addLevels(tile, surface.light(light), weighted, sums);
   }
 }
 
+template <typename Lit>
 void addSampledLight(const TexelRect& rect, int side, std::span<const std::size_t> lights,
-                     SurfaceLight& surface, const SumsOf& sumsOf, BakeProgress& progress,
+                     Lit& surface, const SumsOf& sumsOf, BakeProgress& progress,
                      const std::stop_token& stop) {
   const std::vector<TexelRect> tiles = tilesOf(rect);
   SurfaceProgress done(progress, rect.count(), std::ssize(tiles));
@@ -59,13 +97,17 @@ void addSampledLight(const TexelRect& rect, int side, std::span<const std::size_
   }
 }
 
+int samplesAlong(const BakeSettings& settings) {
+  return static_cast<int>(std::lround(std::sqrt(*settings.samples)));
+}
+
 /// `rect` is what must be baked, see texelsToBake.
-void addLightsIn(const TexelRect& rect, SurfaceLight& surface, std::span<const std::size_t> lights,
+template <typename Lit>
+void addLightsIn(const TexelRect& rect, Lit& surface, std::span<const std::size_t> lights,
                  const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                  const std::stop_token& stop) {
   if (settings.samples)
-    addSampledLight(rect, static_cast<int>(std::lround(std::sqrt(*settings.samples))), lights,
-                    surface, sumsOf, progress, stop);
+    addSampledLight(rect, samplesAlong(settings), lights, surface, sumsOf, progress, stop);
   else
     addClippedLight(surface, lights, sumsOf, progress, stop);
 }
@@ -82,7 +124,8 @@ std::vector<TexelRect> tilesOf(const TexelRect& texels) {
   return tiles;
 }
 
-SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int side) {
+template <typename Lit>
+typename Lit::Blocks samplesOf(const Lit& surface, const TexelRect& tile, int side) {
   const auto along = [&](int texel0, int k) {
     const int texel = texel0 + k / side;
     return texel + (k % side + 0.5) / side;
@@ -96,6 +139,8 @@ SampleBlocks samplesOf(const SurfaceLight& surface, const TexelRect& tile, int s
   for (int j = 0; j < rows; ++j) surface.placeRow(inRow, along(tile.j0, j), samples);
   return surface.inBlocks(std::move(samples), columns, rows);
 }
+
+template SampleBlocks samplesOf(const SurfaceLight&, const TexelRect&, int);
 
 void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
@@ -132,12 +177,50 @@ void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
   }
 }
 
-TexelRect texelsToBake(const TexelRect& wanted, const LitSurface& surface,
+TexelRect texelsToBake(const SurfaceTexels& wanted, const Scene& scene, const LitSurfaces& surfaces,
                        const BakeSettings& settings) {
-  return settings.samples ? intersection(wanted, surface.texels) : surface.texels;
+  const TexelRect& all = surfaces[wanted.surface.index()]->texels;
+  const bool areAlone =
+      settings.samples && !mayHaveSamplesInMeshes(scene, surfaces, wanted.surface);
+  return areAlone ? intersection(wanted.texels, all) : all;
 }
 
-std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& baked,
+template <typename Lit>
+EmptyTexels emptyTexelsOf(const Lit& surface, const TexelRect& baked,
+                          const BakeSettings& settings) {
+  EmptyTexels empty(baked);
+  if (!surface.mayLeaveOut()) return empty;
+  // With corners for samples, one more each way.
+  const int side = settings.samples ? samplesAlong(settings) : 1;
+  const bool areCorners = !settings.samples;
+  const auto isLeftOut = [&](int i, int j, int column, int row) {
+    const double shift = areCorners ? 0 : 0.5;
+    return surface.isLeftOut(
+        surface.place({i + (column + shift) / side, j + (row + shift) / side}));
+  };
+  const int samples = areCorners ? 2 : side;
+  const auto isEmpty = [&](int i, int j) {
+    for (int row = 0; row < samples; ++row)
+      for (int column = 0; column < samples; ++column)
+        if (!isLeftOut(i, j, column, row)) return false;
+    return true;
+  };
+  for (int j = baked.j0; j < baked.j0 + baked.height; ++j) {
+    UsedTexelRow row = surface.usedRuns(j);
+    for (int i = baked.i0; i < baked.i0 + baked.width; ++i) {
+      if (const int used = row.nearest(i); used != i)
+        empty.addUnused(i, j, used);
+      else if (isEmpty(i, j))
+        empty.add(i, j);
+    }
+  }
+  return empty;
+}
+
+template EmptyTexels emptyTexelsOf(const SurfaceLight&, const TexelRect&, const BakeSettings&);
+
+template <typename Lit>
+std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& baked,
                                     const BakeSettings& settings, BakeProgress& progress) {
   if (surface.facing().empty()) {
     progress.add(baked.count());
@@ -146,8 +229,14 @@ std::optional<Lightmap> bakeSurface(SurfaceLight& surface, const TexelRect& bake
   TexelSums sums(baked, surface.channels());
   const auto all = [&](std::size_t) -> TexelSums& { return sums; };
   addLightsIn(baked, surface, surface.facing(), settings, all, progress, {});
+  emptyTexelsOf(surface, baked, settings).fill(sums);
   return lightmapOf(sums, settings);
 }
+
+template std::optional<Lightmap> bakeSurface(SurfaceLight&, const TexelRect&, const BakeSettings&,
+                                             BakeProgress&);
+template std::optional<Lightmap> bakeSurface(PatchLight&, const TexelRect&, const BakeSettings&,
+                                             BakeProgress&);
 
 std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings) {
   return sums.toLightmap(settings.samples.value_or(1));

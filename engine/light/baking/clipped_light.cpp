@@ -1,12 +1,16 @@
 #include "light/baking/clipped_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "light/baking/left_out.h"
+#include "light/baking/patch_light.h"
+#include "light/baking/surface_light.h"
 #include "light/grid/lit_lattice.h"
 
 namespace hearth {
@@ -41,13 +45,15 @@ constexpr double kMaxCornerSpread = 8;
 constexpr int kMaxCellsPerSide = 8;
 constexpr int kMaxCellsPerSideSoft = 4;
 
+template <typename Lit>
 class ClippedLight {
  public:
-  explicit ClippedLight(SurfaceLight& surface)
+  explicit ClippedLight(Lit& surface)
       : surface_(surface),
         rect_(surface.texels()),
         blocks_(surface.inBlocks(placedCorners(), rect_.width + 1, rect_.height + 1)),
-        corners_(blocks_.samples()) {}
+        corners_(blocks_.samples()),
+        left_(surface, corners_) {}
 
   void add(std::size_t light, TexelSums& sums) {
     if (surface_.radiusOf(light) > 0)
@@ -79,10 +85,36 @@ class ClippedLight {
             a.target + fraction * (b.target - a.target), a.isMoved || b.isMoved};
   }
 
+  std::array<std::size_t, 4> cornersOf(int i, int j) const {
+    return {index(i, j), index(i + 1, j), index(i, j + 1), index(i + 1, j + 1)};
+  }
+
   /// Whether the surface, or what continues it, ends inside the texel.
   bool hasEdge(int i, int j) const {
-    return corners_[index(i, j)].isMoved || corners_[index(i + 1, j)].isMoved ||
-           corners_[index(i, j + 1)].isMoved || corners_[index(i + 1, j + 1)].isMoved;
+    return std::ranges::any_of(cornersOf(i, j),
+                               [&](std::size_t corner) { return corners_[corner].isMoved; });
+  }
+
+  /// Of a texel some of whose corners are left out: the mean of those of its samples that are not.
+  double levelOfKept(std::size_t light, int i, int j) {
+    if (left_.areAll(cornersOf(i, j))) return 0;
+    constexpr int kSide = 4;
+    double sum = 0;
+    int kept = 0;
+    const auto add = [&](const SamplePoint& at) {
+      ++kept;
+      sum += brightnessAt(light, at, surface_.roughlySeenFraction(light, at));
+    };
+    for (int row = 0; row < kSide; ++row)
+      for (int column = 0; column < kSide; ++column) {
+        const SamplePoint at =
+            surface_.place(corner(i + (column + 0.5) / kSide, j + (row + 0.5) / kSide));
+        if (!surface_.isLeftOut(at)) add(at);
+      }
+    if (kept == 0)
+      for (const std::size_t corner : cornersOf(i, j))
+        if (!left_.is(corner)) add(corners_[corner]);
+    return sum / kept;
   }
 
   /// What a light brings to a point between corners, in levels.
@@ -146,7 +178,10 @@ class ClippedLight {
       double level = 0;
       for (int i = 0; i < rect_.width; ++i) {
         const int used = row.nearest(rect_.i0 + i);
-        if (used != last) level = levelOf(used - rect_.i0, j);
+        if (used != last)
+          level = left_.isAny(cornersOf(used - rect_.i0, j))
+                      ? levelOfKept(light, used - rect_.i0, j)
+                      : levelOf(used - rect_.i0, j);
         last = used;
         if (level > 0) sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
       }
@@ -189,18 +224,20 @@ class ClippedLight {
     });
   }
 
-  SurfaceLight& surface_;
+  Lit& surface_;
   TexelRect rect_;
-  SampleBlocks blocks_;  ///< of corners, one more each way than texels
+  typename Lit::Blocks blocks_;  ///< of corners, one more each way than texels
   const std::vector<SamplePoint>& corners_;
+  LeftOut left_;  ///< of the corners
   /// Levels of the light at hand, by finest cells from the first corner on.
   std::map<std::pair<int, int>, double> between_;
 };
 
 }  // namespace
 
-void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
-                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop) {
+template <typename Lit>
+void addClippedLight(Lit& surface, std::span<const std::size_t> lights, const SumsOf& sumsOf,
+                     BakeProgress& progress, const std::stop_token& stop) {
   SurfaceProgress done(progress, surface.texels().count(), std::ssize(lights));
   ClippedLight clipped(surface);
   for (const std::size_t light : lights) {
@@ -209,5 +246,10 @@ void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
     done.step();
   }
 }
+
+template void addClippedLight(SurfaceLight&, std::span<const std::size_t>, const SumsOf&,
+                              BakeProgress&, const std::stop_token&);
+template void addClippedLight(PatchLight&, std::span<const std::size_t>, const SumsOf&,
+                              BakeProgress&, const std::stop_token&);
 
 }  // namespace hearth

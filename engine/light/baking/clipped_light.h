@@ -11,7 +11,10 @@ namespace hearth {
 /// texel, which four texels share, and some more along each edge between a lit and a dark corner.
 /// The polygon of a texel's lit part is then as exact as the shadow's edge is straight. A texel
 /// that no shadow's edge crosses costs one ray for each light.
-void addClippedLight(SurfaceLight& surface, std::span<const std::size_t> lights,
-                     const SumsOf& sumsOf, BakeProgress& progress, const std::stop_token& stop);
+///
+/// `Lit` is SurfaceLight or PatchLight.
+template <typename Lit>
+void addClippedLight(Lit& surface, std::span<const std::size_t> lights, const SumsOf& sumsOf,
+                     BakeProgress& progress, const std::stop_token& stop);
 
 }  // namespace hearth

@@ -232,7 +232,30 @@ double LightVisibility::seenFraction(const LightTarget& target, const Shaft& sha
 double LightVisibility::seenFractionFromAir(Vec3 point, SectorId sector, std::int64_t& rays) const {
   return seenFractionBy(point, [&](const Raytracer::Source& source) {
     ++rays;
-    return raytracer_.sectorAt(source, point) == sector;
+    return raytracer_.reaches(source, point, sector);
+  });
+}
+
+double LightVisibility::seenFraction(const FacePoint& target, const Shaft& shaft,
+                                     TargetVisibility outcome, std::int64_t& rays) const {
+  if (outcome == TargetVisibility::Dark) return 0;
+  const Plane plane{target.point, target.normal};
+  return seenFractionBy(target.point, [&](const Raytracer::Source& source) {
+    if (plane.inFront(source.position) <= kInPlane) return false;
+    ++rays;
+    return raytracer_.sees(source, target, shaft);
+  });
+}
+
+double LightVisibility::seenFractionFromCorner(Vec3 corner, std::uint32_t mesh, const Shaft& shaft,
+                                               TargetVisibility outcome, std::int64_t& rays) const {
+  if (outcome == TargetVisibility::Dark) return 0;
+  return seenFractionBy(corner, [&](const Raytracer::Source& source) {
+    const Vec3 toSource = source.position - corner;
+    const double distance = length(toSource);
+    if (!(distance > kInPlane)) return false;
+    ++rays;
+    return raytracer_.sees(source, FacePoint{corner, (1 / distance) * toSource, mesh}, shaft);
   });
 }
 

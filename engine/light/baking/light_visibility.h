@@ -68,6 +68,15 @@ class LightVisibility {
   /// The same for a point inside the air of a sector, which no surface hides from any side.
   double seenFractionFromAir(Vec3 point, SectorId sector, std::int64_t& rays) const;
 
+  /// The same for a point of a mesh's face, in the air of one of the mesh's sectors: a target of
+  /// the shaft, whose rays have this outcome.
+  double seenFraction(const FacePoint& target, const Shaft& shaft, TargetVisibility outcome,
+                      std::int64_t& rays) const;
+  /// The same for a corner of faces, none of which hides the light from it as far as it is behind
+  /// the face.
+  double seenFractionFromCorner(Vec3 corner, std::uint32_t mesh, const Shaft& shaft,
+                                TargetVisibility outcome, std::int64_t& rays) const;
+
   const ShaftLight& shaftLight() const { return shaftLight_; }
   /// From now on the first call of `beams` finds the beam tree of a point light. Balls have none.
   void useBeams(const Scene& scene, double reach, std::size_t maxBytes);

@@ -77,10 +77,18 @@ void SampleBeams::findBlock(const Query& query, const SampleBlocks::Block& block
   };
   if (block.surface && !first.isAnswered)
     return shafts_.find(query.light, query.blocks, block, query.seen);
-  if (first.outcome != TargetVisibility::Unknown && std::ranges::all_of(in(here), isAsFirst)) {
-    if (first.isInFront) findAlike(query, block, first.outcome == TargetVisibility::Lit);
-  } else if (isSmall &&
-             (block.parts == 0 || std::ranges::all_of(in(here), &BeamAnswer::isAnswered))) {
+  const bool areAlike =
+      first.outcome != TargetVisibility::Unknown && std::ranges::all_of(in(here), isAsFirst);
+  const bool areDark = areAlike && first.outcome == TargetVisibility::Dark;
+  const bool isLeaf =
+      isSmall && (block.parts == 0 || std::ranges::all_of(in(here), &BeamAnswer::isAnswered));
+  // Beams know of no meshes.
+  if (!areDark && (areAlike || isLeaf) &&
+      shafts_.mayMeetMesh(query.light, query.blocks.targetsOf(block)))
+    return shafts_.find(query.light, query.blocks, block, query.seen);
+  if (areAlike) {
+    if (first.isInFront) findAlike(query, block, !areDark);
+  } else if (isLeaf) {
     findOneByOne(query, block, in(here));
   } else {
     for (const SampleBlocks::Block& part : query.blocks.partsOf(block))

@@ -1,5 +1,7 @@
 #include "light/baking/sample_shafts.h"
 
+#include <cstdint>
+
 namespace hearth {
 
 Shaft& SampleShafts::shaftAt(std::size_t depth) {
@@ -15,6 +17,16 @@ TargetVisibility SampleShafts::follow(std::size_t depth, std::size_t light, cons
   const TargetVisibility outcome = shaft.follow(from, targets, nullptr);
   if (SectorSet* met = rays_.enteredSectors(light)) shaft.addSectorsTo(*met);
   return outcome;
+}
+
+bool SampleShafts::mayMeetMesh(std::size_t light, const ShaftTargets& targets) const {
+  const Level& level = rays_.scene().level();
+  if (level.meshes.empty()) return false;
+  const ShaftLight& from = rays_.visibility(light).shaftLight();
+  const ShaftHull hull(from.center, from.radius, targets.box);
+  for (std::uint32_t i = 0; i < level.meshes.size(); ++i)
+    if (hull.mayMeet(level, i)) return true;
+  return false;
 }
 
 void SampleShafts::find(std::size_t light, const SampleBlocks& blocks,

@@ -30,6 +30,9 @@ class SampleShafts {
     follow(0, light, rays_.visibility(light).shaftLight(), targets);
   }
 
+  /// Whether a mesh may stop rays of a light to targets. Looks at all meshes, in whatever sectors.
+  bool mayMeetMesh(std::size_t light, const ShaftTargets& targets) const;
+
   /// A shaft for rays whose outcome is already known.
   const Shaft& any() { return shaftAt(0); }
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "light/baking/brightness_kernels.h"
+#include "light/baking/unshadowed_brightness.h"
+#include "light/rays/raytracer.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -34,6 +36,20 @@ double distanceToBox(Vec3 from, std::span<const Vec3> corners) {
 
 }  // namespace
 
+bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id) {
+  if (scene.level().meshes.empty()) return false;
+  // A sample lies on no surface that is farther away than a few others.
+  constexpr std::size_t kMany = 64;
+  std::vector<SurfaceId> reached{id};
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (i > kMany || !scene.level().meshesIn(scene[reached[i]].sector).empty()) return true;
+    for (const Continuation& next : surfaces[reached[i].index()]->continuations)
+      if (std::ranges::find(reached, next.surface) == reached.end())
+        reached.push_back(next.surface);
+  }
+  return false;
+}
+
 SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
                            const LightVisibilities& visibilities, bool lambert, SurfaceId id,
                            VisibilityMethod method, LightDependencies* dependencies)
@@ -43,10 +59,16 @@ SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
       placement_(surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
       rays_(scene, surfaces, visibilities, id, dependencies),
       shafts_(rays_),
-      beams_(rays_, shafts_) {
+      beams_(rays_, shafts_),
+      mayLeaveOut_(mayHaveSamplesInMeshes(scene, surfaces, id)) {
   for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
     if (isInFront(light(i), radiusOf(i), surface_) && reachesBox(i, cornersOf(surface_)))
       facing_.push_back(i);
+}
+
+bool SurfaceLight::isLeftOut(const SamplePoint& at) const {
+  return Raytracer(rays_.scene())
+      .isInsideMesh(at.target, rays_.surface(at.surface).normal, rays_.scene()[at.surface].sector);
 }
 
 int SurfaceLight::channels() const {
@@ -97,13 +119,8 @@ double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& a
 }
 
 double SurfaceLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {
-  const Vec3 toLight = light(index).position - at.point;
-  const double distance = length(toLight);
-  if (distance >= rays_.reach(index)) return 0;
-  const double level = light(index).brightnessAt(distance);
-  if (!lambert_) return level;
-  // The middle of a ball can lie behind a plane that a part of it lights.
-  return level * std::max(0.0, dot(toLight, rays_.surface(at.surface).normal) / distance);
+  return hearth::unshadowedBrightness(light(index), rays_.reach(index), at.point,
+                                      rays_.surface(at.surface).normal, lambert_);
 }
 
 const std::vector<double>& SurfaceLight::brightness(std::size_t index, const SampleBlocks& blocks) {

@@ -16,9 +16,14 @@ enum class VisibilityMethod {
   RaysOnly  ///< by rays for each sample; the other way is compared with it
 };
 
+/// Whether samples of a surface, or of what continues it, may lie inside meshes.
+bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id);
+
 /// The light that arrives at points of one surface.
 class SurfaceLight {
  public:
+  using Blocks = SampleBlocks;
+
   /// Keeps references to `surfaces`, `visibilities` and `dependencies`. `dependencies`, if any,
   /// records what the light depends on.
   SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
@@ -46,6 +51,11 @@ class SurfaceLight {
   void placeRow(std::span<const double> columns, double row,
                 std::vector<SamplePoint>& places) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
+
+  /// Whether a sample lies inside a mesh, and so is left out of its texel.
+  bool isLeftOut(const SamplePoint& at) const;
+  /// False if none can be.
+  bool mayLeaveOut() const { return mayLeaveOut_; }
 
   /// The fraction of a light that each of the samples sees, in their order. Valid until the next
   /// call.
@@ -75,6 +85,7 @@ class SurfaceLight {
   SampleRays rays_;
   SampleShafts shafts_;
   SampleBeams beams_;
+  bool mayLeaveOut_;
   std::vector<std::size_t> facing_;
   std::vector<double> seen_;
   std::vector<double> distances_;  ///< from a light to samples, metres

@@ -63,6 +63,11 @@ void TexelSums::add(const TexelSums& other) {
       }
 }
 
+void TexelSums::copy(int i, int j, int toI, int toJ) {
+  for (int channel = 0; channel < channels_; ++channel)
+    sums_[index(toI, toJ, channel)] = sums_[index(i, j, channel)];
+}
+
 bool TexelSums::isTexelDark(int i, int j) const {
   for (int channel = 0; channel < channels_; ++channel)
     if (sums_[index(i, j, channel)] > 0) return false;

@@ -21,6 +21,9 @@ class TexelSums {
   /// The same for texels from (i, j) on, in a row.
   void addRow(int i, int j, const LightSource& light, std::span<const double> levels);
 
+  /// Gives the texel (toI, toJ) the sums of (i, j).
+  void copy(int i, int j, int toI, int toJ);
+
   /// Adds sums of some of these texels; one channel is added to all.
   void add(const TexelSums& other);
   /// The same without dark rows and columns at the borders.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "light/rays/ray_error.h"
+#include "light/ray_error.h"
 #include "math/predicates.h"
 
 namespace hearth {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "light/beam_tree/beam_tree_builder.h"
-#include "light/rays/ray_error.h"
+#include "light/ray_error.h"
 #include "light/rays/target_air.h"
 #include "math/tolerance.h"
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/lit_mesh.h"
 #include "light/lit_surface.h"
+#include "light/ray_error.h"
 
 namespace hearth {
 
@@ -24,10 +26,13 @@ double reachOf(const Scene& scene) {
     for (const double coordinate : {sector.box.min.x, sector.box.min.y, sector.box.max.x,
                                     sector.box.max.y, scene.zFloor(sector), scene.zCeiling(sector)})
       reach = std::max(reach, std::abs(coordinate));
+  for (const FaceTree& mesh : scene.level().faceTrees)
+    for (const Vec3 corner : {mesh.box().min, mesh.box().max})
+      reach = std::max(reach, largestCoordinate(corner));
   return reach;
 }
 
-/// At least as many texels as a bake computes: every wall and flat as a rectangle.
+/// At least as many texels as a bake computes: every wall, flat and face of a mesh as a rectangle.
 double texelBound(const Scene& scene, double texel) {
   const auto cells = [texel](double metres) { return metres / texel + 3; };
   double sum = 0;
@@ -37,6 +42,11 @@ double texelBound(const Scene& scene, double texel) {
     for (const Segment& segment : scene.segmentsOf(sector))
       sum += cells(segment.length) * cells(scene.zCeiling(sector) - scene.zFloor(sector));
   }
+  for (const MeshFace& face : scene.level().meshFaces) {
+    const double longest = std::max(length(face.corners[1] - face.corners[0]),
+                                    length(face.corners[2] - face.corners[0]));
+    sum += cells(2 * longest) * cells(2 * longest);
+  }
   return sum;
 }
 
@@ -45,6 +55,8 @@ double texelsOf(const Scene& scene, double texel) {
   double sum = 0;
   for (const auto& surface : makeLitSurfaces(scene, texel))
     if (surface) sum += static_cast<double>(surface->texels.count());
+  for (const LitMesh& mesh : makeLitMeshes(scene.level(), texel, 1))
+    sum += static_cast<double>(mesh.texels.count());
   return sum;
 }
 

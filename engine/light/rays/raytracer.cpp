@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
+#include "level/face_ray.h"
 #include "level/locate.h"
 #include "level/masked_middle.h"
 #include "level/openings.h"
+#include "light/ray_error.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -15,19 +18,25 @@ namespace hearth {
 
 namespace {
 
+/// Metres before the end of a ray that no mesh stops.
+constexpr double kThroughMeshes = std::numeric_limits<double>::infinity();
+
 /// Where the ray leaves a sector over its outline.
 struct Exit {
   const Segment* segment;
   double t;
 };
 
-/// All walls of a sector.
+/// All walls and meshes of a sector.
 struct AllWalls {
   Scene scene;
 
   template <typename Visit>
   void visit(SectorId sector, Visit&& visit) const {
     for (const Segment& wall : scene.segmentsOf(scene[sector])) visit(wall);
+  }
+  std::span<const MeshInSector> meshesIn(SectorId sector) const {
+    return scene.level().meshesIn(sector);
   }
 };
 
@@ -39,6 +48,7 @@ struct ShaftWalls {
   void visit(SectorId sector, Visit&& visit) const {
     for (const Segment* wall : shaft.wallsIn(sector)) visit(*wall);
   }
+  std::span<const MeshInSector> meshesIn(SectorId sector) const { return shaft.meshesIn(sector); }
 };
 
 template <typename Walls>
@@ -64,11 +74,14 @@ class Walk {
     entry_ = &scene_[gate.opening->twin];
   }
 
-  /// Whether the ray's end is a point on the border of the air of `goal` that it reaches.
-  bool arrivesAt(SectorId goal) {
+  /// Whether the ray's end is a point on the border of the air of `goal` that it reaches. Meshes
+  /// stop it, except within `slack` metres of its end.
+  bool arrivesAt(SectorId goal, double slack) {
     for (std::size_t step = 0; step < stepLimit(); ++step) {
       const Exit exit = findExit();
-      if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
+      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0));
+      if (meetsMesh(hit ? hit->t : exit.t, slack)) return false;
+      if (hit) {
         if (sector_ == goal && isAtEnd(hit->t)) return true;
         if (!crossFlatPortal(*hit)) return false;
         continue;
@@ -80,18 +93,41 @@ class Walk {
     return false;
   }
 
-  /// The sector of the ray's end, a point of the air; none where it does not get there.
-  std::optional<SectorId> sectorAtEnd() {
+  /// The sector of the ray's end, a point of the air; none where it does not get there. Walls and
+  /// flats stop it except within `slack` metres of its end, meshes except within `meshSlack`. (A
+  /// point of the air lies on no surface that would stop the ray; a mesh may touch one.)
+  std::optional<SectorId> sectorAtEnd(double slack, double meshSlack) {
+    const auto endsWithin = [&](double t) {
+      return slack > 0 && t >= 1 - slack / std::sqrt(length2_);
+    };
     for (std::size_t step = 0; step < stepLimit(); ++step) {
       const Exit exit = findExit();
-      if (const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0))) {
-        if (!crossFlatPortal(*hit)) return std::nullopt;
-        continue;
+      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0));
+      if (meetsMesh(hit ? hit->t : exit.t, meshSlack)) return std::nullopt;
+      if (hit) {
+        if (crossFlatPortal(*hit)) continue;
+        return endsWithin(hit->t) ? std::optional(sector_) : std::nullopt;
       }
       if (exit.t > 1) return sector_;
-      if (!pass(exit, 0)) return std::nullopt;  // it ends on no surface that would stop it
+      if (pass(exit, 0)) continue;
+      return endsWithin(exit.t) ? std::optional(sector_) : std::nullopt;
     }
     return std::nullopt;
+  }
+
+  /// Whether the ray first meets the back of a face, of meshes that are in the sector where it
+  /// starts.
+  bool meetsBackFirst() {
+    const std::span<const MeshInSector> meshes = scene_.level().meshesIn(sector_);
+    faceRay_.emplace(origin_, delta_);
+    for (std::size_t step = 0; step < stepLimit(); ++step) {
+      const Exit exit = findExit();
+      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0));
+      const double tLeave = std::min(hit ? hit->t : exit.t, 1.0);
+      if (const auto crossing = nearestFace(meshes, tLeave)) return !crossing->isFront;
+      if (hit ? !crossFlatPortal(*hit) : exit.t > 1 || !pass(exit, 0)) return false;
+    }
+    return false;
   }
 
  private:
@@ -171,6 +207,58 @@ class Walk {
     if (atEnd >= 0) return std::nullopt;
     const double atStart = std::max(0.0, clearance(t_));
     return t_ + (tEnd - t_) * (atStart / (atStart - atEnd));
+  }
+
+  /// Whether a mesh stops the ray in its sector, which it leaves, or in which it meets a flat, at
+  /// `tLeave`.
+  bool meetsMesh(double tLeave, double slack) {
+    if (scene_.level().meshes.empty() || slack == kThroughMeshes) return false;
+    const std::span<const MeshInSector> meshes = walls_.meshesIn(sector_);
+    if (meshes.empty()) return false;
+    if (!faceRay_) faceRay_.emplace(origin_, delta_);
+    const double tEnd = std::min(tLeave, 1 - slack / std::sqrt(length2_));
+    return std::ranges::any_of(meshes, [&](const MeshInSector& at) {
+      return scene_.level().meshes[at.mesh].castsShadow && meetsFace(at.mesh, tEnd);
+    });
+  }
+
+  bool meetsFace(std::uint32_t mesh, double tEnd) const {
+    const std::span<const MeshFace> faces = scene_.level().facesOf(scene_.level().meshes[mesh]);
+    return scene_.level().faceTrees[mesh].anyFace(
+        [&](const Box3& box) { return faceRay_->mayMeet(box, t_, tEnd); },
+        [&](std::uint32_t face) {
+          const std::optional<FaceRay::Crossing> crossing = faceRay_->crossingOf(faces[face]);
+          return crossing && crossing->t >= t_ && crossing->t <= tEnd && crossing->t > 0;
+        });
+  }
+
+  bool isHere(std::uint32_t mesh) const {
+    return std::ranges::any_of(scene_.level().meshesIn(sector_),
+                               [mesh](const MeshInSector& at) { return at.mesh == mesh; });
+  }
+
+  /// Of meshes that have an inside, from the origin on in the sector where the ray is; what lies
+  /// within kArrival of the origin lies on its surface.
+  std::optional<FaceRay::Crossing> nearestFace(std::span<const MeshInSector> meshes,
+                                               double tLeave) const {
+    const double tFrom = std::max(t_, kArrival / std::sqrt(length2_));
+    std::optional<FaceRay::Crossing> nearest;
+    double tTo = tLeave;
+    for (const MeshInSector& at : meshes) {
+      const Mesh& mesh = scene_.level().meshes[at.mesh];
+      if (!mesh.castsShadow || mesh.isTwoSided || !isHere(at.mesh)) continue;
+      const std::span<const MeshFace> faces = scene_.level().facesOf(mesh);
+      scene_.level().faceTrees[at.mesh].anyFace(
+          [&](const Box3& box) { return faceRay_->mayMeet(box, tFrom, tTo); },
+          [&](std::uint32_t face) {
+            const std::optional<FaceRay::Crossing> crossing = faceRay_->crossingOf(faces[face]);
+            if (!crossing || crossing->t < tFrom || crossing->t > tTo) return false;
+            nearest = crossing;
+            tTo = crossing->t;
+            return false;
+          });
+    }
+    return nearest;
   }
 
   const std::vector<SectorId>& membersBehind(const Flat& flat, bool isFloor) const {
@@ -269,6 +357,8 @@ class Walk {
   double planLength2_;
   double length2_;
 
+  std::optional<FaceRay> faceRay_;  ///< the ray, once meshes are asked
+
   SectorId sector_;                 ///< where the ray is ...
   double t_ = 0;                    ///< ... since this fraction of its way ...
   const Segment* entry_ = nullptr;  ///< ... through this segment of the sector, if through one
@@ -285,18 +375,51 @@ Raytracer::Source Raytracer::sourceOf(const Scene& scene, const LightSource& lig
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
-  return Walk(scene_, AllWalls{scene_}, source, target, solidMaskedMiddles_, met).arrivesAt(sector);
+  return Walk(scene_, AllWalls{scene_}, source, target, solidMaskedMiddles_, met)
+      .arrivesAt(sector, kArrival);
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const {
   Walk walk(scene_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
-  return walk.arrivesAt(sector);
+  return walk.arrivesAt(sector, kArrival);
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
                                             SectorSet* met) const {
-  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, met).sectorAtEnd();
+  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, met)
+      .sectorAtEnd(0, kThroughMeshes);
+}
+
+bool Raytracer::reaches(const Source& source, Vec3 point, SectorId sector) const {
+  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, nullptr)
+             .sectorAtEnd(0, kArrival) == sector;
+}
+
+bool Raytracer::sees(const Source& source, const FacePoint& target, const Shaft& shaft) const {
+  const Vec3 toSource = source.position - target.point;
+  // By as much rounding may move the crossing with the face itself.
+  const double rounding =
+      roundingOf(largestCoordinate(target.point) + length(toSource)) * length(toSource);
+  const double slack = kArrival + rounding / dot(target.normal, toSource);
+  Walk walk(scene_, ShaftWalls{shaft}, source, target.point, solidMaskedMiddles_, nullptr);
+  if (shaft.gate()) walk.passGate(*shaft.gate());
+  const std::optional<SectorId> arrived = walk.sectorAtEnd(slack, slack);
+  return arrived &&
+         std::ranges::any_of(scene_.level().meshesIn(*arrived),
+                             [&](const MeshInSector& at) { return at.mesh == target.mesh; });
+}
+
+bool Raytracer::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const {
+  double reach = 0;
+  for (const MeshInSector& at : scene_.level().meshesIn(sector)) {
+    const Vec3 farthest = scene_.level().faceTrees[at.mesh].box().farthest(normal);
+    reach = std::max(reach, dot(normal, farthest - point));
+  }
+  if (reach <= kArrival) return false;
+  return Walk(scene_, AllWalls{scene_}, {point, sector}, point + (2 * reach) * normal,
+              solidMaskedMiddles_, nullptr)
+      .meetsBackFirst();
 }
 
 }  // namespace hearth

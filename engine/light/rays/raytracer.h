@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "level/scene.h"
+#include "light/rays/face_point.h"
 #include "light/rays/id_set.h"
 #include "light/rays/shaft.h"
 
@@ -25,16 +26,29 @@ class Raytracer {
   static Source sourceOf(const Scene& scene, const LightSource& light);
 
   /// True when the line from the source first meets a surface at `target`, a point on the border of
-  /// the air of `sector`. The caller has made sure that the surface there faces the source.
+  /// the air of `sector`, and no mesh before that. The caller has made sure that the surface there
+  /// faces the source.
   /// `met`, if any, gets the sectors that the line enters.
   bool sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met = nullptr) const;
   /// The same for a ray of a shaft. It tests only the walls that the shaft meets.
   bool sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const;
 
   /// The sector in which the line from the source arrives at a point of the air; none if it
-  /// meets a surface before.
+  /// meets a surface before. It goes through meshes.
   std::optional<SectorId> sectorAt(const Source& source, Vec3 point,
                                    SectorSet* met = nullptr) const;
+
+  /// True when light from the source arrives at a point of the air in `sector`: meshes stop it,
+  /// too.
+  bool reaches(const Source& source, Vec3 point, SectorId sector) const;
+  /// True when it arrives at a point of a mesh's face, in a sector that the mesh is in. The source
+  /// is in front of the face, and the ray one of the shaft.
+  bool sees(const Source& source, const FacePoint& target, const Shaft& shaft) const;
+
+  /// Whether the line along a surface's normal, from a point of the surface on the border of the
+  /// air of `sector`, first meets the back of a face: the point lies inside a mesh. Meshes that
+  /// cast no shadow do not count, nor do two-sided ones, which have no inside.
+  bool isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const;
 
  private:
   Scene scene_;

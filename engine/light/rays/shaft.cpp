@@ -6,7 +6,7 @@
 
 #include "level/openings.h"
 #include "light/grid/slope_reach.h"
-#include "light/rays/ray_error.h"
+#include "light/ray_error.h"
 #include "light/rays/target_air.h"
 #include "math/check.h"
 #include "math/predicates.h"
@@ -98,6 +98,7 @@ TargetVisibility Shaft::follow(const ShaftLight& light, const ShaftTargets& targ
   minInFront_ = minInFront(hull_->noise(), hull_->reach());
   mets_.clear();
   walls_.clear();
+  meshes_.clear();
   exits_.clear();
   sectors_.clear();
   visits_.clear();
@@ -132,6 +133,14 @@ std::span<const Segment* const> Shaft::wallsIn(SectorId id) const {
   return {};
 }
 
+std::span<const MeshInSector> Shaft::meshesIn(SectorId id) const {
+  for (const MetSector& sector : sectors_)
+    if (sector.id == id)
+      return std::span(meshes_).subspan(sector.meshesBegin, sector.meshesEnd - sector.meshesBegin);
+  CHECK(false, id);
+  return {};
+}
+
 bool Shaft::isTarget(SectorId id) const {
   return std::ranges::find(targets_->sectors, id) != targets_->sectors.end();
 }
@@ -140,15 +149,25 @@ const Shaft::MetSector& Shaft::meet(SectorId id) {
   for (const MetSector& sector : sectors_)
     if (sector.id == id) return sector;
   const auto count = [&] { return static_cast<std::uint32_t>(mets_.size()); };
-  MetSector met{id, count(), 0, 0};
+  MetSector met{id, count(), 0, 0, 0, 0};
   const Sector& sector = scene_[id];
   if (within_)
     for (const Segment* wall : within_->wallsIn(id)) meetWall(sector, id, *wall);
   else
     for (const Segment& wall : scene_.segmentsOf(sector)) meetWall(sector, id, wall);
   met.end = count();
+  meetMeshes(met);
   findScreens(met);
   return sectors_.emplace_back(met);
+}
+
+void Shaft::meetMeshes(MetSector& sector) {
+  sector.meshesBegin = static_cast<std::uint32_t>(meshes_.size());
+  const std::span<const MeshInSector> all =
+      within_ ? within_->meshesIn(sector.id) : scene_.level().meshesIn(sector.id);
+  for (const MeshInSector& at : all)
+    if (hull_->mayMeet(scene_.level(), at.mesh)) meshes_.push_back(at);
+  sector.meshesEnd = static_cast<std::uint32_t>(meshes_.size());
 }
 
 /// Whether no ray can leave the sector through a wall, which the hull may touch nevertheless.
@@ -292,6 +311,7 @@ bool Shaft::isHidden(const MetSector& sector, const Met& met) {
 
 void Shaft::visit(const Visit& visit) {
   const MetSector sector = meet(visit.sector);
+  isStopped_ |= sector.meshesBegin < sector.meshesEnd;
   screens_.clear();
   for (std::uint32_t screen = 1; screen <= sector.screens; ++screen)
     if (isScreen(sector, screen, visit)) screens_.push_back(screen);
@@ -313,7 +333,8 @@ void Shaft::visit(const Visit& visit) {
 /// been visited; none where some may leave it elsewhere, or stop.
 std::optional<Shaft::Gate> Shaft::gateOf(const Visit& visit) {
   const MetSector sector = meet(visit.sector);
-  if (scene_[visit.sector].floor.flatPortal || scene_[visit.sector].ceiling.flatPortal)
+  if (sector.meshesBegin < sector.meshesEnd || scene_[visit.sector].floor.flatPortal ||
+      scene_[visit.sector].ceiling.flatPortal)
     return std::nullopt;
   const Met* gate = nullptr;
   for (const Met& met : wallsOf(sector)) {

@@ -53,6 +53,8 @@ class Shaft {
   /// Whether rays can enter a sector, and the walls that they can meet there.
   bool meets(SectorId sector) const;
   std::span<const Segment* const> wallsIn(SectorId sector) const;
+  /// Likewise the meshes.
+  std::span<const MeshInSector> meshesIn(SectorId sector) const;
 
   /// An opening of a wall through which all rays pass. All openings that they pass before it are
   /// gates, too.
@@ -86,6 +88,8 @@ class Shaft {
     std::uint32_t begin;
     std::uint32_t end;
     std::uint32_t screens;
+    std::uint32_t meshesBegin;  ///< those that the hull may meet, and that stop light
+    std::uint32_t meshesEnd;
   };
   enum class Entry { FromLight, ThroughWall, ThroughFlat };
   /// An entry into a sector.
@@ -101,6 +105,7 @@ class Shaft {
   void meetWall(const Sector& sector, SectorId id, const Segment& wall);
   bool isHarmless(SectorId id, const Segment& wall, const ShaftHull::Distances& distances) const;
   void meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Met& met);
+  void meetMeshes(MetSector& sector);
   void findScreens(MetSector& sector);
   void findScreenFrom(MetSector& sector, Met& first);
   Met* nextInLoop(const MetSector& sector, const Met& met);
@@ -129,6 +134,7 @@ class Shaft {
 
   std::vector<Met> mets_;
   std::vector<const Segment*> walls_;  ///< of `mets_`
+  std::vector<MeshInSector> meshes_;
   std::vector<const LightOpening*> exits_;
   std::vector<MetSector> sectors_;
   std::vector<Visit> visits_;

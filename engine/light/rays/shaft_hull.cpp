@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "light/rays/ray_error.h"
+#include "light/ray_error.h"
 
 namespace hearth {
 
@@ -138,6 +138,31 @@ bool ShaftHull::Slice::isAbove(EndHeights line) const {
   return std::any_of(bottoms_.begin(), bottoms_.begin() + bottomCount_, [&](EndHeights bottom) {
     return bottom.from > line.from && bottom.to > line.to;
   });
+}
+
+bool ShaftHull::mayMeet(const Level& level, std::uint32_t mesh) const {
+  return level.meshes[mesh].castsShadow &&
+         level.faceTrees[mesh].anyFace([&](const Box3& box) { return !isClearOf(box); },
+                                       [](std::uint32_t) { return true; });
+}
+
+/// Whether it is certain that it has nothing of a box.
+bool ShaftHull::isClearOf(const Box3& box) const {
+  const auto isBeyond = [&](Vec3 outwards, double most) {
+    return dot(outwards, box.farthest(-1 * outwards) - center_) > most;
+  };
+  return std::ranges::any_of(sides_.all(),
+                             [&](const HalfPlane& side) {
+                               return isBeyond({side.normal.x, side.normal.y, 0}, side.most);
+                             }) ||
+         std::ranges::any_of(
+             highs_.all(),
+             [&](const SlopedPlane& high) {
+               return isBeyond({-high.gradient.x, -high.gradient.y, 1}, high.atCenter);
+             }) ||
+         std::ranges::any_of(lows_.all(), [&](const SlopedPlane& low) {
+           return isBeyond({low.gradient.x, low.gradient.y, -1}, -low.atCenter);
+         });
 }
 
 ShaftHull::Distances ShaftHull::distances(Vec2 onLine, Vec2 normal) const {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "level/level.h"
+#include "math/box3.h"
 #include "math/vec.h"
 
 namespace hearth {
@@ -64,6 +67,9 @@ class ShaftHull {
   };
   Distances distances(Vec2 onLine, Vec2 normal) const;
 
+  /// Whether the body may have something of a mesh that casts a shadow.
+  bool mayMeet(const Level& level, std::uint32_t mesh) const;
+
   /// Metres. More than rays come off their course by rounding, and than kArrival: what is outside
   /// has no part in whether a ray arrives.
   double margin() const { return margin_; }
@@ -94,6 +100,7 @@ class ShaftHull {
     std::span<const Item> all() const { return {items.data(), count}; }
   };
 
+  bool isClearOf(const Box3& box) const;
   void addPlane(Vec3 normal);
   void addAround(Vec2 axis);
   void addAboveAndBelow(Vec2 along);

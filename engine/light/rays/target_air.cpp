@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "light/rays/ray_error.h"
+#include "light/ray_error.h"
 
 namespace hearth {
 

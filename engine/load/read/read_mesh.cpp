@@ -10,8 +10,9 @@ namespace {
 
 constexpr NumberRange kMeshScale{1e-6, kWorldLimit};
 
-constexpr std::array<std::string_view, 11> kMeshKeys{
-    "name", "mesh", "x", "y", "z", "sector", "angle", "scale", "texture", "twoSided", "solid"};
+constexpr std::array<std::string_view, 12> kMeshKeys{"name",    "mesh",     "x",     "y",
+                                                     "z",       "sector",   "angle", "scale",
+                                                     "texture", "twoSided", "solid", "shadow"};
 /// Found in a mesh, and of sprites.
 constexpr std::array<std::string_view, 7> kSpriteKeysAlone{"fps",    "size",   "offset", "facing",
                                                            "bright", "radius", "height"};
@@ -44,6 +45,7 @@ std::optional<MeshDescription> readMesh(Report& report, JsonValue value) {
   if (const auto texture = fields.find("texture")) mesh.texture = readReference(report, *texture);
   fields.read("twoSided", mesh.mesh.isTwoSided);
   fields.read("solid", mesh.mesh.isSolid);
+  fields.read("shadow", mesh.mesh.castsShadow);
   if (!isGood || !reference) return std::nullopt;
   mesh.file = *reference;
   return mesh;

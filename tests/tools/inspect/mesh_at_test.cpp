@@ -144,9 +144,14 @@ TEST(MeshAt, HasItsPlacesInTheFileAndWords) {
   EXPECT_EQ(ending(placeOfMesh(rooms.source, 0)), ".json:2 /things/1");
   EXPECT_EQ(ending(placeOfModel(rooms.source, 1)), ".json:3 /things/2/mesh");
   const Level& level = rooms.result.loaded->level;
+  TruthHit hit;
+  hit.mesh = level.meshes[1].surface;
+  EXPECT_EQ(ending(placeOfSurface(rooms.source, level, hit)), ".json:3 /things/2");
+  EXPECT_EQ(surfaceWords(level, hit), "mesh \"box\"");
   EXPECT_EQ(meshWords(level, 0), "mesh 0");
   EXPECT_EQ(meshWords(level, 1), "mesh \"box\"");
-  EXPECT_EQ(meshBrightnessWords(level, 1),
+  const BakedLight light = bake(rooms.result.loaded->scene(), level.bake, 1);
+  EXPECT_EQ(meshBrightnessWords(level, {1, level.meshes[1].firstFace, 0, {}}, light),
             "dim, 128 of 255: the level has no lights; the sector's own light gives 128");
 }
 

@@ -27,7 +27,7 @@ ExitStatus runInfo(const OptionValues& values) {
   }
   nlohmann::ordered_json object = infoToJson(*loaded, contents);
   if (values.has(Option::Surfaces))
-    object["bake"]["surfaces"] = texelGridsToJson(loaded->scene(), bake->light.surfaces);
+    object["bake"]["surfaces"] = texelGridsToJson(loaded->scene(), bake->light);
   fmt::print("{}\n", object.dump(2));
   return ExitStatus::Done;
 }

@@ -93,14 +93,34 @@ nlohmann::ordered_json infoToJson(const LoadedLevel& loaded, const Contents& con
   return object;
 }
 
-nlohmann::ordered_json texelGridsToJson(const Scene& scene, const LitSurfaces& surfaces) {
+namespace {
+
+nlohmann::ordered_json toJson(const TexelRect& rect) {
+  return {rect.i0, rect.j0, rect.width, rect.height};
+}
+
+nlohmann::ordered_json placesOnLightmap(const Scene& scene, std::size_t number, SurfaceId id,
+                                        const LitMesh& mesh) {
+  auto faces = nlohmann::ordered_json::array();
+  for (const auto& [a, b, c] : mesh.places) faces.push_back({a.x, a.y, b.x, b.y, c.x, c.y});
+  return {{"surface", number},
+          {"kind", name(SurfaceKind::Mesh)},
+          {"sector", scene[scene[id].sector].name},
+          {"texels", toJson(mesh.texels)},
+          {"faces", std::move(faces)}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json texelGridsToJson(const Scene& scene, const BakedLight& light) {
   auto list = nlohmann::ordered_json::array();
   const std::vector<SurfaceId> shown = scene.shownSurfaces();
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const SurfaceId id = shown[i];
-    if (!surfaces[id.index()]) continue;
-    const LitSurface& lit = *surfaces[id.index()];
-    const TexelRect& rect = lit.texels;
+    if (scene[id].kind == SurfaceKind::Mesh)
+      list.push_back(placesOnLightmap(scene, i, id, light.meshes[scene.level().meshIndexOf(id)]));
+    if (!light.surfaces[id.index()]) continue;
+    const LitSurface& lit = *light.surfaces[id.index()];
     auto outlines = nlohmann::ordered_json::array();
     for (const std::vector<Vec2>& polygon : lit.outline.loops()) {
       auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
@@ -113,7 +133,7 @@ nlohmann::ordered_json texelGridsToJson(const Scene& scene, const LitSurfaces& s
                     {"axisS", toJson(lit.grid.axisS)},
                     {"axisT", toJson(lit.grid.axisT)},
                     {"normal", toJson(lit.normal)},
-                    {"texels", {rect.i0, rect.j0, rect.width, rect.height}},
+                    {"texels", toJson(lit.texels)},
                     {"outlines", std::move(outlines)}});
   }
   return list;

@@ -11,6 +11,6 @@ namespace hearth {
 nlohmann::ordered_json infoToJson(const LoadedLevel& loaded, const Contents& contents);
 
 /// The texel grids that a saved bake must have: engine/light/saved_bake.md describes the keys.
-nlohmann::ordered_json texelGridsToJson(const Scene& scene, const LitSurfaces& surfaces);
+nlohmann::ordered_json texelGridsToJson(const Scene& scene, const BakedLight& light);
 
 }  // namespace hearth

@@ -1,19 +1,29 @@
 #include "cli/info/light_report.h"
 
+#include <algorithm>
+
 namespace hearth {
 
 namespace {
 
+/// Those of its lightmap, or that it would have; none of what takes no light.
+const TexelRect* texelsOf(const BakedLight& light, std::size_t i) {
+  if (light.surfaces[i]) return &light.surfaces[i]->texels;
+  const auto mesh = std::ranges::find(light.meshes, SurfaceId(i), &LitMesh::surface);
+  if (mesh != light.meshes.end()) return &mesh->texels;
+  return light.lightmaps[i] ? &light.lightmaps[i]->rect : nullptr;  // of a sprite
+}
+
 SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
   SurfaceReport report;
   report.rays = light.surfaceCosts[i].rays;
-  const std::optional<LitSurface>& surface = light.surfaces[i];
   const std::optional<Lightmap>& map = light.lightmaps[i];
-  if (!surface && !map) {
+  const TexelRect* const rect = texelsOf(light, i);
+  if (!rect) {
     report.bare = 1;
     return report;
   }
-  const std::int64_t texels = (surface ? surface->texels : map->rect).count();  // of a sprite: one
+  const std::int64_t texels = rect->count();
   if (map) {
     const bool isWhite = map->channels == 1;
     (isWhite ? report.white : report.colored) = 1;

@@ -33,7 +33,9 @@ std::vector<Vec3> directionsRound(Vec3 pole) {
 
 }  // namespace
 
-HemisphereSample::HemisphereSample(const Scene& scene, const SurfacePoint& place) : scene_(scene) {
+HemisphereSample::HemisphereSample(const Scene& scene, const TruthMeshes& meshes,
+                                   const SurfacePoint& place)
+    : scene_(scene), meshes_(meshes) {
   const Vec3 eye = place.point + kAuthorNoise * place.normal;
   if (!contains(scene, scene[place.sector], eye, 0)) return;
   for (const Vec3 direction : directionsRound(place.normal)) {
@@ -45,7 +47,7 @@ HemisphereSample::HemisphereSample(const Scene& scene, const SurfacePoint& place
 bool HemisphereSample::isLitBy(const LightSource& light) const {
   LightSource point = light;
   point.radius = 0;
-  const TruthSource source(scene_.level(), point, 1);
+  const TruthSource source(scene_.level(), meshes_, point, 1);
   return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
     const double level = light.brightnessAt(length(light.position - place.point));
     return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;

@@ -9,6 +9,7 @@
 #include "level/locate.h"
 #include "math/tolerance.h"
 #include "truth/truth_light.h"
+#include "truth/truth_meshes.h"
 #include "viewer/inspect/hemisphere_sample.h"
 
 namespace hearth {
@@ -88,7 +89,11 @@ std::optional<LightmapFinding> lightmapAt(const Scene& scene, const BakedLight& 
 class Follower {
  public:
   Follower(const Scene& scene, const BakeSettings& settings, const SurfacePoint& place)
-      : scene_(scene), settings_(settings), place_(place), hemisphere_(scene, place) {}
+      : scene_(scene),
+        settings_(settings),
+        place_(place),
+        meshes_(scene.level()),
+        hemisphere_(scene, meshes_, place) {}
 
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
@@ -126,7 +131,7 @@ class Follower {
     lifted.radius = 0;
     lifted.position.z += lift;
     return contains(scene_, scene_[light.sector], lifted.position, 0) &&
-           TruthSource(scene_.level(), lifted, 1).seenFraction(place_) > 0;
+           TruthSource(scene_.level(), meshes_, lifted, 1).seenFraction(place_) > 0;
   }
 
   void followToPlace(LightFinding& finding) const {
@@ -137,7 +142,7 @@ class Follower {
     finding.reason = LightReason::FacesAway;
     if (front + light.radius <= kInPlane) return;
 
-    const TruthSource source(scene_.level(), light, kInspectedBallPoints);
+    const TruthSource source(scene_.level(), meshes_, light, kInspectedBallPoints);
     finding.seenFraction = source.seenFraction(place_);
     if (finding.seenFraction == 0 && front < 0) return;
     const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
@@ -156,6 +161,7 @@ class Follower {
   Scene scene_;
   const BakeSettings& settings_;
   const SurfacePoint& place_;
+  TruthMeshes meshes_;
   HemisphereSample hemisphere_;
 };
 

@@ -31,7 +31,7 @@ std::optional<MeshHit> nearestIn(const Level& level, const AirStretch& air, Vec3
     for (std::uint32_t i = mesh.firstFace; i < mesh.firstFace + mesh.faceCount; ++i) {
       const auto t = meet(level.meshFaces[i], mesh.isTwoSided, eye, direction);
       if (t && isIn(air, *t) && (!nearest || hides(*t, nearest->t)))
-        nearest = MeshHit{there.mesh, i, *t};
+        nearest = MeshHit{there.mesh, i, *t, eye + *t * direction};
     }
   }
   return nearest;

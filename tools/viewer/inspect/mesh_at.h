@@ -14,6 +14,7 @@ struct MeshHit {
   std::size_t mesh;    ///< its index in the level
   std::uint32_t face;  ///< index into Level::meshFaces
   double t;            ///< point = eye + t * direction
+  Vec3 point;
 
   friend bool operator==(const MeshHit&, const MeshHit&) = default;
 };

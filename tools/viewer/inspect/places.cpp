@@ -75,6 +75,7 @@ std::string placeOfSector(const LevelSource& source, SectorId sector) {
 }
 
 std::string placeOfSurface(const LevelSource& source, const Level& level, const TruthHit& surface) {
+  if (surface.mesh) return placeOfMesh(source, indexOfMesh(level, surface));
   return formatPlace(source, authored(source, level, surface).place);
 }
 

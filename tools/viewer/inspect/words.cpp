@@ -106,11 +106,16 @@ std::string brightnessOf(const Level& level, SectorId sector, double lights) {
 }  // namespace
 
 std::string surfaceWords(const Level& level, const TruthHit& place) {
+  if (place.mesh) return meshWords(level, indexOfMesh(level, place));
   if (!place.segment) return fmt::format("{} of {}", name(place.kind), level[place.sector].name);
   if (isSidewall(place.kind)) return sidewallWords(level, place);
   if (place.kind == SurfaceKind::Solid || place.kind == SurfaceKind::StackSolid)
     return wallWords(level, place);
   return fmt::format("{} at {}", name(place.kind), wallWords(level, place));
+}
+
+std::size_t indexOfMesh(const Level& level, const TruthHit& onMesh) {
+  return static_cast<std::size_t>(&level.meshOf(*onMesh.mesh) - level.meshes.data());
 }
 
 SectorId slopedSectorOf(const Level& level, const TruthHit& sidewall) {
@@ -156,8 +161,15 @@ std::string meshWords(const Level& level, std::size_t mesh) {
                      quote);
 }
 
-std::string meshBrightnessWords(const Level& level, std::size_t mesh) {
-  return brightnessOf(level, level.meshes[mesh].sector, 0);
+std::string meshBrightnessWords(const Level& level, const MeshHit& found, const BakedLight& light) {
+  const Mesh& mesh = level.meshes[found.mesh];
+  Vec3 levels;
+  if (const auto& map = light.lightmaps[mesh.surface.index()]) {
+    const Vec2 at = placeOn(light.meshes[found.mesh], found.face - mesh.firstFace,
+                            level.meshFaces[found.face], found.point);
+    levels = {map->sample(at.x, at.y, 0), map->sample(at.x, at.y, 1), map->sample(at.x, at.y, 2)};
+  }
+  return brightnessOf(level, mesh.sector, brightest(levels));
 }
 
 std::string reasonWords(const Level& level, const SurfacePoint& place,

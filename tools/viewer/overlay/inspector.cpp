@@ -75,7 +75,7 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
     const Level& level = in.scene.level();
     const InspectorRequest asked =
         sprite_ ? showSprite(level, *sprite_, in.renderer.light(), in.source, pinned_.has_value())
-                : showMesh(level, *mesh_, in.source, pinned_.has_value());
+                : showMesh(level, *mesh_, in.renderer.light(), in.source, pinned_.has_value());
     if (asked.letsGo) letGo();
     return asked.copied;
   }

@@ -254,11 +254,11 @@ InspectorRequest showSprite(const Level& level, const SpriteHit& found, const Ba
   return asked;
 }
 
-InspectorRequest showMesh(const Level& level, const MeshHit& found, const LevelSource* source,
-                          bool isPinned) {
+InspectorRequest showMesh(const Level& level, const MeshHit& found, const BakedLight& light,
+                          const LevelSource* source, bool isPinned) {
   const Mesh& mesh = level.meshes[found.mesh];
   InspectorRequest asked;
-  showWrapped(meshBrightnessWords(level, found.mesh));
+  showWrapped(meshBrightnessWords(level, found, light));
   if (isPinned) showUnpin(asked);
   ImGui::Separator();
   showValue("mesh", meshWords(level, found.mesh));

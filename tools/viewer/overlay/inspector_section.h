@@ -41,8 +41,8 @@ InspectorRequest showSprite(const Level& level, const SpriteHit& found, const Ba
                             const LevelSource* source, bool isPinned);
 
 /// The same of a mesh.
-InspectorRequest showMesh(const Level& level, const MeshHit& found, const LevelSource* source,
-                          bool isPinned);
+InspectorRequest showMesh(const Level& level, const MeshHit& found, const BakedLight& light,
+                          const LevelSource* source, bool isPinned);
 
 inline constexpr std::size_t kMaxListedLights = 8;
 /// How many of the first lights are listed, and their rays drawn: those whose light comes near.

@@ -1,0 +1,117 @@
+#include "light/baking/corner_light.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "light/baking/texel_sums.h"
+#include "light/baking/unshadowed_brightness.h"
+#include "math/box3.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+constexpr double kUnknown = -1;
+
+/// The fraction of a ball's volume in front of a plane that is so far behind its centre; of a point
+/// all or nothing.
+double fractionInFront(double inFront, double radius) {
+  if (std::abs(inFront) <= kInPlane) return 0;
+  if (radius == 0) return inFront > 0 ? 1 : 0;
+  const double height = std::clamp((inFront / radius + 1) / 2, 0.0, 1.0);
+  return height * height * (3 - 2 * height);
+}
+
+auto coordinates(Vec3 p) { return std::tuple(p.x, p.y, p.z); }
+
+}  // namespace
+
+CornerLight::CornerLight(const Scene& scene, const LightVisibilities& visibilities, bool lambert,
+                         const MeshPlace& place)
+    : scene_(scene),
+      visibilities_(visibilities),
+      lambert_(lambert),
+      place_(place),
+      costs_(scene.level().lights.size()) {}
+
+void CornerLight::placeCorners(std::span<const LitMesh::SmallFace> faces) {
+  corners_.clear();
+  ofFaces_.clear();
+  std::map<std::tuple<double, double, double>, std::uint32_t> found;
+  for (const LitMesh::SmallFace& face : faces) {
+    CornersOfFace& ofFace = ofFaces_.emplace_back();
+    for (std::size_t k = 0; k < ofFace.size(); ++k) {
+      const Vec3 point = faceAt(face).corners[k];
+      const auto [entry, isNew] =
+          found.try_emplace(coordinates(point), static_cast<std::uint32_t>(corners_.size()));
+      if (isNew) corners_.push_back({point, isInAir(scene_, place_.sectors, point)});
+      ofFace[k] = entry->second;
+    }
+  }
+}
+
+std::optional<Lightmap> CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
+  placeCorners(faces);
+  shafts_.emplace(scene_, visibilities_, boxOfCorners(), place_.sectors);
+  constexpr int kChannels = 3;
+  TexelSums sums({0, 0, 3, static_cast<int>(faces.size())}, kChannels);
+  for (std::size_t i = 0; i < scene_.level().lights.size(); ++i) add(i, faces, sums);
+  return sums.toLightmap(1);
+}
+
+void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,
+                      TexelSums& sums) {
+  const LightSource& light = scene_.level().lights[index];
+  const double radius = visibilities_.fine[index].shaftLight().radius;
+  seen_.assign(corners_.size(), kUnknown);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const MeshFace& face = faceAt(faces[i]);
+    const Vec3 front = frontOf(face);
+    const Vec3 normal = (1 / length(front)) * front;
+    const double inFront = fractionInFront(dot(normal, light.position - face.corners[0]), radius);
+    if (!(inFront > 0)) continue;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t corner = cornerFor(ofFaces_[i], static_cast<std::size_t>(k));
+      const double brightness = unshadowedBrightness(light, visibilities_.reach[index],
+                                                     corners_[corner].point, normal, lambert_);
+      if (brightness > 0)
+        sums.add(k, static_cast<int>(i), light, brightness * inFront * seenFraction(index, corner));
+    }
+  }
+}
+
+/// The corner itself or, if it lies in no air, another one of the face.
+std::uint32_t CornerLight::cornerFor(const CornersOfFace& ofFace, std::size_t corner) const {
+  for (std::size_t k = 0; k < ofFace.size(); ++k) {
+    const std::uint32_t other = ofFace[(corner + k) % ofFace.size()];
+    if (corners_[other].isInAir) return other;
+  }
+  return ofFace[corner];
+}
+
+TargetBox CornerLight::boxOfCorners() const {
+  Box3 around;
+  for (const Corner& corner : corners_) around.add(corner.point);
+  TargetBox box;
+  box.normal = {0, 0, 1};
+  for (const double x : {around.min.x, around.max.x})
+    for (const double y : {around.min.y, around.max.y})
+      for (const double z : {around.min.z, around.max.z}) box.storage[box.count++] = {x, y, z};
+  return box;
+}
+
+double CornerLight::seenFraction(std::size_t light, std::uint32_t corner) {
+  double& seen = seen_[corner];
+  if (seen >= 0) return seen;
+  LightCost& cost = costs_[light];
+  ++cost.samples;
+  const auto& [shaft, outcome] = shafts_->from(light);
+  seen = visibilities_.fine[light].seenFractionFromCorner(corners_[corner].point, place_.mesh,
+                                                          shaft, outcome, cost.rays);
+  if (seen > 0) ++cost.seenSamples;
+  return seen;
+}
+
+}  // namespace hearth

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "light/baking/light_visibility.h"
+#include "light/baking/mesh_shafts.h"
+#include "light/baking/patch_light.h"
+#include "light/baking/texel_sums.h"
+#include "light/light_cost.h"
+#include "light/lightmap.h"
+#include "light/lit_mesh.h"
+
+namespace hearth {
+
+/// The light at the corners of faces that are smaller than a texel.
+class CornerLight {
+ public:
+  /// Keeps references to `visibilities` and `place`.
+  CornerLight(const Scene& scene, const LightVisibilities& visibilities, bool lambert,
+              const MeshPlace& place);
+
+  /// As a lightmap with a row of three texels for each face; none if all is dark.
+  std::optional<Lightmap> find(std::span<const LitMesh::SmallFace> faces);
+
+  /// One for each light of the level, in their order.
+  const std::vector<LightCost>& costs() const { return costs_; }
+
+ private:
+  struct Corner {
+    Vec3 point;
+    bool isInAir;
+  };
+  /// Indices into `corners_`.
+  using CornersOfFace = std::array<std::uint32_t, 3>;
+
+  void placeCorners(std::span<const LitMesh::SmallFace> faces);
+  void add(std::size_t light, std::span<const LitMesh::SmallFace> faces, TexelSums& sums);
+  std::uint32_t cornerFor(const CornersOfFace& ofFace, std::size_t corner) const;
+  TargetBox boxOfCorners() const;
+  double seenFraction(std::size_t light, std::uint32_t corner);
+  const MeshFace& faceAt(const LitMesh::SmallFace& face) const {
+    return scene_.level().facesOf(scene_.level().meshes[place_.mesh])[face.face];
+  }
+
+  Scene scene_;
+  const LightVisibilities& visibilities_;
+  bool lambert_;
+  const MeshPlace& place_;
+  std::vector<Corner> corners_;         ///< each place once
+  std::vector<CornersOfFace> ofFaces_;  ///< in the order of the faces
+  std::optional<MeshShafts> shafts_;    ///< to these
+  std::vector<double> seen_;            ///< by corner, of the light at hand; below 0 if unknown
+  std::vector<LightCost> costs_;
+};
+
+}  // namespace hearth

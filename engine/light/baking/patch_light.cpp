@@ -1,0 +1,98 @@
+#include "light/baking/patch_light.h"
+
+#include <algorithm>
+
+#include "level/locate.h"
+#include "light/baking/sample_rays.h"
+#include "light/baking/unshadowed_brightness.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+TargetBox boxOf(const LitSurface& patch) {
+  const TexelRect& rect = patch.texels;
+  TargetBox box;
+  for (const int i : {rect.i0, rect.i0 + rect.width})
+    for (const int j : {rect.j0, rect.j0 + rect.height})
+      box.storage[box.count++] = patch.toWorld({1.0 * i, 1.0 * j});
+  box.normal = patch.normal;
+  return box;
+}
+
+/// Metres from a point to the nearest of a patch, or less.
+double distanceTo(const LitSurface& patch, Vec3 from) {
+  const TexelRect& rect = patch.texels;
+  const Vec2 at = patch.grid.toTexels(from);
+  const Vec2 nearest{std::clamp<double>(at.x, rect.i0, rect.i0 + rect.width),
+                     std::clamp<double>(at.y, rect.j0, rect.j0 + rect.height)};
+  return length(patch.toWorld(nearest) - from);
+}
+
+}  // namespace
+
+bool isInAir(const Scene& scene, std::span<const SectorId> sectors, Vec3 point) {
+  return std::ranges::any_of(sectors, [&](SectorId sector) {
+    return contains(scene, scene[sector], point, kPositionSlack);
+  });
+}
+
+PatchLight::PatchLight(const Scene& scene, const LightVisibilities& visibilities, bool lambert,
+                       const MeshPlace& place, const LitSurfaces& patch)
+    : scene_(scene),
+      visibilities_(visibilities),
+      lambert_(lambert),
+      place_(place),
+      patch_(patch),
+      placement_(patch, SurfaceId(0)),
+      shafts_(scene, visibilities, boxOf(*patch.front()), place.sectors),
+      costs_(scene.level().lights.size()) {
+  for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
+    if (isInFront(light(i), radiusOf(i), this->patch()) &&
+        distanceTo(this->patch(), light(i).position) < visibilities.reach[i] + kAuthorNoise)
+      facing_.push_back(i);
+}
+
+int PatchLight::channels() const {
+  const auto isColored = [this](std::size_t i) { return light(i).isColored(); };
+  return std::ranges::any_of(facing_, isColored) ? 3 : 1;
+}
+
+bool PatchLight::isLeftOut(const SamplePoint& at) const {
+  return !isInAir(scene_, place_.sectors, at.target);
+}
+
+const std::vector<double>& PatchLight::seenFractions(std::size_t light,
+                                                     const PatchSamples& samples) {
+  seen_.clear();
+  for (const SamplePoint& at : samples.samples()) seen_.push_back(seenFraction(light, at));
+  return seen_;
+}
+
+double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t index,
+                                const SamplePoint& at) {
+  LightCost& cost = costs_[index];
+  ++cost.samples;
+  if (length(light(index).position - at.point) >= visibilities_.reach[index]) return 0;
+  const auto& [shaft, outcome] = shafts_.from(index);
+  const double seen = visibility.seenFraction(FacePoint{at.target, patch().normal, place_.mesh},
+                                              shaft, outcome, cost.rays);
+  if (seen > 0) ++cost.seenSamples;
+  return seen;
+}
+
+double PatchLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {
+  return hearth::unshadowedBrightness(light(index), visibilities_.reach[index], at.point,
+                                      patch().normal, lambert_);
+}
+
+const std::vector<double>& PatchLight::brightness(std::size_t light, const PatchSamples& samples) {
+  brightness_.clear();
+  for (std::size_t i = 0; i < seen_.size(); ++i)
+    brightness_.push_back(
+        seen_[i] > 0 ? seen_[i] * unshadowedBrightness(light, samples.samples()[i]) : 0);
+  return brightness_;
+}
+
+}  // namespace hearth

@@ -1,0 +1,176 @@
+// Meshes stop light: on floors and walls, on one another, and on points of the air.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "light/rebake.h"
+#include "support/baked_room.h"
+#include "support/level_text.h"
+#include "support/models.h"
+
+namespace hearth {
+namespace {
+
+using test::BakedRoom;
+using test::kBoxModel;
+using test::kPanelModel;
+using test::levelFrom;
+using test::sectorText;
+
+/// A hall of 12 by 8 m, 6 m high, whose light is 255 everywhere that the lamp in it sees.
+LoadedLevel hallWith(std::string_view things, std::string_view lights,
+                     std::string_view more = "'texel':0.1") {
+  return levelFrom(fmt::format("{{'things':[{}],'sectors':{{{}}}}}", things,
+                               sectorText("hall", "0,0, 12,0, 12,8, 0,8", 0, 6)),
+                   fmt::format("{{'lights':[{}],'bake':{{{}}}}}", lights, more),
+                   {{"box.obj", kBoxModel}, {"panel.obj", kPanelModel}});
+}
+
+constexpr std::string_view kLamp = "{'x':2,'y':4,'z':3}";
+
+double onFloor(const BakedRoom& room, double x, double y, std::string_view sector = "") {
+  return room.at(SurfaceKind::Floor, {x, y, 0}, sector);
+}
+
+/// From (2, 4, 3) over the upper edge of a box of 1 m at x = 4.5 light falls 2 m in 2.5 m: the
+/// floor is dark up to x = 5.75. The rays over its far upper corners go on to y = 4 +- 0.5 * 3.75
+/// / 2.5.
+TEST(MeshShadow, ofABoxOnTheFloorIsItsPerspectiveImage) {
+  const BakedRoom room(hallWith("{'mesh':'box.obj','x':4,'y':4}", kLamp));
+  EXPECT_EQ(onFloor(room, 3.3, 4), 255);
+  EXPECT_EQ(onFloor(room, 4.7, 4), 0);
+  EXPECT_EQ(onFloor(room, 5.6, 4), 0);
+  EXPECT_EQ(onFloor(room, 5.9, 4), 255);
+  EXPECT_EQ(onFloor(room, 5.6, 4.65), 0);
+  EXPECT_EQ(onFloor(room, 5.6, 4.9), 255);
+}
+
+TEST(MeshShadow, isThatOfTheSameBoxOfWalls) {
+  constexpr std::string_view kAside = "{'x':2.0171,'y':4.0137,'z':3}";
+  const BakedRoom box(hallWith("{'mesh':'box.obj','x':4,'y':4}", kAside));
+  const BakedRoom walls(
+      "{'sectors':{'hall':{'floor':{'texture':'#808080'},'ceiling':{'z':6,'texture':'#808080'},"
+      "'loops':{'border':{'v':[0,0, 12,0, 12,8, 0,8],'walls':{'texture':'#808080'}},"
+      "'box':{'v':[3.5,3.5, 3.5,4.5, 4.5,4.5, 4.5,3.5],'walls':{'texture':'#808080','next':'top'}}"
+      "}}," +
+          sectorText("top", "3.5,3.5, 4.5,3.5, 4.5,4.5, 3.5,4.5", 1, 6,
+                     "{'texture':'#808080','next':'hall'}") +
+          "}}",
+      fmt::format("{{'lights':[{}],'bake':{{'texel':0.1}}}}", kAside));
+  // Texels that the box covers in part are those of other samples.
+  for (double y = 0.05; y < 8; y += 0.1)
+    for (double x = 0.05; x < 12; x += 0.1)
+      if (x < 3.3 || x > 4.7 || y < 3.3 || y > 4.7) {
+        EXPECT_NEAR(onFloor(box, x, y, "hall"), onFloor(walls, x, y, "hall"), 1) << x << " " << y;
+      }
+}
+
+TEST(MeshShadow, isNoneOfAMeshWithoutShadow) {
+  const BakedRoom room(hallWith("{'mesh':'box.obj','x':4,'y':4,'shadow':false}", kLamp));
+  for (double x = 0.5; x < 12; x += 0.5) EXPECT_EQ(onFloor(room, x, 4), 255);
+}
+
+TEST(MeshShadow, isCastByFacesFromBothSides) {
+  for (const double angle : {0.0, 180.0}) {
+    const BakedRoom room(
+        hallWith(fmt::format("{{'mesh':'panel.obj','x':4,'y':4,'angle':{}}}", angle), kLamp));
+    EXPECT_EQ(onFloor(room, 4.5, 4), 0) << angle;
+    EXPECT_EQ(onFloor(room, 8, 4), 255) << angle;
+  }
+}
+
+/// A panel of 1 m, from y = 4 on, hides a half of the ball from a point behind its edge.
+TEST(MeshShadow, hidesAPartOfABallFromPointsInItsHalfShadow) {
+  const BakedRoom room(hallWith("{'mesh':'panel.obj','x':4,'y':5,'scale':[1,2,9]}",
+                                "{'x':2,'y':4,'z':0.5,'radius':0.4}"));
+  EXPECT_NEAR(onFloor(room, 9, 4), 127.5, 8);
+  EXPECT_EQ(onFloor(room, 9, 2), 255);
+  EXPECT_EQ(onFloor(room, 9, 6), 0);
+}
+
+TEST(MeshShadow, fallsOnMeshesThatStandInIt) {
+  const BakedRoom room(
+      hallWith("{'mesh':'box.obj','x':4,'y':4},{'mesh':'box.obj','x':5.5,'y':4,"
+               "'scale':[1,1,3]}",
+               kLamp));
+  const Vec3 west{-1, 0, 0};
+  EXPECT_EQ(room.onMesh({5, 4, 0.3}, west), 0);
+  EXPECT_EQ(room.onMesh({5, 4, 2}, west), 255);
+}
+
+TEST(MeshShadow, fallsOnSpritesByTheirPointOfAir) {
+  const auto light = [](double x) {
+    const BakedRoom room(
+        hallWith("{'mesh':'box.obj','x':4,'y':4,'scale':[1,1,2]},{'sprite':'#ff0000','x':" +
+                     fmt::format("{}", x) + ",'y':4,'size':[0.5,1]}",
+                 kLamp));
+    const auto& map = room.light().lightmaps[room.level().sprites.front().surface.index()];
+    return map ? int{map->at(0, 0)} : 0;
+  };
+  EXPECT_EQ(light(5), 0);
+  EXPECT_EQ(light(9), 255);
+}
+
+TEST(MeshShadow, fallsThroughOpeningsIntoOtherSectorsAndNotIntoThoseThatOverlap) {
+  const std::string next = "{'texture':'#808080','next':'";
+  const auto room = [&](std::string_view things) {
+    return BakedRoom(levelFrom("{'things':[" + std::string(things) + "],'sectors':{" +
+                                   sectorText("west", "0,0, 6,0, 6,8, 0,8", 0, 6,
+                                              "[{'texture':'#808080'},{'next':'east'},"
+                                              "{'texture':'#808080'},{'texture':'#808080'}]") +
+                                   "," +
+                                   sectorText("east", "6,0, 12,0, 12,8, 6,8", 0, 6,
+                                              "[{'texture':'#808080'},{'texture':'#808080'},"
+                                              "{'texture':'#808080'},{'next':'west'}]") +
+                                   "," + sectorText("apart", "0,0, 12,0, 12,8, 0,8", 0, 6) + "}}",
+                               fmt::format("{{'lights':[{{'x':2,'y':4,'z':3,'sector':'west'}}],"
+                                           "'bake':{{'texel':0.1}}}}"),
+                               {{"box.obj", kBoxModel}}));
+  };
+  const BakedRoom across = room("{'mesh':'box.obj','x':5.5,'y':4,'sector':'west'}");
+  EXPECT_EQ(onFloor(across, 6.5, 4, "east"), 0);
+  EXPECT_EQ(onFloor(across, 9, 4, "east"), 255);
+  const BakedRoom straddling = room("{'mesh':'box.obj','x':6,'y':4,'sector':'east'}");
+  EXPECT_EQ(onFloor(straddling, 7, 4, "east"), 0);
+  const BakedRoom apart = room("{'mesh':'box.obj','x':5.5,'y':4,'sector':'apart'}");
+  EXPECT_EQ(onFloor(apart, 6.5, 4, "east"), 255);
+}
+
+/// What is dark below a box does not bleed out along its sides.
+TEST(MeshShadow, leavesOutWhatLiesInsideAMesh) {
+  // The lamp's light reaches the floor all round the box, up to its sides.
+  const std::string lamps =
+      "{'x':2,'y':2,'z':5},{'x':6,'y':2,'z':5},{'x':2,'y':6,'z':5},{'x':6,'y':6,'z':5}";
+  for (const std::string_view samples : {"'texel':0.3", "'texel':0.3,'samples':4"}) {
+    const BakedRoom room(hallWith("{'mesh':'box.obj','x':4,'y':4}", lamps, samples));
+    const double least = 255;
+    for (double along = 3.5; along <= 4.5; along += 0.05)
+      for (const Vec2 p :
+           {Vec2{3.49, along}, Vec2{4.51, along}, Vec2{along, 3.49}, Vec2{along, 4.51}})
+        EXPECT_GE(onFloor(room, p.x, p.y), least) << p.x << " " << p.y << " " << samples;
+  }
+}
+
+TEST(MeshShadow, isBakedAgainWhereAMeshHasMoved) {
+  LightMemory memory;
+  for (const double x : {4.0, 4.0, 7.0, 5.0}) {
+    const LoadedLevel loaded = hallWith(fmt::format("{{'mesh':'box.obj','x':{},'y':4}}", x), kLamp);
+    Rebake rebake(memory, loaded.scene(), loaded.level.bake, 2);
+    const std::optional<BakedLight> light = rebake.finish();
+    ASSERT_TRUE(light);
+    const BakedLight whole = bake(loaded.scene(), loaded.level.bake, 2);
+    ASSERT_EQ(light->lightmaps.size(), whole.lightmaps.size());
+    for (std::size_t i = 0; i < whole.lightmaps.size(); ++i) {
+      ASSERT_EQ(light->lightmaps[i].has_value(), whole.lightmaps[i].has_value());
+      if (whole.lightmaps[i]) {
+        EXPECT_EQ(light->lightmaps[i]->levels, whole.lightmaps[i]->levels);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hearth
