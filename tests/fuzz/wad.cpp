@@ -1,5 +1,6 @@
 // Bytes of a fuzzer as a WAD: it is refused with a message, or each of its maps is, or becomes a
-// level that loads. All of its pictures are decoded.
+// level that loads. All of its pictures of walls and flats are decoded, and those of sprites that
+// its maps have.
 
 #include "import/doom/wad.h"
 
@@ -21,6 +22,7 @@ constexpr std::uint64_t kMaxBytes = 1 << 20;
 constexpr std::size_t kMaps = 4;               ///< of a WAD; more only take longer
 constexpr std::size_t kImagePixels = 1 << 16;  ///< of a level, the same
 constexpr std::size_t kLights = 300;           ///< and again
+constexpr std::size_t kSpriteImages = 300;
 
 const fuzz::ScratchFolder& folder() {
   static const fuzz::ScratchFolder folder;
@@ -65,9 +67,14 @@ void tryOut(const Wad& wad, Doors doors) {
   if (names.size() > kMaps) names.resize(kMaps);
   for (const std::string& name : names) {
     Imported imported;
-    const auto converted = convertMap(
-        {wad, *pictures, lights}, name,
-        {.folder = {}, .doors = doors, .imagePixels = kImagePixels, .lights = kLights}, imported);
+    const auto converted =
+        convertMap({wad, *pictures, lights}, name,
+                   {.folder = {},
+                    .doors = doors,
+                    .things = {.game = {}, .hasMonsters = true, .maxImages = kSpriteImages},
+                    .imagePixels = kImagePixels,
+                    .lights = kLights},
+                   imported);
     if (converted)
       expectLoads(*converted);
     else

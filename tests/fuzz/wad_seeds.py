@@ -33,13 +33,13 @@ def textures(definitions):
     return struct.pack(f"<{1 + len(offsets)}i", len(offsets), *offsets) + b"".join(definitions)
 
 
-def patch(width, height):
+def patch(width, height, left=0, top=0):
     """Its columns are two posts, with a hole between them."""
     half = height // 2 - 1
     post = bytes([half, 0]) + bytes(range(half)) + b"\0"
     column = b"\0" + post + bytes([half + 2]) + post + b"\xff"
     offsets = [8 + 4 * width + len(column) * i for i in range(width)]
-    return struct.pack("<4h", width, height, 0, 0) + struct.pack(f"<{width}i", *offsets) + column * width
+    return struct.pack("<4h", width, height, left, top) + struct.pack(f"<{width}i", *offsets) + column * width
 
 
 def pictures(*definitions):
@@ -48,6 +48,13 @@ def pictures(*definitions):
 
 
 PLAIN = pictures(texture("WALL", 8, 8, [(0, 0, 0)]), texture("SKY1", 16, 8, [(0, 0, 0), (8, 0, 0)]))
+
+
+# The sides of an imp, of which some are the mirror images of others; a lamp; and what hangs.
+SPRITES = [("S_START", b"")] + [
+    (name, patch(8, 8, left, top)) for name, left, top in (
+        ("TROOA1", 4, 8), ("TROOA2A8", 3, 7), ("TROOA3A7", 4, 10), ("TROOA4A6", 0, 0), ("TROOA5", 9, 9),
+        ("TROOB0", 4, 8), ("COLUA0", 4, 8), ("GOR2A0", -5, 12))] + [("S_END", b"")]
 
 
 class Map:
@@ -129,6 +136,17 @@ def tangle():
     return made
 
 
+def things():
+    """One of each way to stand, in a room, in one without air, and outside."""
+    made = Map((0, 128, "CEIL", 0), (8, 8, "CEIL", 0))
+    made.loop(box(0, 0, 256, 256), 0)
+    made.loop(box(128, 128, 64, 96), 1, 0, flags=4)
+    for x, y in ((64, 64), (160, 160), (128, 144), (900, 64)):
+        for kind in (3001, 2028, 50, 59, 12345):
+            made.thing(x, y, kind)
+    return made
+
+
 def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -137,6 +155,7 @@ def main():
     flats = [("F_START", b""), ("LAVA1", bytes(range(64)) * 64), ("F_END", b"")]
     overlaid = texture("WALL", 24, 16, [(0, 0, 0), (4, -2, 0), (12, 3, 0), (-3, 5, 0)])
     (folder / "pictures.wad").write_bytes(wad(pictures(overlaid) + flats + pool().lumps("E1M1")))
+    (folder / "things.wad").write_bytes(wad(PLAIN + SPRITES + things().lumps()))
     (folder / "two_maps.wad").write_bytes(wad(PLAIN + door().lumps() + tangle().lumps("MAP30")))
 
 

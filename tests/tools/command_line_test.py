@@ -883,6 +883,7 @@ class Import(InFolder):
         [made] = json.loads(self.run_import("MAP20", "--json").stdout)
         self.assertIn(f"{made['sectors']} sectors of {made['of']['sectors']}, ", text)
         self.assertIn(f"{made['walls']} walls of {made['of']['lines']} lines, "
+                      f"{made['sprites']} sprites of {made['of']['things']} things, "
                       f"{made['lights']} lights, {made['textures']} textures; ", text)
         self.assertEqual(len(made["findings"]), text.count("\n") - 1)
         for finding in made["findings"]:
@@ -932,6 +933,25 @@ class Import(InFolder):
         opened = [name for name, sector in levels[0]["sectors"].items()
                   if sector["ceiling"]["z"] > levels[1]["sectors"][name]["ceiling"]["z"]]
         self.assertGreater(len(opened), 3)
+
+    def test_takes_things_of_the_game_that_is_asked_for(self):
+        def names(*options):
+            self.assertEqual(self.run_import("MAP02", *options).returncode, 0)
+            file = self.folder / "maps/map02.json"
+            level = json.loads(file.read_text())
+            for made in (file, self.folder / "maps/map02.lights.json"):
+                made.unlink()
+            return [thing["name"] for thing in level["things"]]
+
+        usual = names()
+        self.assertNotIn("imp", usual)
+        self.assertEqual(names("--skill", "3"), usual)
+        self.assertGreater(len(names("--multiplayer")), len(usual))
+        with_monsters = names("--monsters")
+        self.assertEqual([name for name in with_monsters if name in usual], usual)
+        self.assertIn("imp", with_monsters)
+        self.assertLess(len(names("--monsters", "--skill", "1")), len(with_monsters))
+        self.refuse(self.run_import("MAP02", "--skill", "6"), "--skill")
 
     def test_takes_a_table_of_what_shines(self):
         table = self.folder / "table.json"

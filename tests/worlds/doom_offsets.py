@@ -62,6 +62,7 @@ class World:
         self.doom = Doom(DSDA_DOOM, wad_path, folder)
         self.hearth = Hearth(hearth, folder)
         self.level = self.hearth.import_map(wad_path, name)
+        remove_things(self.level)
 
     def read_level(self):
         return json.loads(self.level.read_text())
@@ -69,6 +70,13 @@ class World:
     def scene(self, place, level):
         return Scene(self.map, self.textures, place, self.doom.draw(self.map, place),
                      self.hearth.draw(level, place))
+
+
+def remove_things(file):
+    """Doom's picture has none, and they hide walls."""
+    level = json.loads(file.read_text())
+    level.pop("things", None)
+    file.write_text(json.dumps(level))
 
 
 class Tally:

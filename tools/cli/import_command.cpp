@@ -49,10 +49,10 @@ std::string_view nameOf(doom::Outcome outcome) {
 
 void print(const Imported& imported) {
   fmt::print(
-      "{}: {} sectors of {}, {} walls of {} lines, {} lights, {} textures; {} repaired, {} "
-      "dropped\n",
+      "{}: {} sectors of {}, {} walls of {} lines, {} sprites of {} things, {} lights, {} "
+      "textures; {} repaired, {} dropped\n",
       imported.level.string(), imported.sectors, imported.mapSectors, imported.walls,
-      imported.lines, imported.lights, imported.textures,
+      imported.lines, imported.sprites, imported.mapThings, imported.lights, imported.textures,
       countOf(imported.findings, doom::Outcome::Repaired),
       countOf(imported.findings, doom::Outcome::Dropped));
   for (const Finding& finding : imported.findings)
@@ -71,9 +71,13 @@ Json jsonOf(const Imported& imported) {
   }
   return {{"map", imported.map},
           {"level", imported.level.string()},
-          {"of", {{"sectors", imported.mapSectors}, {"lines", imported.lines}}},
+          {"of",
+           {{"sectors", imported.mapSectors},
+            {"lines", imported.lines},
+            {"things", imported.mapThings}}},
           {"sectors", imported.sectors},
           {"walls", imported.walls},
+          {"sprites", imported.sprites},
           {"lights", imported.lights},
           {"textures", imported.textures},
           {"findings", std::move(findings)}};
@@ -115,6 +119,10 @@ doom::ImportSettings settingsFrom(const OptionValues& values) {
   settings.folder = *values.text(Option::Output);
   if (values.text(Option::Doors) == "closed") settings.doors = doom::Doors::Closed;
   settings.ambient = values.number(Option::Ambient).value_or(settings.ambient);
+  if (const auto skill = values.number(Option::Skill))
+    settings.things.game.skill = static_cast<int>(*skill);
+  settings.things.game.isMultiplayer = values.has(Option::Multiplayer);
+  settings.things.hasMonsters = values.has(Option::Monsters);
   return settings;
 }
 
@@ -165,7 +173,7 @@ Command importCommand() {
       "import",
       "turns maps of a WAD of Doom into levels with their textures",
       {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::LightTable,
-       Option::Json, Option::MaxFileBytes},
+       Option::Skill, Option::Multiplayer, Option::Monsters, Option::Json, Option::MaxFileBytes},
       {},
       runImport,
       LevelFiles::Several,

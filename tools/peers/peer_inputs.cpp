@@ -22,8 +22,9 @@ tl::expected<std::filesystem::path, std::string> imported(const std::string& map
   if (!pictures) return tl::unexpected(pictures.error());
   const auto lights = doom::parseLightTable(doom::ownLightTable());
   if (!lights) return tl::unexpected(lights.error());
-  return doom::importMap({*wad, *pictures, *lights}, map,
-                         {.folder = folder, .doors = doom::Doors::Closed})
+  doom::ImportSettings settings{.folder = folder, .doors = doom::Doors::Closed};
+  settings.things.game.skill = 4;  // as in the demos that dsda-doom plays
+  return doom::importMap({*wad, *pictures, *lights}, map, settings)
       .map([](const doom::Imported& made) { return made.level; });
 }
 

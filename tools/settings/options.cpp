@@ -97,6 +97,13 @@ constexpr std::array kTable = {
               "the part of the light of a map's sectors that is everywhere in them"},
     OptionRow{Option::LightTable, "--light-table", ValueKind::Text, "FILE", 0, 0, "its own",
               "JSON that says which things, textures and flats of a map shine, and how"},
+    OptionRow{
+        Option::Skill, "--skill", ValueKind::Integer, "LEVEL", 1, 5, "3",
+        "how hard the game is, from 1 to 5: some things of a map are there in some games only"},
+    OptionRow{Option::Multiplayer, "--multiplayer", ValueKind::Flag, "", 0, 0, "",
+              "import things of multiplayer games, too"},
+    OptionRow{Option::Monsters, "--monsters", ValueKind::Flag, "", 0, 0, "",
+              "import monsters, too; they stand and do nothing"},
     OptionRow{Option::Iwad, "--iwad", ValueKind::Text, "FILE.wad", 0, 0, "",
               "the WAD of the game, for what a WAD of maps alone does not have"},
     OptionRow{Option::TimeBudget, "--time-budget", ValueKind::Number, "SECONDS", 0.01, 1e6, "",

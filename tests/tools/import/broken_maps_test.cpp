@@ -27,6 +27,8 @@ constexpr int kUnits = 64;   // of a cell
 constexpr int kCells = 4;    // of a row and of a column
 constexpr int kFar = 32767;  // map units
 constexpr int kMaps = 1000;
+constexpr std::uint16_t kLamp = 2028;   // type of a thing that stands
+constexpr std::uint16_t kHanging = 50;  // and of one that hangs from the ceiling
 
 /// Small maps: a grid of rooms, then broken at random.
 class BrokenMaps : public testing::Test, protected MapBuilder {
@@ -40,6 +42,8 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
     textures.push_back(definition("GRATE", 16, 8, {{0, 0, 0}}));
     game_.add("TEXTURE1", texturesOf(textures)).add("PATCH", plainPatch(8, 8, 9));
     game_.add("F_START").add("FLOOR", flatOf(1)).add("CEIL", flatOf(2)).add("F_END");
+    game_.add("S_START").add("COLUA0", plainPatch(4, 8, 3)).add("GOR2A0", plainPatch(4, 8, 4));
+    game_.add("S_END");
     writeTextures();
   }
   ~BrokenMaps() override { fs::remove_all(folder_); }
@@ -53,6 +57,8 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
     for (const char* name : {"UPPER", "LOWER", "WALL", "GRATE"}) materials.wall(name, {});
     for (const char* name : {"FLOOR", "CEIL"}) materials.flat(name);
     materials.sky();
+    for (const std::uint16_t type : {kLamp, kHanging})
+      ASSERT_TRUE(Sprites(pictures, materials, findings).lookOf(*findThingType(type)));
     ASSERT_TRUE(materials.write(folder_ / "textures"));
     EXPECT_TRUE(findings.empty());
   }
@@ -81,7 +87,7 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
         wall({kUnits * (i + 1), kUnits * k}, {kUnits * i, kUnits * k}, at(i, k), at(i, k - 1));
       }
     map.things.push_back({kUnits / 2, kUnits / 2, 90, 1, 7});
-    map.things.push_back({3 * kUnits / 2, kUnits / 2, 90, 2028, 7});
+    map.things.push_back({3 * kUnits / 2, kUnits / 2, 90, kLamp, 7});
   }
 
   void wall(Vertex from, Vertex to, std::optional<std::uint32_t> right,
@@ -127,6 +133,9 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
         },
         [&] {
           any(map.things) = {32 * whole(0, 8), 32 * whole(0, 8), 0, 1, 7};
+        },
+        [&] {
+          map.things.push_back({32 * whole(0, 8), 32 * whole(0, 8), 0, kHanging, 7});
         },
         [&] {
           map.things.clear(), map.things.push_back({9, 9, 0, 3004, 7});

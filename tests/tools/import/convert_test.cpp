@@ -270,13 +270,6 @@ TEST(FileNames, areOfOneFolder) {
   EXPECT_NE(fileName("VILE[1"), fileName("VILE\\1"));
 }
 
-TEST_F(LevelOfAMap, keepsAllThings) {
-  walls(sector(), square(0, 0, 128));
-  map.things.push_back({32, 64, 180, 3004, 7});
-  EXPECT_EQ(level()["$things"],
-            (Json::array({{{"type", 3004}, {"x", 1}, {"y", -2}, {"angle", 180}, {"flags", 7}}})));
-}
-
 }  // namespace
 
 }  // namespace hearth::doom

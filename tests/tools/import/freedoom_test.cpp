@@ -8,7 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "import/doom/findings.h"
+#include "import/doom/materials.h"
 #include "import/doom/pictures.h"
+#include "import/doom/sprites.h"
+#include "import/doom/thing_types.h"
 
 namespace hearth::doom {
 namespace {
@@ -97,6 +101,23 @@ TEST_P(Freedoom, hasTheColorsThatNamesPromise) {
     EXPECT_GT(sums[0], 2 * sums[1]) << name;
     EXPECT_GT(sums[0], 2 * sums[2]) << name;
   }
+}
+
+// Phase 1 lacks things of Doom II.
+TEST_P(Freedoom, hasSpritesOfAllThings) {
+  Findings findings;
+  Materials materials(pictures(), "MAP01", findings);
+  Sprites sprites(pictures(), materials, findings);
+  int missing = 0;
+  for (const ThingType& type : thingTypes()) {
+    if (*type.sprite == '\0') continue;
+    const auto look = sprites.lookOf(type);
+    missing += look ? 0 : 1;
+    const bool hasSides = look && look->hasSides();
+    EXPECT_TRUE(!look || hasSides == (type.isMonster && !type.hangs)) << type.name;
+  }
+  EXPECT_EQ(missing, std::string(GetParam()) == "freedoom2.wad" ? 0 : 23);
+  EXPECT_TRUE(findings.empty());
 }
 
 std::string nameOf(const testing::TestParamInfo<const char*>& file) {

@@ -20,11 +20,12 @@ class LightsOfAMap : public testing::Test, protected MapBuilder {
  protected:
   Json lights() {
     findings_.clear();
-    return lightsJson(GroundPlan::of(map, Doors::Open, findings_).value(), table_,
+    return lightsJson(GroundPlan::of(map, Doors::Open, findings_).value(), table_, game_,
                       findings_)["lights"];
   }
 
   LightTable table_;
+  Game game_;
   Findings findings_;
 };
 
@@ -55,6 +56,16 @@ TEST_F(LightsOfAMap, areNoneOfThingsThatComeOnlyWithOthersOrLieOutside) {
   map.things.push_back({64, 96, 0, 2028, 7 | 16});
   map.things.push_back({640, 96, 0, 2028, 7});
   EXPECT_TRUE(lights().empty());
+}
+
+TEST_F(LightsOfAMap, areOfTheThingsOfTheGame) {
+  walls(sector(), square(0, 0, 256));
+  table_.things[2028] = {};
+  map.things.push_back({64, 96, 0, 2028, 4});
+  map.things.push_back({64, 96, 0, 2028, 7 | 16});
+  EXPECT_EQ(lights().size(), 0U);
+  game_ = {.skill = 5, .isMultiplayer = true};
+  EXPECT_EQ(lights().size(), 2U);
 }
 
 TEST_F(LightsOfAMap, growWeakerUntilTheirReach) {

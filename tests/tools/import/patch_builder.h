@@ -25,10 +25,18 @@ inline std::string columnOf(const std::vector<Post>& posts) {
   return column.bytes({255}).content();
 }
 
+/// Where a patch says that its thing stands.
+struct Origin {
+  int left = 5;
+  int top = 6;
+};
+
 /// A patch of these columns.
-inline std::string patchOf(int height, const std::vector<std::vector<Post>>& columns) {
+inline std::string patchOf(int height, const std::vector<std::vector<Post>>& columns,
+                           Origin origin = {}) {
   LumpBuilder patch;
-  patch.int16(static_cast<int>(columns.size())).int16(height).int16(5).int16(6);
+  patch.int16(static_cast<int>(columns.size())).int16(height);
+  patch.int16(origin.left).int16(origin.top);
   LumpBuilder posts;
   for (const auto& column : columns) {
     patch.int32(static_cast<std::int64_t>(8 + 4 * columns.size() + posts.size()));
@@ -38,9 +46,10 @@ inline std::string patchOf(int height, const std::vector<std::vector<Post>>& col
 }
 
 /// A patch without holes, all of one colour.
-inline std::string plainPatch(int width, int height, int color) {
+inline std::string plainPatch(int width, int height, int color, Origin origin = {}) {
   const std::vector<Post> column = {{0, std::vector<int>(static_cast<std::size_t>(height), color)}};
-  return patchOf(height, std::vector<std::vector<Post>>(static_cast<std::size_t>(width), column));
+  return patchOf(height, std::vector<std::vector<Post>>(static_cast<std::size_t>(width), column),
+                 origin);
 }
 
 /// The colour that the tests' palettes have in place `i`: no two are equal, nor any two channels.

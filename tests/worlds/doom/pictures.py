@@ -53,12 +53,20 @@ class Doom:
         (folder / "settings").write_text(DOOM_SETTINGS)
 
     def draw(self, doom_map, place):
-        """The last of the frames of a demo in which the player stands still."""
+        """A place of a map without things, where the player stands still for four tics. That is
+        before the first of what is animated moves."""
         lumps = doom_map.lumps | {"THINGS": player_start(place.x, place.y, place.angle)}
-        write_patch_wad(self.folder / "place.wad",
-                        [("COLORMAP", FULL_BRIGHTNESS), (doom_map.name, b"")] +
-                        [(name, lumps[name]) for name in MAP_LUMPS])
-        (self.folder / "still.lmp").write_bytes(demo_of_standing(doom_map.name))
+        return self.last_frame(doom_map.name, lumps, demo_of_standing(doom_map.name, 4))
+
+    def draw_with_things(self, doom_map):
+        """What the player of a map sees in the second tic, the first that is drawn. Most things
+        show their first frame yet, and monsters have not noticed the player."""
+        demo = demo_of_standing(doom_map.name, 2, has_monsters=True)
+        return self.last_frame(doom_map.name, doom_map.lumps, demo)
+
+    def last_frame(self, map_name, lumps, demo):
+        write_map(self.folder / "place.wad", map_name, lumps, [("COLORMAP", FULL_BRIGHTNESS)])
+        (self.folder / "still.lmp").write_bytes(demo)
         frames = self.folder / "frames"
         frames.unlink(missing_ok=True)
         self.run()
@@ -75,30 +83,37 @@ class Doom:
                               "SDL_AUDIODRIVER": "dummy"})
 
 
-def demo_of_standing(map_name):
-    """https://doomwiki.org/wiki/Demo: version 1.9, skill 4, one player, four tics without a key. That
-    is before the first of what is animated moves."""
+def write_map(path, name, lumps, others=()):
+    """A WAD with a map and other lumps."""
+    write_patch_wad(path, [*others, (name, b""), *((lump, lumps[lump]) for lump in MAP_LUMPS)])
+
+
+def demo_of_standing(map_name, tics, has_monsters=False):
+    """https://doomwiki.org/wiki/Demo: version 1.9, skill 4, one player, no key."""
     if map_name.startswith("MAP"):
         episode, number = 1, int(map_name[3:])
     else:
         episode, number = int(map_name[1]), int(map_name[3])
-    return bytes([109, 3, episode, number, 0, 0, 0, 1, 0, 1, 0, 0, 0]) + bytes(4 * 4) + b"\x80"
+    return (bytes([109, 3, episode, number, 0, 0, 0, not has_monsters, 0, 1, 0, 0, 0]) +
+            bytes(4 * tics) + b"\x80")
 
 
 class Hearth:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
 
-    def import_map(self, wad_path, map_name):
+    def import_map(self, wad_path, map_name, *options):
         """Returns the level's file."""
-        run([self.program, "import", wad_path, map_name, "-o", self.folder, "--doors", "closed"])
+        run([self.program, "import", wad_path, map_name, "-o", self.folder, "--doors", "closed",
+             *options])
         return self.folder / f"{map_name.lower()}.json"
 
-    def draw(self, level, place):
+    def draw(self, level, place, seconds=0):
         picture = self.folder / "place.png"
         camera = f"{place.x * UNIT},{-place.y * UNIT},{place.eye * UNIT},{-place.angle % 360}"
         run([self.program, "shot", level, "-o", picture, "--camera", camera, "--light", "none",
-             "--fov", "90", "--size", f"{HEARTH_SCREEN.width}x{HEARTH_SCREEN.height}", "--quiet"])
+             "--fov", "90", "--time", f"{seconds}",
+             "--size", f"{HEARTH_SCREEN.width}x{HEARTH_SCREEN.height}", "--quiet"])
         return np.array(Image.open(picture).convert("RGB"))
 
 

@@ -27,9 +27,6 @@ constexpr double kStep = 24 * kUnit;
 /// Where nothing says what is seen.
 constexpr const char* kBare = "#606060";
 
-/// Doom's angles turn left from east, Hearth's right.
-int angleOf(int degrees) { return ((-degrees % 360) + 360) % 360; }
-
 class Converter {
  public:
   Converter(const GroundPlan& plan, double ambient, Materials& materials, Findings& findings)
@@ -45,7 +42,6 @@ class Converter {
     Json& sectors = level["sectors"] = Json::object();
     for (std::uint32_t i = 0; i < plan_.regions().size(); ++i)
       sectors[plan_.nameOf(i)] = sectorJson(i);
-    level["$things"] = thingsJson();
     tellOfMiddles();
     return level;
   }
@@ -161,7 +157,7 @@ class Converter {
     }
   }
 
-  // --- Things ------------------------------------------------------------------------------------
+  // --- Player ------------------------------------------------------------------------------------
 
   std::optional<Json> playerJson() {
     bool isFirst = true;
@@ -224,20 +220,6 @@ class Converter {
   void tellOfStart(Part part, std::size_t number) {
     findings_.push_back({Outcome::Repaired, part, number,
                          "the player starts here: it has no start of its own with room for it"});
-  }
-
-  /// What levels cannot show yet, for those who can.
-  Json thingsJson() const {
-    Json things = Json::array();
-    for (const Thing& thing : map_.things) {
-      const Vec2 place = placeOf(thing.x, thing.y);
-      things.push_back({{"type", thing.type},
-                        {"x", place.x},
-                        {"y", place.y},
-                        {"angle", angleOf(thing.angle)},
-                        {"flags", thing.flags}});
-    }
-    return things;
   }
 
   const GroundPlan& plan_;

@@ -78,8 +78,14 @@ tl::expected<Converted, std::string> convertMap(const Source& source, const std:
   const auto plan = GroundPlan::of(*map, settings.doors, imported.findings);
   if (!plan) return tl::unexpected(fmt::format("{}: {}", name, plan.error()));
   Materials materials(source.pictures, name, imported.findings, settings.imagePixels);
-  const Json level = levelJson(*plan, settings.ambient, materials, imported.findings);
-  const Json lights = lightsJson(*plan, source.lights, imported.findings, settings.lights);
+  Json level = levelJson(*plan, settings.ambient, materials, imported.findings);
+  Sprites sprites(source.pictures, materials, imported.findings);
+  Json things = spritesJson(*plan, sprites, settings.things, imported.findings);
+  imported.sprites = things.size();
+  if (!things.empty()) level["things"] = std::move(things);
+  level["$things"] = allThingsJson(*map);
+  const Json lights =
+      lightsJson(*plan, source.lights, settings.things.game, imported.findings, settings.lights);
 
   imported.map = name;
   imported.level = stemFor(settings.folder, name) += ".json";
@@ -88,6 +94,7 @@ tl::expected<Converted, std::string> convertMap(const Source& source, const std:
   imported.lines = map->lines.size();
   for (const auto& region : plan->regions())
     for (const auto& loop : region.loops) imported.walls += loop.size();
+  imported.mapThings = map->things.size();
   imported.lights = lights["lights"].size();
   imported.textures = materials.count();
   return Converted{textOf(level), textOf(lights), std::move(materials)};

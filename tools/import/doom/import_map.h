@@ -10,6 +10,7 @@
 #include "import/doom/lights.h"
 #include "import/doom/materials.h"
 #include "import/doom/pictures.h"
+#include "import/doom/things.h"
 #include "import/doom/wad.h"
 
 namespace hearth::doom {
@@ -26,6 +27,7 @@ struct ImportSettings {
   Doors doors = Doors::Open;
   /// The fraction of the sectors' light in the map: low enough for the light of lamps to show.
   double ambient = 0.75;
+  ThingSettings things{};
   std::size_t imagePixels = kMaxPixels;  ///< of all its images together
   std::size_t lights = kMaxLights;       ///< at most
 };
@@ -39,6 +41,8 @@ struct Imported {
   std::size_t sectors = 0;
   std::size_t lines = 0;
   std::size_t walls = 0;
+  std::size_t mapThings = 0;
+  std::size_t sprites = 0;
   std::size_t lights = 0;
   std::size_t textures = 0;
   Findings findings;

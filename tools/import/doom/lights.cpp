@@ -24,9 +24,6 @@ constexpr double kBefore = 0.25;
 constexpr std::array<Vec2, 4> kBeside{
     {{0.011, 0.007}, {-0.011, -0.007}, {0.011, -0.007}, {-0.011, 0.007}}};
 
-/// A thing that is there only where several play.
-constexpr std::uint16_t kNotAlone = 0x10;
-
 double rounded(double metres) { return std::round(metres * 1000) / 1000; }
 
 /// intensity / (falloff * d + 1), less what that is at the reach and made as bright as before at
@@ -43,9 +40,9 @@ Json curveOf(const Glow& glow) {
 
 class Illuminator {
  public:
-  Illuminator(const GroundPlan& plan, const LightTable& table, std::size_t maxLights,
-              Findings& findings)
-      : plan_(plan), table_(table), maxLights_(maxLights), findings_(findings) {}
+  Illuminator(const GroundPlan& plan, const LightTable& table, const Game& game,
+              std::size_t maxLights, Findings& findings)
+      : plan_(plan), table_(table), game_(game), maxLights_(maxLights), findings_(findings) {}
 
   Json lights() {
     for (const Thing& thing : plan_.map().things) lightThing(thing);
@@ -70,7 +67,7 @@ class Illuminator {
     const Glow* glow = find(table_.things, thing.type);
     const Vec2 place = placeOf(thing.x, thing.y);
     const auto region = plan_.regionAt(place);
-    if (!glow || !region || (thing.flags & kNotAlone) != 0) return;
+    if (!glow || !region || !isThere(thing, game_)) return;
     const Space space = plan_.spaceOf(*region);
     if (space.floor == space.ceiling) return;
     const double highest = std::max(space.ceiling - kBefore, (space.floor + space.ceiling) / 2);
@@ -193,6 +190,7 @@ class Illuminator {
 
   const GroundPlan& plan_;
   const LightTable& table_;
+  Game game_;
   std::size_t maxLights_;
   Findings& findings_;
   bool hasTooMany_ = false;
@@ -201,9 +199,9 @@ class Illuminator {
 
 }  // namespace
 
-Json lightsJson(const GroundPlan& plan, const LightTable& table, Findings& findings,
-                std::size_t maxLights) {
-  return {{"version", 1}, {"lights", Illuminator(plan, table, maxLights, findings).lights()}};
+Json lightsJson(const GroundPlan& plan, const LightTable& table, const Game& game,
+                Findings& findings, std::size_t maxLights) {
+  return {{"version", 1}, {"lights", Illuminator(plan, table, game, maxLights, findings).lights()}};
 }
 
 }  // namespace hearth::doom

@@ -35,22 +35,6 @@ std::string skyOf(const std::string& map) {
   return number < 12 ? "SKY1" : number < 21 ? "SKY2" : "SKY3";
 }
 
-Image mirrored(const Image& image) {
-  Image result(image.width(), image.height());
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) result.at(x, y) = image.at(image.width() - 1 - x, y);
-  return result;  // a sky has no holes
-}
-
-Image withHoles(Picture picture) {
-  if (!picture.hasHoles()) return std::move(picture.image);
-  std::size_t i = 0;
-  for (int y = 0; y < picture.image.height(); ++y)
-    for (int x = 0; x < picture.image.width(); ++x)
-      if (!picture.isOpaque[i++]) picture.image.makeHole(x, y);
-  return std::move(picture.image);
-}
-
 }  // namespace
 
 std::string fileName(const std::string& name) {
@@ -108,6 +92,22 @@ Json Materials::sky() {
               {"offset", {0, image.height() - kSkyHorizon}}};
 }
 
+const Image* Materials::find(const std::string& file) const {
+  const auto found = images_.find(file);
+  return found == images_.end() ? nullptr : &found->second;
+}
+
+bool Materials::takePixels(ImageSize size) {
+  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  if (pixels > pixelsLeft_) return false;
+  pixelsLeft_ -= pixels;
+  return true;
+}
+
+void Materials::add(const std::string& file, Image image) {
+  images_.emplace(file, std::move(image));
+}
+
 double Materials::heightOf(const std::string& name) const {
   const auto size = pictures_.sizeOfWall(name);
   return size ? size->height * kUnit : 0;
@@ -140,17 +140,13 @@ bool Materials::draw(const std::string& file, Kind kind, const std::string& name
   return true;
 }
 
-/// Sizes are known before memory is taken: a small hostile WAD may define thousands of large
-/// images.
 tl::expected<Picture, std::string> Materials::decode(Kind kind, const std::string& name) {
   const ImageSize size = kind == Kind::Wall ? pictures_.sizeOfWall(name).value_or(ImageSize{})
                                             : ImageSize{kFlatPixels, kFlatPixels};
-  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  if (pixels > pixelsLeft_)
+  if (!takePixels(size))
     return tl::unexpected(
         fmt::format("{} {} and the images before it have more pixels than a level's images may",
                     kind == Kind::Wall ? "wall texture" : "flat", name));
-  pixelsLeft_ -= pixels;
   return kind == Kind::Wall ? pictures_.wall(name) : pictures_.flat(name);
 }
 

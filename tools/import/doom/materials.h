@@ -49,6 +49,13 @@ class Materials {
   /// Metres from the first row of a wall's image to the end of its last.
   double heightOf(const std::string& name) const;
 
+  /// The image of a file; null if there is none yet.
+  const Image* find(const std::string& file) const;
+  /// Counts an image before memory is taken for it: a small hostile WAD may define thousands of
+  /// large ones. False where the images would have too many pixels.
+  bool takePixels(ImageSize size);
+  void add(const std::string& file, Image image);
+
   /// Writes what has been asked for as PNG files. The error is one sentence.
   tl::expected<void, std::string> write(const std::filesystem::path& folder) const;
   std::size_t count() const { return images_.size(); }

@@ -57,6 +57,11 @@ bool drawColumn(Bytes column, int x, int top, const Palette& palette, Picture& p
 
 }  // namespace
 
+tl::expected<PatchHeader, std::string> readPatchHeader(Bytes patch) {
+  if (auto mistake = mistakeInHeader(patch)) return tl::unexpected(*std::move(mistake));
+  return PatchHeader{int16At(patch, 0), int16At(patch, 2), int16At(patch, 4), int16At(patch, 6)};
+}
+
 int widthOfPatch(Bytes patch) { return patch.size() < kPatchHeader ? 0 : int16At(patch, 0); }
 
 std::optional<std::string> drawPatch(Bytes patch, int left, std::span<const int> tops,

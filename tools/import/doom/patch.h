@@ -3,12 +3,26 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tl/expected.hpp>
 
 #include "import/doom/palette.h"
 #include "import/doom/picture.h"
 #include "import/doom/wad.h"
 
 namespace hearth::doom {
+
+/// What a patch says of itself, in pixels.
+struct PatchHeader {
+  int width;
+  int height;
+  /// Where a thing stands that shows the patch, from the patch's left border to the right and from
+  /// its upper border down.
+  int left;
+  int top;
+};
+
+/// The error is what there is to say of the patch ("has 3 bytes ..."). Columns are not looked at.
+tl::expected<PatchHeader, std::string> readPatchHeader(Bytes patch);
 
 /// The width that a patch says it has; 0 of one that has no header.
 int widthOfPatch(Bytes patch);
@@ -19,7 +33,7 @@ int widthOfPatch(Bytes patch);
 ///
 /// A patch (https://doomwiki.org/wiki/Picture_format) is a picture with holes, by columns:
 ///
-///     int16 width, height, and two that matter for sprites only
+///     int16 width, height, left and top, of which the last two are for sprites
 ///     int32 where each column begins, counted from the start of the patch
 ///
 /// A column is a list of posts, the stretches of it that are not holes, from top to bottom:

@@ -35,4 +35,9 @@ struct Picture {
   }
 };
 
+/// Its image, with holes where nothing is drawn.
+Image withHoles(Picture picture);
+/// Left and right exchanged.
+Image mirrored(const Image& image);
+
 }  // namespace hearth::doom

@@ -43,7 +43,7 @@ tl::expected<Pictures, std::string> Pictures::read(const Wad& wad) {
 // Flats lie between markers, lumps without bytes. Those of extensions begin with FF_START, which
 // may be closed by either end. Markers between them, such as F1_START, part the flats of episodes.
 Pictures::Pictures(const Wad& wad, const Palette& palette, WallTextures walls, Bytes patchNames)
-    : palette_(palette), walls_(std::move(walls)), patchNames_(patchNames) {
+    : palette_(palette), walls_(std::move(walls)), patchNames_(patchNames), sprites_(wad) {
   int depth = 0;
   for (const auto& [name, bytes] : wad.lumps()) {
     if (name == "F_START" || name == "FF_START") {

@@ -8,6 +8,7 @@
 
 #include "import/doom/palette.h"
 #include "import/doom/picture.h"
+#include "import/doom/sprite_lumps.h"
 #include "import/doom/wad.h"
 #include "import/doom/wall_textures.h"
 
@@ -16,9 +17,8 @@ namespace hearth::doom {
 /// A side of a flat, in pixels.
 inline constexpr int kFlatPixels = 64;
 
-/// The pictures of a WAD's walls and flats, decoded when they are asked for. All names are in upper
-/// case, as `nameAt` has them. The WAD must stay alive;
-/// it may be moved.
+/// The pictures of a WAD's walls, flats and sprites, decoded when they are asked for. All names are
+/// in upper case, as `nameAt` has them. The WAD must stay alive; it may be moved.
 class Pictures {
  public:
   /// Errors are one sentence that begins with the lump. A WAD without textures or flats is none.
@@ -37,6 +37,9 @@ class Pictures {
   /// What floors and ceilings wear: 64 rows of 64 pixels (https://doomwiki.org/wiki/Flat). Of
   /// longer lumps, which other games have, the first 64 rows. Flats have no holes.
   tl::expected<Picture, std::string> flat(const std::string& name) const;
+
+  const SpriteLumps& sprites() const { return sprites_; }
+  const Palette& palette() const { return palette_; }
 
   /// All there are, in no order.
   const WallTextures& walls() const { return walls_; }
@@ -59,6 +62,7 @@ class Pictures {
   Bytes patchNames_;  ///< eight bytes each
   std::unordered_map<std::string, Bytes> flats_;
   std::unordered_map<std::string, Bytes> patches_;  ///< and all other lumps that are no flats
+  SpriteLumps sprites_;
 };
 
 }  // namespace hearth::doom

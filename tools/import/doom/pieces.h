@@ -19,6 +19,9 @@ inline constexpr double kUnit = 1.0 / 32;
 /// Where a place of a map lies in a level, whose y grows down.
 inline Vec2 placeOf(int x, int y) { return {x * kUnit, -y * kUnit}; }
 
+/// Doom's angles turn left from east, Hearth's right. Degrees, 0 to 359.
+inline int angleOf(int degrees) { return ((-degrees % 360) + 360) % 360; }
+
 /// One face of a piece of a line.
 struct Face {
   std::uint32_t side;
