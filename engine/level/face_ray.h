@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include "level/mesh.h"
-#include "math/box3.h"
 #include "math/vec.h"
 
 namespace hearth {
@@ -26,41 +26,45 @@ class FaceRay {
   /// Edges belong to a face. None of a face that the ray sees edge-on.
   std::optional<Crossing> crossingOf(const MeshFace& face) const;
 
-  /// Whether the part of the ray from `tFrom` to `tTo` may meet what is in a box: true, whatever
-  /// the rounding, where it does.
-  bool mayMeet(const Box3& box, double tFrom, double tTo) const {
-    constexpr double kSlack = 1 + 0x1p-50;  // three roundings of each end
-    double tNear = tFrom;
-    double tFar = tTo;
-    clip(box.min.x - origin_.x, box.max.x - origin_.x, perUnit_.x, tNear, tFar);
-    clip(box.min.y - origin_.y, box.max.y - origin_.y, perUnit_.y, tNear, tFar);
-    clip(box.min.z - origin_.z, box.max.z - origin_.z, perUnit_.z, tNear, tFar);
-    return tNear <= tFar * kSlack;
-  }
+  Vec3 origin() const { return origin_; }
+  /// The ray parameter of one metre along each axis; endless along those that it runs across.
+  Vec3 perUnit() const { return perUnit_; }
 
  private:
   struct Place {
     Vec2 aside;    ///< from the ray, along the other two axes
     double along;  ///< the axis of its largest component, from the origin
   };
-  Place placeOf(Vec3 p) const;
-
-  /// Of a ray that runs within a side of the box the products may be no numbers, which change
-  /// nothing.
-  static void clip(double low, double high, double perUnit, double& tNear, double& tFar) {
-    const double tLow = low * perUnit;
-    const double tHigh = high * perUnit;
-    tNear = std::max(tNear, perUnit < 0 ? tHigh : tLow);
-    tFar = std::min(tFar, perUnit < 0 ? tLow : tHigh);
+  Place placeOf(Vec3 p) const {
+    const Vec3 offset = p - origin_;
+    const double along = offset.*along_;
+    return {{offset.*right_ - along * shear_.x, offset.*up_ - along * shear_.y}, along};
   }
 
   Vec3 origin_;
-  Vec3 perUnit_;  ///< the ray parameter of one metre along each axis
+  Vec3 perUnit_;
   double Vec3::*along_;
   double Vec3::*right_;
   double Vec3::*up_;
   Vec2 shear_;
   double perAlong_;
 };
+
+// Inline: most of the time that rays take at a mesh is spent here.
+inline std::optional<FaceRay::Crossing> FaceRay::crossingOf(const MeshFace& face) const {
+  const std::array<Place, 3> places{placeOf(face.corners[0]), placeOf(face.corners[1]),
+                                    placeOf(face.corners[2])};
+  const double weight0 = cross(places[1].aside, places[2].aside);
+  const double weight1 = cross(places[2].aside, places[0].aside);
+  const double weight2 = cross(places[0].aside, places[1].aside);
+  const double least = std::min(std::min(weight0, weight1), weight2);
+  const double most = std::max(std::max(weight0, weight1), weight2);
+  if (least < 0 && most > 0) return std::nullopt;
+  const double sum = weight0 + weight1 + weight2;
+  if (!(std::abs(sum) > 0)) return std::nullopt;
+  const double along =
+      (weight0 * places[0].along + weight1 * places[1].along + weight2 * places[2].along) / sum;
+  return Crossing{along * perAlong_, sum > 0};
+}
 
 }  // namespace hearth

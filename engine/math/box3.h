@@ -14,11 +14,13 @@ struct Box3 {
   Vec3 min{kEndless, kEndless, kEndless};
   Vec3 max{-kEndless, -kEndless, -kEndless};
 
-  constexpr void add(Vec3 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+  constexpr void add(Vec3 p) { add(Box3{p, p}); }
+  constexpr void add(const Box3& other) {
+    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y),
+           std::min(min.z, other.min.z)};
+    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y),
+           std::max(max.z, other.max.z)};
   }
-  constexpr void add(const Box3& other) { add(other.min), add(other.max); }
 
   /// The farthest point of it along a direction.
   constexpr Vec3 farthest(Vec3 along) const {

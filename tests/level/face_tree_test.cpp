@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <set>
 #include <vector>
@@ -64,12 +65,11 @@ std::vector<MeshFace> ball(int around) {
 std::set<std::uint32_t> metByTree(const FaceTree& tree, const std::vector<MeshFace>& faces,
                                   const FaceRay& ray) {
   std::set<std::uint32_t> met;
-  tree.anyFace([&](const Box3& box) { return ray.mayMeet(box, 0, 1); },
-               [&](std::uint32_t i) {
-                 const auto crossing = ray.crossingOf(faces[i]);
-                 if (crossing && crossing->t >= 0 && crossing->t <= 1) met.insert(i);
-                 return false;
-               });
+  tree.anyFaceOn(tree.boxRay(ray, 0, 1), [&](std::uint32_t i) {
+    const auto crossing = ray.crossingOf(faces[i]);
+    if (crossing && crossing->t >= 0 && crossing->t <= 1) met.insert(i);
+    return false;
+  });
   return met;
 }
 
@@ -101,6 +101,105 @@ TEST(FaceTree, leadsRaysToEachFaceThatTheyMeet) {
   }
 }
 
+std::optional<FaceRay::Crossing> nearestOfAll(const std::vector<MeshFace>& faces,
+                                              const FaceRay& ray, double tFrom, double tTo) {
+  std::optional<FaceRay::Crossing> nearest;
+  for (const MeshFace& each : faces) {
+    const auto crossing = ray.crossingOf(each);
+    if (!crossing || crossing->t < tFrom || crossing->t > tTo || crossing->t <= 0) continue;
+    if (!nearest || crossing->t <= nearest->t) nearest = crossing;
+  }
+  return nearest;
+}
+
+TEST(FaceTree, saysWhetherAnyFaceStopsAPartOfARayAndWhichIsTheNearest) {
+  const std::vector<MeshFace> faces = randomFaces(500, 2);
+  const FaceTree tree(faces);
+  Random random;
+  int stopped = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 origin = random.point(12);
+    const FaceRay ray(origin, random.point(12) - origin);
+    const double tFrom = random.number(-0.5, 0.5);
+    const double tTo = random.number(0.2, 1);
+    const auto expected = nearestOfAll(faces, ray, tFrom, tTo);
+    EXPECT_EQ(tree.stops(faces, ray, tFrom, tTo), expected.has_value());
+    const auto found = tree.nearest(faces, ray, tFrom, tTo);
+    ASSERT_EQ(found.has_value(), expected.has_value());
+    if (!found) continue;
+    EXPECT_EQ(found->t, expected->t);
+    EXPECT_EQ(found->isFront, expected->isFront);
+    ++stopped;
+  }
+  EXPECT_GT(stopped, 200);
+  EXPECT_LT(stopped, 1800);
+}
+
+TEST(FaceTree, takesTheLastOfFacesAtOnePlaceForTheNearest) {
+  const MeshFace up = face({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const MeshFace down = face({0, 0, 0}, {0, 1, 0}, {1, 0, 0});
+  const FaceRay ray({0.2, 0.2, 1}, {0, 0, -2});
+  for (const bool isUpLast : {false, true}) {
+    std::vector<MeshFace> faces(40, isUpLast ? down : up);
+    faces.push_back(isUpLast ? up : down);
+    const auto nearest = FaceTree(faces).nearest(faces, ray, 0, 1);
+    ASSERT_TRUE(nearest);
+    EXPECT_EQ(nearest->isFront, ray.crossingOf(faces.back())->isFront);
+  }
+}
+
+TEST(FaceTree, findsFacesFarFromTheOriginInBoxesThatHoldThem) {
+  const Vec3 far{1e6 + 0.1, -3e5, 7e4 / 3};
+  std::vector<MeshFace> faces = randomFaces(300, 0.01);
+  for (MeshFace& each : faces)
+    for (Vec3& corner : each.corners) corner = 0.001 * corner + far;
+  const FaceTree tree(faces);
+  const auto isIn = [](Vec3 p, const Box3& box) {
+    Box3 grown = box;
+    grown.add(p);
+    return grown == box;
+  };
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    for (const Vec3 corner : faces[i].corners) {
+      EXPECT_TRUE(isIn(corner, tree.box()));
+      EXPECT_TRUE(tree.anyFace([&](const Box3& box) { return isIn(corner, box); },
+                               [i](std::uint32_t found) { return found == i; }));
+    }
+    const Vec3 middle =
+        (1.0 / 3) * (faces[i].corners[0] + faces[i].corners[1] + faces[i].corners[2]);
+    const FaceRay ray(middle - Vec3{20, 30, 40}, {40, 60, 80});
+    EXPECT_EQ(metByTree(tree, faces, ray), metOfAll(faces, ray));
+  }
+}
+
+/// Of rays between random points, how many faces are asked on average.
+double askedByRays(const std::vector<MeshFace>& faces) {
+  constexpr int kRays = 1000;
+  const FaceTree tree(faces);
+  Random random;
+  int asked = 0;
+  for (int i = 0; i < kRays; ++i) {
+    const Vec3 from = random.point(10);
+    tree.anyFaceOn(tree.boxRay(FaceRay(from, random.point(10) - from), 0, 1), [&](std::uint32_t) {
+      ++asked;
+      return false;
+    });
+  }
+  return static_cast<double>(asked) / kRays;
+}
+
+TEST(FaceTree, asksFewFacesAlsoWhereTheyLeaveGaps) {
+  EXPECT_LT(askedByRays(randomFaces(20000, 0.05)), 20);
+  std::vector<MeshFace> clusters = randomFaces(20000, 0.05);
+  for (MeshFace& each : clusters) {
+    const Vec3 at = each.corners[0];
+    const Vec3 cluster{std::round(at.x / 5) * 5, std::round(at.y / 5) * 5,
+                       std::round(at.z / 5) * 5};
+    for (Vec3& corner : each.corners) corner = cluster + 0.1 * (corner - cluster);
+  }
+  EXPECT_LT(askedByRays(clusters), 2);
+}
+
 TEST(FaceTree, leadsRaysAlongAxesToFacesInThePlanesOfTheirBoxes) {
   std::vector<MeshFace> faces;
   for (int i = 0; i < 40; ++i) {
@@ -120,10 +219,27 @@ TEST(FaceTree, holdsFacesAtOnePlaceAndOfAllSizes) {
   const std::vector<MeshFace> same(1000, face({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   EXPECT_EQ(metByTree(FaceTree(same), same, FaceRay({0.2, 0.2, 1}, {0, 0, -2})).size(), 1000U);
   std::vector<MeshFace> shrinking;
-  for (double size = 1e100; size > 1e-100; size /= 2)
+  for (double size = 1e300; size > 1e-300; size /= 2)
     shrinking.push_back(face({0, 0, 0}, {size, 0, 0}, {0, size, 0}));
   const FaceTree tree(shrinking);
-  EXPECT_GE(metByTree(tree, shrinking, FaceRay({0.25, 0.25, 1}, {0, 0, -2})).size(), 330U);
+  const FaceRay ray({0.25, 0.25, 1}, {0, 0, -2});
+  EXPECT_EQ(metByTree(tree, shrinking, ray), metOfAll(shrinking, ray));
+  EXPECT_GE(metOfAll(shrinking, ray).size(), 500U) << "up to where squares are too large";
+}
+
+TEST(FaceTree, holdsFacesThatShrinkTowardsAPoint) {
+  std::vector<MeshFace> faces;
+  for (double x = 0x1p100; x > 0x1p-100; x /= 2)
+    for (const double at : {-x, x})
+      faces.push_back(face({at, -at, -at}, {at, at, -at}, {at, 0, at}));
+  const FaceTree tree(faces);
+  const FaceRay alongAll({-0x1p101, 0, 0}, {0x1p102, 0, 0});
+  EXPECT_EQ(metByTree(tree, faces, alongAll).size(), faces.size());
+  for (const MeshFace& aim : faces) {
+    const Vec3 from{0, aim.corners[1].y, 0};
+    const FaceRay ray(from, 2 * (aim.corners[2] - from));
+    EXPECT_EQ(metByTree(tree, faces, ray), metOfAll(faces, ray));
+  }
 }
 
 TEST(FaceRay, findsNoGapBetweenFacesThatShareCorners) {

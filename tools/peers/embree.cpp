@@ -25,7 +25,8 @@ void fill(std::span<const MeshTriangle> mesh, float* vertices, unsigned* indices
 
 }  // namespace
 
-tl::expected<EmbreeTracer, std::string> EmbreeTracer::of(std::span<const MeshTriangle> mesh) {
+tl::expected<EmbreeTracer, std::string> EmbreeTracer::of(std::span<const MeshTriangle> mesh,
+                                                         Edges edges) {
   EmbreeTracer tracer;
   // Never closed: threads of its own may still be in it.
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
@@ -34,6 +35,7 @@ tl::expected<EmbreeTracer, std::string> EmbreeTracer::of(std::span<const MeshTri
   const auto newBuffer =
       functionOf<decltype(rtcSetNewGeometryBuffer)>(library, "rtcSetNewGeometryBuffer");
   tracer.occluded8_ = functionOf<decltype(rtcOccluded8)>(library, "rtcOccluded8");
+  tracer.occluded1_ = functionOf<decltype(rtcOccluded1)>(library, "rtcOccluded1");
   tracer.device_ = {functionOf<decltype(rtcNewDevice)>(library, "rtcNewDevice")("threads=1"),
                     functionOf<decltype(rtcReleaseDevice)>(library, "rtcReleaseDevice")};
   RTCDevice device = tracer.device_.get();
@@ -53,6 +55,9 @@ tl::expected<EmbreeTracer, std::string> EmbreeTracer::of(std::span<const MeshTri
   functionOf<decltype(rtcReleaseGeometry)>(library, "rtcReleaseGeometry")(geometry);
   functionOf<decltype(rtcSetSceneBuildQuality)>(library, "rtcSetSceneBuildQuality")(
       scene, RTC_BUILD_QUALITY_HIGH);
+  if (edges == Edges::Watertight)
+    functionOf<decltype(rtcSetSceneFlags)>(library, "rtcSetSceneFlags")(scene,
+                                                                        RTC_SCENE_FLAG_ROBUST);
   functionOf<decltype(rtcCommitScene)>(library, "rtcCommitScene")(scene);
   return tracer;
 }
@@ -62,6 +67,12 @@ void EmbreeTracer::trace(std::span<RayPacket> packets) const {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   for (RayPacket& packet : packets) occluded8_(packet.valid, scene_.get(), &context, &packet.rays);
+}
+
+void EmbreeTracer::trace(std::span<RTCRay> rays) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (RTCRay& ray : rays) occluded1_(scene_.get(), &context, &ray);
 }
 
 }  // namespace hearth

@@ -20,14 +20,20 @@ struct RayPacket {
   bool isFree(std::size_t i) const { return valid[i] != 0 && rays.tfar[i] >= 0; }
 };
 
+/// Whether rays may slip between triangles that share an edge.
+enum class Edges { Fast, Watertight };
+
 /// Triangles in Embree, which is loaded when the program runs: it need not be installed.
 class EmbreeTracer {
  public:
   /// The error says that Embree is missing, and what brings it.
-  static tl::expected<EmbreeTracer, std::string> of(std::span<const MeshTriangle> mesh);
+  static tl::expected<EmbreeTracer, std::string> of(std::span<const MeshTriangle> mesh,
+                                                    Edges edges = Edges::Fast);
 
   /// Finds which of the rays meet anything, on this thread alone.
   void trace(std::span<RayPacket> packets) const;
+  /// The same of rays that are traced one by one: Embree makes `tfar` of such negative.
+  void trace(std::span<RTCRay> rays) const;
 
  private:
   EmbreeTracer() = default;
@@ -36,6 +42,7 @@ class EmbreeTracer {
   std::shared_ptr<RTCDeviceTy> device_;
   std::shared_ptr<RTCSceneTy> scene_;
   decltype(&rtcOccluded8) occluded8_ = nullptr;
+  decltype(&rtcOccluded1) occluded1_ = nullptr;
 };
 
 }  // namespace hearth

@@ -39,6 +39,9 @@ Prepared prepareMap15Frame(PeerInputs& inputs);
 /// points, over the rays that Embree traces; millions of both, and of pairs.
 Prepared prepareCastlePairs(PeerInputs& inputs);
 Prepared prepareTutorialPairs(PeerInputs& inputs);
+/// Rays from lights that Hearth tests a second against a model of 99,856 triangles, over those that
+/// Embree does; millions of both.
+Prepared prepareShadowRays(PeerInputs& inputs);
 /// Seconds of a bake of Freedoom's largest map on two threads.
 Prepared prepareLargestBake(PeerInputs& inputs);
 /// The same over those of Embree; seconds of both, and millions of rays.

@@ -223,13 +223,8 @@ class Walk {
   }
 
   bool meetsFace(std::uint32_t mesh, double tEnd) const {
-    const std::span<const MeshFace> faces = scene_.level().facesOf(scene_.level().meshes[mesh]);
-    return scene_.level().faceTrees[mesh].anyFace(
-        [&](const Box3& box) { return faceRay_->mayMeet(box, t_, tEnd); },
-        [&](std::uint32_t face) {
-          const std::optional<FaceRay::Crossing> crossing = faceRay_->crossingOf(faces[face]);
-          return crossing && crossing->t >= t_ && crossing->t <= tEnd && crossing->t > 0;
-        });
+    const Level& level = scene_.level();
+    return level.faceTrees[mesh].stops(level.facesOf(level.meshes[mesh]), *faceRay_, t_, tEnd);
   }
 
   bool isHere(std::uint32_t mesh) const {
@@ -247,16 +242,11 @@ class Walk {
     for (const MeshInSector& at : meshes) {
       const Mesh& mesh = scene_.level().meshes[at.mesh];
       if (!mesh.castsShadow || mesh.isTwoSided || !isHere(at.mesh)) continue;
-      const std::span<const MeshFace> faces = scene_.level().facesOf(mesh);
-      scene_.level().faceTrees[at.mesh].anyFace(
-          [&](const Box3& box) { return faceRay_->mayMeet(box, tFrom, tTo); },
-          [&](std::uint32_t face) {
-            const std::optional<FaceRay::Crossing> crossing = faceRay_->crossingOf(faces[face]);
-            if (!crossing || crossing->t < tFrom || crossing->t > tTo) return false;
-            nearest = crossing;
-            tTo = crossing->t;
-            return false;
-          });
+      const auto crossing = scene_.level().faceTrees[at.mesh].nearest(scene_.level().facesOf(mesh),
+                                                                      *faceRay_, tFrom, tTo);
+      if (!crossing) continue;
+      nearest = crossing;
+      tTo = crossing->t;
     }
     return nearest;
   }
