@@ -68,4 +68,10 @@ double compassDegrees(Vec2 direction) {
   return angle < 360 ? angle : 0;
 }
 
+double wrappedDegrees(double angle) {
+  const double turned = std::fmod(angle, 360.0);
+  const double positive = turned < 0 ? turned + 360 : turned;
+  return positive < 360 ? positive : 0;  // a tiny negative angle rounds up to 360
+}
+
 }  // namespace hearth

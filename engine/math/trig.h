@@ -22,4 +22,7 @@ double tanDegrees(double angle);
 /// null vector.
 double compassDegrees(Vec2 direction);
 
+/// The angle in [0, 360) of the same direction as any finite angle, in degrees.
+double wrappedDegrees(double angle);
+
 }  // namespace hearth

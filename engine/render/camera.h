@@ -9,6 +9,8 @@
 
 namespace hearth {
 
+inline constexpr double kMaxPitch = 60;  // degrees, up and down: what the projection takes
+
 struct Camera {
   SectorId sector;   ///< that contains `eye`
   Vec3 eye;          ///< metres, absolute

@@ -40,15 +40,8 @@ double fractionOf(int input) {
   return std::clamp(input, -kFullSpeed, kFullSpeed) / double(kFullSpeed);
 }
 
-/// An angle in degrees, in [0, 360).
-double wrapped(double angle) {
-  const double turned = std::fmod(angle, 360);
-  const double positive = turned < 0 ? turned + 360 : turned;
-  return positive < 360 ? positive : 0;  // a tiny negative angle rounds up to 360
-}
-
 void turn(Walker& walker, const WalkInput& input) {
-  walker.angle = wrapped(walker.angle + input.turn / 1000.0);
+  walker.angle = wrappedDegrees(walker.angle + input.turn / 1000.0);
   walker.pitch = std::clamp(walker.pitch + input.pitch / 1000.0, -kMaxPitch, kMaxPitch);
 }
 
@@ -154,7 +147,7 @@ void put(Walker& walker, const Stand& stand) {
 }  // namespace
 
 Walker walkerAt(const Scene& scene, SectorId sector, Vec3 eye, double angle, double pitch) {
-  Walker walker{sector, eye, {}, wrapped(angle), std::clamp(pitch, -kMaxPitch, kMaxPitch)};
+  Walker walker{sector, eye, {}, wrappedDegrees(angle), std::clamp(pitch, -kMaxPitch, kMaxPitch)};
   for (const double crouch : {0.0, 1.0}) {
     const Body body = bodyOf(scene.level(), crouch);
     // Down from the eye, and not through a floor; then up onto what else is under the disc.

@@ -28,13 +28,14 @@ LAYERS |= {
     "folders": [],
     "settings": ["image", "level", "light", "load", "math", "render"],
     "text": ["image", "load", "math"],
-    "inputs": ["folders", "settings", "text", "files", "image", "level", "light", "load", "math", "render"],
+    "model": ["files", "image", "level", "load", "math", "render"],
+    "inputs": ["folders", "model", "settings", "text", "files", "image", "level", "light", "load", "math", "render"],
     "lint": ["level", "light", "load", "math", "walk"],
     "import": ["folders", "text", "files", "image", "level", "load", "math"],
     "measure": ["settings", "text", "files", "image", "level", "light", "load", "math", "render", "truth"],
-    "viewer": ["settings", "text", *ENGINE],
-    "cli": ["folders", "import", "lint", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
-    "desktop": ["cli", "folders", "measure", "inputs", "settings", "text", "viewer", *ENGINE],
+    "viewer": ["model", "settings", "text", *ENGINE],
+    "cli": ["folders", "import", "lint", "measure", "inputs", "model", "settings", "text", "viewer", *ENGINE],
+    "desktop": ["cli", "folders", "measure", "inputs", "model", "settings", "text", "viewer", *ENGINE],
     "peers": ["cli", "desktop", "folders", "import", "measure", "inputs", "settings", *ENGINE],
 }
 # Of tools/, what is not a library of the program.

@@ -37,6 +37,13 @@ TEST(Model, isItsTrianglesWithTheirLines) {
   EXPECT_TRUE(model.materials.empty());
 }
 
+TEST(Model, countsTheVerticesAndPolygonsOfItsFile) {
+  const Model model = modelOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\nf 4 3 2\n");
+  EXPECT_EQ(model.vertices, 5U);
+  EXPECT_EQ(model.polygons, 2U);
+  EXPECT_EQ(model.faces.size(), 3U);
+}
+
 TEST(Model, keepsTheOrderOfCornersWhichTellsTheFront) {
   // The back of a cube about the origin, seen from behind it.
   const Model model = modelOf("v 1 -1 -1\nv -1 -1 -1\nv -1 1 -1\nv 1 1 -1\nf 1 2 3 4\n");

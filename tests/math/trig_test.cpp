@@ -24,6 +24,14 @@ TEST(Trig, isExactAtQuarterTurns) {
   }
 }
 
+TEST(Trig, wrapsAnglesIntoOneTurn) {
+  EXPECT_EQ(wrappedDegrees(0), 0);
+  EXPECT_EQ(wrappedDegrees(360), 0);
+  EXPECT_EQ(wrappedDegrees(-90), 270);
+  EXPECT_EQ(wrappedDegrees(725), 5);
+  EXPECT_EQ(wrappedDegrees(-1e-300), 0);
+}
+
 TEST(Trig, tangentReachesTheWidestFieldOfView) {
   EXPECT_NEAR(tanDegrees(45), 1, 1e-15);
   EXPECT_NEAR(tanDegrees(89.5) / 114.58865012930961, 1, 1e-12);

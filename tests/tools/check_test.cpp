@@ -99,6 +99,12 @@ TEST(GoldenFolders, StandBesideTheLevelOrInTheFolderThatIsGiven) {
   EXPECT_EQ(given.failed, "kept/yard.failed");
 }
 
+TEST(GoldenFolders, OfAModelAreNotThoseOfALevelOfTheSameStem) {
+  const GoldenFolders folders = goldenFolders("levels/yard.obj", std::nullopt);
+  EXPECT_EQ(folders.golden, "levels/yard.obj.golden");
+  EXPECT_EQ(folders.failed, "levels/yard.obj.failed");
+}
+
 TEST(IsFileName, RefusesOtherFoldersAndHiddenFiles) {
   for (const char* good : {"a", "down the well", "-x", "a.b", "caf\u00e9", "<&>'\""})
     EXPECT_TRUE(isFileName(good)) << good;

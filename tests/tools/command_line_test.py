@@ -117,6 +117,72 @@ class Shot(InFolder):
         self.assertEqual(len(pictures), 5)
 
 
+class Model(InFolder):
+    """A model alone."""
+
+    BOX = ("v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
+           "f 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\nf 8 7 6 5\nf 1 2 3 4\n")
+
+    def setUp(self):
+        super().setUp()
+        self.level = self.folder / "crate.obj"
+        self.level.write_text(self.BOX)
+
+    def test_is_drawn_and_leaves_nothing_but_the_picture(self):
+        result = self.shot()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(png_size(self.out), (320, 200))
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["crate.obj", "out.png"])
+
+    def test_is_drawn_from_where_its_shot_is_and_from_a_camera(self):
+        pictures = []
+        camera = ("--camera", "0,8,1,270")
+        for options in [(), ("--shot", "front"), camera, ("--fov", "40"), ("--fov", "20"), (*camera, "--fov", "40")]:
+            self.assertEqual(self.shot(*options).returncode, 0)
+            pictures.append(self.out.read_bytes())
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[0], pictures[3])
+        self.assertEqual(pictures[2], pictures[5])
+        self.assertEqual(len(set(pictures)), 3)
+
+    def test_is_named_in_any_case_and_from_any_folder(self):
+        other = self.folder / "CRATE.OBJ"
+        self.level.rename(other)
+        result = run("shot", "CRATE.OBJ", "-o", "out.png", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_is_refused_with_the_lines_of_its_file(self):
+        self.level.write_text("v 0 0 0\nv 1 0 0\nf 1 2 3\n")
+        self.refuse(self.shot(), r"^\S*/crate\.obj:3:1: error: ")
+        self.level.unlink()
+        self.refuse(self.shot(), r"^\S*/crate\.obj:1:1: error: .*name an OBJ file$")
+        self.level.mkdir()
+        self.refuse(self.shot(), r"^\S*/crate\.obj:1:1: error: ")
+
+    def test_is_no_walk_to_be_recorded(self):
+        for options in [("--record", "walk.txt"), ("--replay", "walk.txt"), ("--replay", "walk.txt", "--headless")]:
+            self.refuse(run("walk", self.level, *options), f"{options[0]}: .*crate.obj is a model.*the option out$")
+
+    def test_is_measured_as_a_level_is(self):
+        info = run("info", self.level)
+        self.assertEqual((info.returncode, info.stderr), (0, ""))
+        self.assertRegex(info.stdout, r"12  faces of meshes")
+        for command in ["bake", "lint"]:
+            result = run(command, self.level)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_is_not_blamed_for_the_lights_that_are_made_for_it(self):
+        # A floor, which the light from below does not reach.
+        self.level.write_text("v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nf 1 2 3 4\n")
+        result = run("lint", self.level)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", "no findings\n"))
+
+    def test_has_golden_pictures_of_its_own(self):
+        self.assertEqual(run("check", self.level, "--update").returncode, 0)
+        self.assertTrue((self.folder / "crate.obj.golden/front.png").exists())
+        self.assertEqual(run("check", self.level).returncode, 0)
+
+
 class Mistakes(InFolder):
     def test_options_out_of_range(self):
         for options, message in [
@@ -328,12 +394,13 @@ class Walk(InFolder):
         self.refuse(run("walk", self.level, "--start", "1,2,99,0"), "--start: .*")
 
     def test_help_lists_the_keys_as_they_are_documented(self):
-        keys = run("walk", "--help").stdout.partition("Keys:\n")[2]
-        rows = re.findall(r"^\| (.+?) \| (.+?) \|$", (SOURCE / "tools/README.md").read_text()
-                          .partition("### Walking")[2].partition("Keys are")[0], re.MULTILINE)
-        self.assertGreater(len(rows), 15)
-        self.assertEqual([line.split() for line in keys.splitlines() if line],
-                         [(names + " " + does).split() for names, does in rows[2:]])
+        walking, _, turning = run("walk", "--help").stdout.partition("Keys:\n")[2].partition("Keys with a model:\n")
+        for keys, begin, end in [(walking, "### Walking", "Keys are"), (turning, "**In the window**", "A key does")]:
+            rows = re.findall(r"^\| (.+?) \| (.+?) \|$", (SOURCE / "tools/README.md").read_text()
+                              .partition(begin)[2].partition(end)[0], re.MULTILINE)
+            self.assertGreater(len(rows), 12)
+            self.assertEqual([line.split() for line in keys.splitlines() if line],
+                             [(names + " " + does).split() for names, does in rows[2:]])
 
     def test_help_lists_the_users_keys_and_the_file_that_names_them_is_documented(self):
         folder = self.folder / "hearth"

@@ -144,14 +144,14 @@ def predicted(kind, left, up, up_left):
 class Walk:
     """`hearth walk` in a window of the display."""
 
-    def __init__(self, display, hearth, level, folder, *options, **environment):
+    def __init__(self, display, hearth, level, folder, *options, title=None, **environment):
         self.display, self.hearth, self.level, self.folder = display, hearth, level, folder
         self.output = folder / "output.txt"
         with self.output.open("w") as out:
             self.process = subprocess.Popen([hearth, "walk", level, *options], stdout=out, cwd=folder,
                                             env={**display.environment, **environment})
         self.window = wait_for("the window shows the level's name",
-                               lambda: display.do("search", "--name", "^rooms$"))
+                               lambda: display.do("search", "--name", f"^{title or level.stem}$"))
         display.do("windowfocus", "--sync", self.window)
 
     def geometry(self):

@@ -43,8 +43,13 @@ void tellWhereNobodyComes(const Scene& scene) {
              all - sectors.size(), all, fmt::join(names, ", "));
 }
 
+ExitStatus judge(bool isClean, const OptionValues& values) {
+  if (isClean && !values.has(Option::Quiet)) fmt::print(stderr, "no findings\n");
+  return isClean ? ExitStatus::Done : ExitStatus::Differs;
+}
+
 ExitStatus runLint(const OptionValues& values) {
-  const SourcedResult opened = loadLevelOf(values);
+  const OpenedLevel opened = loadLevelOf(values);
   const std::vector<Diagnostic>& ofLoader = opened.result.diagnostics;
   if (!opened.result.loaded) {
     printDiagnostics(ofLoader);
@@ -55,6 +60,8 @@ ExitStatus runLint(const OptionValues& values) {
   if (!settings) return fail(settings.error());
 
   print(ofLoader);
+  // No author wrote the level and the lights that are made for a model.
+  if (opened.model) return judge(ofLoader.empty(), values);
   const std::vector<Diagnostic> ofGeometry = lintGeometry(linted);
   print(ofGeometry);
   const auto light = lightFor(linted.scene(), values);
@@ -65,12 +72,10 @@ ExitStatus runLint(const OptionValues& values) {
   const std::vector<Diagnostic> ofLight =
       lintLight(linted, *light, *dimmedLight, *settings, threadsFrom(values));
   print(ofLight);
-  const bool isClean = ofLoader.empty() && ofGeometry.empty() && ofLight.empty();
-  if (!values.has(Option::Quiet)) {
-    if (isClean) fmt::print(stderr, "no findings\n");
-    tellWhereNobodyComes(linted.scene());
-  }
-  return isClean ? ExitStatus::Done : ExitStatus::Differs;
+  const ExitStatus status =
+      judge(ofLoader.empty() && ofGeometry.empty() && ofLight.empty(), values);
+  if (!values.has(Option::Quiet)) tellWhereNobodyComes(linted.scene());
+  return status;
 }
 
 }  // namespace

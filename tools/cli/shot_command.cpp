@@ -68,14 +68,15 @@ ExitStatus runShot(const OptionValues& values) {
 }  // namespace
 
 Command shotCommand() {
-  return {"shot",
-          "bakes and draws one picture; needs no display",
-          std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
-                              Option::Size, Option::Fov, Option::Time, Option::Light,
-                              Option::Channel, Option::Quiet} +
-              drawOptions() + lightOptions(),
-          {Option::Output},
-          runShot};
+  return {
+      "shot",
+      "bakes and draws one picture, of a level or of a model alone (MODEL.obj); needs no display",
+      std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
+                          Option::Size, Option::Fov, Option::Time, Option::Light, Option::Channel,
+                          Option::Quiet} +
+          drawOptions() + lightOptions(),
+      {Option::Output},
+      runShot};
 }
 
 }  // namespace hearth

@@ -33,7 +33,7 @@ void giveWay() { ::setpriority(PRIO_PROCESS, 0, 10); }
 std::shared_ptr<const LitLevel> redrawn(const LitLevel& lit, const DrawSettings& settings) {
   const bool areAlike = settings.textureFilter == lit.renderer.settings().textureFilter;
   return std::make_shared<const LitLevel>(
-      lit.loaded, lit.source,
+      lit.loaded, lit.source, lit.model,
       areAlike ? lit.renderer.textures()
                : drawnTextures(lit.loaded->textures, settings.textureFilter),
       lit.light, settings);
@@ -178,7 +178,7 @@ LoadResult BackgroundBaker::loaded(Changed changed) {
   const OptionValues values = options();
   const LoadLimits limits = limitsFrom(values);
   const std::optional<std::string> lights = unsavedLights();
-  if (changed == Changed::Lights && isOfFiles_) {
+  if (changed == Changed::Lights && isOfFiles_ && source_) {
     auto source = std::make_shared<LevelSource>(*source_);  // what is shown keeps its own
     if (auto result = reloadLights(*current_, *source, limits, lights)) {
       if (result->loaded) source_ = std::move(source);
@@ -186,10 +186,13 @@ LoadResult BackgroundBaker::loaded(Changed changed) {
     }
   }
   isOfFiles_ = false;
-  auto [result, source] = loadLevelWithSource(values.level, limits, lights);
-  isOfFiles_ = result.loaded.has_value();
-  if (isOfFiles_) source_ = std::make_shared<const LevelSource>(std::move(source));
-  return std::move(result);
+  OpenedLevel opened = openLevel(values.level, limits, lights);
+  isOfFiles_ = opened.result.loaded.has_value();
+  if (isOfFiles_) {
+    model_ = opened.model;
+    source_ = takeSource(opened);
+  }
+  return std::move(opened.result);
 }
 
 void BackgroundBaker::light(bool isFirst, const std::stop_token& stop) {
@@ -234,7 +237,7 @@ std::shared_ptr<const LitLevel> BackgroundBaker::show(BakedLight light, bool isD
     news.warnings.push_back(*warning);
   const DrawSettings settings = drawSettingsFrom(values);
   auto lit = std::make_shared<const LitLevel>(
-      current_, source_, texturesFor(settings.textureFilter),
+      current_, source_, model_, texturesFor(settings.textureFilter),
       std::make_shared<const BakedLight>(std::move(light)), settings);
   news.level = lit;
   tell(std::move(news));

@@ -19,6 +19,7 @@
 #include "light/bakery.h"
 #include "light/rebake.h"
 #include "load/source.h"
+#include "model/model_figures.h"
 #include "render/renderer.h"
 #include "settings/options.h"
 
@@ -27,10 +28,11 @@ namespace hearth {
 /// A version of a level with its light, as it is drawn.
 struct LitLevel {
   LitLevel(std::shared_ptr<const LoadedLevel> level, std::shared_ptr<const LevelSource> itsSource,
-           DrawnTextures textures, std::shared_ptr<const BakedLight> baked,
-           const DrawSettings& settings)
+           std::optional<ModelFigures> itsModel, DrawnTextures textures,
+           std::shared_ptr<const BakedLight> baked, const DrawSettings& settings)
       : loaded(std::move(level)),
         source(std::move(itsSource)),
+        model(std::move(itsModel)),
         light(std::move(baked)),
         renderer(loaded->scene(), std::move(textures), *light, settings) {}
   LitLevel(const LitLevel&) = delete;
@@ -38,6 +40,7 @@ struct LitLevel {
 
   std::shared_ptr<const LoadedLevel> loaded;
   std::shared_ptr<const LevelSource> source;
+  std::optional<ModelFigures> model;  ///< if the level was made for one and has been reloaded
   std::shared_ptr<const BakedLight> light;
   Renderer renderer;
 };
@@ -129,7 +132,8 @@ class BackgroundBaker {
 
   // The thread's own:
   std::shared_ptr<const LoadedLevel> current_;
-  std::shared_ptr<const LevelSource> source_;
+  std::shared_ptr<const LevelSource> source_;  ///< none of a model
+  std::optional<ModelFigures> model_;
   bool isOfFiles_ = true;               ///< the current level; else they have mistakes
   bool isLit_ = false;                  ///< with its own light, not a draft
   BakeSettings litBy_;                  ///< if it is

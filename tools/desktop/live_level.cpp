@@ -144,6 +144,7 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
   const auto before = std::exchange(shown_, news.level);  // which the loop still draws
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
   loop.continueIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
+  if (shown_->model && shown_->loaded != before->loaded) loop.continueWith(*shown_->model);
   if (saved_)
     report_ = fmt::format("{}: {} {:.3f} s after it was saved", saved_->filename().string(),
                           news.isDraft ? "a draft is shown" : "shown", secondsSinceSaved(*saved_));

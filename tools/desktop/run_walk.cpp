@@ -21,6 +21,7 @@
 #include "folders/user_folders.h"
 #include "inputs/inputs.h"
 #include "measure/budget.h"
+#include "model/orbit_view.h"
 #include "render/renderer.h"
 #include "viewer/edit/shots_edit.h"
 #include "viewer/input/actions.h"
@@ -44,7 +45,9 @@ bool isLive(const OptionValues& values) {
          !values.has(Option::LightFrom);
 }
 
-tl::expected<Plan, std::string> planFor(const Scene& scene, const OptionValues& values) {
+tl::expected<Plan, std::string> planFor(const Scene& scene,
+                                        const std::optional<ModelFigures>& model,
+                                        const OptionValues& values) {
   Plan plan;
   if (const auto size = values.text(Option::Size)) plan.settings.size = parseSize(*size);
   plan.settings.fov = values.number(Option::Fov).value_or(plan.settings.fov);
@@ -61,12 +64,19 @@ tl::expected<Plan, std::string> planFor(const Scene& scene, const OptionValues& 
   }
   const auto camera = cameraFor(scene, values, kFirstWindowSize);
   if (!camera) return tl::unexpected(camera.error());
+  if (model) plan.settings.model = {*model, viewFrom(*camera, model->box)};
   plan.start = {scene[camera->sector].name, camera->eye, camera->angle, camera->pitch};
   plan.settings.fov = camera->fov;
   return plan;
 }
 
 std::optional<std::string> mistakeInWalkOptions(const OptionValues& values) {
+  if (isModel(values.level))
+    for (const Option option : {Option::Record, Option::Replay, Option::Headless})
+      if (values.has(option))
+        return fmt::format(
+            "{}: {} is a model, which is turned and not walked: leave the option out",
+            row(option).name, values.level);
   if (values.has(Option::TargetMs))
     for (const Option option : std::vector<Option>{Option::Quality} + drawOptions())
       if (values.has(option))
@@ -117,7 +127,7 @@ tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
   return light.get().map([&](BakedLight baked) {
     const DrawSettings settings = drawSettingsFrom(values);
     return std::make_shared<const LitLevel>(
-        loaded, source, drawnTextures(loaded->textures, settings.textureFilter),
+        loaded, source, std::nullopt, drawnTextures(loaded->textures, settings.textureFilter),
         std::make_shared<const BakedLight>(std::move(baked)), settings);
   });
 }
@@ -146,6 +156,18 @@ ExitStatus keepWalk(const Scene& scene, const RecordedStart& start, const WalkSe
   const auto written =
       writeRecordingFile(*path, {start, session.inputs(), recordedState(scene, session.walker())});
   return written ? ExitStatus::Done : fail(written.error());
+}
+
+Eye firstEye(const Scene& scene, const Plan& plan, const WalkSession& session) {
+  if (!plan.settings.model) return eyeOf(scene, session.walker());
+  const OrbitView& view = plan.settings.model->view;
+  return {session.walker().sector, view.eye(), view.angle, view.pitch};
+}
+
+/// Where the walk begins. With a model nobody walks; its origin is in the air of its level.
+tl::expected<Walker, std::string> firstWalker(const Scene& scene, const Plan& plan) {
+  if (!plan.settings.model) return walkerAtStart(scene, plan.start);
+  return Walker{.sector = scene.level().meshes.front().sector, .feet = {}, .velocity = {}};
 }
 
 /// Adds options with which a frame fits the time.
@@ -189,16 +211,17 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   if (!lit) return fail(lit.error());
   Disk disk;
   WalkSettings settings = plan.settings;
-  if (live) settings.lightsFile = loaded->lights;
+  if (live && !settings.model) settings.lightsFile = loaded->lights;
   addConfig(configOfUser(), settings);
   settings.config = configFile().value_or("");
-  if (const auto file = bookmarksFile(loaded->path)) settings.bookmarks = Bookmarks(disk, *file);
+  if (const auto file = bookmarksFile(loaded->path); file && !settings.model)
+    settings.bookmarks = Bookmarks(disk, *file);
   settings.writeShot = [&disk, &live, &loaded](const Bookmark& bookmark) {
     return writeShot(disk, live ? *live->shown()->loaded : *loaded, bookmark);
   };
   Workers workers(threadsFrom(values));
   if (const auto target = values.number(Option::TargetMs)) {
-    fitFrames(*target, (*lit)->renderer, eyeOf(scene, session.walker()), plan, *window, &workers,
+    fitFrames(*target, (*lit)->renderer, firstEye(scene, plan, session), plan, *window, &workers,
               settings.options);
     if (live) live->setOptions(settings.options);
     *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
@@ -230,22 +253,22 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
 
 ExitStatus runWalk(const OptionValues& values) {
   if (const auto mistake = mistakeInWalkOptions(values)) return fail(*mistake);
-  SourcedResult opened = loadAndReportWithSource(values);
+  OpenedLevel opened = loadAndReportWithSource(values);
   if (!opened.result.loaded) return ExitStatus::BadInput;
   const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
   const Scene scene = loaded->scene();
-  const auto plan = planFor(scene, values);
+  const auto plan = planFor(scene, opened.model, values);
   if (!plan) return fail(plan.error());
-  const auto walker = walkerAtStart(scene, plan->start);
+  const auto walker = firstWalker(scene, *plan);
   if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
   WalkSession session(
       scene, *walker,
       values.has(Option::Record) ? WalkSession::Record::Yes : WalkSession::Record::No);
   if (values.has(Option::Headless)) return replayHeadless(scene, session, *plan->replay);
-  const auto source = std::make_shared<const LevelSource>(std::move(opened.source));
+  const SharedSource source = takeSource(opened);
   return walkInWindow(loaded, source, *plan, session, values);
 }
 
-std::string keyHelpOfUser() { return "Keys:\n" + keyHelp(configOfUser().preferences.keys); }
+std::string keyHelpOfUser() { return keyHelp(configOfUser().preferences.keys); }
 
 }  // namespace hearth

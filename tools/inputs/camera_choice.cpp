@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "inputs/inputs.h"
+#include "model/orbit_view.h"
 
 namespace hearth {
 
 namespace {
 
 using CameraResult = tl::expected<Camera, std::string>;
-
-constexpr double kMaxPitch = 60;  // degrees
 
 /// A camera that looks from `eye`; its sector is still to be found.
 CameraResult located(const Scene& scene, Camera camera, std::string_view option,
@@ -71,6 +70,19 @@ CameraResult fromPlayer(const Scene& scene, std::optional<std::string_view> sect
   return located(scene, camera, "--sector", sectorName);
 }
 
+/// Of a model, which is the level's only mesh.
+Camera frontCamera(const Scene& scene, double fov, ImageSize size) {
+  const OrbitView view = frontView(scene.level().meshFaces, fov, size);
+  return {scene.level().meshes.front().sector,
+          view.eye(),
+          view.angle,
+          view.pitch,
+          fov,
+          size.width,
+          size.height,
+          0};
+}
+
 CameraResult placed(const Scene& scene, const OptionValues& values) {
   const std::optional<std::string> text = values.text(Option::Camera);
   const std::optional<std::string> shot = values.text(Option::Shot);
@@ -88,11 +100,23 @@ CameraResult placed(const Scene& scene, const OptionValues& values) {
   return fromPlayer(scene, sectorName);
 }
 
+/// Whether the options say where the camera is.
+bool isPlaced(const OptionValues& values) {
+  return values.has(Option::Camera) || values.has(Option::Shot) || values.has(Option::Start) ||
+         values.has(Option::Sector);
+}
+
 }  // namespace
 
 CameraResult cameraFor(const Scene& scene, const OptionValues& values, ImageSize standardSize) {
+  if (isModel(values.level) && !isPlaced(values)) {
+    const auto size = values.text(Option::Size);
+    return frontCamera(scene, values.number(Option::Fov).value_or(kModelFov),
+                       size ? *parseSize(*size) : standardSize);
+  }
   CameraResult camera = placed(scene, values);
   if (!camera) return camera;
+  if (isModel(values.level)) camera->fov = kModelFov;  // also that of its shot
   camera->fov = values.number(Option::Fov).value_or(camera->fov);
   camera->seconds = values.number(Option::Time).value_or(camera->seconds);
   if (!values.has(Option::Shot)) {

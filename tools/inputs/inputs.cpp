@@ -70,17 +70,21 @@ std::optional<std::string> warningIfDark(const Level& level, const BakedLight& l
       values.level);
 }
 
-SourcedResult loadLevelOf(const OptionValues& values) {
+OpenedLevel loadLevelOf(const OptionValues& values) {
   const ProgressDisplay display(progressStyle(values), Stage::Loading);
-  return loadLevelWithSource(values.level, limitsFrom(values));
+  return openLevel(values.level, limitsFrom(values));
+}
+
+std::shared_ptr<const LevelSource> takeSource(OpenedLevel& opened) {
+  return opened.model ? nullptr : std::make_shared<const LevelSource>(std::move(opened.source));
 }
 
 void printDiagnostics(std::span<const Diagnostic> diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) fmt::print(stderr, "{}\n", format(diagnostic));
 }
 
-SourcedResult loadAndReportWithSource(const OptionValues& values) {
-  SourcedResult opened = loadLevelOf(values);
+OpenedLevel loadAndReportWithSource(const OptionValues& values) {
+  OpenedLevel opened = loadLevelOf(values);
   printDiagnostics(opened.result.diagnostics);
   return opened;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,7 +9,8 @@
 
 #include "inputs/progress.h"
 #include "light/bakery.h"
-#include "load/source.h"
+#include "load/load.h"
+#include "model/open_level.h"
 #include "render/camera.h"
 #include "render/renderer.h"
 #include "settings/options.h"
@@ -19,15 +21,18 @@
 /// `...From` only read the options.
 namespace hearth {
 
-/// Loads the level that the command line names, within the limits that it gives. Diagnostics go to
-/// stderr, one per line. Returns nullopt if there are errors.
+/// Loads the level or the model that the command line names, within the limits that it gives.
+/// Diagnostics go to stderr, one per line. Returns nullopt if there are errors.
 std::optional<LoadedLevel> loadAndReport(const OptionValues& values);
 
 /// The same, with the source of the level. Its `result.loaded` is empty after errors.
-SourcedResult loadAndReportWithSource(const OptionValues& values);
+OpenedLevel loadAndReportWithSource(const OptionValues& values);
 
 /// Loads it so without printing its diagnostics.
-SourcedResult loadLevelOf(const OptionValues& values);
+OpenedLevel loadLevelOf(const OptionValues& values);
+
+/// The way back to the files that the author has. None of a model: its level was made for it.
+std::shared_ptr<const LevelSource> takeSource(OpenedLevel& opened);
 
 /// To stderr, a line each.
 void printDiagnostics(std::span<const Diagnostic> diagnostics);
@@ -67,7 +72,8 @@ tl::expected<BakedLight, std::string> lightFor(const Scene& scene, const OptionV
 tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Camera& camera,
                                                   const OptionValues& values);
 
-/// The camera of the command line: that of `--camera`, else of `--shot`, else the player's.
+/// The camera of the command line: that of `--camera`, else of `--shot`, else the player's. In
+/// place of the player's, a model has one that looks at all of it.
 tl::expected<Camera, std::string> cameraFor(const Scene& scene, const OptionValues& values,
                                             ImageSize standardSize);
 

@@ -17,9 +17,10 @@ MeshFace ModelPlacement::operator()(const ModelFace& face) const {
 }
 
 Vec3 ModelPlacement::placed(Vec3 corner) const {
-  const Vec2 plan{corner.x * scale_.x, corner.z * scale_.y};
+  const Vec3 p = inOtherAxes(corner);
+  const Vec2 plan{p.x * scale_.x, p.y * scale_.y};
   return position_ + Vec3{turn_.cos * plan.x - turn_.sin * plan.y,
-                          turn_.sin * plan.x + turn_.cos * plan.y, corner.y * scale_.z};
+                          turn_.sin * plan.x + turn_.cos * plan.y, p.z * scale_.z};
 }
 
 bool hasArea(const MeshFace& face) { return length(frontOf(face)) > 0; }

@@ -7,6 +7,9 @@
 
 namespace hearth {
 
+/// From the axes of a model, with `y` up, to those of a level, with `z` up; and back.
+constexpr Vec3 inOtherAxes(Vec3 p) { return {p.x, p.z, p.y}; }
+
 /// From the axes of a model to those of a level: scales, turns and moves.
 class ModelPlacement {
  public:

@@ -59,6 +59,7 @@ class ModelReader {
   std::size_t positionsBefore_ = 0;  ///< the line that is read
   std::size_t imagesBefore_ = 0;
   std::size_t triangles_ = 0;  ///< those without area, too
+  std::size_t polygons_ = 0;
   std::vector<ModelFace> faces_;
   std::optional<std::uint32_t> material_;  ///< of the faces that follow
   std::size_t withoutArea_ = 0;
@@ -79,7 +80,8 @@ ModelRead ModelReader::read() {
   result.mistakes = report_.mistakes("v, vt, f, usemtl and mtllib");
   std::ranges::move(materials_.mistakes(), std::back_inserter(result.mistakes));
   if (!report_.hasErrors() && !materials_.hasErrors())
-    result.model = Model{std::move(faces_), std::move(materials_.used())};
+    result.model =
+        Model{std::move(faces_), std::move(materials_.used()), positions_.size(), polygons_};
   return result;
 }
 
@@ -133,13 +135,12 @@ bool ModelReader::countTriangles(const ModelLine& line) {
 
 void ModelReader::readFaces(std::string_view text) {
   faces_.reserve(triangles_);
-  bool hasFaces = false;
   ModelLines lines(text);
   while (!report_.isFull()) {
     const auto line = lines.next();
     if (!line) break;
     if (line->keyword == "f")
-      hasFaces = true, readFace(*line);
+      ++polygons_, readFace(*line);
     else if (line->keyword == "v")
       ++positionsBefore_;
     else if (line->keyword == "vt")
@@ -149,7 +150,7 @@ void ModelReader::readFaces(std::string_view text) {
     else if (line->keyword != "mtllib")
       report_.leaveOut(line->keyword, line->number);
   }
-  if (!hasFaces)
+  if (polygons_ == 0)
     report_.error(0, "no faces", "export the model as polygons: lines that begin with \"f\"");
   tellWhatHasNoArea();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -33,6 +34,8 @@ struct ModelFace {
 struct Model {
   std::vector<ModelFace> faces;          ///< at least one; each has an area
   std::vector<ModelMaterial> materials;  ///< that it uses, in the order in which it begins to
+  std::size_t vertices = 0;              ///< of the file: its `v`
+  std::size_t polygons = 0;              ///< of the file: its `f`, which become the faces
 };
 
 /// What is wrong with a model, or what of it is left out.

@@ -7,6 +7,7 @@
 
 #include "image/compare.h"
 #include "image/image_file.h"
+#include "model/open_level.h"
 
 namespace hearth {
 
@@ -25,8 +26,8 @@ std::string figures(const PictureDifference& difference, std::size_t pixels) {
 GoldenFolders goldenFolders(const std::filesystem::path& level,
                             const std::optional<std::string>& root) {
   const std::filesystem::path parent = root ? std::filesystem::path(*root) : level.parent_path();
-  const std::string stem = level.stem().string();
-  return {parent / (stem + ".golden"), parent / (stem + ".failed")};
+  const std::string name = (isModel(level) ? level.filename() : level.stem()).string();
+  return {parent / (name + ".golden"), parent / (name + ".failed")};
 }
 
 bool isFileName(std::string_view name) {

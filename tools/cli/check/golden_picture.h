@@ -14,11 +14,12 @@ namespace hearth {
 
 /// The folders of a level's pictures.
 struct GoldenFolders {
-  std::filesystem::path golden;  ///< `STEM.golden`: `SHOT.png` for every shot
-  std::filesystem::path failed;  ///< `STEM.failed` beside it: what a failed check leaves
+  std::filesystem::path golden;  ///< `NAME.golden`: `SHOT.png` for every shot
+  std::filesystem::path failed;  ///< `NAME.failed` beside it: what a failed check leaves
 };
 
-/// Beside the level file, or in `root`.
+/// Beside the level file, or in `root`. The name is the file's without `.json`. That of a model
+/// keeps its `.obj`: a level of the same stem may stand beside it.
 GoldenFolders goldenFolders(const std::filesystem::path& level,
                             const std::optional<std::string>& root);
 

@@ -15,12 +15,12 @@ namespace {
 ExitStatus runInfo(const OptionValues& values) {
   if (values.has(Option::Surfaces) && !values.has(Option::Json))
     return fail("--surfaces: they are printed as JSON only; give --json, too");
-  const auto [result, source] = loadAndReportWithSource(values);
-  const std::optional<LoadedLevel>& loaded = result.loaded;
+  const OpenedLevel opened = loadAndReportWithSource(values);
+  const std::optional<LoadedLevel>& loaded = opened.result.loaded;
   if (!loaded) return ExitStatus::BadInput;
   const auto bake = bakeFor(loaded->scene(), values);
   if (!bake) return fail(bake.error());
-  const Contents contents = contentsOf(*loaded, source, *bake);
+  const Contents contents = contentsOf(*loaded, opened.source, *bake);
   if (!values.has(Option::Json)) {
     printInfo(*loaded, contents);
     return ExitStatus::Done;

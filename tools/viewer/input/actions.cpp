@@ -83,6 +83,18 @@ constexpr std::array kNoKeys = {
     Listed{"A B Y, triggers", "jump, crouch, fly, run"},
 };
 
+/// Of a model: keys that are the same for all users.
+constexpr std::array kModelKeys = {
+    Listed{"Left Right, A D", "turn the model"},
+    Listed{"Up Down, E Q", "tilt the model"},
+    Listed{"W S, + -", "nearer, farther"},
+    Listed{"Home", "the whole model, from its front"},
+};
+constexpr std::array kModelMouse = {
+    Listed{"Mouse", "a drag turns and tilts the model"},
+    Listed{"Wheel", "nearer, farther"},
+};
+
 /// Two keys that bear one name.
 struct Twins {
   Key first;
@@ -127,6 +139,22 @@ std::string namesOf(const KeyMap& keys, const ListedActions& row) {
 
 std::span<const ActionRow> actionTable() { return kActions; }
 
+bool isOfModels(Action action) {
+  switch (action) {
+    case Action::ShowBoth:
+    case Action::ShowTextures:
+    case Action::ShowLight:
+    case Action::Overlay:
+    case Action::FullScreen:
+    case Action::Screenshot:
+    case Action::Keys:
+    case Action::Leave:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool isAlt(Key key) { return key == Key::LeftAlt || key == Key::RightAlt; }
 
 // --- Which asks for what -------------------------------------------------------------------------
@@ -167,11 +195,24 @@ std::vector<KeyListRow> keyList(const KeyMap& keys) {
   return rows;
 }
 
-std::string keyHelp(const KeyMap& keys) {
+std::vector<KeyListRow> modelKeyList(const KeyMap& keys) {
+  std::vector<KeyListRow> rows;
+  for (const Listed& row : kModelKeys) rows.push_back({std::string(row.names), row.help});
+  for (const ListedActions& row : kListed)
+    if (isOfModels(row.first)) rows.push_back({namesOf(keys, row), row.help});
+  for (const Listed& row : kModelMouse) rows.push_back({std::string(row.names), row.help});
+  return rows;
+}
+
+std::string keyHelp(const std::vector<KeyListRow>& rows) {
   std::string help;
-  for (const KeyListRow& row : keyList(keys))
+  for (const KeyListRow& row : rows)
     fmt::format_to(std::back_inserter(help), "  {:<16}{}\n", row.names, row.help);
   return help;
+}
+
+std::string keyHelp(const KeyMap& keys) {
+  return "Keys:\n" + keyHelp(keyList(keys)) + "Keys with a model:\n" + keyHelp(modelKeyList(keys));
 }
 
 }  // namespace hearth

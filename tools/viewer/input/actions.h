@@ -54,6 +54,9 @@ struct ActionRow {
 /// The table, in the order of Action.
 std::span<const ActionRow> actionTable();
 
+/// Whether a model that is turned has this action, too: those of the picture and the window.
+bool isOfModels(Action action);
+
 /// Whether the key is Alt. While Alt is held, keys are for the desktop.
 bool isAlt(Key key);
 
@@ -88,7 +91,12 @@ struct KeyListRow {
 /// The rows of the list on the screen and in `--help`, mouse and gamepad included.
 std::vector<KeyListRow> keyList(const KeyMap& keys);
 
-/// The list as text, a line for each row.
+/// The same for a model that is turned.
+std::vector<KeyListRow> modelKeyList(const KeyMap& keys);
+
+/// A list as text, a line for each row.
+std::string keyHelp(const std::vector<KeyListRow>& rows);
+/// Both lists as text, each below its title.
 std::string keyHelp(const KeyMap& keys);
 
 }  // namespace hearth

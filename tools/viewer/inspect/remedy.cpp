@@ -12,10 +12,11 @@ constexpr double kLeastFalloff = 0.01;
 /// The unit of a number's second digit.
 double secondDigit(double number) { return std::pow(10, std::floor(std::log10(number)) - 1); }
 
-double roundedUp(double number) {
+/// To two digits.
+double raised(double number) {
   return std::ceil(number / secondDigit(number)) * secondDigit(number);
 }
-double roundedDown(double number) {
+double lowered(double number) {
   return std::floor(number / secondDigit(number)) * secondDigit(number);
 }
 
@@ -26,11 +27,11 @@ std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& fi
   if (fraction == 0) return std::nullopt;
   const double cosine = finding.level > 0 ? finding.unshaded / finding.level : 1;
   const double needed = kClearLevel / (fraction * cosine);
-  if (!light.curve.empty()) return Remedy{.curveLevel = roundedUp(needed)};
+  if (!light.curve.empty()) return Remedy{.curveLevel = raised(needed)};
   // What makes `brightnessAt` the level that is needed.
   const double falloff = (light.intensity / needed - 1) / finding.distance;
-  if (falloff >= kLeastFalloff) return Remedy{.falloff = roundedDown(falloff)};
-  return Remedy{.intensity = roundedUp(needed * (finding.distance * light.falloff + 1))};
+  if (falloff >= kLeastFalloff) return Remedy{.falloff = lowered(falloff)};
+  return Remedy{.intensity = raised(needed * (finding.distance * light.falloff + 1))};
 }
 
 }  // namespace hearth

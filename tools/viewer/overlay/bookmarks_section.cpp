@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongestBookmarkName = 64;
 
-bool showButton(const char* label, bool canBePressed) {
+bool showMarkButton(const char* label, bool canBePressed) {
   ImGui::BeginDisabled(!canBePressed);
   const bool isPressed = ImGui::SmallButton(label);
   ImGui::EndDisabled();
@@ -38,10 +38,10 @@ std::optional<BookmarkRequest> BookmarksSection::show(const Bookmarks& bookmarks
   }
   for (const Bookmark& bookmark : bookmarks.all()) {
     ImGui::PushID(bookmark.name.data());
-    if (showButton("go", permissions.canJump)) request = {What::GoTo, bookmark.name};
-    if (showButton("write as a shot", permissions.canWriteShots))
+    if (showMarkButton("go", permissions.canJump)) request = {What::GoTo, bookmark.name};
+    if (showMarkButton("write as a shot", permissions.canWriteShots))
       request = {What::WriteShot, bookmark.name};
-    if (showButton("forget", true)) request = {What::Remove, bookmark.name};
+    if (showMarkButton("forget", true)) request = {What::Remove, bookmark.name};
     ImGui::TextUnformatted(bookmark.name.data());
     ImGui::PopID();
   }

@@ -202,7 +202,7 @@ std::int64_t doubleArea(const Corner& a, const Corner& b, std::int64_t x, std::i
 }
 
 /// From one corner to the next, clockwise.
-struct Edge {
+struct TriangleEdge {
   const Corner& from;
   const Corner& to;
 
@@ -236,7 +236,8 @@ class Triangle {
     for (int y = top; y < bottom; ++y) {
       int begin = clip.left;
       int end = clip.right;
-      for (const Edge& edge : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) edge.cut(y, begin, end);
+      for (const TriangleEdge& edge : {TriangleEdge{a, b}, TriangleEdge{b, c}, TriangleEdge{c, a}})
+        edge.cut(y, begin, end);
       for (int x = begin; x < end; ++x) paintPixel(x, y, atlas, picture);
     }
   }

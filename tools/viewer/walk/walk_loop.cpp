@@ -44,6 +44,8 @@ WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& se
       panel_(bakeSettingsFrom(scene, settings.options)) {
   frame_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);
+  if (const auto& model = settings.model)
+    model_.emplace(ModelTurn{model->figures, Orbit(model->figures.box, model->view)});
   controls_.setPreferences(settings.preferences);
 }
 
@@ -53,6 +55,11 @@ void WalkLoop::continueIn(const Scene& scene, const Renderer& renderer,
   source_ = std::move(source);
   screen_.continueIn(scene, renderer);
   panel_.forget();
+}
+
+void WalkLoop::continueWith(const ModelFigures& model) {
+  model_->figures = model;
+  if (!model_->orbit.continueIn(model.box)) goHome();
 }
 
 void WalkLoop::replay(std::span<const WalkInput> inputs) {
@@ -98,7 +105,9 @@ bool WalkLoop::round() {
 void WalkLoop::handle(const Event& event) {
   if (const auto* window = std::get_if<WindowEvent>(&event)) handle(*window);
   if (panel_.handle(event, panelSubject(), settings_.preferences)) return;
-  if (const auto* button = std::get_if<MouseButtonEvent>(&event); button && button->isDown)
+  if (model_)
+    model_->controls.handle(event, settings_.preferences.keys);
+  else if (const auto* button = std::get_if<MouseButtonEvent>(&event); button && button->isDown)
     captureMouse(true);
   if (const std::optional<Action> action = controls_.handle(event)) act(*action);
 }
@@ -108,12 +117,14 @@ void WalkLoop::handle(WindowEvent event) {
   screen_.redraw();
   if (event != WindowEvent::FocusLost) return;
   controls_.release();
+  if (model_) model_->controls.release();
   panel_.releasePointer();
   captureMouse(false);
   capturesMouseAgain_ = false;
 }
 
 void WalkLoop::act(Action action) {
+  if (model_ && !isOfModels(action)) return;
   WalkView& view = frame_.view;
   switch (action) {
     case Action::ShowBoth:
@@ -183,6 +194,7 @@ void WalkLoop::togglePanel() {
   if (!panel_.isOpen() && panel_.hasUnsavedLights())
     say("lights are not saved: F1 and Ctrl+S save them");
   hasAskedToSave_ = false;
+  if (model_) model_->controls.release();
   screen_.redraw();
   if (panel_.isOpen()) capturesMouseAgain_ = controls_.isMouseCaptured();
   captureMouse(!panel_.isOpen() && capturesMouseAgain_);
@@ -193,12 +205,26 @@ void WalkLoop::togglePanel() {
 void WalkLoop::passTime(double now) {
   const auto [ticks, fraction] = clock_.advance(now);
   for (int ticksDue = ticks; ticksDue > 0 && !hasLeft_; --ticksDue) {
-    if (isReplayOver() || session_.isFull())
+    if (model_)
+      tickModel(ticksDue);
+    else if (isReplayOver() || session_.isFull())
       hasLeft_ = true;
     else
       session_.tick(nextInput(ticksDue));
   }
   fractionOfTick_ = fraction;
+}
+
+void WalkLoop::tickModel(int ticksDue) {
+  model_->orbit.tick(model_->controls.nextTick(ticksDue));
+  if (model_->controls.takeHome()) goHome();
+}
+
+/// To the view from which the whole model shows.
+void WalkLoop::goHome() {
+  const std::optional<ImageSize> window = window_.windowSize();
+  const ImageSize size = settings_.size.value_or(window.value_or(ImageSize{1, 1}));
+  model_->orbit.show(frontView(scene_.level().meshFaces, settings_.fov, size));
 }
 
 WalkInput WalkLoop::nextInput(int ticksDue) {
@@ -229,8 +255,8 @@ void WalkLoop::aimCamera() {
   const std::optional<ImageSize> window = window_.windowSize();
   if (!window) return;
   frame_.size = settings_.size.value_or(*window);
-  frame_.eye = session_.eye(fractionOfTick_);
-  const Eye eye = session_.eye(fractionOfTick_, settings_.preferences.viewBob);
+  frame_.eye = eyeOfFrame(0);
+  const Eye eye = eyeOfFrame(settings_.preferences.viewBob);
   const int beside = isGeometry(frame_.view.channel) ? panel_.widthBeside(frame_.size.width) : 0;
   frame_.camera = {eye.sector,         eye.point,
                    eye.angle,          eye.pitch,
@@ -239,6 +265,13 @@ void WalkLoop::aimCamera() {
   // A level in which nothing moves is not drawn again and again.
   if (std::ranges::any_of(scene_.level().sprites, isAnimated))
     frame_.camera.seconds = session_.seconds(fractionOfTick_);
+}
+
+Eye WalkLoop::eyeOfFrame(double bob) const {
+  if (!model_) return session_.eye(fractionOfTick_, bob);
+  const OrbitView view = model_->orbit.at(fractionOfTick_);
+  return {scene_.level().meshes.front().sector, model_->orbit.eyeAt(fractionOfTick_), view.angle,
+          view.pitch};
 }
 
 // --- The panel -----------------------------------------------------------------------------------
@@ -251,7 +284,8 @@ PanelSubject WalkLoop::panelSubject() const {
           frame_.size,
           markerSpaceOf(frame_),
           !frame_.view.isMapShown && isOfCamera(frame_.view.channel),
-          {bookmarks_.canJump(), settings_.writeShot != nullptr}};
+          {bookmarks_.canJump(), settings_.writeShot != nullptr},
+          model_ ? &model_->figures : nullptr};
 }
 
 void WalkLoop::grant(const PanelRequests& requests) {

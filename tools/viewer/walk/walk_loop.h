@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "load/source.h"
+#include "model/model_figures.h"
 #include "render/renderer.h"
 #include "settings/options.h"
 #include "viewer/host/walk_host.h"
+#include "viewer/orbit/orbit.h"
+#include "viewer/orbit/orbit_controls.h"
 #include "viewer/overlay/marker_space.h"
 #include "viewer/preferences/config.h"
 #include "viewer/walk/controls.h"
@@ -27,7 +30,8 @@
 namespace hearth {
 
 /// A walk, round by round: events, the ticks that are due, and a picture if it differs from the
-/// last. It waits only for the window to take the picture, and rests while nothing changes.
+/// last. It waits only for the window to take the picture, and rests while nothing changes. With a
+/// model in its settings it turns that model, and does not walk.
 class WalkLoop {
  public:
   /// All arguments except the settings must outlive the loop, the scene's level and geometry too.
@@ -45,6 +49,9 @@ class WalkLoop {
   /// Goes on in another version of the level, where the session already is.
   void continueIn(const Scene& scene, const Renderer& renderer,
                   std::shared_ptr<const LevelSource> source);
+
+  /// Goes on with another version of the model, after `continueIn` with its level.
+  void continueWith(const ModelFigures& model);
 
   /// The options that were chosen since the last call, if any. The caller applies them.
   std::optional<OptionValues> takeChoice();
@@ -73,6 +80,9 @@ class WalkLoop {
   void captureMouse(bool isCaptured);
   void togglePanel();
   void passTime(double now);
+  void tickModel(int ticksDue);
+  void goHome();
+  Eye eyeOfFrame(double bob) const;
   WalkInput nextInput(int ticksDue);
   void say(std::string message) { notices_.say(std::move(message), window_.seconds()); }
   void updateNotices(double now);
@@ -89,6 +99,14 @@ class WalkLoop {
   WalkSettings settings_;
   ConfigFile config_;
   std::optional<std::span<const WalkInput>> replay_;  ///< what is left of it
+
+  /// A model that is turned: its camera moves in place of the session's walker.
+  struct ModelTurn {
+    ModelFigures figures;
+    Orbit orbit;
+    OrbitControls controls = {};
+  };
+  std::optional<ModelTurn> model_;
 
   Controls controls_;
   WalkBookmarks bookmarks_;

@@ -1,10 +1,11 @@
 #include "viewer/walk/walk_panel.h"
 
-#include <array>
+#include <vector>
 
 #include "settings/settings.h"
 #include "viewer/overlay/drag_axes.h"
 #include "viewer/overlay/lights_section.h"
+#include "viewer/overlay/model_section.h"
 #include "viewer/overlay/quality_section.h"
 #include "viewer/overlay/view_section.h"
 
@@ -72,16 +73,21 @@ PanelRequests WalkPanel::draw(double now, const PanelSubject& subject, const Fig
   PanelRequests requests;
   if (!isOpen()) return requests;
   if (settings.canBake) bake_ = bakeSettingsFrom(subject.scene, settings.options);
-  const std::array<Tab, 6> tabs = {{
+  std::vector<Tab> tabs = {
       {kLightTab, [&] { requests.copied = showLightTab(subject); }},
       {"View", [&] { showView(view.mode, view.channel); }},
       {"Quality", [&] { requests.optionsChanged = showQualityTab(subject, settings); }},
       {"Figures", [&] { showFigures(figures); }},
       {"Preferences",
        [&] { requests.preferencesChanged = preferencesSection_.show(settings.preferences); }},
-      {"Bookmarks",
-       [&] { requests.bookmark = bookmarksSection_.show(settings.bookmarks, subject.bookmarks); }},
-  }};
+  };
+  if (subject.model)
+    tabs.insert(tabs.begin(), {"Model", [&] { showModel(*subject.model); }});
+  else
+    tabs.push_back({"Bookmarks", [&] {
+                      requests.bookmark =
+                          bookmarksSection_.show(settings.bookmarks, subject.bookmarks);
+                    }});
   overlay_.draw(
       now, [&] { tabs_.show(tabs); }, picture);
   return requests;
@@ -93,7 +99,7 @@ std::optional<std::string> WalkPanel::showLightTab(const PanelSubject& subject) 
   auto copied = inspector_.show(
       {subject.scene, subject.renderer, bake_, subject.source, lights, subject.isLevelShown},
       subject.camera);
-  showLights(lights, subject.scene, subject.camera);
+  if (!subject.model) showLights(lights, subject.scene, subject.camera);
   if (lights && subject.space) drawDragAxes(*lights, *subject.space, subject.size.height);
   return copied;
 }

@@ -7,6 +7,7 @@
 #include "image/pixel_rows.h"
 #include "load/limits.h"
 #include "load/source.h"
+#include "model/model_figures.h"
 #include "render/renderer.h"
 #include "viewer/edit/lights_editor.h"
 #include "viewer/input/event.h"
@@ -33,6 +34,7 @@ struct PanelSubject {
   std::optional<MarkerSpace> space;  ///< where lights can be marked, if anywhere
   bool isLevelShown;                 ///< as the camera sees it, rather than a map or a drawing
   BookmarkPermissions bookmarks;
+  const ModelFigures* model;  ///< if it is a model that is turned
 };
 
 /// Requests from the panel that only the walk can grant.

@@ -120,7 +120,8 @@ void WalkScreen::drawCaptions(const WalkFrame& frame, const PanelSubject& subjec
                               const PixelRows& picture) const {
   if (frame.view.isMapShown) painter_.drawMap(frame, picture);
   panel.drawMarks(subject, picture);
-  if (frame.view.areKeysShown && !panel.isOpen()) drawKeys(picture, keyList(preferences.keys));
+  if (frame.view.areKeysShown && !panel.isOpen())
+    drawKeys(picture, subject.model ? modelKeyList(preferences.keys) : keyList(preferences.keys));
   const int width = panel.widthBeside(picture.width);
   if (!frame.notes.empty() && width > 0) drawNotes(picture, frame.notes, width);
   if (!frame.message.empty()) drawMessage(picture, frame.message);

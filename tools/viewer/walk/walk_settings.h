@@ -8,6 +8,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "model/model_figures.h"
+#include "model/orbit_view.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
 #include "viewer/overlay/automap.h"
@@ -33,6 +35,12 @@ struct WalkView {
   friend bool operator==(const WalkView&, const WalkView&) = default;
 };
 
+/// A model that is turned in place of a walk.
+struct TurnedModel {
+  ModelFigures figures;
+  OrbitView view;  ///< at the start
+};
+
 struct WalkSettings {
   std::optional<ImageSize> size = {};  ///< of the picture; without it that of the window
   double fov = 90;                     ///< degrees, horizontal
@@ -46,7 +54,8 @@ struct WalkSettings {
   Bookmarks bookmarks = {};
   /// Writes a bookmark into the level's file; empty if that is not possible.
   std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
-  std::vector<std::string> notes = {};  ///< that stand over the picture at first
+  std::vector<std::string> notes = {};    ///< that stand over the picture at first
+  std::optional<TurnedModel> model = {};  ///< if the level is one that was made for a model
 };
 
 }  // namespace hearth
