@@ -139,6 +139,24 @@ TEST(MeshShadow, fallsThroughOpeningsIntoOtherSectorsAndNotIntoThoseThatOverlap)
   EXPECT_EQ(onFloor(apart, 6.5, 4, "east"), 255);
 }
 
+/// Light comes into "east" through a wall that leads nowhere from there, in whose plane a panel
+/// stands. Rounding puts where a ray meets the panel now before, now behind where it passes.
+TEST(MeshShadow, isThatOfAFaceInThePlaneOfAnOpening) {
+  const BakedRoom room(levelFrom(
+      "{'things':[{'mesh':'panel.obj','x':6.007,'y':4,'z':1.2,'scale':2,'sector':'east'}],"
+      "'sectors':{" +
+          sectorText("west", "0,0, 6.007,0, 6.007,8, 0,8", 0, 6,
+                     "[{'texture':'#808080'},{'next':'east'},"
+                     "{'texture':'#808080'},{'texture':'#808080'}]") +
+          "," + sectorText("east", "6.007,0, 12,0, 12,8, 6.007,8", 0, 6) + "}}",
+      "{'lights':[{'x':2,'y':3.9,'z':3,'sector':'west'}],'bake':{'texel':0.1}}",
+      {{"panel.obj", kPanelModel}}));
+  EXPECT_EQ(onFloor(room, 7, 4, "east"), 255);
+  for (double x = 9; x < 12; x += 0.1)
+    for (double y = 2.5; y < 5.5; y += 0.1)
+      EXPECT_EQ(onFloor(room, x, y, "east"), 0) << x << ' ' << y;
+}
+
 /// What is dark below a box does not bleed out along its sides.
 TEST(MeshShadow, leavesOutWhatLiesInsideAMesh) {
   // The lamp's light reaches the floor all round the box, up to its sides.

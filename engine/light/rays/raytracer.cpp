@@ -210,21 +210,24 @@ class Walk {
   }
 
   /// Whether a mesh stops the ray in its sector, which it leaves, or in which it meets a flat, at
-  /// `tLeave`.
+  /// `tLeave`. A face in the very plane of an opening or a flat portal stops it on either side.
   bool meetsMesh(double tLeave, double slack) {
     if (scene_.level().meshes.empty() || slack == kThroughMeshes) return false;
     const std::span<const MeshInSector> meshes = walls_.meshesIn(sector_);
     if (meshes.empty()) return false;
     if (!faceRay_) faceRay_.emplace(origin_, delta_);
-    const double tEnd = std::min(tLeave, 1 - slack / std::sqrt(length2_));
+    const double metres = std::sqrt(length2_);
+    const double hair = kPositionSlack / metres;
+    const double tBegin = std::max(0.0, t_ - hair);
+    const double tEnd = std::min(tLeave + hair, 1 - slack / metres);
     return std::ranges::any_of(meshes, [&](const MeshInSector& at) {
-      return scene_.level().meshes[at.mesh].castsShadow && meetsFace(at.mesh, tEnd);
+      return scene_.level().meshes[at.mesh].castsShadow && meetsFace(at.mesh, tBegin, tEnd);
     });
   }
 
-  bool meetsFace(std::uint32_t mesh, double tEnd) const {
+  bool meetsFace(std::uint32_t mesh, double tBegin, double tEnd) const {
     const Level& level = scene_.level();
-    return level.faceTrees[mesh].stops(level.facesOf(level.meshes[mesh]), *faceRay_, t_, tEnd);
+    return level.faceTrees[mesh].stops(level.facesOf(level.meshes[mesh]), *faceRay_, tBegin, tEnd);
   }
 
   bool isHere(std::uint32_t mesh) const {
