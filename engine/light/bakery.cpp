@@ -74,7 +74,10 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });
   lightSprites(scene, visibilities, threads, baked);
-  lightMeshes(scene, visibilities, settings, threads, meshes, baked);
+  const MeshLighter lighter(scene, visibilities, settings, threads, meshes, baked.meshes);
+  std::vector<MeshLight> lightOfMeshes = lighter.find(meshes);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    lighter.add(meshes[i], std::move(lightOfMeshes[i]), baked);
   done.add(texelsOf(baked.meshes));
   baked.stats = statsOf(baked);
   return baked;

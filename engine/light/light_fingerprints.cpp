@@ -28,6 +28,7 @@ class Printer {
       prints.sectors.push_back(printOf(SectorId(i)));
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       prints.surfaces.push_back(printOf(SurfaceId(i)));
+    prints.meshes = printsOfMeshes();
     for (const LightSource& light : scene_.level().lights) prints.lights.push_back(printOf(light));
     return prints;
   }
@@ -144,6 +145,17 @@ class Printer {
       hash.addPoint(next.edge1);
     }
     return hash.value();
+  }
+
+  /// With the sectors that they are in: where sectors overlap, meshes at one place differ in these.
+  std::vector<std::uint64_t> printsOfMeshes() const {
+    std::vector<Hash> hashes(meshes_.size());
+    for (std::size_t i = 0; i < meshes_.size(); ++i) hashes[i].addWhole(meshes_[i]);
+    for (const MeshInSector& at : scene_.level().meshesBySector)
+      hashes[at.mesh].addWhole(names_[at.sector.index()]);
+    std::vector<std::uint64_t> prints;
+    for (const Hash& hash : hashes) prints.push_back(hash.value());
+    return prints;
   }
 
   std::uint64_t printOf(const LightSource& light) const {

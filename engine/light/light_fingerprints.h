@@ -14,6 +14,7 @@ namespace hearth {
 struct LightFingerprints {
   std::vector<std::uint64_t> sectors;   ///< by SectorId: all that a ray inside it can meet
   std::vector<std::uint64_t> surfaces;  ///< by SurfaceId: where it is lit; 0 for none
+  std::vector<std::uint64_t> meshes;    ///< in the level's order: faces and names of sectors
   std::vector<std::uint64_t> lights;    ///< in the level's order
 };
 

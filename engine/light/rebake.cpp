@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,91 +16,11 @@
 #include "light/baking/sprite_light.h"
 #include "light/baking/surface_light.h"
 #include "light/baking/texel_sums.h"
-#include "light/geometry_hash.h"
+#include "light/kept_light.h"
 #include "light/light_fingerprints.h"
-#include "math/hash.h"
 #include "math/parallel.h"
 
 namespace hearth {
-
-struct LightMemory::Kept {
-  /// Stands for the print of a sector or surface.
-  using Number = std::uint32_t;
-
-  /// What one light brings to one surface.
-  struct Contribution {
-    TexelSums sums;
-    LightCost cost;
-    std::vector<Number> sectors;  ///< from which it was found
-
-    std::size_t bytes() const { return sums.bytes() + sectors.size() * sizeof(Number); }
-  };
-  /// A surface that was lit.
-  struct Surface {
-    std::vector<std::uint64_t> lights;  ///< prints of those that face it
-    std::vector<std::shared_ptr<const Contribution>> contributions;  ///< of these
-    std::vector<Number> samplesOn;                                   ///< surfaces
-    std::optional<Lightmap> lightmap;
-
-    std::shared_ptr<const Contribution> contributionOf(std::uint64_t light) const {
-      const auto found = std::ranges::find(lights, light);
-      return found == lights.end()
-                 ? nullptr
-                 : contributions[static_cast<std::size_t>(found - lights.begin())];
-    }
-    std::size_t bytes() const {
-      std::size_t sum = lightmap ? lightmap->bytes() : 0;
-      for (const auto& contribution : contributions) sum += contribution->bytes();
-      return sum;
-    }
-  };
-
-  std::size_t maxBytes;
-  std::size_t bytes = 0;
-  std::optional<BakeSettings> settings;
-  std::uint64_t geometry = 0;                         ///< hashOf() the last scene, ...
-  std::shared_ptr<const LitSurfaces> made;            ///< ... whose surfaces these are
-  std::unordered_map<std::uint64_t, Number> numbers;  ///< of prints
-  std::unordered_map<std::uint64_t, std::shared_ptr<const Surface>> surfaces;  ///< by their prints
-
-  void clear() {
-    surfaces.clear();
-    bytes = 0;
-  }
-
-  /// If there is room.
-  void keep(std::uint64_t print, std::shared_ptr<const Surface> surface) {
-    auto& kept = surfaces[print];
-    if (kept) bytes -= kept->bytes();
-    kept = std::move(surface);
-    bytes += kept->bytes();
-    if (bytes <= maxBytes) return;
-    bytes -= kept->bytes();
-    surfaces.erase(print);
-  }
-
-  /// Of the geometry, and of which ids show: a texture that shows nowhere changes ids alone.
-  static std::uint64_t hashOf(const Scene& scene, double texel) {
-    Hash hash;
-    hash.addWhole(geometryHash(scene, texel));
-    for (const SurfaceGeometry& surface : scene.geometry().surfaces)
-      hash.addWhole(surface.shows ? 1 : 0);
-    return hash.value();
-  }
-
-  /// Those of the last scene where that is the same.
-  std::shared_ptr<const LitSurfaces> surfacesOf(const Scene& scene, double texel) {
-    const std::uint64_t hash = hashOf(scene, texel);
-    if (!made || geometry != hash)
-      made = std::make_shared<const LitSurfaces>(makeLitSurfaces(scene, texel));
-    geometry = hash;
-    return made;
-  }
-
-  Number numberOf(std::uint64_t print) {
-    return numbers.try_emplace(print, static_cast<Number>(numbers.size())).first->second;
-  }
-};
 
 LightMemory::LightMemory(std::size_t maxBytes) : kept_(std::make_unique<Kept>()) {
   kept_->maxBytes = maxBytes;
@@ -123,6 +42,7 @@ class Rebake::Baker {
   using Number = LightMemory::Kept::Number;
   using Contribution = LightMemory::Kept::Contribution;
   using Surface = LightMemory::Kept::Surface;
+  using Mesh = LightMemory::Kept::Mesh;
 
   /// What is known of a surface, and what is not.
   struct Plan {
@@ -135,8 +55,10 @@ class Rebake::Baker {
     bool isUnchanged() const { return old && known == old->contributions; }
   };
 
-  std::vector<bool> presentNumbers() const;
-  Plan planFor(SurfaceId id, const std::vector<bool>& isPresent) const;
+  void findNumbers();
+  bool areThere(const std::vector<Number>& numbers) const;
+  Plan planFor(SurfaceId id) const;
+  std::shared_ptr<const Mesh> knownMesh(std::uint32_t mesh) const;
   std::vector<std::size_t> byFallingWork() const;
   std::size_t lightsAtOnce(SurfaceId id) const;
   std::int64_t texelsOfRounds() const;
@@ -147,11 +69,16 @@ class Rebake::Baker {
   Contribution contributionOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
                               LightDependencies& dependencies) const;
   TexelSums sumsFor(SurfaceId id) const;
-  void lightThings(const LightVisibilities& visibilities, const BakeSettings& settings,
-                   BakedLight& baked) const;
-  BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit) const;
+  void addSectorsOf(std::size_t light, SectorSet& sectors) const;
+  std::vector<Number> numbersOf(const SectorSet& sectors) const;
+  std::vector<std::uint64_t> lightsOn(std::uint32_t mesh) const;
+  std::vector<std::shared_ptr<const Mesh>> litMeshes() const;
+  BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit,
+                     std::span<const std::shared_ptr<const Mesh>> meshes) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
   std::optional<Lightmap> draftOf(SurfaceId id, const LightVisibilities& visibilities) const;
+  void draftMeshes(const LightVisibilities& visibilities, const BakeSettings& settings,
+                   BakedLight& baked) const;
 
   LightMemory::Kept& memory_;
   Scene scene_;
@@ -163,9 +90,24 @@ class Rebake::Baker {
   LightVisibilities visibilities_;
   std::vector<Number> sectorNumbers_;   ///< by SectorId
   std::vector<Number> surfaceNumbers_;  ///< by SurfaceId
+  std::vector<bool> isPresent_;         ///< by number
   std::vector<Plan> plans_;             ///< by SurfaceId
   std::int64_t texelLightsLeft_ = 0;
+  std::vector<LitMesh> meshes_;  ///< in the level's order
+  MeshLighter lighter_;
+  std::vector<std::shared_ptr<const Mesh>> knownMeshes_;  ///< null where one is left to light
+  std::vector<std::uint32_t> meshesLeft_;
 };
+
+namespace {
+
+std::vector<std::uint32_t> allOf(const std::vector<LitMesh>& meshes) {
+  std::vector<std::uint32_t> all(meshes.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+}  // namespace
 
 Rebake::Rebake(LightMemory& memory, const Scene& scene, const BakeSettings& settings, int threads)
     : baker_(std::make_unique<Baker>(*memory.kept_, scene, settings, threads)) {}
@@ -193,32 +135,41 @@ Rebake::Baker::Baker(LightMemory::Kept& memory, const Scene& scene, const BakeSe
       surfaces_(*made_),
       prints_(lightFingerprints(scene, surfaces_)),
       visibilities_(scene, settings),
-      plans_(surfaces_.size()) {
+      plans_(surfaces_.size()),
+      meshes_(makeLitMeshes(scene.level(), settings.texel, threads)),
+      lighter_(scene, visibilities_, settings_, threads, allOf(meshes_), meshes_) {
   if (memory.settings != settings) memory.clear();
   memory.settings = settings;
-  for (const std::uint64_t print : prints_.sectors)
-    sectorNumbers_.push_back(memory.numberOf(print));
-  for (const std::uint64_t print : prints_.surfaces)
-    surfaceNumbers_.push_back(memory.numberOf(print));
-  const std::vector<bool> isPresent = presentNumbers();
+  findNumbers();
   parallelFor(surfaces_.size(), threads, [&](std::size_t i) {
-    if (surfaces_[i]) plans_[i] = planFor(SurfaceId(i), isPresent);
+    if (surfaces_[i]) plans_[i] = planFor(SurfaceId(i));
   });
+  for (const std::uint32_t mesh : allOf(meshes_)) {
+    knownMeshes_.push_back(knownMesh(mesh));
+    if (knownMeshes_.back()) continue;
+    meshesLeft_.push_back(mesh);
+    texelLightsLeft_ += meshes_[mesh].texels.count() * std::ssize(lighter_.lightsOf(mesh).lights());
+  }
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
     if (surfaces_[i]) texelLightsLeft_ += surfaces_[i]->texels.count() * std::ssize(plans_[i].left);
 }
 
-std::vector<bool> Rebake::Baker::presentNumbers() const {
-  std::vector<bool> isPresent(memory_.numbers.size());
+void Rebake::Baker::findNumbers() {
+  for (const std::uint64_t print : prints_.sectors)
+    sectorNumbers_.push_back(memory_.numberOf(print));
+  for (const std::uint64_t print : prints_.surfaces)
+    surfaceNumbers_.push_back(memory_.numberOf(print));
+  isPresent_.resize(memory_.numbers.size());
   for (const auto* numbers : {&sectorNumbers_, &surfaceNumbers_})
-    for (const Number number : *numbers) isPresent[number] = true;
-  return isPresent;
+    for (const Number number : *numbers) isPresent_[number] = true;
 }
 
-Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>& isPresent) const {
-  const auto areThere = [&](const std::vector<Number>& numbers) {
-    return std::ranges::all_of(numbers, [&](Number number) { return isPresent[number]; });
-  };
+/// Whether the level still has what these stand for.
+bool Rebake::Baker::areThere(const std::vector<Number>& numbers) const {
+  return std::ranges::all_of(numbers, [this](Number number) { return isPresent_[number]; });
+}
+
+Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id) const {
   Plan plan;
   plan.facing = SurfaceLight(scene_, surfaces_, visibilities_, settings_.lambert, id).facing();
   const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
@@ -231,6 +182,22 @@ Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id, const std::vector<bool>
     plan.known.push_back(std::move(contribution));
   }
   return plan;
+}
+
+/// Null if it was not lit before, or by other lights or through other sectors.
+std::shared_ptr<const LightMemory::Kept::Mesh> Rebake::Baker::knownMesh(std::uint32_t mesh) const {
+  const auto old = memory_.meshes.find(prints_.meshes[mesh]);
+  const bool isKnown = old != memory_.meshes.end() && old->second->lights == lightsOn(mesh) &&
+                       areThere(old->second->sectors);
+  return isKnown ? old->second : nullptr;
+}
+
+/// Prints of those that may shine on a mesh.
+std::vector<std::uint64_t> Rebake::Baker::lightsOn(std::uint32_t mesh) const {
+  std::vector<std::uint64_t> lights;
+  for (const std::size_t light : lighter_.lightsOf(mesh).lights())
+    lights.push_back(prints_.lights[light]);
+  return lights;
 }
 
 /// Largest first, so that no thread starts the longest job last.
@@ -262,7 +229,10 @@ std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
   if (isWhole) memory_.clear();
   remember(surfaces);
   if (!isWhole) return std::nullopt;
-  return collect(surfaces);
+  const auto meshes = litMeshes();
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    memory_.keep(memory_.meshes, prints_.meshes[i], meshes[i]);
+  return collect(surfaces, meshes);
 }
 
 /// So that the sums of the lights take no more than 32 MB.
@@ -345,16 +315,41 @@ Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
                                                           const TexelSums& sums,
                                                           LightDependencies& dependencies) const {
   SectorSet& met = dependencies.sectorsOf(light);
-  for (const std::vector<LightVisibility>* visibilities :
-       {&visibilities_.fine, &visibilities_.rough})
-    for (const SectorId sector : (*visibilities)[light].sectors()) met.add(sector);
-  Contribution contribution{sums.cropped(), surface.costs()[light], {}};
-  for (const SectorId sector : met.sorted())
-    contribution.sectors.push_back(sectorNumbers_[sector.index()]);
-  return contribution;
+  addSectorsOf(light, met);
+  return {sums.cropped(), surface.costs()[light], numbersOf(met)};
 }
 
-BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>> lit) const {
+/// Those that decide which part of a light shines.
+void Rebake::Baker::addSectorsOf(std::size_t light, SectorSet& sectors) const {
+  for (const auto* visibilities : {&visibilities_.fine, &visibilities_.rough})
+    for (const SectorId sector : (*visibilities)[light].sectors()) sectors.add(sector);
+}
+
+std::vector<LightMemory::Kept::Number> Rebake::Baker::numbersOf(const SectorSet& sectors) const {
+  std::vector<Number> numbers;
+  for (const SectorId sector : sectors.sorted()) numbers.push_back(sectorNumbers_[sector.index()]);
+  return numbers;
+}
+
+/// Lights those that are left.
+std::vector<std::shared_ptr<const LightMemory::Kept::Mesh>> Rebake::Baker::litMeshes() const {
+  std::vector<std::shared_ptr<const Mesh>> meshes = knownMeshes_;
+  std::vector<MeshLight> found = lighter_.find(meshesLeft_);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::uint32_t mesh = meshesLeft_[i];
+    SectorSet met;
+    for (const SectorId sector : lighter_.sectorsOf(mesh)) met.add(sector);
+    const MeshLights& lights = lighter_.lightsOf(mesh);
+    lights.addSectorsTo(met);
+    for (const std::size_t light : lights.lights()) addSectorsOf(light, met);
+    meshes[mesh] =
+        std::make_shared<const Mesh>(Mesh{lightsOn(mesh), numbersOf(met), std::move(found[i])});
+  }
+  return meshes;
+}
+
+BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>> lit,
+                                  std::span<const std::shared_ptr<const Mesh>> meshes) const {
   BakedLight baked;
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(lit.size());
@@ -371,25 +366,17 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
       baked.surfaceCosts[i].rays += cost.rays;
     }
   }
-  lightThings(visibilities_, settings_, baked);
+  baked.meshes = meshes_;
+  lightSprites(scene_, visibilities_, threads_, baked);
+  for (std::uint32_t i = 0; i < meshes.size(); ++i) lighter_.add(i, meshes[i]->light, baked);
   baked.stats = statsOf(baked);
   return baked;
-}
-
-/// Things are lit anew each time.
-void Rebake::Baker::lightThings(const LightVisibilities& visibilities, const BakeSettings& settings,
-                                BakedLight& baked) const {
-  baked.meshes = makeLitMeshes(scene_.level(), settings.texel, threads_);
-  std::vector<std::uint32_t> meshes(baked.meshes.size());
-  std::iota(meshes.begin(), meshes.end(), 0U);
-  lightSprites(scene_, visibilities, threads_, baked);
-  lightMeshes(scene_, visibilities, settings, threads_, meshes, baked);
 }
 
 /// As many as there is room for.
 void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> lit) {
   for (std::size_t i = 0; i < lit.size(); ++i)
-    if (lit[i]) memory_.keep(prints_.surfaces[i], lit[i]);
+    if (lit[i]) memory_.keep(memory_.surfaces, prints_.surfaces[i], lit[i]);
 }
 
 // --- A draft -------------------------------------------------------------------------------------
@@ -405,9 +392,21 @@ BakedLight Rebake::Baker::draft() const {
   parallelFor(order.size(), threads_, [&](std::size_t job) {
     baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), visibilities);
   });
-  lightThings(visibilities, points, baked);
+  lightSprites(scene_, visibilities, threads_, baked);
+  draftMeshes(visibilities, points, baked);
   baked.stats = statsOf(baked);
   return baked;
+}
+
+void Rebake::Baker::draftMeshes(const LightVisibilities& visibilities, const BakeSettings& settings,
+                                BakedLight& baked) const {
+  baked.meshes = meshes_;
+  for (std::uint32_t i = 0; i < meshes_.size(); ++i)
+    if (knownMeshes_[i]) lighter_.add(i, knownMeshes_[i]->light, baked);
+  const MeshLighter lighter(scene_, visibilities, settings, threads_, meshesLeft_, meshes_);
+  std::vector<MeshLight> found = lighter.find(meshesLeft_);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    lighter.add(meshesLeft_[i], std::move(found[i]), baked);
 }
 
 std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id,

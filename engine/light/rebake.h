@@ -35,7 +35,7 @@ class LightMemory {
 /// Bakes a level of which an earlier version may have been baked. The result equals that of `bake`
 /// to the byte, counters included, but only light that a change can affect is computed anew. The
 /// light of a source on a surface is kept while neither of them changes, nor any sector that rays
-/// between them enter.
+/// between them enter. That of all sources on a mesh is kept likewise.
 class Rebake {
  public:
   /// Finds what must be baked. The settings have no mistake. Memory, level and geometry must
@@ -46,7 +46,7 @@ class Rebake {
   Rebake(const Rebake&) = delete;
   Rebake& operator=(const Rebake&) = delete;
 
-  /// Texels of surfaces, counted once for each light, that `finish` will bake.
+  /// Texels of surfaces and meshes, counted once for each light, that `finish` will bake.
   std::int64_t texelLightsLeft() const;
 
   /// A quick preview: what is left gets one sample for 4 x 4 texels, and balls are points.

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "light/rebake.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
 #include "support/models.h"
@@ -169,24 +168,6 @@ TEST(MeshShadow, leavesOutWhatLiesInsideAMesh) {
       for (const Vec2 p :
            {Vec2{3.49, along}, Vec2{4.51, along}, Vec2{along, 3.49}, Vec2{along, 4.51}})
         EXPECT_GE(onFloor(room, p.x, p.y), least) << p.x << " " << p.y << " " << samples;
-  }
-}
-
-TEST(MeshShadow, isBakedAgainWhereAMeshHasMoved) {
-  LightMemory memory;
-  for (const double x : {4.0, 4.0, 7.0, 5.0}) {
-    const LoadedLevel loaded = hallWith(fmt::format("{{'mesh':'box.obj','x':{},'y':4}}", x), kLamp);
-    Rebake rebake(memory, loaded.scene(), loaded.level.bake, 2);
-    const std::optional<BakedLight> light = rebake.finish();
-    ASSERT_TRUE(light);
-    const BakedLight whole = bake(loaded.scene(), loaded.level.bake, 2);
-    ASSERT_EQ(light->lightmaps.size(), whole.lightmaps.size());
-    for (std::size_t i = 0; i < whole.lightmaps.size(); ++i) {
-      ASSERT_EQ(light->lightmaps[i].has_value(), whole.lightmaps[i].has_value());
-      if (whole.lightmaps[i]) {
-        EXPECT_EQ(light->lightmaps[i]->levels, whole.lightmaps[i]->levels);
-      }
-    }
   }
 }
 

@@ -54,10 +54,10 @@ void CornerLight::placeCorners(std::span<const LitMesh::SmallFace> faces) {
 
 std::optional<Lightmap> CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
   placeCorners(faces);
-  shafts_.emplace(scene_, visibilities_, boxOfCorners(), place_.sectors);
+  shafts_.emplace(scene_, visibilities_, boxOfCorners(), place_);
   constexpr int kChannels = 3;
   TexelSums sums({0, 0, 3, static_cast<int>(faces.size())}, kChannels);
-  for (std::size_t i = 0; i < scene_.level().lights.size(); ++i) add(i, faces, sums);
+  for (const std::size_t light : place_.lights.lights()) add(light, faces, sums);
   return sums.toLightmap(1);
 }
 
@@ -94,12 +94,7 @@ std::uint32_t CornerLight::cornerFor(const CornersOfFace& ofFace, std::size_t co
 TargetBox CornerLight::boxOfCorners() const {
   Box3 around;
   for (const Corner& corner : corners_) around.add(corner.point);
-  TargetBox box;
-  box.normal = {0, 0, 1};
-  for (const double x : {around.min.x, around.max.x})
-    for (const double y : {around.min.y, around.max.y})
-      for (const double z : {around.min.z, around.max.z}) box.storage[box.count++] = {x, y, z};
-  return box;
+  return TargetBox::around(around);
 }
 
 double CornerLight::seenFraction(std::size_t light, std::uint32_t corner) {

@@ -1,10 +1,8 @@
 #include "light/baking/mesh_light.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
+#include <functional>
 #include <utility>
-#include <vector>
 
 #include "light/baking/baked_surface.h"
 #include "light/baking/corner_light.h"
@@ -13,13 +11,9 @@
 
 namespace hearth {
 
-namespace {
-
-/// So many small faces are lit at once.
-constexpr std::size_t kFacesAtOnce = 512;
-
 /// A patch, or some small faces.
-struct MeshJob {
+struct MeshLighter::Job {
+  std::size_t index;  ///< of the mesh among those that are lit
   std::uint32_t mesh;
   const LitMesh::Patch* patch;  ///< or none
   std::span<const LitMesh::SmallFace> faces;
@@ -29,28 +23,16 @@ struct MeshJob {
   }
 };
 
-struct MeshJobResult {
+struct MeshLighter::Result {
   std::optional<Lightmap> light;
-  std::vector<LightCost> costs;
+  std::vector<LightCost> costs;  ///< by light
   std::size_t facingLights = 0;
 };
 
-/// Largest first, so that no thread starts the longest job last.
-std::vector<MeshJob> jobsFor(std::span<const std::uint32_t> meshes,
-                             const std::vector<LitMesh>& lit) {
-  std::vector<MeshJob> jobs;
-  for (const std::uint32_t mesh : meshes) {
-    for (const LitMesh::Patch& patch : lit[mesh].patches) jobs.push_back({mesh, &patch, {}});
-    std::span<const LitMesh::SmallFace> left = lit[mesh].smallFaces;
-    while (!left.empty()) {
-      const auto some = left.first(std::min(kFacesAtOnce, left.size()));
-      jobs.push_back({mesh, nullptr, some});
-      left = left.subspan(some.size());
-    }
-  }
-  std::ranges::stable_sort(jobs, std::ranges::greater{}, &MeshJob::size);
-  return jobs;
-}
+namespace {
+
+/// So many small faces are lit at once.
+constexpr std::size_t kFacesAtOnce = 512;
 
 /// By mesh.
 std::vector<std::vector<SectorId>> sectorsOfMeshes(const Level& level) {
@@ -68,11 +50,13 @@ class AtlasLight {
                                        static_cast<std::size_t>(channels)),
              channels} {}
 
-  void add(const MeshJob& job, const Lightmap& light) {
-    if (job.patch)
-      addPatch(*job.patch, light);
+  /// Of a patch, or else of small faces.
+  void add(const LitMesh::Patch* patch, std::span<const LitMesh::SmallFace> faces,
+           const Lightmap& light) {
+    if (patch)
+      addPatch(*patch, light);
     else
-      addFaces(job.faces, light);
+      addFaces(faces, light);
   }
 
   Lightmap taken() { return compacted(std::move(map_)); }
@@ -116,69 +100,94 @@ class AtlasLight {
   Lightmap map_;
 };
 
-class MeshLighter {
- public:
-  MeshLighter(const Scene& scene, const LightVisibilities& visibilities,
-              const BakeSettings& settings)
-      : scene_(scene),
-        visibilities_(visibilities),
-        settings_(settings),
-        sectors_(sectorsOfMeshes(scene.level())) {}
-
-  MeshJobResult done(const MeshJob& job) const {
-    const MeshPlace place{job.mesh, sectors_[job.mesh]};
-    if (!job.patch) {
-      CornerLight corners(scene_, visibilities_, settings_.lambert, place);
-      std::optional<Lightmap> light = corners.find(job.faces);
-      return {std::move(light), corners.costs(), 0};
-    }
-    const LitSurfaces patch{job.patch->surface};
-    PatchLight lit(scene_, visibilities_, settings_.lambert, place, patch);
-    BakeProgress unwatched;
-    std::optional<Lightmap> light = bakeSurface(lit, lit.texels(), settings_, unwatched);
-    return {std::move(light), lit.costs(), lit.facing().size()};
-  }
-
- private:
-  Scene scene_;
-  const LightVisibilities& visibilities_;
-  const BakeSettings& settings_;
-  std::vector<std::vector<SectorId>> sectors_;
-};
-
-void addCosts(SurfaceId surface, const MeshJobResult& result, BakedLight& baked) {
-  if (baked.surfaceCosts.empty()) return;
-  SurfaceCost& cost = baked.surfaceCosts[surface.index()];
-  cost.facingLights = std::max(cost.facingLights, result.facingLights);
-  for (std::size_t i = 0; i < result.costs.size(); ++i) {
-    baked.lightCosts[i] += result.costs[i];
-    cost.rays += result.costs[i].rays;
-  }
-}
-
 }  // namespace
 
-void lightMeshes(const Scene& scene, const LightVisibilities& visibilities,
-                 const BakeSettings& settings, int threads, std::span<const std::uint32_t> meshes,
-                 BakedLight& baked) {
-  const std::vector<MeshJob> jobs = jobsFor(meshes, baked.meshes);
-  const MeshLighter lighter(scene, visibilities, settings);
-  std::vector<MeshJobResult> results(jobs.size());
-  parallelFor(jobs.size(), threads, [&](std::size_t i) { results[i] = lighter.done(jobs[i]); });
+MeshLighter::MeshLighter(const Scene& scene, const LightVisibilities& visibilities,
+                         const BakeSettings& settings, int threads,
+                         std::span<const std::uint32_t> meshes, const std::vector<LitMesh>& lit)
+    : scene_(scene),
+      visibilities_(visibilities),
+      settings_(settings),
+      threads_(threads),
+      lit_(lit),
+      sectors_(sectorsOfMeshes(scene.level())),
+      lights_(lit.size()) {
+  parallelFor(meshes.size(), threads, [&](std::size_t i) {
+    const std::uint32_t mesh = meshes[i];
+    lights_[mesh].emplace(scene, visibilities, lit[mesh], sectors_[mesh]);
+  });
+}
 
-  std::vector<int> channels(baked.meshes.size(), 0);  // 0 of a dark one
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    int& most = channels[jobs[i].mesh];
-    if (results[i].light) most = std::max(most, results[i].light->channels);
-    addCosts(baked.meshes[jobs[i].mesh].surface, results[i], baked);
+/// Largest first, so that no thread starts the longest job last.
+std::vector<MeshLighter::Job> MeshLighter::jobsFor(std::span<const std::uint32_t> meshes) const {
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const LitMesh& mesh = lit_[meshes[i]];
+    for (const LitMesh::Patch& patch : mesh.patches) jobs.push_back({i, meshes[i], &patch, {}});
+    std::span<const LitMesh::SmallFace> left = mesh.smallFaces;
+    while (!left.empty()) {
+      const auto some = left.first(std::min(kFacesAtOnce, left.size()));
+      jobs.push_back({i, meshes[i], nullptr, some});
+      left = left.subspan(some.size());
+    }
   }
-  std::vector<std::optional<AtlasLight>> atlases(baked.meshes.size());
-  for (const std::uint32_t mesh : meshes)
-    if (channels[mesh] > 0) atlases[mesh].emplace(baked.meshes[mesh].texels, channels[mesh]);
+  std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::size);
+  return jobs;
+}
+
+MeshLighter::Result MeshLighter::done(const Job& job) const {
+  const MeshPlace place{job.mesh, sectors_[job.mesh], lightsOf(job.mesh)};
+  if (!job.patch) {
+    CornerLight corners(scene_, visibilities_, settings_.lambert, place);
+    std::optional<Lightmap> light = corners.find(job.faces);
+    return {std::move(light), corners.costs(), 0};
+  }
+  const LitSurfaces patch{job.patch->surface};
+  PatchLight lit(scene_, visibilities_, settings_.lambert, place, patch);
+  BakeProgress unwatched;
+  std::optional<Lightmap> light = bakeSurface(lit, lit.texels(), settings_, unwatched);
+  return {std::move(light), lit.costs(), lit.facing().size()};
+}
+
+std::vector<MeshLight> MeshLighter::find(std::span<const std::uint32_t> meshes) const {
+  const std::vector<Job> jobs = jobsFor(meshes);
+  std::vector<Result> results(jobs.size());
+  parallelFor(jobs.size(), threads_, [&](std::size_t i) { results[i] = done(jobs[i]); });
+
+  std::vector<MeshLight> found(meshes.size());
+  std::vector<int> channels(meshes.size(), 0);  // 0 of a dark one
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const auto& [light, costs, facingLights] = results[i];
+    MeshLight& mesh = found[jobs[i].index];
+    const std::vector<std::size_t>& lights = lightsOf(jobs[i].mesh).lights();
+    mesh.costs.resize(lights.size());
+    for (std::size_t k = 0; k < lights.size(); ++k) mesh.costs[k] += costs[lights[k]];
+    mesh.facingLights = std::max(mesh.facingLights, facingLights);
+    int& most = channels[jobs[i].index];
+    if (light) most = std::max(most, light->channels);
+  }
+  std::vector<std::optional<AtlasLight>> atlases(meshes.size());
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (channels[i] > 0) atlases[i].emplace(lit_[meshes[i]].texels, channels[i]);
   for (std::size_t i = 0; i < jobs.size(); ++i)
-    if (results[i].light) atlases[jobs[i].mesh]->add(jobs[i], *results[i].light);
-  for (const std::uint32_t mesh : meshes)
-    if (atlases[mesh]) baked.lightmaps[baked.meshes[mesh].surface.index()] = atlases[mesh]->taken();
+    if (results[i].light)
+      atlases[jobs[i].index]->add(jobs[i].patch, jobs[i].faces, *results[i].light);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (atlases[i]) found[i].lightmap = atlases[i]->taken();
+  return found;
+}
+
+void MeshLighter::add(std::uint32_t mesh, MeshLight light, BakedLight& baked) const {
+  const std::size_t surface = lit_[mesh].surface.index();
+  baked.lightmaps[surface] = std::move(light.lightmap);
+  if (baked.surfaceCosts.empty()) return;
+  SurfaceCost& cost = baked.surfaceCosts[surface];
+  cost.facingLights = light.facingLights;
+  const std::vector<std::size_t>& lights = lightsOf(mesh).lights();
+  for (std::size_t k = 0; k < light.costs.size(); ++k) {
+    baked.lightCosts[lights[k]] += light.costs[k];
+    cost.rays += light.costs[k].rays;
+  }
 }
 
 }  // namespace hearth

@@ -1,19 +1,58 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "light/bakery.h"
 #include "light/baking/light_visibility.h"
+#include "light/baking/mesh_lights.h"
+#include "light/light_cost.h"
+#include "light/lightmap.h"
 
 namespace hearth {
 
-/// Gives some meshes, by index, the light of all their faces: what is larger than a texel as
-/// surfaces get it, smaller faces at their corners. `baked.meshes` has them, on grids of
-/// `settings`; `visibilities` are of the same scene. Adds to
-/// the costs of `baked` where it has some.
-void lightMeshes(const Scene& scene, const LightVisibilities& visibilities,
-                 const BakeSettings& settings, int threads, std::span<const std::uint32_t> meshes,
-                 BakedLight& baked);
+/// What a bake finds for a mesh.
+struct MeshLight {
+  std::optional<Lightmap> lightmap;  ///< of all its faces
+  std::vector<LightCost> costs;      ///< of its MeshLights
+  std::size_t facingLights = 0;      ///< the most that lie before one of its patches
+};
+
+/// Finds the light of meshes: what is larger than a texel gets it as surfaces do, smaller faces at
+/// their corners.
+class MeshLighter {
+ public:
+  /// Of some meshes, by index. `lit` has them, on grids of `settings`. Keeps references to
+  /// `visibilities`, `settings` and `lit`.
+  MeshLighter(const Scene& scene, const LightVisibilities& visibilities,
+              const BakeSettings& settings, int threads, std::span<const std::uint32_t> meshes,
+              const std::vector<LitMesh>& lit);
+
+  std::span<const SectorId> sectorsOf(std::uint32_t mesh) const { return sectors_[mesh]; }
+  /// Of one of the meshes.
+  const MeshLights& lightsOf(std::uint32_t mesh) const { return *lights_[mesh]; }
+  /// Of some of the meshes, in their order.
+  std::vector<MeshLight> find(std::span<const std::uint32_t> meshes) const;
+  /// Gives a mesh its light. Adds to the costs of `baked` where it has some.
+  void add(std::uint32_t mesh, MeshLight light, BakedLight& baked) const;
+
+ private:
+  struct Job;
+  struct Result;
+
+  std::vector<Job> jobsFor(std::span<const std::uint32_t> meshes) const;
+  Result done(const Job& job) const;
+
+  Scene scene_;
+  const LightVisibilities& visibilities_;
+  const BakeSettings& settings_;
+  int threads_;
+  const std::vector<LitMesh>& lit_;
+  std::vector<std::vector<SectorId>> sectors_;     ///< by mesh
+  std::vector<std::optional<MeshLights>> lights_;  ///< by mesh
+};
 
 }  // namespace hearth

@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "level/scene.h"
 #include "light/baking/light_visibility.h"
+#include "light/baking/mesh_lights.h"
 #include "light/rays/shaft.h"
 
 namespace hearth {
@@ -14,26 +14,26 @@ namespace hearth {
 /// Shafts from the lights to a part of a mesh. Rays to it need only ask the walls that these meet.
 class MeshShafts {
  public:
-  /// Keeps references. `sectors` are those that the mesh is in.
+  /// Keeps references to `visibilities` and `place`.
   MeshShafts(const Scene& scene, const LightVisibilities& visibilities, const TargetBox& box,
-             std::span<const SectorId> sectors)
+             const MeshPlace& place)
       : scene_(scene),
         visibilities_(visibilities),
         box_(box),
-        sectors_(sectors),
+        place_(place),
         known_(scene.level().lights.size()) {}
 
   struct Known {
     Shaft shaft;
     TargetVisibility outcome;
   };
-  /// Follows the shaft when it is first asked for.
+  /// Of one of the lights that may shine on the mesh. Follows the shaft when it is first asked for.
   const Known& from(std::size_t light) {
     std::optional<Known>& known = known_[light];
     if (!known) {
       known.emplace(Known{Shaft(scene_), TargetVisibility::Unknown});
-      known->outcome =
-          known->shaft.follow(visibilities_.fine[light].shaftLight(), {box_, sectors_}, nullptr);
+      known->outcome = known->shaft.follow(visibilities_.fine[light].shaftLight(),
+                                           {box_, place_.sectors}, &place_.lights.shaftFrom(light));
     }
     return *known;
   }
@@ -42,7 +42,7 @@ class MeshShafts {
   Scene scene_;
   const LightVisibilities& visibilities_;
   TargetBox box_;
-  std::span<const SectorId> sectors_;
+  const MeshPlace& place_;
   std::vector<std::optional<Known>> known_;  ///< by index of light
 };
 

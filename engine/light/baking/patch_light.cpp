@@ -11,16 +11,6 @@ namespace hearth {
 
 namespace {
 
-TargetBox boxOf(const LitSurface& patch) {
-  const TexelRect& rect = patch.texels;
-  TargetBox box;
-  for (const int i : {rect.i0, rect.i0 + rect.width})
-    for (const int j : {rect.j0, rect.j0 + rect.height})
-      box.storage[box.count++] = patch.toWorld({1.0 * i, 1.0 * j});
-  box.normal = patch.normal;
-  return box;
-}
-
 /// Metres from a point to the nearest of a patch, or less.
 double distanceTo(const LitSurface& patch, Vec3 from) {
   const TexelRect& rect = patch.texels;
@@ -46,9 +36,9 @@ PatchLight::PatchLight(const Scene& scene, const LightVisibilities& visibilities
       place_(place),
       patch_(patch),
       placement_(patch, SurfaceId(0)),
-      shafts_(scene, visibilities, boxOf(*patch.front()), place.sectors),
+      shafts_(scene, visibilities, boxOf(*patch.front()), place),
       costs_(scene.level().lights.size()) {
-  for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
+  for (const std::size_t i : place.lights.lights())
     if (isInFront(light(i), radiusOf(i), this->patch()) &&
         distanceTo(this->patch(), light(i).position) < visibilities.reach[i] + kAuthorNoise)
       facing_.push_back(i);

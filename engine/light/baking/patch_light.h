@@ -8,18 +8,13 @@
 
 #include "level/scene.h"
 #include "light/baking/light_visibility.h"
+#include "light/baking/mesh_lights.h"
 #include "light/baking/mesh_shafts.h"
 #include "light/light_cost.h"
 #include "light/lit_surface.h"
 #include "light/sampling/sample_placement.h"
 
 namespace hearth {
-
-/// A mesh among those of a level, with the sectors that it is in.
-struct MeshPlace {
-  std::uint32_t mesh;  ///< index
-  std::span<const SectorId> sectors;
-};
 
 /// A lattice of samples, row by row.
 class PatchSamples {

@@ -37,6 +37,15 @@ struct Tangents {
 
 }  // namespace
 
+TargetBox TargetBox::around(const Box3& box) {
+  TargetBox around;
+  around.normal = {0, 0, 1};
+  for (const double x : {box.min.x, box.max.x})
+    for (const double y : {box.min.y, box.max.y})
+      for (const double z : {box.min.z, box.max.z}) around.storage[around.count++] = {x, y, z};
+  return around;
+}
+
 ShaftHull::ShaftHull(Vec3 center, double radius, const TargetBox& targets)
     : center_(center), radius_(radius), count_(targets.count) {
   double size = largestCoordinate(center);

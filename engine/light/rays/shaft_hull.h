@@ -18,6 +18,8 @@ struct TargetBox {
   std::size_t count = 0;        ///< of them: 4 if the box is flat
   Vec3 normal;                  ///< unit, of the surface, into the air
 
+  /// Nothing is known of surfaces in it.
+  static TargetBox around(const Box3& box);
   static TargetBox ofPoint(Vec3 point, Vec3 normal) { return {{point}, 1, normal}; }
   std::span<const Vec3> corners() const { return {storage.data(), count}; }
 };

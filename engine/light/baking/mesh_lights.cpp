@@ -1,0 +1,67 @@
+#include "light/baking/mesh_lights.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "math/box3.h"
+#include "math/tolerance.h"
+
+namespace hearth {
+
+namespace {
+
+/// Around all faces, and the grids on which they are lit.
+Box3 boxOf(const Level& level, const LitMesh& lit) {
+  Box3 box = level.faceTrees[level.meshIndexOf(lit.surface)].box();
+  for (const LitMesh::Patch& patch : lit.patches) {
+    const TargetBox grid = boxOf(patch.surface);
+    for (const Vec3 corner : grid.corners()) box.add(corner);
+  }
+  return box;
+}
+
+double distanceTo(const Box3& box, Vec3 from) {
+  const auto beyond = [](double x, double low, double high) {
+    return std::max({low - x, x - high, 0.0});
+  };
+  return length({beyond(from.x, box.min.x, box.max.x), beyond(from.y, box.min.y, box.max.y),
+                 beyond(from.z, box.min.z, box.max.z)});
+}
+
+}  // namespace
+
+TargetBox boxOf(const LitSurface& patch) {
+  const TexelRect& rect = patch.texels;
+  TargetBox box;
+  for (const int i : {rect.i0, rect.i0 + rect.width})
+    for (const int j : {rect.j0, rect.j0 + rect.height})
+      box.storage[box.count++] = patch.toWorld({1.0 * i, 1.0 * j});
+  box.normal = patch.normal;
+  return box;
+}
+
+MeshLights::MeshLights(const Scene& scene, const LightVisibilities& visibilities,
+                       const LitMesh& lit, std::span<const SectorId> sectors) {
+  const Box3 box = boxOf(scene.level(), lit);
+  const ShaftTargets targets{TargetBox::around(box), sectors};
+  for (std::size_t i = 0; i < scene.level().lights.size(); ++i) {
+    if (distanceTo(box, scene.level().lights[i].position) >= visibilities.reach[i] + kAuthorNoise)
+      continue;
+    Shaft shaft(scene);
+    if (shaft.follow(visibilities.fine[i].shaftLight(), targets, nullptr) == TargetVisibility::Dark)
+      continue;
+    lights_.push_back(i);
+    shafts_.push_back(std::move(shaft));
+  }
+}
+
+const Shaft& MeshLights::shaftFrom(std::size_t light) const {
+  return shafts_[static_cast<std::size_t>(std::ranges::lower_bound(lights_, light) -
+                                          lights_.begin())];
+}
+
+void MeshLights::addSectorsTo(SectorSet& sectors) const {
+  for (const Shaft& shaft : shafts_) shaft.addSectorsTo(sectors);
+}
+
+}  // namespace hearth

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "level/scene.h"
+#include "light/baking/light_visibility.h"
+#include "light/lit_mesh.h"
+#include "light/lit_surface.h"
+#include "light/rays/id_set.h"
+#include "light/rays/shaft.h"
+
+namespace hearth {
+
+/// Around the texels of a patch, which may reach beyond its faces.
+TargetBox boxOf(const LitSurface& patch);
+
+/// The lights that may shine on a mesh, each with its shaft to the whole mesh: shafts to parts of
+/// it lie within that. A light too far away is none of them, nor one that walls hide altogether.
+class MeshLights {
+ public:
+  /// `lit` is the mesh on its texel grids, `sectors` are those that the mesh is in.
+  MeshLights(const Scene& scene, const LightVisibilities& visibilities, const LitMesh& lit,
+             std::span<const SectorId> sectors);
+
+  /// Indices, rising.
+  const std::vector<std::size_t>& lights() const { return lights_; }
+  /// Of one of these.
+  const Shaft& shaftFrom(std::size_t light) const;
+  /// Adds the sectors that rays of these can enter on their way to the mesh.
+  void addSectorsTo(SectorSet& sectors) const;
+
+ private:
+  std::vector<std::size_t> lights_;
+  std::vector<Shaft> shafts_;  ///< of these
+};
+
+/// A mesh among those of a level.
+struct MeshPlace {
+  std::uint32_t mesh;                 ///< index
+  std::span<const SectorId> sectors;  ///< that it is in
+  const MeshLights& lights;
+};
+
+}  // namespace hearth

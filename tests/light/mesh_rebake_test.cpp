@@ -1,0 +1,127 @@
+// Rebakes of levels with meshes: only those are lit anew on which a change can show.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "light/rebake.h"
+#include "same_bakes.h"
+#include "support/level_text.h"
+#include "support/models.h"
+
+namespace hearth {
+namespace {
+
+/// A lamp in each of two halls that nothing joins, and boxes.
+struct TwoHalls {
+  double nearLamp = 2;  ///< its x
+  double farCeiling = 6;
+  std::string things;
+
+  LoadedLevel loaded() const {
+    return test::levelFrom(
+        fmt::format("{{'things':[{}],'sectors':{{{},{}}}}}", things,
+                    test::sectorText("near", "0,0, 12,0, 12,8, 0,8", 0, 6),
+                    test::sectorText("far", "20,0, 32,0, 32,8, 20,8", 0, farCeiling)),
+        fmt::format("[{{'x':{},'y':4,'z':3,'sector':'near'}},"
+                    "{{'x':22,'y':4,'z':3,'sector':'far'}}]",
+                    nearLamp),
+        {{"box.obj", test::kBoxModel}});
+  }
+};
+
+constexpr std::string_view kNearBox = "{'mesh':'box.obj','x':4,'y':4}";
+constexpr std::string_view kFarBox = "{'mesh':'box.obj','x':24,'y':4,'angle':30}";
+
+/// Bakes what has changed; the texels that are left, once for each light.
+std::int64_t rebaked(LightMemory& memory, const LoadedLevel& loaded) {
+  Rebake rebake(memory, loaded.scene(), loaded.level.bake, 2);
+  const std::int64_t left = rebake.texelLightsLeft();
+  const std::optional<BakedLight> light = rebake.finish();
+  EXPECT_TRUE(light);
+  if (light) test::expectSame(loaded.scene(), *light, bake(loaded.scene(), loaded.level.bake, 2));
+  return left;
+}
+
+/// Of an edit from `before` to `after`, the texels of meshes alone.
+std::int64_t texelsOfMeshesLeft(TwoHalls before, TwoHalls after) {
+  LightMemory memory;
+  rebaked(memory, before.loaded());
+  const std::int64_t left = rebaked(memory, after.loaded());
+  before.things.clear();
+  after.things.clear();
+  LightMemory withoutMeshes;
+  rebaked(withoutMeshes, before.loaded());
+  return left - rebaked(withoutMeshes, after.loaded());
+}
+
+TwoHalls hallsWithBoxes() { return {.things = fmt::format("{},{}", kNearBox, kFarBox)}; }
+
+std::int64_t texelsOf(const TwoHalls& halls, std::size_t mesh) {
+  const LoadedLevel loaded = halls.loaded();
+  return bake(loaded.scene(), loaded.level.bake, 2).meshes[mesh].texels.count();
+}
+
+TEST(MeshRebake, asksForNothingWhereNothingHasChanged) {
+  LightMemory memory;
+  EXPECT_GT(rebaked(memory, hallsWithBoxes().loaded()), 0);
+  EXPECT_EQ(rebaked(memory, hallsWithBoxes().loaded()), 0);
+}
+
+TEST(MeshRebake, lightsOnlyTheMeshOnWhichAChangedLightShines) {
+  TwoHalls moved = hallsWithBoxes();
+  moved.nearLamp = 2.5;
+  EXPECT_EQ(texelsOfMeshesLeft(hallsWithBoxes(), moved), texelsOf(moved, 0));
+}
+
+TEST(MeshRebake, lightsOnlyTheMeshWhoseSectorHasChanged) {
+  TwoHalls higher = hallsWithBoxes();
+  higher.farCeiling = 7;
+  EXPECT_EQ(texelsOfMeshesLeft(hallsWithBoxes(), higher), texelsOf(higher, 1));
+}
+
+TEST(MeshRebake, draftsMeshesWithTheirLightWhereThatIsKnown) {
+  LightMemory memory;
+  rebaked(memory, hallsWithBoxes().loaded());
+  TwoHalls moved = hallsWithBoxes();
+  moved.nearLamp = 2.5;
+  const LoadedLevel loaded = moved.loaded();
+  const BakedLight draft = Rebake(memory, loaded.scene(), loaded.level.bake, 2).draft();
+  const BakedLight whole = bake(loaded.scene(), loaded.level.bake, 2);
+  for (const Mesh& mesh : loaded.level.meshes) {
+    ASSERT_TRUE(draft.lightmaps[mesh.surface.index()]);
+    EXPECT_EQ(draft.lightmaps[mesh.surface.index()]->levels,
+              whole.lightmaps[mesh.surface.index()]->levels);
+  }
+}
+
+/// Light comes into two sectors at one place, into each through a part of the opening.
+TEST(MeshRebake, tellsMeshesAtOnePlaceApartByTheirSectors) {
+  const LoadedLevel loaded = test::levelFrom(
+      "{'things':[{'mesh':'box.obj','x':9,'y':4,'sector':'low'},"
+      "{'mesh':'box.obj','x':9,'y':4,'sector':'high'}],'sectors':{" +
+          test::sectorText("west", "0,0, 6,0, 6,8, 0,8", 0, 6,
+                           "[{'texture':'#808080'},"
+                           "{'walls':[{'next':'low','z':1.5},{'next':'high'}]},"
+                           "{'texture':'#808080'},{'texture':'#808080'}]") +
+          "," + test::sectorText("low", "6,0, 12,0, 12,8, 6,8", 0, 6) + "," +
+          test::sectorText("high", "6,0, 12,0, 12,8, 6,8", 0, 6) + "}}",
+      "[{'x':2,'y':4,'z':3,'sector':'west'}]", {{"box.obj", test::kBoxModel}});
+  LightMemory memory;
+  for (int i = 0; i < 3; ++i) rebaked(memory, loaded);
+}
+
+TEST(MeshRebake, isTheFullBakeWhereAMeshHasMoved) {
+  LightMemory memory;
+  for (const double x : {4.0, 4.0, 7.0, 5.0}) {
+    const TwoHalls halls{.things = fmt::format("{{'mesh':'box.obj','x':{},'y':4}}", x)};
+    rebaked(memory, halls.loaded());
+  }
+}
+
+}  // namespace
+}  // namespace hearth
