@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
+#include <tuple>
 
 #include "light/rays/raytracer.h"
 #include "light/sampling/sample_placement.h"
@@ -20,6 +22,21 @@ constexpr std::size_t kPackets = 512;
 constexpr std::size_t kRowsApart = 8;
 /// Of the way from the light to the surface: what lies on the surface itself is not met.
 constexpr float kWay = 0.9999F;
+
+/// Of the small faces before which a point lies, the corners, each once.
+std::vector<Vec3> cornersSeenFrom(Vec3 point, std::span<const MeshFace> faces,
+                                  std::span<const LitMesh::SmallFace> small) {
+  std::vector<Vec3> corners;
+  for (const LitMesh::SmallFace& each : small) {
+    const MeshFace& face = faces[each.face];
+    if (dot(frontOf(face), point - face.corners[0]) > 0)
+      corners.insert(corners.end(), face.corners.begin(), face.corners.end());
+  }
+  const auto coordinates = [](Vec3 p) { return std::tuple(p.x, p.y, p.z); };
+  std::ranges::sort(corners, {}, coordinates);
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
 
 std::vector<std::size_t> lightsBefore(const Level& level, const LitSurface& surface) {
   std::vector<std::size_t> lights;
@@ -57,6 +74,8 @@ BakeRays::BakeRays(const Scene& scene, double texel, const EmbreeTracer& tracer)
   parallelFor(surfaces.size(), availableThreads(), [&](std::size_t i) {
     if (surfaces[i]) surfaces_[i] = samplesOf(surfaces, SurfaceId(i));
   });
+  const std::vector<LitMesh> meshes = makeLitMeshes(scene.level(), texel, availableThreads());
+  for (std::size_t i = 0; i < meshes.size(); ++i) addMesh(scene.level().meshes[i], meshes[i]);
   findReached(tracer);
 }
 
@@ -75,6 +94,22 @@ BakeRays::SurfaceSamples BakeRays::samplesOf(const LitSurfaces& surfaces, Surfac
     }
   }
   return samples;
+}
+
+void BakeRays::addMesh(const Mesh& mesh, const LitMesh& lit) {
+  for (const LitMesh::Patch& patch : lit.patches) {
+    SurfaceSamples& samples = surfaces_.emplace_back(samplesOf({patch.surface}, SurfaceId(0)));
+    for (std::vector<Sample>& row : samples.rows)
+      for (Sample& sample : row) sample.sector = mesh.sector;
+  }
+  for (std::size_t i = 0; i < scene_.level().lights.size(); ++i) {
+    SurfaceSamples& samples = surfaces_.emplace_back();
+    samples.lights = {i};
+    std::vector<Sample>& row = samples.rows.emplace_back();
+    for (const Vec3 corner : cornersSeenFrom(scene_.level().lights[i].position,
+                                             scene_.level().facesOf(mesh), lit.smallFaces))
+      row.push_back({corner, mesh.sector});
+  }
 }
 
 /// At first all sectors count. Rays that `tracer` lets pass are asked for again in the level

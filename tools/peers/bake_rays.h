@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "light/lit_mesh.h"
 #include "light/lit_surface.h"
 #include "measure/frame_times.h"
 #include "peers/embree.h"
@@ -12,7 +13,7 @@ namespace hearth {
 
 /// The rays of a bake with one sample to a texel and point lights, for another ray tracer: one
 /// from each light to each sample that it lies before and is no farther from than it reaches, in
-/// sectors into which any of it comes.
+/// sectors into which any of it comes. Corners of the small faces of meshes are samples, too.
 class BakeRays {
  public:
   /// `tracer` knows the scene, and is asked where light may come.
@@ -36,6 +37,7 @@ class BakeRays {
   };
 
   SurfaceSamples samplesOf(const LitSurfaces& surfaces, SurfaceId id) const;
+  void addMesh(const Mesh& mesh, const LitMesh& lit);
   void findReached(const EmbreeTracer& tracer);
   /// Calls use(light, row, first, packet) for each packet of rays to every so many rows of a
   /// surface: to the samples of a row from the first on.

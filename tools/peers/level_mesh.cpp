@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "level/openings.h"
 
@@ -159,12 +160,21 @@ std::vector<std::array<Vec2, 3>> trianglesOf(const Level& level, const Sector& s
 
 std::vector<MeshTriangle> meshOf(const Scene& scene) { return Mesher(scene).mesh(); }
 
+std::vector<MeshTriangle> trianglesOf(const Scene& scene, const Mesh& model) {
+  std::vector<MeshTriangle> triangles;
+  for (const MeshFace& face : scene.level().facesOf(model))
+    triangles.push_back({face.corners, model.surface, frontOf(face)});
+  return triangles;
+}
+
 std::vector<MeshTriangle> meshInLight(const Scene& scene) {
   std::vector<MeshTriangle> mesh = meshOf(scene);
   std::erase_if(mesh, [&](const MeshTriangle& triangle) {
     const SurfaceKind kind = scene[triangle.surface].kind;
     return isSky(kind) || kind == SurfaceKind::MaskedMiddle;
   });
+  for (const Mesh& model : scene.level().meshes)
+    if (model.castsShadow) std::ranges::copy(trianglesOf(scene, model), std::back_inserter(mesh));
   return mesh;
 }
 

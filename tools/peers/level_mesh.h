@@ -14,10 +14,14 @@ struct MeshTriangle {
 };
 
 /// All surfaces of a level, skies included, as triangles: from its derived walls (which the truth
-/// does not use), and flats cut into trapezoids.
+/// does not use), and flats cut into trapezoids. Models are not among them.
 std::vector<MeshTriangle> meshOf(const Scene& scene);
 
-/// Of these, what stops light: no skies, nor what hangs in openings and has holes.
+/// The faces of a model that stands in the level.
+std::vector<MeshTriangle> trianglesOf(const Scene& scene, const Mesh& model);
+
+/// What stops light: surfaces, except skies and middle textures, which have holes; and models that
+/// cast shadows.
 std::vector<MeshTriangle> meshInLight(const Scene& scene);
 
 /// The outline of a sector as triangles on the map.

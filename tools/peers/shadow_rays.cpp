@@ -16,6 +16,7 @@
 #include "level/face_tree.h"
 #include "math/check.h"
 #include "peers/embree.h"
+#include "peers/level_mesh.h"
 #include "peers/model_scene.h"
 #include "peers/peer_rows.h"
 
@@ -81,12 +82,6 @@ RTCRay embreeRay(const LightRay& ray) {
           .mask = ~0U,
           .id = 0,
           .flags = 0};
-}
-
-std::vector<MeshTriangle> modelTriangles(std::span<const MeshFace> model, SurfaceId surface) {
-  std::vector<MeshTriangle> triangles;
-  for (const MeshFace& face : model) triangles.push_back({face.corners, surface, frontOf(face)});
-  return triangles;
 }
 
 /// Rays past the one model of a level, each traced by Hearth and by Embree.
@@ -191,9 +186,8 @@ Prepared prepareShadowRays(PeerInputs& inputs) {
   const auto made = makeModelScene(inputs);
   if (!made) return tl::unexpected(made.error());
   const Scene scene = made->level->loaded.scene();
-  const Mesh& mesh = scene.level().meshes.front();
-  auto tracer = EmbreeTracer::of(modelTriangles(scene.level().facesOf(mesh), mesh.surface),
-                                 Edges::Watertight);
+  auto tracer =
+      EmbreeTracer::of(trianglesOf(scene, scene.level().meshes.front()), Edges::Watertight);
   if (!tracer) return tl::unexpected(tracer.error());
   const auto rays = std::make_shared<ShadowRays>(scene, *std::move(tracer));
   if (const double differing = rays->differing(); differing > kRaysMayDiffer)
