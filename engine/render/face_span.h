@@ -33,6 +33,7 @@ struct FaceFront {
   std::uint32_t thing;  ///< see Mesh
   SurfaceId mesh;
   ColumnRange columns;  ///< outside which it does not show
+  bool isNarrow;        ///< it covers so few that groups of its spans are not worth their memory
   /// A ray meets the face where its product with none of these is negative: homogeneous edge
   /// functions (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
   /// 1997). So nothing has to be clipped at the eye. Two faces have the same function, to the bit,
@@ -46,11 +47,6 @@ struct FaceFront {
   /// 1 / depth of a column's rays, as a linear function of their slope.
   double nearnessAt(double slant, double raySlope) const {
     return nearness.x + slant * nearness.y + raySlope * nearness.z;
-  }
-  /// Whether it covers so few columns that groups of its spans are not worth their memory.
-  bool isNarrow() const {
-    constexpr int kNarrow = 32;
-    return columns.end - columns.begin <= kNarrow;
   }
 };
 

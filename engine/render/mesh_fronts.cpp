@@ -1,6 +1,7 @@
 #include "render/mesh_fronts.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "render/strip.h"
 
@@ -8,13 +9,19 @@ namespace hearth {
 
 namespace {
 
-/// The columns whose centres it may cover.
-ColumnRange columnsOf(const Projection& projection, const FaceCorners& corners,
-                      ColumnRange columns) {
+struct Breadth {
+  ColumnRange columns;  ///< some, whose centres a face may cover
+  bool isNarrow;        ///< in all columns: threads may divide these as they like
+};
+
+/// Of a face, in some columns.
+Breadth breadthOf(const Projection& projection, const FaceCorners& corners, ColumnRange columns) {
   /// Pixels: more than rounding.
   constexpr double kSlack = 0x1p-20;
-  double left = columns.end;
-  double right = columns.begin;
+  constexpr double kNarrow = 32;
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  double left = kEndless;
+  double right = -kEndless;
   std::size_t ahead = 0;
   for (const Vec3 corner : corners) {
     if (!(corner.x > 0)) continue;
@@ -23,12 +30,13 @@ ColumnRange columnsOf(const Projection& projection, const FaceCorners& corners,
     left = std::min(left, column);
     right = std::max(right, column);
   }
-  if (ahead == 0) return {0, 0};
-  if (ahead < corners.size()) return columns;
+  if (ahead == 0) return {};
+  if (ahead < corners.size()) return {columns, false};
+  const bool isNarrow = right - left <= kNarrow;
   left = std::max<double>(left - 0.5 - kSlack, columns.begin);
   right = std::min<double>(right - 0.5 + kSlack, columns.end - 1);
-  return left <= right ? ColumnRange{roundedUp(left), static_cast<int>(right) + 1}
-                       : ColumnRange{0, 0};
+  if (left > right) return {};
+  return {{roundedUp(left), static_cast<int>(right) + 1}, isNarrow};
 }
 
 }  // namespace
@@ -65,7 +73,7 @@ void MeshFronts::add(const Mesh& mesh, std::uint32_t index, const MeshFace& face
   const Vec3 out = cross(c - a, b - a);
   const double towardsEye = -dot(out, a);
   if (towardsEye == 0 || (towardsEye < 0 && !mesh.isTwoSided)) return;
-  const ColumnRange columns = columnsOf(projection, corners, columns_);
+  const auto [columns, isNarrow] = breadthOf(projection, corners, columns_);
   if (columns.begin >= columns.end) return;
   const double side = towardsEye > 0 ? 1 : -1;
   const auto& [imageA, imageB, imageC] = face.image;
@@ -74,6 +82,7 @@ void MeshFronts::add(const Mesh& mesh, std::uint32_t index, const MeshFace& face
                     mesh.thing,
                     mesh.surface,
                     columns,
+                    isNarrow,
                     {side * cross(b, c), side * cross(c, a), side * cross(a, b)},
                     (-1 / towardsEye) * out,
                     gradientOf(corners, {}, {imageA.x, imageB.x, imageC.x}),

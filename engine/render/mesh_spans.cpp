@@ -169,7 +169,7 @@ void MeshSpans::show(const ColumnRun& run, SpanGroups& found) {
 
 /// Those of narrow faces are put off, to be added all at once.
 void MeshSpans::show(const ColumnRun& run, const FaceSpan& span, SpanGroups& found) {
-  if (span.front->isNarrow()) {
+  if (span.front->isNarrow) {
     scratch_.narrow.push_back(span);
     return;
   }
