@@ -39,7 +39,7 @@ LAYERS |= {
     "peers": ["cli", "desktop", "folders", "import", "measure", "inputs", "settings", *ENGINE],
 }
 # Of tools/, what is not a library of the program.
-PROGRAMS = ["package", "levels"]
+PROGRAMS = ["package", "levels", "models"]
 
 # Who may see the libraries that are not ours. A header passes on what it includes, so those named
 # *.cpp here are kept to the inside of their folder.

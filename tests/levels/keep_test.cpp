@@ -35,13 +35,12 @@ TEST_F(Keep, LoadsWithoutAWarning) {
   for (const Diagnostic& diagnostic : result_->diagnostics) ADD_FAILURE() << format(diagnostic);
 }
 
-TEST_F(Keep, HasEveryKindOfSurfaceButMiddlesThingsAndStepsBetweenSkiesBelow) {
+TEST_F(Keep, HasEveryKindOfSurfaceButMiddlesAndStepsBetweenSkiesBelow) {
   std::set<SurfaceKind> kinds;
   for (const SurfaceId id : scene().shownSurfaces()) kinds.insert(level()[id].kind);
   for (std::size_t i = 0; i < kSurfaceKindCount; ++i) {
     const auto kind = static_cast<SurfaceKind>(i);
-    const bool isElsewhere =
-        mayHaveHoles(kind) || isThing(kind) || kind == SurfaceKind::SkyLowerStep;
+    const bool isElsewhere = kind == SurfaceKind::MaskedMiddle || kind == SurfaceKind::SkyLowerStep;
     EXPECT_NE(kinds.contains(kind), isElsewhere) << name(kind);
   }
 }

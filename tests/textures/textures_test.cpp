@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "image/image_file.h"
 #include "support/in_tree.h"
+#include "textures/sprites.h"
 #include "textures/turn.h"
 
 namespace hearth::textures {
@@ -54,9 +56,15 @@ double meanLevel(const Image& image) {
   return static_cast<double>(sum) / (3.0 * static_cast<double>(image.pixels().size()));
 }
 
+std::vector<Texture> makeTexturesAndSprites() {
+  std::vector<Texture> all = makeAll();
+  for (Texture& sprite : makeSprites()) all.push_back(std::move(sprite));
+  return all;
+}
+
 /// To the pixel: how a PNG is packed is zlib's business.
 TEST(Textures, AreThoseOfTheTexturesFolder) {
-  for (const Texture& texture : makeAll()) {
+  for (const Texture& texture : makeTexturesAndSprites()) {
     const auto kept = test::inTree("textures") / (texture.name + ".png");
     const auto image = readImage(kept, 1 << 20);
     ASSERT_TRUE(image) << image.error();
@@ -67,7 +75,7 @@ TEST(Textures, AreThoseOfTheTexturesFolder) {
 
 TEST(Textures, AreAllInTheTexturesFolder) {
   std::set<std::string> made;
-  for (const Texture& texture : makeAll()) made.insert(texture.name + ".png");
+  for (const Texture& texture : makeTexturesAndSprites()) made.insert(texture.name + ".png");
   std::set<std::string> kept;
   for (const auto& file : std::filesystem::directory_iterator(test::inTree("textures")))
     if (file.path().extension() == ".png") kept.insert(file.path().filename());
@@ -125,6 +133,57 @@ TEST(Textures, TheSkyIsPlainWhereItIsRepeatedBeyondItsImage) {
   const Image sky = makeSky();
   for (const int row : {0, sky.height() - 1}) {
     for (int x = 1; x < sky.width(); ++x) ASSERT_EQ(sky.at(x, row), sky.at(0, row)) << x;
+  }
+}
+
+TEST(Sprites, HaveHolesAndMore) {
+  for (const Texture& sprite : makeSprites()) {
+    int holes = 0;
+    for (int y = 0; y < sprite.image.height(); ++y)
+      for (int x = 0; x < sprite.image.width(); ++x) holes += sprite.image.isHole(x, y);
+    EXPECT_GE(16 * holes, sprite.image.width() * sprite.image.height()) << sprite.name;
+    EXPECT_LE(16 * holes, 15 * sprite.image.width() * sprite.image.height()) << sprite.name;
+  }
+}
+
+std::vector<std::vector<Image>> animations() {
+  std::vector<Image> flames;
+  for (int frame = 0; frame < kFlameFrames; ++frame) flames.push_back(makeFlame(frame));
+  std::vector<Image> candles;
+  for (int frame = 0; frame < kCandleFlameFrames; ++frame)
+    candles.push_back(makeCandleFlame(frame));
+  return {flames, candles};
+}
+
+TEST(Sprites, FlamesRiseFromTheirLowerEdgeAndAreNotCutOffAtTheOthers) {
+  for (const std::vector<Image>& flames : animations())
+    for (const Image& flame : flames) {
+      const int right = flame.width() - 1;
+      const int bottom = flame.height() - 1;
+      for (int x = 0; x <= right; ++x) EXPECT_TRUE(flame.isHole(x, 0)) << x;
+      for (int y = 0; y <= bottom; ++y)
+        EXPECT_TRUE(flame.isHole(0, y) && flame.isHole(1, y) && flame.isHole(right, y) &&
+                    flame.isHole(right - 1, y))
+            << y;
+      EXPECT_FALSE(flame.isHole(right / 2, bottom));
+    }
+}
+
+int pixelsApart(const Image& a, const Image& b) {
+  int apart = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) apart += a.isHole(x, y) != b.isHole(x, y);
+  return apart;
+}
+
+TEST(Sprites, FlamesMoveOnFromTheirLastFrameToTheFirst) {
+  for (const std::vector<Image>& flames : animations()) {
+    int most = 0;
+    for (std::size_t i = 1; i < flames.size(); ++i)
+      most = std::max(most, pixelsApart(flames[i - 1], flames[i]));
+    const int atTheEnd = pixelsApart(flames.back(), flames.front());
+    EXPECT_GT(atTheEnd, 0);
+    EXPECT_LE(2 * atTheEnd, 3 * most);
   }
 }
 

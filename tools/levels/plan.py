@@ -96,6 +96,7 @@ class Plan:
         self.textures = textures  # by name: the size of one repeat, and whether it hangs from a mass
         self.pictures = pictures  # by name: where along its wall the image begins, and the height of its top
         self.sectors = []
+        self.things = []  # each a dictionary, as the format names it
         self.headings = {}  # by the name of the sector that each stands above
         self.pending = None  # the heading of the next sector
 
@@ -322,6 +323,7 @@ class Plan:
 
     def text(self, head):
         """The level file, to be laid out by `hearth fmt`: `head` is the text of everything above the
-        sectors."""
+        things and sectors."""
+        things = ",\n".join(json.dumps(thing) for thing in self.things)
         body = ",\n\n".join(self.sector(sector) for sector in self.sectors)
-        return head + '\n"sectors": {\n\n' + body + "\n}}\n"
+        return head + '\n"things": [\n' + things + '\n],\n\n"sectors": {\n\n' + body + "\n}}\n"

@@ -7,6 +7,7 @@
 
 #include "textures/noise.h"
 #include "textures/paint.h"
+#include "textures/sprites.h"
 #include "textures/textures.h"
 
 namespace hearth::textures {
@@ -16,6 +17,8 @@ constexpr int kThread = 2;
 constexpr int kWidth = kTileSide / kThread;
 constexpr int kBannerHeight = 640;
 constexpr int kTapestryHeight = 352;
+constexpr int kGonfalonWidth = 64;
+constexpr int kGonfalonHeight = 128;
 
 constexpr Ramp kGreen{
     {{44, 70, 56}, {62, 94, 74}, {84, 120, 94}, {112, 146, 118}, {146, 174, 146}}};
@@ -98,16 +101,47 @@ const Ramp& tapestryWool(int across, int v) {
   return kLinen;
 }
 
-/// How many threads a pixel lies beside the middle.
-int threadsAcross(int x) {
-  return (x < kTileSide / 2 ? kTileSide / 2 - 1 - x : x - kTileSide / 2) / kThread;
+/// How many threads a pixel lies beside the middle of an image.
+int threadsAcross(int x, int width = kTileSide) {
+  return (x < width / 2 ? width / 2 - 1 - x : x - width / 2) / kThread;
 }
 
 Rgb bannerPixel(int x, int y) { return woven(bannerWool(threadsAcross(x), y / kThread), x, y); }
 
 Rgb tapestryPixel(int x, int y) { return woven(tapestryWool(threadsAcross(x), y / kThread), x, y); }
 
+/// Threads from there to the cut of a gonfalon's tail, which has two points.
+int aboveTail(int across, int v) {
+  const int end = kGonfalonHeight / kThread - 1;
+  return end - std::max(0, 18 - 2 * across) - std::max(0, 2 * (across - 12)) - v;
+}
+
+// On wine a golden cross with a lozenge in its middle, below a rod.
+const Ramp& gonfalonWool(int across, int v) {
+  if (v < 3) return kBark;
+  const int edge =
+      std::min({kGonfalonWidth / kThread / 2 - 1 - across, aboveTail(across, v), v - 3});
+  if (edge < 2) return kGold;
+  const int down = std::abs(v - 22);
+  if (across + down < 4) return kGreen;
+  const bool isUpright = across < 2 + down / 6 && down < 14;
+  const bool isBeam = down < 2 + across / 5 && across < 11;
+  return isUpright || isBeam ? kGold : kWine;
+}
+
 }  // namespace
+
+Image makeGonfalon() {
+  Image image(kGonfalonWidth, kGonfalonHeight);
+  for (int y = 0; y < kGonfalonHeight; ++y)
+    for (int x = 0; x < kGonfalonWidth; ++x) {
+      const int across = threadsAcross(x, kGonfalonWidth);
+      const int v = y / kThread;
+      image.at(x, y) = woven(gonfalonWool(across, v), x, y);
+      if (aboveTail(across, v) < 0) image.makeHole(x, y);
+    }
+  return image;
+}
 
 Image makeBanner() { return paintTile(bannerPixel, kBannerHeight); }
 

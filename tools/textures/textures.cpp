@@ -25,15 +25,16 @@ void addTurned(std::vector<Texture>& all) {
 
 std::vector<Texture> makeAll() {
   std::vector<Texture> all{
-      {"ashlar", makeAshlar()},   {"banner", makeBanner()},     {"beam", makeBeam()},
-      {"brick", makeBrick()},     {"carpet", makeCarpet()},     {"cobble", makeCobble()},
-      {"grille", makeGrille()},   {"dirt", makeDirt()},         {"door", makeDoor()},
-      {"dressed", makeDressed()}, {"ember", makeEmber()},       {"glass", makeGlass()},
-      {"grass", makeGrass()},     {"hay", makeHay()},           {"iron", makeIron()},
-      {"marble", makeMarble()},   {"mossline", makeMossline()}, {"mossy", makeMossy()},
-      {"plaster", makePlaster()}, {"roof", makeRoof()},         {"sky", makeSky()},
-      {"slate", makeSlate()},     {"stone", makeStone()},       {"tapestry", makeTapestry()},
-      {"water", makeWater()},     {"window", makeWindow()},     {"wood", makeWood()}};
+      {"ashlar", makeAshlar()},     {"banner", makeBanner()},   {"beam", makeBeam()},
+      {"brick", makeBrick()},       {"carpet", makeCarpet()},   {"cobble", makeCobble()},
+      {"grille", makeGrille()},     {"dirt", makeDirt()},       {"door", makeDoor()},
+      {"dressed", makeDressed()},   {"ember", makeEmber()},     {"glass", makeGlass()},
+      {"grass", makeGrass()},       {"hay", makeHay()},         {"hewn", makeHewn()},
+      {"iron", makeIron()},         {"marble", makeMarble()},   {"mossline", makeMossline()},
+      {"mossy", makeMossy()},       {"plaster", makePlaster()}, {"roof", makeRoof()},
+      {"sky", makeSky()},           {"slate", makeSlate()},     {"stone", makeStone()},
+      {"tapestry", makeTapestry()}, {"water", makeWater()},     {"window", makeWindow()},
+      {"wood", makeWood()}};
   addTurned(all);
   return all;
 }

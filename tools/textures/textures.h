@@ -25,6 +25,7 @@ Image makeGlass();     ///< Leaded panes in lozenges of pale colours.
 Image makeGrass();     ///< Short turf.
 Image makeGrille();    ///< Iron bars, four by two, with holes between them.
 Image makeHay();       ///< Stalks of straw that lie as they fell.
+Image makeHewn();      ///< Stone of one block, without joints: statues.
 Image makeIron();      ///< Riveted plates, two by two.
 Image makeMarble();    ///< A chessboard of light and dark slabs, two by two.
 Image makeMossy();     ///< The stones of makeAshlar, wet and overgrown.

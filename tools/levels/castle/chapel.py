@@ -2,6 +2,7 @@
 
 from castle.site import closed, doorway, floating, opening_above, outdoors, plan, room, square
 from castle.props import CANDLE, candle
+from castle.things import candle_stand, chandelier, put, torch
 from plan import rectangle, ring
 
 NAVE = 0.2
@@ -43,7 +44,21 @@ def chapel():
     for i, x in enumerate((23.4, 25.4, 28.4)):
         doorway(f"chapel-window-{i + 1}", rectangle(x, 19.9, x + 0.7, 20.5), 1.8, 2.4)
 
+    furnish()
+
     ridge = 16.8  # beside the window's middle: outlines of rooms and of what lies above stay apart
     for name, eaves in (("north", 13), ("south", 20.5)):
         outdoors(f"chapel-roof-{name}", rectangle(22, eaves, 31.5, ridge), 6.4, "slate", skin="ashlar",
                  floor_rise=lambda x, y, eaves=eaves: 4 * (y - eaves) / (ridge - eaves))
+
+
+def furnish():
+    """Benches, a statue in the north, candles on both sides of the altar, a chandelier by the door."""
+    put("statue", 27.9, 14.1, NAVE + 0.2, 155, 0.9)
+    for y in (15.2, 18.3):
+        candle_stand(28.9, y, NAVE + 0.2)
+    chandelier(23.4, 16.75, 4.9)
+    for x in (24.2, 25.95):
+        for y in (14.6, 18.9):
+            put("bench", x, y, NAVE, 90)
+    torch(22, 16.75, 3.3, 180)

@@ -1,8 +1,10 @@
 """The country before the castle: road, meadows, hills, moat; and the lake and the sky around it all."""
 
+from castle.props import POST, lamp_post
 from castle.site import (
-    AXIS, COURT, LAKE, OPEN_AIR, OUTDOORS, POST, WATER, glazed, lamp_post, mirrored, moss,
-    on_both_sides, outdoors, plan, room, square)
+    AXIS, COURT, LAKE, OPEN_AIR, OUTDOORS, WATER, glazed, mirrored, moss, on_both_sides, outdoors, plan, room,
+    square)
+from castle.things import put, stores
 from plan import rectangle, ring
 
 BANK, BANK_END, HILL_END = 40, 50, 56
@@ -19,6 +21,9 @@ def country():
         outdoors(f"meadow-{side}", rectangle(x0, BANK, x1, BANK_END), COURT, "grass", skin="mossy",
                  holes=[square(post, 41.3, POST)])
         lamp_post(f"post-{side}", post, 41.3)
+    stores(COURT, barrels=[(20.5, 42.7), (21.6, 42.9)], crates=[(20.9, 41.8, 12), (21.8, 42, 80)])
+    put("crate", 21.3, 41.9, COURT + 0.7, 35, 0.8)
+    put("cart", 12.9, 43.4, COURT, 75)
 
     def rise(name, outline, heights):
         outdoors(name, outline, COURT, "grass", skin="mossy", floor_rise=heights)

@@ -1,8 +1,10 @@
 """The courtyard with garden and stable."""
 
+from castle.props import POST, lamp_post
 from castle.site import (
-    COURT, OPEN_AIR, OUTDOORS, POST, STAIR_OUTER, STAIR_X, STAIR_Y, cone, lamp_post, mirrored, moss,
-    outdoors, pillar, plan, room, square)
+    COURT, OPEN_AIR, OUTDOORS, STAIR_OUTER, STAIR_X, STAIR_Y, cone, mirrored, moss, outdoors, pillar, plan,
+    room, square)
+from castle.things import lantern, put, stores, straw
 from castle.walls import TOWER_APOTHEM, TOWER_X, TOWER_Y
 from plan import rectangle, ring
 
@@ -47,6 +49,11 @@ def courtyard():
     plan.add("crypt-shaft", shaft, (-0.6, None), OPEN_AIR, wall="ashlar", light=OUTDOORS,
              opening=("crypt-shaft", "crypt-light"))
 
+    put("statue", 21.4, 19.9, COURT, 160)
+    put("bench", 24.6, 25.6, 0.2, 90)
+    stores(COURT, barrels=[(9.1, 13.45), (9.85, 13.42), (9.5, 14.1)], crates=[(10.9, 13.5, 6), (11.75, 13.55, 86)])
+    put("crate", 11.3, 13.5, COURT + 0.7, 22, 0.85)
+    put("cart", 7.6, 19.4, COURT, 150)
     stable()
 
 
@@ -68,5 +75,8 @@ def stable():
              floor_rise=lambda x, y: 0.6 * (3.1 - x))
     room("stable-hay", heap, (COURT, "hay"), loft, skin="hay",
          floor_rise=lambda x, y: 0.8 * (4.1 - x) - 0.28 * (y - 20.79))
+    lantern(4.6, 22, 2.05)
+    for x, y, angle in ((4.1, 19.5, 20), (4.9, 20.6, 100), (4.4, 24.5, 55), (5.3, 23.1, 0)):
+        straw(x, y, COURT, angle)
     outdoors("stable-roof", rectangle(2.5, 18, 6, 26), 2.75, "wood", skin="wood",
              floor_rise=lambda x, y: 0.5 * (6 - x))

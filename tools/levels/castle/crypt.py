@@ -3,6 +3,7 @@
 from castle.courtyard import OPENING
 from castle.site import BELOW, CRYPT, FRAME, TOWER_SOUTH, pillar, plan, room, square
 from castle.props import CANDLE, candle
+from castle.things import candle_stand, stores, torch
 from plan import rectangle, ring
 
 LIGHT = ring(*OPENING, 2.1, 8)  # what lies below the opening
@@ -81,3 +82,13 @@ def crypt():
     below("crypt-passage",
           [(4.6, TOWER_SOUTH), (6.4, TOWER_SOUTH), (6.4, 21.4), (7, 21.4), (7, 23.6), (4.6, 23.6)],
           (-2.3, "brick"), light=BELOW + 0.05, surround=FRAME)
+    lights()
+
+
+def lights():
+    """At the passage, on both sides of its mouth, between niches; and beside the tomb."""
+    for x, y, angle in ((4.6, 21.2, 0), (7, 20.9, 0), (7, 24.1, 0), (10.45, 27.5, 270), (13.95, 27.5, 270),
+                        (17.1, 17.5, 90)):
+        torch(x, y, CRYPT + 1.75, angle)
+    candle_stand(10.9, 22.5, CRYPT)
+    stores(CRYPT, barrels=[(4.95, 23.2)])

@@ -1,9 +1,9 @@
 """The gatehouse."""
 
+from castle.props import BOWL, brazier, on_legs
 from castle.site import (
-    BOWL, COURT, PARAPET, WALK, battlement, brazier, doorway, glazed, mirrored, on_both_sides,
-    outdoors, plan, room)
-from castle.props import on_legs
+    COURT, PARAPET, WALK, battlement, doorway, glazed, mirrored, on_both_sides, outdoors, plan, room)
+from castle.things import banner, chandelier, stores, torch
 from plan import rectangle, ring
 
 GATE_TOP = 8.4
@@ -67,6 +67,8 @@ def gatehouse():
     outdoors("gate-top", [(12.5, 30.5), *top, *mirrored(top)[::-1], (21.5, 30.5)], GATE_TOP, "stone",
              skin="ashlar", holes=[ring(18.4, 32.2, BOWL, 8)])
     brazier("brazier-gate", 18.4, 32.2, GATE_TOP)
+    for x in (13.6, 20.4):
+        banner(x, 35.2, 5.15, 90)
 
     guardroom()
     doorway("guard-window", rectangle(16.5, 33.2, 17.5, 34), 6.4, 1.2)
@@ -90,3 +92,7 @@ def guardroom():
     room("guard-bed", bed, (6, "hay"), ceiling, skin="wood")
     on_legs("guard-table", table, floor, ceiling, 0.76, 0.15)
     on_legs("guard-bench", bench, floor, ceiling, 0.45, 0.03)
+    chandelier(17, 32, 7.3)
+    for x in (13.9, 19.9):
+        torch(x, 30.7, 6.75, 90)
+    stores(floor[0], barrels=[(20.2, 32.85)], crates=[(19.35, 32.8, 0)])

@@ -4,7 +4,8 @@ from castle.furniture import APEX, DAIS, HALL, PLACES, furnish, pitch
 from castle.site import (
     INDOORS, STAIR_OUTER, STAIR_X, STAIR_Y, WALK, closed, doorway, floating, glazed, glowing, opening_above,
     outdoors, pillar, plan, room, square)
-from castle.props import BARREL, CANDLE, barrel, candle
+from castle.props import CANDLE, candle
+from castle.things import banner, flame, gonfalon, lantern, put, stores, torch
 from plan import rectangle, ring
 
 GALLERY, HALL_WEST = 3.6, 8.9
@@ -46,19 +47,18 @@ def roof():
 def screens():
     """Below the gallery: three bays between joists on posts, wainscot, a door, stores."""
     ceiling, ys = (3.3, "wood"), [1.4, 4.15, 4.55, 8.95, 9.35, 12.5]
-    barrels = [(9.35, 1.9), (9.35, 2.7), (10.1, 1.85)]
     posts = {name: rectangle(12.35, y, 12.65, y + 0.3)
              for name, y in (("-north-joist", 4.2), ("-south-joist", 9))}
-    holes = {"-north": [ring(*place, BARREL, 8) for place in barrels], "-south": [SHELF],
-             **{name: [post] for name, post in posts.items()}}
+    holes = {"-south": [SHELF], **{name: [post] for name, post in posts.items()}}
     for part, y0, y1 in zip(("-north", "-north-joist", "", "-south-joist", "-south"), ys, ys[1:]):
         room(f"screens{part}", rectangle(HALL_WEST, y0, 12.7, y1), (HALL, "marble"),
              (3, "beam") if part in posts else ceiling, skin="beam", foot=[("wood", 1.6)],
              holes=holes.get(part, []))
     for name, post in posts.items():
         pillar(f"screens{name}-post", post, HALL, "post")
-    for i, place in enumerate(barrels):
-        barrel(f"screens-barrel-{i + 1}", *place, HALL, ceiling)
+    stores(HALL, barrels=[(9.3, 1.8), (9.3, 2.6), (10.05, 1.8)], crates=[(9.35, 3.5, 4)])
+    for x, y in ((11.4, 5), (10, 10.9)):
+        lantern(x, y, 2.35)
     shelf(ceiling)
     closed("kitchen-door", [(HALL_WEST, 6.15), (HALL_WEST, 7.35)], (-1, 0), HALL, 2.1, "door", INDOORS)
 
@@ -73,6 +73,18 @@ def shelf(ceiling):
     candle("screens-candle", *wax, z + 0.25, **air)
     for i, (height, outline) in enumerate(pots):
         room(f"screens-pot-{i + 1}", outline, (z + height, "dirt"), skin="dirt", **air)
+
+
+def hangings():
+    """Beside the hearth, below the beams, on the front; and a torch on the gallery."""
+    for x in (15.5, 19.75):
+        put("standard", x, 1.85, HALL, 90)
+    for x in (15.6, 19.4):
+        for y in (3.4, 10):
+            gonfalon(x, y, 6, 0)
+    for x in (15.6, 19.1):
+        banner(x, 13, 2.6, 90)
+    torch(HALL_WEST, 9.5, 5, 0)
 
 
 def hall():
@@ -115,6 +127,9 @@ def hall():
     glowing("hall-fire", fire, HALL + 0.2, HALL + 0.25, "hall-fire", light=0.8)
     room("hall-fire-above", fire, (HALL + 0.25, None), (2.3, "brick"), wall="brick",
          opening=opening_above("hall-fire"))
+    for x, y, width, height in ((17.3, 1.1, 0.5, 0.7), (17.62, 1.02, 0.55, 0.95), (17.92, 1.12, 0.45, 0.62)):
+        flame(x, y, HALL + 0.2, width, height)
+    hangings()
 
     roof()
     tower = ring(STAIR_X, STAIR_Y, STAIR_OUTER, 12)

@@ -142,21 +142,3 @@ def cone(name, x, y, apothem, eaves, height, stuff="slate", sides=8):
 
         outdoors(f"{name}-{k + 1}", [a, b, (x, y)], eaves, stuff,
                  skin="ashlar" if stuff == "slate" else stuff, floor_rise=rise)
-
-
-# Metres from the middle of a brazier, a lamp post to its sides.
-BOWL, POST = 0.16, 0.14
-
-
-def lamp_post(name, x, y):
-    """An open lantern on a post: its flame, four bars, a roof of four slopes."""
-    bars = [square(x + dx, y + dy, 0.015) for dx in (-0.115, 0.115) for dy in (-0.115, 0.115)]
-    room(name, square(x, y, POST), (1.75, "iron"), (2.35, "iron"), wall="iron", skin="post", light=0.8,
-         holes=[square(x, y, 0.035), *bars])
-    room(f"{name}-flame", square(x, y, 0.035), (1.87, "ember"), (2.35, "iron"), skin="ember", light=1)
-    cone(f"{name}-roof", x, y, POST, 2.4, 0.25, "iron", 4)
-
-
-def brazier(name, x, y, z):
-    """Embers on a stone that stands at a height."""
-    outdoors(name, ring(x, y, BOWL, 8), z + 0.85, "ember", skin="dressed", light=0.9)

@@ -4,6 +4,7 @@ from castle.hall import GALLERY, HALL_WEST
 from castle.site import (
     BELOW, COURT, CRYPT, NEWEL, STAIR_INNER, STAIR_OUTER, STAIR_X, STAIR_Y, STEP, TOWER_SOUTH, WALK,
     doorway, outdoors, plan, room)
+from castle.things import out, put, torch
 from plan import rectangle, ring
 
 FIRST, LAST, UNDER_TOP = -12, 28, 18  # steps; those up to UNDER_TOP have others above them
@@ -30,6 +31,11 @@ def stair_tower():
     for k in range(12):
         outdoors(f"stair-parapet-{k + 1}", wedge(k, inner, outer), 12.5 if k % 2 else 11.8, "stone",
                  skin="ashlar")
+
+    for angle, z in ((150, -3.1), (150, 1.7), (330, 4.9), (210, 8)):
+        torch(*out(STAIR_X, STAIR_Y, angle, STAIR_INNER), z, angle + 180)
+    torch(STAIR_X, TOWER_SOUTH, 2.45, 90)
+    put("flag", STAIR_X, STAIR_Y, STEP * LAST + STEP, 20)
 
     south, east, west = STAIR_Y + STAIR_INNER, STAIR_X + STAIR_INNER, STAIR_X - STAIR_INNER
     doorway("stair-door", rectangle(5, south, 6, TOWER_SOUTH), COURT, 2.2)

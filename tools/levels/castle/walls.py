@@ -2,9 +2,10 @@
 
 import math
 
+from castle.props import BOWL, brazier
 from castle.site import (
-    BOWL, MERLON, PARAPET, STEP, WALK, battlement, brazier, cone, doorway, mirrored, on_both_sides,
-    outdoors, plan, room)
+    MERLON, PARAPET, STEP, WALK, battlement, cone, doorway, mirrored, on_both_sides, outdoors, plan, room)
+from castle.things import lantern, put, stores
 from plan import rectangle, ring
 
 TOWER_X, TOWER_Y, TOWER_APOTHEM = 1.25, 31.75, 1.25 / math.tan(math.pi / 8)
@@ -24,6 +25,10 @@ def corner_towers():
         y0, y1 = TOWER_Y + TOWER_APOTHEM - 0.5, TOWER_Y + TOWER_APOTHEM
         doorway(f"tower-{name}-window", turned(rectangle(0.9, y0, 1.6, y1)), 6.9, 1.2)
         cone(f"tower-{name}-roof", x, TOWER_Y, TOWER_APOTHEM, 9.2, 5)
+        put("flag", x, TOWER_Y, 14.2, 8, solid=False)
+        lantern(x, TOWER_Y, 7.85)
+        stores(WALK, barrels=turned([(-0.7, 32.4), (0, 33.4)]),
+               crates=[(*place, 5) for place in turned([(-0.72, 31.45)])])
 
     on_both_sides(side)
 
