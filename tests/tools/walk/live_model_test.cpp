@@ -2,27 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 
-#include "desktop/disk.h"
-#include "desktop/live_level.h"
-#include "desktop/screenshot_files.h"
+#include "live_walk.h"
 #include "model/open_level.h"
-#include "settings/settings.h"
-#include "stage.h"
 #include "support/temporary_folder.h"
 
 namespace hearth {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::chrono::seconds kPatience{60};
 
 /// An upright panel of this width that faces the front, red or of another colour of crate.mtl.
 std::string panel(double width, const std::string& material = "red") {
@@ -31,7 +20,7 @@ std::string panel(double width, const std::string& material = "red") {
          " 1 0\nusemtl " + material + "\nf 1 2 3 4\n";
 }
 
-class LiveModel : public testing::Test {
+class LiveModel : public test::LiveStage {
  protected:
   void begin() {
     folder_.write("crate.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
@@ -53,33 +42,12 @@ class LiveModel : public testing::Test {
     settings.canBake = true;
     settings.model = {*opened.model, {{0, 0, 0.5}, 4, 270, 0}};
     stage_.window = ImageSize{80, 50};
+    screenshots_ = std::make_unique<ScreenshotFiles>(folder_.path(), "crate");
     loop_ = std::make_unique<WalkLoop>(loaded->scene(), (*lit)->renderer, *session_,
-                                       WalkHost{stage_, disk_, screenshots_}, settings);
+                                       WalkHost{stage_, disk_, *screenshots_}, settings);
     loop_->round();
   }
 
-  void round() {
-    stage_.now += 1.0 / 64;
-    loop_->round();
-    live_->update(*loop_, *session_, stage_);
-  }
-  template <typename Condition>
-  bool comesTo(Condition&& condition) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (!condition()) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      round();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-  }
-  bool isTold(const std::string& words) {
-    return comesTo([&] {
-      return std::ranges::any_of(stage_.printed, [&](const std::string& line) {
-        return line.find(words) != std::string::npos;
-      });
-    });
-  }
   /// Columns of the middle row that the panel takes.
   int width() const {
     int columns = 0;
@@ -90,13 +58,6 @@ class LiveModel : public testing::Test {
   Rgb middle() const { return stage_.shown.at(40, 25); }
 
   test::TemporaryFolder folder_;
-  OptionValues values_;
-  test::Stage stage_;
-  Disk disk_;
-  ScreenshotFiles screenshots_{testing::TempDir(), "crate"};
-  std::unique_ptr<LiveLevel> live_;
-  std::unique_ptr<WalkSession> session_;
-  std::unique_ptr<WalkLoop> loop_;
 };
 
 TEST_F(LiveModel, ShowsWhatWasSavedFromTheSameView) {
@@ -104,7 +65,6 @@ TEST_F(LiveModel, ShowsWhatWasSavedFromTheSameView) {
   const int before = width();
   folder_.write("crate.obj", panel(2));
   ASSERT_TRUE(isTold("crate.obj: shown"));
-  round();
   EXPECT_NEAR(width(), 2 * before, 2);
   EXPECT_EQ(live_->shown()->model->box, (Box3{{-1, 0, 0}, {1, 0, 1}}));
 }
@@ -114,7 +74,6 @@ TEST_F(LiveModel, ShowsMaterialsThatWereSaved) {
   EXPECT_GT(middle().r, middle().b);
   folder_.write("crate.mtl", "newmtl red\nKd 0 0.2 1\n");
   ASSERT_TRUE(isTold("crate.mtl: shown"));
-  round();
   EXPECT_LT(middle().r, middle().b);
 }
 
@@ -135,7 +94,6 @@ TEST_F(LiveModel, ShowsAllOfAModelThatHasBecomeTooSmallForTheView) {
     small.replace(at, 3, " 0.001 ");
   folder_.write("crate.obj", small);
   ASSERT_TRUE(isTold("crate.obj: shown"));
-  round();
   EXPECT_GT(width(), 30);
 }
 

@@ -28,8 +28,48 @@ inline constexpr std::chrono::seconds kPatience{60};
 
 inline void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
+/// A walk on a stage, whose files may be saved meanwhile.
+class LiveStage : public testing::Test {
+ protected:
+  void round() {
+    stage_.now += 1.0 / 64;
+    loop_->round();
+    live_->update(*loop_, *session_, stage_);
+  }
+
+  /// Rounds until something is so, or for too long.
+  bool comesTo(const std::function<bool()>& condition) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      round();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  /// Also shows what follows.
+  bool isTold(const std::string& words) {
+    const bool has = comesTo([&] {
+      return std::ranges::any_of(stage_.printed, [&](const std::string& line) {
+        return line.find(words) != std::string::npos;
+      });
+    });
+    stage_.printed.clear();
+    round();
+    return has;
+  }
+
+  OptionValues values_;
+  Stage stage_;
+  Disk disk_;
+  std::unique_ptr<LiveLevel> live_;
+  std::unique_ptr<WalkSession> session_;
+  std::unique_ptr<ScreenshotFiles> screenshots_;
+  std::unique_ptr<WalkLoop> loop_;
+};
+
 /// A walk through a copy of a level, on a stage.
-class LiveWalk : public testing::Test {
+class LiveWalk : public LiveStage {
  protected:
   LiveWalk() : folder_(fs::temp_directory_path() / fmt::format("hearth-live-{}", ::getpid())) {
     fs::remove_all(folder_);
@@ -63,35 +103,9 @@ class LiveWalk : public testing::Test {
     loop_->round();
   }
 
-  void round() {
-    stage_.now += 1.0 / 64;
-    loop_->round();
-    live_->update(*loop_, *session_, stage_);
-  }
-
-  /// Rounds until something is so, or for too long.
-  bool comesTo(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (!condition()) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      round();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-  }
   bool comesToShowFresh() {
     const Image expected = fresh();
     return comesTo([&] { return stage_.shown == expected; });
-  }
-  bool isTold(const std::string& words) {
-    const bool has = comesTo([&] {
-      return std::ranges::any_of(stage_.printed, [&](const std::string& line) {
-        return line.find(words) != std::string::npos;
-      });
-    });
-    stage_.printed.clear();
-    round();
-    return has;
   }
 
   LoadedLevel load() const {
@@ -118,13 +132,6 @@ class LiveWalk : public testing::Test {
   void writeRoom(const std::string& name, double floor);
 
   fs::path folder_;
-  OptionValues values_;
-  Stage stage_;
-  Disk disk_;
-  std::unique_ptr<LiveLevel> live_;
-  std::unique_ptr<WalkSession> session_;
-  std::unique_ptr<ScreenshotFiles> screenshots_;
-  std::unique_ptr<WalkLoop> loop_;
 };
 
 }  // namespace hearth::test
