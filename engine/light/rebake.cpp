@@ -339,7 +339,7 @@ std::vector<std::shared_ptr<const LightMemory::Kept::Mesh>> Rebake::Baker::litMe
     const std::uint32_t mesh = meshesLeft_[i];
     SectorSet met;
     for (const SectorId sector : lighter_.sectorsOf(mesh)) met.add(sector);
-    const MeshLights& lights = lighter_.lightsOf(mesh);
+    const LightsOnMesh& lights = lighter_.lightsOf(mesh);
     lights.addSectorsTo(met);
     for (const std::size_t light : lights.lights()) addSectorsOf(light, met);
     meshes[mesh] =

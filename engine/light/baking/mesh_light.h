@@ -8,7 +8,7 @@
 
 #include "light/bakery.h"
 #include "light/baking/light_visibility.h"
-#include "light/baking/mesh_lights.h"
+#include "light/baking/lights_on_mesh.h"
 #include "light/light_cost.h"
 #include "light/lightmap.h"
 
@@ -17,7 +17,7 @@ namespace hearth {
 /// What a bake finds for a mesh.
 struct MeshLight {
   std::optional<Lightmap> lightmap;  ///< of all its faces
-  std::vector<LightCost> costs;      ///< of its MeshLights
+  std::vector<LightCost> costs;      ///< of its LightsOnMesh
   std::size_t facingLights = 0;      ///< the most that lie before one of its patches
 };
 
@@ -33,7 +33,7 @@ class MeshLighter {
 
   std::span<const SectorId> sectorsOf(std::uint32_t mesh) const { return sectors_[mesh]; }
   /// Of one of the meshes.
-  const MeshLights& lightsOf(std::uint32_t mesh) const { return *lights_[mesh]; }
+  const LightsOnMesh& lightsOf(std::uint32_t mesh) const { return *lights_[mesh]; }
   /// Of some of the meshes, in their order.
   std::vector<MeshLight> find(std::span<const std::uint32_t> meshes) const;
   /// Gives a mesh its light. Adds to the costs of `baked` where it has some.
@@ -51,8 +51,8 @@ class MeshLighter {
   const BakeSettings& settings_;
   int threads_;
   const std::vector<LitMesh>& lit_;
-  std::vector<std::vector<SectorId>> sectors_;     ///< by mesh
-  std::vector<std::optional<MeshLights>> lights_;  ///< by mesh
+  std::vector<std::vector<SectorId>> sectors_;       ///< by mesh
+  std::vector<std::optional<LightsOnMesh>> lights_;  ///< by mesh
 };
 
 }  // namespace hearth

@@ -6,7 +6,7 @@
 
 #include "level/scene.h"
 #include "light/baking/light_visibility.h"
-#include "light/baking/mesh_lights.h"
+#include "light/baking/lights_on_mesh.h"
 #include "light/rays/shaft.h"
 
 namespace hearth {

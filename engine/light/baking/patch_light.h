@@ -8,7 +8,7 @@
 
 #include "level/scene.h"
 #include "light/baking/light_visibility.h"
-#include "light/baking/mesh_lights.h"
+#include "light/baking/lights_on_mesh.h"
 #include "light/baking/mesh_shafts.h"
 #include "light/light_cost.h"
 #include "light/lit_surface.h"

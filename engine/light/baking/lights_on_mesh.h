@@ -19,11 +19,11 @@ TargetBox boxOf(const LitSurface& patch);
 
 /// The lights that may shine on a mesh, each with its shaft to the whole mesh: shafts to parts of
 /// it lie within that. A light too far away is none of them, nor one that walls hide altogether.
-class MeshLights {
+class LightsOnMesh {
  public:
   /// `lit` is the mesh on its texel grids, `sectors` are those that the mesh is in.
-  MeshLights(const Scene& scene, const LightVisibilities& visibilities, const LitMesh& lit,
-             std::span<const SectorId> sectors);
+  LightsOnMesh(const Scene& scene, const LightVisibilities& visibilities, const LitMesh& lit,
+               std::span<const SectorId> sectors);
 
   /// Indices, rising.
   const std::vector<std::size_t>& lights() const { return lights_; }
@@ -41,7 +41,7 @@ class MeshLights {
 struct MeshPlace {
   std::uint32_t mesh;                 ///< index
   std::span<const SectorId> sectors;  ///< that it is in
-  const MeshLights& lights;
+  const LightsOnMesh& lights;
 };
 
 }  // namespace hearth

@@ -1,4 +1,4 @@
-#include "light/baking/mesh_lights.h"
+#include "light/baking/lights_on_mesh.h"
 
 #include <algorithm>
 #include <utility>
@@ -40,8 +40,8 @@ TargetBox boxOf(const LitSurface& patch) {
   return box;
 }
 
-MeshLights::MeshLights(const Scene& scene, const LightVisibilities& visibilities,
-                       const LitMesh& lit, std::span<const SectorId> sectors) {
+LightsOnMesh::LightsOnMesh(const Scene& scene, const LightVisibilities& visibilities,
+                           const LitMesh& lit, std::span<const SectorId> sectors) {
   const Box3 box = boxOf(scene.level(), lit);
   const ShaftTargets targets{TargetBox::around(box), sectors};
   for (std::size_t i = 0; i < scene.level().lights.size(); ++i) {
@@ -55,12 +55,12 @@ MeshLights::MeshLights(const Scene& scene, const LightVisibilities& visibilities
   }
 }
 
-const Shaft& MeshLights::shaftFrom(std::size_t light) const {
+const Shaft& LightsOnMesh::shaftFrom(std::size_t light) const {
   return shafts_[static_cast<std::size_t>(std::ranges::lower_bound(lights_, light) -
                                           lights_.begin())];
 }
 
-void MeshLights::addSectorsTo(SectorSet& sectors) const {
+void LightsOnMesh::addSectorsTo(SectorSet& sectors) const {
   for (const Shaft& shaft : shafts_) shaft.addSectorsTo(sectors);
 }
 
