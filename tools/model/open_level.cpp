@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -22,20 +23,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a source, and beside them a level and its lights that no folder holds.
-class WithAir final : public FileSource {
+/// The files of a source, each read once: one that is saved meanwhile stays as it was at first.
+/// Beside them there may be texts that no folder holds.
+class FilesReadOnce final : public FileSource {
  public:
-  WithAir(const AirFiles& air, const FileSource& files) : air_(air), files_(files) {}
+  explicit FilesReadOnce(const FileSource& files) : files_(files) {}
+
+  void add(const fs::path& path, std::string text) { texts_[path] = std::move(text); }
 
   FileKind kindOf(const fs::path& path) const override {
     return textOf(path) ? FileKind::Regular : files_.kindOf(path);
   }
-  /// The user's limit is for files, not for the air.
+  /// The user's limit is for files, not for what was added.
   tl::expected<std::string, ReadError> read(const fs::path& path,
                                             std::uint64_t maxBytes) const override {
-    const std::string* text = textOf(path);
-    if (text) return *text;
-    return files_.read(path, maxBytes);
+    if (const std::string* text = textOf(path)) return *text;
+    tl::expected<std::string, ReadError> read = files_.read(path, maxBytes);
+    if (read) texts_[path] = *read;
+    return read;
   }
   tl::expected<std::unique_ptr<std::istream>, ReadError> open(const fs::path& path) const override {
     const std::string* text = textOf(path);
@@ -48,12 +53,12 @@ class WithAir final : public FileSource {
 
  private:
   const std::string* textOf(const fs::path& path) const {
-    if (path == air_.level) return &air_.levelText;
-    return path == air_.lights ? &air_.lightsText : nullptr;
+    const auto found = texts_.find(path);
+    return found == texts_.end() ? nullptr : &found->second;
   }
 
-  const AirFiles& air_;
   const FileSource& files_;
+  mutable std::map<fs::path, std::string> texts_;
 };
 
 ModelFigures figuresOf(const Model& model) {
@@ -129,8 +134,7 @@ LoadLimits limitsWithAir(LoadLimits limits) {
 /// Loads the model in its air. Messages about the files of the air name the model's file.
 void loadInAir(const fs::path& file, const AirFiles& air, const LoadLimits& limits,
                const FileSource& files, OpenedLevel& opened) {
-  auto [result, source] =
-      loadLevelWithSource(air.level, limitsWithAir(limits), {}, WithAir(air, files));
+  auto [result, source] = loadLevelWithSource(air.level, limitsWithAir(limits), {}, files);
   for (Diagnostic& diagnostic : result.diagnostics) {
     if (isTold(diagnostic)) continue;
     if (isOfAir(diagnostic, air)) {
@@ -148,8 +152,9 @@ void loadInAir(const fs::path& file, const AirFiles& air, const LoadLimits& limi
                 [&air](const fs::path& read) { return read == air.level || read == air.lights; });
 }
 
-OpenedLevel openModel(const fs::path& file, const LoadLimits& limits, const FileSource& files) {
+OpenedLevel openModel(const fs::path& file, const LoadLimits& limits, const FileSource& source) {
   OpenedLevel opened;
+  FilesReadOnce files(source);
   std::vector<Diagnostic>& diagnostics = opened.result.diagnostics;
   ModelRead read = readModel(file, limits, files);
   for (const ModelMistake& mistake : read.mistakes) diagnostics.push_back(diagnosticOf(mistake));
@@ -166,6 +171,8 @@ OpenedLevel openModel(const fs::path& file, const LoadLimits& limits, const File
     return opened;
   }
   read.model.reset();  // before the level's copy takes as much memory
+  files.add(air->level, air->levelText);
+  files.add(air->lights, air->lightsText);
   loadInAir(file, *air, limits, files, opened);
   if (opened.result.loaded) opened.model = figures;
   return opened;

@@ -258,6 +258,39 @@ TEST(ModelAlone, WearsItsImagesFromItsFolder) {
             (Rgb{200, 0, 0}));
 }
 
+/// Files of which the model is saved anew whenever it has been read.
+class SavedWhileRead final : public FileSource {
+ public:
+  SavedWhileRead() { save(); }
+
+  FileKind kindOf(const std::filesystem::path& path) const override { return files_.kindOf(path); }
+  tl::expected<std::string, ReadError> read(const std::filesystem::path& path,
+                                            std::uint64_t maxBytes) const override {
+    auto text = files_.read(path, maxBytes);
+    if (path == "crate.obj") save();
+    return text;
+  }
+  tl::expected<std::unique_ptr<std::istream>, ReadError> open(
+      const std::filesystem::path& path) const override {
+    return files_.open(path);
+  }
+  std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder) const override {
+    return files_.namesIn(folder);
+  }
+
+ private:
+  void save() const { files_.add("crate.obj", boxModel(++size_)); }
+
+  mutable test::MemoryFiles files_;
+  mutable double size_ = 0;
+};
+
+TEST(ModelAlone, IsOneVersionOfAFileThatIsSavedWhileItIsRead) {
+  const OpenedLevel level = openLevel("crate.obj", {}, {}, SavedWhileRead());
+  ASSERT_TRUE(level.result.loaded) << listed(level);
+  EXPECT_EQ(level.model->box, boxOf(level.result.loaded->level.meshFaces));
+}
+
 TEST(ModelAlone, HasAShotFromItsFront) {
   const OpenedLevel level = opened(boxModel(3));
   ASSERT_TRUE(level.result.loaded);
