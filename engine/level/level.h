@@ -107,6 +107,10 @@ struct Level {
   std::span<const MeshFace> facesOf(const Mesh& mesh) const {
     return {meshFaces.data() + mesh.firstFace, mesh.faceCount};
   }
+  /// Of one of `meshFaces`.
+  std::uint32_t indexOf(const MeshFace& face) const {
+    return static_cast<std::uint32_t>(&face - meshFaces.data());
+  }
 
   std::span<const BodyInSector> bodiesIn(SectorId sector) const {
     return inSector(bodiesBySector, sector);

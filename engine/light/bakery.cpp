@@ -47,17 +47,29 @@ std::int64_t texelsOf(const std::vector<LitMesh>& meshes) {
   return sum;
 }
 
-/// Bakes the texels of these surfaces, all of which can be lit, and these meshes.
+/// Indices of meshes that have some faces, which rise.
+std::vector<std::uint32_t> meshesOf(const Level& level, const std::vector<std::uint32_t>& faces) {
+  std::vector<std::uint32_t> meshes;
+  for (std::uint32_t i = 0; i < level.meshes.size(); ++i) {
+    const Mesh& mesh = level.meshes[i];
+    const auto first = std::ranges::lower_bound(faces, mesh.firstFace);
+    if (first != faces.end() && *first < mesh.firstFace + mesh.faceCount) meshes.push_back(i);
+  }
+  return meshes;
+}
+
+/// Bakes the texels of these surfaces, all of which can be lit, and `meshes`, the indices of those
+/// that `litMeshes` has.
 BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32_t> meshes,
-                    LitSurfaces surfaces, const Scene& scene, const BakeSettings& settings,
-                    int threads, BakeProgress* progress) {
+                    LitSurfaces surfaces, std::vector<LitMesh> litMeshes, const Scene& scene,
+                    const BakeSettings& settings, int threads, BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
   sortByFallingSize(jobs);
 
   BakedLight baked;
   baked.surfaces = std::move(surfaces);
-  baked.meshes = makeLitMeshes(scene.level(), settings.texel, meshes, threads);
+  baked.meshes = std::move(litMeshes);
   done.begin(texelsOf(jobs) + texelsOf(baked.meshes));
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
@@ -132,19 +144,22 @@ BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
     if (surfaces[i]) all.push_back({SurfaceId(i), surfaces[i]->texels});
   std::vector<std::uint32_t> meshes(scene.level().meshes.size());
   std::iota(meshes.begin(), meshes.end(), 0U);
-  return bakeJobs(std::move(all), meshes, std::move(surfaces), scene, settings, threads, progress);
+  return bakeJobs(std::move(all), meshes, std::move(surfaces),
+                  makeLitMeshes(scene.level(), settings.texel, threads), scene, settings, threads,
+                  progress);
 }
 
-BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
+BakedLight bakeOnly(const WantedTexels& wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress) {
+  const Level& level = scene.level();
   std::vector<SurfaceTexels> jobs;
-  std::vector<std::uint32_t> meshes;
-  for (const SurfaceTexels& texels : wanted)
-    if (scene[texels.surface].kind == SurfaceKind::Mesh)
-      meshes.push_back(scene.level().meshIndexOf(texels.surface));
-    else
-      jobs.push_back({texels.surface, texelsToBake(texels, scene, surfaces, settings)});
-  return bakeJobs(std::move(jobs), meshes, std::move(surfaces), scene, settings, threads, progress);
+  for (const SurfaceTexels& texels : wanted.surfaces)
+    jobs.push_back({texels.surface, texelsToBake(texels, scene, surfaces, settings)});
+  const std::vector<std::uint32_t> meshes = meshesOf(level, wanted.faces);
+  std::vector<LitMesh> lit = makeLitMeshes(level, settings.texel, meshes, threads);
+  for (const std::uint32_t mesh : meshes) keepOnly(wanted.faces, level.meshes[mesh], lit[mesh]);
+  return bakeJobs(std::move(jobs), meshes, std::move(surfaces), std::move(lit), scene, settings,
+                  threads, progress);
 }
 
 }  // namespace hearth

@@ -54,16 +54,22 @@ std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSetti
 BakedLight bake(const Scene& scene, const BakeSettings& settings, int threads,
                 BakeProgress* progress = nullptr);
 
-/// Texels of a surface, at least one. A mesh is baked whole, whatever they are.
+/// Texels of a surface, at least one.
 struct SurfaceTexels {
   SurfaceId surface;
   TexelRect texels;
 };
 
-/// Bakes only some texels, with each surface listed once. They get the same light as in a whole
-/// bake. `surfaces` are the scene's, on grids of `settings`. Texels that were not wanted
-/// are black, or their surface has no lightmap.
-BakedLight bakeOnly(std::span<const SurfaceTexels> wanted, LitSurfaces surfaces, const Scene& scene,
+/// Texels of a part of a level.
+struct WantedTexels {
+  std::vector<SurfaceTexels> surfaces;  ///< each is listed once
+  std::vector<std::uint32_t> faces;     ///< of meshes: indices into Level::meshFaces, rising
+};
+
+/// Bakes only these texels, and sprites. They get the same light as in a whole bake. `surfaces` are
+/// the scene's, on grids of `settings`. Texels that were not wanted are black, or their surface has
+/// no lightmap.
+BakedLight bakeOnly(const WantedTexels& wanted, LitSurfaces surfaces, const Scene& scene,
                     const BakeSettings& settings, int threads, BakeProgress* progress = nullptr);
 
 }  // namespace hearth

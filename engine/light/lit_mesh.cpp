@@ -89,7 +89,7 @@ LitMesh makeLitMesh(const Level& level, std::uint32_t index, double texel) {
     for (const std::uint32_t face : patch.faces)
       for (std::size_t k = 0; k < 3; ++k)
         mesh.places[face][k] = patch.surface.grid.toTexels(faces[face].corners[k]) + shift;
-    mesh.patches.push_back({std::move(patch.surface), i, j});
+    mesh.patches.push_back({std::move(patch.faces), std::move(patch.surface), i, j});
   }
   shelves.nextShelf();
   for (const std::uint32_t face : divided.smallFaces) {
@@ -124,6 +124,17 @@ std::vector<LitMesh> makeLitMeshes(const Level& level, double texel,
   parallelFor(meshes.size(), threads,
               [&](std::size_t i) { lit[meshes[i]] = makeLitMesh(level, meshes[i], texel); });
   return lit;
+}
+
+void keepOnly(std::span<const std::uint32_t> faces, const Mesh& of, LitMesh& mesh) {
+  const auto isKept = [&](std::uint32_t face) {
+    return std::ranges::binary_search(faces, of.firstFace + face);
+  };
+  std::erase_if(mesh.patches, [&](const LitMesh::Patch& patch) {
+    return std::ranges::none_of(patch.faces, isKept);
+  });
+  std::erase_if(mesh.smallFaces,
+                [&](const LitMesh::SmallFace& small) { return !isKept(small.face); });
 }
 
 }  // namespace hearth

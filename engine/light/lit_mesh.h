@@ -21,6 +21,7 @@ struct LitMesh {
 
   /// Faces in one plane that are larger than a texel, on a texel grid of their own.
   struct Patch {
+    std::vector<std::uint32_t> faces;  ///< indices into the mesh's faces
     LitSurface surface;
     int i;  ///< texel (i, j) of the lightmap is the first of `surface.texels`
     int j;
@@ -51,5 +52,9 @@ LitMesh makeLitMesh(const Level& level, std::uint32_t mesh, double texel);
 std::vector<LitMesh> makeLitMeshes(const Level& level, double texel, int threads);
 std::vector<LitMesh> makeLitMeshes(const Level& level, double texel,
                                    std::span<const std::uint32_t> meshes, int threads);
+
+/// Leaves only the patches and small faces that some faces are part of. `faces` are indices into
+/// the level's, by rising index. Light stays where it lies on the lightmap.
+void keepOnly(std::span<const std::uint32_t> faces, const Mesh& of, LitMesh& mesh);
 
 }  // namespace hearth

@@ -31,8 +31,7 @@ Rgb gray(double level) {
 
 /// A colour for each face; darker ones for surfaces, by their numbers.
 Rgb faceColor(const Span& span, const ChannelFrame& frame) {
-  if (span.face)
-    return indexColor(static_cast<std::size_t>(span.face - frame.level.meshFaces.data()));
+  if (span.face) return indexColor(frame.level.indexOf(*span.face));
   const Rgb surface = indexColor(frame.surfaceNumbers[span.surface.index()]);
   const auto dark = [](std::uint8_t c) { return static_cast<std::uint8_t>(c / 4); };
   return {dark(surface.r), dark(surface.g), dark(surface.b)};

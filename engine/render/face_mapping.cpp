@@ -28,7 +28,7 @@ bool isUprightPlane(Vec3 out) {
 const FacePlaces* placesOf(const Level& level, const LitMesh* mesh, const MeshFace& face) {
   if (!mesh) return nullptr;
   const std::uint32_t first = level.meshOf(mesh->surface).firstFace;
-  return &mesh->places[static_cast<std::size_t>(&face - level.meshFaces.data()) - first];
+  return &mesh->places[level.indexOf(face) - first];
 }
 
 void mapFace(const Projection& projection, const SpanGroup& group, const Texture* image,

@@ -58,24 +58,24 @@ void addEnds(const SpanMapping& mapping, const Projection& projection, const Spa
 
 }  // namespace
 
-std::vector<SurfaceTexels> texelsInView(const Scene& scene, const LitSurfaces& surfaces,
-                                        const Camera& camera, const DrawSettings& settings) {
+WantedTexels texelsInView(const Scene& scene, const LitSurfaces& surfaces, const Camera& camera,
+                          const DrawSettings& settings) {
   const Projection projection = projectionFor(scene, camera, settings.pixelSize);
   VisibilityScratch scratch;
   std::map<SurfaceId, Reads> reads;
-  std::set<SurfaceId> meshes;
+  std::set<std::uint32_t> faces;
   const Camera squares = inSquares(camera, settings.pixelSize);
   findVisibleSpans(scene, squares, projection, scratch).forEachSpan([&](const Span& span) {
-    if (span.face) meshes.insert(span.surface);
+    if (span.face) faces.insert(scene.level().indexOf(*span.face));
     if (const auto& lit = surfaces[span.surface.index()])
       addEnds(mappingOf(scene, projection, span, nullptr, {&*lit, nullptr}), projection, span,
               reads);
   });
 
-  std::vector<SurfaceTexels> seen;
+  WantedTexels seen;
   for (const auto& [id, read] : reads)
-    seen.push_back({id, readIn(read, surfaces[id.index()]->texels)});
-  for (const SurfaceId mesh : meshes) seen.push_back({mesh, {}});
+    seen.surfaces.push_back({id, readIn(read, surfaces[id.index()]->texels)});
+  seen.faces.assign(faces.begin(), faces.end());
   return seen;
 }
 

@@ -48,9 +48,15 @@ constexpr std::array kFrames = {
     DrawSettings{.pixelSize = 3},
 };
 
-std::int64_t texelsOf(std::span<const SurfaceTexels> texels) {
+std::int64_t texelsOf(const WantedTexels& wanted) {
   std::int64_t sum = 0;
-  for (const SurfaceTexels& part : texels) sum += part.texels.count();
+  for (const SurfaceTexels& part : wanted.surfaces) sum += part.texels.count();
+  return sum;
+}
+
+std::int64_t raysToMeshes(const Level& level, const BakedLight& light) {
+  std::int64_t sum = 0;
+  for (const Mesh& mesh : level.meshes) sum += light.surfaceCosts[mesh.surface.index()].rays;
   return sum;
 }
 
@@ -58,6 +64,8 @@ TEST(TexelsInView, areAllThatFramesOfRandomLevelsRead) {
   const RandomLevels levels;
   std::int64_t read = 0;
   std::int64_t all = 0;
+  std::int64_t raysInView = 0;
+  std::int64_t allRays = 0;
   for (std::uint64_t seed = 700; seed < 760; ++seed) {
     const LoadedLevel loaded = levels.load(seed);
     const Level& level = loaded.level;
@@ -75,9 +83,12 @@ TEST(TexelsInView, areAllThatFramesOfRandomLevelsRead) {
                   Renderer(scene, loaded.textures, whole, settings).draw(camera, mode));
       read += texelsOf(inView);
       all += whole.stats.texels;
+      raysInView += raysToMeshes(level, part);
+      allRays += raysToMeshes(level, whole);
     }
   }
   EXPECT_LT(5 * read, all);
+  EXPECT_LT(5 * raysInView, allRays);
 }
 
 }  // namespace
