@@ -22,6 +22,9 @@ class FaceRay {
   struct Crossing {
     double t;      ///< ray parameter: point = origin + t * direction
     bool isFront;  ///< the ray comes from the face's front
+
+    /// Where it counts if backs do so much nearer.
+    double place(double backsNearer) const { return isFront ? t : t - backsNearer; }
   };
   /// Edges belong to a face. None of a face that the ray sees edge-on.
   std::optional<Crossing> crossingOf(const MeshFace& face) const;

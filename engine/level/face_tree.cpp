@@ -77,18 +77,16 @@ bool FaceTree::stops(std::span<const MeshFace> faces, const FaceRay& ray, double
 }
 
 std::optional<FaceRay::Crossing> FaceTree::nearest(std::span<const MeshFace> faces,
-                                                   const FaceRay& ray, double tFrom,
-                                                   double tTo) const {
+                                                   const FaceRay& ray, double tFrom, double tTo,
+                                                   double tie) const {
   BoxRay boxes = boxRay(ray, tFrom, tTo);
   std::optional<FaceRay::Crossing> found;
-  std::uint32_t last = 0;
   anyFaceOn(boxes, [&](std::uint32_t face) {
     const std::optional<FaceRay::Crossing> crossing = ray.crossingOf(faces[face]);
     if (!crossing || crossing->t < tFrom || crossing->t > tTo || crossing->t <= 0) return false;
-    if (found && crossing->t == found->t && face < last) return false;
+    if (found && found->place(tie) <= crossing->place(tie)) return false;
     found = crossing;
-    last = face;
-    tTo = crossing->t;
+    tTo = std::min(tTo, crossing->place(tie) + tie);
     boxes.endAt(tTo);
     return false;
   });

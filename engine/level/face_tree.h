@@ -30,9 +30,10 @@ class FaceTree {
 
   /// Whether the ray meets any.
   bool stops(std::span<const MeshFace> faces, const FaceRay& ray, double tFrom, double tTo) const;
-  /// The first that the ray meets. Of several at one place the last of `faces` counts.
+  /// The first that the ray meets. A back counts as if it were `tie` nearer, as ray parameter: it
+  /// comes before a front that it touches.
   std::optional<FaceRay::Crossing> nearest(std::span<const MeshFace> faces, const FaceRay& ray,
-                                           double tFrom, double tTo) const;
+                                           double tFrom, double tTo, double tie) const;
 
   /// Whether `test(face)`, of an index into the mesh's faces, holds for one of those in boxes all
   /// around which `mayMeet(box)` holds. No more is tested once one does. Boxes are a rounding of

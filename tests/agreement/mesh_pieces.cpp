@@ -50,7 +50,8 @@ bool isSmall(const MeshFace& face, double texel) {
   std::ranges::transform(face.corners, at.begin(), [&](Vec3 corner) { return axes.of(corner); });
   const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});
   const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
-  return right - left <= texel && high - low <= texel;
+  const double limit = texel * (1 + 1e-6);
+  return right - left <= limit && high - low <= limit;
 }
 
 /// Texels are counted from the least places along the axes, in upright ones from z = 0.
@@ -150,7 +151,8 @@ bool MeshPieces::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const {
   const Level& level = scene_.level();
   if (level.meshesIn(sector).empty()) return false;
   bool isBack = false;
-  // Of the meshes in the sector of the point, those that are in the sector of a stretch, too.
+  // Of the meshes in the sector of the point, those that are in the sector of a stretch, too. What
+  // is no more than kArrival apart touches: then the point is in the mesh whose back it is.
   const auto nearestIn = [&](const AirStretch& air) -> std::optional<TruthHit> {
     std::optional<double> nearest;
     for (const MeshInSector& at : level.meshesIn(sector)) {
@@ -160,10 +162,13 @@ bool MeshPieces::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const {
       if (std::ranges::none_of(level.meshesIn(air.sector), isHere)) continue;
       for (const MeshFace& face : level.facesOf(mesh)) {
         const std::optional<double> t = meet(face, point, normal);
-        if (!t || *t < std::max(kArrival, air.tEnter) || *t > air.tLeave) continue;
-        if (nearest && *t >= *nearest) continue;
-        nearest = t;
-        isBack = dot(frontOf(face), normal) > 0;
+        if (!t || *t < std::max(kArrival, air.tEnter - kArrival)) continue;
+        if (*t > air.tLeave + kArrival) continue;
+        const bool isBackHere = dot(frontOf(face), normal) > 0;
+        const double place = isBackHere ? *t - kArrival : *t;
+        if (nearest && place >= *nearest) continue;
+        nearest = place;
+        isBack = isBackHere;
       }
     }
     return nearest ? std::optional(TruthHit{}) : std::nullopt;

@@ -107,7 +107,7 @@ std::optional<FaceRay::Crossing> nearestOfAll(const std::vector<MeshFace>& faces
   for (const MeshFace& each : faces) {
     const auto crossing = ray.crossingOf(each);
     if (!crossing || crossing->t < tFrom || crossing->t > tTo || crossing->t <= 0) continue;
-    if (!nearest || crossing->t <= nearest->t) nearest = crossing;
+    if (!nearest || crossing->t < nearest->t) nearest = crossing;
   }
   return nearest;
 }
@@ -124,7 +124,7 @@ TEST(FaceTree, saysWhetherAnyFaceStopsAPartOfARayAndWhichIsTheNearest) {
     const double tTo = random.number(0.2, 1);
     const auto expected = nearestOfAll(faces, ray, tFrom, tTo);
     EXPECT_EQ(tree.stops(faces, ray, tFrom, tTo), expected.has_value());
-    const auto found = tree.nearest(faces, ray, tFrom, tTo);
+    const auto found = tree.nearest(faces, ray, tFrom, tTo, 0);
     ASSERT_EQ(found.has_value(), expected.has_value());
     if (!found) continue;
     EXPECT_EQ(found->t, expected->t);
@@ -135,17 +135,26 @@ TEST(FaceTree, saysWhetherAnyFaceStopsAPartOfARayAndWhichIsTheNearest) {
   EXPECT_LT(stopped, 1800);
 }
 
-TEST(FaceTree, takesTheLastOfFacesAtOnePlaceForTheNearest) {
-  const MeshFace up = face({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  const MeshFace down = face({0, 0, 0}, {0, 1, 0}, {1, 0, 0});
-  const FaceRay ray({0.2, 0.2, 1}, {0, 0, -2});
-  for (const bool isUpLast : {false, true}) {
-    std::vector<MeshFace> faces(40, isUpLast ? down : up);
-    faces.push_back(isUpLast ? up : down);
-    const auto nearest = FaceTree(faces).nearest(faces, ray, 0, 1);
-    ASSERT_TRUE(nearest);
-    EXPECT_EQ(nearest->isFront, ray.crossingOf(faces.back())->isFront);
-  }
+/// A front, and a back so much farther along the ray, among others that are farther still.
+TEST(FaceTree, takesBacksThatTouchAFrontForNearer) {
+  constexpr double kTie = 1e-3;
+  const auto levelAt = [](double z, bool isFront) {
+    const Vec3 a{0, 0, z};
+    const Vec3 b{1, 0, z};
+    const Vec3 c{0, 1, z};
+    return isFront ? face(a, c, b) : face(a, b, c);
+  };
+  const FaceRay ray({0.2, 0.2, 1}, {0, 0, -1});
+  ASSERT_TRUE(ray.crossingOf(levelAt(0, true))->isFront);
+  for (const double apart : {-1e-2, 0.0, 0.9e-3, 1.1e-3})
+    for (const bool isBackLast : {false, true}) {
+      std::vector<MeshFace> faces(40, levelAt(-1, true));
+      faces.push_back(levelAt(isBackLast ? 0.5 : 0.5 - apart, isBackLast));
+      faces.push_back(levelAt(isBackLast ? 0.5 - apart : 0.5, !isBackLast));
+      const auto nearest = FaceTree(faces).nearest(faces, ray, 0, 1, kTie);
+      ASSERT_TRUE(nearest);
+      EXPECT_EQ(nearest->isFront, apart > kTie) << apart << ' ' << isBackLast;
+    }
 }
 
 TEST(FaceTree, findsFacesFarFromTheOriginInBoxesThatHoldThem) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "light/geometry_hash.h"
+#include "light/lit_mesh.h"
 #include "light/saved_bake.h"
 #include "support/baked_room.h"
 #include "support/level_text.h"
@@ -123,6 +124,17 @@ TEST(MeshLight, isFoundAtTheCornersOfFacesSmallerThanATexel) {
     lit += inFront > 0 ? 1 : 0;
   }
   EXPECT_GT(lit, 2000);
+}
+
+/// Rounding makes some of their sides longer than a texel, and some shorter.
+TEST(MeshLight, isFoundAtTheCornersOfFacesAsLargeAsATexel) {
+  constexpr double kTexel = 0.25;
+  for (int i = 0; i < 40; ++i) {
+    const LoadedLevel hall = hallWith(
+        fmt::format("{{'mesh':'box.obj','x':{0},'y':4,'z':{0},'scale':{1}}}", 1 + 0.1 * i, kTexel),
+        kLamp);
+    EXPECT_TRUE(makeLitMesh(hall.level, 0, kTexel).patches.empty()) << i;
+  }
 }
 
 /// The edge of the shadow of a wall of 1 m runs across the panel.

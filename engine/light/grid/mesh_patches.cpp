@@ -13,6 +13,7 @@
 
 #include "light/grid/plane.h"
 #include "light/ray_error.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
@@ -52,6 +53,7 @@ TexelGrid gridOf(const Plane& plane, std::span<const MeshFace> faces, double tex
   return grid;
 }
 
+/// As large as a texel is small, too, whatever rounding makes of it.
 bool isSmall(const MeshFace& face, double texel) {
   if (frontOf(face) == Vec3{}) return true;  // too small for numbers
   const TexelGrid grid = gridOf(planeOf(face), std::span(&face, 1), texel);
@@ -59,7 +61,7 @@ bool isSmall(const MeshFace& face, double texel) {
                                     grid.toTexels(face.corners[2])};
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
   const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
-  return right - left <= 1 && bottom - top <= 1;
+  return right - left <= 1 + kFilterSlack && bottom - top <= 1 + kFilterSlack;
 }
 
 /// Whether faces face the same way in one plane, but for rounding.

@@ -235,21 +235,20 @@ class Walk {
                                [mesh](const MeshInSector& at) { return at.mesh == mesh; });
   }
 
-  /// Of meshes that have an inside, from the origin on in the sector where the ray is; what lies
-  /// within kArrival of the origin lies on its surface.
+  /// Of meshes that have an inside, from the origin on in the sector where the ray is. Up to
+  /// kArrival apart things touch: what the origin touches is its surface, a face that touches what
+  /// ends the air is in it, and a back comes before a front that it touches.
   std::optional<FaceRay::Crossing> nearestFace(std::span<const MeshInSector> meshes,
                                                double tLeave) const {
-    const double tFrom = std::max(t_, kArrival / std::sqrt(length2_));
+    const double tie = kArrival / std::sqrt(length2_);
+    const double tFrom = std::max(t_ - tie, tie);
     std::optional<FaceRay::Crossing> nearest;
-    double tTo = tLeave;
     for (const MeshInSector& at : meshes) {
       const Mesh& mesh = scene_.level().meshes[at.mesh];
       if (!mesh.castsShadow || mesh.isTwoSided || !isHere(at.mesh)) continue;
-      const auto crossing = scene_.level().faceTrees[at.mesh].nearest(scene_.level().facesOf(mesh),
-                                                                      *faceRay_, tFrom, tTo);
-      if (!crossing) continue;
-      nearest = crossing;
-      tTo = crossing->t;
+      const auto crossing = scene_.level().faceTrees[at.mesh].nearest(
+          scene_.level().facesOf(mesh), *faceRay_, tFrom, tLeave + tie, tie);
+      if (crossing && (!nearest || crossing->place(tie) < nearest->place(tie))) nearest = crossing;
     }
     return nearest;
   }
