@@ -26,23 +26,24 @@ inline FaceCorners cornersBefore(const Projection& projection, const MeshFace& f
 }
 
 /// A face of a mesh before the eye. Rays are (1, slant, ray slope): 1 m ahead, to the right and up,
-/// see Projection.
-struct FaceFront {
-  const MeshFace* face;
-  std::uint32_t index;  ///< of the face, into Level::meshFaces
-  std::uint32_t thing;  ///< see Mesh
-  SurfaceId mesh;
+/// see Projection. Of a large model most are not in the cache when they are needed. So what tells
+/// where a face shows lies together, in two cache lines, and what it shows needs not the face.
+struct alignas(64) FaceFront {
   ColumnRange columns;  ///< outside which it does not show
-  bool isNarrow;        ///< it covers so few that groups of its spans are not worth their memory
   /// A ray meets the face where its product with none of these is negative: homogeneous edge
   /// functions (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
   /// 1997). So nothing has to be clipped at the eye. Two faces have the same function, to the bit,
   /// with opposite signs at a common edge: each ray meets one of them.
   std::array<Vec3, 3> edges;
-  Vec3 nearness;  ///< a ray's product with it is 1 / depth, per metre
+  Vec3 nearness;        ///< a ray's product with it is 1 / depth, per metre
+  std::uint32_t thing;  ///< see Mesh
+  TextureId texture;
   // In repeats of the image, along the same axes:
   FaceGradient u;
   FaceGradient v;
+  const MeshFace* face;
+  SurfaceId mesh;
+  bool isNarrow;  ///< it covers so few columns that groups of its spans are not worth their memory
 
   /// 1 / depth of a column's rays, as a linear function of their slope.
   double nearnessAt(double slant, double raySlope) const {

@@ -60,14 +60,13 @@ void MeshFronts::find(const Scene& scene, const Projection& projection, std::uin
   Found& found = found_[placeOf_[index]];
   found.fronts.clear();
   const Mesh& mesh = scene.level().meshes[index];
-  const std::span<const MeshFace> faces = scene.level().facesOf(mesh);
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    add(mesh, mesh.firstFace + static_cast<std::uint32_t>(i), faces[i], projection, found.fronts);
+  for (const MeshFace& face : scene.level().facesOf(mesh))
+    add(mesh, face, projection, found.fronts);
   sortByStrip(found);
 }
 
-void MeshFronts::add(const Mesh& mesh, std::uint32_t index, const MeshFace& face,
-                     const Projection& projection, std::vector<FaceFront>& fronts) const {
+void MeshFronts::add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
+                     std::vector<FaceFront>& fronts) const {
   const FaceCorners corners = cornersBefore(projection, face);
   const auto& [a, b, c] = corners;
   const Vec3 out = cross(c - a, b - a);
@@ -77,16 +76,16 @@ void MeshFronts::add(const Mesh& mesh, std::uint32_t index, const MeshFace& face
   if (columns.begin >= columns.end) return;
   const double side = towardsEye > 0 ? 1 : -1;
   const auto& [imageA, imageB, imageC] = face.image;
-  fronts.push_back({&face,
-                    index,
-                    mesh.thing,
-                    mesh.surface,
-                    columns,
-                    isNarrow,
+  fronts.push_back({columns,
                     {side * cross(b, c), side * cross(c, a), side * cross(a, b)},
                     (-1 / towardsEye) * out,
+                    mesh.thing,
+                    face.texture,
                     gradientOf(corners, {}, {imageA.x, imageB.x, imageC.x}),
-                    gradientOf(corners, {}, {imageA.y, imageB.y, imageC.y})});
+                    gradientOf(corners, {}, {imageA.y, imageB.y, imageC.y}),
+                    &face,
+                    mesh.surface,
+                    isNarrow});
 }
 
 /// By counting; in each strip they stay in their order.

@@ -38,8 +38,8 @@ class MeshFronts {
   };
 
   const Found& foundOf(std::uint32_t mesh) const { return found_[placeOf_[mesh]]; }
-  void add(const Mesh& mesh, std::uint32_t index, const MeshFace& face,
-           const Projection& projection, std::vector<FaceFront>& fronts) const;
+  void add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
+           std::vector<FaceFront>& fronts) const;
   void sortByStrip(Found& found) const;
 
   ColumnRange columns_{};

@@ -2,34 +2,26 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "level/scene.h"
 #include "render/camera.h"
 #include "render/column_run.h"
+#include "render/face_cover.h"
 #include "render/mesh_fronts.h"
+#include "render/nearest_faces.h"
 #include "render/span_groups.h"
 
 namespace hearth {
 
 /// The memory of MeshSpans, kept from frame to frame.
 struct MeshSpansScratch {
-  /// The nearest face in a pixel.
-  struct Nearest {
-    double nearness = 0;               ///< 1 / depth, per metre
-    const FaceFront* front = nullptr;  ///< null if there is none
-  };
-
   MeshFronts fronts;
-  std::vector<Nearest> nearest;  ///< of a strip, row by row
-  std::vector<FaceSpan> narrow;  ///< spans of narrow faces of the present run
-};
-
-/// Rows [begin, end) of a column whose rays meet a face.
-struct CoveredRows {
-  int begin;
-  int end;
+  std::vector<double> raySlopes;  ///< by row
+  // Of the present run:
+  NearestFaces nearest;
+  std::vector<const FaceFront*> faces;  ///< by their number in `nearest`, less 1
+  std::vector<FaceSpan> narrow;         ///< spans of narrow faces
 };
 
 /// Finds the spans of meshes: in each pixel of a run the nearest face between the depths at which
@@ -51,28 +43,15 @@ class MeshSpans {
   void show(const ColumnRun& run, SpanGroups& found);
 
  private:
-  using Nearest = MeshSpansScratch::Nearest;
-  struct Air;
-
-  Air airOf(const ColumnRun& run, const RunEntry& entry, std::size_t lane) const;
-  void cover(const ColumnRun& run, const FaceFront& front, std::span<const Air> air);
-  void cover(const FaceFront& front, const Air& air, std::size_t lane, CoveredRows rows);
-  void reach(int begin, int end);
+  AirRays raysOf(const ColumnRun& run, const RunEntry& entry) const;
+  /// The nearest face in a pixel, or null.
+  const FaceFront* frontAt(std::size_t lane, int row) const;
   void show(const ColumnRun& run, const FaceSpan& span, SpanGroups& found);
   void showNarrow(const ColumnRun& run, SpanGroups& found);
-  Nearest& at(std::size_t lane, int row) {
-    return scratch_.nearest[static_cast<std::size_t>(row) * Strip::kColumns + lane];
-  }
-  const Nearest& at(std::size_t lane, int row) const {
-    return scratch_.nearest[static_cast<std::size_t>(row) * Strip::kColumns + lane];
-  }
 
   Scene scene_;
   const Projection& projection_;
   MeshSpansScratch& scratch_;
-  // Rows of the present run in which something may show:
-  int begin_ = 0;
-  int end_ = 0;
 };
 
 }  // namespace hearth

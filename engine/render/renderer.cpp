@@ -11,6 +11,7 @@
 #include "math/parallel.h"
 #include "render/channel_pixels.h"
 #include "render/marks.h"
+#include "render/ray_slopes.h"
 #include "render/shown_columns.h"
 #include "render/span_painter.h"
 #include "render/visibility.h"
@@ -34,12 +35,6 @@ void runAll(std::size_t parts, Workers* workers, const Work& work) {
     workers->run(parts, std::cref(work));  // by reference: a copy would take memory in every frame
   else
     for (std::size_t i = 0; i < parts; ++i) work(i);
-}
-
-void findRaySlopes(std::vector<double>& raySlopes, const Projection& projection, int height) {
-  raySlopes.clear();
-  for (int row = 0; row < height + PixelBlock::kSpareRows; ++row)
-    raySlopes.push_back(projection.raySlopeAt(row + 0.5));
 }
 
 /// How many squares of pixels cover so many pixels.
@@ -305,7 +300,7 @@ void Renderer::findSpans(const Camera& camera, int pixelSize, FrameScratch& scra
     findVisibleSpans(scene_, sprites_, squares, projection, part.range, part.visibility);
   };
   runAll(scratch.parts.size(), workers, findPart);
-  findRaySlopes(scratch.raySlopes, projection, squares.height);
+  findRaySlopes(projection, squares.height + PixelBlock::kSpareRows, scratch.raySlopes);
 }
 
 }  // namespace hearth

@@ -120,7 +120,7 @@ void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock&
                              Strip& strip, PaintStats& stats) const {
   if (settings_.textureFilter == TextureFilter::Bilinear)
     return paintSingly(group, mode, block, strip, stats);
-  Material material = materialOf(group.surface, group.faces.front().front->face->texture);
+  Material material = materialOf(group.surface, group.faces.front().front->texture);
   if (mode == LightMode::None) {
     material.lightmap = nullptr;
     material.sectorLight = 1;
@@ -227,7 +227,7 @@ void SpanPainter::lightFace(const FaceSpan& span, int column, const LitMesh& mes
 
 /// The size of a face's image that fits its pixels.
 const Texture& SpanPainter::imageOf(const FaceSpan& span) const {
-  const MipMap& texture = textures_[span.front->face->texture.index()];
+  const MipMap& texture = textures_[span.front->texture.index()];
   if (settings_.textureFilter != TextureFilter::Mipmapped) return texture.full();
   const double texels = repeatsOfPixel(projection_, *span.front->face) * texture.full().width() *
                         texture.full().height() * span.depth * span.depth * span.depth;
