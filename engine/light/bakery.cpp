@@ -41,12 +41,6 @@ std::int64_t texelsOf(const std::vector<SurfaceTexels>& jobs) {
   return sum;
 }
 
-std::int64_t texelsOf(const std::vector<LitMesh>& meshes) {
-  std::int64_t sum = 0;
-  for (const LitMesh& mesh : meshes) sum += mesh.texels.count();
-  return sum;
-}
-
 /// Indices of meshes that have some faces, which rise.
 std::vector<std::uint32_t> meshesOf(const Level& level, const std::vector<std::uint32_t>& faces) {
   std::vector<std::uint32_t> meshes;
@@ -70,11 +64,12 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
   BakedLight baked;
   baked.surfaces = std::move(surfaces);
   baked.meshes = std::move(litMeshes);
-  done.begin(texelsOf(jobs) + texelsOf(baked.meshes));
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
   baked.lightCosts.resize(scene.level().lights.size());
   const LightVisibilities visibilities(scene, settings);
+  const MeshLighter lighter(scene, visibilities, settings, threads, meshes, baked.meshes);
+  done.begin(texelsOf(jobs) + lighter.texelsOf(meshes));
   std::mutex lightCostsMutex;
   parallelFor(jobs.size(), threads, [&](std::size_t job) {
     const auto& [id, texels] = jobs[job];
@@ -86,11 +81,9 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};
   });
   lightSprites(scene, visibilities, threads, baked);
-  const MeshLighter lighter(scene, visibilities, settings, threads, meshes, baked.meshes);
-  std::vector<MeshLight> lightOfMeshes = lighter.find(meshes);
+  auto lightOfMeshes = lighter.find(meshes, done);
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    lighter.add(meshes[i], std::move(lightOfMeshes[i]), baked);
-  done.add(texelsOf(baked.meshes));
+    lighter.add(meshes[i], *std::move(lightOfMeshes[i]), baked);
   baked.stats = statsOf(baked);
   return baked;
 }

@@ -72,7 +72,8 @@ class Rebake::Baker {
   void addSectorsOf(std::size_t light, SectorSet& sectors) const;
   std::vector<Number> numbersOf(const SectorSet& sectors) const;
   std::vector<std::uint64_t> lightsOn(std::uint32_t mesh) const;
-  std::vector<std::shared_ptr<const Mesh>> litMeshes() const;
+  std::vector<std::shared_ptr<const Mesh>> litMeshes(BakeProgress& progress,
+                                                     const std::stop_token& stop) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit,
                      std::span<const std::shared_ptr<const Mesh>> meshes) const;
   void remember(std::span<const std::shared_ptr<const Surface>> lit);
@@ -216,7 +217,7 @@ std::vector<std::size_t> Rebake::Baker::byFallingWork() const {
 
 std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
                                                 const std::stop_token& stop) {
-  progress.begin(texelsOfRounds());
+  progress.begin(texelsOfRounds() + lighter_.texelsOf(meshesLeft_));
   std::vector<std::shared_ptr<const Surface>> surfaces(surfaces_.size());
   const std::vector<std::size_t> order = byFallingWork();
   parallelFor(order.size(), threads_, [&](std::size_t job) {
@@ -224,14 +225,15 @@ std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
     auto surface = lit(SurfaceId(order[job]), progress, stop);
     if (!stop.stop_requested()) surfaces[order[job]] = std::move(surface);
   });
+  const auto meshes = litMeshes(progress, stop);
   const bool isWhole =
-      std::ranges::all_of(order, [&](std::size_t i) { return surfaces[i] != nullptr; });
+      std::ranges::all_of(order, [&](std::size_t i) { return surfaces[i] != nullptr; }) &&
+      std::ranges::all_of(meshes, [](const auto& mesh) { return mesh != nullptr; });
   if (isWhole) memory_.clear();
   remember(surfaces);
-  if (!isWhole) return std::nullopt;
-  const auto meshes = litMeshes();
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    memory_.keep(memory_.meshes, prints_.meshes[i], meshes[i]);
+    if (meshes[i]) memory_.keep(memory_.meshes, prints_.meshes[i], meshes[i]);
+  if (!isWhole) return std::nullopt;
   return collect(surfaces, meshes);
 }
 
@@ -332,10 +334,12 @@ std::vector<LightMemory::Kept::Number> Rebake::Baker::numbersOf(const SectorSet&
 }
 
 /// Lights those that are left.
-std::vector<std::shared_ptr<const LightMemory::Kept::Mesh>> Rebake::Baker::litMeshes() const {
+std::vector<std::shared_ptr<const LightMemory::Kept::Mesh>> Rebake::Baker::litMeshes(
+    BakeProgress& progress, const std::stop_token& stop) const {
   std::vector<std::shared_ptr<const Mesh>> meshes = knownMeshes_;
-  std::vector<MeshLight> found = lighter_.find(meshesLeft_);
+  auto found = lighter_.find(meshesLeft_, progress, stop);
   for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i]) continue;
     const std::uint32_t mesh = meshesLeft_[i];
     SectorSet met;
     for (const SectorId sector : lighter_.sectorsOf(mesh)) met.add(sector);
@@ -343,7 +347,7 @@ std::vector<std::shared_ptr<const LightMemory::Kept::Mesh>> Rebake::Baker::litMe
     lights.addSectorsTo(met);
     for (const std::size_t light : lights.lights()) addSectorsOf(light, met);
     meshes[mesh] =
-        std::make_shared<const Mesh>(Mesh{lightsOn(mesh), numbersOf(met), std::move(found[i])});
+        std::make_shared<const Mesh>(Mesh{lightsOn(mesh), numbersOf(met), *std::move(found[i])});
   }
   return meshes;
 }
@@ -404,9 +408,10 @@ void Rebake::Baker::draftMeshes(const LightVisibilities& visibilities, const Bak
   for (std::uint32_t i = 0; i < meshes_.size(); ++i)
     if (knownMeshes_[i]) lighter_.add(i, knownMeshes_[i]->light, baked);
   const MeshLighter lighter(scene_, visibilities, settings, threads_, meshesLeft_, meshes_);
-  std::vector<MeshLight> found = lighter.find(meshesLeft_);
+  BakeProgress unwatched;
+  auto found = lighter.find(meshesLeft_, unwatched);
   for (std::size_t i = 0; i < found.size(); ++i)
-    lighter.add(meshesLeft_[i], std::move(found[i]), baked);
+    lighter.add(meshesLeft_[i], *std::move(found[i]), baked);
 }
 
 std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id,

@@ -5,9 +5,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <thread>
 
+#include "light/lit_mesh.h"
 #include "light/rebake.h"
 #include "same_bakes.h"
 #include "support/level_text.h"
@@ -97,6 +100,35 @@ TEST(MeshRebake, draftsMeshesWithTheirLightWhereThatIsKnown) {
     EXPECT_EQ(draft.lightmaps[mesh.surface.index()]->levels,
               whole.lightmaps[mesh.surface.index()]->levels);
   }
+}
+
+/// Of 80 boxes most are left when the surfaces of the halls are lit.
+TEST(MeshRebake, goesOnFromTheMeshAtWhichItWasStopped) {
+  TwoHalls halls;
+  for (int i = 0; i < 80; ++i)
+    halls.things += fmt::format("{}{{'mesh':'box.obj','x':{},'y':{},'scale':0.3,'angle':{}}}",
+                                i > 0 ? "," : "", 1 + (i % 10), 1 + 0.7 * (i / 10), i);
+  const LoadedLevel loaded = halls.loaded();
+  std::int64_t texelsOfBoxes = 0;
+  for (const LitMesh& box : makeLitMeshes(loaded.level, loaded.level.bake.texel, 1))
+    texelsOfBoxes += box.texels.count();
+  LightMemory memory;
+  Rebake first(memory, loaded.scene(), loaded.level.bake, 1);
+  const std::int64_t all = first.texelLightsLeft();
+  BakeProgress progress;
+  std::stop_source stop;
+  const std::jthread stopper([&] {
+    while (progress.texels() == 0 || progress.texelsDone() <= progress.texels() - texelsOfBoxes / 2)
+      std::this_thread::yield();
+    stop.request_stop();
+  });
+  EXPECT_FALSE(first.finish(&progress, stop.get_token()));
+  EXPECT_LT(progress.texelsDone(), progress.texels());
+  Rebake rebake(memory, loaded.scene(), loaded.level.bake, 2);
+  EXPECT_LT(2 * rebake.texelLightsLeft(), all);
+  const std::optional<BakedLight> light = rebake.finish();
+  ASSERT_TRUE(light);
+  test::expectSame(loaded.scene(), *light, bake(loaded.scene(), loaded.level.bake, 2));
 }
 
 /// Light comes into two sectors at one place, into each through a part of the opening.

@@ -18,8 +18,9 @@ struct MeshLighter::Job {
   const LitMesh::Patch* patch;  ///< or none
   std::span<const LitMesh::SmallFace> faces;
 
-  std::int64_t size() const {
-    return patch ? patch->surface.texels.count() : 3 * std::ssize(faces);
+  std::int64_t texels() const {
+    return patch ? patch->surface.texels.count()
+                 : std::ssize(faces) * kSmallFaceSide * kSmallFaceSide;
   }
 };
 
@@ -131,38 +132,51 @@ std::vector<MeshLighter::Job> MeshLighter::jobsFor(std::span<const std::uint32_t
       left = left.subspan(some.size());
     }
   }
-  std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::size);
+  std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::texels);
   return jobs;
 }
 
-MeshLighter::Result MeshLighter::done(const Job& job) const {
+MeshLighter::Result MeshLighter::done(const Job& job, BakeProgress& progress) const {
   const MeshPlace place{job.mesh, sectors_[job.mesh], lightsOf(job.mesh)};
   if (!job.patch) {
     CornerLight corners(scene_, visibilities_, settings_.lambert, place);
     std::optional<Lightmap> light = corners.find(job.faces);
+    progress.add(job.texels());
     return {std::move(light), corners.costs(), 0};
   }
   const LitSurfaces patch{job.patch->surface};
   PatchLight lit(scene_, visibilities_, settings_.lambert, place, patch);
-  BakeProgress unwatched;
-  std::optional<Lightmap> light = bakeSurface(lit, lit.texels(), settings_, unwatched);
+  std::optional<Lightmap> light = bakeSurface(lit, lit.texels(), settings_, progress);
   return {std::move(light), lit.costs(), lit.facing().size()};
 }
 
-std::vector<MeshLight> MeshLighter::find(std::span<const std::uint32_t> meshes) const {
-  const std::vector<Job> jobs = jobsFor(meshes);
-  std::vector<Result> results(jobs.size());
-  parallelFor(jobs.size(), threads_, [&](std::size_t i) { results[i] = done(jobs[i]); });
+std::int64_t MeshLighter::texelsOf(std::span<const std::uint32_t> meshes) const {
+  std::int64_t sum = 0;
+  for (const Job& job : jobsFor(meshes)) sum += job.texels();
+  return sum;
+}
 
-  std::vector<MeshLight> found(meshes.size());
+std::vector<std::optional<MeshLight>> MeshLighter::find(std::span<const std::uint32_t> meshes,
+                                                        BakeProgress& progress,
+                                                        const std::stop_token& stop) const {
+  const std::vector<Job> jobs = jobsFor(meshes);
+  std::vector<std::optional<Result>> results(jobs.size());
+  parallelFor(jobs.size(), threads_, [&](std::size_t i) {
+    if (!stop.stop_requested()) results[i] = done(jobs[i], progress);
+  });
+
+  std::vector<std::optional<MeshLight>> found(meshes.size(), MeshLight());
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    if (!results[i]) found[jobs[i].index].reset();
   std::vector<int> channels(meshes.size(), 0);  // 0 of a dark one
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const auto& [light, costs, facingLights] = results[i];
-    MeshLight& mesh = found[jobs[i].index];
+    std::optional<MeshLight>& mesh = found[jobs[i].index];
+    if (!mesh) continue;
+    const auto& [light, costs, facingLights] = *results[i];
     const std::vector<std::size_t>& lights = lightsOf(jobs[i].mesh).lights();
-    mesh.costs.resize(lights.size());
-    for (std::size_t k = 0; k < lights.size(); ++k) mesh.costs[k] += costs[lights[k]];
-    mesh.facingLights = std::max(mesh.facingLights, facingLights);
+    mesh->costs.resize(lights.size());
+    for (std::size_t k = 0; k < lights.size(); ++k) mesh->costs[k] += costs[lights[k]];
+    mesh->facingLights = std::max(mesh->facingLights, facingLights);
     int& most = channels[jobs[i].index];
     if (light) most = std::max(most, light->channels);
   }
@@ -170,10 +184,10 @@ std::vector<MeshLight> MeshLighter::find(std::span<const std::uint32_t> meshes) 
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (channels[i] > 0) atlases[i].emplace(lit_[meshes[i]].texels, channels[i]);
   for (std::size_t i = 0; i < jobs.size(); ++i)
-    if (results[i].light)
-      atlases[jobs[i].index]->add(jobs[i].patch, jobs[i].faces, *results[i].light);
+    if (atlases[jobs[i].index] && results[i]->light)
+      atlases[jobs[i].index]->add(jobs[i].patch, jobs[i].faces, *results[i]->light);
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (atlases[i]) found[i].lightmap = atlases[i]->taken();
+    if (atlases[i]) found[i]->lightmap = atlases[i]->taken();
   return found;
 }
 

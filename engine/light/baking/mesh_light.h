@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "light/bakery.h"
@@ -34,8 +35,12 @@ class MeshLighter {
   std::span<const SectorId> sectorsOf(std::uint32_t mesh) const { return sectors_[mesh]; }
   /// Of one of the meshes.
   const LightsOnMesh& lightsOf(std::uint32_t mesh) const { return *lights_[mesh]; }
-  /// Of some of the meshes, in their order.
-  std::vector<MeshLight> find(std::span<const std::uint32_t> meshes) const;
+  /// The texels that `find` counts as done.
+  std::int64_t texelsOf(std::span<const std::uint32_t> meshes) const;
+  /// Of some of the meshes, in their order; none where it was stopped before.
+  std::vector<std::optional<MeshLight>> find(std::span<const std::uint32_t> meshes,
+                                             BakeProgress& progress,
+                                             const std::stop_token& stop = {}) const;
   /// Gives a mesh its light. Adds to the costs of `baked` where it has some.
   void add(std::uint32_t mesh, MeshLight light, BakedLight& baked) const;
 
@@ -44,7 +49,7 @@ class MeshLighter {
   struct Result;
 
   std::vector<Job> jobsFor(std::span<const std::uint32_t> meshes) const;
-  Result done(const Job& job) const;
+  Result done(const Job& job, BakeProgress& progress) const;
 
   Scene scene_;
   const LightVisibilities& visibilities_;
