@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "render/strip.h"
 
@@ -41,8 +42,10 @@ Breadth breadthOf(const Projection& projection, const FaceCorners& corners, Colu
 
 }  // namespace
 
-void MeshFronts::begin(const Level& level, ColumnRange columns) {
+void MeshFronts::begin(const Level& level, const Projection& projection, ColumnRange columns,
+                       int rows) {
   columns_ = columns;
+  frustum_.emplace(projection, columns, rows);
   placeOf_.assign(level.meshes.size(), kNone);
   count_ = 0;
 }
@@ -60,9 +63,28 @@ void MeshFronts::find(const Scene& scene, const Projection& projection, std::uin
   Found& found = found_[placeOf_[index]];
   found.fronts.clear();
   const Mesh& mesh = scene.level().meshes[index];
-  for (const MeshFace& face : scene.level().facesOf(mesh))
-    add(mesh, face, projection, found.fronts);
+  visitInFrustum(scene.level().faceTrees[index], scene.level().facesOf(mesh),
+                 [&](const MeshFace& face) { add(mesh, face, projection, found.fronts); });
   sortByStrip(found);
+}
+
+/// In their order.
+template <typename Visit>
+void MeshFronts::visitInFrustum(const FaceTree& tree, std::span<const MeshFace> faces,
+                                Visit&& visit) {
+  if (!frustum_->mayShow(tree.box())) return;
+  if (frustum_->holds(tree.box())) {
+    std::ranges::for_each(faces, visit);
+    return;
+  }
+  isInFrustum_.resize(std::max(isInFrustum_.size(), faces.size()));
+  tree.anyFace([this](const Box3& box) { return frustum_->mayShow(box); },
+               [this](std::uint32_t face) {
+                 isInFrustum_[face] = 1;
+                 return false;
+               });
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (std::exchange(isInFrustum_[i], std::uint8_t{0}) != 0) visit(faces[i]);
 }
 
 void MeshFronts::add(const Mesh& mesh, const MeshFace& face, const Projection& projection,

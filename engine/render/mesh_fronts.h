@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "level/scene.h"
 #include "render/camera.h"
 #include "render/face_span.h"
+#include "render/frustum.h"
 #include "render/segment_columns.h"
 
 namespace hearth {
@@ -16,10 +18,11 @@ namespace hearth {
 /// Keeps its memory from frame to frame.
 class MeshFronts {
  public:
-  /// Forgets all meshes, and begins a frame.
-  void begin(const Level& level, ColumnRange columns);
+  /// Forgets all meshes, and begins a frame, of so many rows.
+  void begin(const Level& level, const Projection& projection, ColumnRange columns, int rows);
 
-  /// Finds the faces of a mesh (an index), unless they have been found.
+  /// Finds the faces of a mesh (an index), unless they have been found. Only of parts of its face
+  /// tree that are in the frustum each face is looked at.
   void find(const Scene& scene, const Projection& projection, std::uint32_t mesh);
 
   /// Those of a mesh that has been found that may show in the columns of a strip, by their numbers
@@ -37,15 +40,19 @@ class MeshFronts {
     std::vector<std::uint32_t> begins;   ///< strip i has byStrip[begins[i] ... begins[i + 1])
   };
 
+  template <typename Visit>
+  void visitInFrustum(const FaceTree& tree, std::span<const MeshFace> faces, Visit&& visit);
   const Found& foundOf(std::uint32_t mesh) const { return found_[placeOf_[mesh]]; }
   void add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
            std::vector<FaceFront>& fronts) const;
   void sortByStrip(Found& found) const;
 
   ColumnRange columns_{};
-  std::vector<std::uint32_t> placeOf_;  ///< by mesh: an index into found_, or kNone
-  std::vector<Found> found_;            ///< and, behind those of this frame, memory of earlier ones
-  std::uint32_t count_ = 0;             ///< of this frame
+  std::optional<Frustum> frustum_;
+  std::vector<std::uint8_t> isInFrustum_;  ///< by face of the present mesh; all 0 between meshes
+  std::vector<std::uint32_t> placeOf_;     ///< by mesh: an index into found_, or kNone
+  std::vector<Found> found_;  ///< and, behind those of this frame, memory of earlier ones
+  std::uint32_t count_ = 0;   ///< of this frame
 };
 
 }  // namespace hearth

@@ -25,7 +25,7 @@ MeshSpans::MeshSpans(const Scene& scene, const Camera& camera, const Projection&
                      ColumnRange columns, MeshSpansScratch& scratch)
     : scene_(scene), projection_(projection), scratch_(scratch) {
   if (scene.level().meshes.empty()) return;
-  scratch_.fronts.begin(scene.level(), columns);
+  scratch_.fronts.begin(scene.level(), projection, columns, camera.height);
   findRaySlopes(projection, camera.height, scratch_.raySlopes);
   scratch_.nearest.resize(camera.height);
 }

@@ -36,7 +36,8 @@ class SeenFace {
     mesh.faceCount = 1;
     level_.meshes = {mesh};
     level_.meshFaces = {{corners, image, TextureId(0)}};
-    fronts_.begin(level_, {0, width});
+    level_.faceTrees.emplace_back(level_.meshFaces);
+    fronts_.begin(level_, projection, {0, width}, width);
     fronts_.find({level_, geometry_}, projection, 0);
   }
 
