@@ -1,9 +1,9 @@
 #include "render/mesh_spans.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -31,7 +31,6 @@ MeshSpans::MeshSpans(const Scene& scene, const Camera& camera, const Projection&
 }
 
 bool MeshSpans::find(const ColumnRun& run, const RunEntry& entry) {
-  static const CoverFace cover = coverFace();
   scratch_.nearest.clear();
   scratch_.faces.clear();
   const std::span<const MeshInSector> meshes = scene_.level().meshesIn(run.sector.id);
@@ -44,7 +43,7 @@ bool MeshSpans::find(const ColumnRun& run, const RunEntry& entry) {
     const std::span<const FaceFront> fronts = scratch_.fronts.frontsOf(there.mesh);
     for (const std::uint32_t i : inStrip) {
       scratch_.faces.push_back(&fronts[i]);
-      cover(fronts[i], scratch_.faces.size(), *rays, scratch_.nearest);
+      cover_(fronts[i], scratch_.faces.size(), *rays, scratch_.nearest);
     }
   }
   return scratch_.nearest.begin() < scratch_.nearest.end();

@@ -52,6 +52,7 @@ class MeshSpans {
   Scene scene_;
   const Projection& projection_;
   MeshSpansScratch& scratch_;
+  CoverFace cover_ = coverFace();
 };
 
 }  // namespace hearth
