@@ -9,6 +9,12 @@ namespace hearth {
 
 namespace {
 
+/// Register by register: GCC makes of one assignment a `rep stos`, which is slow to start.
+void setZero(LaneAffine& axis) {
+  axis.atZero.fill(0);
+  axis.per.fill(0);
+}
+
 /// The same texel all along a column.
 void setConstant(LaneImageAxis& axis) {
   axis.place.per.fill(0);
@@ -188,7 +194,10 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
   GroupMapping mapping;
   // What is not asked for is 0.
   if (!image) mapping.u = mapping.v = {};
-  if (!lit) mapping.s = mapping.t = {};
+  if (!lit) {
+    setZero(mapping.s);
+    setZero(mapping.t);
+  }
   const Surface& surface = scene[group.surface];
   if (isSky(surface.kind)) {
     mapping.isSky = true;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
 
 #include "render/face_mapping.h"
 #include "render/footprint.h"
@@ -72,6 +71,16 @@ class MipLevels {
 
 }  // namespace
 
+template <typename Use>
+void SpanPainter::forEachBlock(const SpanGroup& group, PixelBlock& block, Use&& use) const {
+  for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
+    block.firstRow = row;
+    block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
+    block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
+    use();
+  }
+}
+
 void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
   if (!group.faces.empty()) return paintFaces(group, mode, block, strip, stats);
@@ -93,22 +102,23 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   const bool areWhite = mode == LightMode::Only;
   GroupTexels texels{areWhite && !haveHoles ? nullptr : &material.image(),
                      filter == TextureFilter::Bilinear, haveHoles, areWhite};
-  std::optional<MipLevels> mipLevels;
-  if (filter == TextureFilter::Mipmapped && texels.image)
-    mipLevels.emplace(scene_, projection_, group, material.texture, mapping);
   block.columns = columnsOf(group);
-  for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
-    block.firstRow = row;
-    block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
-    block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
-    if (mipLevels) {
-      texels.image = &mipLevels->fitting(block);
-      findPlaces(texels, light, onImage(mapping, material.image(), *texels.image), block);
-    } else {
-      findPlaces(texels, light, mapping, block);
-    }
+  const auto shadeRows = [&] {
     if (texels.image) fetchColors(block, texels);
-    kernels_.shade(block, texels, light, strip.row(row));
+    kernels_.shade(block, texels, light, strip.row(block.firstRow));
+  };
+  if (filter == TextureFilter::Mipmapped && texels.image) {
+    const MipLevels levels(scene_, projection_, group, material.texture, mapping);
+    forEachBlock(group, block, [&] {
+      texels.image = &levels.fitting(block);
+      findPlaces(texels, light, onImage(mapping, material.image(), *texels.image), block);
+      shadeRows();
+    });
+  } else {
+    forEachBlock(group, block, [&] {
+      findPlaces(texels, light, mapping, block);
+      shadeRows();
+    });
   }
 }
 
@@ -141,7 +151,9 @@ Material SpanPainter::materialOf(SurfaceId id, TextureId texture) const {
 }
 
 LitPlaces SpanPainter::litPlacesOf(SurfaceId id) const {
-  if (scene_[id].kind == SurfaceKind::Mesh)
+  const SurfaceKind kind = scene_[id].kind;
+  if (isSprite(kind)) return {};
+  if (kind == SurfaceKind::Mesh)
     return {nullptr, light_.lightmaps[id.index()] ? &light_.meshes[scene_.level().meshIndexOf(id)]
                                                   : nullptr};
   const auto& lit = light_.surfaces[id.index()];

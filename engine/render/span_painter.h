@@ -72,6 +72,10 @@ class SpanPainter {
   void lightFace(const FaceSpan& span, int column, const LitMesh& mesh, const Lightmap& lightmap,
                  PixelBlock& block) const;
   const Texture& imageOf(const FaceSpan& span) const;
+  /// Calls `use()` for the rows of a group, as many at a time as fit in a block. `use` may take
+  /// rows off its end.
+  template <typename Use>
+  void forEachBlock(const SpanGroup& group, PixelBlock& block, Use&& use) const;
   /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
   void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,
                   PixelBlock& block) const;
