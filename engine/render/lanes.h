@@ -21,6 +21,14 @@ struct alignas(32) LaneRows : std::array<std::int32_t, Strip::kColumns> {};
 using LaneSet = std::uint8_t;
 inline constexpr LaneSet kAllLanes = 0xFF;
 
+/// Those for which `is(lane)`.
+template <typename Is>
+LaneSet lanesWhere(Is&& is) {
+  unsigned set = 0;
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) set |= (is(lane) ? 1U : 0U) << lane;
+  return static_cast<LaneSet>(set);
+}
+
 /// Sets some lanes of one to those of another.
 inline void setLanes(LaneDoubles& to, const LaneDoubles& from, LaneSet lanes) {
   if (lanes == kAllLanes)
@@ -41,9 +49,7 @@ struct LaneRowRanges {
 
   /// Those that have rows.
   LaneSet lanes() const {
-    unsigned set = 0;
-    for (std::size_t lane = 0; lane < begin.size(); ++lane) set |= (has(lane) ? 1U : 0U) << lane;
-    return static_cast<LaneSet>(set);
+    return lanesWhere([this](std::size_t lane) { return has(lane); });
   }
 
   /// The number of lanes that have rows.

@@ -76,15 +76,22 @@ ColumnRange SpriteFront::columnsIn(const Projection& projection, int width) cons
           static_cast<int>(std::min<double>(width, right + 2))};
 }
 
-std::optional<SpriteFront::Meeting> SpriteFront::meet(double slant) const {
-  // How far the image's left and right edges are from the ray, to its right.
-  const double left = corner_.lateral - slant * corner_.depth;
-  const double across = right_.lateral - slant * right_.depth;
-  const double fraction = -left / across;
-  if (!(fraction >= 0 && fraction < 1)) return std::nullopt;
-  const double depth = corner_.depth + fraction * right_.depth;
-  if (!(depth > 0)) return std::nullopt;
-  return Meeting{depth, fraction * view_->size.x};
+SpriteFront::Meetings SpriteFront::meet(const LaneDoubles& slants) const {
+  Meetings meetings;
+  LaneDoubles fractions;
+  for (std::size_t lane = 0; lane < slants.size(); ++lane) {
+    // How far the image's left and right edges are from the ray, to its right.
+    const double left = corner_.lateral - slants[lane] * corner_.depth;
+    const double across = right_.lateral - slants[lane] * right_.depth;
+    fractions[lane] = -left / across;
+    const double within = std::min(std::max(0.0, fractions[lane]), 1.0);  // 0 if not a number
+    meetings.depth[lane] = corner_.depth + within * right_.depth;
+    meetings.s[lane] = within * view_->size.x;
+  }
+  meetings.lanes = lanesWhere([&](std::size_t lane) {
+    return (fractions[lane] >= 0) & (fractions[lane] < 1) & (meetings.depth[lane] > 0);
+  });
+  return meetings;
 }
 
 SpriteFront::Depths SpriteFront::over(double slant) const {

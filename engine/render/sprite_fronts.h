@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "level/scene.h"
@@ -10,6 +9,7 @@
 #include "level/sprite_sectors.h"
 #include "render/by_sector.h"
 #include "render/camera.h"
+#include "render/lanes.h"
 #include "render/segment_columns.h"
 
 namespace hearth {
@@ -31,13 +31,17 @@ class SpriteFront {
   /// Columns outside which it does not show; empty if it shows in none.
   ColumnRange columns() const { return columns_; }
 
-  /// Where a ray meets what stands.
-  struct Meeting {
-    double depth;  ///< > 0
-    double s;      ///< metres from the image's left edge, less than its width
+  /// Whether all of it stands at one depth.
+  bool hasOneDepth() const { return right_.depth == 0; }
+
+  /// Where rays meet what stands. Those that do not have the numbers of its left or right edge.
+  struct Meetings {
+    LaneSet lanes;      ///< whose rays meet it, before the eye
+    LaneDoubles depth;  ///< metres
+    LaneDoubles s;      ///< metres from the image's left edge
   };
-  /// Of the ray with this slant (see Projection::slantOf), if it meets it.
-  std::optional<Meeting> meet(double slant) const;
+  /// Of the rays with these slants (see Projection::slantOf).
+  Meetings meet(const LaneDoubles& slants) const;
 
   /// A stretch of a ray, in metres of depth: more than `from`, up to `to`.
   struct Depths {

@@ -41,8 +41,17 @@ struct SpriteSpans::Look {
   const RunEntry& entry;
   const MeshSpans* meshes;  ///< null if none show
   const Projection& projection;
+  LaneDoubles slants;
+  LaneSet lanes;  ///< of the run
 
-  double slantOf(std::size_t lane) const { return projection.slantOf(columnOf(lane) + 0.5); }
+  Look(const ColumnRun& ofRun, const RunEntry& atEntry, const MeshSpans* ofMeshes,
+       const Projection& of)
+      : run(ofRun), entry(atEntry), meshes(ofMeshes), projection(of) {
+    for (std::size_t lane = 0; lane < slants.size(); ++lane)
+      slants[lane] = projection.slantOf(columnOf(lane) + 0.5);
+    lanes = lanesWhere([this](std::size_t lane) { return run.open.has(lane); });
+  }
+
   Vec2 rayOf(std::size_t lane) const { return projection.rayOf(columnOf(lane) + 0.5); }
   ColumnRange columns() const { return {columnOf(run.laneBegin), columnOf(run.laneEnd)}; }
   int columnOf(std::size_t lane) const {
@@ -75,17 +84,20 @@ void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSp
                        SpanGroups& found) {
   const std::span<const SpriteFront> fronts = frontsIn(run.sector.id);
   if (fronts.empty()) return;
-  const Look look{run, entry, meshes, projection_};
-  auto& [all, standing, lying] = scratch_;
+  const Look look(run, entry, meshes, projection_);
+  auto& [all, standing, nearToFar, lying] = scratch_;
   standing.clear();
   lying.clear();
+  const ColumnRange columns = look.columns();
   for (const SpriteFront& front : fronts) {
-    if (!haveCommon(front.columns(), look.columns())) continue;
+    if (!haveCommon(front.columns(), columns)) continue;
     if (front.lies())
       lying.push_back(&front);
     else
       findStanding(look, front);
   }
+  nearToFar.clear();
+  for (const SpritePart& part : standing) nearToFar.push_back(&part);
   const double eyeZ = projection_.eye().z;
   // Of two at one height the later in the level first.
   std::ranges::sort(lying, {}, [eyeZ](const SpriteFront* front) {
@@ -97,7 +109,7 @@ void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSp
       add(look, part, part.rows, found);
     }
   } else if (lying.empty() && haveOneOrder(look)) {
-    for (const SpritePart& part : standing) add(look, part, part.rows, found);
+    for (const SpritePart* part : nearToFar) add(look, *part, part->rows, found);
   } else {
     for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) showLane(look, lane, found);
   }
@@ -128,22 +140,21 @@ double SpriteSpans::depthAt(const SpritePart& part, std::size_t lane, int row) c
 // --- What stands ---------------------------------------------------------------------------------
 
 void SpriteSpans::findStanding(const Look& look, const SpriteFront& front) {
-  SpritePart part{&front, {}, {}, {}};
-  for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane) {
-    const auto meeting = front.meet(look.slantOf(lane));
-    if (!meeting || !isBefore(meeting->depth, look.run.depths[lane]) ||
-        !isBehindEntry(look, lane, front, meeting->depth))
+  const SpriteFront::Meetings meetings = front.meet(look.slants);
+  unsigned lanes = 0;
+  double nearest = RayExits::kNoDepth;
+  for (unsigned rest = meetings.lanes & look.lanes; rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+    const double depth = meetings.depth[lane];
+    if (!isBefore(depth, look.run.depths[lane]) || !isBehindEntry(look, lane, front, depth))
       continue;
-    const Vec2 at = projection_.eye().xy() + meeting->depth * look.rayOf(lane);
-    const double zBottom = std::max(front.zBottom(), scene_.airBottom(look.run.sector, at));
-    const double zTop = std::min(front.zTop(), scene_.airTop(look.run.sector, at));
-    if (zBottom >= zTop) continue;
-    part.rows.begin[lane] = look.rowIn(lane, zTop, meeting->depth);
-    part.rows.end[lane] = look.rowIn(lane, zBottom, meeting->depth);
-    part.depth[lane] = meeting->depth;
-    part.s[lane] = meeting->s;
+    lanes |= 1U << lane;
+    nearest = std::min(nearest, depth);
   }
-  if (part.rows.lanes() != 0) scratch_.standing.push_back(part);
+  if (lanes == 0) return;
+  const LaneRowRanges rows = standingRows(look, front, static_cast<LaneSet>(lanes), meetings.depth);
+  if (rows.lanes() != 0)
+    scratch_.standing.push_back({&front, nearest, rows, meetings.depth, meetings.s});
 }
 
 /// What is at an opening belongs to the sector before it, if it is in that one, too.
@@ -156,21 +167,47 @@ bool SpriteSpans::isBehindEntry(const Look& look, std::size_t lane, const Sprite
                            &SpriteFront::surface) == scratch_.fronts.of(*look.entry.from).end();
 }
 
+/// Those of lanes in which it shows, in the air of the sector.
+LaneRowRanges SpriteSpans::standingRows(const Look& look, const SpriteFront& front, LaneSet lanes,
+                                        const LaneDoubles& depth) const {
+  const LaneRowRanges& open = look.run.open;
+  const Sector& sector = look.run.sector;
+  LaneRowRanges rows;
+  if (front.hasOneDepth() && !sector.floorSlope && !sector.ceilingSlope) {
+    // The same in all columns, as far as their windows show them.
+    const double zBottom = std::max(front.zBottom(), scene_.zFloor(sector));
+    const double zTop = std::min(front.zTop(), scene_.zCeiling(sector));
+    if (zBottom >= zTop) return rows;
+    const int begin = projection_.rowIn(0, camera_.height, zTop, depth[0]);
+    const int end = projection_.rowIn(0, camera_.height, zBottom, depth[0]);
+    for (std::size_t lane = 0; lane < depth.size(); ++lane) {
+      const bool shows = (lanes >> lane & 1) != 0;
+      rows.begin[lane] = shows ? std::clamp(begin, open.begin[lane], open.end[lane]) : 0;
+      rows.end[lane] = shows ? std::clamp(end, open.begin[lane], open.end[lane]) : 0;
+    }
+    return rows;
+  }
+  for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+    const Vec2 at = projection_.eye().xy() + depth[lane] * look.rayOf(lane);
+    const double zBottom = std::max(front.zBottom(), scene_.airBottom(sector, at));
+    const double zTop = std::min(front.zTop(), scene_.airTop(sector, at));
+    if (zBottom >= zTop) continue;
+    rows.begin[lane] = look.rowIn(lane, zTop, depth[lane]);
+    rows.end[lane] = look.rowIn(lane, zBottom, depth[lane]);
+  }
+  return rows;
+}
+
 /// Sorts what stands by rising depth, and says whether that is the order in every column.
 bool SpriteSpans::haveOneOrder(const Look& look) {
-  const auto leastDepth = [](const SpritePart& part) {
-    double least = RayExits::kNoDepth;
-    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
-      if (part.rows.has(lane)) least = std::min(least, part.depth[lane]);
-    return least;
-  };
-  std::ranges::sort(scratch_.standing, {}, leastDepth);
+  std::ranges::sort(scratch_.nearToFar, {}, &SpritePart::nearest);
   LaneDoubles reached{};
-  for (const SpritePart& part : scratch_.standing)
+  for (const SpritePart* part : scratch_.nearToFar)
     for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane) {
-      if (!part.rows.has(lane)) continue;
-      if (part.depth[lane] <= reached[lane] * (1 + kNearTie)) return false;
-      reached[lane] = part.depth[lane];
+      if (!part->rows.has(lane)) continue;
+      if (part->depth[lane] <= reached[lane] * (1 + kNearTie)) return false;
+      reached[lane] = part->depth[lane];
     }
   return true;
 }
@@ -179,7 +216,7 @@ bool SpriteSpans::haveOneOrder(const Look& look) {
 
 /// All of what lies, if nothing stands in it.
 SpritePart SpriteSpans::lyingPart(const Look& look, const SpriteFront& front) const {
-  SpritePart part{&front, {}, {}, {}};
+  SpritePart part{&front, 0, {}, {}, {}};
   for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane)
     lie(look, lane, {look.entry.depths[lane], look.run.depths[lane]}, part);
   return part;
@@ -193,7 +230,7 @@ void SpriteSpans::lie(const Look& look, std::size_t lane, SpriteFront::Depths be
   if (z == eyeZ) return;
   // What lies in a flat portal belongs to the side that it is seen from.
   if (look.entry.plane && std::abs(z - *look.entry.plane) <= kPositionSlack) return;
-  SpriteFront::Depths depths = part.front->over(look.slantOf(lane));
+  SpriteFront::Depths depths = part.front->over(look.slants[lane]);
   depths = {std::max(depths.from, between.from), std::min(depths.to, between.to)};
   const Sector& sector = look.run.sector;
   const Vec2 eye = projection_.eye().xy();
@@ -216,28 +253,28 @@ void SpriteSpans::lie(const Look& look, std::size_t lane, SpriteFront::Depths be
 /// What lies is divided by the depths of what stands. Between two of these it hides what lies
 /// farther from the height of the eye: where two share a pixel, the ray meets that later.
 void SpriteSpans::showLane(const Look& look, std::size_t lane, SpanGroups& found) {
-  const auto depthOf = [lane](const SpritePart& part) {
-    return part.rows.has(lane) ? part.depth[lane] : RayExits::kNoDepth;
+  const auto depthOf = [lane](const SpritePart* part) {
+    return part->rows.has(lane) ? part->depth[lane] : RayExits::kNoDepth;
   };
-  std::ranges::sort(scratch_.standing, {}, depthOf);
+  std::ranges::sort(scratch_.nearToFar, {}, depthOf);
   putLaterFirst(lane);
   double reached = look.entry.depths[lane];
-  for (const SpritePart& part : scratch_.standing) {
-    if (!part.rows.has(lane)) break;
-    showLying(look, lane, {reached, part.depth[lane]}, found);
-    add(look, part, only(lane, part.rows.begin[lane], part.rows.end[lane]), found);
-    reached = std::max(reached, part.depth[lane]);
+  for (const SpritePart* part : scratch_.nearToFar) {
+    if (!part->rows.has(lane)) break;
+    showLying(look, lane, {reached, part->depth[lane]}, found);
+    add(look, *part, only(lane, part->rows.begin[lane], part->rows.end[lane]), found);
+    reached = std::max(reached, part->depth[lane]);
   }
   showLying(look, lane, {reached, look.run.depths[lane]}, found);
 }
 
 /// Where depths differ by rounding alone, as in one plane.
 void SpriteSpans::putLaterFirst(std::size_t lane) {
-  std::vector<SpritePart>& parts = scratch_.standing;
+  std::vector<const SpritePart*>& parts = scratch_.nearToFar;
   for (std::size_t i = 1; i < parts.size(); ++i)
-    for (std::size_t k = i; k > 0 && parts[k].rows.has(lane); --k) {
-      if (parts[k].depth[lane] > parts[k - 1].depth[lane] * (1 + kNearTie)) break;
-      if (parts[k].front < parts[k - 1].front) break;
+    for (std::size_t k = i; k > 0 && parts[k]->rows.has(lane); --k) {
+      if (parts[k]->depth[lane] > parts[k - 1]->depth[lane] * (1 + kNearTie)) break;
+      if (parts[k]->front < parts[k - 1]->front) break;
       std::swap(parts[k], parts[k - 1]);
     }
 }
@@ -245,7 +282,7 @@ void SpriteSpans::putLaterFirst(std::size_t lane) {
 void SpriteSpans::showLying(const Look& look, std::size_t lane, SpriteFront::Depths between,
                             SpanGroups& found) const {
   for (const SpriteFront* front : scratch_.lying) {
-    SpritePart part{front, {}, {}, {}};
+    SpritePart part{front, 0, {}, {}, {}};
     lie(look, lane, between, part);
     add(look, part, part.rows, found);
   }

@@ -16,6 +16,7 @@ namespace hearth {
 /// What a sprite shows in some columns.
 struct SpritePart {
   const SpriteFront* front;
+  double nearest;  ///< the least depth, of what stands
   LaneRowRanges rows;
   LaneDoubles depth;  ///< metres; where it lies, those at which it ends
   LaneDoubles s;      ///< metres from the image's left edge; of what stands
@@ -26,7 +27,8 @@ struct SpriteSpansScratch {
   SpriteFronts fronts;
   // Of the present columns:
   std::vector<SpritePart> standing;
-  std::vector<const SpriteFront*> lying;  ///< by rising distance from the height of the eye
+  std::vector<const SpritePart*> nearToFar;  ///< these, sorted
+  std::vector<const SpriteFront*> lying;     ///< by rising distance from the height of the eye
 };
 
 /// Finds the spans of sprites: where they are between the depths at which a ray enters a sector and
@@ -52,6 +54,8 @@ class SpriteSpans {
   void findStanding(const Look& look, const SpriteFront& front);
   bool isBehindEntry(const Look& look, std::size_t lane, const SpriteFront& front,
                      double depth) const;
+  LaneRowRanges standingRows(const Look& look, const SpriteFront& front, LaneSet lanes,
+                             const LaneDoubles& depth) const;
   SpritePart lyingPart(const Look& look, const SpriteFront& front) const;
   void lie(const Look& look, std::size_t lane, SpriteFront::Depths between, SpritePart& part) const;
   bool haveOneOrder(const Look& look);
