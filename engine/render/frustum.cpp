@@ -4,14 +4,13 @@
 
 namespace hearth {
 
-Frustum::Frustum(const Projection& projection, ColumnRange columns, int rows)
-    : eye_(projection.eye()) {
-  // A pixel wider than the picture, so that nothing is left to rounding.
-  const Vec2 left = projection.rayOf(columns.begin - 1);
-  const Vec2 right = projection.rayOf(columns.end + 1);
+Frustum::Frustum(const Projection& projection, const PictureRect& rect) : eye_(projection.eye()) {
+  // A pixel wider, so that nothing is left to rounding.
+  const Vec2 left = projection.rayOf(rect.columns.begin - 1);
+  const Vec2 right = projection.rayOf(rect.columns.end + 1);
   const Vec2 ahead = projection.direction();
-  const double up = projection.raySlopeAt(-1);
-  const double down = projection.raySlopeAt(rows + 1);
+  const double up = projection.raySlopeAt(rect.rowBegin - 1);
+  const double down = projection.raySlopeAt(rect.rowEnd + 1);
   const Vec2 fromLeft = turned90(left);
   const Vec2 fromRight = -1 * turned90(right);
   inwards_ = {Vec3{fromLeft.x, fromLeft.y, 0}, Vec3{fromRight.x, fromRight.y, 0},

@@ -5,15 +5,14 @@
 
 #include "math/box3.h"
 #include "render/camera.h"
-#include "render/segment_columns.h"
+#include "render/picture_rect.h"
 
 namespace hearth {
 
-/// What the rays of some columns and rows of a picture can meet: a pyramid with its top in the eye.
+/// What the rays of a rectangle in the picture can meet: a pyramid with its top in the eye.
 class Frustum {
  public:
-  /// Of rows [0, rows).
-  Frustum(const Projection& projection, ColumnRange columns, int rows);
+  Frustum(const Projection& projection, const PictureRect& rect);
 
   /// Whether some of a box may be inside.
   bool mayShow(const Box3& box) const;

@@ -42,43 +42,46 @@ Breadth breadthOf(const Projection& projection, const FaceCorners& corners, Colu
 
 }  // namespace
 
-void MeshFronts::begin(const Level& level, const Projection& projection, ColumnRange columns,
-                       int rows) {
-  columns_ = columns;
-  frustum_.emplace(projection, columns, rows);
+void MeshFronts::begin(const Level& level, const PictureRect& frame) {
+  frame_ = frame;
   placeOf_.assign(level.meshes.size(), kNone);
   count_ = 0;
 }
 
 std::span<const std::uint32_t> MeshFronts::inStrip(std::uint32_t mesh, int strip) const {
   const Found& found = foundOf(mesh);
-  const auto i = static_cast<std::size_t>(strip - columns_.begin / Strip::kColumns);
+  const auto i = static_cast<std::size_t>(strip - frame_.columns.begin / Strip::kColumns);
   return std::span(found.byStrip).subspan(found.begins[i], found.begins[i + 1] - found.begins[i]);
 }
 
-void MeshFronts::find(const Scene& scene, const Projection& projection, std::uint32_t index) {
-  if (placeOf_[index] != kNone) return;
+void MeshFronts::find(const Scene& scene, const Projection& projection, std::uint32_t index,
+                      const PictureRect& part) {
+  const bool isKnown = placeOf_[index] != kNone;
+  if (isKnown && foundOf(index).part.holds(part)) return;
   placeOf_[index] = count_++;
   if (count_ > found_.size()) found_.emplace_back();
   Found& found = found_[placeOf_[index]];
+  // The second time all that the frame can show: a mesh behind many windows is found twice at most.
+  found.part = isKnown ? frame_ : part;
   found.fronts.clear();
   const Mesh& mesh = scene.level().meshes[index];
-  visitInFrustum(scene.level().faceTrees[index], scene.level().facesOf(mesh),
-                 [&](const MeshFace& face) { add(mesh, face, projection, found.fronts); });
+  visitInFrustum(
+      Frustum(projection, found.part), scene.level().faceTrees[index], scene.level().facesOf(mesh),
+      [&](const MeshFace& face) { add(mesh, face, projection, found.part.columns, found.fronts); });
   sortByStrip(found);
 }
 
 /// In their order.
 template <typename Visit>
-void MeshFronts::visitInFrustum(const FaceTree& tree, std::span<const MeshFace> faces,
-                                Visit&& visit) {
-  if (!frustum_->mayShow(tree.box())) return;
-  if (frustum_->holds(tree.box())) {
+void MeshFronts::visitInFrustum(const Frustum& frustum, const FaceTree& tree,
+                                std::span<const MeshFace> faces, Visit&& visit) {
+  if (!frustum.mayShow(tree.box())) return;
+  if (frustum.holds(tree.box())) {
     std::ranges::for_each(faces, visit);
     return;
   }
   isInFrustum_.resize(std::max(isInFrustum_.size(), faces.size()));
-  tree.anyFace([this](const Box3& box) { return frustum_->mayShow(box); },
+  tree.anyFace([&](const Box3& box) { return frustum.mayShow(box); },
                [this](std::uint32_t face) {
                  isInFrustum_[face] = 1;
                  return false;
@@ -88,13 +91,13 @@ void MeshFronts::visitInFrustum(const FaceTree& tree, std::span<const MeshFace> 
 }
 
 void MeshFronts::add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
-                     std::vector<FaceFront>& fronts) const {
+                     ColumnRange within, std::vector<FaceFront>& fronts) {
   const FaceCorners corners = cornersBefore(projection, face);
   const auto& [a, b, c] = corners;
   const Vec3 out = cross(c - a, b - a);
   const double towardsEye = -dot(out, a);
   if (towardsEye == 0 || (towardsEye < 0 && !mesh.isTwoSided)) return;
-  const auto [columns, isNarrow] = breadthOf(projection, corners, columns_);
+  const auto [columns, isNarrow] = breadthOf(projection, corners, within);
   if (columns.begin >= columns.end) return;
   const double side = towardsEye > 0 ? 1 : -1;
   const auto& [imageA, imageB, imageC] = face.image;
@@ -112,8 +115,8 @@ void MeshFronts::add(const Mesh& mesh, const MeshFace& face, const Projection& p
 
 /// By counting; in each strip they stay in their order.
 void MeshFronts::sortByStrip(Found& found) const {
-  const int firstStrip = columns_.begin / Strip::kColumns;
-  const int strips = Strip::countIn(columns_.end) - firstStrip;
+  const int firstStrip = frame_.columns.begin / Strip::kColumns;
+  const int strips = Strip::countIn(frame_.columns.end) - firstStrip;
   found.begins.assign(static_cast<std::size_t>(strips) + 1, 0);
   const auto visitStrips = [&](const FaceFront& front, auto&& visit) {
     const int end = Strip::countIn(front.columns.end);

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,16 +13,18 @@
 
 namespace hearth {
 
-/// The faces of the meshes in view, those of each found once in a frame for some of its columns.
-/// Keeps its memory from frame to frame.
+/// The faces of the meshes in view. Those of each are found for the windows through which a frame
+/// sees it first, and once more if others show other parts of the picture. Keeps its memory from
+/// frame to frame.
 class MeshFronts {
  public:
-  /// Forgets all meshes, and begins a frame, of so many rows.
-  void begin(const Level& level, const Projection& projection, ColumnRange columns, int rows);
+  /// Forgets all meshes, and begins a frame, which shows this part of the picture.
+  void begin(const Level& level, const PictureRect& frame);
 
-  /// Finds the faces of a mesh (an index), unless they have been found. Only of parts of its face
-  /// tree that are in the frustum each face is looked at.
-  void find(const Scene& scene, const Projection& projection, std::uint32_t mesh);
+  /// Finds the faces of a mesh (an index) that may show in a part of the frame, unless they have
+  /// been found. Only of parts of its face tree that are in the frustum each face is looked at.
+  void find(const Scene& scene, const Projection& projection, std::uint32_t mesh,
+            const PictureRect& part);
 
   /// Those of a mesh that has been found that may show in the columns of a strip, by their numbers
   /// in `frontsOf`, in their order.
@@ -35,24 +36,25 @@ class MeshFronts {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   struct Found {
+    PictureRect part;  ///< of the frame, outside which none has been looked for
     std::vector<FaceFront> fronts;
     std::vector<std::uint32_t> byStrip;  ///< numbers of fronts
     std::vector<std::uint32_t> begins;   ///< strip i has byStrip[begins[i] ... begins[i + 1])
   };
 
   template <typename Visit>
-  void visitInFrustum(const FaceTree& tree, std::span<const MeshFace> faces, Visit&& visit);
+  void visitInFrustum(const Frustum& frustum, const FaceTree& tree, std::span<const MeshFace> faces,
+                      Visit&& visit);
   const Found& foundOf(std::uint32_t mesh) const { return found_[placeOf_[mesh]]; }
-  void add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
-           std::vector<FaceFront>& fronts) const;
+  static void add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
+                  ColumnRange within, std::vector<FaceFront>& fronts);
   void sortByStrip(Found& found) const;
 
-  ColumnRange columns_{};
-  std::optional<Frustum> frustum_;
+  PictureRect frame_{};
   std::vector<std::uint8_t> isInFrustum_;  ///< by face of the present mesh; all 0 between meshes
   std::vector<std::uint32_t> placeOf_;     ///< by mesh: an index into found_, or kNone
   std::vector<Found> found_;  ///< and, behind those of this frame, memory of earlier ones
-  std::uint32_t count_ = 0;   ///< of this frame
+  std::uint32_t count_ = 0;   ///< of this frame, those of a mesh that was found again included
 };
 
 }  // namespace hearth

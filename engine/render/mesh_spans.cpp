@@ -12,29 +12,21 @@
 
 namespace hearth {
 
-namespace {
-
-/// The slope of a plane along a ray on the map.
-double riseAlong(const std::optional<Slope>& slope, Vec2 ray) {
-  return slope ? dot(slope->gradient, ray) : 0;
-}
-
-}  // namespace
-
 MeshSpans::MeshSpans(const Scene& scene, const Camera& camera, const Projection& projection,
                      ColumnRange columns, MeshSpansScratch& scratch)
     : scene_(scene), projection_(projection), scratch_(scratch) {
   if (scene.level().meshes.empty()) return;
-  scratch_.fronts.begin(scene.level(), projection, columns, camera.height);
+  scratch_.fronts.begin(scene.level(), {columns, 0, camera.height});
   findRaySlopes(projection, camera.height, scratch_.raySlopes);
   scratch_.nearest.resize(camera.height);
 }
 
-bool MeshSpans::find(const ColumnRun& run, const RunEntry& entry) {
+bool MeshSpans::find(const ColumnRun& run, const RunEntry& entry, const PictureRect& windows) {
   scratch_.nearest.clear();
   scratch_.faces.clear();
   const std::span<const MeshInSector> meshes = scene_.level().meshesIn(run.sector.id);
-  for (const MeshInSector& there : meshes) scratch_.fronts.find(scene_, projection_, there.mesh);
+  for (const MeshInSector& there : meshes)
+    scratch_.fronts.find(scene_, projection_, there.mesh, windows);
   std::optional<AirRays> rays;
   for (const MeshInSector& there : meshes) {
     const auto inStrip = scratch_.fronts.inStrip(there.mesh, run.strip);
@@ -54,7 +46,7 @@ AirRays MeshSpans::raysOf(const ColumnRun& run, const RunEntry& entry) const {
   AirRays rays;
   rays.firstColumn = run.strip * Strip::kColumns;
   rays.raySlopes = scratch_.raySlopes.data();
-  rays.horizonRow = projection_.rowOf(eye.z, 1);
+  rays.horizonRow = projection_.horizonRow();
   rays.distancePx = projection_.distancePx();
   rays.floorBelow = eye.z - scene_.airBottom(run.sector, eye.xy()) + kPositionSlack;
   rays.ceilingAbove = scene_.airTop(run.sector, eye.xy()) - eye.z + kPositionSlack;
@@ -128,7 +120,7 @@ void MeshSpans::showNarrow(const ColumnRun& run, SpanGroups& found) {
   const auto place = [](const FaceSpan& span) {
     return std::tuple(span.front->mesh, span.lane, span.rowBegin);
   };
-  // Those of a single mesh are.
+  // They are if they are of a single mesh.
   if (!std::ranges::is_sorted(all, {}, place)) std::ranges::sort(all, {}, place);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;

@@ -10,6 +10,7 @@
 #include "render/face_cover.h"
 #include "render/mesh_fronts.h"
 #include "render/nearest_faces.h"
+#include "render/picture_rect.h"
 #include "render/span_groups.h"
 
 namespace hearth {
@@ -32,8 +33,9 @@ class MeshSpans {
   MeshSpans(const Scene& scene, const Camera& camera, const Projection& projection,
             ColumnRange columns, MeshSpansScratch& scratch);
 
-  /// Whether any may show in a run. If so, the rest is about this run.
-  bool find(const ColumnRun& run, const RunEntry& entry);
+  /// Whether any may show in a run, one of those that are seen through these windows. If so, the
+  /// rest is about this run.
+  bool find(const ColumnRun& run, const RunEntry& entry, const PictureRect& windows);
 
   /// Whether they hide a thing (see Mesh::thing) that is so deep in a pixel. Of two at one depth
   /// the later hides the earlier.

@@ -7,6 +7,7 @@
 
 #include "math/tolerance.h"
 #include "render/ray_exits.h"
+#include "render/ray_slopes.h"
 
 namespace hearth {
 
@@ -235,11 +236,10 @@ void SpriteSpans::lie(const Look& look, std::size_t lane, SpriteFront::Depths be
   const Sector& sector = look.run.sector;
   const Vec2 eye = projection_.eye().xy();
   const Vec2 ray = look.rayOf(lane);
-  const auto rise = [&](const std::optional<Slope>& slope) {
-    return slope ? dot(slope->gradient, ray) : 0;
-  };
-  depths.keepPositive(z - scene_.airBottom(sector, eye) + kPositionSlack, -rise(sector.floorSlope));
-  depths.keepPositive(scene_.airTop(sector, eye) - z + kPositionSlack, rise(sector.ceilingSlope));
+  depths.keepPositive(z - scene_.airBottom(sector, eye) + kPositionSlack,
+                      -riseAlong(sector.floorSlope, ray));
+  depths.keepPositive(scene_.airTop(sector, eye) - z + kPositionSlack,
+                      riseAlong(sector.ceilingSlope, ray));
   if (depths.from >= depths.to) return;
   const double upper = z < eyeZ ? depths.to : depths.from;
   const double lower = z < eyeZ ? depths.from : depths.to;

@@ -93,6 +93,7 @@ class Visibility {
     ++found_.stats.viewports;
     const std::vector<Window>& windows = viewport.windows;
     found_.stats.windows += windows.size();
+    if (hasMeshes_) lookedThrough_ = rectAround(windows);
     const std::vector<ColumnHit>& hits = exits_.closest(viewport.sector, viewport.entry, windows);
     for (std::size_t i = 0; i < windows.size();) {
       if (hits[i].depth == RayExits::kNoDepth) {
@@ -121,7 +122,7 @@ class Visibility {
 
   /// Before what is behind them: the sprites that are before the meshes, then these.
   void showThings(const ColumnRun& run, const RunEntry& entry) {
-    const bool meshesShow = hasMeshes_ && meshes_.find(run, entry);
+    const bool meshesShow = hasMeshes_ && meshes_.find(run, entry, lookedThrough_);
     if (hasSprites_) sprites_.show(run, entry, meshesShow ? &meshes_ : nullptr, found_.masked);
     if (meshesShow) meshes_.show(run, found_.masked);
   }
@@ -300,6 +301,7 @@ class Visibility {
   void look(const FlatPortalView& view) {
     ++found_.stats.flatPortals;
     found_.stats.windows += view.windows.size();
+    if (hasMeshes_) lookedThrough_ = rectAround(view.windows);
     const FlatPortal& flatPortal = scene_[view.flatPortal];
     exits_.findStretches(view.down ? flatPortal.lower : flatPortal.upper, view.windows);
     for (std::size_t i = 0; i < view.windows.size(); ++i)
@@ -340,6 +342,7 @@ class Visibility {
   std::vector<Viewport>& viewports_;
   std::vector<FlatPortalView>& flatPortals_;
   // Of the present look:
+  PictureRect lookedThrough_{};  ///< around its windows; found if there are meshes
   std::size_t firstNewViewport_ = 0;
   std::size_t firstNewFlatPortal_ = 0;
 };

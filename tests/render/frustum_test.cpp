@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kWidth = 320;
 constexpr int kHeight = 200;
-constexpr ColumnRange kColumns{80, 200};
+constexpr PictureRect kRect{{80, 200}, 20, 180};
 
-class FrustumOfColumns : public testing::Test {
+class FrustumOfARect : public testing::Test {
  protected:
   double number(double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random_);
@@ -35,25 +35,25 @@ class FrustumOfColumns : public testing::Test {
     return Projection({SectorId(0), eye, number(0, 360), number(-60, 60), 90, kWidth, kHeight},
                       eye);
   }
-  /// Whether a point lies in the columns and in the rows, up to so many pixels beside them.
+  /// Whether a point lies in the rectangle, up to so many pixels beside it.
   static bool shows(const Projection& projection, Vec3 p, double beside) {
     const CameraPoint at = projection.toCamera(p.xy());
     if (at.depth <= 0) return false;
     const double column = projection.columnOf(at);
     const double row = projection.rowOf(p.z, at.depth);
-    return column >= kColumns.begin - beside && column <= kColumns.end + beside && row >= -beside &&
-           row <= kHeight + beside;
+    return column >= kRect.columns.begin - beside && column <= kRect.columns.end + beside &&
+           row >= kRect.rowBegin - beside && row <= kRect.rowEnd + beside;
   }
 
   std::mt19937_64 random_{1};
 };
 
-TEST_F(FrustumOfColumns, mayShowEachBoxOfWhichAPointShows) {
+TEST_F(FrustumOfARect, mayShowEachBoxOfWhichAPointShows) {
   int shown = 0;
   int hidden = 0;
   for (int i = 0; i < 20000; ++i) {
     const Projection projection = this->projection();
-    const Frustum frustum(projection, kColumns, kHeight);
+    const Frustum frustum(projection, kRect);
     const Box3 box = this->box();
     hidden += frustum.mayShow(box) ? 0 : 1;
     for (int k = 0; k < 10; ++k) {
@@ -66,11 +66,11 @@ TEST_F(FrustumOfColumns, mayShowEachBoxOfWhichAPointShows) {
   EXPECT_GT(hidden, 10000);
 }
 
-TEST_F(FrustumOfColumns, holdsNoBoxOfWhichAPointLiesFartherOutside) {
+TEST_F(FrustumOfARect, holdsNoBoxOfWhichAPointLiesFartherOutside) {
   int held = 0;
   for (int i = 0; i < 20000; ++i) {
     const Projection projection = this->projection();
-    const Frustum frustum(projection, kColumns, kHeight);
+    const Frustum frustum(projection, kRect);
     const Box3 box = this->box();
     if (!frustum.holds(box)) continue;
     ++held;

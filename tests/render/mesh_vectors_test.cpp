@@ -37,8 +37,9 @@ class SeenFace {
     level_.meshes = {mesh};
     level_.meshFaces = {{corners, image, TextureId(0)}};
     level_.faceTrees.emplace_back(level_.meshFaces);
-    fronts_.begin(level_, projection, {0, width}, width);
-    fronts_.find({level_, geometry_}, projection, 0);
+    const PictureRect picture{{0, width}, 0, width};
+    fronts_.begin(level_, picture);
+    fronts_.find({level_, geometry_}, projection, 0, picture);
   }
 
   bool isSeen() const { return !fronts_.frontsOf(0).empty(); }
