@@ -78,8 +78,8 @@ TEST(Budget, ofAFrameIsSpentOnTheMostAccurateSettings) {
   };
   EXPECT_EQ(fitting(10).draw, DrawSettings{});
   EXPECT_DOUBLE_EQ(fitting(10).milliseconds, 10);
-  EXPECT_EQ(fitting(5).draw.pixelSize, 2);
-  EXPECT_LE(fitting(5).milliseconds, 5);
+  EXPECT_EQ(fitting(7).draw.pixelSize, 2);
+  EXPECT_LE(fitting(7).milliseconds, 7);
   EXPECT_EQ(fitting(0.1).draw, measuredFrames().back().draw);
 }
 

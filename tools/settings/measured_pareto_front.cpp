@@ -10,17 +10,17 @@ namespace {
 // Means of `hearth tradeoff` on levels/tutorial.json and levels/keep.json, of costs as factors.
 
 constexpr std::array kMeasuredFrames = {
-    MeasuredFrame{{}, 1, 2.3, 0.066},
-    MeasuredFrame{{.pixelSize = 2}, 0.47, 17, 0.61},
-    MeasuredFrame{{.pixelSize = 3}, 0.33, 18, 0.60},
-    MeasuredFrame{{.pixelSize = 4}, 0.21, 20, 0.70},
+    MeasuredFrame{{}, 1, 2.5, 0.073},
+    MeasuredFrame{{.pixelSize = 2}, 0.64, 17.8, 0.62},
+    MeasuredFrame{{.pixelSize = 3}, 0.46, 18.5, 0.60},
+    MeasuredFrame{{.pixelSize = 4}, 0.33, 20.9, 0.70},
 };
 
 constexpr std::array kMeasuredBakes = {
-    MeasuredBake{{0.25, true, 64}, 28, 2.3},  MeasuredBake{{0.25, false, 64}, 12, 2.4},
-    MeasuredBake{{0.5, false, 16}, 2.1, 3.6}, MeasuredBake{{1, false, 16}, 0.77, 5.1},
-    MeasuredBake{{1, false, 0}, 0.29, 5.7},   MeasuredBake{{2, false, 0}, 0.19, 7.8},
-    MeasuredBake{{4, false, 0}, 0.15, 11.7},
+    MeasuredBake{{0.25, true, 64}, 24, 2.5},  MeasuredBake{{0.25, false, 64}, 12, 2.7},
+    MeasuredBake{{0.5, false, 16}, 2.1, 4.0}, MeasuredBake{{1, false, 16}, 0.75, 5.6},
+    MeasuredBake{{1, false, 0}, 0.30, 6.2},   MeasuredBake{{2, false, 0}, 0.16, 8.5},
+    MeasuredBake{{4, false, 0}, 0.11, 12.5},
 };
 
 template <typename Measured>

@@ -98,11 +98,11 @@ TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
     return bakeInWords(effective, {}) + "; " + framesInWords(effective);
   };
   EXPECT_EQ(words("draft"),
-            "0.19 x the time, 7.8 levels off; 0.47 x the time, 61 % of pixels differ");
-  EXPECT_EQ(words("normal"), "as the level says; 1 x the time, 6.6 % of pixels differ");
-  EXPECT_EQ(words("high"), "2.6 x the time, 3.6 levels off; 1 x the time, 6.6 % of pixels differ");
+            "0.16 x the time, 8.5 levels off; 0.64 x the time, 62 % of pixels differ");
+  EXPECT_EQ(words("normal"), "as the level says; 1 x the time, 7.3 % of pixels differ");
+  EXPECT_EQ(words("high"), "2.9 x the time, 4 levels off; 1 x the time, 7.3 % of pixels differ");
   EXPECT_EQ(words("reference"),
-            "28 x the time, 2.3 levels off; 1 x the time, 6.6 % of pixels differ");
+            "24 x the time, 2.5 levels off; 1 x the time, 7.3 % of pixels differ");
 }
 
 TEST(QualityInWords, SaysThatLightIsFromAFile) {
