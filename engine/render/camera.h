@@ -68,11 +68,8 @@ class Projection {
   }
   /// The first of rows [begin, end) whose centre is not above height z at this depth, or `end`.
   int rowIn(int begin, int end, double z, double depth) const {
-    return firstFrom(begin, end, rowOf(z, depth));
-  }
-  /// The first of rows [begin, end) whose view ray rises no more than this, or `end`.
-  int rowIn(int begin, int end, double raySlope) const {
-    return firstFrom(begin, end, horizonRow_ - raySlope * distancePx_);
+    const double row = rowOf(z, depth) - 0.5;
+    return roundedUp(std::clamp(row, static_cast<double>(begin), static_cast<double>(end)));
   }
   /// How far the ray through a column goes to the right per metre of depth.
   double slantOf(double column) const { return (column - centerColumn_) / distancePx_; }
@@ -82,10 +79,6 @@ class Projection {
   double raySlopeAt(double row) const { return (horizonRow_ - row) / distancePx_; }
 
  private:
-  static int firstFrom(int begin, int end, double row) {
-    return roundedUp(std::clamp(row - 0.5, static_cast<double>(begin), static_cast<double>(end)));
-  }
-
   Vec3 eye_;
   Vec2 direction_;
   Vec2 right_;

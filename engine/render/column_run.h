@@ -11,11 +11,12 @@
 
 namespace hearth {
 
-/// How the rays of a run come into its sector.
+/// How the rays of a run come into its sector: through a wall, through a flat portal, or not at
+/// all, if they begin there.
 struct RunEntry {
-  LaneDoubles depths{};          ///< metres; 0 for those that begin there or ...
-  std::optional<SectorId> from;  ///< ... come from no other sector through a wall ...
-  std::optional<double> plane;   ///< ... but through a flat portal, at this height
+  LaneDoubles depths{};          ///< metres at which they pass a wall; else 0
+  std::optional<SectorId> from;  ///< the sector before that wall
+  std::optional<double> plane;   ///< the height of the flat portal
 };
 
 /// Columns of one strip, seen in one viewport, that leave the sector at the same segment. What they

@@ -38,7 +38,7 @@ void mapFace(const Projection& projection, const SpanGroup& group, const Texture
   const Vec3 out = frontOf(face);
   mapping.depth = group.depth;
   mapping.isPlane = !isUprightPlane(out);
-  mapping.isTurned = true;
+  mapping.isImageTurned = true;
   std::array<Vec3, Strip::kColumns> rays;  // 1 m deep; of planes along these
   for (std::size_t lane = 0; lane < rays.size(); ++lane) {
     const Vec2 ray = projection.rayOf(group.firstColumn + static_cast<int>(lane) + 0.5);

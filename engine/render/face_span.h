@@ -27,7 +27,7 @@ inline FaceCorners cornersBefore(const Projection& projection, const MeshFace& f
 
 /// A face of a mesh before the eye. Rays are (1, slant, ray slope): 1 m ahead, to the right and up,
 /// see Projection. Of a large model most are not in the cache when they are needed. So what tells
-/// where a face shows lies together, in two cache lines, and colouring does without the face.
+/// where a face shows lies together, in two cache lines, and what colours it in the next one.
 struct alignas(64) FaceFront {
   ColumnRange columns;  ///< outside which it does not show
   /// A ray meets the face where its product with none of these is negative: homogeneous edge
@@ -44,11 +44,6 @@ struct alignas(64) FaceFront {
   const MeshFace* face;
   SurfaceId mesh;
   bool isNarrow;  ///< it covers so few columns that groups of its spans are not worth their memory
-
-  /// 1 / depth of a column's rays, as a linear function of their slope.
-  double nearnessAt(double slant, double raySlope) const {
-    return nearness.x + slant * nearness.y + raySlope * nearness.z;
-  }
 };
 
 /// Rows [rowBegin, rowEnd) of a lane that show a face.

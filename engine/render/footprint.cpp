@@ -70,7 +70,8 @@ double Footprint::texelsAt(double parameter) const {
 int mipLevelOf(double texels) {
   // A texel of level n is 4^n of the full size; it is nearest from 4^(n - 1/2) on.
   constexpr double kMax = 0x1p60;
-  return (std::ilogb(std::clamp(texels, 1.0, kMax)) + 1) / 2;
+  // A plane at the height of the eye has no number of texels at a depth of 0: there it is 1.
+  return (std::ilogb(std::min(std::max(1.0, texels), kMax)) + 1) / 2;
 }
 
 }  // namespace hearth

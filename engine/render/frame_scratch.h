@@ -48,7 +48,8 @@ struct FrameScratch {
   bool isFilled(int strip, int rows) const {
     const FrameColumns& part = partOf(strip);
     const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);
-    return part.found().solid.pixelsOf(strip) == columns * rows;
+    return part.found().solid.pixelsOf(strip) ==
+           static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
 
   /// Calls `use(span)` for all spans of the last frame.

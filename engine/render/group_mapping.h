@@ -43,9 +43,9 @@ struct GroupMapping {
   bool isPlane = false;
   bool isLevel = false;  ///< a plane that does not rise
   bool isSky = false;
-  bool isTurned = false;  ///< u and v both change down a column, also of what is upright
-  double height = 0;      ///< of planes
-  LaneDoubles rise;       ///< of planes
+  bool isImageTurned = false;  ///< of what is upright: u and v both change down a column
+  double height = 0;           ///< of planes
+  LaneDoubles rise;            ///< of planes
   LaneDoubles depth;
   LaneImageAxis u;
   LaneImageAxis v;

@@ -1,5 +1,5 @@
 // Compiled once for each instruction set: foreach_target.h includes this file again and again, with
-// HWY_NAMESPACE as another name each time. No result depends on the set: every lane is a column,
+// HWY_NAMESPACE as another name each time. No result depends on the set: lanes are independent,
 // and multiplications and additions are never fused.
 
 #include "render/pixel_kernels.h"

@@ -23,7 +23,7 @@ void findFronts(const Scene& scene, const Projection& projection, SectorId id, i
   fronts.begin(id);
   for (const Segment& segment : scene.segmentsOf(scene[id])) {
     const ColumnRange covered = columnsOf(projection, segment, width);
-    if (std::max(covered.begin, columns.begin) < std::min(covered.end, columns.end))
+    if (haveCommon(covered, columns))
       fronts.add(
           {segment.id, hasLevelAir(scene, segment), covered, SegmentMeetings(projection, segment)});
   }

@@ -14,8 +14,8 @@ struct Span {
   SurfaceId surface;
   const SpriteView* view;  ///< what a sprite shows; null for all else
   const MeshFace* face;    ///< of a mesh; null for all else
-  /// Depth in metres at which the column leaves the sector: the depth of an upright surface, and
-  /// the greatest depth of a flat or slope. Likewise of a sprite or a face.
+  /// Metres: the depth of an upright surface or of a sprite that stands, else the greatest of the
+  /// column. That of a wall, a flat or a slope is where the column leaves the sector.
   double depth;
   /// Upright: metres along the authored wall, for the texture; of a sprite from its left edge.
   double s = 0;

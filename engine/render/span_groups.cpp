@@ -63,14 +63,15 @@ SpanGroups::Added SpanGroups::add(std::uint32_t owner, SurfaceId surface, int st
     group.rows.begin[lane] = rows.has(lane) ? rows.begin[lane] : group.rows.begin[lane];
     group.rows.end[lane] = rows.has(lane) ? rows.end[lane] : group.rows.end[lane];
   }
-  strips_[indexOf(strip)].pixels += rows.rowCount();
+  strips_[indexOf(strip)].pixels += static_cast<std::size_t>(rows.rowCount());
   spans_ += static_cast<std::size_t>(rows.laneCount());
   return {&group, isNew ? kAllLanes : lanes};
 }
 
 void SpanGroups::addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> faces) {
   const std::uint32_t index = begin(mesh.value, strip);
-  links_[index].lanes = kAllLanes;  // nothing may join it, or be painted over what comes later
+  // As if it had spans in all columns. Then no later span joins it, or a group before it.
+  links_[index].lanes = kAllLanes;
   if (facesCount_ == faces_.size()) faces_.emplace_back();
   std::vector<FaceSpan>& kept = faces_[facesCount_++];
   kept.assign(faces.begin(), faces.end());
@@ -81,7 +82,7 @@ void SpanGroups::addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> f
   for (const FaceSpan& span : faces) {
     group.rowBegin = std::min(group.rowBegin, span.rowBegin);
     group.rowEnd = std::max(group.rowEnd, span.rowEnd);
-    strips_[indexOf(strip)].pixels += span.rowEnd - span.rowBegin;
+    strips_[indexOf(strip)].pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
   }
   spans_ += faces.size();
 }

@@ -15,8 +15,8 @@
 namespace hearth {
 
 /// Spans of one surface in columns of one strip, at most one in each column. They are painted
-/// together: each column is a lane of a register. Or all spans of narrow faces of a mesh, any
-/// number in each column.
+/// together: each column is a lane of a register. Or the spans of narrow faces of a mesh in a
+/// column run, any number in each column.
 struct SpanGroup {
   SurfaceId surface;
   const SpriteView* view;  ///< as in Span
@@ -30,7 +30,7 @@ struct SpanGroup {
   int rowEnd;       ///< ... and the one behind the last
   LaneRowRanges rows;
 
-  // As in Span. Lanes without a span have the numbers of another one.
+  // As in Span. Lanes without a span have the numbers of another one, or 0.
   LaneDoubles depth;
   LaneDoubles s;  ///< this and the rest only of what is upright
   LaneDoubles fraction;
@@ -114,7 +114,7 @@ class SpanGroups {
   }
 
   /// Of a strip, in all its spans.
-  int pixelsOf(int strip) const { return strips_[indexOf(strip)].pixels; }
+  std::size_t pixelsOf(int strip) const { return strips_[indexOf(strip)].pixels; }
 
   std::size_t spans() const { return spans_; }
 
@@ -124,7 +124,7 @@ class SpanGroups {
 
   struct StripGroups {
     std::uint32_t last = kNone;  ///< index of the group added last
-    int pixels = 0;
+    std::size_t pixels = 0;
   };
   /// What the search for a group looks at first, close together.
   struct Link {

@@ -94,7 +94,7 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   count(group, material, stats);
   const GroupMapping mapping =
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
-  const bool isUpright = !mapping.isPlane && !mapping.isTurned;
+  const bool isUpright = !mapping.isPlane && !mapping.isImageTurned;
   const GroupLight light{material.lightmap, material.sectorLight, isUpright};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
   const bool haveHoles = mayHaveHoles(material.surface.kind);

@@ -112,6 +112,16 @@ TEST(Footprint, OfASkyIsWhatLiesBetweenNeighbouringPixels) {
   EXPECT_GT(pixels, 1000);
 }
 
+TEST(Footprint, ofAPlaneThroughTheEyeIsATexelAtTheEye) {
+  Span span{};
+  span.surface = SurfaceId(0);
+  const LoadedLevel loaded = hallWithDais("");
+  SpanMapping mapping;
+  mapping.isPlane = true;  // 0 m above the eye
+  const Projection projection(kFromTheWest, kFromTheWest.eye);
+  EXPECT_EQ(Footprint(loaded.scene(), projection, span, kTexture, mapping).mipLevelAt(0), 0);
+}
+
 TEST(Footprint, ChoosesTheLevelWhoseTexelsAreNearestToAPixelInArea) {
   const LoadedLevel loaded = hallWithDais("");
   Camera camera = kFromTheWest;

@@ -46,7 +46,9 @@ class SeenFace {
   const FaceFront& front() const { return fronts_.frontsOf(0).front(); }
 
   /// Of the ray that goes so far to the right and up per metre ahead.
-  double depth(double slant, double slope) const { return 1 / front().nearnessAt(slant, slope); }
+  double depth(double slant, double slope) const {
+    return 1 / dot(front().nearness, Vec3{1, slant, slope});
+  }
   Vec2 image(double slant, double slope) const {
     const Vec3 at = depth(slant, slope) * Vec3{1, slant, slope};
     const FaceFront& face = front();

@@ -56,8 +56,13 @@ TEST_F(Groups, joinSpansOfASurfaceInAStrip) {
   groups_.add(kWall, 4, rowsIn(5, 8, 5, 10));
   EXPECT_THAT(lanesOf(groups_, 3), ElementsAre(0b11111111, 0b00011111));
   EXPECT_THAT(lanesOf(groups_, 4), ElementsAre(0b11100000));
-  EXPECT_EQ(groups_.pixelsOf(3), 2 * 5 + 8 * 2 + 3 * 7);
+  EXPECT_EQ(groups_.pixelsOf(3), 2U * 5 + 8 * 2 + 3 * 7);
   EXPECT_EQ(groups_.spans(), 2U + 8 + 3 + 3);
+}
+
+TEST_F(Groups, countMorePixelsThanAnIntHolds) {
+  for (int i = 0; i < 3; ++i) groups_.add(kWall, 3, rowsIn(0, 8, 0, 1 << 27));
+  EXPECT_EQ(groups_.pixelsOf(3), 3 * (std::size_t{1} << 30));
 }
 
 TEST_F(Groups, holdOneSpanOfAColumnAtMost) {
