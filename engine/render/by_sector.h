@@ -41,6 +41,9 @@ class BySector {
     ++sectors_.back().end;
   }
 
+  /// How many sectors were begun before one that was begun.
+  std::size_t placeOf(SectorId sector) const { return indexOf(sector); }
+
   /// What has been added to a sector that was begun. Valid until more is added.
   std::span<const T> of(SectorId sector) const {
     const Found& found = sectors_[indexOf(sector)];

@@ -4,8 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "render/strip.h"
-
 namespace hearth {
 
 namespace {
@@ -48,12 +46,6 @@ void MeshFronts::begin(const Level& level, const PictureRect& frame) {
   count_ = 0;
 }
 
-std::span<const std::uint32_t> MeshFronts::inStrip(std::uint32_t mesh, int strip) const {
-  const Found& found = foundOf(mesh);
-  const auto i = static_cast<std::size_t>(strip - frame_.columns.begin / Strip::kColumns);
-  return std::span(found.byStrip).subspan(found.begins[i], found.begins[i + 1] - found.begins[i]);
-}
-
 void MeshFronts::find(const Scene& scene, const Projection& projection, std::uint32_t index,
                       const PictureRect& part) {
   const bool isKnown = placeOf_[index] != kNone;
@@ -68,7 +60,7 @@ void MeshFronts::find(const Scene& scene, const Projection& projection, std::uin
   visitInFrustum(
       Frustum(projection, found.part), scene.level().faceTrees[index], scene.level().facesOf(mesh),
       [&](const MeshFace& face) { add(mesh, face, projection, found.part.columns, found.fronts); });
-  sortByStrip(found);
+  found.byStrip.sort(found.fronts.size(), [&](std::size_t i) { return found.fronts[i].columns; });
 }
 
 /// In their order.
@@ -111,28 +103,6 @@ void MeshFronts::add(const Mesh& mesh, const MeshFace& face, const Projection& p
                     &face,
                     mesh.surface,
                     isNarrow});
-}
-
-/// By counting; in each strip they stay in their order.
-void MeshFronts::sortByStrip(Found& found) const {
-  const int firstStrip = frame_.columns.begin / Strip::kColumns;
-  const int strips = Strip::countIn(frame_.columns.end) - firstStrip;
-  found.begins.assign(static_cast<std::size_t>(strips) + 1, 0);
-  const auto visitStrips = [&](const FaceFront& front, auto&& visit) {
-    const int end = Strip::countIn(front.columns.end);
-    for (int strip = front.columns.begin / Strip::kColumns; strip < end; ++strip)
-      visit(found.begins[static_cast<std::size_t>(strip - firstStrip)]);
-  };
-  for (const FaceFront& front : found.fronts)
-    visitStrips(front, [](std::uint32_t& count) { ++count; });
-  std::uint32_t end = 0;
-  for (std::uint32_t& begin : found.begins) begin = end += begin;
-  found.byStrip.resize(end);
-  // From the last face on, each strip's begin moves down from its end.
-  for (std::size_t i = found.fronts.size(); i-- > 0;)
-    visitStrips(found.fronts[i], [&](std::uint32_t& begin) {
-      found.byStrip[--begin] = static_cast<std::uint32_t>(i);
-    });
 }
 
 }  // namespace hearth

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "render/by_strip.h"
 #include "render/camera.h"
 #include "render/face_span.h"
 #include "render/frustum.h"
@@ -13,9 +14,9 @@
 
 namespace hearth {
 
-/// The faces of the meshes in view. Those of each are found for the windows through which a frame
-/// sees it first, and once more if others show other parts of the picture. Keeps its memory from
-/// frame to frame.
+/// The faces of the meshes in view. A mesh is searched behind the windows through which a frame
+/// sees it first, and once more in the whole frame if other windows show more of it. Keeps its
+/// memory from frame to frame.
 class MeshFronts {
  public:
   /// Forgets all meshes, and begins a frame, which shows this part of the picture.
@@ -28,7 +29,9 @@ class MeshFronts {
 
   /// Those of a mesh that has been found that may show in the columns of a strip, by their numbers
   /// in `frontsOf`, in their order.
-  std::span<const std::uint32_t> inStrip(std::uint32_t mesh, int strip) const;
+  std::span<const std::uint32_t> inStrip(std::uint32_t mesh, int strip) const {
+    return foundOf(mesh).byStrip.in(strip);
+  }
   /// All of them. They stay where they are until the next frame.
   std::span<const FaceFront> frontsOf(std::uint32_t mesh) const { return foundOf(mesh).fronts; }
 
@@ -36,10 +39,9 @@ class MeshFronts {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   struct Found {
-    PictureRect part;  ///< of the frame, outside which none has been looked for
+    PictureRect part;  ///< of the frame: what was searched
     std::vector<FaceFront> fronts;
-    std::vector<std::uint32_t> byStrip;  ///< numbers of fronts
-    std::vector<std::uint32_t> begins;   ///< strip i has byStrip[begins[i] ... begins[i + 1])
+    ByStrip byStrip;
   };
 
   template <typename Visit>
@@ -48,7 +50,6 @@ class MeshFronts {
   const Found& foundOf(std::uint32_t mesh) const { return found_[placeOf_[mesh]]; }
   static void add(const Mesh& mesh, const MeshFace& face, const Projection& projection,
                   ColumnRange within, std::vector<FaceFront>& fronts);
-  void sortByStrip(Found& found) const;
 
   PictureRect frame_{};
   std::vector<std::uint8_t> isInFrustum_;  ///< by face of the present mesh; all 0 between meshes

@@ -116,14 +116,20 @@ void SpriteFronts::find(const Scene& scene, const SpriteIndex& index, const Came
         isIn(scene, projection, camera.seconds, sprite, sector))
       found_.push_back(sprite);
   });
-  std::ranges::sort(found_);
+  nearToFar_.clear();
+  for (const std::uint32_t i : found_)
+    nearToFar_.emplace_back(projection.toCamera(scene.level().sprites[i].position.xy()).depth, i);
+  std::ranges::sort(nearToFar_);
   fronts_.begin(sector);
-  for (const std::uint32_t i : found_) {
+  for (const auto& [depth, i] : nearToFar_) {
     const Sprite& sprite = scene.level().sprites[i];
     const auto [view, rect] = shownOf(sprite, projection, camera.seconds);
     const SpriteFront front(sprite, view, rect, projection, camera.width);
     if (haveCommon(front.columns(), columns)) fronts_.add(front);
   }
+  if (begun_ == byStrip_.size()) byStrip_.emplace_back();
+  const std::span<const SpriteFront> found = fronts_.of(sector);
+  byStrip_[begun_++].sort(found.size(), [found](std::size_t i) { return found[i].columns(); });
 }
 
 bool SpriteFronts::isIn(const Scene& scene, const Projection& projection, double seconds,

@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "level/scene.h"
 #include "level/sprite_index.h"
 #include "level/sprite_sectors.h"
 #include "render/by_sector.h"
+#include "render/by_strip.h"
 #include "render/camera.h"
 #include "render/lanes.h"
 #include "render/segment_columns.h"
@@ -34,7 +37,8 @@ class SpriteFront {
   /// Whether all of it stands at one depth.
   bool hasOneDepth() const { return right_.depth == 0; }
 
-  /// Where rays meet what stands. Those that do not have the numbers of its left or right edge.
+  /// Where rays meet what stands. A ray that does not meet it has the numbers of its left or right
+  /// edge.
   struct Meetings {
     LaneSet lanes;      ///< whose rays meet it, before the eye
     LaneDoubles depth;  ///< metres
@@ -71,12 +75,13 @@ class SpriteFront {
 };
 
 /// The sprites of the sectors in view, each sector's found once in a frame. Those of a sector are
-/// in the order of the level.
+/// near to far, by the depth of their position.
 class SpriteFronts {
  public:
   /// Forgets all sectors, and begins a frame.
   void clear() {
     fronts_.clear();
+    begun_ = 0;
     guests_.clear();
     sectors_.clear();
   }
@@ -89,6 +94,10 @@ class SpriteFronts {
 
   /// Those of a sector for which they have been found. Valid until `find` is called again.
   std::span<const SpriteFront> of(SectorId sector) const { return fronts_.of(sector); }
+  /// Those of them that may show in a strip, by their numbers in `of`, rising.
+  std::span<const std::uint32_t> inStrip(SectorId sector, int strip) const {
+    return byStrip_[fronts_.placeOf(sector)].in(strip);
+  }
 
  private:
   /// A sprite that reaches beyond its own sector, and where it is in this frame.
@@ -104,10 +113,14 @@ class SpriteFronts {
                 std::uint32_t sprite);
 
   BySector<SpriteFront> fronts_;
+  std::vector<ByStrip> byStrip_;  ///< of each sector in their order; more is memory of other frames
+  std::size_t begun_ = 0;         ///< sectors
   std::vector<Guest> guests_;
   std::vector<SectorId> sectors_;
   SpriteSectors finder_;
-  std::vector<std::uint32_t> found_;  ///< sprites of the present sector
+  // Of the present sector:
+  std::vector<std::uint32_t> found_;                         ///< sprites
+  std::vector<std::pair<double, std::uint32_t>> nearToFar_;  ///< the same, with their depths
 };
 
 }  // namespace hearth

@@ -54,7 +54,6 @@ struct SpriteSpans::Look {
   }
 
   Vec2 rayOf(std::size_t lane) const { return projection.rayOf(columnOf(lane) + 0.5); }
-  ColumnRange columns() const { return {columnOf(run.laneBegin), columnOf(run.laneEnd)}; }
   int columnOf(std::size_t lane) const {
     return run.strip * Strip::kColumns + static_cast<int>(lane);
   }
@@ -89,9 +88,8 @@ void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSp
   auto& [all, standing, nearToFar, lying] = scratch_;
   standing.clear();
   lying.clear();
-  const ColumnRange columns = look.columns();
-  for (const SpriteFront& front : fronts) {
-    if (!haveCommon(front.columns(), columns)) continue;
+  for (const std::uint32_t i : scratch_.fronts.inStrip(run.sector.id, run.strip)) {
+    const SpriteFront& front = fronts[i];
     if (front.lies())
       lying.push_back(&front);
     else
@@ -109,7 +107,7 @@ void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSp
       const SpritePart part = lyingPart(look, *front);
       add(look, part, part.rows, found);
     }
-  } else if (lying.empty() && haveOneOrder(look)) {
+  } else if (lying.empty() && haveOneOrder()) {
     for (const SpritePart* part : nearToFar) add(look, *part, part->rows, found);
   } else {
     for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) showLane(look, lane, found);
@@ -201,15 +199,16 @@ LaneRowRanges SpriteSpans::standingRows(const Look& look, const SpriteFront& fro
 }
 
 /// Sorts what stands by rising depth, and says whether that is the order in every column.
-bool SpriteSpans::haveOneOrder(const Look& look) {
+bool SpriteSpans::haveOneOrder() {
   std::ranges::sort(scratch_.nearToFar, {}, &SpritePart::nearest);
   LaneDoubles reached{};
-  for (const SpritePart* part : scratch_.nearToFar)
-    for (std::size_t lane = look.run.laneBegin; lane < look.run.laneEnd; ++lane) {
-      if (!part->rows.has(lane)) continue;
-      if (part->depth[lane] <= reached[lane] * (1 + kNearTie)) return false;
-      reached[lane] = part->depth[lane];
-    }
+  for (const SpritePart* part : scratch_.nearToFar) {
+    const LaneSet notBehind = lanesWhere(
+        [&](std::size_t lane) { return part->depth[lane] <= reached[lane] * (1 + kNearTie); });
+    if ((part->rows.lanes() & notBehind) != 0) return false;
+    for (std::size_t lane = 0; lane < reached.size(); ++lane)
+      reached[lane] = part->rows.has(lane) ? part->depth[lane] : reached[lane];
+  }
   return true;
 }
 
@@ -274,7 +273,7 @@ void SpriteSpans::putLaterFirst(std::size_t lane) {
   for (std::size_t i = 1; i < parts.size(); ++i)
     for (std::size_t k = i; k > 0 && parts[k]->rows.has(lane); --k) {
       if (parts[k]->depth[lane] > parts[k - 1]->depth[lane] * (1 + kNearTie)) break;
-      if (parts[k]->front < parts[k - 1]->front) break;
+      if (parts[k]->front->surface() < parts[k - 1]->front->surface()) break;
       std::swap(parts[k], parts[k - 1]);
     }
 }
