@@ -93,11 +93,11 @@ HWY_INLINE void forEachOfFace(const FaceColumn& column, const double* raySlopes,
 }
 
 inline void findFaceTexels(const FaceColumn& column, const double* raySlopes, int rows,
-                           const Texture& image, std::uint32_t* texels) {
+                           const Texture& image, FaceRowPlaces& places) {
   const Repeating across(image.width());
   const Repeating down(image.height());
   forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles u, Doubles v) HWY_ATTR {
-    store(numberOf(across.texel(u), down.texel(v), image.height()), texels + row);
+    store(numberOf(across.texel(u), down.texel(v), image.height()), &places.texels[0][row]);
   });
 }
 
@@ -109,31 +109,49 @@ HWY_INLINE void storeMinusFraction(Doubles fraction, std::uint32_t* to) {
   store(numberOf(number, number, 0x10000), to);
 }
 
-HWY_INLINE void storeMix(Doubles across, Doubles down, PixelBlock::Mix& mix, std::size_t pixel) {
-  storeMinusFraction(across, &mix.across[pixel]);
-  storeMinusFraction(down, &mix.down[pixel]);
+/// Of pixels of a block or of rows of a face.
+template <typename Mix>
+HWY_INLINE void storeMix(Doubles across, Doubles down, Mix& mix, std::size_t place) {
+  storeMinusFraction(across, &mix.across[place]);
+  storeMinusFraction(down, &mix.down[place]);
+}
+
+/// The four texels around places on an image of this height, and how they are mixed.
+template <typename Texels, typename Mix>
+HWY_INLINE void storeAround(const Between& across, const Between& down, int height, Texels& texels,
+                            Mix& mix, std::size_t place) {
+  store(numberOf(across.first, down.first, height), &texels[0][place]);
+  store(numberOf(across.next, down.first, height), &texels[1][place]);
+  store(numberOf(across.first, down.next, height), &texels[2][place]);
+  store(numberOf(across.next, down.next, height), &texels[3][place]);
+  storeMix(across.fraction, down.fraction, mix, place);
 }
 
 template <typename Rows>
 inline void findTexelsAroundIn(PixelBlock& block, const GroupMapping& mapping, const Texture& image,
                                const Rows& rows) {
   const Repeating columns(image.width());
-  const int height = image.height();
   forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
     const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
-    const Between across = columns.between(at(mapping.u, lane, parameter));
-    const Between down = rows.between(at(mapping.v, lane, parameter));
-    store(numberOf(across.first, down.first, height), &block.texels[0][pixel]);
-    store(numberOf(across.next, down.first, height), &block.texels[1][pixel]);
-    store(numberOf(across.first, down.next, height), &block.texels[2][pixel]);
-    store(numberOf(across.next, down.next, height), &block.texels[3][pixel]);
-    storeMix(across.fraction, down.fraction, block.betweenTexels, pixel);
+    storeAround(columns.between(at(mapping.u, lane, parameter)),
+                rows.between(at(mapping.v, lane, parameter)), image.height(), block.texels,
+                block.betweenTexels, pixel);
   });
 }
 
 inline void findTexelsAround(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
   if (mapping.isSky) return findTexelsAroundIn(block, mapping, image, SkyRows(image.height()));
   findTexelsAroundIn(block, mapping, image, Repeating(image.height()));
+}
+
+inline void findFaceTexelsAround(const FaceColumn& column, const double* raySlopes, int rows,
+                                 const Texture& image, FaceRowPlaces& places) {
+  const Repeating columns(image.width());
+  const Repeating rowsOfImage(image.height());
+  forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles u, Doubles v) HWY_ATTR {
+    storeAround(columns.between(u), rowsOfImage.between(v), image.height(), places.texels,
+                places.between, row);
+  });
 }
 
 /// All of the nearer texel where nothing is to be mixed.
@@ -162,16 +180,16 @@ inline void findLightTexels(PixelBlock& block, const GroupMapping& mapping,
 }
 
 inline void findFaceLight(const FaceColumn& column, const double* raySlopes, int rows,
-                          const Lightmap& lightmap, LightFilter filter, FaceLightPlaces& places) {
+                          const Lightmap& lightmap, LightFilter filter, FaceRowPlaces& places) {
   const TexelRect& rect = lightmap.rect;
   const Vec2 first = centreOfFirst(rect);
   forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles s, Doubles t) HWY_ATTR {
     const Between across = betweenKept(hn::Sub(s, all(first.x)), rect.width);
     const Between down = betweenKept(hn::Sub(t, all(first.y)), rect.height);
     store(hn::Mul(numberOf(down.first, across.first, rect.width), all(lightmap.channels)),
-          &places.texels[row]);
-    storeMinusFraction(filtered(across.fraction, filter), &places.across[row]);
-    storeMinusFraction(filtered(down.fraction, filter), &places.down[row]);
+          &places.texels[0][row]);
+    storeMix(filtered(across.fraction, filter), filtered(down.fraction, filter), places.between,
+             row);
   });
 }
 

@@ -26,6 +26,7 @@ const PixelKernels& kernels() {
       .findTexelsAround = findTexelsAround,
       .findLightTexels = findLightTexels,
       .findFaceTexels = findFaceTexels,
+      .findFaceTexelsAround = findFaceTexelsAround,
       .findFaceLight = findFaceLight,
       .shade = shade,
   };

@@ -40,14 +40,16 @@ struct FaceColumn {
   Affine v;
 };
 
-/// Where rows of a face lie on a lightmap: as PixelBlock has it of its pixels.
-struct FaceLightPlaces {
-  template <typename T>
-  struct alignas(64) Rows : std::array<T, PixelBlock::kRows + PixelBlock::kLanes> {};
+/// Where rows of a face lie on an image or a lightmap: as PixelBlock has it of its pixels. There is
+/// room for a register more than a block has rows.
+struct FaceRowPlaces {
+  struct alignas(64) Rows : std::array<std::uint32_t, PixelBlock::kRows + PixelBlock::kLanes> {};
 
-  Rows<std::uint32_t> texels;
-  Rows<std::uint32_t> across;
-  Rows<std::uint32_t> down;
+  std::array<Rows, 4> texels;  ///< the first ones alone where nothing is mixed, and of lightmaps
+  struct Mix {
+    Rows across;
+    Rows down;
+  } between;
 };
 
 /// Loops over the pixels of a block, as many at once as the registers of a processor hold. The
@@ -67,13 +69,13 @@ struct PixelKernels {
   /// Those of a lightmap that is not uniform.
   void (*findLightTexels)(PixelBlock& block, const GroupMapping& mapping, const Lightmap& lightmap,
                           LightFilter filter);
-  /// The numbers of the texels of so many rows of a face. `texels` is aligned to 64 bytes, and a
-  /// register more may be written.
+  // The same three of rows of a face.
   void (*findFaceTexels)(const FaceColumn& column, const double* raySlopes, int rows,
-                         const Texture& image, std::uint32_t* texels);
-  /// The same on a lightmap that is not uniform.
+                         const Texture& image, FaceRowPlaces& places);
+  void (*findFaceTexelsAround)(const FaceColumn& column, const double* raySlopes, int rows,
+                               const Texture& image, FaceRowPlaces& places);
   void (*findFaceLight)(const FaceColumn& column, const double* raySlopes, int rows,
-                        const Lightmap& lightmap, LightFilter filter, FaceLightPlaces& places);
+                        const Lightmap& lightmap, LightFilter filter, FaceRowPlaces& places);
   /// Writes the pixels of the rows, of which each has eight.
   void (*shade)(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
                 std::uint32_t* rows);

@@ -39,14 +39,18 @@ struct NearestTexels {
   }
 };
 
+/// Holes are those of the first texels.
+template <bool kHasHoles>
 struct MixedTexels {
   const PixelBlock& block;
 
   HWY_INLINE Words colors(std::size_t pixel) const {
     const auto at = [&](std::size_t i)
                         HWY_ATTR { return channelsOf(hn::Load(kWord, &block.colors[i][pixel])); };
-    return colorsOf(
+    const Words colors = colorsOf(
         neighbourhoodOf(at(0), at(1), at(2), at(3)).at(weightsAt(block.betweenTexels, pixel)));
+    if (!kHasHoles) return colors;
+    return hn::Or(colors, hn::And(hn::Load(kWord, &block.colors[0][pixel]), allWords(kHoleBit)));
   }
 };
 
@@ -249,20 +253,23 @@ inline void shadeIn(const PixelBlock& block, const Texels& texels, Light light,
                     std::uint32_t* rows) {
   for (int i = 0; i < block.rows; ++i) {
     const int row = block.firstRow + i;
-    const bool isFull = !kHasHoles && row >= block.columns.fullBegin && row < block.columns.fullEnd;
+    const bool isFull = row >= block.columns.fullBegin && row < block.columns.fullEnd;
     for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kWord)) {
       const std::size_t pixel = static_cast<std::size_t>(i) * kLanes + lane;
       const Words colors = texels.colors(pixel);
       const Words pixels = shaded(colors, light.shown(pixel, lane));
-      if (isFull) {
+      if (isFull && !kHasHoles) {
         hn::StoreU(pixels, kWord, rows + pixel);
         continue;
       }
-      auto isShown = hn::And(
-          hn::Gt(hn::Set(kSigned, row + 1), hn::Load(kSigned, &block.columns.rows.begin[lane])),
-          hn::Gt(hn::Load(kSigned, &block.columns.rows.end[lane]), hn::Set(kSigned, row)));
-      if constexpr (kHasHoles)
-        isShown = hn::And(isShown, hn::Gt(hn::BitCast(kSigned, colors), hn::Set(kSigned, -1)));
+      auto isShown =
+          hn::Gt(hn::BitCast(kSigned, kHasHoles ? colors : allWords(0)), hn::Set(kSigned, -1));
+      if (!isFull)
+        isShown =
+            hn::And(isShown, hn::And(hn::Gt(hn::Set(kSigned, row + 1),
+                                            hn::Load(kSigned, &block.columns.rows.begin[lane])),
+                                     hn::Gt(hn::Load(kSigned, &block.columns.rows.end[lane]),
+                                            hn::Set(kSigned, row))));
       const Words before = hn::LoadU(kWord, rows + pixel);
       hn::StoreU(hn::IfThenElse(hn::RebindMask(kWord, isShown), pixels, before), kWord,
                  rows + pixel);
@@ -274,7 +281,9 @@ template <typename Light>
 inline void shadeTexels(const PixelBlock& block, const GroupTexels& texels, const Light& light,
                         std::uint32_t* rows) {
   if (!texels.image) return shadeIn<false>(block, NoTexels(), light, rows);
-  if (texels.areMixed) return shadeIn<false>(block, MixedTexels{block}, light, rows);
+  if (texels.areMixed && texels.haveHoles)
+    return shadeIn<true>(block, MixedTexels<true>{block}, light, rows);
+  if (texels.areMixed) return shadeIn<false>(block, MixedTexels<false>{block}, light, rows);
   if (texels.haveHoles) return shadeIn<true>(block, NearestTexels{block}, light, rows);
   shadeIn<false>(block, NearestTexels{block}, light, rows);
 }

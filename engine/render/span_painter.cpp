@@ -11,18 +11,6 @@ namespace hearth {
 
 namespace {
 
-void count(const SpanGroup& group, const Material& material, PaintStats& stats) {
-  const SurfaceKind kind = material.surface.kind;
-  const auto spans = static_cast<std::size_t>(group.rows.laneCount());
-  const auto pixels = static_cast<std::size_t>(group.rows.rowCount());
-  if (isSlope(kind) || isSidewall(kind)) stats.slopeSpans += spans;
-  stats.pixels += pixels;
-  if (!material.hasVaryingLight()) return;
-  stats.lightmapSpans += spans;
-  if (material.lightmap->channels == 3) stats.coloredSpans += spans;
-  stats.lightmapPixels += pixels;
-}
-
 PixelBlock::Columns columnsOf(const SpanGroup& group) {
   return {group.rows, std::ranges::max(group.rows.begin), std::ranges::min(group.rows.end)};
 }
@@ -71,27 +59,12 @@ class MipLevels {
 
 }  // namespace
 
-template <typename Use>
-void SpanPainter::forEachBlock(const SpanGroup& group, PixelBlock& block, Use&& use) const {
-  for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
-    block.firstRow = row;
-    block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
-    block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
-    use();
-  }
-}
-
 void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
   if (!group.faces.empty()) return paintFaces(group, mode, block, strip, stats);
-  Material material = materialOf(group);
-  if (mode == LightMode::None) {
-    material.lightmap = nullptr;
-    material.sectorLight = 1;
-  }
-  // Without light that differs from pixel to pixel there is no lightmap to be mapped to.
-  if (!material.hasVaryingLight()) material.lit = {};
-  count(group, material, stats);
+  const Material material = materialOf(group).shownIn(mode);
+  count(material, static_cast<std::size_t>(group.rows.laneCount()),
+        static_cast<std::size_t>(group.rows.rowCount()), stats);
   const GroupMapping mapping =
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
   const bool isUpright = !mapping.isPlane && !mapping.isImageTurned;
@@ -120,6 +93,17 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
       shadeRows();
     });
   }
+}
+
+void SpanPainter::count(const Material& material, std::size_t spans, std::size_t pixels,
+                        PaintStats& stats) {
+  const SurfaceKind kind = material.surface.kind;
+  if (isSlope(kind) || isSidewall(kind)) stats.slopeSpans += spans;
+  stats.pixels += pixels;
+  if (!material.hasVaryingLight()) return;
+  stats.lightmapSpans += spans;
+  if (material.lightmap->channels == 3) stats.coloredSpans += spans;
+  stats.lightmapPixels += pixels;
 }
 
 void SpanPainter::findPlaces(const GroupTexels& texels, const GroupLight& light,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,14 @@ struct Material {
   const Texture& image() const { return texture.full(); }
   /// Whether light differs from pixel to pixel.
   bool hasVaryingLight() const { return lightmap && !lightmap->isUniform(); }
+
+  /// What counts of it in a picture of this mode. Without light that differs from pixel to pixel
+  /// there is no lightmap to be mapped to.
+  Material shownIn(LightMode mode) const {
+    const bool isLit = mode != LightMode::None;
+    return {surface, texture, isLit ? lightmap : nullptr,
+            isLit && hasVaryingLight() ? lit : LitPlaces{}, isLit ? sectorLight : 1};
+  }
 };
 
 /// The second phase of a frame: gives the pixels of spans their colours. Several threads can paint
@@ -66,16 +76,23 @@ class SpanPainter {
   double sectorLightOn(SurfaceId id) const;
   void paintFaces(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                   PaintStats& stats) const;
-  void paintSingly(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
-                   PaintStats& stats) const;
-  void colorFace(const FaceSpan& span, int column, PixelBlock& block) const;
-  void lightFace(const FaceSpan& span, int column, const LitMesh& mesh, const Lightmap& lightmap,
+  void colorFace(const FaceSpan& span, int column, bool areMixed, PixelBlock& block) const;
+  void lightFace(const FaceSpan& span, int column, const Material& material,
                  PixelBlock& block) const;
   const Texture& imageOf(const FaceSpan& span) const;
   /// Calls `use()` for the rows of a group, as many at a time as fit in a block. `use` may take
   /// rows off its end.
   template <typename Use>
-  void forEachBlock(const SpanGroup& group, PixelBlock& block, Use&& use) const;
+  void forEachBlock(const SpanGroup& group, PixelBlock& block, Use&& use) const {
+    for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
+      block.firstRow = row;
+      block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);
+      block.raySlopes = &raySlopes_[static_cast<std::size_t>(row)];
+      use();
+    }
+  }
+  static void count(const Material& material, std::size_t spans, std::size_t pixels,
+                    PaintStats& stats);
   /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
   void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,
                   PixelBlock& block) const;
