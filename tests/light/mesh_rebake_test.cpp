@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -112,19 +113,28 @@ TEST(MeshRebake, goesOnFromTheMeshAtWhichItWasStopped) {
   std::int64_t texelsOfBoxes = 0;
   for (const LitMesh& box : makeLitMeshes(loaded.level, loaded.level.bake.texel, 1))
     texelsOfBoxes += box.texels.count();
-  LightMemory memory;
-  Rebake first(memory, loaded.scene(), loaded.level.bake, 1);
-  const std::int64_t all = first.texelLightsLeft();
-  BakeProgress progress;
-  std::stop_source stop;
-  const std::jthread stopper([&] {
-    while (progress.texels() == 0 || progress.texelsDone() <= progress.texels() - texelsOfBoxes / 2)
-      std::this_thread::yield();
-    stop.request_stop();
-  });
-  EXPECT_FALSE(first.finish(&progress, stop.get_token()));
-  EXPECT_LT(progress.texelsDone(), progress.texels());
-  Rebake rebake(memory, loaded.scene(), loaded.level.bake, 2);
+  // On a busy machine the thread that stops a bake may come too late; then another bake is begun.
+  std::unique_ptr<LightMemory> memory;
+  std::int64_t all = 0;
+  bool isStopped = false;
+  for (int tries = 0; tries < 100 && !isStopped; ++tries) {
+    memory = std::make_unique<LightMemory>();
+    Rebake first(*memory, loaded.scene(), loaded.level.bake, 1);
+    all = first.texelLightsLeft();
+    BakeProgress progress;
+    std::stop_source stop;
+    const std::jthread stopper([&](const std::stop_token& isOver) {
+      while (!isOver.stop_requested() &&
+             (progress.texels() == 0 ||
+              progress.texelsDone() <= progress.texels() - texelsOfBoxes / 2))
+        std::this_thread::yield();
+      stop.request_stop();
+    });
+    isStopped =
+        !first.finish(&progress, stop.get_token()) && progress.texelsDone() < progress.texels();
+  }
+  ASSERT_TRUE(isStopped);
+  Rebake rebake(*memory, loaded.scene(), loaded.level.bake, 2);
   EXPECT_LT(2 * rebake.texelLightsLeft(), all);
   const std::optional<BakedLight> light = rebake.finish();
   ASSERT_TRUE(light);
