@@ -36,8 +36,8 @@ struct FrameScratch {
     return sum;
   }
 
-  /// Calls `use(group)` for the groups of spans of a strip of the last frame, in an order in which
-  /// they can be painted.
+  /// Calls `use(group)` for the groups of spans of a strip of the last frame, each a SpanGroup or a
+  /// FaceGroup, in an order in which they can be painted.
   template <typename Use>
   void forEachGroup(int strip, Use&& use) const {
     partOf(strip).found().forEachGroup(strip, use);

@@ -58,10 +58,10 @@ FaceColumn columnOf(const FaceFront& front, double slant, const FaceGradient& u,
 
 }  // namespace
 
-void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock& block,
-                             Strip& strip, PaintStats& stats) const {
+void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
+                        PaintStats& stats) const {
   const Material material =
-      materialOf(group.surface, group.faces.front().front->texture).shownIn(mode);
+      materialOf(group.mesh, group.spans.front().front->texture).shownIn(mode);
   const bool areWhite = mode == LightMode::Only;
   const bool areMixed = settings_.textureFilter == TextureFilter::Bilinear && !areWhite;
   // Where no face is, the picture stays as it is.
@@ -71,14 +71,14 @@ void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock&
   block.columns.rows.begin.fill(group.rowBegin);
   block.columns.rows.end.fill(group.rowEnd);
   std::array<const FaceSpan*, Strip::kColumns + 1> next;  // by lane
-  next.fill(group.faces.data() + group.faces.size());
-  for (std::size_t i = group.faces.size(); i-- > 0;) next[group.faces[i].lane] = &group.faces[i];
+  const FaceSpan* const end = group.spans.data() + group.spans.size();
+  next.fill(end);
+  for (std::size_t i = group.spans.size(); i-- > 0;) next[group.spans[i].lane] = &group.spans[i];
   forEachBlock(group, block, [&] {
     block.colors[0].fill(kHoleBit);
     if (light.varies()) block.lightTexels.fill(0);
     const int rowEnd = block.firstRow + block.rows;
     for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
-      const FaceSpan* const end = group.faces.data() + group.faces.size();
       for (const FaceSpan*& span = next[lane]; span != end && span->lane == lane; ++span) {
         if (span->rowBegin >= rowEnd) break;
         if (end - span > kAhead) prefetch(*span[kAhead].front);
@@ -93,9 +93,9 @@ void SpanPainter::paintFaces(const SpanGroup& group, LightMode mode, PixelBlock&
     kernels_.shade(block, texels, light, strip.row(block.firstRow));
   });
   std::size_t pixels = 0;
-  for (const FaceSpan& span : group.faces)
+  for (const FaceSpan& span : group.spans)
     pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
-  count(material, group.faces.size(), pixels, stats);
+  count(material, group.spans.size(), pixels, stats);
 }
 
 /// Gives those rows of a block their colours in which a face shows.

@@ -109,7 +109,7 @@ void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture,
         strip.begin(i, rows);
       else
         strip.begin(i, rows, kHole);
-      scratch.forEachGroup(i, [&](const SpanGroup& group) { paint(group, block, strip, stats); });
+      scratch.forEachGroup(i, [&](const auto& group) { paint(group, block, strip, stats); });
       strip.copyTo(picture, pixelSize);
     }
   });
@@ -119,7 +119,7 @@ void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture,
 void paintLit(const SpanPainter& painter, const FrameScratch& scratch, int index, int rows,
               PixelBlock& block, Strip& strip, PaintStats& stats) {
   strip.begin(index, rows, kHole);
-  scratch.forEachGroup(index, [&](const SpanGroup& group) {
+  scratch.forEachGroup(index, [&](const auto& group) {
     painter.paint(group, LightMode::Both, block, strip, stats);
   });
 }
@@ -129,7 +129,7 @@ template <typename Shown>
 void noteColumn(const SpanPainter& painter, const FrameScratch& scratch, int column,
                 ShownColumns<Shown>& shown) {
   shown.next();
-  scratch.forEachGroup(column / Strip::kColumns, [&](const SpanGroup& group) {
+  scratch.forEachGroup(column / Strip::kColumns, [&](const auto& group) {
     group.forEachSpan([&](const Span& span) {
       if (span.column == column) noteShown(painter, span, scratch.raySlopes, shown.here());
     });
@@ -229,7 +229,7 @@ void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& sc
   const Projection projection = projectionFor(scene_, camera, pixelSize);
   const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
   paintStrips(scratch, pixelSize, picture, workers, false,
-              [&](const SpanGroup& group, PixelBlock& block, Strip& strip, PaintStats& stats) {
+              [&](const auto& group, PixelBlock& block, Strip& strip, PaintStats& stats) {
                 painter.paint(group, mode, block, strip, stats);
               });
 }
@@ -245,7 +245,7 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   const ChannelFrame frame{channel, scene_.level(), projection.eye(), numbers, scratch.raySlopes};
   paintStrips(
       scratch, 1, picture, workers, true,
-      [&](const SpanGroup& group, PixelBlock&, Strip& strip, PaintStats&) {
+      [&](const auto& group, PixelBlock&, Strip& strip, PaintStats&) {
         group.forEachSpan([&](const Span& span) { paintChannel(painter, span, frame, strip); });
       });
 }

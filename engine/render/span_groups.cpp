@@ -33,7 +33,8 @@ void SpanGroups::clear(int firstStrip, int strips) {
   firstStrip_ = firstStrip;
   strips_.assign(static_cast<std::size_t>(strips), {});
   links_.clear();
-  facesCount_ = 0;
+  groupCount_ = 0;
+  faceGroupCount_ = 0;
   spans_ = 0;
 }
 
@@ -51,12 +52,12 @@ SpanGroups::Added SpanGroups::add(std::uint32_t owner, SurfaceId surface, int st
   const LaneSet lanes = rows.lanes();
   if (lanes == 0) return {nullptr, 0};
   const Rows all = allRows(rows);
-  const std::uint32_t index = indexFor(owner, strip, lanes, all.begin, all.end);
-  SpanGroup& group = groups_[index];
+  Link& link = linkFor(owner, strip, lanes, all.begin, all.end);
+  SpanGroup& group = groups_[link.place];
   const bool isNew = group.lanes == 0;
   group.surface = surface;
   group.lanes |= lanes;
-  links_[index].lanes = group.lanes;
+  link.lanes = group.lanes;
   group.rowBegin = std::min(group.rowBegin, all.begin);
   group.rowEnd = std::max(group.rowEnd, all.end);
   for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
@@ -69,16 +70,15 @@ SpanGroups::Added SpanGroups::add(std::uint32_t owner, SurfaceId surface, int st
 }
 
 void SpanGroups::addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> faces) {
-  const std::uint32_t index = begin(mesh.value, strip);
   // As if it had spans in all columns. Then no later span joins it, or a group before it.
-  links_[index].lanes = kAllLanes;
-  if (facesCount_ == faces_.size()) faces_.emplace_back();
-  std::vector<FaceSpan>& kept = faces_[facesCount_++];
-  kept.assign(faces.begin(), faces.end());
-  SpanGroup& group = groups_[index];
-  group.surface = mesh;
-  group.lanes = kAllLanes;
-  group.faces = kept;
+  append(strip, {kNone, mesh.value, faceGroupCount_, kAllLanes, true});
+  if (faceGroupCount_ == faceGroups_.size()) faceGroups_.emplace_back();
+  FaceGroup& group = faceGroups_[faceGroupCount_++];
+  group.mesh = mesh;
+  group.firstColumn = strip * Strip::kColumns;
+  group.rowBegin = std::numeric_limits<int>::max();
+  group.rowEnd = 0;
+  group.spans.assign(faces.begin(), faces.end());
   for (const FaceSpan& span : faces) {
     group.rowBegin = std::min(group.rowBegin, span.rowBegin);
     group.rowEnd = std::max(group.rowEnd, span.rowEnd);
@@ -90,37 +90,41 @@ void SpanGroups::addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> f
 /// A group of the owner that has no spans in these lanes yet, or a new one. With LastToFirst a
 /// span must not join a group that was added before another span of its column: it would be painted
 /// over that.
-std::uint32_t SpanGroups::indexFor(std::uint32_t owner, int strip, LaneSet lanes, int rowBegin,
-                                   int rowEnd) {
+SpanGroups::Link& SpanGroups::linkFor(std::uint32_t owner, int strip, LaneSet lanes, int rowBegin,
+                                      int rowEnd) {
   std::uint32_t index = strips_[indexOf(strip)].last;
   for (int i = 0; i < kLookedAt && index != kNone; ++i, index = links_[index].before) {
-    const Link& link = links_[index];
+    Link& link = links_[index];
     if ((link.lanes & lanes) != 0) {
       if (order_ == Order::LastToFirst) break;
-    } else if (link.owner == owner && rowBegin < groups_[index].rowEnd &&
-               groups_[index].rowBegin < rowEnd) {
-      return index;
+    } else if (link.owner == owner && rowBegin < groups_[link.place].rowEnd &&
+               groups_[link.place].rowBegin < rowEnd) {
+      return link;
     }
   }
   return begin(owner, strip);
 }
 
-std::uint32_t SpanGroups::begin(std::uint32_t owner, int strip) {
-  const auto index = static_cast<std::uint32_t>(links_.size());
-  std::uint32_t& last = strips_[indexOf(strip)].last;
-  links_.push_back({last, owner, 0});
-  last = index;
-  if (index == groups_.size()) groups_.emplace_back();
-  SpanGroup& group = groups_[index];
+SpanGroups::Link& SpanGroups::begin(std::uint32_t owner, int strip) {
+  Link& link = append(strip, {kNone, owner, groupCount_, 0, false});
+  if (groupCount_ == groups_.size()) groups_.emplace_back();
+  SpanGroup& group = groups_[groupCount_++];
   group.view = nullptr;
   group.face = nullptr;
-  group.faces = {};
   group.firstColumn = strip * Strip::kColumns;
   group.lanes = 0;
   group.rowBegin = std::numeric_limits<int>::max();
   group.rowEnd = 0;
   group.rows = {};
-  return index;
+  return link;
+}
+
+SpanGroups::Link& SpanGroups::append(int strip, Link link) {
+  std::uint32_t& last = strips_[indexOf(strip)].last;
+  link.before = last;
+  last = static_cast<std::uint32_t>(links_.size());
+  links_.push_back(link);
+  return links_.back();
 }
 
 }  // namespace hearth

@@ -15,19 +15,15 @@
 namespace hearth {
 
 /// Spans of one surface in columns of one strip, at most one in each column. They are painted
-/// together: each column is a lane of a register. Or the spans of narrow faces of a mesh in a
-/// column run, any number in each column.
+/// together: each column is a lane of a register.
 struct SpanGroup {
   SurfaceId surface;
   const SpriteView* view;  ///< as in Span
   const MeshFace* face;    ///< as in Span
-  /// Those of narrow faces, by lane, then by row. If there are any, `face`, `rows` and the numbers
-  /// of lanes have no meaning.
-  std::span<const FaceSpan> faces;
-  int firstColumn;  ///< of the strip
-  LaneSet lanes;    ///< the columns that have a span
-  int rowBegin;     ///< of all spans: the first row ...
-  int rowEnd;       ///< ... and the one behind the last
+  int firstColumn;         ///< of the strip
+  LaneSet lanes;           ///< the columns that have a span
+  int rowBegin;            ///< of all spans: the first row ...
+  int rowEnd;              ///< ... and the one behind the last
   LaneRowRanges rows;
 
   // As in Span. Lanes without a span have the numbers of another one, or 0.
@@ -52,12 +48,29 @@ struct SpanGroup {
             zRef[lane]};
   }
 
-  /// That of a narrow face.
+  /// Calls `use(span)` for all spans.
+  template <typename Use>
+  void forEachSpan(Use&& use) const {
+    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+      if (has(lane)) use(span(lane));
+  }
+};
+
+/// Spans of narrow faces of one mesh in columns of one strip, any number in each column. They are
+/// painted column by column.
+struct FaceGroup {
+  SurfaceId mesh;
+  int firstColumn;              ///< of the strip
+  int rowBegin;                 ///< of all spans: the first row ...
+  int rowEnd;                   ///< ... and the one behind the last
+  std::vector<FaceSpan> spans;  ///< at least one; by lane, then by row
+
+  /// One of them.
   Span span(const FaceSpan& of) const {
     return {firstColumn + static_cast<int>(of.lane),
             of.rowBegin,
             of.rowEnd,
-            surface,
+            mesh,
             nullptr,
             of.front->face,
             of.depth};
@@ -66,14 +79,11 @@ struct SpanGroup {
   /// Calls `use(span)` for all spans.
   template <typename Use>
   void forEachSpan(Use&& use) const {
-    for (const FaceSpan& of : faces) use(span(of));
-    if (!faces.empty()) return;
-    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
-      if (has(lane)) use(span(lane));
+    for (const FaceSpan& of : spans) use(span(of));
   }
 };
 
-/// Groups of spans by the strips that they lie in. Keeps its memory from frame to frame.
+/// Both kinds of groups, by the strips that they lie in. Keeps its memory from frame to frame.
 class SpanGroups {
  public:
   /// In what order `forEach` visits spans that share a pixel.
@@ -98,19 +108,19 @@ class SpanGroups {
   /// Adds spans of narrow faces of a mesh, by lane, then by row. Their fronts must stay.
   void addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> faces);
 
-  /// Calls `use(group)` for the groups of a strip.
+  /// Calls `use(group)` for the groups of a strip, each a SpanGroup or a FaceGroup.
   template <typename Use>
   void forEach(int strip, Use&& use) const {
     for (std::uint32_t i = strips_[indexOf(strip)].last; i != kNone; i = links_[i].before) {
       prefetch(links_[i].before);
-      use(groups_[i]);
+      visit(links_[i], use);
     }
   }
 
   /// Calls `use(span)` for all spans.
   template <typename Use>
   void forEachSpan(Use&& use) const {
-    for (std::size_t i = 0; i < links_.size(); ++i) groups_[i].forEachSpan(use);
+    for (const Link& link : links_) visit(link, [&](const auto& group) { group.forEachSpan(use); });
   }
 
   /// Of a strip, in all its spans.
@@ -130,28 +140,42 @@ class SpanGroups {
   struct Link {
     std::uint32_t before;  ///< index of the group that was added before it in its strip
     std::uint32_t owner;   ///< of its spans: the SurfaceId, or kFace and the index of a face
-    LaneSet lanes;
+    std::uint32_t place;   ///< in `groups_` or, if it is one of narrow faces, in `faceGroups_`
+    LaneSet lanes;         ///< which no other spans can take
+    bool isOfFaces;
   };
+
+  template <typename Use>
+  void visit(const Link& link, Use&& use) const {
+    if (link.isOfFaces)
+      use(faceGroups_[link.place]);
+    else
+      use(groups_[link.place]);
+  }
 
   /// The groups of a strip lie far apart.
   void prefetch(std::uint32_t index) const {
-    if (index == kNone) return;
-    const char* const group = reinterpret_cast<const char*>(&groups_[index]);
+    if (index == kNone || links_[index].isOfFaces) return;
+    const char* const group = reinterpret_cast<const char*>(&groups_[links_[index].place]);
     for (std::size_t i = 0; i < sizeof(SpanGroup); i += 64) __builtin_prefetch(group + i);
   }
 
   std::size_t indexOf(int strip) const { return static_cast<std::size_t>(strip - firstStrip_); }
   Added add(std::uint32_t owner, SurfaceId surface, int strip, const LaneRowRanges& rows);
-  std::uint32_t indexFor(std::uint32_t owner, int strip, LaneSet lanes, int rowBegin, int rowEnd);
-  std::uint32_t begin(std::uint32_t owner, int strip);
+  Link& linkFor(std::uint32_t owner, int strip, LaneSet lanes, int rowBegin, int rowEnd);
+  Link& begin(std::uint32_t owner, int strip);
+  /// Adds one as the last of its strip.
+  Link& append(int strip, Link link);
 
   Order order_;
   int firstStrip_ = 0;
   std::vector<StripGroups> strips_;
-  std::vector<Link> links_;                   ///< of each group
-  std::vector<SpanGroup> groups_;             ///< and more, of earlier frames, to be written over
-  std::vector<std::vector<FaceSpan>> faces_;  ///< likewise, of groups that have them
-  std::size_t facesCount_ = 0;
+  std::vector<Link> links_;  ///< of each group
+  // And more of either, of earlier frames, to be written over:
+  std::vector<SpanGroup> groups_;
+  std::vector<FaceGroup> faceGroups_;
+  std::uint32_t groupCount_ = 0;
+  std::uint32_t faceGroupCount_ = 0;
   std::size_t spans_ = 0;
 };
 
@@ -163,7 +187,8 @@ struct VisibleSpans {
   SpanGroups masked{SpanGroups::Order::LastToFirst};
   FrameStats stats;
 
-  /// Calls `use(group)` for the groups of a strip in an order in which they can be painted.
+  /// Calls `use(group)` for the groups of a strip, each a SpanGroup or a FaceGroup, in an order in
+  /// which they can be painted.
   template <typename Use>
   void forEachGroup(int strip, Use&& use) const {
     solid.forEach(strip, use);

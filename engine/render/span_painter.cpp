@@ -61,7 +61,6 @@ class MipLevels {
 
 void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
-  if (!group.faces.empty()) return paintFaces(group, mode, block, strip, stats);
   const Material material = materialOf(group).shownIn(mode);
   count(material, static_cast<std::size_t>(group.rows.laneCount()),
         static_cast<std::size_t>(group.rows.rowCount()), stats);

@@ -56,8 +56,10 @@ class SpanPainter {
         projection_(projection),
         raySlopes_(raySlopes) {}
 
-  /// Works in `block`, and adds its work to `stats`.
+  // Both work in `block`, and add their work to `stats`.
   void paint(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
+             PaintStats& stats) const;
+  void paint(const FaceGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
              PaintStats& stats) const;
 
   /// Of a SpanGroup or a Span.
@@ -74,16 +76,14 @@ class SpanPainter {
   TextureId textureOf(SurfaceId id, const SpriteView* view, const MeshFace* face) const;
   LitPlaces litPlacesOf(SurfaceId id) const;
   double sectorLightOn(SurfaceId id) const;
-  void paintFaces(const SpanGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
-                  PaintStats& stats) const;
   void colorFace(const FaceSpan& span, int column, bool areMixed, PixelBlock& block) const;
   void lightFace(const FaceSpan& span, int column, const Material& material,
                  PixelBlock& block) const;
   const Texture& imageOf(const FaceSpan& span) const;
   /// Calls `use()` for the rows of a group, as many at a time as fit in a block. `use` may take
   /// rows off its end.
-  template <typename Use>
-  void forEachBlock(const SpanGroup& group, PixelBlock& block, Use&& use) const {
+  template <typename Group, typename Use>
+  void forEachBlock(const Group& group, PixelBlock& block, Use&& use) const {
     for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {
       block.firstRow = row;
       block.rows = std::min(PixelBlock::kRows, group.rowEnd - row);

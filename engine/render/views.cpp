@@ -185,7 +185,7 @@ class ShownPixels {
     VisibilityScratch scratch;
     const VisibleSpans& found = findVisibleSpans(scene, camera, projection, scratch);
     for (int strip = 0; strip < Strip::countIn(camera.width); ++strip)
-      found.forEachGroup(strip, [&](const SpanGroup& group) {
+      found.forEachGroup(strip, [&](const auto& group) {
         group.forEachSpan([&](const Span& span) { note(span, scene[span.surface].sector); });
       });
   }

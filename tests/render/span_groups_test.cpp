@@ -26,6 +26,14 @@ using ::testing::ElementsAre;
 constexpr SurfaceId kWall(0);
 constexpr SurfaceId kFloor(1);
 
+/// Visits the groups of a strip with one function for either kind.
+template <typename... Uses>
+struct EitherKind : Uses... {
+  using Uses::operator()...;
+};
+template <typename... Uses>
+EitherKind(Uses...) -> EitherKind<Uses...>;
+
 /// The same rows in lanes [laneBegin, laneEnd).
 LaneRowRanges rowsIn(std::size_t laneBegin, std::size_t laneEnd, int begin, int end) {
   LaneRowRanges rows;
@@ -38,7 +46,8 @@ LaneRowRanges rowsIn(std::size_t laneBegin, std::size_t laneEnd, int begin, int 
 
 std::vector<LaneSet> lanesOf(const SpanGroups& groups, int strip) {
   std::vector<LaneSet> lanes;
-  groups.forEach(strip, [&](const SpanGroup& group) { lanes.push_back(group.lanes); });
+  groups.forEach(strip, EitherKind{[&](const SpanGroup& group) { lanes.push_back(group.lanes); },
+                                   [&](const FaceGroup&) { lanes.push_back(0); }});
   return lanes;
 }
 
@@ -83,6 +92,16 @@ TEST_F(Groups, askForTheNumbersOfAllLanesOnce) {
   EXPECT_EQ(groups_.add(kWall, 3, rowsIn(5, 8, 10, 10)).group, nullptr);
 }
 
+TEST_F(Groups, ofNarrowFacesLieBesideThoseOfLanes) {
+  const FaceFront front{};
+  groups_.add(kWall, 3, rowsIn(0, 2, 5, 10));
+  groups_.addFaces(kFloor, 3, std::vector<FaceSpan>{{&front, 5, 4, 9, 1}, {&front, 5, 9, 12, 1}});
+  groups_.add(kWall, 3, rowsIn(2, 4, 5, 10));
+  EXPECT_THAT(lanesOf(groups_, 3), ElementsAre(0, 0b00001111));
+  EXPECT_EQ(groups_.pixelsOf(3), 2U * 5 + 5 + 3 + 2 * 5);
+  EXPECT_EQ(groups_.spans(), 2U + 2 + 2);
+}
+
 TEST_F(Groups, ofAnEarlierFrameAreForgotten) {
   groups_.add(kWall, 3, rowsIn(0, 8, 5, 10));
   groups_.clear(3, 2);
@@ -107,7 +126,7 @@ TEST(GroupsInOrder, visitWhatWasAddedToAPixelLastFirst) {
         if ((lanes >> k & 1) != 0) group->depth[k] = i;
     }
     std::vector<std::vector<double>> depths(8 * 9, {100});  // by pixel, as visited
-    groups.forEach(0, [&](const SpanGroup& group) {
+    groups.forEach(0, [&](const auto& group) {
       group.forEachSpan([&](const Span& span) {
         for (int row = span.rowBegin; row < span.rowEnd; ++row) {
           std::vector<double>& before = depths[static_cast<std::size_t>(row * 8 + span.column)];
@@ -124,9 +143,16 @@ using StripGroups = std::vector<std::tuple<SurfaceId, LaneSet, LaneRows, LaneRow
 
 StripGroups groupsOf(const VisibleSpans& found, int strip) {
   StripGroups groups;
-  found.forEachGroup(strip, [&](const SpanGroup& group) {
-    groups.emplace_back(group.surface, group.lanes, group.rows.begin, group.rows.end);
-  });
+  found.forEachGroup(strip, EitherKind{[&](const SpanGroup& group) {
+                                         groups.emplace_back(group.surface, group.lanes,
+                                                             group.rows.begin, group.rows.end);
+                                       },
+                                       [&](const FaceGroup& group) {
+                                         for (const FaceSpan& span : group.spans)
+                                           groups.emplace_back(
+                                               group.mesh, static_cast<LaneSet>(1U << span.lane),
+                                               LaneRows{span.rowBegin}, LaneRows{span.rowEnd});
+                                       }});
   return groups;
 }
 
