@@ -1,7 +1,10 @@
 #include "render/group_mapping.h"
 
 #include <limits>
+#include <optional>
+#include <variant>
 
+#include "math/check.h"
 #include "math/trig.h"
 #include "render/face_mapping.h"
 
@@ -23,17 +26,53 @@ void setConstant(LaneImageAxis& axis) {
 
 // --- What is upright -----------------------------------------------------------------------------
 
+/// The columns are so many metres along the image, before it is shifted. The caller sets v.origin,
+/// the height at which v is 0.
 void mapUprightImage(const TextureMapping& texture, const Texture& image, double eyeZ,
-                     const SpanGroup& group, GroupMapping& mapping) {
+                     const LaneDoubles& metresAlong, const SpanGroup& group,
+                     GroupMapping& mapping) {
   for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
     mapping.u.place.atZero[lane] =
-        image.width() * (group.s[lane] + texture.along) / texture.repeat.x - texture.offsetTexels.x;
+        image.width() * (metresAlong[lane] + texture.along) / texture.repeat.x -
+        texture.offsetTexels.x;
   setConstant(mapping.u);
   mapping.v.place.atZero.fill(eyeZ);
   mapping.v.place.per = group.depth;
-  mapping.v.origin = group.zRef;
   mapping.v.texelsPerPlace = -image.height() / texture.repeat.y;
   mapping.v.offset = texture.offsetTexels.y;
+}
+
+SegmentId twinOf(const Scene& scene, const Segment& segment, SurfaceId sidewall) {
+  for (const WallPiece& piece : scene.piecesOf(segment)) {
+    const Opening* opening = std::get_if<Opening>(&piece.content);
+    if (opening && (opening->floorSidewall == sidewall || opening->ceilingSidewall == sidewall))
+      return opening->twin;
+  }
+  CHECK(false, sidewall);
+}
+
+/// A sidewall wears the far wall's texture, from that wall's right end as seen from inside. If no
+/// height is authored for it, it hangs at the edge of its slope.
+void mapWallImage(const Scene& scene, const Texture& image, double eyeZ, const SpanGroup& group,
+                  GroupMapping& mapping) {
+  const Surface& surface = scene[group.surface];
+  const Segment& near = scene[*surface.segment];
+  const bool isFar = isSidewall(surface.kind);
+  const Segment& wall = isFar ? scene[twinOf(scene, near, group.surface)] : near;
+  const double before = isFar ? wall.sAfter : wall.sBefore;
+  LaneDoubles metresAlong;
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+    metresAlong[lane] = before + group.fraction[lane] * wall.length;
+  mapUprightImage(surface.mapping, image, eyeZ, metresAlong, group, mapping);
+  if (const std::optional<double> zRef = scene.geometryOf(group.surface).zRef) {
+    mapping.v.origin.fill(*zRef);
+    return;
+  }
+  CHECK(isFar, group.surface);
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
+    const AirColumn edge = scene.airAt(wall, 1 - group.fraction[lane]);
+    mapping.v.origin[lane] = surface.kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
+  }
 }
 
 void mapUprightLight(const Segment& segment, const TexelGrid& grid, double eyeZ,
@@ -146,6 +185,15 @@ TextureMapping mappingOfImage(const SpriteView& view, const Texture& image) {
   return mapping;
 }
 
+void mapStandingSprite(const Texture& image, double eyeZ, const SpanGroup& group,
+                       GroupMapping& mapping) {
+  LaneDoubles metresAlong;
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+    metresAlong[lane] = group.fraction[lane] * group.view->size.x;
+  mapUprightImage(mappingOfImage(*group.view, image), image, eyeZ, metresAlong, group, mapping);
+  mapping.v.origin.fill(group.zTop);
+}
+
 /// What lies is a plane, whose image is turned.
 void mapLyingSprite(const Sprite& sprite, const SpriteView& view, const Projection& projection,
                     const SpanGroup& group, const Texture* image, GroupMapping& mapping) {
@@ -205,20 +253,18 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     mapSky(surface, *image, raysOf(projection, group), mapping);
     return mapping;
   }
+  mapping.depth = group.depth;
   if (surface.kind == SurfaceKind::Mesh) {
     mapFace(projection, group, image, placesOf(scene.level(), lit.mesh, *group.face), mapping);
     return mapping;
   }
-  mapping.depth = group.depth;
   if (surface.kind == SurfaceKind::FlatSprite) {
     mapLyingSprite(scene.level().spriteOf(group.surface), *group.view, projection, group, image,
                    mapping);
     return mapping;
   }
   if (isSprite(surface.kind)) {
-    if (image)
-      mapUprightImage(mappingOfImage(*group.view, *image), *image, projection.eye().z, group,
-                      mapping);
+    if (image) mapStandingSprite(*image, projection.eye().z, group, mapping);
     return mapping;
   }
   if (!surface.segment) {
@@ -226,7 +272,7 @@ GroupMapping mappingOf(const Scene& scene, const Projection& projection, const S
     return mapping;
   }
   const double eyeZ = projection.eye().z;
-  if (image) mapUprightImage(surface.mapping, *image, eyeZ, group, mapping);
+  if (image) mapWallImage(scene, *image, eyeZ, group, mapping);
   if (lit.surface)
     mapUprightLight(scene[*surface.segment], lit.surface->grid, eyeZ, group, mapping);
   return mapping;
@@ -252,9 +298,8 @@ SpanMapping mappingOf(const Scene& scene, const Projection& projection, const Sp
   group.face = span.face;
   group.firstColumn = span.column - static_cast<int>(lane);
   group.depth.fill(span.depth);
-  group.s.fill(span.s);
+  group.zTop = span.zTop;
   group.fraction.fill(span.fraction);
-  group.zRef.fill(span.zRef);
   return mappingOf(scene, projection, group, image, lit).of(lane);
 }
 

@@ -17,10 +17,9 @@ struct Span {
   /// Metres: the depth of an upright surface or of a sprite that stands, else the greatest of the
   /// column. That of a wall, a flat or a slope is where the column leaves the sector.
   double depth;
-  /// Upright: metres along the authored wall, for the texture; of a sprite from its left edge.
-  double s = 0;
-  double fraction = 0;  ///< upright: of the way from the segment's p0 to p1
-  double zRef = 0;      ///< upright, also a sprite: the absolute height at which v is 0
+  /// Upright: of the way from the segment's p0 to p1; of a sprite from its left edge to the right.
+  double fraction = 0;
+  double zTop = 0;  ///< of a sprite that stands: the height of its upper edge
 };
 
 }  // namespace hearth

@@ -58,11 +58,17 @@ SpanGroups::Added SpanGroups::add(std::uint32_t owner, SurfaceId surface, int st
   group.surface = surface;
   group.lanes |= lanes;
   link.lanes = group.lanes;
-  group.rowBegin = std::min(group.rowBegin, all.begin);
-  group.rowEnd = std::max(group.rowEnd, all.end);
-  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
-    group.rows.begin[lane] = rows.has(lane) ? rows.begin[lane] : group.rows.begin[lane];
-    group.rows.end[lane] = rows.has(lane) ? rows.end[lane] : group.rows.end[lane];
+  if (isNew) {
+    group.rowBegin = all.begin;
+    group.rowEnd = all.end;
+    group.rows = rows;
+  } else {
+    group.rowBegin = std::min(group.rowBegin, all.begin);
+    group.rowEnd = std::max(group.rowEnd, all.end);
+    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
+      group.rows.begin[lane] = rows.has(lane) ? rows.begin[lane] : group.rows.begin[lane];
+      group.rows.end[lane] = rows.has(lane) ? rows.end[lane] : group.rows.end[lane];
+    }
   }
   strips_[indexOf(strip)].pixels += static_cast<std::size_t>(rows.rowCount());
   spans_ += static_cast<std::size_t>(rows.laneCount());
@@ -113,9 +119,6 @@ SpanGroups::Link& SpanGroups::begin(std::uint32_t owner, int strip) {
   group.face = nullptr;
   group.firstColumn = strip * Strip::kColumns;
   group.lanes = 0;
-  group.rowBegin = std::numeric_limits<int>::max();
-  group.rowEnd = 0;
-  group.rows = {};
   return link;
 }
 

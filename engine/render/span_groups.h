@@ -24,13 +24,12 @@ struct SpanGroup {
   LaneSet lanes;           ///< the columns that have a span
   int rowBegin;            ///< of all spans: the first row ...
   int rowEnd;              ///< ... and the one behind the last
+  double zTop;             ///< as in Span
   LaneRowRanges rows;
 
   // As in Span. Lanes without a span have the numbers of another one, or 0.
   LaneDoubles depth;
-  LaneDoubles s;  ///< this and the rest only of what is upright
-  LaneDoubles fraction;
-  LaneDoubles zRef;
+  LaneDoubles fraction;  ///< only of what is upright
 
   bool has(std::size_t lane) const { return (lanes >> lane & 1) != 0; }
 
@@ -43,9 +42,8 @@ struct SpanGroup {
             view,
             face,
             depth[lane],
-            s[lane],
             fraction[lane],
-            zRef[lane]};
+            zTop};
   }
 
   /// Calls `use(span)` for all spans.

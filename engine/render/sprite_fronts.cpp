@@ -78,7 +78,7 @@ ColumnRange SpriteFront::columnsIn(const Projection& projection, int width) cons
 
 SpriteFront::Meetings SpriteFront::meet(const LaneDoubles& slants) const {
   Meetings meetings;
-  LaneDoubles fractions;
+  LaneDoubles fractions;  // beyond 0 and 1 where a ray passes beside
   for (std::size_t lane = 0; lane < slants.size(); ++lane) {
     // How far the image's left and right edges are from the ray, to its right.
     const double left = corner_.lateral - slants[lane] * corner_.depth;
@@ -86,7 +86,7 @@ SpriteFront::Meetings SpriteFront::meet(const LaneDoubles& slants) const {
     fractions[lane] = -left / across;
     const double within = std::min(std::max(0.0, fractions[lane]), 1.0);  // 0 if not a number
     meetings.depth[lane] = corner_.depth + within * right_.depth;
-    meetings.s[lane] = within * view_->size.x;
+    meetings.fraction[lane] = within;
   }
   meetings.lanes = lanesWhere([&](std::size_t lane) {
     return (fractions[lane] >= 0) & (fractions[lane] < 1) & (meetings.depth[lane] > 0);

@@ -29,7 +29,7 @@ class SpriteFront {
   const SpriteView& view() const { return *view_; }
   bool lies() const { return lies_; }
   double zBottom() const { return zBottom_; }
-  double zTop() const { return zTop_; }  ///< as zBottom() where it lies
+  double zTop() const { return zTop_; }  ///< of what stands
 
   /// Columns outside which it does not show; empty if it shows in none.
   ColumnRange columns() const { return columns_; }
@@ -40,9 +40,9 @@ class SpriteFront {
   /// Where rays meet what stands. A ray that does not meet it has the numbers of its left or right
   /// edge.
   struct Meetings {
-    LaneSet lanes;      ///< whose rays meet it, before the eye
-    LaneDoubles depth;  ///< metres
-    LaneDoubles s;      ///< metres from the image's left edge
+    LaneSet lanes;         ///< whose rays meet it, before the eye
+    LaneDoubles depth;     ///< metres
+    LaneDoubles fraction;  ///< of the way from the image's left edge to the right
   };
   /// Of the rays with these slants (see Projection::slantOf).
   Meetings meet(const LaneDoubles& slants) const;

@@ -20,11 +20,9 @@ void addSpans(const SpritePart& part, int strip, const LaneRowRanges& rows, Span
   const auto [group, lanes] = found.add(part.front->surface(), strip, rows);
   if (!group) return;
   group->view = &part.front->view();
+  group->zTop = part.front->zTop();
   setLanes(group->depth, part.depth, lanes);
-  setLanes(group->s, part.s, lanes);
-  LaneDoubles zTop;
-  zTop.fill(part.front->zTop());
-  setLanes(group->zRef, zTop, lanes);
+  setLanes(group->fraction, part.fraction, lanes);
 }
 
 LaneRowRanges only(std::size_t lane, int begin, int end) {
@@ -153,7 +151,7 @@ void SpriteSpans::findStanding(const Look& look, const SpriteFront& front) {
   if (lanes == 0) return;
   const LaneRowRanges rows = standingRows(look, front, static_cast<LaneSet>(lanes), meetings.depth);
   if (rows.lanes() != 0)
-    scratch_.standing.push_back({&front, nearest, rows, meetings.depth, meetings.s});
+    scratch_.standing.push_back({&front, nearest, rows, meetings.depth, meetings.fraction});
 }
 
 /// What is at an opening belongs to the sector before it, if it is in that one, too.

@@ -18,8 +18,8 @@ struct SpritePart {
   const SpriteFront* front;
   double nearest;  ///< the least depth, of what stands
   LaneRowRanges rows;
-  LaneDoubles depth;  ///< metres; where it lies, those at which it ends
-  LaneDoubles s;      ///< metres from the image's left edge; of what stands
+  LaneDoubles depth;     ///< metres; where it lies, those at which it ends
+  LaneDoubles fraction;  ///< of the way from the image's left edge to the right; of what stands
 };
 
 /// The memory of SpriteSpans, kept from frame to frame.

@@ -241,43 +241,7 @@ class Visibility {
     const auto [group, lanes] = to.add(id, run.strip, rows);
     if (!group) return;
     setLanes(group->depth, run.depths, lanes);
-    setLanes(group->s, sOf(id, run), lanes);
     setLanes(group->fraction, run.fractions, lanes);
-    setLanes(group->zRef, zRefOf(id, run), lanes);
-  }
-
-  /// A sidewall wears the far wall's texture, from that wall's right end as seen from inside.
-  LaneDoubles sOf(SurfaceId id, const ColumnRun& run) const {
-    const bool isFar = isSidewall(scene_[id].kind);
-    const Segment& wall = isFar ? scene_[twinOf(run.segment, id)] : run.segment;
-    const double before = isFar ? wall.sAfter : wall.sBefore;
-    LaneDoubles s;
-    for (std::size_t lane = 0; lane < s.size(); ++lane)
-      s[lane] = before + run.fractions[lane] * wall.length;
-    return s;
-  }
-
-  /// Where it is not known, that of a sky, which has none, or of a sidewall: its slope's edge.
-  LaneDoubles zRefOf(SurfaceId id, const ColumnRun& run) const {
-    const SurfaceKind kind = scene_[id].kind;
-    LaneDoubles zRef;
-    zRef.fill(scene_.geometryOf(id).zRef.value_or(0));
-    if (scene_.geometryOf(id).zRef || !isSidewall(kind)) return zRef;
-    const Segment& far = scene_[twinOf(run.segment, id)];
-    for (std::size_t lane = 0; lane < zRef.size(); ++lane) {
-      const AirColumn edge = scene_.airAt(far, 1 - run.fractions[lane]);
-      zRef[lane] = kind == SurfaceKind::FloorSidewall ? edge.zBottom : edge.zTop;
-    }
-    return zRef;
-  }
-
-  SegmentId twinOf(const Segment& segment, SurfaceId sidewall) const {
-    for (const WallPiece& piece : scene_.piecesOf(segment)) {
-      const Opening* opening = std::get_if<Opening>(&piece.content);
-      if (opening && (opening->floorSidewall == sidewall || opening->ceilingSidewall == sidewall))
-        return opening->twin;
-    }
-    CHECK(false, sidewall);
   }
 
   /// Into the viewport behind an opening: among those begun by the present look.

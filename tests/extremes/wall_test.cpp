@@ -26,9 +26,10 @@ std::vector<double> placesAlongWall(const LoadedLevel& loaded, const Camera& cam
   test::Canvas picture(camera.width, camera.height);
   Renderer(loaded.scene(), loaded.textures, light).draw(camera, LightMode::None, scratch, picture);
   std::vector<double> places(static_cast<std::size_t>(camera.width), -1);
+  const SegmentId wall(0);
   scratch.forEachSpan([&](const Span& span) {
-    if (loaded.level[span.surface].segment == SegmentId(0))
-      places[static_cast<std::size_t>(span.column)] = span.s;
+    if (loaded.level[span.surface].segment == wall)
+      places[static_cast<std::size_t>(span.column)] = span.fraction * loaded.level[wall].length;
   });
   return places;
 }
