@@ -36,9 +36,8 @@ void mapFace(const Projection& projection, const SpanGroup& group, const Texture
   const MeshFace& face = *group.face;
   const Vec3 eye = projection.eye();
   const Vec3 out = frontOf(face);
-  mapping.depth = group.depth;
   mapping.isPlane = !isUprightPlane(out);
-  mapping.isImageTurned = true;
+  mapping.isOfFace = true;
   std::array<Vec3, Strip::kColumns> rays;  // 1 m deep; of planes along these
   for (std::size_t lane = 0; lane < rays.size(); ++lane) {
     const Vec2 ray = projection.rayOf(group.firstColumn + static_cast<int>(lane) + 0.5);

@@ -26,7 +26,7 @@ namespace hearth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whole numbers of less than 2^51, modulo 2^32.
+/// Rounds numbers of less than 2^51 to whole ones, modulo 2^32.
 HWY_INLINE void storeModulo(Doubles number, std::uint32_t* to) {
   // Added to it, they are the lowest bits of the sum, also those below zero.
   const LongWords bits = hn::BitCast(kLongWord, hn::Add(number, all(0x1.8p52)));

@@ -46,25 +46,24 @@ double pixelArea(const Scene& scene, const Projection& projection, const Span& s
   return onWall(scene[*scene[span.surface].segment], ray, span.depth, w);
 }
 
-/// Of a face, 1 m deep along what is a plane.
-double texelsOnFace(const Projection& projection, const Span& span, const Texture& image,
-                    const SpanMapping& mapping) {
-  const double depth = mapping.isPlane ? 1 : span.depth;
-  return image.width() * (image.height() * repeatsOfPixel(projection, *span.face)) * depth * depth *
-         depth;
-}
-
 }  // namespace
 
 Footprint::Footprint(const Scene& scene, const Projection& projection, const Span& span,
                      const Texture& image, const SpanMapping& mapping)
-    : texels_(span.face ? texelsOnFace(projection, span, image, mapping)
-                        : pixelArea(scene, projection, span, mapping) *
-                              density(scene[span.surface].mapping, image)),
+    : texels_(span.face
+                  ? texelsOnFace(projection, *span.face, image, mapping.isPlane ? 1 : span.depth)
+                  : pixelArea(scene, projection, span, mapping) *
+                        density(scene[span.surface].mapping, image)),
       growsWithDepth_(mapping.isPlane) {}
 
 double Footprint::texelsAt(double parameter) const {
   return growsWithDepth_ ? texels_ * parameter * parameter * parameter : texels_;
+}
+
+double texelsOnFace(const Projection& projection, const MeshFace& face, const Texture& image,
+                    double depth) {
+  return image.width() * (image.height() * repeatsOfPixel(projection, face)) * depth * depth *
+         depth;
 }
 
 int mipLevelOf(double texels) {

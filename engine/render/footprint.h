@@ -1,5 +1,6 @@
 #pragma once
 
+#include "level/mesh.h"
 #include "level/scene.h"
 #include "render/camera.h"
 #include "render/span.h"
@@ -11,6 +12,10 @@ namespace hearth {
 /// The mip level whose texels are nearest in area to pixels that cover so many texels: 0 is the
 /// full size.
 int mipLevelOf(double texels);
+
+/// How many texels of a face's image a pixel covers where the face is so deep.
+double texelsOnFace(const Projection& projection, const MeshFace& face, const Texture& image,
+                    double depth);
 
 /// How many texels the pixels of a span cover.
 class Footprint {

@@ -43,12 +43,12 @@ struct FrameScratch {
     partOf(strip).found().forEachGroup(strip, use);
   }
 
-  /// Whether the spans of a strip of so many rows cover its every pixel: as no two that have no
-  /// holes share one, they do if their pixels are as many.
+  /// Whether the level's spans cover every pixel of a strip of so many rows. As they never overlap,
+  /// they do if they have as many pixels.
   bool isFilled(int strip, int rows) const {
     const FrameColumns& part = partOf(strip);
     const int columns = std::min(Strip::kColumns, part.range.end - strip * Strip::kColumns);
-    return part.found().solid.pixelsOf(strip) ==
+    return part.found().level.pixelsOf(strip) ==
            static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
 

@@ -43,9 +43,9 @@ struct GroupMapping {
   bool isPlane = false;
   bool isLevel = false;  ///< a plane that does not rise
   bool isSky = false;
-  bool isImageTurned = false;  ///< of what is upright: u and v both change down a column
-  double height = 0;           ///< of planes
-  LaneDoubles rise;            ///< of planes
+  bool isOfFace = false;  ///< of a mesh: all coordinates may change down a column
+  double height = 0;      ///< of planes
+  LaneDoubles rise;       ///< of planes
   LaneDoubles depth;
   LaneImageAxis u;
   LaneImageAxis v;

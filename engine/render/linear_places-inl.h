@@ -212,7 +212,7 @@ inline bool findTexelsAcross(PixelBlock& block, const GroupMapping& mapping, con
 inline bool findLinearTexels(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
   if (!isFixedSize(image.width()) || !isFixedSize(image.height())) return false;
   if (mapping.isSky && image.height() > FixedSkyRows::kLargest) return false;
-  if (!mapping.isPlane) return !mapping.isImageTurned && findTexelsDown(block, mapping, image);
+  if (!mapping.isPlane) return !mapping.isOfFace && findTexelsDown(block, mapping, image);
   return mapping.isLevel && findTexelsAcross(block, mapping, image);
 }
 
@@ -276,8 +276,7 @@ inline bool findLightAcross(PixelBlock& block, const GroupMapping& mapping,
 inline bool findLinearLightTexels(PixelBlock& block, const GroupMapping& mapping,
                                   const Lightmap& lightmap, LightFilter filter) {
   if (std::max(lightmap.rect.width, lightmap.rect.height) > kMaxLightTexels) return false;
-  if (!mapping.isPlane)
-    return !mapping.isImageTurned && findLightDown(block, mapping, lightmap, filter);
+  if (!mapping.isPlane) return !mapping.isOfFace && findLightDown(block, mapping, lightmap, filter);
   return mapping.isLevel && findLightAcross(block, mapping, lightmap, filter);
 }
 

@@ -92,14 +92,14 @@ void MeshSpans::show(const ColumnRun& run, SpanGroups& found) {
       while (row < last && nearest[row].faces[lane] == face) ++row;
       if (face == 0) continue;
       const double least = std::min(nearest[begin].nearness[lane], nearest[row - 1].nearness[lane]);
-      show(run, {scratch_.faces[face - 1], lane, begin, row, 1 / least}, found);
+      addSpan(run, {scratch_.faces[face - 1], lane, begin, row, 1 / least}, found);
     }
   }
-  showNarrow(run, found);
+  addNarrow(run, found);
 }
 
 /// Those of narrow faces are put off, to be added all at once.
-void MeshSpans::show(const ColumnRun& run, const FaceSpan& span, SpanGroups& found) {
+void MeshSpans::addSpan(const ColumnRun& run, const FaceSpan& span, SpanGroups& found) {
   if (span.front->isNarrow) {
     scratch_.narrow.push_back(span);
     return;
@@ -115,7 +115,7 @@ void MeshSpans::show(const ColumnRun& run, const FaceSpan& span, SpanGroups& fou
   setLanes(group->depth, depth, lanes);
 }
 
-void MeshSpans::showNarrow(const ColumnRun& run, SpanGroups& found) {
+void MeshSpans::addNarrow(const ColumnRun& run, SpanGroups& found) {
   std::vector<FaceSpan>& all = scratch_.narrow;
   const auto place = [](const FaceSpan& span) {
     return std::tuple(span.front->mesh, span.lane, span.rowBegin);

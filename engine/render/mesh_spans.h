@@ -48,8 +48,8 @@ class MeshSpans {
   AirRays raysOf(const ColumnRun& run, const RunEntry& entry) const;
   /// The nearest face in a pixel, or null.
   const FaceFront* frontAt(std::size_t lane, int row) const;
-  void show(const ColumnRun& run, const FaceSpan& span, SpanGroups& found);
-  void showNarrow(const ColumnRun& run, SpanGroups& found);
+  void addSpan(const ColumnRun& run, const FaceSpan& span, SpanGroups& found);
+  void addNarrow(const ColumnRun& run, SpanGroups& found);
 
   Scene scene_;
   const Projection& projection_;

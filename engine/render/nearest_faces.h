@@ -10,7 +10,8 @@
 
 namespace hearth {
 
-/// The faces of meshes that are the nearest in the pixels of a strip.
+/// The faces of meshes that are the nearest in the pixels of a strip: a depth buffer of 1 / depth,
+/// and of faces.
 class NearestFaces {
  public:
   /// A face, by a number of its own; 0 is none.

@@ -64,13 +64,14 @@ void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& bloc
       materialOf(group.mesh, group.spans.front().front->texture).shownIn(mode);
   const bool areWhite = mode == LightMode::Only;
   const bool areMixed = settings_.textureFilter == TextureFilter::Bilinear && !areWhite;
-  // Where no face is, the picture stays as it is.
-  const GroupTexels texels{&material.image(), areMixed, true, areWhite};
+  // Each face has an image of its own. Where no face is, the picture stays as it is.
+  const GroupTexels texels{nullptr, areMixed, true, areWhite};
   const GroupLight light{material.lightmap, material.sectorLight, false};
   block.columns = {{}, group.rowBegin, group.rowEnd};
   block.columns.rows.begin.fill(group.rowBegin);
   block.columns.rows.end.fill(group.rowEnd);
-  std::array<const FaceSpan*, Strip::kColumns + 1> next;  // by lane
+  std::array<const FaceSpan*, Strip::kColumns>
+      next;  // by lane: the first that is not painted whole
   const FaceSpan* const end = group.spans.data() + group.spans.size();
   next.fill(end);
   for (std::size_t i = group.spans.size(); i-- > 0;) next[group.spans[i].lane] = &group.spans[i];
@@ -92,10 +93,7 @@ void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& bloc
       for (std::uint32_t& color : block.colors[0]) color |= color == kHoleBit ? 0 : 0xFFFFFF;
     kernels_.shade(block, texels, light, strip.row(block.firstRow));
   });
-  std::size_t pixels = 0;
-  for (const FaceSpan& span : group.spans)
-    pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
-  count(material, group.spans.size(), pixels, stats);
+  count(material, group.spans.size(), group.pixels, stats);
 }
 
 /// Gives those rows of a block their colours in which a face shows.
@@ -137,9 +135,8 @@ void SpanPainter::lightFace(const FaceSpan& span, int column, const Material& ma
 const Texture& SpanPainter::imageOf(const FaceSpan& span) const {
   const MipMap& texture = textures_[span.front->texture.index()];
   if (settings_.textureFilter != TextureFilter::Mipmapped) return texture.full();
-  const double texels = repeatsOfPixel(projection_, *span.front->face) * texture.full().width() *
-                        texture.full().height() * span.depth * span.depth * span.depth;
-  return texture.level(mipLevelOf(texels));
+  return texture.level(
+      mipLevelOf(texelsOnFace(projection_, *span.front->face, texture.full(), span.depth)));
 }
 
 }  // namespace hearth

@@ -15,7 +15,8 @@ namespace hearth {
 struct GroupLight {
   const Lightmap* lightmap;  ///< null if no light reaches the surface
   double sectorLight;        ///< 0..1
-  bool isUpright;            ///< the surface
+  /// Down a column all pixels are between the same two columns of the lightmap, as on walls.
+  bool keepsColumns;
 
   /// Whether it differs from pixel to pixel.
   bool varies() const { return lightmap && !lightmap->isUniform(); }
@@ -23,10 +24,10 @@ struct GroupLight {
 
 /// The texels of a group's pixels.
 struct GroupTexels {
-  const Texture* image;  ///< null if all are white
+  const Texture* image;  ///< from which they are read; null if none are, or of several
   bool areMixed;         ///< four for each pixel
-  bool haveHoles;        ///< pixels of holes stay as they are
-  bool areWhite;         ///< except holes
+  bool haveHoles;        ///< pixels whose colour has kHoleBit stay as they are
+  bool areWhite;         ///< except holes; without holes no colour is read
 };
 
 /// The rays of a column, or some of its rows, on a narrow face: all are linear functions of the

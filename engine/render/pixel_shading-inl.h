@@ -223,12 +223,12 @@ class LightBetween {
   KeptTexels<decltype(texels_.around(0))> kept_;
 };
 
-/// The same on upright surfaces. There all pixels of a column are between the same two columns of
-/// texels, and equally far.
+/// The same where all pixels of a column are between the same two columns of texels, and equally
+/// far from them.
 template <typename Texels>
-class UprightLightBetween {
+class ColumnLightBetween {
  public:
-  UprightLightBetween(const PixelBlock& block, const Texels& texels, const SectorLight& sector)
+  ColumnLightBetween(const PixelBlock& block, const Texels& texels, const SectorLight& sector)
       : block_(block), texels_(texels), sector_(sector) {}
 
   HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
@@ -280,7 +280,7 @@ inline void shadeIn(const PixelBlock& block, const Texels& texels, Light light,
 template <typename Light>
 inline void shadeTexels(const PixelBlock& block, const GroupTexels& texels, const Light& light,
                         std::uint32_t* rows) {
-  if (!texels.image) return shadeIn<false>(block, NoTexels(), light, rows);
+  if (texels.areWhite && !texels.haveHoles) return shadeIn<false>(block, NoTexels(), light, rows);
   if (texels.areMixed && texels.haveHoles)
     return shadeIn<true>(block, MixedTexels<true>{block}, light, rows);
   if (texels.areMixed) return shadeIn<false>(block, MixedTexels<false>{block}, light, rows);
@@ -290,10 +290,10 @@ inline void shadeTexels(const PixelBlock& block, const GroupTexels& texels, cons
 
 template <typename LightTexels>
 inline void shadeBetween(const PixelBlock& block, const GroupTexels& texels,
-                         const LightTexels& lightTexels, bool isUpright, const SectorLight& sector,
-                         std::uint32_t* rows) {
-  if (isUpright)
-    shadeTexels(block, texels, UprightLightBetween(block, lightTexels, sector), rows);
+                         const LightTexels& lightTexels, bool keepsColumns,
+                         const SectorLight& sector, std::uint32_t* rows) {
+  if (keepsColumns)
+    shadeTexels(block, texels, ColumnLightBetween(block, lightTexels, sector), rows);
   else
     shadeTexels(block, texels, LightBetween(block, lightTexels, sector), rows);
 }
@@ -304,9 +304,10 @@ inline void shade(const PixelBlock& block, const GroupTexels& texels, const Grou
   if (!light.varies())
     shadeTexels(block, texels, UniformLight(light.lightmap, sector), rows);
   else if (light.lightmap->channels == 1)
-    shadeBetween(block, texels, WhiteTexels(block, *light.lightmap), light.isUpright, sector, rows);
+    shadeBetween(block, texels, WhiteTexels(block, *light.lightmap), light.keepsColumns, sector,
+                 rows);
   else
-    shadeBetween(block, texels, ColoredTexels(block, *light.lightmap), light.isUpright, sector,
+    shadeBetween(block, texels, ColoredTexels(block, *light.lightmap), light.keepsColumns, sector,
                  rows);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -26,6 +27,11 @@ int partsOf(int strips, const Workers* workers) {
   constexpr int kPartsPerThread = 4;
   const int threads = workers ? workers->threads() : 1;
   return threads == 1 ? 1 : std::min(strips, kPartsPerThread * threads);
+}
+
+/// The first strip of one of these parts. That of the part behind the last is the number of strips.
+int firstStripOf(int part, int parts, int strips) {
+  return static_cast<int>(std::int64_t{strips} * part / parts);
 }
 
 /// Calls work(i) for all parts of a frame.
@@ -61,7 +67,7 @@ void divideColumns(std::vector<FrameColumns>& parts, int width, const Workers* w
   const int count = partsOf(strips, workers);
   parts.resize(static_cast<std::size_t>(count));
   const auto columnOf = [&](int part) {
-    return std::min(width, strips * part / count * Strip::kColumns);
+    return std::min(width, firstStripOf(part, count, strips) * Strip::kColumns);
   };
   for (int i = 0; i < count; ++i)
     parts[static_cast<std::size_t>(i)].range = {columnOf(i), columnOf(i + 1)};
@@ -81,13 +87,11 @@ void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&&
   if (scratch.strips.size() < static_cast<std::size_t>(parts))
     scratch.strips.resize(static_cast<std::size_t>(parts));
   scratch.stripsPainted.assign(static_cast<std::size_t>(parts), {});
-  const auto firstOf = [&](std::size_t part) {
-    return static_cast<int>(static_cast<std::size_t>(strips) * part /
-                            static_cast<std::size_t>(parts));
-  };
   const auto paint = [&](std::size_t part) {
+    const auto i = static_cast<int>(part);
     PaintStats stats;
-    paintPart(StripRange{firstOf(part), firstOf(part + 1)}, scratch.strips[part], stats);
+    paintPart(StripRange{firstStripOf(i, parts, strips), firstStripOf(i + 1, parts, strips)},
+              scratch.strips[part], stats);
     scratch.stripsPainted[part] = stats;
   };
   runAll(static_cast<std::size_t>(parts), workers, paint);
@@ -96,16 +100,16 @@ void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&&
 }
 
 /// Draws a picture strip by strip, with `paint(group, block, strip, stats)` for each group of
-/// spans. Strips that spans fill begin as they happen to be, unless `paint` asks what was there.
+/// spans. Strips that spans fill begin as they happen to be, unless `paint` reads what was there.
 template <typename Paint>
 void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture, Workers* workers,
-                 bool paintAsks, Paint&& paint) {
+                 bool readsBefore, Paint&& paint) {
   const int strips = Strip::countIn(squaresIn(picture.width, pixelSize));
   const int rows = squaresIn(picture.height, pixelSize);
   paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
     PixelBlock block{};
     for (int i = range.begin; i < range.end; ++i) {
-      if (!paintAsks && scratch.isFilled(i, rows))
+      if (!readsBefore && scratch.isFilled(i, rows))
         strip.begin(i, rows);
       else
         strip.begin(i, rows, kHole);

@@ -17,7 +17,8 @@ struct Span {
   /// Metres: the depth of an upright surface or of a sprite that stands, else the greatest of the
   /// column. That of a wall, a flat or a slope is where the column leaves the sector.
   double depth;
-  /// Upright: of the way from the segment's p0 to p1; of a sprite from its left edge to the right.
+  /// Of the way from a segment's p0 to p1, or from the left edge of a sprite that stands to the
+  /// right one. Of all else it has no meaning.
   double fraction = 0;
   double zTop = 0;  ///< of a sprite that stands: the height of its upper edge
 };

@@ -53,7 +53,7 @@ SpanGroups::Added SpanGroups::add(std::uint32_t owner, SurfaceId surface, int st
   if (lanes == 0) return {nullptr, 0};
   const Rows all = allRows(rows);
   Link& link = linkFor(owner, strip, lanes, all.begin, all.end);
-  SpanGroup& group = groups_[link.place];
+  SpanGroup& group = groups_[link.index];
   const bool isNew = group.lanes == 0;
   group.surface = surface;
   group.lanes |= lanes;
@@ -84,12 +84,14 @@ void SpanGroups::addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> f
   group.firstColumn = strip * Strip::kColumns;
   group.rowBegin = std::numeric_limits<int>::max();
   group.rowEnd = 0;
+  group.pixels = 0;
   group.spans.assign(faces.begin(), faces.end());
   for (const FaceSpan& span : faces) {
     group.rowBegin = std::min(group.rowBegin, span.rowBegin);
     group.rowEnd = std::max(group.rowEnd, span.rowEnd);
-    strips_[indexOf(strip)].pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
+    group.pixels += static_cast<std::size_t>(span.rowEnd - span.rowBegin);
   }
+  strips_[indexOf(strip)].pixels += group.pixels;
   spans_ += faces.size();
 }
 
@@ -103,8 +105,8 @@ SpanGroups::Link& SpanGroups::linkFor(std::uint32_t owner, int strip, LaneSet la
     Link& link = links_[index];
     if ((link.lanes & lanes) != 0) {
       if (order_ == Order::LastToFirst) break;
-    } else if (link.owner == owner && rowBegin < groups_[link.place].rowEnd &&
-               groups_[link.place].rowBegin < rowEnd) {
+    } else if (!link.isOfFaces && link.owner == owner && rowBegin < groups_[link.index].rowEnd &&
+               groups_[link.index].rowBegin < rowEnd) {
       return link;
     }
   }
@@ -117,6 +119,7 @@ SpanGroups::Link& SpanGroups::begin(std::uint32_t owner, int strip) {
   SpanGroup& group = groups_[groupCount_++];
   group.view = nullptr;
   group.face = nullptr;
+  group.zTop = 0;
   group.firstColumn = strip * Strip::kColumns;
   group.lanes = 0;
   return link;

@@ -27,7 +27,7 @@ struct SpanGroup {
   double zTop;             ///< as in Span
   LaneRowRanges rows;
 
-  // As in Span. Lanes without a span have the numbers of another one, or 0.
+  // As in Span. Numbers of lanes without a span have no meaning, but can be computed with.
   LaneDoubles depth;
   LaneDoubles fraction;  ///< only of what is upright
 
@@ -61,6 +61,7 @@ struct FaceGroup {
   int firstColumn;              ///< of the strip
   int rowBegin;                 ///< of all spans: the first row ...
   int rowEnd;                   ///< ... and the one behind the last
+  std::size_t pixels;           ///< of all spans
   std::vector<FaceSpan> spans;  ///< at least one; by lane, then by row
 
   /// One of them.
@@ -96,7 +97,7 @@ class SpanGroups {
 
   struct Added {
     SpanGroup* group;  ///< null if all rows were empty
-    LaneSet lanes;     ///< of its numbers, those that the caller has to set before the next call
+    LaneSet lanes;     ///< whose depth and fraction the caller has to set before the next call
   };
   /// Adds spans of a surface with these rows: to a group of it in this strip, or to a new one. The
   /// group is valid until the next call.
@@ -121,7 +122,7 @@ class SpanGroups {
     for (const Link& link : links_) visit(link, [&](const auto& group) { group.forEachSpan(use); });
   }
 
-  /// Of a strip, in all its spans.
+  /// The pixels of all spans of a strip.
   std::size_t pixelsOf(int strip) const { return strips_[indexOf(strip)].pixels; }
 
   std::size_t spans() const { return spans_; }
@@ -138,7 +139,7 @@ class SpanGroups {
   struct Link {
     std::uint32_t before;  ///< index of the group that was added before it in its strip
     std::uint32_t owner;   ///< of its spans: the SurfaceId, or kFace and the index of a face
-    std::uint32_t place;   ///< in `groups_` or, if it is one of narrow faces, in `faceGroups_`
+    std::uint32_t index;   ///< in `groups_` or, if it is one of narrow faces, in `faceGroups_`
     LaneSet lanes;         ///< which no other spans can take
     bool isOfFaces;
   };
@@ -146,15 +147,15 @@ class SpanGroups {
   template <typename Use>
   void visit(const Link& link, Use&& use) const {
     if (link.isOfFaces)
-      use(faceGroups_[link.place]);
+      use(faceGroups_[link.index]);
     else
-      use(groups_[link.place]);
+      use(groups_[link.index]);
   }
 
   /// The groups of a strip lie far apart.
   void prefetch(std::uint32_t index) const {
     if (index == kNone || links_[index].isOfFaces) return;
-    const char* const group = reinterpret_cast<const char*>(&groups_[links_[index].place]);
+    const char* const group = reinterpret_cast<const char*>(&groups_[links_[index].index]);
     for (std::size_t i = 0; i < sizeof(SpanGroup); i += 64) __builtin_prefetch(group + i);
   }
 
@@ -177,27 +178,27 @@ class SpanGroups {
   std::size_t spans_ = 0;
 };
 
-/// The spans of neighbouring strips of a frame. Every pixel lies in exactly one span of a surface
-/// without holes.
+/// The spans of neighbouring strips of a frame.
 struct VisibleSpans {
-  SpanGroups solid{SpanGroups::Order::Any};  ///< of surfaces without holes
-  /// Of masked middle textures and things, added near to far.
-  SpanGroups masked{SpanGroups::Order::LastToFirst};
+  /// Of the level's surfaces that have no holes. Every pixel lies in exactly one of them.
+  SpanGroups level{SpanGroups::Order::Any};
+  /// Of what hangs or stands before these: masked middle textures and things. Added near to far.
+  SpanGroups overLevel{SpanGroups::Order::LastToFirst};
   FrameStats stats;
 
   /// Calls `use(group)` for the groups of a strip, each a SpanGroup or a FaceGroup, in an order in
   /// which they can be painted.
   template <typename Use>
   void forEachGroup(int strip, Use&& use) const {
-    solid.forEach(strip, use);
-    masked.forEach(strip, use);
+    level.forEach(strip, use);
+    overLevel.forEach(strip, use);
   }
 
   /// Calls `use(span)` for all spans.
   template <typename Use>
   void forEachSpan(Use&& use) const {
-    solid.forEachSpan(use);
-    masked.forEachSpan(use);
+    level.forEachSpan(use);
+    overLevel.forEachSpan(use);
   }
 };
 

@@ -14,10 +14,13 @@ struct Affine {
   double at(double x) const { return atZero + x * per; }
 };
 
-/// A texel coordinate of an image, not yet repeated. The place in metres is computed first and the
-/// texel from it. So at round places, where authors put edges of texels, the result is exact.
+/// A texel coordinate of an image, not yet repeated. Where authors give places in metres, on planes
+/// and up walls, the place is computed first and the texel from it. So at round places, where they
+/// put edges of texels, the result is exact.
 struct ImageAxis {
-  Affine place;       ///< in metres; of a sky the tangent of the elevation
+  /// In metres; on faces of meshes in repeats; up a sky the tangent of the elevation; along walls,
+  /// standing sprites and skies in texels.
+  Affine place;
   double origin = 0;  ///< the place of the image's edge
   double texelsPerPlace = 1;
   double offset = 0;  ///< in texels
@@ -26,10 +29,10 @@ struct ImageAxis {
 };
 
 /// Where the rows of a span lie in space, on the texture and on the lightmap. The four texel
-/// coordinates are linear functions of one number, the span's parameter: on flats and slopes the
-/// depth, on upright surfaces and sky the slope of the view ray (see Projection::raySlopeAt).
+/// coordinates are linear functions of one number, the span's parameter: on planes the depth, on
+/// upright surfaces and sky the slope of the view ray (see Projection::raySlopeAt).
 struct SpanMapping {
-  bool isPlane = false;  ///< a flat or slope
+  bool isPlane = false;  ///< a flat or slope, a sprite that lies, or a face that is not upright
   bool isSky = false;    ///< all else is upright
   /// Planes: z = height + rise * depth above the eye, in the direction of the column.
   double height = 0;

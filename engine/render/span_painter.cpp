@@ -15,8 +15,7 @@ PixelBlock::Columns columnsOf(const SpanGroup& group) {
   return {group.rows, std::ranges::max(group.rows.begin), std::ranges::min(group.rows.end)};
 }
 
-/// The column that goes deepest, of those that have a span. On a level plane no row that another
-/// one shows is deeper than there.
+/// The column that goes deepest, of those that have a span.
 std::size_t deepestLane(const SpanGroup& group) {
   auto deepest = static_cast<std::size_t>(std::countr_zero(group.lanes));
   for (std::size_t lane = deepest; lane < Strip::kColumns; ++lane)
@@ -24,7 +23,7 @@ std::size_t deepestLane(const SpanGroup& group) {
   return deepest;
 }
 
-/// The sizes of a texture that fit the rows of a group: those that fit one of its columns.
+/// The mip levels of the rows of a group: those of its deepest column.
 class MipLevels {
  public:
   MipLevels(const Scene& scene, const Projection& projection, const SpanGroup& group,
@@ -66,8 +65,8 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
         static_cast<std::size_t>(group.rows.rowCount()), stats);
   const GroupMapping mapping =
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
-  const bool isUpright = !mapping.isPlane && !mapping.isImageTurned;
-  const GroupLight light{material.lightmap, material.sectorLight, isUpright};
+  const bool keepsColumns = !mapping.isPlane && !mapping.isOfFace;
+  const GroupLight light{material.lightmap, material.sectorLight, keepsColumns};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
   const bool haveHoles = mayHaveHoles(material.surface.kind);
   const TextureFilter filter = haveHoles ? TextureFilter::Nearest : settings_.textureFilter;

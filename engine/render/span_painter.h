@@ -80,8 +80,8 @@ class SpanPainter {
   void lightFace(const FaceSpan& span, int column, const Material& material,
                  PixelBlock& block) const;
   const Texture& imageOf(const FaceSpan& span) const;
-  /// Calls `use()` for the rows of a group, as many at a time as fit in a block. `use` may take
-  /// rows off its end.
+  /// Calls `use()` for the rows of a group, as many at a time as fit in a block. `use` may lower
+  /// block.rows; the next block begins after those that are left.
   template <typename Group, typename Use>
   void forEachBlock(const Group& group, PixelBlock& block, Use&& use) const {
     for (int row = group.rowBegin; row < group.rowEnd; row += block.rows) {

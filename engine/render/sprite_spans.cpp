@@ -105,7 +105,7 @@ void SpriteSpans::show(const ColumnRun& run, const RunEntry& entry, const MeshSp
       const SpritePart part = lyingPart(look, *front);
       add(look, part, part.rows, found);
     }
-  } else if (lying.empty() && haveOneOrder()) {
+  } else if (lying.empty() && sortStanding()) {
     for (const SpritePart* part : nearToFar) add(look, *part, part->rows, found);
   } else {
     for (std::size_t lane = run.laneBegin; lane < run.laneEnd; ++lane) showLane(look, lane, found);
@@ -197,7 +197,7 @@ LaneRowRanges SpriteSpans::standingRows(const Look& look, const SpriteFront& fro
 }
 
 /// Sorts what stands by rising depth, and says whether that is the order in every column.
-bool SpriteSpans::haveOneOrder() {
+bool SpriteSpans::sortStanding() {
   std::ranges::sort(scratch_.nearToFar, {}, &SpritePart::nearest);
   LaneDoubles reached{};
   for (const SpritePart* part : scratch_.nearToFar) {

@@ -58,7 +58,7 @@ class SpriteSpans {
                              const LaneDoubles& depth) const;
   SpritePart lyingPart(const Look& look, const SpriteFront& front) const;
   void lie(const Look& look, std::size_t lane, SpriteFront::Depths between, SpritePart& part) const;
-  bool haveOneOrder();
+  bool sortStanding();
   void showLane(const Look& look, std::size_t lane, SpanGroups& found);
   void putLaterFirst(std::size_t lane);
   void showLying(const Look& look, std::size_t lane, SpriteFront::Depths between,

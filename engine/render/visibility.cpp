@@ -45,16 +45,16 @@ class Visibility {
         lookAtLast(flatPortals_);
     }
     found_.stats.segments = exits_.projectedSegments();
-    found_.stats.maskedSpans = found_.masked.spans();
-    found_.stats.spans = found_.solid.spans() + found_.masked.spans();
+    found_.stats.maskedSpans = found_.overLevel.spans();
+    found_.stats.spans = found_.level.spans() + found_.overLevel.spans();
   }
 
  private:
   void start() {
     const int firstStrip = columns_.begin / Strip::kColumns;
     const int strips = Strip::countIn(columns_.end - columns_.begin);
-    found_.solid.clear(firstStrip, strips);
-    found_.masked.clear(firstStrip, strips);
+    found_.level.clear(firstStrip, strips);
+    found_.overLevel.clear(firstStrip, strips);
     found_.stats = {};
     Viewport first{nullptr, camera_.sector, std::nullopt, std::nullopt, noWindows()};
     for (int column = columns_.begin; column < columns_.end; ++column)
@@ -123,8 +123,8 @@ class Visibility {
   /// Before what is behind them: the sprites that are before the meshes, then these.
   void showThings(const ColumnRun& run, const RunEntry& entry) {
     const bool meshesShow = hasMeshes_ && meshes_.find(run, entry, lookedThrough_);
-    if (hasSprites_) sprites_.show(run, entry, meshesShow ? &meshes_ : nullptr, found_.masked);
-    if (meshesShow) meshes_.show(run, found_.masked);
+    if (hasSprites_) sprites_.show(run, entry, meshesShow ? &meshes_ : nullptr, found_.overLevel);
+    if (meshesShow) meshes_.show(run, found_.overLevel);
   }
 
   // --- columns that leave a sector at one segment -----------------------------------------------
@@ -152,7 +152,7 @@ class Visibility {
                 const LaneRowRanges& rows, bool isFloor) {
     if (!surface) {
       if (rows.lanes() != 0) addWindows(run, rows, flatPortalView(*flat.flatPortal, isFloor));
-    } else if (const auto [group, lanes] = found_.solid.add(*surface, run.strip, rows); group) {
+    } else if (const auto [group, lanes] = found_.level.add(*surface, run.strip, rows); group) {
       setLanes(group->depth, run.depths, lanes);
     }
   }
@@ -171,7 +171,7 @@ class Visibility {
       if (part.opening)
         showOpening(run, *part.opening, part.rows);
       else
-        addUprightSpans(found_.solid, part.surface, run, part.rows);
+        addUprightSpans(found_.level, part.surface, run, part.rows);
   }
 
   /// Adds what the wall shows in lanes [begin, end), where it has the same heights.
@@ -218,7 +218,7 @@ class Visibility {
       hung.begin[lane] = rowIn(run, rows, lane, middle.zTop);
       hung.end[lane] = rowIn(run, rows, lane, middle.zBottom);
     }
-    addUprightSpans(found_.masked, *opening.maskedMiddle, run, hung);
+    addUprightSpans(found_.overLevel, *opening.maskedMiddle, run, hung);
   }
 
   void countColumns(const Segment& segment, int columns) {

@@ -125,8 +125,8 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
   scratch.parts.resize(1);
   scratch.parts[0].range = {0, 2 * Strip::kColumns + 3};  // the last strip is narrower
   VisibleSpans& found = scratch.parts[0].visibility.found;
-  found.solid.clear(0, 3);
-  found.masked.clear(0, 3);
+  found.level.clear(0, 3);
+  found.overLevel.clear(0, 3);
   const auto add = [&](SpanGroups& to, int column, int begin, int end) {
     LaneRowRanges rows;
     rows.begin[static_cast<std::size_t>(column % Strip::kColumns)] = begin;
@@ -138,14 +138,14 @@ TEST(FrameScratch, knowsWhichStripsSpansFill) {
                        scratch.isFilled(2, kRows)};
   };
   for (int column = 0; column < scratch.parts[0].range.end; ++column) {
-    add(found.solid, column, 4, kRows);
-    add(found.solid, column, 0, column == 10 ? 3 : 4);
+    add(found.level, column, 4, kRows);
+    add(found.level, column, 0, column == 10 ? 3 : 4);
   }
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
   // A masked middle texture can have holes.
-  add(found.masked, 10, 3, 4);
+  add(found.overLevel, 10, 3, 4);
   EXPECT_EQ(filled(), (std::vector{true, false, true}));
-  add(found.solid, 10, 3, 4);
+  add(found.level, 10, 3, 4);
   EXPECT_EQ(filled(), (std::vector{true, true, true}));
 }
 

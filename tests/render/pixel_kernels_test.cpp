@@ -35,7 +35,7 @@ int repeated(double x, int size) {
 Rgb pixelOf(PixelBlock& block, const Texture* image, const GroupLight& light) {
   setFull(block);
   std::vector<std::uint32_t> row(PixelBlock::kLanes);
-  const GroupTexels texels{image, false, false, false};
+  const GroupTexels texels{image, false, false, image == nullptr};
   if (image) fetchColors(block, texels);
   pixelKernels().shade(block, texels, light, row.data());
   return fromXrgb(row[0]);
@@ -378,10 +378,11 @@ TEST(PixelKernels, mixTheLightOfEachPixelWhateverLightTheRowAboveHas) {
       pixelKernels().findLightTexels(block, mapping, lightmap, LightFilter::Bilinear);
       setFull(block);
       std::vector<std::uint32_t> rows(block.count());
-      pixelKernels().shade(block, {}, {&lightmap, 0, false}, rows.data());
-      std::vector<std::uint32_t> uprightRows(block.count());
-      pixelKernels().shade(block, {}, {&lightmap, 0, true}, uprightRows.data());
-      EXPECT_EQ(uprightRows, rows);
+      constexpr GroupTexels kWhite{nullptr, false, false, true};
+      pixelKernels().shade(block, kWhite, {&lightmap, 0, false}, rows.data());
+      std::vector<std::uint32_t> columnRows(block.count());
+      pixelKernels().shade(block, kWhite, {&lightmap, 0, true}, columnRows.data());
+      EXPECT_EQ(columnRows, rows);
       for (std::size_t k = 0; k < block.count(); ++k) {
         const SpanMapping at = mapping.of(k % PixelBlock::kLanes);
         const double parameter = parameters[k / PixelBlock::kLanes];

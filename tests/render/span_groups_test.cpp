@@ -92,16 +92,6 @@ TEST_F(Groups, askForTheNumbersOfAllLanesOnce) {
   EXPECT_EQ(groups_.add(kWall, 3, rowsIn(5, 8, 10, 10)).group, nullptr);
 }
 
-TEST_F(Groups, ofNarrowFacesLieBesideThoseOfLanes) {
-  const FaceFront front{};
-  groups_.add(kWall, 3, rowsIn(0, 2, 5, 10));
-  groups_.addFaces(kFloor, 3, std::vector<FaceSpan>{{&front, 5, 4, 9, 1}, {&front, 5, 9, 12, 1}});
-  groups_.add(kWall, 3, rowsIn(2, 4, 5, 10));
-  EXPECT_THAT(lanesOf(groups_, 3), ElementsAre(0, 0b00001111));
-  EXPECT_EQ(groups_.pixelsOf(3), 2U * 5 + 5 + 3 + 2 * 5);
-  EXPECT_EQ(groups_.spans(), 2U + 2 + 2);
-}
-
 TEST_F(Groups, ofAnEarlierFrameAreForgotten) {
   groups_.add(kWall, 3, rowsIn(0, 8, 5, 10));
   groups_.clear(3, 2);
@@ -136,6 +126,19 @@ TEST(GroupsInOrder, visitWhatWasAddedToAPixelLastFirst) {
       });
     });
   }
+}
+
+/// Else what is farther would be painted over them.
+TEST(GroupsInOrder, areNotJoinedAcrossNarrowFaces) {
+  const FaceFront front{};
+  SpanGroups groups(SpanGroups::Order::LastToFirst);
+  groups.clear(3, 2);
+  groups.add(kWall, 3, rowsIn(0, 2, 5, 10));
+  groups.addFaces(kFloor, 3, std::vector<FaceSpan>{{&front, 5, 4, 9, 1}, {&front, 5, 9, 12, 1}});
+  groups.add(kWall, 3, rowsIn(2, 4, 5, 10));
+  EXPECT_THAT(lanesOf(groups, 3), ElementsAre(0b00001100, 0, 0b00000011));
+  EXPECT_EQ(groups.pixelsOf(3), 2U * 5 + 5 + 3 + 2 * 5);
+  EXPECT_EQ(groups.spans(), 2U + 2 + 2);
 }
 
 /// What a strip shows, group by group.
