@@ -11,6 +11,7 @@
 #include "level/masked_middle.h"
 #include "level/openings.h"
 #include "light/ray_error.h"
+#include "math/box3.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -26,6 +27,11 @@ struct Exit {
   const Segment* segment;
   double t;
 };
+
+bool areApart(const Box3& a, const Box3& b) {
+  return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y ||
+         a.max.z < b.min.z || b.max.z < a.min.z;
+}
 
 /// All walls and meshes of a sector.
 struct AllWalls {
@@ -231,8 +237,9 @@ class Walk {
   }
 
   bool isHere(std::uint32_t mesh) const {
-    return std::ranges::any_of(scene_.level().meshesIn(sector_),
-                               [mesh](const MeshInSector& at) { return at.mesh == mesh; });
+    const std::span<const MeshInSector> here = scene_.level().meshesIn(sector_);
+    const auto found = std::ranges::lower_bound(here, mesh, {}, &MeshInSector::mesh);
+    return found != here.end() && found->mesh == mesh;
   }
 
   /// Of meshes that have an inside, from the origin on in the sector where the ray is. Up to
@@ -242,15 +249,29 @@ class Walk {
                                                double tLeave) const {
     const double tie = kArrival / std::sqrt(length2_);
     const double tFrom = std::max(t_ - tie, tie);
+    const Box3 box = boxAround(tFrom, tLeave + tie);
     std::optional<FaceRay::Crossing> nearest;
     for (const MeshInSector& at : meshes) {
       const Mesh& mesh = scene_.level().meshes[at.mesh];
+      // Of many meshes in a sector most are elsewhere.
+      if (areApart(box, scene_.level().faceTrees[at.mesh].box())) continue;
       if (!mesh.castsShadow || mesh.isTwoSided || !isHere(at.mesh)) continue;
       const auto crossing = scene_.level().faceTrees[at.mesh].nearest(
           scene_.level().facesOf(mesh), *faceRay_, tFrom, tLeave + tie, tie);
       if (crossing && (!nearest || crossing->place(tie) < nearest->place(tie))) nearest = crossing;
     }
     return nearest;
+  }
+
+  /// Around the ray between two parameters, and what it may touch there.
+  Box3 boxAround(double tFrom, double tTo) const {
+    Box3 box;
+    box.add(origin_ + tFrom * delta_);
+    box.add(origin_ + tTo * delta_);
+    const double slack =
+        kArrival + roundingOf(largestCoordinate(box.min) + largestCoordinate(box.max));
+    const Vec3 margin{slack, slack, slack};
+    return {box.min - margin, box.max + margin};
   }
 
   const std::vector<SectorId>& membersBehind(const Flat& flat, bool isFloor) const {
