@@ -122,6 +122,16 @@ TEST(ModelMistakes, keywordsThatAreLeftOutAreToldOnceForEachFile) {
             "illum (line 6), only newmtl, Kd and map_Kd are read\n");
 }
 
+TEST(ModelMistakes, numbersThatAreLeftOutAreToldOnceForEachFile) {
+  EXPECT_EQ(warned("mtllib crate.mtl\ns off\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0\nvt 0\n"
+                   "vt 0 0\nvt 0 0 x\nvt 0 0 0\nf 1 2 3\n",
+                   "newmtl a\nKd 1 1 1\nKd 0.5\nKd 0.5 0.5 0.5 0.5\n"),
+            "crate.obj:2: warning: left out: s (line 2), more numbers of v (line 3), "
+            "more numbers of vt (line 8), only v, vt, f, usemtl and mtllib are read\n"
+            "crate.mtl:4: warning: left out: more numbers of Kd (line 4), "
+            "only newmtl, Kd and map_Kd are read\n");
+}
+
 TEST(ModelMistakes, ofManyKeywordsTheFirstOnesAreTold) {
   std::string text = kTriangle;
   for (int i = 0; i < 1000; ++i) text += fmt::format("word{}\n", i);

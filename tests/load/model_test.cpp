@@ -73,7 +73,7 @@ TEST(Model, hasPolygonsAsFansFromTheirFirstCorner) {
 }
 
 TEST(Model, takesEveryFormOfACorner) {
-  const std::string vertices = kSquareVertices + "vt 0.25\nvt 0.5 0.75\nvt 1 2 3\n";
+  const std::string vertices = kSquareVertices + "vt 0.25\nvt 0.5 0.75\nvt 1 2\n";
   const Model model = modelOf(vertices + "f 1 2/1 3/2/1\nf 1//7 2//8 3/3/9\nf 1/1/ 2// 3/2\n");
   const Vec2 none;
   EXPECT_EQ(model.faces[0].image, (std::array<Vec2, 3>{none, {0.25, 0}, {0.5, 0.75}}));
@@ -97,8 +97,9 @@ TEST(Model, mayHaveItsVerticesAfterItsFaces) {
 }
 
 TEST(Model, leavesOutWeightsAndColoursOfVertices) {
-  const Model model = modelOf("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 what ever\nf 1 2 3\n");
-  EXPECT_EQ(model.faces[0].corners[1], (Vec3{1, 0, 0}));
+  const ModelRead read = readObj("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 what ever\nf 1 2 3\n");
+  ASSERT_TRUE(read.model);
+  EXPECT_EQ(read.model->faces[0].corners[1], (Vec3{1, 0, 0}));
 }
 
 TEST(Model, isTheSameWithAnyBlanksAndEndsOfLines) {

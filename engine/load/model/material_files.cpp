@@ -37,6 +37,8 @@ void readColor(const ModelLine& line, ModelReport& report, ModelMaterial& materi
     color.fill(color[0]);
   else if (!takeNumbers(line, rest, wanted, std::span(color).last(2), report))
     return;
+  else
+    leaveOutRest(line, rest, report);
   material.color = {eightBits(color[0]), eightBits(color[1]), eightBits(color[2])};
 }
 

@@ -75,4 +75,8 @@ bool takeNumbers(const ModelLine& line, std::string_view& rest, const WantedNumb
   return true;
 }
 
+void leaveOutRest(const ModelLine& line, std::string_view rest, ModelReport& report) {
+  if (takeWord(rest)) report.leaveOut(fmt::format("more numbers of {}", line.keyword), line.number);
+}
+
 }  // namespace hearth

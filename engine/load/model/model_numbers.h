@@ -25,4 +25,7 @@ struct WantedNumbers {
 bool takeNumbers(const ModelLine& line, std::string_view& rest, const WantedNumbers& wanted,
                  std::span<double> numbers, ModelReport& report);
 
+/// Tells once for each file that words which follow these numbers are left out, if any do.
+void leaveOutRest(const ModelLine& line, std::string_view rest, ModelReport& report);
+
 }  // namespace hearth

@@ -41,11 +41,12 @@ void ModelReport::leaveOut(std::string_view keyword, std::uint32_t line) {
 std::vector<ModelMistake> ModelReport::mistakes(std::string_view read) const {
   ModelReport all = *this;
   if (!leftOut_.empty()) {
+    std::ranges::stable_sort(all.leftOut_, {}, &LeftOut::line);
     std::string keywords;
-    for (const LeftOut& each : leftOut_)
+    for (const LeftOut& each : all.leftOut_)
       keywords +=
           fmt::format("{}{} (line {})", keywords.empty() ? "" : ", ", each.keyword, each.line);
-    all.warning(leftOut_.front().line,
+    all.warning(all.leftOut_.front().line,
                 fmt::format("left out: {}{}", keywords, hasMoreLeftOut_ ? " and more" : ""),
                 fmt::format("only {} are read", read));
   }

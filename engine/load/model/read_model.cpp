@@ -103,22 +103,24 @@ bool ModelReader::readVertices(std::string_view text) {
   return false;
 }
 
-/// `v x y z`; a weight or a colour may follow.
+/// `v x y z`; a weight or a colour that follows is left out.
 void ModelReader::readPosition(const ModelLine& line) {
   std::array<double, 3> xyz{};
   std::string_view rest = line.rest;
-  takeNumbers(line, rest, {kCoordinate, "x, y and z"}, xyz, report_);
+  if (takeNumbers(line, rest, {kCoordinate, "x, y and z"}, xyz, report_))
+    leaveOutRest(line, rest, report_);
   positions_.push_back({xyz[0], xyz[1], xyz[2]});  // after a mistake, too: the others keep theirs
 }
 
-/// `vt u`, `vt u v` or `vt u v w`.
+/// `vt u` or `vt u v`; a depth that follows is left out.
 void ModelReader::readImagePlace(const ModelLine& line) {
   const WantedNumbers wanted{kCoordinate, "u and v"};
   std::array<double, 2> uv{};
   std::string_view rest = line.rest;
   const bool isGood = takeNumbers(line, rest, wanted, std::span(uv).first(1), report_);
   std::string_view others = rest;
-  if (isGood && takeWord(others)) takeNumbers(line, rest, wanted, std::span(uv).last(1), report_);
+  if (isGood && takeWord(others) && takeNumbers(line, rest, wanted, std::span(uv).last(1), report_))
+    leaveOutRest(line, rest, report_);
   images_.push_back({uv[0], uv[1]});
 }
 
