@@ -134,7 +134,7 @@ class MissingReporter {
   void tellForeign(Place place, const ForeignImage& image) {
     report_.error(
         place,
-        fmt::format("there is no file {}, which {} names", image.file.string(), image.namedBy),
+        fmt::format("there is no file {}, which {} names", image.file.string(), image.namedAt),
         "put the image there, or correct its path, which is relative to the file that names it");
   }
 
@@ -284,7 +284,11 @@ TextureFiles readTextures(Report& report, const TextureTable& table, const Scene
     } else {
       textures.files.push_back(*paths[i]);
       if (!reads[i]) {
-        report.error(texture.place, reads[i].error().message, reads[i].error().advice);
+        const auto& [message, advice] = reads[i].error();
+        report.error(
+            texture.place,
+            texture.foreign ? fmt::format("{}: {}", texture.foreign->namedAt, message) : message,
+            advice);
       } else if (*reads[i]) {
         ++textures.decoded;
         image = **std::move(reads[i]);

@@ -21,7 +21,7 @@ namespace hearth {
 /// An image that another file than the level's names.
 struct ForeignImage {
   std::filesystem::path file;
-  std::string namedBy;  ///< in words, for messages: "a material of crate.obj"
+  std::string namedAt;  ///< as FILE:LINE, for messages
 };
 
 /// An image of the textures folder or a colour; or an image from elsewhere, and what reports call

@@ -282,7 +282,7 @@ TEST_F(MeshMaterials, tellsOfAMissingImageWhichFileNamesIt) {
   const LoadResult result = load(kCrate);
   ASSERT_EQ(countErrors(result), 1U) << listed(result);
   EXPECT_EQ(result.diagnostics[0].message,
-            "there is no file levels/models/wood/oak.tga, which levels/models/crate.mtl names");
+            "there is no file levels/models/wood/oak.tga, which levels/models/crate.mtl:5 names");
   EXPECT_EQ(result.diagnostics[0].pointer, "/things/0/mesh");
 }
 

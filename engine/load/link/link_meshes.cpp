@@ -99,17 +99,13 @@ void MeshLinker::keepFiles(const std::vector<fs::path>& files) {
 }
 
 std::vector<TextureId> MeshLinker::linkMaterials(const ModelRead& read, Place place) {
-  // Which of several files of materials names an image is not known.
-  const std::string namedBy = read.files.size() == 2
-                                  ? read.files[1].string()
-                                  : fmt::format("a material of {}", read.files[0].string());
   std::vector<TextureId> textures;
   for (const ModelMaterial& material : read.model->materials) {
     const Rgb color = material.color;
     textures.push_back(
         material.image
             ? linking_.textures.idOf({nameInLevel(*material.image), place},
-                                     ForeignImage{*material.image, namedBy})
+                                     ForeignImage{*material.image, material.imageNamedAt})
             : linking_.textures.idOf(
                   {fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b), place}));
   }

@@ -52,10 +52,9 @@ void readImageName(const ModelLine& line, const fs::path& file, ModelReport& rep
   }
   if (name.empty()) return report.error(line.number, "\"map_Kd\" without a file", "name an image");
   auto path = pathOfNamed(name, file);
-  if (path)
-    material.image = *std::move(path);
-  else
-    report.error(line.number, path.error().message, path.error().advice);
+  if (!path) return report.error(line.number, path.error().message, path.error().advice);
+  material.image = *std::move(path);
+  material.imageNamedAt = fmt::format("{}:{}", file.string(), line.number);
 }
 
 }  // namespace

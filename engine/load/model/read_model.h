@@ -19,6 +19,7 @@ namespace hearth {
 struct ModelMaterial {
   Rgb color;                                   ///< `Kd`
   std::optional<std::filesystem::path> image;  ///< `map_Kd`, which replaces the colour
+  std::string imageNamedAt;                    ///< as FILE:LINE
 };
 
 /// A triangle of a model, in the axes of its file: x, y up, z; right-handed.
