@@ -258,11 +258,12 @@ TEST(ModelMistakes, moreFacesThanTheLimit) {
   limits.meshFaces = 3;
   EXPECT_TRUE(readObj(kTriangle + "f 1 2 3 4\n", "", limits).model);
   EXPECT_EQ(refused(kTriangle + "f 1 2 3 4\nf 1 1 1\nf 1 2 3\n", "", limits),
-            "crate.obj:7: error: too many faces, raise the limit with --max-mesh-faces\n");
+            "crate.obj:7: error: more than 3 triangles, raise the limit with --max-mesh-faces\n");
   std::string fan = "f";
   while (fan.size() < 10'000'000) fan += " 1";
-  EXPECT_EQ(refused(kSquareVertices + fan + "\n"),
-            "crate.obj:5: error: too many faces, raise the limit with --max-mesh-faces\n");
+  EXPECT_EQ(
+      refused(kSquareVertices + fan + "\n"),
+      "crate.obj:5: error: more than 4000000 triangles, raise the limit with --max-mesh-faces\n");
 }
 
 TEST(ModelMistakes, standInTheOrderOfFilesAndLines) {

@@ -131,7 +131,8 @@ bool ModelReader::countTriangles(const ModelLine& line) {
   while (takeWord(rest)) ++corners;
   triangles_ += std::max<std::size_t>(corners, 2) - 2;
   if (triangles_ <= limits_.meshFaces) return true;
-  report_.error(line.number, "too many faces", "raise the limit with --max-mesh-faces");
+  report_.error(line.number, fmt::format("more than {} triangles", limits_.meshFaces),
+                "raise the limit with --max-mesh-faces");
   return false;
 }
 
