@@ -517,6 +517,7 @@ class SavedBake(InFolder):
     def test_draws_what_a_bake_draws(self):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["rooms.bake"])
         saved = self.draw("--light-from", self.bake)
+        self.assertEqual(saved, self.draw("--light-from", self.bake, "--threads", "1"))
         self.assertEqual(saved, self.draw("--texel", "0.5"))
         self.assertNotEqual(saved, self.draw())
 
@@ -543,7 +544,7 @@ class SavedBake(InFolder):
 
     def test_is_refused_beside_options_of_a_bake(self):
         for options in [("--texel", "0.5"), ("--samples", "4"), ("--soft-samples", "16"),
-                        ("--cut-off", "1"), ("--bounces", "0"), ("--lambert",), ("--no-lambert",), ("--threads", "1")]:
+                        ("--cut-off", "1"), ("--bounces", "0"), ("--lambert",), ("--no-lambert",)]:
             with self.subTest(options=options):
                 self.refuse_bake(f"--light-from: .*baked already; leave out {' '.join(options)}$",
                                  *options)

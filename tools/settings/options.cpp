@@ -260,9 +260,8 @@ std::vector<Option> limitOptions() {
 }
 
 std::vector<Option> settingOptions() {
-  return {Option::Texel,   Option::Samples,       Option::SoftSamples,
-          Option::CutOff,  Option::MiddleShadows, Option::Bounces,
-          Option::Lambert, Option::NoLambert,     Option::Threads};
+  return {Option::Texel,         Option::Samples, Option::SoftSamples, Option::CutOff,
+          Option::MiddleShadows, Option::Bounces, Option::Lambert,     Option::NoLambert};
 }
 
 std::vector<Option> drawOptions() {
@@ -270,7 +269,8 @@ std::vector<Option> drawOptions() {
 }
 
 std::vector<Option> bakeOptions() {
-  return std::vector<Option>{Option::Quality} + settingOptions() + limitOptions();
+  return std::vector<Option>{Option::Quality} + settingOptions() +
+         std::vector<Option>{Option::Threads} + limitOptions();
 }
 
 std::vector<Option> lightOptions() {

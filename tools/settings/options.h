@@ -129,11 +129,11 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text);
 
 /// Options that all commands share: limits of loading.
 std::vector<Option> limitOptions();
-/// How to bake.
+/// How to bake: what light depends on.
 std::vector<Option> settingOptions();
 /// How to draw: what pictures may be less accurate in.
 std::vector<Option> drawOptions();
-/// How to bake, and limits of loading.
+/// How to bake, on how many threads, and limits of loading.
 std::vector<Option> bakeOptions();
 /// Where light is taken from, how to bake, and limits of loading.
 std::vector<Option> lightOptions();
