@@ -70,8 +70,8 @@ void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& bloc
   block.columns = {{}, group.rowBegin, group.rowEnd};
   block.columns.rows.begin.fill(group.rowBegin);
   block.columns.rows.end.fill(group.rowEnd);
-  std::array<const FaceSpan*, Strip::kColumns>
-      next;  // by lane: the first that is not painted whole
+  // By lane, the first span that is not painted to its end.
+  std::array<const FaceSpan*, Strip::kColumns> next;
   const FaceSpan* const end = group.spans.data() + group.spans.size();
   next.fill(end);
   for (std::size_t i = group.spans.size(); i-- > 0;) next[group.spans[i].lane] = &group.spans[i];

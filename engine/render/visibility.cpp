@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "level/openings.h"
-#include "math/check.h"
 #include "math/tolerance.h"
 #include "render/column_run.h"
 #include "render/ray_exits.h"
