@@ -39,22 +39,16 @@ const SpriteView& viewOf(const Sprite& sprite, Vec2 eye, double seconds) {
 }
 
 SpriteRect rectOf(const Sprite& sprite, const SpriteView& view, Vec2 pictureRight) {
-  const Vec2 front = directionOf(sprite.angle);
-  // Whoever looks at the front looks against it, and has its left to the right.
-  Vec3 right = level3(-1 * turned90(front));
+  Vec3 right = level3(pictureRight);
   Vec3 up = {0, 0, 1};
   double below = 0;  // how much of the image is below the position
-  switch (sprite.facing) {
-    case Facing::Camera:
-      right = level3(pictureRight);
-      break;
-    case Facing::Angle:
-      break;
-    case Facing::Flat:
-      right = level3(turned90(front));
-      up = level3(front);
-      below = view.size.y / 2;
-      break;
+  if (sprite.facing == Facing::Angle) {
+    // An eye that looks at the front looks against it, and has its left to the right.
+    right = level3(-1 * turned90(directionOf(sprite.angle)));
+  } else if (sprite.facing == Facing::Flat) {
+    up = level3(directionOf(sprite.angle));
+    right = level3(turned90(up.xy()));
+    below = view.size.y / 2;
   }
   return {sprite.position + (sprite.offset.x - view.size.x / 2) * right +
               (sprite.offset.y - below) * up,

@@ -42,21 +42,20 @@ SpriteFront::SpriteFront(const Sprite& sprite, const SpriteView& view, const Spr
       lies_(sprite.facing == Facing::Flat),
       zBottom_(rect.corner.z),
       zTop_(rect.corner.z + rect.up.z),
-      corner_(projection.toCamera(rect.corner.xy())),
-      right_(projection.toCameraDirection(rect.right.xy())),
+      lower_{projection.toCamera(rect.corner.xy()), projection.toCameraDirection(rect.right.xy())},
       up_(projection.toCameraDirection(rect.up.xy())),
       columns_{} {
   if (sprite.facing == Facing::Camera) {
     // The depth of the whole image, whatever the rounding of its edges.
-    corner_.depth = projection.toCamera(sprite.position.xy()).depth;
-    right_.depth = 0;
+    lower_.corner.depth = projection.toCamera(sprite.position.xy()).depth;
+    lower_.along.depth = 0;
   }
   columns_ = columnsIn(projection, width);
 }
 
 CameraPoint SpriteFront::at(double right, double up) const {
-  return {corner_.depth + right * right_.depth + up * up_.depth,
-          corner_.lateral + right * right_.lateral + up * up_.lateral};
+  return {lower_.corner.depth + right * lower_.along.depth + up * up_.depth,
+          lower_.corner.lateral + right * lower_.along.lateral + up * up_.lateral};
 }
 
 ColumnRange SpriteFront::columnsIn(const Projection& projection, int width) const {
@@ -76,29 +75,11 @@ ColumnRange SpriteFront::columnsIn(const Projection& projection, int width) cons
           static_cast<int>(std::min<double>(width, right + 2))};
 }
 
-SpriteFront::Meetings SpriteFront::meet(const LaneDoubles& slants) const {
-  Meetings meetings;
-  LaneDoubles fractions;  // beyond 0 and 1 where a ray passes beside
-  for (std::size_t lane = 0; lane < slants.size(); ++lane) {
-    // How far the image's left and right edges are from the ray, to its right.
-    const double left = corner_.lateral - slants[lane] * corner_.depth;
-    const double across = right_.lateral - slants[lane] * right_.depth;
-    fractions[lane] = -left / across;
-    const double within = std::min(std::max(0.0, fractions[lane]), 1.0);  // 0 if not a number
-    meetings.depth[lane] = corner_.depth + within * right_.depth;
-    meetings.fraction[lane] = within;
-  }
-  meetings.lanes = lanesWhere([&](std::size_t lane) {
-    return (fractions[lane] >= 0) & (fractions[lane] < 1) & (meetings.depth[lane] > 0);
-  });
-  return meetings;
-}
-
 SpriteFront::Depths SpriteFront::over(double slant) const {
   Depths depths{0, std::numeric_limits<double>::infinity()};
   // Along each edge, how far a point of the ray is from the corner, in squares of metres.
-  for (const CameraPoint edge : {right_, up_}) {
-    const double atEye = -(corner_.depth * edge.depth + corner_.lateral * edge.lateral);
+  for (const CameraPoint edge : {lower_.along, up_}) {
+    const double atEye = -(lower_.corner.depth * edge.depth + lower_.corner.lateral * edge.lateral);
     const double perMetre = edge.depth + slant * edge.lateral;
     const double size = edge.depth * edge.depth + edge.lateral * edge.lateral;
     depths.keepPositive(atEye, perMetre);
@@ -117,16 +98,20 @@ void SpriteFronts::find(const Scene& scene, const SpriteIndex& index, const Came
       found_.push_back(sprite);
   });
   nearToFar_.clear();
-  for (const std::uint32_t i : found_)
-    nearToFar_.emplace_back(projection.toCamera(scene.level().sprites[i].position.xy()).depth, i);
-  std::ranges::sort(nearToFar_);
-  fronts_.begin(sector);
-  for (const auto& [depth, i] : nearToFar_) {
+  unsorted_.clear();
+  for (const std::uint32_t i : found_) {
+    // In the order in which they lie in memory.
     const Sprite& sprite = scene.level().sprites[i];
     const auto [view, rect] = shownOf(sprite, projection, camera.seconds);
     const SpriteFront front(sprite, view, rect, projection, camera.width);
-    if (haveCommon(front.columns(), columns)) fronts_.add(front);
+    if (!haveCommon(front.columns(), columns)) continue;
+    nearToFar_.emplace_back(projection.toCamera(sprite.position.xy()).depth,
+                            static_cast<std::uint32_t>(unsorted_.size()));
+    unsorted_.push_back(front);
   }
+  std::ranges::sort(nearToFar_);
+  fronts_.begin(sector);
+  for (const auto& [depth, i] : nearToFar_) fronts_.add(unsorted_[i]);
   if (begun_ == byStrip_.size()) byStrip_.emplace_back();
   const std::span<const SpriteFront> found = fronts_.of(sector);
   byStrip_[begun_++].sort(found.size(), [found](std::size_t i) { return found[i].columns(); });

@@ -12,8 +12,8 @@
 #include "render/by_sector.h"
 #include "render/by_strip.h"
 #include "render/camera.h"
-#include "render/lanes.h"
 #include "render/segment_columns.h"
+#include "render/standing_kernels.h"
 
 namespace hearth {
 
@@ -34,18 +34,7 @@ class SpriteFront {
   /// Columns outside which it does not show; empty if it shows in none.
   ColumnRange columns() const { return columns_; }
 
-  /// Whether all of it stands at one depth.
-  bool hasOneDepth() const { return right_.depth == 0; }
-
-  /// Where rays meet what stands. A ray that does not meet it has the numbers of its left or right
-  /// edge.
-  struct Meetings {
-    LaneSet lanes;         ///< whose rays meet it, before the eye
-    LaneDoubles depth;     ///< metres
-    LaneDoubles fraction;  ///< of the way from the image's left edge to the right
-  };
-  /// Of the rays with these slants (see Projection::slantOf).
-  Meetings meet(const LaneDoubles& slants) const;
+  const StandingEdge& lowerEdge() const { return lower_; }
 
   /// A stretch of a ray, in metres of depth: more than `from`, up to `to`.
   struct Depths {
@@ -68,9 +57,8 @@ class SpriteFront {
   bool lies_;
   double zBottom_;
   double zTop_;
-  CameraPoint corner_;  ///< the image's lower left
-  CameraPoint right_;   ///< along its lower edge
-  CameraPoint up_;      ///< along its left edge; 0 where it stands
+  StandingEdge lower_;
+  CameraPoint up_;  ///< along its left edge; 0 where it stands
   ColumnRange columns_;
 };
 
@@ -119,8 +107,9 @@ class SpriteFronts {
   std::vector<SectorId> sectors_;
   SpriteSectors finder_;
   // Of the present sector:
-  std::vector<std::uint32_t> found_;                         ///< sprites
-  std::vector<std::pair<double, std::uint32_t>> nearToFar_;  ///< the same, with their depths
+  std::vector<std::uint32_t> found_;  ///< sprites
+  std::vector<SpriteFront> unsorted_;
+  std::vector<std::pair<double, std::uint32_t>> nearToFar_;  ///< depths and indices of these
 };
 
 }  // namespace hearth

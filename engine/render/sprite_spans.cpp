@@ -13,9 +13,6 @@ namespace hearth {
 
 namespace {
 
-/// Whether a depth is less than another, or as good as equal.
-bool isBefore(double depth, double at) { return depth <= at * (1 + kNearTie) + kPositionSlack; }
-
 void addSpans(const SpritePart& part, int strip, const LaneRowRanges& rows, SpanGroups& found) {
   const auto [group, lanes] = found.add(part.front->surface(), strip, rows);
   if (!group) return;
@@ -40,14 +37,16 @@ struct SpriteSpans::Look {
   const RunEntry& entry;
   const MeshSpans* meshes;  ///< null if none show
   const Projection& projection;
-  LaneDoubles slants;
+  RunRays rays;
   LaneSet lanes;  ///< of the run
 
   Look(const ColumnRun& ofRun, const RunEntry& atEntry, const MeshSpans* ofMeshes,
        const Projection& of)
       : run(ofRun), entry(atEntry), meshes(ofMeshes), projection(of) {
-    for (std::size_t lane = 0; lane < slants.size(); ++lane)
-      slants[lane] = projection.slantOf(columnOf(lane) + 0.5);
+    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+      rays.slants[lane] = projection.slantOf(columnOf(lane) + 0.5);
+    rays.entries = entry.depths;
+    rays.exits = run.depths;
     lanes = lanesWhere([this](std::size_t lane) { return run.open.has(lane); });
   }
 
@@ -137,51 +136,36 @@ double SpriteSpans::depthAt(const SpritePart& part, std::size_t lane, int row) c
 // --- What stands ---------------------------------------------------------------------------------
 
 void SpriteSpans::findStanding(const Look& look, const SpriteFront& front) {
-  const SpriteFront::Meetings meetings = front.meet(look.slants);
-  unsigned lanes = 0;
-  double nearest = RayExits::kNoDepth;
-  for (unsigned rest = meetings.lanes & look.lanes; rest != 0; rest &= rest - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-    const double depth = meetings.depth[lane];
-    if (!isBefore(depth, look.run.depths[lane]) || !isBehindEntry(look, lane, front, depth))
-      continue;
-    lanes |= 1U << lane;
-    nearest = std::min(nearest, depth);
-  }
+  StandingMeetings met;
+  kernels_.meet(front.lowerEdge(), look.rays, met);
+  unsigned lanes = met.lanes & look.lanes;
+  if ((lanes & met.atEntry) != 0 && isBeforeEntry(look, front)) lanes &= ~unsigned{met.atEntry};
   if (lanes == 0) return;
-  const LaneRowRanges rows = standingRows(look, front, static_cast<LaneSet>(lanes), meetings.depth);
+  const LaneRowRanges rows = standingRows(look, front, static_cast<LaneSet>(lanes), met.depth);
   if (rows.lanes() != 0)
-    scratch_.standing.push_back({&front, nearest, rows, meetings.depth, meetings.fraction});
+    scratch_.standing.push_back({&front, met.nearest, rows, met.depth, met.fraction});
 }
 
-/// What is at an opening belongs to the sector before it, if it is in that one, too.
-bool SpriteSpans::isBehindEntry(const Look& look, std::size_t lane, const SpriteFront& front,
-                                double depth) const {
-  const double entered = look.entry.depths[lane];
-  if (entered == 0 || !isBefore(depth, entered)) return true;
-  if (!isBefore(entered, depth) || !look.entry.from) return false;
-  return std::ranges::find(scratch_.fronts.of(*look.entry.from), front.surface(),
-                           &SpriteFront::surface) == scratch_.fronts.of(*look.entry.from).end();
+/// Whether what is at the entry shows in the sector before it, or there is none.
+bool SpriteSpans::isBeforeEntry(const Look& look, const SpriteFront& front) const {
+  if (!look.entry.from) return true;
+  const std::span<const SpriteFront> before = scratch_.fronts.of(*look.entry.from);
+  return std::ranges::find(before, front.surface(), &SpriteFront::surface) != before.end();
 }
 
 /// Those of lanes in which it shows, in the air of the sector.
 LaneRowRanges SpriteSpans::standingRows(const Look& look, const SpriteFront& front, LaneSet lanes,
                                         const LaneDoubles& depth) const {
-  const LaneRowRanges& open = look.run.open;
   const Sector& sector = look.run.sector;
   LaneRowRanges rows;
-  if (front.hasOneDepth() && !sector.floorSlope && !sector.ceilingSlope) {
+  if (front.lowerEdge().hasOneDepth() && !sector.floorSlope && !sector.ceilingSlope) {
     // The same in all columns, as far as their windows show them.
     const double zBottom = std::max(front.zBottom(), scene_.zFloor(sector));
     const double zTop = std::min(front.zTop(), scene_.zCeiling(sector));
     if (zBottom >= zTop) return rows;
     const int begin = projection_.rowIn(0, camera_.height, zTop, depth[0]);
     const int end = projection_.rowIn(0, camera_.height, zBottom, depth[0]);
-    for (std::size_t lane = 0; lane < depth.size(); ++lane) {
-      const bool shows = (lanes >> lane & 1) != 0;
-      rows.begin[lane] = shows ? std::clamp(begin, open.begin[lane], open.end[lane]) : 0;
-      rows.end[lane] = shows ? std::clamp(end, open.begin[lane], open.end[lane]) : 0;
-    }
+    kernels_.show(begin, end, lanes, look.run.open, rows);
     return rows;
   }
   for (unsigned rest = lanes; rest != 0; rest &= rest - 1) {
@@ -228,7 +212,7 @@ void SpriteSpans::lie(const Look& look, std::size_t lane, SpriteFront::Depths be
   if (z == eyeZ) return;
   // What lies in a flat portal belongs to the side that it is seen from.
   if (look.entry.plane && std::abs(z - *look.entry.plane) <= kPositionSlack) return;
-  SpriteFront::Depths depths = part.front->over(look.slants[lane]);
+  SpriteFront::Depths depths = part.front->over(look.rays.slants[lane]);
   depths = {std::max(depths.from, between.from), std::min(depths.to, between.to)};
   const Sector& sector = look.run.sector;
   const Vec2 eye = projection_.eye().xy();

@@ -52,8 +52,7 @@ class SpriteSpans {
            SpanGroups& found) const;
   double depthAt(const SpritePart& part, std::size_t lane, int row) const;
   void findStanding(const Look& look, const SpriteFront& front);
-  bool isBehindEntry(const Look& look, std::size_t lane, const SpriteFront& front,
-                     double depth) const;
+  bool isBeforeEntry(const Look& look, const SpriteFront& front) const;
   LaneRowRanges standingRows(const Look& look, const SpriteFront& front, LaneSet lanes,
                              const LaneDoubles& depth) const;
   SpritePart lyingPart(const Look& look, const SpriteFront& front) const;
@@ -70,6 +69,7 @@ class SpriteSpans {
   const Projection& projection_;
   ColumnRange columns_;
   SpriteSpansScratch& scratch_;
+  const StandingKernels& kernels_ = standingKernels();
 };
 
 }  // namespace hearth
