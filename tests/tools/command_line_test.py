@@ -1348,8 +1348,8 @@ class LintOfShipped(unittest.TestCase):
 class Lint(InFolder):
     def test_finds_in_a_level_with_sprites_what_it_finds_without(self):
         text = (SOURCE / "tests/levels/rooms.json").read_text()
-        things = '"things": [{"sprite": "#808080", "x": 1, "y": 1, "facing": "flat"}, {"sprite": "#404040", ' \
-                 '"x": 3, "y": 1, "size": [1, 2], "radius": 0.4, "height": 1.5}], "sectors"'
+        things = '"things": [{"sprite": "#808080", "x": 1, "y": 1, "facing": "flat", "size": [1, 1]}, ' \
+                 '{"sprite": "#404040", "x": 3, "y": 1, "size": [1, 2], "radius": 0.4, "height": 1.5}], "sectors"'
         found = []
         for each in (text, text.replace('"sectors"', things, 1)):
             level = self.folder / "rooms.json"

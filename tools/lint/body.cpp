@@ -338,6 +338,26 @@ void lookAtHead(const LintedLevel& linted, const Body& crouching, double eyeHeig
                            floor + eyeHeight, eyeHeight));
 }
 
+/// A thing that the player could step up to is a place to stand on.
+void lookAtThings(const LintedLevel& linted, const Body& body, Findings& findings) {
+  const Level& level = linted.level();
+  const double feet = level.player->eye.z - body.eyeHeight;
+  for (const BodyInSector& there : level.bodiesIn(level.player->sector)) {
+    const ThingBody& thing = level.bodies[there.body];
+    const bool isBeside =
+        !thing.outline.isWithin(level.player->eye.xy(), body.radius + thing.radius - kSkin);
+    const bool isUnder = thing.zTop <= feet + body.stepHeight + kSkin;
+    const bool isAbove = thing.zBottom >= feet + body.height - kSkin;
+    if (isBeside || isUnder || isAbove) continue;
+    findings.add(
+        FindingKind::StuckPlayer, linted.source.level.player->place,
+        fmt::format("the player begins inside a solid thing, which reaches from z = {:.3g} "
+                    "to {:.3g}",
+                    thing.zBottom, thing.zTop),
+        "move the player or the thing");
+  }
+}
+
 }  // namespace
 
 void findImpassable(const LintedLevel& linted, Findings& findings) {
@@ -362,6 +382,7 @@ void findMisplacedPlayer(const LintedLevel& linted, Findings& findings) {
   const Body standing = bodyOf(linted.level(), 0);
   lookAtFeet(linted, standing, findings);
   lookAtHead(linted, bodyOf(linted.level(), 1), standing.eyeHeight, findings);
+  lookAtThings(linted, standing, findings);
 }
 
 }  // namespace hearth

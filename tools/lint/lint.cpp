@@ -9,6 +9,7 @@ std::vector<Diagnostic> lintGeometry(const LintedLevel& linted) {
   findNearMisses(linted, findings);
   findTextureJumps(linted, findings);
   findUnseenTextures(linted, findings);
+  findUnseenThings(linted, findings);
   findImpassable(linted, findings);
   findMisplacedPlayer(linted, findings);
   return findings.resolve(linted.source.documents);

@@ -28,12 +28,15 @@ void findNearMisses(const LintedLevel& linted, Findings& findings);
 void findTextureJumps(const LintedLevel& linted, Findings& findings);
 /// Textures of steps that show nowhere.
 void findUnseenTextures(const LintedLevel& linted, Findings& findings);
+/// Things outside the air of all sectors, and those that are too small to be meant.
+void findUnseenThings(const LintedLevel& linted, Findings& findings);
 /// Steps that are just too high to climb, and passages that are just too low or narrow.
 void findImpassable(const LintedLevel& linted, Findings& findings);
 /// The sectors that the player cannot reach on foot, in order. In doubt a sector is left out. None
 /// without a player.
 std::vector<SectorId> outOfReach(const Scene& scene);
-/// A player whose feet begin below the floor, or whose head begins above the ceiling.
+/// A player whose feet begin below the floor, or whose head begins above the ceiling, or who begins
+/// inside a solid thing.
 void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
 
 // What needs one.
