@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "light/bakery.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -58,6 +60,21 @@ TEST(BakeSettings, countTexelsOfSurfacesAndNotOfSkies) {
   };
   EXPECT_EQ(mistake("{'parallax':true,'texture':'#808080'}"), "");
   EXPECT_TRUE(mistake("{'texture':'#808080'}").ends_with("use larger ones"));
+}
+
+TEST(BakeSettings, nameTheMeshThatTakesTheTexels) {
+  const auto crate = [](std::string_view scale) {
+    return test::levelFrom(
+        fmt::format("{{'light':0.1,'sectors':{{'a':{{'floor':{{'texture':'#808080'}},"
+                    "'ceiling':{{'texture':'#808080'}},'loops':{{'border':"
+                    "{{'v':[0,0,4,0,4,4,0,4],'walls':{{'texture':'#808080'}}}}}}}}}},'things':["
+                    "{{'mesh':'{}','name':'crate','x':1,'y':1,'scale':{}}}]}}",
+                    test::inTree("levels/models/crate.obj").string(), scale));
+  };
+  EXPECT_EQ(mistakeInSettings(crate("1").scene(), {}), std::nullopt);
+  EXPECT_TRUE(mistakeInSettings(crate("1e5").scene(), {})
+                  .value_or("")
+                  .ends_with("most of them on mesh crate: correct its scale, or use larger ones"));
 }
 
 }  // namespace

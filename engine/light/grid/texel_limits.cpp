@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "level/thing_name.h"
 #include "light/lit_mesh.h"
 #include "light/lit_surface.h"
 #include "light/ray_error.h"
@@ -50,14 +52,35 @@ double texelBound(const Scene& scene, double texel) {
   return sum;
 }
 
-/// As many as a bake computes. Takes long to count, and a reach within limits.
-double texelsOf(const Scene& scene, double texel) {
+/// As many as a bake computes.
+struct TexelCount {
   double sum = 0;
+  double ofLargestMesh = 0;
+  std::size_t largestMesh = 0;  ///< index
+};
+
+/// Takes long, and a reach within limits.
+TexelCount countTexels(const Scene& scene, double texel) {
+  TexelCount count;
   for (const auto& surface : makeLitSurfaces(scene, texel))
-    if (surface) sum += static_cast<double>(surface->texels.count());
-  for (const LitMesh& mesh : makeLitMeshes(scene.level(), texel, 1))
-    sum += static_cast<double>(mesh.texels.count());
-  return sum;
+    if (surface) count.sum += static_cast<double>(surface->texels.count());
+  const std::vector<LitMesh> meshes = makeLitMeshes(scene.level(), texel, 1);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto texels = static_cast<double>(meshes[i].texels.count());
+    count.sum += texels;
+    if (texels <= count.ofLargestMesh) continue;
+    count.ofLargestMesh = texels;
+    count.largestMesh = i;
+  }
+  return count;
+}
+
+std::string mistakeInCount(const Level& level, double texel, const TexelCount& count) {
+  const std::string message =
+      fmt::format("{} m would take {:.3g} texels, more than {:.3g}", texel, count.sum, kMaxTexels);
+  if (count.ofLargestMesh < count.sum / 2) return fmt::format("{}: use larger ones", message);
+  return fmt::format("{}, most of them on mesh {}: correct its scale, or use larger ones", message,
+                     nameOf(level, level.meshes[count.largestMesh]));
 }
 
 }  // namespace
@@ -69,10 +92,9 @@ std::optional<std::string> mistakeInTexel(const Scene& scene, double texel) {
         "a level that reaches {:.3g} m from the origin needs texels of {:.3g} m at least", reach,
         reach / kFarthestTexel);
   if (texelBound(scene, texel) <= kMaxTexels) return std::nullopt;
-  if (const double texels = texelsOf(scene, texel); texels > kMaxTexels)
-    return fmt::format("{} m would take {:.3g} texels, more than {:.3g}: use larger ones", texel,
-                       texels, kMaxTexels);
-  return std::nullopt;
+  const TexelCount count = countTexels(scene, texel);
+  return count.sum > kMaxTexels ? std::optional(mistakeInCount(scene.level(), texel, count))
+                                : std::nullopt;
 }
 
 }  // namespace hearth
