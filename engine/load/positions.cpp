@@ -214,6 +214,8 @@ Locator::Failure Locator::outside(Vec3 p, std::optional<SectorId> sector) const 
                                                               : "below the floor of",
                         nearest->name),
             "correct its z"};
+  if (sector && nearest->id == *sector)
+    return {fmt::format("{} lies {:.6g} m {}", text(p), best, where), "move it inside"};
   return {fmt::format("{} lies {}; the nearest is \"{}\", {:.6g} m away", text(p), where,
                       nearest->name, best),
           "move it inside a sector"};

@@ -37,10 +37,17 @@ class ImageFinder {
 
   std::optional<fs::path> find(const std::string& name) const {
     for (const fs::path& folder : folders_)
-      for (const std::string_view extension : kExtensions) {
-        const fs::path candidate = folder / fmt::format("{}{}", name, extension);
-        if (files_.kindOf(candidate) == FileKind::Regular) return candidate;
-      }
+      if (auto file = withExtension(folder / name)) return file;
+    return std::nullopt;
+  }
+
+  /// The image whose path this is without its extension.
+  std::optional<fs::path> withExtension(const fs::path& path) const {
+    for (const std::string_view extension : kExtensions) {
+      fs::path candidate = path;
+      candidate += extension;
+      if (files_.kindOf(candidate) == FileKind::Regular) return candidate;
+    }
     return std::nullopt;
   }
 
@@ -49,7 +56,8 @@ class ImageFinder {
     std::vector<std::string> names;
     for (const fs::path& folder : folders_)
       for (const fs::path& name : files_.namesIn(folder))
-        if (hasKnownExtension(name)) names.push_back(name.stem().string());
+        if (hasKnownExtension(name) && files_.kindOf(folder / name) == FileKind::Regular)
+          names.push_back(name.stem().string());
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
@@ -89,7 +97,15 @@ std::optional<std::string> adviceOnColor(const std::string& name) {
   return "write a colour as \"#rrggbb\"";
 }
 
+/// What is named as a wall's texture is, with the size of a repeat.
+std::optional<std::string> adviceOnRepeat(const std::string& name, const ImageFinder& finder) {
+  const std::string image = name.substr(0, name.find(' '));
+  if (image == name || !finder.find(image)) return std::nullopt;
+  return fmt::format("write \"{}\" alone: images of things do not repeat", image);
+}
+
 std::string adviceOn(const std::string& name, const ImageFinder& finder) {
+  if (const auto advice = adviceOnRepeat(name, finder)) return *advice;
   const bool isFileName = hasKnownExtension(name);
   const std::string stem = isFileName ? fs::path(name).stem().string() : name;
   if (finder.find(stem)) return fmt::format("leave out the extension: \"{}\"", stem);
@@ -132,10 +148,13 @@ class MissingReporter {
 
  private:
   void tellForeign(Place place, const ForeignImage& image) {
+    const std::optional<fs::path> meant = finder_.withExtension(image.file);
     report_.error(
         place,
         fmt::format("there is no file {}, which {} names", image.file.string(), image.namedAt),
-        "put the image there, or correct its path, which is relative to the file that names it");
+        meant ? fmt::format("did you mean {}?", meant->filename().string())
+              : "put the image there, or correct its path, which is relative to the file that "
+                "names it");
   }
 
   Report& report_;

@@ -32,7 +32,8 @@ BEYOND_SCHEMAS = frozenset("""
     loop_repeats_an_earlier_vertex loop_spike loop_too_few_walls loop_too_many_walls loop_touches_itself
     loop_without_area loops_are_equal loops_cross loops_leave_no_area loops_nest
     loops_nest_where_they_touch loops_of_one_name mesh_above_the_ceiling mesh_broken_twice
-    mesh_file_missing mesh_file_missing_far mesh_image_broken mesh_image_missing mesh_in_line
+    mesh_file_missing mesh_file_missing_far mesh_image_broken mesh_image_missing
+    mesh_image_without_extension mesh_in_line
     mesh_is_a_folder mesh_materials_missing mesh_of_an_unknown_sector mesh_of_an_unknown_vertex
     mesh_of_nan mesh_outside mesh_texture_missing mesh_too_far mesh_too_small mesh_without_faces
     next_unknown_but_there next_unknown_far
@@ -45,7 +46,7 @@ BEYOND_SCHEMAS = frozenset("""
     sky_without_texture slope_in_line slope_in_line_of_three slope_is_no_plane
     slope_null_below_the_floor slope_of_three_heights slope_passes_the_ceiling slopes_pass_each_other
     sprite_image_broken sprite_image_missing sprite_image_with_a_scale sprite_image_with_extension
-    sprite_view_missing
+    sprite_outside_its_sector sprite_view_missing
     stack_z_above_the_ceiling stack_z_does_not_rise stack_z_missing stack_z_on_the_last
     step_down_without_texture step_in_a_stack_without_texture step_up_without_texture
     texture_broken_image texture_meant_for_a_colour texture_missing_far texture_missing_near

@@ -43,7 +43,7 @@ TEST(Hostile, moreVerticesThanTheLimitAreReportedOnce) {
                            "," + sectorText("b", "2,0, 3,0, 3,1, 2,1") + "," +
                            sectorText("c", "4,0, 5,0, 5,1, 4,1") + "}}";
   const LoadResult result = loadText(text, "", limits);
-  EXPECT_EQ(onlyMessage(result), "too many vertices");
+  EXPECT_EQ(onlyMessage(result), "more than 7 vertices");
   EXPECT_EQ(result.diagnostics[0].advice, "raise the limit with --max-vertices");
   EXPECT_EQ(result.diagnostics[0].pointer, "/sectors/b/loops/border/v");
   limits.vertices = 12;

@@ -221,7 +221,7 @@ TEST(SpriteLoad, ofMoreImagesThanTheLimitIsRefusedOnce) {
   for (const std::string& things : {two + "," + frames + "," + two, frames + "," + frames}) {
     const LoadResult result = withImagesAtMost(4, things);
     ASSERT_EQ(result.diagnostics.size(), 1U) << listed(result);
-    EXPECT_EQ(result.diagnostics[0].message, "too many images of sprites");
+    EXPECT_EQ(result.diagnostics[0].message, "more than 4 images of sprites");
     EXPECT_EQ(result.diagnostics[0].advice, "raise the limit with --max-sprite-images");
   }
   EXPECT_EQ(withImagesAtMost(2, "0, 0, 0").diagnostics.size(), 1U)

@@ -26,7 +26,8 @@ std::optional<TextureDescription> readTexture(Report& report, JsonValue value, T
 WallDescription readWall(Report& report, JsonValue value);
 /// What the limit of vertices still allows.
 struct VertexBudget {
-  std::size_t left;
+  std::size_t limit;
+  std::size_t left = limit;
   bool isExceeded = false;  ///< reported once; the loops that follow are left out
 };
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
@@ -34,7 +35,8 @@ SectorDescription readSector(Report& report, NameReference name, JsonValue value
 void readThings(Report& report, JsonValue value, const LoadLimits& limits, LevelDescription& level);
 /// What the limit of sprites' images still allows.
 struct ImageBudget {
-  std::size_t left;
+  std::size_t limit;
+  std::size_t left = limit;
   bool isExceeded = false;  ///< reported once; the sprites that follow are left out
 };
 /// Whether a budget has room for so many images; reported at `value` if it has not.

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 12> kMeshKeys{"name",    "mesh",     "x",
 /// Found in a mesh, and of sprites.
 constexpr std::array<std::string_view, 7> kSpriteKeysAlone{"fps",    "size",   "offset", "facing",
                                                            "bright", "radius", "height"};
-constexpr MisplacedKeys kOfSprites{kSpriteKeysAlone, "remove it, only a sprite has a \"{}\""};
+constexpr MisplacedKeys kOfSprites{kSpriteKeysAlone, "remove it, only sprites have \"{}\""};
 
 /// A number for all axes, or one for each.
 void readScale(Report& report, JsonValue value, Vec3& scale) {

@@ -133,7 +133,8 @@ bool take(Report& report, JsonValue value, std::size_t vertices, VertexBudget& b
   if (budget.isExceeded) return false;
   budget.isExceeded = vertices > budget.left;
   if (budget.isExceeded)
-    report.error(value.place(), "too many vertices", "raise the limit with --max-vertices");
+    report.error(value.place(), fmt::format("more than {} vertices", budget.limit),
+                 "raise the limit with --max-vertices");
   else
     budget.left -= vertices;
   return !budget.isExceeded;

@@ -19,8 +19,9 @@ constexpr std::array<std::string_view, 15> kSpriteKeys{
     "name",  "sprite", "frames", "fps",    "x",      "y",      "z",     "sector",
     "angle", "size",   "offset", "facing", "bright", "radius", "height"};
 /// Found in a sprite, and of meshes.
-constexpr std::array<std::string_view, 3> kMeshKeysAlone{"scale", "texture", "twoSided"};
-constexpr MisplacedKeys kOfMeshes{kMeshKeysAlone, "remove it, only a mesh has a \"{}\""};
+constexpr std::array<std::string_view, 5> kMeshKeysAlone{"scale", "texture", "twoSided", "solid",
+                                                         "shadow"};
+constexpr MisplacedKeys kOfMeshes{kMeshKeysAlone, "remove it, only meshes have \"{}\""};
 
 /// The images of one frame: a name, or one for each side from which it can be seen.
 std::vector<NameReference> readViews(Report& report, JsonValue value, ImageBudget& budget) {
@@ -108,7 +109,7 @@ bool allowsImages(Report& report, JsonValue value, std::size_t images, ImageBudg
   if (budget.isExceeded) return false;
   budget.isExceeded = images > budget.left;
   if (budget.isExceeded)
-    report.error(value.place(), "too many images of sprites",
+    report.error(value.place(), fmt::format("more than {} images of sprites", budget.limit),
                  "raise the limit with --max-sprite-images");
   return !budget.isExceeded;
 }

@@ -20,11 +20,11 @@ bool hasKey(const std::vector<JsonValue::Member>& members, std::string_view key)
       members, [&](const JsonValue::Member& member) { return member.key.text() == key; });
 }
 
-/// By the key that says so or, where none does, a slip of it.
+/// By the key that says so or, where none does, a slip of it, or what one may take for it.
 bool isMesh(JsonValue thing) {
   if (!thing.isObject()) return false;
   const std::vector<JsonValue::Member> members = thing.members();
-  if (hasKey(members, "mesh")) return true;
+  if (hasKey(members, "mesh") || hasKey(members, "model")) return true;
   if (hasKey(members, "sprite") || hasKey(members, "frames")) return false;
   return std::ranges::any_of(members, [](const JsonValue::Member& member) {
     return nearestName(member.key.text(), kKindKeys) == "mesh";
@@ -60,7 +60,7 @@ void readThings(Report& report, JsonValue value, const LoadLimits& limits,
                 LevelDescription& level) {
   if (!value.isArray()) return reportWrongType(report, value, "an array of things");
   if (value.size() > limits.spriteImages + limits.meshFaces)
-    return report.error(value.place(), "too many things",
+    return report.error(value.place(), fmt::format("{} things", value.size()),
                         "raise the limits with --max-sprite-images or --max-mesh-faces");
   const std::vector<JsonValue> things = value.elements();
   const auto meshes = static_cast<std::size_t>(std::ranges::count_if(things, isMesh));
@@ -68,7 +68,9 @@ void readThings(Report& report, JsonValue value, const LoadLimits& limits,
   ImageBudget budget{limits.spriteImages};
   if (!allowsImages(report, value, things.size() - meshes, budget)) return;
   if (meshes > limits.meshFaces)
-    return report.error(value.place(), "too many meshes", "raise the limit with --max-mesh-faces");
+    return report.error(value.place(),
+                        fmt::format("{} meshes, more than {}", meshes, limits.meshFaces),
+                        "raise the limit with --max-mesh-faces");
   for (std::uint32_t i = 0; i < things.size(); ++i) {
     if (!isMesh(things[i])) {
       if (auto sprite = readSprite(report, things[i], budget)) {
