@@ -24,7 +24,7 @@ struct FrameColumns {
 struct FrameScratch {
   std::vector<FrameColumns> parts;        ///< with the spans of the last frame, from left to right
   std::vector<double> raySlopes;          ///< of the centres of rows, see Projection::raySlopeAt
-  std::vector<Strip> strips;              ///< one for each part that threads take
+  std::vector<StripsTogether> strips;     ///< for each part that threads take
   std::vector<PaintStats> stripsPainted;  ///< by the same parts
   PaintStats painted;                     ///< in the last frame
 

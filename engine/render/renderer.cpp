@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "level/locate.h"
@@ -79,8 +80,8 @@ struct StripRange {
   int end;
 };
 
-/// Calls `paintPart(range, strip, stats)` for parts of a picture of so many strips, which threads
-/// take: neighbouring strips, drawn one after the other in the same memory.
+/// Calls `paintPart(range, strips, stats)` for parts of a picture of so many strips, which threads
+/// take: neighbouring strips, some of them at a time drawn in `strips`.
 template <typename PaintPart>
 void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&& paintPart) {
   const int parts = partsOf(strips, workers);
@@ -99,6 +100,19 @@ void paintParts(FrameScratch& scratch, int strips, Workers* workers, PaintPart&&
   for (const PaintStats& stats : scratch.stripsPainted) scratch.painted += stats;
 }
 
+/// Draws strips with `paintStrip(index, strip)`, and copies them to the picture.
+template <typename PaintStrip>
+void paintRange(StripRange range, StripsTogether& strips, const PixelRows& picture, int pixelSize,
+                PaintStrip&& paintStrip) {
+  for (int first = range.begin; first < range.end; first += static_cast<int>(kStripsTogether)) {
+    const auto count = static_cast<std::size_t>(range.end - first);
+    const std::span<Strip> next = std::span(strips).first(std::min(kStripsTogether, count));
+    int index = first;
+    for (Strip& strip : next) paintStrip(index++, strip);
+    copyStrips(next, picture, pixelSize);
+  }
+}
+
 /// Draws a picture strip by strip, with `paint(group, block, strip, stats)` for each group of
 /// spans. Strips that spans fill begin as they happen to be, unless `paint` reads what was there.
 template <typename Paint>
@@ -106,17 +120,17 @@ void paintStrips(FrameScratch& scratch, int pixelSize, const PixelRows& picture,
                  bool readsBefore, Paint&& paint) {
   const int strips = Strip::countIn(squaresIn(picture.width, pixelSize));
   const int rows = squaresIn(picture.height, pixelSize);
-  paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
-    PixelBlock block{};
-    for (int i = range.begin; i < range.end; ++i) {
-      if (!readsBefore && scratch.isFilled(i, rows))
-        strip.begin(i, rows);
-      else
-        strip.begin(i, rows, kHole);
-      scratch.forEachGroup(i, [&](const auto& group) { paint(group, block, strip, stats); });
-      strip.copyTo(picture, pixelSize);
-    }
-  });
+  paintParts(
+      scratch, strips, workers, [&](StripRange range, StripsTogether& together, PaintStats& stats) {
+        PixelBlock block{};
+        paintRange(range, together, picture, pixelSize, [&](int i, Strip& strip) {
+          if (!readsBefore && scratch.isFilled(i, rows))
+            strip.begin(i, rows);
+          else
+            strip.begin(i, rows, kHole);
+          scratch.forEachGroup(i, [&](const auto& group) { paint(group, block, strip, stats); });
+        });
+      });
 }
 
 /// Lights one strip, for marks: on holes where nothing is drawn.
@@ -145,20 +159,21 @@ template <typename Shown>
 void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& scratch,
                  const PixelRows& picture, Workers* workers) {
   const int strips = Strip::countIn(picture.width);
-  paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
-    PixelBlock block{};
-    ShownColumns<Shown> shown(picture.height);
-    if (range.begin > 0) noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
-    for (int i = range.begin; i < range.end; ++i) {
-      paintLit(painter, scratch, i, picture.height, block, strip, stats);
-      const int end = std::min((i + 1) * Strip::kColumns, picture.width);
-      for (int column = i * Strip::kColumns; column < end; ++column) {
-        noteColumn(painter, scratch, column, shown);
-        mark(scene, shown, strip, column);
-      }
-      strip.copyTo(picture, 1);
-    }
-  });
+  paintParts(scratch, strips, workers,
+             [&](StripRange range, StripsTogether& together, PaintStats& stats) {
+               PixelBlock block{};
+               ShownColumns<Shown> shown(picture.height);
+               if (range.begin > 0)
+                 noteColumn(painter, scratch, range.begin * Strip::kColumns - 1, shown);
+               paintRange(range, together, picture, 1, [&](int i, Strip& strip) {
+                 paintLit(painter, scratch, i, picture.height, block, strip, stats);
+                 const int end = std::min((i + 1) * Strip::kColumns, picture.width);
+                 for (int column = i * Strip::kColumns; column < end; ++column) {
+                   noteColumn(painter, scratch, column, shown);
+                   mark(scene, shown, strip, column);
+                 }
+               });
+             });
 }
 
 /// Likewise with dots, which may reach into the next column: each part draws what lies in its own
@@ -166,21 +181,21 @@ void paintMarked(const Scene& scene, const SpanPainter& painter, FrameScratch& s
 void paintVertices(const SpanPainter& painter, const Projection& projection, FrameScratch& scratch,
                    const PixelRows& picture, Workers* workers) {
   const int strips = Strip::countIn(picture.width);
-  paintParts(scratch, strips, workers, [&](StripRange range, Strip& strip, PaintStats& stats) {
-    PixelBlock block{};
-    for (int i = range.begin; i < range.end; ++i) {
-      paintLit(painter, scratch, i, picture.height, block, strip, stats);
-      strip.copyTo(picture, 1);
-    }
-    const ColumnRange own{range.begin * Strip::kColumns,
-                          std::min(range.end * Strip::kColumns, picture.width)};
-    ShownColumns<ShownFace> shown(picture.height);
-    const int end = std::min(own.end + kDotRadius, picture.width);
-    for (int column = std::max(own.begin - kDotRadius, 0); column < end; ++column) {
-      noteColumn(painter, scratch, column, shown);
-      markVertices(projection, shown.here(), column, own, picture);
-    }
-  });
+  paintParts(scratch, strips, workers,
+             [&](StripRange range, StripsTogether& together, PaintStats& stats) {
+               PixelBlock block{};
+               paintRange(range, together, picture, 1, [&](int i, Strip& strip) {
+                 paintLit(painter, scratch, i, picture.height, block, strip, stats);
+               });
+               const ColumnRange own{range.begin * Strip::kColumns,
+                                     std::min(range.end * Strip::kColumns, picture.width)};
+               ShownColumns<ShownFace> shown(picture.height);
+               const int end = std::min(own.end + kDotRadius, picture.width);
+               for (int column = std::max(own.begin - kDotRadius, 0); column < end; ++column) {
+                 noteColumn(painter, scratch, column, shown);
+                 markVertices(projection, shown.here(), column, own, picture);
+               }
+             });
 }
 
 }  // namespace

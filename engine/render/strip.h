@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "image/pixel_rows.h"
@@ -36,12 +38,25 @@ class Strip {
   /// A pixel by its place in the picture.
   std::uint32_t* at(int column, int row) { return this->row(row) + (column - firstColumn_); }
 
-  /// Copies each pixel to a square of pixels of the picture, whose edge may cut the square.
-  void copyTo(const PixelRows& picture, int pixelSize) const;
+  const std::uint32_t* row(int row) const {
+    return &pixels_[static_cast<std::size_t>(row) * kColumns];
+  }
+
+  int firstColumn() const { return firstColumn_; }
 
  private:
   int firstColumn_ = 0;
   std::vector<std::uint32_t> pixels_;
 };
+
+/// So many neighbouring strips are drawn before they are copied to the picture together. Each row
+/// of a large picture lies in a page of memory of its own, and finding a page takes longer than
+/// copying eight pixels.
+inline constexpr std::size_t kStripsTogether = 8;
+using StripsTogether = std::array<Strip, kStripsTogether>;
+
+/// Copies each pixel of neighbouring strips, one to kStripsTogether of them, to a square of pixels
+/// of the picture, whose edge may cut the square.
+void copyStrips(std::span<const Strip> strips, const PixelRows& picture, int pixelSize);
 
 }  // namespace hearth
