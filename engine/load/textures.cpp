@@ -97,15 +97,15 @@ std::optional<std::string> adviceOnColor(const std::string& name) {
   return "write a colour as \"#rrggbb\"";
 }
 
-/// What is named as a wall's texture is, with the size of a repeat.
-std::optional<std::string> adviceOnRepeat(const std::string& name, const ImageFinder& finder) {
+/// What is named with the scale of a wall's texture, where an image's name alone is wanted.
+std::optional<std::string> adviceOnScale(const std::string& name, const ImageFinder& finder) {
   const std::string image = name.substr(0, name.find(' '));
   if (image == name || !finder.find(image)) return std::nullopt;
-  return fmt::format("write \"{}\" alone: images of things do not repeat", image);
+  return fmt::format("write the image's name alone: \"{}\"", image);
 }
 
 std::string adviceOn(const std::string& name, const ImageFinder& finder) {
-  if (const auto advice = adviceOnRepeat(name, finder)) return *advice;
+  if (const auto advice = adviceOnScale(name, finder)) return *advice;
   const bool isFileName = hasKnownExtension(name);
   const std::string stem = isFileName ? fs::path(name).stem().string() : name;
   if (finder.find(stem)) return fmt::format("leave out the extension: \"{}\"", stem);

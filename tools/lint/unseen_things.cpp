@@ -33,10 +33,11 @@ class UnseenThings {
   void lookAtSprite(std::size_t i) {
     const Sprite& sprite = level_.sprites[i];
     const SpriteView& view = sprite.frames.front().front();
+    const double larger = std::max(view.size.x, view.size.y);
     const Place place = linted_.source.level.sprites[i].place;
     const std::string name = fmt::format("sprite \"{}\"", nameOf(level_, sprite));
-    if (std::max(view.size.x, view.size.y) < kTiny)
-      return addTiny(place, name, std::max(view.size.x, view.size.y),
+    if (larger < kTiny)
+      return addTiny(place, name, larger,
                      "give its \"size\" in metres; without one, 64 texels are a metre");
     if (sprite.facing != Facing::Flat && !isInAir(sprite, view))
       addUnseen(place, name, "its whole image is above the ceiling or below the floor",

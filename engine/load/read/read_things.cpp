@@ -20,12 +20,13 @@ bool hasKey(const std::vector<JsonValue::Member>& members, std::string_view key)
       members, [&](const JsonValue::Member& member) { return member.key.text() == key; });
 }
 
-/// By the key that says so or, where none does, a slip of it, or what one may take for it.
+/// By the key that says so. Where none does, by "model", which other formats have, or by a slip.
 bool isMesh(JsonValue thing) {
   if (!thing.isObject()) return false;
   const std::vector<JsonValue::Member> members = thing.members();
-  if (hasKey(members, "mesh") || hasKey(members, "model")) return true;
+  if (hasKey(members, "mesh")) return true;
   if (hasKey(members, "sprite") || hasKey(members, "frames")) return false;
+  if (hasKey(members, "model")) return true;
   return std::ranges::any_of(members, [](const JsonValue::Member& member) {
     return nearestName(member.key.text(), kKindKeys) == "mesh";
   });
@@ -59,8 +60,9 @@ bool readThingPosition(Report& report, const Fields& fields, ThingDescription& t
 void readThings(Report& report, JsonValue value, const LoadLimits& limits,
                 LevelDescription& level) {
   if (!value.isArray()) return reportWrongType(report, value, "an array of things");
-  if (value.size() > limits.spriteImages + limits.meshFaces)
-    return report.error(value.place(), fmt::format("{} things", value.size()),
+  const std::size_t most = limits.spriteImages + limits.meshFaces;
+  if (value.size() > most)
+    return report.error(value.place(), fmt::format("{} things, more than {}", value.size(), most),
                         "raise the limits with --max-sprite-images or --max-mesh-faces");
   const std::vector<JsonValue> things = value.elements();
   const auto meshes = static_cast<std::size_t>(std::ranges::count_if(things, isMesh));
