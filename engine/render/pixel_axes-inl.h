@@ -16,19 +16,11 @@
 #include <cstdint>
 
 #include "render/group_mapping.h"
+#include "render/lane_registers-inl.h"
 #include "render/pixel_block.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<double, PixelBlock::kLanes> kDouble;
-using Doubles = hn::Vec<decltype(kDouble)>;
-constexpr hn::RebindToUnsigned<decltype(kDouble)> kLongWord;
-using LongWords = hn::Vec<decltype(kLongWord)>;
-
-HWY_INLINE Doubles all(double value) { return hn::Set(kDouble, value); }
 
 /// In the columns from `lane` on.
 HWY_INLINE Doubles at(const LaneAffine& along, std::size_t lane, Doubles parameter) {

@@ -13,65 +13,56 @@
 #include <limits>
 
 #include "math/tolerance.h"
+#include "render/lane_registers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 constexpr std::size_t kStandingColumns = Strip::kColumns;
-constexpr hn::CappedTag<double, kStandingColumns> kRunDoubles;
 constexpr hn::CappedTag<std::int32_t, kStandingColumns> kRowNumbers;
-using RunDoubles = hn::Vec<decltype(kRunDoubles)>;
-using RunMask = hn::Mask<decltype(kRunDoubles)>;
-
-HWY_INLINE RunDoubles all(double value) { return hn::Set(kRunDoubles, value); }
 
 /// Some lanes from `first` on.
-HWY_INLINE unsigned lanesOf(RunMask mask, std::size_t first) {
+HWY_INLINE unsigned lanesOf(DoubleMask mask, std::size_t first) {
   std::array<std::uint8_t, 8> bits{};  // StoreMaskBits may write so many
-  hn::StoreMaskBits(kRunDoubles, mask, bits.data());
+  hn::StoreMaskBits(kDouble, mask, bits.data());
   return static_cast<unsigned>(bits[0]) << first;
 }
 
 /// Whether a depth is less than another, or as good as equal.
-HWY_INLINE RunMask isBefore(RunDoubles depth, RunDoubles at) {
+HWY_INLINE DoubleMask isBefore(Doubles depth, Doubles at) {
   return hn::Le(depth, hn::Add(hn::Mul(at, all(1 + kNearTie)), all(kPositionSlack)));
 }
 
 void meetStanding(const StandingEdge& edge, const RunRays& rays, StandingMeetings& meetings) {
   unsigned lanes = 0;
   unsigned atEntry = 0;
-  RunDoubles nearest = all(std::numeric_limits<double>::infinity());
-  for (std::size_t lane = 0; lane < kStandingColumns; lane += hn::Lanes(kRunDoubles)) {
-    const RunDoubles slants = hn::Load(kRunDoubles, &rays.slants[lane]);
+  Doubles nearest = all(std::numeric_limits<double>::infinity());
+  for (std::size_t lane = 0; lane < kStandingColumns; lane += hn::Lanes(kDouble)) {
+    const Doubles slants = hn::Load(kDouble, &rays.slants[lane]);
     // How far the image's left and right edges are from the ray, to its right.
-    const RunDoubles left =
-        hn::Sub(all(edge.corner.lateral), hn::Mul(slants, all(edge.corner.depth)));
-    const RunDoubles across =
-        hn::Sub(all(edge.along.lateral), hn::Mul(slants, all(edge.along.depth)));
-    const RunDoubles fraction = hn::Div(hn::Neg(left), across);  // beyond 0 and 1 beside the image
-    const RunDoubles atLeast0 = hn::IfThenElseZero(hn::Gt(fraction, all(0)), fraction);
-    const RunDoubles within = hn::IfThenElse(hn::Lt(atLeast0, all(1)), atLeast0, all(1));
-    const RunDoubles depth =
-        hn::Add(all(edge.corner.depth), hn::Mul(within, all(edge.along.depth)));
-    const RunMask crosses = hn::And(hn::Ge(fraction, all(0)), hn::Lt(fraction, all(1)));
-    const RunMask isAhead =
-        hn::And(hn::Gt(depth, all(0)), isBefore(depth, hn::Load(kRunDoubles, &rays.exits[lane])));
-    const RunDoubles entries = hn::Load(kRunDoubles, &rays.entries[lane]);
-    const RunMask isPast = hn::Or(hn::Eq(entries, all(0)), hn::Not(isBefore(depth, entries)));
-    const RunMask meets =
+    const Doubles left = hn::Sub(all(edge.corner.lateral), hn::Mul(slants, all(edge.corner.depth)));
+    const Doubles across = hn::Sub(all(edge.along.lateral), hn::Mul(slants, all(edge.along.depth)));
+    const Doubles fraction = hn::Div(hn::Neg(left), across);  // beyond 0 and 1 beside the image
+    const Doubles atLeast0 = hn::IfThenElseZero(hn::Gt(fraction, all(0)), fraction);
+    const Doubles within = hn::IfThenElse(hn::Lt(atLeast0, all(1)), atLeast0, all(1));
+    const Doubles depth = hn::Add(all(edge.corner.depth), hn::Mul(within, all(edge.along.depth)));
+    const DoubleMask crosses = hn::And(hn::Ge(fraction, all(0)), hn::Lt(fraction, all(1)));
+    const DoubleMask isAhead =
+        hn::And(hn::Gt(depth, all(0)), isBefore(depth, hn::Load(kDouble, &rays.exits[lane])));
+    const Doubles entries = hn::Load(kDouble, &rays.entries[lane]);
+    const DoubleMask isPast = hn::Or(hn::Eq(entries, all(0)), hn::Not(isBefore(depth, entries)));
+    const DoubleMask meets =
         hn::And(hn::And(crosses, isAhead), hn::Or(isPast, isBefore(entries, depth)));
-    hn::Store(depth, kRunDoubles, &meetings.depth[lane]);
-    hn::Store(within, kRunDoubles, &meetings.fraction[lane]);
+    hn::Store(depth, kDouble, &meetings.depth[lane]);
+    hn::Store(within, kDouble, &meetings.fraction[lane]);
     lanes |= lanesOf(meets, lane);
     atEntry |= lanesOf(hn::AndNot(isPast, meets), lane);
     nearest = hn::Min(nearest, hn::IfThenElse(meets, depth, nearest));
   }
   meetings.lanes = static_cast<LaneSet>(lanes);
   meetings.atEntry = static_cast<LaneSet>(atEntry);
-  meetings.nearest = hn::GetLane(hn::MinOfLanes(kRunDoubles, nearest));
+  meetings.nearest = hn::GetLane(hn::MinOfLanes(kDouble, nearest));
 }
 
 void showStanding(int begin, int end, LaneSet lanes, const LaneRowRanges& open,
