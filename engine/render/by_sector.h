@@ -23,6 +23,9 @@ class BySector {
     std::ranges::fill(table_, kFree);
   }
 
+  /// All that has been added.
+  std::size_t size() const { return items_.size(); }
+
   bool has(SectorId sector) const { return indexOf(sector) != kFree; }
 
   /// Begins another sector, to which `add` adds.

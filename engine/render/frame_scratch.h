@@ -28,8 +28,8 @@ struct FrameScratch {
   std::vector<PaintStats> stripsPainted;  ///< by the same parts
   PaintStats painted;                     ///< in the last frame
 
-  /// The work of finding the spans of the last frame. Sectors, windows and segments count once for
-  /// each part in which they are seen.
+  /// The work of finding the spans of the last frame. Sectors, windows, segments, sprites and faces
+  /// count once for each part in which they are seen.
   FrameStats found() const {
     FrameStats sum;
     for (const FrameColumns& part : parts) sum += part.found().stats;

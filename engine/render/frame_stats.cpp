@@ -8,6 +8,8 @@ FrameCounters countersOf(const FrameStats& found, const PaintStats& painted) {
            {"flatPortals", mean(found.flatPortals)},
            {"windows", mean(found.windows)},
            {"segments", mean(found.segments)},
+           {"sprites", mean(found.sprites)},
+           {"faces", mean(found.faces)},
            {"wallColumns", mean(found.wallColumns)},
            {"stackColumns", mean(found.stackColumns)},
            {"slopeColumns", mean(found.slopeColumns)},

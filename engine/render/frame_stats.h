@@ -12,6 +12,8 @@ struct FrameStats {
   int flatPortals = 0;           ///< looks through a flat portal
   std::size_t windows = 0;       ///< of both
   int segments = 0;              ///< projected
+  std::size_t sprites = 0;       ///< projected, once in each sector that they are seen in
+  std::size_t faces = 0;         ///< of meshes, projected
   std::size_t wallColumns = 0;   ///< columns of walls in view
   std::size_t stackColumns = 0;  ///< of those, of walls that are stacks
   std::size_t slopeColumns = 0;  ///< of those, of walls along which floor or ceiling rises
@@ -23,6 +25,8 @@ struct FrameStats {
     flatPortals += other.flatPortals;
     windows += other.windows;
     segments += other.segments;
+    sprites += other.sprites;
+    faces += other.faces;
     wallColumns += other.wallColumns;
     stackColumns += other.stackColumns;
     slopeColumns += other.slopeColumns;
@@ -60,7 +64,7 @@ struct FrameCounter {
 
   friend bool operator==(const FrameCounter&, const FrameCounter&) = default;
 };
-using FrameCounters = std::array<FrameCounter, 13>;
+using FrameCounters = std::array<FrameCounter, 15>;
 /// The counters of one frame.
 FrameCounters countersOf(const FrameStats& found, const PaintStats& painted);
 

@@ -63,6 +63,12 @@ void MeshFronts::find(const Scene& scene, const Projection& projection, std::uin
   found.byStrip.sort(found.fronts.size(), [&](std::size_t i) { return found.fronts[i].columns; });
 }
 
+std::size_t MeshFronts::count() const {
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < count_; ++i) count += found_[i].fronts.size();
+  return count;
+}
+
 /// In their order.
 template <typename Visit>
 void MeshFronts::visitInFrustum(const Frustum& frustum, const FaceTree& tree,

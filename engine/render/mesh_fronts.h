@@ -32,7 +32,9 @@ class MeshFronts {
   std::span<const std::uint32_t> inStrip(std::uint32_t mesh, int strip) const {
     return foundOf(mesh).byStrip.in(strip);
   }
-  /// All of them. They stay where they are until the next frame.
+  /// Those found in this frame, of all meshes.
+  std::size_t count() const;
+  /// All of a mesh. They stay where they are until the next frame.
   std::span<const FaceFront> frontsOf(std::uint32_t mesh) const { return foundOf(mesh).fronts; }
 
  private:

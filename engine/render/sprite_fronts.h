@@ -74,6 +74,9 @@ class SpriteFronts {
     sectors_.clear();
   }
 
+  /// Those found in this frame.
+  std::size_t count() const { return fronts_.size(); }
+
   bool has(SectorId sector) const { return fronts_.has(sector); }
 
   /// Finds those of another sector that may show in some of these columns.

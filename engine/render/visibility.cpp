@@ -44,6 +44,8 @@ class Visibility {
         lookAtLast(flatPortals_);
     }
     found_.stats.segments = exits_.projectedSegments();
+    found_.stats.sprites = scratch_.sprites.fronts.count();
+    found_.stats.faces = hasMeshes_ ? scratch_.meshes.fronts.count() : 0;
     found_.stats.maskedSpans = found_.overLevel.spans();
     found_.stats.spans = found_.level.spans() + found_.overLevel.spans();
   }

@@ -8,6 +8,7 @@
 #include "rooms_behind_a_door.h"
 #include "support/baked_room.h"
 #include "support/canvas.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -81,6 +82,36 @@ TEST(FrameWork, forStacksIsThatOfTheirColumns) {
   EXPECT_EQ(workOf(levelOf(hall(kToAnnex) + "," + annex())).found.stackColumns, 0U);
   const std::string stack = fmt::format("{{'walls':[{{'z':1,'texture':'#404040'}},{0}]}}", kSolid);
   EXPECT_EQ(workOf(levelOf(hall(stack))).found.stackColumns, std::size_t{kEastColumns});
+}
+
+/// The same hall and annex, with things in the annex.
+test::BakedRoom withThings(const std::string& things, const std::string& east = kToAnnex) {
+  return {"{'light':0.3,'sectors':{" + hall(east) + "," + annex() + "},'things':[" + things + "]}",
+          "[]"};
+}
+
+const std::string kInAnnex = "'x':10,'y':0,'sector':'annex'";
+
+TEST(FrameWork, forThingsIsNoneWithoutThem) {
+  const Work work = workOf(withThings(""));
+  EXPECT_EQ(work.found.sprites, 0U);
+  EXPECT_EQ(work.found.faces, 0U);
+  EXPECT_EQ(work.found.maskedSpans, 0U);
+}
+
+TEST(FrameWork, forThingsIsCountedWhereTheyAreInView) {
+  const std::string sprite = "{'sprite':'#ff0000','size':[1,1]," + kInAnnex + "}";
+  const std::string crate =
+      "{'mesh':'" + test::inTree("levels/models/crate.obj").string() + "'," + kInAnnex + "}";
+  const Work seen = workOf(withThings(sprite + "," + crate));
+  EXPECT_EQ(seen.found.sprites, 1U);
+  EXPECT_GT(seen.found.faces, 0U);
+  EXPECT_GT(seen.found.maskedSpans, 0U);
+  const Work behindWall = workOf(withThings(sprite + "," + crate, kSolid));
+  EXPECT_EQ(behindWall.found.sprites, 0U);
+  EXPECT_EQ(behindWall.found.faces, 0U);
+  EXPECT_EQ(behindWall.found, workOf(withThings("", kSolid)).found);
+  EXPECT_EQ(behindWall.painted, workOf(withThings("", kSolid)).painted);
 }
 
 TEST(FrameWork, forWindowsIsThatOfTheirOwnColumns) {
