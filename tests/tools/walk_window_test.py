@@ -153,6 +153,12 @@ class Walk:
         self.window = wait_for("the window shows the level's name",
                                lambda: display.do("search", "--name", f"^{title or level.stem}$"))
         display.do("windowfocus", "--sync", self.window)
+        wait_for("the first frame shows", self.has_frame)
+
+    def has_frame(self):
+        """Before its first frame, a window is of one colour."""
+        rows = self.display.picture(*self.geometry())
+        return any(row != rows[0] or row != row[:3] * (len(row) // 3) for row in rows)
 
     def geometry(self):
         text = self.display.do("getwindowgeometry", "--shell", self.window)
