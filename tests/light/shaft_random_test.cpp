@@ -1,9 +1,12 @@
-// Whether bakes with shafts are those of rays, in a hundred random levels.
+// Whether bakes with shafts are those of rays, in a hundred random levels and in those of the tree.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "both_bakes.h"
+#include "support/in_tree.h"
 
 namespace hearth {
 namespace {
@@ -21,6 +24,20 @@ TEST(Shafts, giveTheBytesOfRaysWhereLittleIsLeftOfAPortalOrASurface) {
     settings.softSamples = 0;
     test::BothCosts costs;
     test::expectSameBakes(loaded.scene(), settings, fmt::format("seed {}", seed), costs);
+  }
+}
+
+TEST(Shafts, giveTheBytesOfRaysInTheLevelsOfTheTree) {
+  for (const auto& [name, texel] :
+       {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/gaol.json", 0.25},
+        std::pair{"levels/keep.json", 1.0}}) {
+    const LoadResult result = loadLevel(test::inTree(name));
+    ASSERT_TRUE(result.loaded);
+    BakeSettings settings = result.loaded->level.bake;
+    settings.texel = texel;
+    test::BothCosts costs;
+    test::expectSameBakes(result.loaded->scene(), settings, name, costs);
+    EXPECT_LT(4 * costs.byShafts.rays, costs.byRays.rays) << name;
   }
 }
 

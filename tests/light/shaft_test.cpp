@@ -4,11 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <utility>
-
 #include "both_bakes.h"
-#include "support/in_tree.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -17,20 +13,6 @@ namespace {
 using test::BothCosts;
 
 TEST(Shafts, giveTheBytesOfRaysInRandomLevels) { test::expectSameRandomBakes(1, 13); }
-
-TEST(Shafts, giveTheBytesOfRaysInTheLevelsOfTheTree) {
-  for (const auto& [name, texel] :
-       {std::pair{"levels/tutorial.json", 0.5}, std::pair{"levels/gaol.json", 0.25},
-        std::pair{"levels/keep.json", 1.0}}) {
-    const LoadResult result = loadLevel(test::inTree(name));
-    ASSERT_TRUE(result.loaded);
-    BakeSettings settings = result.loaded->level.bake;
-    settings.texel = texel;
-    BothCosts costs;
-    test::expectSameBakes(result.loaded->scene(), settings, name, costs);
-    EXPECT_LT(4 * costs.byShafts.rays, costs.byRays.rays) << name;
-  }
-}
 
 TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
   const std::string solid = "{'texture':'#808080'}";
