@@ -105,9 +105,11 @@ void cover(const FaceFront& front, NearestFaces::Number number, const AirRays& r
           hn::Ge(hn::Add(hn::Mul(all(rays.ceilingAbove), nearness), ceilingRise), raySlope);
       const DoubleMask shows = hn::And(hn::And(isCovered, isNearer),
                                        hn::And(isBetween, hn::And(isAboveFloor, isBelowCeiling)));
-      hn::BlendedStore(nearness, shows, kDouble, &pixels.nearness[lane]);
-      hn::BlendedStore(hn::Set(kLongWord, number), hn::RebindMask(kLongWord, shows), kLongWord,
-                       &pixels.faces[lane]);
+      // Whole registers: on AMD's Zen, masked stores of AVX2 took two fifths of this function.
+      const auto face = hn::IfThenElse(hn::RebindMask(kLongWord, shows), hn::Set(kLongWord, number),
+                                       hn::Load(kLongWord, &pixels.faces[lane]));
+      hn::Store(hn::IfThenElse(shows, nearness, before), kDouble, &pixels.nearness[lane]);
+      hn::Store(face, kLongWord, &pixels.faces[lane]);
     }
   }
 }
