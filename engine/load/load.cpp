@@ -9,6 +9,7 @@
 #include "level/link_surfaces.h"
 #include "level/mesh_sectors.h"
 #include "level/thing_bodies.h"
+#include "load/grid/expand_grid.h"
 #include "load/json/read_document.h"
 #include "load/link/link.h"
 #include "load/read/read.h"
@@ -33,6 +34,7 @@ class Loader {
     LoadResult result;
     if (const std::optional<JsonValue> root = rootOf(file_, {})) {
       source_.level = readLevel(report_, *root, limits_);
+      if (source_.level.grid) expandGrid(report_, limits_.vertices, source_.level);
       source_.lights = readLightsOf(source_.level);
       result.loaded = link(source_.level, source_.lights);
     }
@@ -129,7 +131,7 @@ bool addMeshSectorsWithinLimit(Linking& linking) {
 
 std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
                                         const LightsDescription& lights) {
-  if (description.sectors.empty()) return std::nullopt;
+  if (description.sectors.empty() || !description.isReadable) return std::nullopt;
   const SectorNames names(description);
   TextureTable table;
   Linking linking{description, report_, names, table, {}, {}, {}, {}, {}, {}};

@@ -23,7 +23,11 @@ SOURCE = Path()
 # together, in geometry, in other files or in what a JSON parser makes of the text.
 BEYOND_SCHEMAS = frozenset("""
     bake_samples ceiling_below_floor closed_door_without_texture flat_missing flat_portal_ring
-    flat_without_texture interface_areas_differ interface_heights_differ interface_members_overlap
+    flat_without_texture
+    grid_beside_its_hall grid_blank_shows grid_ceiling_below_floor grid_character_is_a_comment
+    grid_character_unknown grid_ends_in_air grid_flat_without_texture grid_next_unknown grid_rows_ragged
+    grid_sector_of_a_taken_name grid_step_without_texture grid_texture_missing grid_too_far grid_without_air
+    interface_areas_differ interface_heights_differ interface_members_overlap
     interface_members_overlap_by_a_corner interface_unknown_sector interface_without_lower_side
     json_duplicate_key json_duplicate_sector light_above_a_ceiling light_curve_falls
     light_in_another_sector light_in_two_sectors light_outside lights_file_missing loop_closed_twice

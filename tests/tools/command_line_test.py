@@ -254,6 +254,11 @@ class Mistakes(InFolder):
                 self.assertEqual(result.returncode, 2, result.stderr)
                 self.assertRegex(result.stderr, f"tutorial.*error: .*{option}")
 
+    def test_the_limit_of_cells_of_grids_names_its_option(self):
+        result = run("info", SOURCE / "levels/maze.json", "--max-grid-cells", "1")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertRegex(result.stderr, r"maze.json:\d+:\d+: error: .*--max-grid-cells")
+
     def test_the_limit_of_images_of_sprites_names_its_option(self):
         level = self.folder / "level.json"
         level.write_text((SOURCE / "tests/levels/rooms.json").read_text().replace(
@@ -853,6 +858,17 @@ class New(InFolder):
                 self.assertEqual((info["sectors"], info["lights"]), (2, 2))
                 self.assertGreater(level.read_text().count('"//"'), 4)
 
+    def test_writes_a_grid(self):
+        result = run("new", "--grid", self.folder / "dungeon")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        level = self.folder / "dungeon.json"
+        for file in level, level.with_suffix(".lights.json"):
+            self.assertEqual(run("fmt", "--check", file).returncode, 0, file)
+        self.assertEqual(lint(level).stdout, "")
+        drawn = run("shot", level, "--shot", "hall", "-o", self.out)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+        self.assertEqual(json.loads(run("info", level, "--json").stdout)["features"]["grid"], 1)
+
     def test_takes_images_from_where_its_comment_says(self):
         run("new", self.folder / "castle")
         level = self.folder / "castle.json"
@@ -1059,6 +1075,20 @@ class Fmt(InFolder):
         super().setUp()
         self.level = self.folder / "level.json"
         self.level.write_text(self.PACKED)
+
+    def test_keeps_the_rows_of_a_grid_below_one_another(self):
+        self.level.write_text('{"grid":{"rows":["##","#."],"legend":{}}}')
+        self.expect(run("fmt", self.level))
+        self.assertEqual(self.level.read_text(), """{
+  "grid": {
+    "rows": [
+      "##",
+      "#."
+    ],
+    "legend": {}
+  }
+}
+""")
 
     def expect(self, result, status=0, stdout="", stderr=""):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (status, stdout, stderr))
@@ -1322,11 +1352,12 @@ class Info(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(result.stdout)["features"]
 
-    def test_the_tutorial_shows_every_feature_of_the_format_but_that_of_the_gaol_and_things(self):
+    def test_the_tutorial_shows_every_feature_of_the_format_but_those_of_gaol_maze_and_things(self):
         unused = [name for name, count in self.features_of("tutorial.json").items()
-                  if count == 0 and "sprite" not in name and "mesh" not in name]
+                  if count == 0 and not re.search("sprite|mesh|grid", name)]
         self.assertEqual(unused, ["middle texture"])
         self.assertGreater(self.features_of("gaol.json")["middle texture"], 0)
+        self.assertGreater(self.features_of("maze.json")["grid"], 0)
 
 
 def lint(level):

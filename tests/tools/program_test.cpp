@@ -61,6 +61,22 @@ TEST(FormatFeatures, CommentsAreNotCounted) {
   EXPECT_EQ(counts[FormatFeature::PlainColour], 0);
 }
 
+TEST(FormatFeatures, OfGridsTheEntriesOfTheLegendAreCounted) {
+  FeatureCounts counts;
+  countSpellings(std::array<std::string_view, 1>{R"({"grid": {"rows": ["#.h"], "legend": {
+      "#": {"wall": "a", "walls": {"n": "b 2,2", "// e": "c 2,2"}},
+      ".": {"light": 0.5, "floor": {"texture": "#808080"}, "ceiling": {"texture": "a"}},
+      "// old": {"wall": "#000000"},
+      "h": {"next": "hall", "lower": "#404040"}}}})"},
+                 counts);
+  EXPECT_EQ(counts[FormatFeature::Grid], 1);
+  EXPECT_EQ(counts[FormatFeature::GridSides], 1);
+  EXPECT_EQ(counts[FormatFeature::GridNext], 1);
+  EXPECT_EQ(counts[FormatFeature::SectorLight], 1);
+  EXPECT_EQ(counts[FormatFeature::TextureScale], 1);
+  EXPECT_EQ(counts[FormatFeature::PlainColour], 2);
+}
+
 TEST(FormatFeatures, SpritesAreCountedByWhatTheyAre) {
   const LoadedLevel level = test::levelFrom(
       "{'light': 1, 'things': ["

@@ -83,6 +83,79 @@ constexpr std::string_view kLights = R"({
 }
 )";
 
+/// As `kLevel`.
+constexpr std::string_view kGridLevel = R"({{
+  "version": 1,
+  "name": {name},
+  "//": "A dungeon drawn as a grid. Lengths are in metres, angles in degrees; x runs to the right and y down the rows, z upwards. A key \"//\" is a comment.",
+  "light": 0.1,
+  "player": {{
+    "//": "z is that of the eye. The player is {width:g} m wide and {height:g} m high, {crouched:g} m when crouching, and climbs steps of {step:g} m.",
+    "x": 3, "y": 3, "z": 1.6, "angle": 0
+  }},
+  "shots": [
+    {{ "//": "a picture that `hearth check` keeps: x, y, z, angle, pitch",
+      "name": "hall", "camera": [6.5, 11.2, 1.8, 345, 0] }}
+  ],
+  "grid": {{
+    "cell": 2,
+    "rows": [
+      "##########",
+      "#.....#..#",
+      "#.###+#.##",
+      "#.#ooo+..#",
+      "#.+oMo####",
+      "#.#ooo+..#",
+      "##########"
+    ],
+    "legend": {{
+      "//": "What a character of the rows stands for. A texture is a colour, or the name of an image without its extension, with the metres that one repeat covers: \"brick 2,2\".",
+      "#": {{ "//": "with \"wall\": solid", "wall": "#a08c78" }},
+      "M": {{ "wall": "#b4aa96" }},
+      ".": {{
+        "//": "without: air. Cells of one entry that touch are one sector, called by its first cell: \".1,1\".",
+        "floor":   {{ "texture": "#6e5a46" }},
+        "ceiling": {{ "z": 2.6, "texture": "#8c8070" }}
+      }},
+      "+": {{
+        "//": "A doorway: \"upper\" is the wall above it, seen from where the ceiling is higher.",
+        "floor":   {{ "texture": "#46505a" }},
+        "ceiling": {{ "z": 2.1, "texture": "#5a4b3c" }},
+        "upper": "#a08c78"
+      }},
+      "o": {{
+        "//": "The hall: \"lower\" is the wall below it, seen from where the floor is lower.",
+        "light": 0.15,
+        "floor":   {{ "z": 0.2, "texture": "#784646" }},
+        "ceiling": {{ "z": 4, "texture": "#969ba0" }},
+        "lower": "#5a4b3c"
+      }}
+    }}
+  }}
+}}
+)";
+
+constexpr std::string_view kGridLights = R"({
+  "version": 1,
+  "//": "Lights are baked into lightmaps when the level is opened. \"falloff\" is how fast one grows weaker, per metre; \"radius\" makes it a ball, whose shadows are soft.",
+  "lights": [
+    { "//": "in the hall",
+      "x": 7.3, "y": 7.2, "z": 3, "intensity": 230, "falloff": 0.2, "color": "#ffe8c8",
+      "radius": 0.1 },
+    { "//": "in the passages",
+      "x": 7, "y": 3, "z": 2, "intensity": 210, "falloff": 0.5, "color": "#ffb070" },
+    { "x": 17, "y": 3, "z": 2, "intensity": 210, "falloff": 0.8, "color": "#a0c8ff" },
+    { "x": 17, "y": 11, "z": 2, "intensity": 210, "falloff": 0.8, "color": "#ffb070" }
+  ]
+}
+)";
+
+/// What `hearth new` writes.
+struct NewLevel {
+  std::string_view level;
+  std::string_view lights;
+};
+
 using Written = tl::expected<void, std::string>;
 
 /// Writes a file that is not there yet.
@@ -96,15 +169,16 @@ Written writeNew(const std::filesystem::path& path, std::string_view text) {
   return tl::unexpected(fmt::format("{}: is there already; choose another name", path.string()));
 }
 
-Written writeLevel(const std::filesystem::path& level, const std::filesystem::path& lights) {
+Written writeLevel(const NewLevel& texts, const std::filesystem::path& level,
+                   const std::filesystem::path& lights) {
   const std::string name = nlohmann::json(level.stem().string())
                                .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  if (auto written = writeNew(lights, kLights); !written) return written;
+  if (auto written = writeNew(lights, texts.lights); !written) return written;
   const Player player;
   const std::string text =
-      fmt::format(kLevel, fmt::arg("name", name), fmt::arg("width", 2 * player.radius),
-                  fmt::arg("height", player.height), fmt::arg("crouched", bodyOf({}, 1).height),
-                  fmt::arg("step", player.stepHeight));
+      fmt::format(fmt::runtime(texts.level), fmt::arg("name", name),
+                  fmt::arg("width", 2 * player.radius), fmt::arg("height", player.height),
+                  fmt::arg("crouched", bodyOf({}, 1).height), fmt::arg("step", player.stepHeight));
   auto written = writeNew(level, text);
   std::error_code ignored;
   if (!written) std::filesystem::remove(lights, ignored);
@@ -116,7 +190,9 @@ ExitStatus runNew(const OptionValues& values) {
   if (level.extension() != ".json") level += ".json";
   std::filesystem::path lights = level;
   lights.replace_extension(".lights.json");
-  if (const auto written = writeLevel(level, lights); !written) return fail(written.error());
+  const NewLevel texts =
+      values.has(Option::Grid) ? NewLevel{kGridLevel, kGridLights} : NewLevel{kLevel, kLights};
+  if (const auto written = writeLevel(texts, level, lights); !written) return fail(written.error());
   fmt::print("{} and {}: edit them, and walk with\n    {} walk {}\n", level.string(),
              lights.string(), values.program, shellWord(level.string()));
   return ExitStatus::Done;
@@ -125,7 +201,11 @@ ExitStatus runNew(const OptionValues& values) {
 }  // namespace
 
 Command newCommand() {
-  return {"new", "writes a small level with comments and lights, to begin with", {}, {}, runNew};
+  return {"new",
+          "writes a small level with comments and lights, to begin with",
+          {Option::Grid},
+          {},
+          runNew};
 }
 
 }  // namespace hearth

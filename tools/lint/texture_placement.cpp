@@ -19,7 +19,8 @@ WallTexture textureOf(const LintedLevel& linted, SurfaceId id) {
   const Surface& surface = linted.level()[id];
   const AuthoredWall part =
       authoredWallAt(linted, *surface.segment, linted.scene().geometryOf(id).zBottom);
-  if (part.solid) return {&part.solid->texture, "texture"};
+  const bool isOfGrid = linted.source.level.sectors[surface.sector.index()].isOfGrid;
+  if (part.solid) return {&part.solid->texture, isOfGrid ? "wall" : "texture"};
   const std::optional<TextureDescription>& upper = part.portal->upper;
   const std::optional<TextureDescription>& lower = part.portal->lower;
   if (upper && lower && upper->name.place == lower->name.place) return {&*upper, "texture"};

@@ -86,6 +86,8 @@ constexpr std::array kTable = {
               "keep the pictures as they are drawn now"},
     OptionRow{Option::Check, "--check", ValueKind::Flag, "", 0, 0, "",
               "write nothing; status 1 where the file would change"},
+    OptionRow{Option::Grid, "--grid", ValueKind::Flag, "", 0, 0, "",
+              "a level drawn as rows of cells, each a character"},
     OptionRow{Option::Report, "--report", ValueKind::Text, "OUT.html", 0, 0, "",
               "write a page that shows all of it; of a check, also when all is as kept"},
     OptionRow{Option::List, "--list", ValueKind::Flag, "", 0, 0, "",
@@ -134,6 +136,8 @@ constexpr std::array kTable = {
               "67108864", "refuse larger images"},
     OptionRow{Option::MaxVertices, "--max-vertices", ValueKind::Integer, "COUNT", 1, kMax,
               "1000000", "refuse levels of more vertices"},
+    OptionRow{Option::MaxGridCells, "--max-grid-cells", ValueKind::Integer, "COUNT", 1, kMax,
+              "4000000", "refuse grids of more cells"},
     OptionRow{Option::MaxLights, "--max-lights", ValueKind::Integer, "COUNT", 1, kMax, "100000",
               "refuse more lights"},
     OptionRow{Option::MaxSpriteImages, "--max-sprite-images", ValueKind::Integer, "COUNT", 1, kMax,
@@ -143,8 +147,9 @@ constexpr std::array kTable = {
 };
 
 static_assert(LoadLimits{}.fileBytes == 67108864 && LoadLimits{}.imagePixels == 67108864 &&
-                  LoadLimits{}.vertices == 1000000 && LoadLimits{}.lights == 100000 &&
-                  LoadLimits{}.spriteImages == 250000 && LoadLimits{}.meshFaces == 4000000,
+                  LoadLimits{}.vertices == 1000000 && LoadLimits{}.gridCells == 4000000 &&
+                  LoadLimits{}.lights == 100000 && LoadLimits{}.spriteImages == 250000 &&
+                  LoadLimits{}.meshFaces == 4000000,
               "the table's defaults are those of the loader");
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -255,7 +260,7 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text) {
 }
 
 std::vector<Option> limitOptions() {
-  return {Option::MaxFileBytes, Option::MaxImagePixels,  Option::MaxVertices,
+  return {Option::MaxFileBytes, Option::MaxImagePixels,  Option::MaxVertices, Option::MaxGridCells,
           Option::MaxLights,    Option::MaxSpriteImages, Option::MaxMeshFaces};
 }
 

@@ -105,6 +105,7 @@ LoadLimits limitsFrom(const OptionValues& values) {
   take(Option::MaxFileBytes, limits.fileBytes);
   take(Option::MaxImagePixels, limits.imagePixels);
   take(Option::MaxVertices, limits.vertices);
+  take(Option::MaxGridCells, limits.gridCells);
   take(Option::MaxLights, limits.lights);
   take(Option::MaxSpriteImages, limits.spriteImages);
   take(Option::MaxMeshFaces, limits.meshFaces);

@@ -114,7 +114,7 @@ void Printer::printKey(std::uint32_t index, std::string_view gap) {
 
 Breaking Printer::breakingOf(std::uint32_t index, const Spot& spot) const {
   const Item& value = item(index);
-  const bool isFilled = !value.holdsObject;
+  const bool isFilled = !value.holdsObject && value.kind != ItemKind::Rows;
   if (value.kind == ItemKind::Object) return {isFilled, spot.isInArray, spot.indent + kIndent};
   const bool isAligned = isFilled && column_ < kRightmostList;
   return {isFilled, isFilled, isAligned ? column_ + 1 : spot.indent + kIndent};

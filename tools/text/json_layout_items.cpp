@@ -30,7 +30,7 @@ class Itemizer {
   void readValue(Item item, bool isDivided);
   void readScalar(Item item);
   void readContainer(Item item, bool isDivided);
-  bool isListOfPoints(std::uint32_t index) const;
+  bool isListOfScalars(std::uint32_t index) const;
   void readChildren(std::uint32_t parent, bool dividesChildren);
   std::uint8_t columnsInLine(std::uint32_t parent) const;
   bool isDividing(const Item& item) const;
@@ -90,14 +90,17 @@ void Itemizer::readContainer(Item item, bool isDivided) {
   readChildren(index, dividesChildren);
   Item& read = items_[index];
   read.next = static_cast<std::uint32_t>(items_.size());
-  if (isListOfPoints(index)) read.kind = ItemKind::Points;
+  if (isListOfScalars(index)) {
+    if (result_.keyOf(read) == "\"v\"") read.kind = ItemKind::Points;
+    if (result_.keyOf(read) == "\"rows\"") read.kind = ItemKind::Rows;
+  }
   const bool isBroken = read.holdsObject && (isDivided || dividesChildren || index == 0);
   read.columns = isBroken ? Item::kNoLine : columnsInLine(index);
 }
 
-bool Itemizer::isListOfPoints(std::uint32_t index) const {
+bool Itemizer::isListOfScalars(std::uint32_t index) const {
   const Item& item = items_[index];
-  if (item.kind != ItemKind::Array || result_.keyOf(item) != "\"v\"") return false;
+  if (item.kind != ItemKind::Array) return false;
   for (std::uint32_t i = index + 1; i < item.next; ++i)
     if (items_[i].kind != ItemKind::Scalar) return false;
   return true;
@@ -139,6 +142,7 @@ std::uint8_t Itemizer::columnsInLine(std::uint32_t parent) const {
     if (columns > kLineColumns) return Item::kNoLine;
   }
   if (item.kind == ItemKind::Array && objects > kMaxObjectsInALine) return Item::kNoLine;
+  if (item.kind == ItemKind::Rows && children > 1) return Item::kNoLine;
   if (children == 0) return 2;
   columns += (hasInnerBlanks(item) ? 4 : 2) + 2 * (children - 1);
   if (item.kind == ItemKind::Points) columns -= children / 2;

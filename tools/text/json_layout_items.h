@@ -17,6 +17,7 @@ enum class ItemKind : std::uint8_t {
   Scalar,
   Array,
   Points,  ///< an array of scalars that come in pairs: corners
+  Rows,    ///< an array of scalars that stand below one another: a plan of cells
   Object
 };
 

@@ -70,6 +70,9 @@ class JsonValue {
   double number() const { return document_->numbers[node().content]; }
   std::string_view text() const { return document_->textOf(node()); }  ///< of a string or key
   Place place() const { return {documentIndex_, node().offset}; }
+  std::vector<std::string_view> characters() const;  ///< of a string or key: its code points
+  std::size_t characterCount() const;
+  std::vector<Place> characterPlaces() const;  ///< of a string: where they are in the file
 
   std::vector<JsonValue> elements() const;           ///< of an array
   JsonValue front() const { return at(node_ + 1); }  ///< of an array that is not empty

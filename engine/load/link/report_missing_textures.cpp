@@ -60,6 +60,9 @@ class MissingTextureReporter {
     const std::uint32_t edge = linking_.edgeOf[missing.segment.index()];
     if (!steps_.insert({edge, missing.subWall, missing.kind}).second) return;
     const WallDescription& wall = linking_.describedWall(missing.segment);
+    const SectorId here = linking_.level[missing.segment].sector;
+    if (linking_.description.sectors[here.index()].isOfGrid)
+      return tellGridStep(missing, wall.place);
     const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
     const StepWords words = wordsOf(missing.kind);
     linking_.report.error(stack ? stack->subWalls[missing.subWall].place : wall.place,
@@ -68,6 +71,17 @@ class MissingTextureReporter {
                                       words.flat, next ? linking_.level[*next].name : "",
                                       words.lies, heightsOf(missing, next), words.where),
                           fmt::format("give the wall \"{}\" or \"texture\"", words.key));
+  }
+
+  /// All walls towards cells of one entry wear its texture.
+  void tellGridStep(const MissingTexture& missing, Place entry) {
+    if (!gridSteps_.insert({entry, missing.kind}).second) return;
+    const StepWords words = wordsOf(missing.kind);
+    linking_.report.error(
+        entry,
+        fmt::format("cells of this entry show a step {} the opening, which has no texture",
+                    words.where),
+        fmt::format("give the entry \"{}\"", words.key));
   }
 
   /// Of the two flats, where these are all that makes the step: one of them may be the mistake.
@@ -87,6 +101,7 @@ class MissingTextureReporter {
   Linking& linking_;
   std::set<std::pair<SectorId, bool>> sidewalls_;
   std::set<std::tuple<std::uint32_t, std::uint32_t, SurfaceKind>> steps_;
+  std::set<std::pair<Place, SurfaceKind>> gridSteps_;
 };
 
 }  // namespace

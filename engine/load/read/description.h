@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -102,7 +104,7 @@ struct SlopeDescription {
 
 struct SectorDescription {
   std::string name;
-  Place place;  ///< of its key; in an array, of its `name`
+  Place place;  ///< of its key; in an array, of its `name`; in a grid, of its first cell
   std::optional<double> light;
   FlatDescription floor;
   FlatDescription ceiling;
@@ -110,6 +112,50 @@ struct SectorDescription {
   std::optional<SlopeDescription> slopeCeil;
   std::vector<LoopDescription> loops;
   bool hasReadableLoops = true;
+  bool isOfGrid = false;  ///< places of its walls are those of legend entries
+};
+
+/// A face of a cell's square.
+enum class GridSide : std::uint8_t { North, East, South, West };  // towards -y, +x, +y, -x
+
+struct GridSolidDescription {
+  TextureDescription wall;
+  std::array<std::optional<TextureDescription>, 4> sides;  ///< by GridSide; wins over `wall`
+};
+
+/// Cells of a sector that the grid makes.
+struct GridAirDescription {
+  FlatDescription floor;
+  FlatDescription ceiling;
+  std::optional<double> light;
+  // Of the steps of neighbours with a lower floor or a higher ceiling.
+  std::optional<TextureDescription> upper;
+  std::optional<TextureDescription> lower;
+};
+
+/// Cells of a sector that is written out; it is a portal with the steps' textures.
+using GridNextDescription = PortalDescription;
+
+/// What a character in the rows of a grid stands for.
+struct LegendEntryDescription {
+  std::string character;  ///< one code point in UTF-8
+  Place place;            ///< of its value
+  std::variant<Unreadable, GridSolidDescription, GridAirDescription, GridNextDescription> kind;
+
+  bool isAir() const { return std::holds_alternative<GridAirDescription>(kind); }
+};
+
+struct GridDescription {
+  static constexpr std::uint32_t kBlank = ~std::uint32_t{0};
+
+  Place place;
+  double cell = 1;  ///< metres
+  Vec2 origin;
+  std::vector<LegendEntryDescription> legend;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  std::vector<std::uint32_t> cells;  ///< index into `legend`, or kBlank; row by row
+  std::vector<Place> places;         ///< of the cells' characters
 };
 
 struct PlayerDescription {
@@ -175,6 +221,8 @@ struct LevelDescription {
   std::vector<SpriteDescription> sprites;
   std::vector<MeshDescription> meshes;
   std::vector<SectorDescription> sectors;
+  std::optional<GridDescription> grid;
+  bool isReadable = true;  ///< else there is a grid that could not be read
 };
 
 struct LightsDescription {

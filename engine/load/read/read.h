@@ -23,7 +23,16 @@ enum class TextureUse { OnWall, OnFlat };
 inline constexpr std::array<std::string_view, 5> kTextureKeys{"name", "scale", "offset", "along",
                                                               "zref"};  ///< of an object
 std::optional<TextureDescription> readTexture(Report& report, JsonValue value, TextureUse use);
+/// Reads the texture of a wall under `key` into `target`; false after a mistake.
+bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,
+                         std::optional<TextureDescription>& target);
 WallDescription readWall(Report& report, JsonValue value);
+/// The floor or ceiling under `key`.
+FlatDescription readFlat(Report& report, const Fields& sector, std::string_view key,
+                         double defaultZ);
+inline constexpr double kFloorZ = 0;    ///< where a floor gives no "z"; metres
+inline constexpr double kCeilingZ = 4;  ///< likewise
+void reportTooManyVertices(Report& report, Place place, std::size_t limit);
 /// What the limit of vertices still allows.
 struct VertexBudget {
   std::size_t limit;
@@ -32,6 +41,8 @@ struct VertexBudget {
 };
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
                              VertexBudget& budget);
+/// None after a mistake that leaves cells without an entry.
+std::optional<GridDescription> readGrid(Report& report, JsonValue value, const LoadLimits& limits);
 void readThings(Report& report, JsonValue value, const LoadLimits& limits, LevelDescription& level);
 /// What the limit of sprites' images still allows.
 struct ImageBudget {

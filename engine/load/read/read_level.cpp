@@ -14,8 +14,9 @@ constexpr NumberRange kPitch{-60, 60};
 constexpr NumberRange kFov{1, 179};
 constexpr NumberRange kPixels{1, 16384};  // of a picture's side
 
-constexpr std::array<std::string_view, 9> kLevelKeys{
-    "version", "name", "textures", "lights", "light", "player", "shots", "things", "sectors"};
+constexpr std::array<std::string_view, 10> kLevelKeys{"version", "name",   "textures", "lights",
+                                                      "light",   "player", "shots",    "things",
+                                                      "sectors", "grid"};
 constexpr std::array<std::string_view, 9> kPlayerKeys{"sector", "x",   "y",      "z",   "angle",
                                                       "height", "eye", "radius", "step"};
 constexpr std::array<std::string_view, 5> kShotKeys{"name", "camera", "fov", "size", "sector"};
@@ -110,7 +111,7 @@ bool isLightsFile(JsonValue root) {
   if (root.isObject())
     for (const JsonValue::Member& member : root.members()) {
       hasLights |= member.key.text() == "lights" && member.value.isArray();
-      hasSectors |= member.key.text() == "sectors";
+      hasSectors |= member.key.text() == "sectors" || member.key.text() == "grid";
     }
   return hasLights && !hasSectors;
 }
@@ -142,8 +143,12 @@ LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& lim
   if (const auto player = fields.find("player")) level.player = readPlayer(report, *player);
   if (const auto shots = fields.find("shots")) readShots(report, *shots, level);
   if (const auto things = fields.find("things")) readThings(report, *things, limits, level);
-  if (const auto sectors = fields.require("sectors", "give at least one sector"))
-    readSectors(report, *sectors, limits, level);
+  const std::optional<JsonValue> grid = fields.find("grid");
+  const auto sectors = grid ? fields.find("sectors")
+                            : fields.require("sectors", "give at least one sector, or a \"grid\"");
+  if (sectors) readSectors(report, *sectors, limits, level);
+  if (grid) level.grid = readGrid(report, *grid, limits);
+  level.isReadable = !grid || level.grid;
   return level;
 }
 

@@ -68,33 +68,6 @@ void refuseBesideNext(Report& report, const FlatDescription& flat, const Fields&
                  "remove \"parallax\" or \"next\"");
 }
 
-FlatDescription readFlat(Report& report, const Fields& sector, std::string_view key,
-                         double defaultZ) {
-  FlatDescription flat;
-  flat.z = defaultZ;
-  const std::optional<JsonValue> value = sector.find(key);
-  flat.place = flat.zPlace = value ? value->place() : sector.value().place();
-  flat.isReadable = !sector.isMisspelled(key);
-  if (!value) return flat;
-  const Fields fields(report, *value, kFlatKeys);
-  flat.isReadable =
-      fields.isObject() && !fields.isMisspelled("texture") && !fields.isMisspelled("next");
-  if (const auto z = fields.find("z")) flat.zPlace = z->place();
-  flat.isReadable &= fields.read("z", kCoordinate, flat.z);
-  fields.read("isRelative", flat.isRelative);
-  flat.isReadable &= fields.read("parallax", flat.isSky);
-  if (const auto texture = fields.find("texture")) {
-    flat.texture = readTexture(report, *texture, TextureUse::OnFlat);
-    flat.isReadable &= flat.texture.has_value();
-  }
-  if (const auto next = fields.find("next")) {
-    flat.next = readFlatPortal(report, *next);
-    flat.isReadable &= flat.next.has_value();
-    refuseBesideNext(report, flat, fields);
-  }
-  return flat;
-}
-
 void readHeights(Report& report, JsonValue value, SlopeDescription& slope) {
   if (!value.isArray()) {
     reportWrongType(report, value, "an array of heights");
@@ -133,8 +106,7 @@ bool take(Report& report, JsonValue value, std::size_t vertices, VertexBudget& b
   if (budget.isExceeded) return false;
   budget.isExceeded = vertices > budget.left;
   if (budget.isExceeded)
-    report.error(value.place(), fmt::format("more than {} vertices", budget.limit),
-                 "raise the limit with --max-vertices");
+    reportTooManyVertices(report, value.place(), budget.limit);
   else
     budget.left -= vertices;
   return !budget.isExceeded;
@@ -236,6 +208,38 @@ void readLoops(Report& report, JsonValue value, SectorDescription& sector, Verte
 
 }  // namespace
 
+void reportTooManyVertices(Report& report, Place place, std::size_t limit) {
+  report.error(place, fmt::format("more than {} vertices", limit),
+               "raise the limit with --max-vertices");
+}
+
+FlatDescription readFlat(Report& report, const Fields& sector, std::string_view key,
+                         double defaultZ) {
+  FlatDescription flat;
+  flat.z = defaultZ;
+  const std::optional<JsonValue> value = sector.find(key);
+  flat.place = flat.zPlace = value ? value->place() : sector.value().place();
+  flat.isReadable = !sector.isMisspelled(key);
+  if (!value) return flat;
+  const Fields fields(report, *value, kFlatKeys);
+  flat.isReadable =
+      fields.isObject() && !fields.isMisspelled("texture") && !fields.isMisspelled("next");
+  if (const auto z = fields.find("z")) flat.zPlace = z->place();
+  flat.isReadable &= fields.read("z", kCoordinate, flat.z);
+  fields.read("isRelative", flat.isRelative);
+  flat.isReadable &= fields.read("parallax", flat.isSky);
+  if (const auto texture = fields.find("texture")) {
+    flat.texture = readTexture(report, *texture, TextureUse::OnFlat);
+    flat.isReadable &= flat.texture.has_value();
+  }
+  if (const auto next = fields.find("next")) {
+    flat.next = readFlatPortal(report, *next);
+    flat.isReadable &= flat.next.has_value();
+    refuseBesideNext(report, flat, fields);
+  }
+  return flat;
+}
+
 SectorDescription readSector(Report& report, NameReference name, JsonValue value,
                              VertexBudget& budget) {
   const bool isNamedByKey = name.place < value.place();
@@ -244,8 +248,8 @@ SectorDescription readSector(Report& report, NameReference name, JsonValue value
   sector.name = std::move(name.name);
   sector.place = name.place;
   fields.read("light", {0, 1}, sector.light);
-  sector.floor = readFlat(report, fields, "floor", 0);
-  sector.ceiling = readFlat(report, fields, "ceiling", 4);
+  sector.floor = readFlat(report, fields, "floor", kFloorZ);
+  sector.ceiling = readFlat(report, fields, "ceiling", kCeilingZ);
   sector.slopeFloor = readSlope(report, fields, "slopeFloor");
   sector.slopeCeil = readSlope(report, fields, "slopeCeil");
   sector.hasReadableLoops = fields.isObject();

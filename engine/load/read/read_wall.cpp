@@ -20,15 +20,6 @@ constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "mid
 constexpr MisplacedKeys kOfTextures{
     kTextureKeys, "give it to a texture: {{ \"texture\": {{ .., \"{}\": .. }} }}"};
 
-/// Reads the texture under `key` into `target`; false after a mistake.
-bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,
-                         std::optional<TextureDescription>& target) {
-  const std::optional<JsonValue> value = fields.find(key);
-  if (!value) return true;
-  target = readTexture(report, *value, TextureUse::OnWall);
-  return target.has_value();
-}
-
 std::optional<PortalDescription> readPortal(Report& report, const Fields& fields, JsonValue next) {
   PortalDescription portal;
   std::optional<TextureDescription> both;
@@ -112,6 +103,14 @@ std::optional<StackDescription> readStack(Report& report, const Fields& fields, 
 }
 
 }  // namespace
+
+bool readOptionalTexture(Report& report, const Fields& fields, std::string_view key,
+                         std::optional<TextureDescription>& target) {
+  const std::optional<JsonValue> value = fields.find(key);
+  if (!value) return true;
+  target = readTexture(report, *value, TextureUse::OnWall);
+  return target.has_value();
+}
 
 std::optional<NameReference> readReference(Report& report, JsonValue value) {
   std::optional<std::string> name = readName(report, value);

@@ -41,7 +41,12 @@ class SpellingCounter {
         if (!thing.contains("mesh"))
           countImages(thing.contains("frames") ? thing["frames"] : thing.at("sprite"));
       });
-    forEachChild(level.at("sectors"), [&](const json& sector) { countSector(sector); });
+    if (level.contains("sectors"))
+      forEachChild(level["sectors"], [&](const json& sector) { countSector(sector); });
+    if (level.contains("grid")) {
+      counts_.add(FormatFeature::Grid);
+      forEachChild(level["grid"].at("legend"), [&](const json& entry) { countEntry(entry); });
+    }
   }
 
   void countLights(const json& file) {
@@ -78,9 +83,7 @@ class SpellingCounter {
   }
 
   void countSector(const json& sector) {
-    addIf(sector.contains("light"), FormatFeature::SectorLight);
-    for (const char* flat : {"floor", "ceiling"})
-      if (sector.contains(flat)) countFlat(sector[flat]);
+    countAir(sector);
     for (const char* slope : {"slopeFloor", "slopeCeil"})
       if (sector.contains(slope)) countSlope(sector[slope]);
     forEachChild(sector.at("loops"), [&](const json& loop) {
@@ -91,6 +94,23 @@ class SpellingCounter {
       else
         forEachChild(walls, [&](const json& wall) { countWall(wall); });
     });
+  }
+
+  /// Of a sector, or of an entry of a grid's legend.
+  void countAir(const json& air) {
+    addIf(air.contains("light"), FormatFeature::SectorLight);
+    for (const char* flat : {"floor", "ceiling"})
+      if (air.contains(flat)) countFlat(air[flat]);
+  }
+
+  void countEntry(const json& entry) {
+    countAir(entry);
+    for (const char* role : {"wall", "upper", "lower"})
+      if (entry.contains(role)) countTexture(entry[role]);
+    addIf(entry.contains("walls"), FormatFeature::GridSides);
+    if (entry.contains("walls"))
+      forEachChild(entry["walls"], [&](const json& texture) { countTexture(texture); });
+    addIf(entry.contains("next"), FormatFeature::GridNext);
   }
 
   void countFlat(const json& flat) {

@@ -72,6 +72,9 @@ enum class FormatFeature : std::size_t {
   AnimatedSprite,
   Mesh,
   TwoSidedMesh,
+  Grid,
+  GridSides,
+  GridNext,
 };
 
 struct FormatFeatureName {
@@ -142,6 +145,9 @@ inline constexpr std::array kFormatFeatures{
     FormatFeatureName{FormatFeature::AnimatedSprite, "animated sprite"},
     FormatFeatureName{FormatFeature::Mesh, "mesh"},
     FormatFeatureName{FormatFeature::TwoSidedMesh, "two-sided mesh"},
+    FormatFeatureName{FormatFeature::Grid, "grid"},
+    FormatFeatureName{FormatFeature::GridSides, "grid with textures by side"},
+    FormatFeatureName{FormatFeature::GridNext, "grid that leads to another sector"},
 };
 
 /// How often a level uses each.
