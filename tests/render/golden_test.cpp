@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -18,6 +19,8 @@
 
 namespace hearth {
 namespace {
+
+constexpr double kRadians = 3.141592653589793 / 180;
 
 class Golden : public testing::Test {
  protected:
@@ -74,6 +77,47 @@ TEST_F(Golden, lightModesAreAsKept) {
   const Shot& shot = loaded_.level.shots.front();
   expectGolden(folder / "arrival-none.png", renderer_.draw(cameraOf(shot), LightMode::None));
   expectGolden(folder / "arrival-only.png", renderer_.draw(cameraOf(shot), LightMode::Only));
+}
+
+/// Column by column, each in the middle of a narrow picture: as casters of grids do, which turn by
+/// the same angle from column to column, and correct the depth by its cosine.
+Image drawnAtEvenAngles(const Renderer& renderer, const Camera& camera) {
+  constexpr int kNarrow = 5;
+  const double distancePx = camera.width / 2.0 / std::tan(camera.fov / 2 * kRadians);
+  Image picture(camera.width, camera.height);
+  for (int column = 0; column < camera.width; ++column) {
+    const double angle = ((column + 0.5) / camera.width - 0.5) * camera.fov;
+    Camera narrow = camera;
+    narrow.width = kNarrow;
+    narrow.angle += angle;
+    narrow.fov = 2 * std::atan(kNarrow / 2.0 * std::cos(angle * kRadians) / distancePx) / kRadians;
+    const Image drawn = renderer.draw(narrow, LightMode::None);
+    for (int row = 0; row < camera.height; ++row)
+      picture.at(column, row) = drawn.at(kNarrow / 2, row);
+  }
+  return picture;
+}
+
+/// Why Hearth sends its rays through the columns: engine/PERFORMANCE.md shows the picture.
+TEST_F(Golden, raysAtEvenAnglesBendStraightWalls) {
+  LoadedLevel maze = loadLevel(test::inTree("levels/maze.json")).loaded.value();
+  maze.level.lights.clear();
+  const BakedLight dark = bake(maze.scene(), maze.level.bake, 1);
+  const Renderer renderer(maze.scene(), maze.textures, dark);
+  Camera camera = cameraOf(maze.level.shots.front());
+  camera.eye = {3, 3.2, 1.6};  // before the corner of a passage
+  camera.angle = 40;
+  camera.pitch = 0;
+  const Image straight = renderer.draw(camera, LightMode::None);
+  const Image bent = drawnAtEvenAngles(renderer, camera);
+  constexpr int kGap = 8;
+  Image both(2 * camera.width + kGap, camera.height, {255, 255, 255});
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      both.at(column, row) = straight.at(column, row);
+      both.at(column + camera.width + kGap, row) = bent.at(column, row);
+    }
+  expectGolden(test::inTree("engine/even-angles.png"), both);
 }
 
 TEST_F(Golden, threadsDrawWhatOneDraws) {
