@@ -143,6 +143,7 @@ std::optional<LoadedLevel> Loader::link(const LevelDescription& description,
   linkWalls(linking);
   linkSegments(linking);
   linkSlopes(linking);
+  linkLegend(linking);
   validateFlatPortals(linking);
   validateRings(linking);
   const bool isEmpty = linking.level.segments.empty();

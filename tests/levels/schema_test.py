@@ -26,7 +26,8 @@ BEYOND_SCHEMAS = frozenset("""
     flat_without_texture
     grid_beside_its_hall grid_blank_shows grid_ceiling_below_floor grid_character_is_a_comment
     grid_character_unknown grid_ends_in_air grid_flat_without_texture grid_next_unknown grid_rows_ragged
-    grid_sector_of_a_taken_name grid_step_without_texture grid_texture_missing grid_too_far grid_without_air
+    grid_sector_of_a_taken_name grid_step_without_texture grid_texture_missing
+    grid_texture_missing_in_an_unused_entry grid_too_far grid_without_air
     interface_areas_differ interface_heights_differ interface_members_overlap
     interface_members_overlap_by_a_corner interface_unknown_sector interface_without_lower_side
     json_duplicate_key json_duplicate_sector light_above_a_ceiling light_curve_falls

@@ -78,6 +78,15 @@ TEST(Grid, airMayBeAllOfARow) {
   EXPECT_EQ(starts(result.loaded->level, result.loaded->level.sectors[0], 0).front(), Vec2(1, 0));
 }
 
+TEST(Grid, noSectorNeedsToBeWrittenOutBesideIt) {
+  for (const std::string sectors : {"{}", "[]"}) {
+    const LoadResult result =
+        loadText("{'light': 1, 'sectors': " + sectors +
+                 ", 'grid': {'rows': ['###', '#.#', '###'], " + std::string(kLegend) + "}}");
+    EXPECT_TRUE(result.loaded) << listed(result);
+  }
+}
+
 TEST(Grid, holesBeginAtTheirFirstCell) {
   const LoadedLevel loaded = loadGrid("'#####', '#...#', '#.#.#', '#...#', '#####'");
   ASSERT_EQ(loaded.level.sectors[0].loops.size(), 2u);

@@ -1417,6 +1417,20 @@ class Lint(InFolder):
         self.assertIn(f"{lights}:8:5: warning: the light in sector \"study\" reaches no surface, at "
                       "/lights/1, ", result.stdout)
 
+    def test_names_the_side_of_a_grids_wall_whose_image_jumps(self):
+        level = self.folder / "grid.json"
+        level.write_text(json.dumps({
+            "light": 0.5, "textures": str(SOURCE / "textures"),
+            "player": {"x": 3, "y": 3, "z": 1.6},
+            "grid": {"cell": 2, "rows": ["########", "#..+...#", "#..#...#", "########"], "legend": {
+                "#": {"wall": "plaster", "walls": {"s": "mossy 2,2"}},
+                ".": {"floor": {"texture": "stone"}, "ceiling": {"z": 2.6, "texture": "wood"}},
+                "+": {"floor": {"texture": "stone"}, "ceiling": {"z": 2.1, "texture": "wood"},
+                      "upper": "dressed 2,2"}}}}))
+        # Once: what mends the image in one room mends it in all.
+        self.assertRegex(lint(level).stdout, r'^\S+: warning: "mossy" jumps .*, at /grid/legend/#/walls/s, '
+                                             r'write "s": \{ .*"zref": 2.6 \} \[texture-jump\]\n$')
+
     def test_counts_what_the_loader_warns_of(self):
         run("new", self.folder / "castle")
         level = self.folder / "castle.json"

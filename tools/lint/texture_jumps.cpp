@@ -129,7 +129,9 @@ class JumpFinder {
     // Two heights that were both written down are meant: beams and ribs have stones of their
     // own.
     const bool areMeant = placementLeft.hasZRef && placementRight.hasZRef;
-    return {start.u - end.u, areMeant ? 0 : start.v - end.v};
+    // In grids nobody can shift the image of a single wall along it.
+    const bool canMove = !isOfGrid(linted_, left) && !isOfGrid(linted_, right);
+    return {canMove ? start.u - end.u : 0, areMeant ? 0 : start.v - end.v};
   }
 
   static bool isSeen(const ImageEnd& jump, const Image& image) {
@@ -139,7 +141,9 @@ class JumpFinder {
   /// One for all pieces of a wall, even where one wall of the file stands for all of a loop.
   using TextureOnWall = std::pair<std::uint32_t, Place>;
   TextureOnWall onWall(SurfaceId surface) const {
-    return {linted_.source.edgeOf[segmentOf(surface).id.index()],
+    constexpr std::uint32_t kAllOfGrid = ~std::uint32_t{0};
+    return {isOfGrid(linted_, surface) ? kAllOfGrid
+                                       : linted_.source.edgeOf[segmentOf(surface).id.index()],
             textureOf(linted_, surface).description->name.place};
   }
 
@@ -148,7 +152,7 @@ class JumpFinder {
     TexturePlacement placement = placementOf(linted_, surface);
     const auto mended = mended_.find(onWall(surface));
     if (mended == mended_.end()) return placement;
-    placement.along = mended->second.along;
+    if (!isOfGrid(linted_, surface)) placement.along = mended->second.along;
     if (mended->second.hasZRef) placement.z = mended->second.z;
     placement.hasZRef |= mended->second.hasZRef;
     return placement;
@@ -180,8 +184,9 @@ class JumpFinder {
     const Image& image = imageOf(right);
     const Vec2 joint = segmentOf(right).p0;
     const bool isLevel = pixelsOff(rest.v, image.height()) < 0.5;
-    const TexturePlacement mended = shiftedBack(mendedPlacementOf(right), mappingOf(right).repeat,
-                                                rest.u, isLevel ? 0 : rest.v);
+    TexturePlacement mended = shiftedBack(mendedPlacementOf(right), mappingOf(right).repeat, rest.u,
+                                          isLevel ? 0 : rest.v);
+    if (isOfGrid(linted_, right)) mended.along = textureOf(linted_, right).description->along;
     mended_.insert_or_assign(onWall(right), mended);
     findings_.add(
         FindingKind::TextureJump, placeOf(linted_, right),

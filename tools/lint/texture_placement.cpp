@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lint/authored_wall.h"
+#include "math/check.h"
 
 namespace hearth {
 
@@ -13,14 +14,31 @@ namespace {
 /// To the micrometre: what else a sum leaves is noise, and nobody would write it.
 double rounded(double metres) { return std::round(metres * 1e6) / 1e6; }
 
+/// The texture at this place.
+WallTexture inLegend(const GridDescription& grid, Place place) {
+  for (const LegendEntryDescription& entry : grid.legend) {
+    const auto* solid = std::get_if<GridSolidDescription>(&entry.kind);
+    if (!solid) continue;
+    if (solid->wall.name.place == place) return {&solid->wall, "wall"};
+    for (std::size_t side = 0; side < kGridSideKeys.size(); ++side)
+      if (solid->sides[side] && solid->sides[side]->name.place == place)
+        return {&*solid->sides[side], kGridSideKeys[side]};
+  }
+  CHECK(false, place.offset);
+}
+
 }  // namespace
+
+bool isOfGrid(const LintedLevel& linted, SurfaceId surface) {
+  return linted.source.level.sectors[linted.level()[surface].sector.index()].isOfGrid;
+}
 
 WallTexture textureOf(const LintedLevel& linted, SurfaceId id) {
   const Surface& surface = linted.level()[id];
   const AuthoredWall part =
       authoredWallAt(linted, *surface.segment, linted.scene().geometryOf(id).zBottom);
-  const bool isOfGrid = linted.source.level.sectors[surface.sector.index()].isOfGrid;
-  if (part.solid) return {&part.solid->texture, isOfGrid ? "wall" : "texture"};
+  if (part.solid && isOfGrid(linted, id)) return inLegend(*linted.source.level.grid, part.place);
+  if (part.solid) return {&part.solid->texture, "texture"};
   const std::optional<TextureDescription>& upper = part.portal->upper;
   const std::optional<TextureDescription>& lower = part.portal->lower;
   if (upper && lower && upper->name.place == lower->name.place) return {&*upper, "texture"};

@@ -20,7 +20,10 @@ struct WallTexture {
   std::string_view key;  ///< of the wall
 };
 
-/// Of all kinds of surface except masked middles.
+/// Whether an entry of a grid's legend describes it, and other walls with it.
+bool isOfGrid(const LintedLevel& linted, SurfaceId surface);
+
+/// Of all kinds of surface except masked middles. In a grid, the texture of the legend.
 WallTexture textureOf(const LintedLevel& linted, SurfaceId surface);
 
 TexturePlacement placementOf(const LintedLevel& linted, SurfaceId surface);

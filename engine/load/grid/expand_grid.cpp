@@ -33,7 +33,7 @@ Vec2 directionOf(GridSide side) {
   return {};
 }
 
-/// The side of the cell beyond a wall that is seen.
+/// The side of the cell beyond a wall that is seen: an index of GridSolidDescription::sides.
 std::size_t sideSeen(const GridWall& wall) { return (static_cast<std::size_t>(wall.side) + 2) % 4; }
 
 /// Writes out one sector after the other.
@@ -93,7 +93,7 @@ class GridWriter {
     const LegendEntryDescription* const beyond = entryOf(wall.neighbour);
     if (!beyond) return blankOf(wall, sector);
     if (const auto* solid = std::get_if<GridSolidDescription>(&beyond->kind))
-      return {beyond->place, SolidDescription{textureOf(*solid, wall)}};
+      return solidOf(*solid, wall);
     if (const auto* next = std::get_if<GridNextDescription>(&beyond->kind))
       return {beyond->place, *next};
     if (const auto* air = std::get_if<GridAirDescription>(&beyond->kind))
@@ -102,10 +102,10 @@ class GridWriter {
   }
 
   /// The image runs on from cell to cell, and from wall to wall.
-  TextureDescription textureOf(const GridSolidDescription& solid, const GridWall& wall) const {
+  WallDescription solidOf(const GridSolidDescription& solid, const GridWall& wall) const {
     TextureDescription texture = solid.sides[sideSeen(wall)].value_or(solid.wall);
     texture.along += dot(vertexOf(wall) - grid_.origin, directionOf(wall.side));
-    return texture;
+    return {texture.name.place, SolidDescription{texture}};
   }
 
   /// A step that shows from here is that of the neighbour, whose floor is higher (or whose ceiling

@@ -79,6 +79,8 @@ struct ModelPlace {
 void linkFlats(Linking& linking);
 /// Links the names that walls lead to, and their textures.
 void linkWalls(Linking& linking);
+/// Links the textures of a grid's legend, so that those of unused entries must exist, too.
+void linkLegend(Linking& linking);
 /// Fits the outlines of linked sectors together and makes the level's loops and segments of them.
 /// A portal that has no wall of the next sector behind it becomes solid.
 void linkSegments(Linking& linking);

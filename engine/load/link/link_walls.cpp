@@ -128,4 +128,23 @@ void linkWalls(Linking& linking) {
   }
 }
 
+void linkLegend(Linking& linking) {
+  if (!linking.description.grid) return;
+  const auto link = [&](const std::optional<TextureDescription>& texture) {
+    if (texture) linking.textures.link(*texture);
+  };
+  for (const LegendEntryDescription& entry : linking.description.grid->legend) {
+    if (const auto* solid = std::get_if<GridSolidDescription>(&entry.kind)) {
+      link(solid->wall);
+      for (const auto& side : solid->sides) link(side);
+    }
+    if (const auto* air = std::get_if<GridAirDescription>(&entry.kind))
+      for (const auto* texture :
+           {&air->floor.texture, &air->ceiling.texture, &air->upper, &air->lower})
+        link(*texture);
+    if (const auto* next = std::get_if<GridNextDescription>(&entry.kind))
+      for (const auto* texture : {&next->upper, &next->lower}) link(*texture);
+  }
+}
+
 }  // namespace hearth

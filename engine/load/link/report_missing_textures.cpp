@@ -61,8 +61,9 @@ class MissingTextureReporter {
     if (!steps_.insert({edge, missing.subWall, missing.kind}).second) return;
     const WallDescription& wall = linking_.describedWall(missing.segment);
     const SectorId here = linking_.level[missing.segment].sector;
-    if (linking_.description.sectors[here.index()].isOfGrid)
-      return tellGridStep(missing, wall.place);
+    const bool isOfGrid = linking_.description.sectors[here.index()].isOfGrid;
+    // All walls towards cells of one entry wear its texture.
+    if (isOfGrid && !gridSteps_.insert({wall.place, missing.kind}).second) return;
     const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
     const StepWords words = wordsOf(missing.kind);
     linking_.report.error(stack ? stack->subWalls[missing.subWall].place : wall.place,
@@ -70,18 +71,8 @@ class MissingTextureReporter {
                                       "shows and has no texture",
                                       words.flat, next ? linking_.level[*next].name : "",
                                       words.lies, heightsOf(missing, next), words.where),
-                          fmt::format("give the wall \"{}\" or \"texture\"", words.key));
-  }
-
-  /// All walls towards cells of one entry wear its texture.
-  void tellGridStep(const MissingTexture& missing, Place entry) {
-    if (!gridSteps_.insert({entry, missing.kind}).second) return;
-    const StepWords words = wordsOf(missing.kind);
-    linking_.report.error(
-        entry,
-        fmt::format("cells of this entry show a step {} the opening, which has no texture",
-                    words.where),
-        fmt::format("give the entry \"{}\"", words.key));
+                          isOfGrid ? fmt::format("give this entry \"{}\"", words.key)
+                                   : fmt::format("give the wall \"{}\" or \"texture\"", words.key));
   }
 
   /// Of the two flats, where these are all that makes the step: one of them may be the mistake.

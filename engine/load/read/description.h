@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -117,6 +118,7 @@ struct SectorDescription {
 
 /// A face of a cell's square.
 enum class GridSide : std::uint8_t { North, East, South, West };  // towards -y, +x, +y, -x
+inline constexpr std::array<std::string_view, 4> kGridSideKeys{"n", "e", "s", "w"};
 
 struct GridSolidDescription {
   TextureDescription wall;

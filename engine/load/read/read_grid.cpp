@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kGridKeys{"cell", "origin", "rows", "legend"};
 constexpr std::array<std::string_view, 2> kGridSolidKeys{"wall", "walls"};
-constexpr std::array<std::string_view, 4> kGridSideKeys{"n", "e", "s", "w"};  // by GridSide
 constexpr std::array<std::string_view, 5> kGridAirKeys{"floor", "ceiling", "light", "upper",
                                                        "lower"};
 constexpr std::array<std::string_view, 3> kGridNextKeys{"next", "upper", "lower"};
@@ -87,12 +86,22 @@ bool hasKey(JsonValue object, std::string_view key) {
                              [&](const auto& member) { return member.key.text() == key; });
 }
 
+/// Whether it tells what its cells are; reported if not.
+bool saysWhatCellsAre(Report& report, JsonValue entry) {
+  for (const std::string_view key : {"wall", "walls", "next", "floor", "ceiling"})
+    if (hasKey(entry, key)) return true;
+  report.error(entry.place(), "an entry that does not say what its cells are",
+               "give \"wall\" for solid cells, \"floor\" and \"ceiling\" for air, or \"next\"");
+  return false;
+}
+
 LegendEntryDescription readEntry(Report& report, const JsonValue::Member& member) {
   const JsonValue value = member.value;
   LegendEntryDescription entry{std::string(member.key.text()), value.place(), {}};
   const auto take = [&](auto kind) {
     if (kind) entry.kind = *std::move(kind);
   };
+  if (value.isObject() && !saysWhatCellsAre(report, value)) return entry;
   if (value.isObject() && (hasKey(value, "wall") || hasKey(value, "walls")))
     take(readSolid(report, value));
   else if (value.isObject() && hasKey(value, "next"))

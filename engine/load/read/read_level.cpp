@@ -96,12 +96,13 @@ void readShots(Report& report, JsonValue value, LevelDescription& level) {
 void readSectors(Report& report, JsonValue value, const LoadLimits& limits,
                  LevelDescription& level) {
   VertexBudget budget{limits.vertices};
-  const bool isEmpty = value.isObject() ? value.members().empty() : value.size() == 0;
-  if (isEmpty && (value.isArray() || value.isObject()))
-    report.error(value.place(), "a level without sectors", "give at least one");
   for (const JsonValue::Member& child : namedChildren(report, value, "sectors"))
     level.sectors.push_back(readSector(report, {std::string(child.key.text()), child.key.place()},
                                        child.value, budget));
+}
+
+bool isEmpty(JsonValue value) {
+  return (value.isObject() && value.members().empty()) || (value.isArray() && value.size() == 0);
 }
 
 /// A level names its lights, if it does, and has sectors.
@@ -146,6 +147,8 @@ LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& lim
   const std::optional<JsonValue> grid = fields.find("grid");
   const auto sectors = grid ? fields.find("sectors")
                             : fields.require("sectors", "give at least one sector, or a \"grid\"");
+  if (sectors && isEmpty(*sectors) && !grid)
+    report.error(sectors->place(), "a level without sectors", "give at least one, or a \"grid\"");
   if (sectors) readSectors(report, *sectors, limits, level);
   if (grid) level.grid = readGrid(report, *grid, limits);
   level.isReadable = !grid || level.grid;

@@ -67,14 +67,19 @@ void warnOfOneWay(Linking& linking, const TwinIndex& twins, SegmentId id, Sector
   const Segment& segment = linking.level[id];
   const SegmentId twin = twins.find(segment, target).value();  // linking has made sure
   const Edge& behind = linking.outlines.edges[linking.edgeOf[twin.index()]];
+  const bool isOfGrid = linking.description.sectors[behind.sector].isOfGrid;
+  const std::string& from = linking.level[segment.sector].name;
   linking.report.warning(
       linking.describedWall(id).place,
       fmt::format(
           "a one-way portal to sector \"{}\": wall {} of its loop \"{}\", {}, does not lead back",
           linking.level[target].name, behind.wallIndex, linking.describedLoop(behind).name,
           linking.describedLoop(behind).ends(behind.wallIndex)),
-      fmt::format("give that wall \"next\": \"{}\" if it is to lead back",
-                  linking.level[segment.sector].name),
+      isOfGrid ? fmt::format(
+                     "write an entry with \"next\": \"{}\" into the cell behind it if that is to "
+                     "lead back",
+                     from)
+               : fmt::format("give that wall \"next\": \"{}\" if it is to lead back", from),
       "one-way-portal");
 }
 
