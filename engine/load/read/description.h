@@ -113,7 +113,7 @@ struct SectorDescription {
   std::optional<SlopeDescription> slopeCeil;
   std::vector<LoopDescription> loops;
   bool hasReadableLoops = true;
-  bool isOfGrid = false;  ///< places of its walls are those of legend entries
+  bool isOfGrid = false;  ///< places of its walls are in the legend
 };
 
 /// A face of a cell's square.
