@@ -14,7 +14,11 @@ auto keyOf(SectorId sector, Vec2 p0, Vec2 p1) {
 }  // namespace
 
 TwinIndex::TwinIndex(const Level& level) : level_(level) {
-  for (std::size_t i = 0; i < level.segments.size(); ++i) sorted_.push_back(SegmentId(i));
+  std::vector<bool> isTarget(level.sectors.size());
+  for (const Segment& segment : level.segments)
+    for (const SectorId target : targetsOf(segment.wall)) isTarget[target.index()] = true;
+  for (std::size_t i = 0; i < level.segments.size(); ++i)
+    if (isTarget[level.segments[i].sector.index()]) sorted_.push_back(SegmentId(i));
   std::stable_sort(sorted_.begin(), sorted_.end(), [&](SegmentId a, SegmentId b) {
     return keyOf(level[a].sector, level[a].p0, level[a].p1) <
            keyOf(level[b].sector, level[b].p0, level[b].p1);

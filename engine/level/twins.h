@@ -7,7 +7,8 @@
 
 namespace hearth {
 
-/// Finds segments by sector and end points. Valid as long as the level's segments are not moved.
+/// Finds segments by sector and end points, in sectors to which some wall leads. Valid as long as
+/// the level's segments are not moved.
 class TwinIndex {
  public:
   explicit TwinIndex(const Level& level);

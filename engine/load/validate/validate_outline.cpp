@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 
 #include "load/link/outline.h"
+#include "load/validate/hole_places.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -40,7 +42,9 @@ class SectorChecker {
     for (const OutlineLoop& loop : sector_.loops)
       if (hasNoArea(loop)) failForArea(loop);
     if (!sector_.isSound) return;
-    for (std::size_t i = 1; i < sector_.loops.size(); ++i) checkPlace(i);
+    checkHolePlaces(
+        outlines_, sector_, tree_, [&](std::uint32_t hole) { return touching_.contains(hole); },
+        [&](std::uint32_t hole) { return isInPlace(hole); });
     checkArea();
     if (!sector_.isSound) return;
     for (const OutlineLoop& loop : sector_.loops)
@@ -95,11 +99,11 @@ class SectorChecker {
   void findCrossings();
   void failForCrossing(const Edge& a, const Edge& b);
   bool doCross(const Edge& a, const Edge& b) const;
-  void checkPlace(std::size_t hole);
+  bool isInPlace(std::size_t hole);
   std::vector<Probe> probesOf(std::size_t loop) const;
   std::map<std::uint32_t, bool> loopsAround(Vec2 p) const;
   bool isOnWallOf(std::uint32_t loop, Probe probe) const;
-  void checkTwins(std::size_t hole, const std::vector<Probe>& probes);
+  std::optional<std::uint32_t> twinOf(std::size_t hole, const std::vector<Probe>& probes);
   void checkArea();
   void warnOfDirection(const OutlineLoop& loop) const;
 
@@ -316,37 +320,46 @@ std::vector<SectorChecker::Probe> SectorChecker::probesOf(std::size_t l) const {
   return probes;
 }
 
-/// A hole lies inside the border and outside the other holes.
-void SectorChecker::checkPlace(std::size_t hole) {
+/// Whether a hole lies inside the border and outside the other holes; reported where not.
+bool SectorChecker::isInPlace(std::size_t hole) {
   const LoopDescription& loop = described(sector_.loops[hole]);
   const std::vector<Probe> probes = probesOf(hole);
   for (const Probe probe : probes) {
     std::map<std::uint32_t, bool> around = loopsAround(probe.p);
     around.erase(static_cast<std::uint32_t>(hole));
-    if (!around[0] && !isOnWallOf(0, probe))
-      return fail(loop.place, fmt::format("loop \"{}\" leaves the border", loop.name),
-                  "move it inside the border");
+    if (!around[0] && !isOnWallOf(0, probe)) {
+      fail(loop.place, fmt::format("loop \"{}\" leaves the border", loop.name),
+           "move it inside the border");
+      return false;
+    }
     for (const auto& [other, isInside] : around)
-      if (other != 0 && isInside && !isOnWallOf(other, probe))
-        return fail(loop.place,
-                    fmt::format("loop \"{}\" lies within loop \"{}\"", loop.name,
-                                described(sector_.loops[other]).name),
-                    "remove one of them");
+      if (other != 0 && isInside && !isOnWallOf(other, probe)) {
+        fail(loop.place,
+             fmt::format("loop \"{}\" lies within loop \"{}\"", loop.name,
+                         described(sector_.loops[other]).name),
+             "remove one of them");
+        return false;
+      }
   }
-  checkTwins(hole, probes);
+  const std::optional<std::uint32_t> twin = twinOf(hole, probes);
+  if (twin)
+    fail(loop.place,
+         fmt::format("loop \"{}\" has the outline of loop \"{}\"", loop.name,
+                     described(sector_.loops[*twin]).name),
+         "remove one of them");
+  return !twin;
 }
 
-/// Two holes with one outline touch everywhere and have nothing inside one another.
-void SectorChecker::checkTwins(std::size_t hole, const std::vector<Probe>& probes) {
+/// The first hole that has the outline of a later one: they touch everywhere, and nothing of one
+/// lies inside the other.
+std::optional<std::uint32_t> SectorChecker::twinOf(std::size_t hole,
+                                                   const std::vector<Probe>& probes) {
   for (const std::uint32_t other : touching_[static_cast<std::uint32_t>(hole)])
     if (other != 0 && other < hole && std::all_of(probes.begin(), probes.end(), [&](Probe probe) {
           return isOnWallOf(other, probe);
         }))
-      return fail(
-          described(sector_.loops[hole]).place,
-          fmt::format("loop \"{}\" has the outline of loop \"{}\"",
-                      described(sector_.loops[hole]).name, described(sector_.loops[other]).name),
-          "remove one of them");
+      return other;
+  return std::nullopt;
 }
 
 void SectorChecker::checkArea() {
