@@ -10,6 +10,13 @@ namespace hearth {
 
 namespace {
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
+/// From so many edges on, a tree finds some of them sooner than a look at all.
+constexpr std::size_t kManyEdges = 64;
+
+/// Texels, by which more is looked at, so that rounding leaves out no edge.
+constexpr double kRounding = 1;
+
 /// A cheap bound: to the upright box round an edge, by the longer of its two coordinates.
 double distanceToBox(const Polygons::Edge& edge, Vec2 p) {
   const auto& [a, b] = edge;
@@ -26,6 +33,25 @@ Polygons::Polygons(const std::vector<std::vector<Vec2>>& polygons) {
       edges_.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
     ends_.push_back(edges_.size());
   }
+  if (edges_.size() < kManyEdges) return;
+  std::vector<Box> boxes;
+  boxes.reserve(edges_.size());
+  for (const Edge& edge : edges_) boxes.push_back(boxOf(edge.a, edge.b));
+  tree_ = std::make_shared<const BoxTree>(std::move(boxes));
+}
+
+/// Calls `visit(edge)` for all edges whose boxes touch one, in their order, and for others where
+/// there are few.
+template <typename Visit>
+void Polygons::forEachEdgeIn(const Box& box, Visit&& visit) const {
+  if (!tree_) {
+    for (const Edge& edge : edges_) visit(edge);
+    return;
+  }
+  std::vector<std::uint32_t> found;
+  tree_->query(grown(box, kRounding), [&](std::uint32_t i) { found.push_back(i); });
+  std::ranges::sort(found);
+  for (const std::uint32_t i : found) visit(edges_[i]);
 }
 
 std::vector<std::vector<Vec2>> Polygons::loops() const {
@@ -39,93 +65,105 @@ std::vector<std::vector<Vec2>> Polygons::loops() const {
 
 bool Polygons::contains(Vec2 p) const {
   bool inside = false;
-  for (const auto& [a, b] : edges_) {
-    if (a == p) return true;
-    if ((a.y <= p.y) == (b.y <= p.y)) continue;
+  bool isOnEdge = false;
+  forEachEdgeIn({{-kFar, p.y}, p}, [&](const Edge& edge) {
+    const auto& [a, b] = edge;
+    isOnEdge |= a == p;
+    if (isOnEdge || (a.y <= p.y) == (b.y <= p.y)) return;
+    if (std::min(a.x, b.x) > p.x) return;
+    if (std::max(a.x, b.x) < p.x) {
+      inside = !inside;
+      return;
+    }
     const int side = orientation(a, b, p);
-    if (side == 0) return true;
+    isOnEdge |= side == 0;
     if ((side > 0) == (b.y <= p.y)) inside = !inside;
-  }
-  return inside;
+  });
+  return inside || isOnEdge;
 }
 
 Vec2 Polygons::nearest(Vec2 p) const {
   Vec2 best = edges_.front().a;
-  double distance = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : edges_) {
-    if (distanceToBox(edge, p) > distance) continue;
-    const Vec2 q = nearestOnSegment(edge.a, edge.b, p);
-    const double found = length(q - p);
-    if (found < distance) best = q, distance = found;
+  double distance = kFar;
+  for (double reach = tree_ ? 1 : kFar; true; reach *= 2) {
+    forEachEdgeIn(grown({p, p}, reach), [&](const Edge& edge) {
+      if (distanceToBox(edge, p) > distance) return;
+      const Vec2 q = nearestOnSegment(edge.a, edge.b, p);
+      const double found = length(q - p);
+      if (found < distance) best = q, distance = found;
+    });
+    if (distance <= reach) return best;
   }
-  return best;
 }
 
 std::vector<Polygons::Edge> Polygons::edgesWithin(Vec2 p, double reach) const {
   std::vector<Edge> edges;
-  for (const Edge& edge : edges_)
+  forEachEdgeIn(grown({p, p}, reach), [&](const Edge& edge) {
     if (distanceToBox(edge, p) <= reach && length(nearestOnSegment(edge.a, edge.b, p) - p) <= reach)
       edges.push_back(edge);
+  });
   return edges;
 }
 
 Polygons Polygons::aroundRow(double row, double reach) const {
   Polygons around;
-  around.edges_.reserve(edges_.size());
-  for (const Edge& edge : edges_)
+  if (!tree_) around.edges_.reserve(edges_.size());
+  forEachEdgeIn({{-kFar, row - reach}, {kFar, row + reach}}, [&](const Edge& edge) {
     if (std::min(edge.a.y, edge.b.y) - row <= reach && row - std::max(edge.a.y, edge.b.y) <= reach)
       around.edges_.push_back(edge);
+  });
   return around;
 }
 
-/// The parts of the row with an edge no farther than `margin` along both axes: in rising order, and
-/// apart. Between two of these all is inside, or all is outside.
-std::vector<Polygons::Stretch> Polygons::besideEdges(double row, double margin) const {
-  std::vector<Stretch> beside;
-  beside.reserve(edges_.size());
-  for (const Edge& edge : edges_) {
+/// In rising order, and apart. Between two of these all is inside, or all is outside: as many edges
+/// cross the row before as tell.
+std::vector<Polygons::Beside> Polygons::besideEdges(double row, double margin) const {
+  std::vector<Beside> beside;
+  if (!tree_) beside.reserve(edges_.size());
+  forEachEdgeIn({{-kFar, row - margin}, {kFar, row + margin}}, [&](const Edge& edge) {
     const Vec2 a = edge.a;
     const Vec2 b = edge.b;
     const double low = std::max(std::min(a.y, b.y), row - margin);
     const double high = std::min(std::max(a.y, b.y), row + margin);
-    if (low > high) continue;
+    if (low > high) return;
     const auto xAt = [&a, &b](double y) { return std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y)); };
     const bool isLevel = a.y == b.y;
     const double ends[] = {isLevel ? a.x : xAt(low), isLevel ? b.x : xAt(high)};
-    beside.push_back({std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin});
-  }
-  std::ranges::sort(beside, {}, &Stretch::from);
+    beside.push_back({{std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin},
+                      (a.y <= row) != (b.y <= row)});
+  });
+  std::ranges::sort(beside, {}, [](const Beside& part) { return part.part.from; });
   std::size_t apart = 0;
-  for (const Stretch& next : beside) {
-    if (apart == 0 || beside[apart - 1].to < next.from)
-      beside[apart++] = next;
+  bool isInside = false;
+  for (const Beside& next : beside) {
+    isInside ^= next.leadsInside;
+    if (apart == 0 || beside[apart - 1].part.to < next.part.from)
+      beside[apart++].part = next.part;
     else
-      beside[apart - 1].to = std::max(beside[apart - 1].to, next.to);
+      beside[apart - 1].part.to = std::max(beside[apart - 1].part.to, next.part.to);
+    beside[apart - 1].leadsInside = isInside;
   }
   beside.resize(apart);
   return beside;
 }
 
-bool Polygons::isInsideBetween(double row, const Stretch& before, const Stretch& after) const {
-  return contains({(before.to + after.from) / 2, row});
-}
-
 std::vector<Polygons::Stretch> Polygons::insideAlong(double row, double margin) const {
-  const std::vector<Stretch> beside = besideEdges(row, margin);
+  const std::vector<Beside> beside = besideEdges(row, margin);
   std::vector<Stretch> inside;
   for (std::size_t i = 0; i + 1 < beside.size(); ++i)
-    if (isInsideBetween(row, beside[i], beside[i + 1]))
-      inside.push_back({beside[i].to, beside[i + 1].from});
+    if (beside[i].leadsInside) inside.push_back({beside[i].part.to, beside[i + 1].part.from});
   return inside;
 }
 
 std::vector<Polygons::Stretch> Polygons::nearAlong(double row, double margin) const {
   std::vector<Stretch> near;
-  for (const Stretch& next : besideEdges(row, margin)) {
-    if (!near.empty() && isInsideBetween(row, near.back(), next))
-      near.back().to = next.to;
+  bool isInside = false;
+  for (const Beside& next : besideEdges(row, margin)) {
+    if (isInside)
+      near.back().to = next.part.to;
     else
-      near.push_back(next);
+      near.push_back(next.part);
+    isInside = next.leadsInside;
   }
   return near;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "math/box_tree.h"
 #include "math/vec.h"
 
 namespace hearth {
@@ -45,11 +48,19 @@ class Polygons {
   std::vector<Stretch> nearAlong(double row, double margin) const;
 
  private:
-  std::vector<Stretch> besideEdges(double row, double margin) const;
-  bool isInsideBetween(double row, const Stretch& before, const Stretch& after) const;
+  /// A part of a row with an edge no farther than a margin along both axes.
+  struct Beside {
+    Stretch part;
+    bool leadsInside;  ///< what comes after it lies inside
+  };
+  std::vector<Beside> besideEdges(double row, double margin) const;
+
+  template <typename Visit>
+  void forEachEdgeIn(const Box& box, Visit&& visit) const;
 
   std::vector<Edge> edges_;
-  std::vector<std::size_t> ends_;  ///< of the polygons' edges
+  std::shared_ptr<const BoxTree> tree_;  ///< of the edges, where they are many
+  std::vector<std::size_t> ends_;        ///< of the polygons' edges
 };
 
 }  // namespace hearth
