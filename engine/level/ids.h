@@ -27,5 +27,6 @@ using SurfaceId = Id<struct SurfaceTag>;
 using TextureId = Id<struct TextureTag>;
 using FlatPortalId = Id<struct FlatPortalTag>;
 using LightId = Id<struct LightTag>;
+using CellId = Id<struct CellTag>;  ///< over all wall grids
 
 }  // namespace hearth

@@ -17,6 +17,7 @@
 #include "level/surface.h"
 #include "level/texel_holes.h"
 #include "level/thing_body.h"
+#include "level/wall_grid.h"
 
 namespace hearth {
 
@@ -79,6 +80,7 @@ struct Level {
   std::vector<WallSurfaces> wallSurfaces;     ///< of all segments
   std::vector<SegmentId> entrances;           ///< of all sectors
   std::uint32_t maskedMiddlesInOpenings = 0;  ///< each counts on both sides of its opening
+  std::vector<WallGrid> wallGrids;            ///< of sectors with many walls
 
   std::vector<FaceTree> faceTrees;  ///< by mesh
   std::vector<ThingBody> bodies;    ///< of sprites, then of meshes; set by `addBodies`
@@ -121,6 +123,10 @@ struct Level {
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {
     return {&segments[sector.firstSegment.index()], sector.segmentCount};
+  }
+  /// None where looking at all of its walls is as quick.
+  const WallGrid* wallGridOf(const Sector& sector) const {
+    return sector.wallGrid ? &wallGrids[*sector.wallGrid] : nullptr;
   }
   std::span<const WallSurfaces> surfacesOf(const Segment& segment) const {
     return {wallSurfaces.data() + segment.firstWall, segment.wallCount};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,5 +20,9 @@ struct MissingTwin {
 /// Expects: segments split so that both sides of every portal have the same end points, slopes that
 /// are planes, flats with a texture (skies too) or a flat portal.
 std::vector<MissingTwin> linkSurfaces(Level& level);
+
+/// Sets `Level::wallGrids`, of the sectors with no fewer walls. `linkSurfaces` has done so with the
+/// number from which on it saves time; nothing that is seen, lit or met depends on it.
+void addWallGrids(Level& level, std::size_t fewestWalls);
 
 }  // namespace hearth

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "level/walls_in.h"
 #include "math/check.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
@@ -13,24 +14,37 @@ namespace hearth {
 
 namespace {
 
+constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
+
 bool inBox(const Sector& sector, Vec2 p, double slack) {
   return grown(sector.box, slack).contains(p);
 }
 
 struct Nearest {
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = kAnyDistance;
   Vec2 point;
   const Segment* segment = nullptr;
 };
 
-Nearest nearestWall(const Level& level, const Sector& sector, Vec2 p) {
+/// Of the walls that come into a box.
+Nearest nearestWallIn(const Level& level, const Sector& sector, const Box& box, Vec2 p) {
   Nearest best;
-  for (const Segment& segment : level.segmentsOf(sector)) {
+  forEachWallIn(level, sector, box, [&](const Segment& segment) {
     const Vec2 point = nearestOnSegment(segment.p0, segment.p1, p);
     const double distance = length(point - p);
     if (distance < best.distance) best = {distance, point, &segment};
-  }
+  });
   return best;
+}
+
+Nearest nearestWall(const Level& level, const Sector& sector, Vec2 p) {
+  const WallGrid* const grid = level.wallGridOf(sector);
+  double reach = grid ? grid->metresPerCell() : kAnyDistance;
+  while (true) {
+    const Nearest best = nearestWallIn(level, sector, boxAround(p, reach), p);
+    if (best.distance <= reach) return best;
+    reach *= 2;
+  }
 }
 
 /// Metres that a point near `p` must move so that rounding cannot hide the difference.
@@ -118,13 +132,15 @@ class WallsAt {
 
 /// Whether a point is within `slack` of a wall that has air in front of it at that place.
 bool isBesideWall(const Level& level, const Sector& sector, Vec2 p, double slack) {
-  return std::ranges::any_of(level.segmentsOf(sector), [&](const Segment& segment) {
+  bool isBeside = false;
+  forEachWallIn(level, sector, boxAround(p, slack), [&](const Segment& segment) {
     const Vec2 wall = nearestOnSegment(segment.p0, segment.p1, p);
-    if (length(wall - p) > slack) return false;
+    if (isBeside || length(wall - p) > slack) return;
     const Vec2 along = segment.p1 - segment.p0;
     const Vec2 before = wall + (slack / length(along)) * turned90(along);
-    return contains(level, sector, wall) || contains(level, sector, before);
+    isBeside = contains(level, sector, wall) || contains(level, sector, before);
   });
+  return isBeside;
 }
 
 }  // namespace
@@ -133,19 +149,20 @@ bool contains(const Level& level, const Sector& sector, Vec2 p) {
   if (!inBox(sector, p, 0)) return false;
   bool inside = false;
   WallsAt walls(p);
-  for (const Segment& segment : level.segmentsOf(sector)) {
+  // The point is inside if an odd number of walls lies to one side of it.
+  forEachWallIn(level, sector, {{-kAnyDistance, p.y}, p}, [&](const Segment& segment) {
     const Vec2 a = segment.p0;
     const Vec2 b = segment.p1;
     const bool aBelow = a.y <= p.y;
     const bool bBelow = b.y <= p.y;
     const bool nearY = std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-    if (!nearY) continue;
+    if (!nearY) return;
     const int side = orientation(a, b, p);
     if (side == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x))
       walls.add(segment);
     else if (aBelow != bBelow && (side > 0) == bBelow)
       inside = !inside;
-  }
+  });
   return inside || walls.hasAir();
 }
 
@@ -171,7 +188,7 @@ SectorId sectorAcross(const Level& level, const FlatPortal& flatPortal, FlatPort
   const std::vector<SectorId>& members = flatPortal.members(to);
   CHECK(!members.empty(), flatPortal.name);
   SectorId best = members.front();
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = kAnyDistance;
   for (const SectorId member : members) {
     if (contains(level, level[member], p)) return member;
     const double found = nearestWall(level, level[member], p).distance;

@@ -54,6 +54,7 @@ struct Sector {
   std::optional<SurfaceId> ceilingSurface;
   std::uint32_t firstEntrance = 0;  ///< see Level::entrancesOf
   std::uint32_t entranceCount = 0;
+  std::optional<std::uint32_t> wallGrid;  ///< index into Level::wallGrids, where it has many walls
 
   /// Heights of the sector's air above a point in plan, slopes included, where its flats are as
   /// authored. `Scene` has those of the flats as they are.

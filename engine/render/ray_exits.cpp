@@ -36,6 +36,7 @@ RayExits::RayExits(const Scene& scene, const Projection& projection, int width, 
                    RayExitScratch& scratch)
     : scene_(scene), projection_(projection), width_(width), columns_(columns), scratch_(scratch) {
   scratch_.fronts.clear();
+  scratch_.cellFronts.clear();
   scratch_.slants.clear();
   for (int column = columns_.begin; column < columns_.end; ++column)
     scratch_.slants.push_back(projection_.slantOf(column + 0.5));
@@ -45,9 +46,19 @@ const std::vector<ColumnHit>& RayExits::closest(SectorId sector, std::optional<S
                                                 const std::vector<Window>& windows) {
   std::vector<ColumnHit>& closest = scratch_.closest;
   closest.assign(windows.size(), {SegmentId(0), false, kNoDepth, 0});
-  meetSegments(sector, entry, windows, [&](std::size_t k, const ColumnHit& hit) {
+  const auto keepNearer = [&](std::size_t k, const ColumnHit& hit) {
     if (isBeyond(entry, windows[k].depth, hit) && isNearer(hit, closest[k])) set(closest[k], hit);
-  });
+  };
+  if (const WallGrid* const grid = scene_.level().wallGridOf(scene_[sector]))
+    for (std::size_t k = 0; k < windows.size(); ++k)
+      walkCells(
+          sector, *grid, windows[k].column, windows[k].depth * (1 - 2 * kNearTie),
+          [&](const ColumnHit& hit) {
+            if (hit.segment != entry) keepNearer(k, hit);
+          },
+          [&] { return closest[k].depth; });
+  else
+    meetSegments(sector, entry, windows, keepNearer);
   return closest;
 }
 
@@ -68,12 +79,47 @@ void RayExits::meetSegments(SectorId sector, std::optional<SegmentId> except,
 }
 
 std::span<const SegmentFront> RayExits::frontsOf(SectorId sector) {
-  SegmentFronts& fronts = scratch_.fronts;
+  ById<SectorId, SegmentFront>& fronts = scratch_.fronts;
   if (!fronts.has(sector)) {
-    findFronts(scene_, projection_, sector, width_, columns_, fronts);
-    projectedSegments_ += static_cast<int>(scene_[sector].segmentCount);
+    fronts.begin(sector);
+    for (const Segment& segment : scene_.segmentsOf(scene_[sector])) addFront(segment, fronts);
   }
   return fronts.of(sector);
+}
+
+std::span<const SegmentFront> RayExits::frontsIn(SectorId sector, const WallGrid& grid,
+                                                 CellId cell) {
+  ById<CellId, SegmentFront>& fronts = scratch_.cellFronts;
+  if (!fronts.has(cell)) {
+    fronts.begin(cell);
+    const std::span<const Segment> segments = scene_.segmentsOf(scene_[sector]);
+    for (const std::uint32_t i : grid.wallsIn(cell)) addFront(segments[i], fronts);
+  }
+  return fronts.of(cell);
+}
+
+/// Adds the segment if it covers columns of the frame.
+template <typename Fronts>
+void RayExits::addFront(const Segment& segment, Fronts& fronts) {
+  ++projectedSegments_;
+  if (const auto front = frontOf(scene_, projection_, segment, width_, columns_))
+    fronts.add(*front);
+}
+
+/// Calls `met(hit)` for the segments that the ray through a column meets beyond a depth, up to
+/// where `end()` says. It may meet some more, and one more than once.
+template <typename Met, typename End>
+void RayExits::walkCells(SectorId sector, const WallGrid& grid, int column, double from, Met&& met,
+                         End&& end) {
+  const double slant = slantOf(column);
+  grid.alongRay(projection_.eye().xy(), projection_.rayOf(column + 0.5), from, [&](CellId cell) {
+    for (const SegmentFront& front : frontsIn(sector, grid, cell)) {
+      if (column < front.columns.begin || column >= front.columns.end) continue;
+      const auto [depth, fraction] = front.meetings.at(slant);
+      met(ColumnHit{front.segment, front.hasLevelAir, depth, fraction});
+    }
+    return end();
+  });
 }
 
 double RayExits::slantOf(int column) const {
@@ -100,12 +146,32 @@ bool RayExits::inOrder(SegmentId a, SegmentId b) const {
 void RayExits::findStretches(const std::vector<SectorId>& members,
                              const std::vector<Window>& windows) {
   scratch_.stretches.clear();
-  for (const SectorId member : members)
-    meetSegments(member, std::nullopt, windows, [&](std::size_t k, const ColumnHit& exit) {
+  for (const SectorId member : members) {
+    const auto add = [&](std::size_t k, const ColumnHit& exit) {
       scratch_.stretches.push_back({k, {member, exit}});
-    });
+    };
+    if (const WallGrid* const grid = scene_.level().wallGridOf(scene_[member]))
+      for (std::size_t k = 0; k < windows.size(); ++k)
+        for (const ColumnHit& exit : crossings(member, *grid, windows[k].column)) add(k, exit);
+    else
+      meetSegments(member, std::nullopt, windows, add);
+  }
   groupByWindow(windows.size());
   for (std::size_t i = 0; i < windows.size(); ++i) sortByDepth(stretchesIn(i));
+}
+
+/// All segments that the ray through a column meets, each once, in the sector's order.
+const std::vector<ColumnHit>& RayExits::crossings(SectorId sector, const WallGrid& grid,
+                                                  int column) {
+  std::vector<ColumnHit>& crossed = scratch_.crossed;
+  crossed.clear();
+  walkCells(
+      sector, grid, column, 0, [&](const ColumnHit& hit) { crossed.push_back(hit); },
+      [] { return kNoDepth; });
+  std::ranges::sort(crossed, {}, &ColumnHit::segment);
+  const auto isSame = [](const ColumnHit& a, const ColumnHit& b) { return a.segment == b.segment; };
+  crossed.erase(std::unique(crossed.begin(), crossed.end(), isSame), crossed.end());
+  return crossed;
 }
 
 std::span<Stretch> RayExits::stretchesIn(std::size_t window) {

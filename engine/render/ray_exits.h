@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "render/by_id.h"
 #include "render/camera.h"
 #include "render/segment_columns.h"
-#include "render/segment_fronts.h"
+#include "render/segment_front.h"
 #include "render/window.h"
 
 namespace hearth {
@@ -23,15 +24,17 @@ struct Stretch {
 
 /// The memory of RayExits, kept from frame to frame.
 struct RayExitScratch {
-  SegmentFronts fronts;
-  std::vector<double> slants;      ///< of the rays of the columns, see Projection::slantOf
-  std::vector<ColumnHit> closest;  ///< by window of the present viewport
+  ById<SectorId, SegmentFront> fronts;    ///< of sectors without a wall grid
+  ById<CellId, SegmentFront> cellFronts;  ///< of wall grids
+  std::vector<double> slants;             ///< of the rays of the columns, see Projection::slantOf
+  std::vector<ColumnHit> closest;         ///< by window of the present viewport
 
   /// Of the present look through a flat portal: as they are found, with their windows, ...
   std::vector<std::pair<std::size_t, Stretch>> stretches;
   /// ... and by window: those of window i are [stretchesBegin[i], stretchesBegin[i + 1]).
   std::vector<Stretch> stretchesByWindow;
   std::vector<std::size_t> stretchesBegin;
+  std::vector<ColumnHit> crossed;  ///< of one of its windows, in one wall grid
 };
 
 /// Where the rays through windows leave the sectors behind them, in one frame. Windows are by
@@ -64,6 +67,13 @@ class RayExits {
   void meetSegments(SectorId sector, std::optional<SegmentId> except,
                     const std::vector<Window>& windows, Met&& met);
   std::span<const SegmentFront> frontsOf(SectorId sector);
+  std::span<const SegmentFront> frontsIn(SectorId sector, const WallGrid& grid, CellId cell);
+  template <typename Fronts>
+  void addFront(const Segment& segment, Fronts& fronts);
+  template <typename Met, typename End>
+  void walkCells(SectorId sector, const WallGrid& grid, int column, double from, Met&& met,
+                 End&& end);
+  const std::vector<ColumnHit>& crossings(SectorId sector, const WallGrid& grid, int column);
   double slantOf(int column) const;
   bool isBeyond(std::optional<SegmentId> entry, double entryDepth, const ColumnHit& hit) const;
   bool isNearer(const ColumnHit& a, const ColumnHit& b) const;

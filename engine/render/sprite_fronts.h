@@ -9,7 +9,7 @@
 #include "level/scene.h"
 #include "level/sprite_index.h"
 #include "level/sprite_sectors.h"
-#include "render/by_sector.h"
+#include "render/by_id.h"
 #include "render/by_strip.h"
 #include "render/camera.h"
 #include "render/segment_columns.h"
@@ -103,7 +103,7 @@ class SpriteFronts {
   Guest guestOf(const Scene& scene, const Projection& projection, double seconds,
                 std::uint32_t sprite);
 
-  BySector<SpriteFront> fronts_;
+  ById<SectorId, SpriteFront> fronts_;
   std::vector<ByStrip> byStrip_;  ///< of each sector in their order; more is memory of other frames
   std::size_t begun_ = 0;         ///< sectors
   std::vector<Guest> guests_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "level/walls_in.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -45,14 +46,21 @@ void Surroundings::add(SectorId sector) {
 }
 
 void Surroundings::visitSector(const Sector& sector) {
-  for (const Segment& segment : scene_.segmentsOf(sector)) visitWall(segment);
-  for (const Loop& loop : sector.loops) {
-    const std::size_t first = loop.first.index();
-    for (std::size_t i = 0, last = loop.count - 1; i < loop.count; last = i++)
-      visitVertex(scene_.level().segments[first + last], scene_.level().segments[first + i]);
-  }
+  forEachWallInReach(sector, [&](const Segment& segment) { visitWall(segment); });
+  forEachWallInReach(sector, [&](const Segment& segment) {
+    const Loop& loop = sector.loops[segment.loop];
+    const std::size_t before =
+        (segment.id == loop.first ? segment.id.index() + loop.count : segment.id.index()) - 1;
+    visitVertex(scene_.level().segments[before], segment);
+  });
   addFlats(sector);
   if (sector.floorSlope || sector.ceilingSlope) addSlopes(sector);
+}
+
+/// Calls `visit(segment)` for all walls within reach, and for some others.
+template <typename Visit>
+void Surroundings::forEachWallInReach(const Sector& sector, Visit&& visit) const {
+  forEachWallIn(scene_.level(), sector, boxAround(query_.center, sweptRadius_), visit);
 }
 
 void Surroundings::visitWall(const Segment& segment) {
@@ -222,10 +230,12 @@ void Surroundings::followFlat(FlatPortalId id, FlatPortalSide to) {
 bool Surroundings::touches(const Sector& sector) const {
   const Vec2 p = query_.center;
   if (!grown(sector.box, sweptRadius_).contains(p)) return false;
-  return contains(scene_.level(), sector, p) ||
-         std::ranges::any_of(scene_.segmentsOf(sector), [&](const Segment& segment) {
-           return !chordOf(segment.p0 - p, segment.p1 - p, sweptRadius_).isEmpty();
-         });
+  if (contains(scene_.level(), sector, p)) return true;
+  bool touches = false;
+  forEachWallInReach(sector, [&](const Segment& segment) {
+    touches |= !chordOf(segment.p0 - p, segment.p1 - p, sweptRadius_).isEmpty();
+  });
+  return touches;
 }
 
 /// `sign` times the slope's height where that is greatest, of what the disc covers of the sector.
@@ -238,12 +248,12 @@ double Surroundings::highest(const Sector& sector, const Slope& slope, double si
   const Vec2 uphill = steepness > 0 ? (sign * sweptRadius_ / steepness) * slope.gradient : Vec2{};
   if (contains(scene_.level(), sector, p)) take(p);
   if (contains(scene_.level(), sector, p + uphill)) take(p + uphill);
-  for (const Segment& segment : scene_.segmentsOf(sector)) {
+  forEachWallInReach(sector, [&](const Segment& segment) {
     const Interval chord = chordOf(segment.p0 - p, segment.p1 - p, sweptRadius_);
-    if (chord.isEmpty()) continue;
+    if (chord.isEmpty()) return;
     take(lerp(segment.p0, segment.p1, chord.low));
     take(lerp(segment.p0, segment.p1, chord.high));
-  }
+  });
   if (best == -kInfinity) take(p);  // a body without breadth can miss its sector by the slack
   return best;
 }
@@ -276,15 +286,15 @@ void Surroundings::blockWhereAbove0(const Sector& sector, double valueAtCenter, 
   const Vec2 along = (1 / steepness) * turned90(gradient);
   const double half = std::sqrt(sweptRadius_ * sweptRadius_ - dot(foot, foot));
   std::pmr::vector<double> cuts({-half, half}, &arena_);
-  for (const Segment& segment : scene_.segmentsOf(sector)) {
+  forEachWallInReach(sector, [&](const Segment& segment) {
     const Vec2 a = segment.p0 - query_.center - foot;
     const Vec2 b = segment.p1 - query_.center - foot;
     const double aSide = cross(along, a);
     const double bSide = cross(along, b);
-    if ((aSide > 0) == (bSide > 0)) continue;
+    if ((aSide > 0) == (bSide > 0)) return;
     const double cut = dot(along, lerp(a, b, aSide / (aSide - bSide)));
     if (cut > -half && cut < half) cuts.push_back(cut);
-  }
+  });
   std::ranges::sort(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Vec2 middle = foot + ((cuts[i] + cuts[i + 1]) / 2) * along;

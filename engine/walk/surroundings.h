@@ -58,6 +58,8 @@ class Surroundings {
  private:
   void add(SectorId sector);
   void visitSector(const Sector& sector);
+  template <typename Visit>
+  void forEachWallInReach(const Sector& sector, Visit&& visit) const;
   void visitWall(const Segment& segment);
   void visitVertex(const Segment& before, const Segment& after);
   void visitWallBelow(const Segment& segment, Interval chord);

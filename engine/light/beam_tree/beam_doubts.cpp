@@ -1,6 +1,8 @@
 #include "light/beam_tree/beam_doubts.h"
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include "math/tolerance.h"
 
@@ -23,12 +25,29 @@ void BeamDoubts::addLine(SectorId from, Vec2 direction) {
     if (!lines_.insert({id.value, direction.x, direction.y}).second) continue;
     found_.beams.push_back(
         {id, nullptr, nullptr, direction, direction, direction, direction, 0, 0, true});
-    for (const Segment& wall : scene_.segmentsOf(scene_[id]))
+    forEachWallAlong(id, direction, [&](const Segment& wall) {
       if (const auto openings = scene_.lightOpeningsOf(wall);
           !openings.empty() && touches(wall, direction))
         for (const LightOpening& opening : openings) goTo(opening.next);
+    });
     forEachBehindFlats(id, goTo);
   }
+}
+
+/// Calls `visit(wall)` for all walls of a sector that a line from the light comes to, and for
+/// others.
+template <typename Visit>
+void BeamDoubts::forEachWallAlong(SectorId id, Vec2 direction, Visit&& visit) const {
+  const std::span<const Segment> walls = scene_.segmentsOf(scene_[id]);
+  const WallGrid* const grid = scene_.level().wallGridOf(scene_[id]);
+  if (!grid) {
+    std::ranges::for_each(walls, visit);
+    return;
+  }
+  grid->alongRay(light_, direction, 0, [&](CellId cell) {
+    for (const std::uint32_t i : grid->wallsIn(cell)) visit(walls[i]);
+    return std::numeric_limits<double>::infinity();
+  });
 }
 
 /// Whether a line from the light comes to the wall, perhaps, and it does not clearly face away.

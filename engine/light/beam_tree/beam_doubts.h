@@ -30,6 +30,8 @@ class BeamDoubts {
   bool touches(const Segment& wall, Vec2 direction) const;
   template <typename Visit>
   void forEachBehindFlats(SectorId id, Visit&& visit) const;
+  template <typename Visit>
+  void forEachWallAlong(SectorId id, Vec2 direction, Visit&& visit) const;
 
   Scene scene_;
   Vec2 light_;

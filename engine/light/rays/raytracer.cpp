@@ -33,13 +33,36 @@ bool areApart(const Box3& a, const Box3& b) {
          a.max.z < b.min.z || b.max.z < a.min.z;
 }
 
+/// A ray on the map.
+struct PlanRay {
+  Vec2 origin;
+  Vec2 delta;
+  double tSector;  ///< where it came into the sector
+  double length2;  ///< square of its length in space
+
+  double tBegin() const { return tSector - 2 * kNearTie * std::max(tSector, 1.0); }
+  /// Beyond its end it does not matter what it meets.
+  double tEnd() const { return 1 + 2 * kArrival / std::sqrt(length2); }
+};
+
 /// All walls and meshes of a sector.
 struct AllWalls {
   Scene scene;
 
-  template <typename Visit>
-  void visit(SectorId sector, Visit&& visit) const {
-    for (const Segment& wall : scene.segmentsOf(scene[sector])) visit(wall);
+  /// Calls `visit(wall)` for all that the ray meets before `nearest()`, and for others.
+  template <typename Visit, typename Nearest>
+  void visit(SectorId sector, const PlanRay& ray, Visit&& visit, Nearest&& nearest) const {
+    const std::span<const Segment> walls = scene.segmentsOf(scene[sector]);
+    const WallGrid* const grid = scene.level().wallGridOf(scene[sector]);
+    if (!grid) {
+      for (const Segment& wall : walls) visit(wall);
+      return;
+    }
+    const double tEnd = ray.tEnd();
+    grid->alongRay(ray.origin, ray.delta, ray.tBegin(), [&](CellId cell) {
+      for (const std::uint32_t i : grid->wallsIn(cell)) visit(walls[i]);
+      return std::min(nearest(), tEnd);
+    });
   }
   std::span<const MeshInSector> meshesIn(SectorId sector) const {
     return scene.level().meshesIn(sector);
@@ -50,8 +73,8 @@ struct AllWalls {
 struct ShaftWalls {
   const Shaft& shaft;
 
-  template <typename Visit>
-  void visit(SectorId sector, Visit&& visit) const {
+  template <typename Visit, typename Nearest>
+  void visit(SectorId sector, const PlanRay&, Visit&& visit, Nearest&&) const {
     for (const Segment* wall : shaft.wallsIn(sector)) visit(*wall);
   }
   std::span<const MeshInSector> meshesIn(SectorId sector) const { return shaft.meshesIn(sector); }
@@ -170,7 +193,7 @@ class Walk {
     if (met_) met_->add(sector_);
     Exit best{nullptr, std::numeric_limits<double>::infinity()};
     if (planLength2_ == 0) return best;
-    walls_.visit(sector_, [&](const Segment& segment) {
+    const auto meet = [&](const Segment& segment) {
       const double side0 = sideOf(segment.p0);
       const double side1 = sideOf(segment.p1);
       if (side0 >= 0 || side1 < 0) return;
@@ -180,7 +203,9 @@ class Walk {
           !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
         return;
       best = {&segment, t};
-    });
+    };
+    walls_.visit(sector_, PlanRay{origin_.xy(), delta_.xy(), t_, length2_}, meet,
+                 [&] { return best.t; });
     return best;
   }
 

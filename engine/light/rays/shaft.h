@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -138,8 +139,9 @@ class Shaft {
   std::vector<const LightOpening*> exits_;
   std::vector<MetSector> sectors_;
   std::vector<Visit> visits_;
-  std::vector<std::uint32_t> chain_;    ///< of `mets_`: a screen that may be
-  std::vector<std::uint32_t> screens_;  ///< before the way of the visit at hand
+  std::pmr::vector<std::uint32_t> near_;  ///< walls of a wall grid that the hull may meet
+  std::vector<std::uint32_t> chain_;      ///< of `mets_`: a screen that may be
+  std::vector<std::uint32_t> screens_;    ///< before the way of the visit at hand
   std::optional<Gate> gate_;
   bool arrives_ = false;    ///< some ray, perhaps, at its target
   bool isStopped_ = false;  ///< some ray, perhaps, elsewhere

@@ -138,6 +138,32 @@ std::optional<ShaftHull::Slice> ShaftHull::slice(Vec2 p0, Vec2 p1) const {
   return slice;
 }
 
+ShaftHull::Outline ShaftHull::outlineIn(const Box& box) const {
+  const Vec2 center = center_.xy();
+  Outline outline;
+  for (const Vec2 corner :
+       {box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}})
+    outline.add(corner - center);
+  for (const HalfPlane& side : sides_.all()) outline = clipped(outline, side);
+  for (Vec2& corner : std::span(outline.items).first(outline.count)) corner = corner + center;
+  return outline;
+}
+
+/// I. Sutherland, G. Hodgman, "Reentrant Polygon Clipping", 1974.
+ShaftHull::Outline ShaftHull::clipped(const Outline& outline, const HalfPlane& side) {
+  Outline clipped;
+  for (std::size_t i = 0, before = outline.count - 1; i < outline.count; before = i++) {
+    // Only rounding can make so many corners.
+    if (clipped.count + 2 > clipped.items.size()) return outline;
+    const double outside0 = dot(side.normal, outline[before]) - side.most;
+    const double outside1 = dot(side.normal, outline[i]) - side.most;
+    if ((outside0 <= 0) != (outside1 <= 0))
+      clipped.add(lerp(outline[before], outline[i], outside0 / (outside0 - outside1)));
+    if (outside1 <= 0) clipped.add(outline[i]);
+  }
+  return clipped;
+}
+
 bool ShaftHull::Slice::isBelow(EndHeights line) const {
   return std::any_of(tops_.begin(), tops_.begin() + topCount_,
                      [&](EndHeights top) { return top.from < line.from && top.to < line.to; });

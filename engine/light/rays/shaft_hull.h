@@ -39,6 +39,15 @@ struct EndHeights {
 /// exact.
 class ShaftHull {
  public:
+  template <typename Item, std::size_t N>
+  struct Few {
+    std::array<Item, N> items;
+    std::size_t count = 0;
+    void add(const Item& item) { items[count++] = item; }
+    const Item& operator[](std::size_t i) const { return items[i]; }
+    std::span<const Item> all() const { return {items.data(), count}; }
+  };
+
   ShaftHull(Vec3 center, double radius, const TargetBox& targets);
 
   /// The part of a wall that the body meets.
@@ -59,6 +68,10 @@ class ShaftHull {
     std::size_t bottomCount_ = 0;
   };
   std::optional<Slice> slice(Vec2 p0, Vec2 p1) const;
+
+  /// The convex outline on the map of what the body has in a box, or of somewhat more.
+  using Outline = Few<Vec2, 16>;
+  Outline outlineIn(const Box& box) const;
 
   /// Distances from a line of the map, positive in front of it: along its unit normal.
   struct Distances {
@@ -93,15 +106,7 @@ class ShaftHull {
     double atCenter;
     double at(Vec2 p) const { return atCenter + dot(gradient, p); }
   };
-  template <typename Item, std::size_t N>
-  struct Few {
-    std::array<Item, N> items;
-    std::size_t count = 0;
-    void add(const Item& item) { items[count++] = item; }
-    const Item& operator[](std::size_t i) const { return items[i]; }
-    std::span<const Item> all() const { return {items.data(), count}; }
-  };
-
+  static Outline clipped(const Outline& outline, const HalfPlane& side);
   bool isClearOf(const Box3& box) const;
   void addPlane(Vec3 normal);
   void addAround(Vec2 axis);

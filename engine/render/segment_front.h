@@ -1,7 +1,8 @@
 #pragma once
 
+#include <optional>
+
 #include "level/scene.h"
-#include "render/by_sector.h"
 #include "render/camera.h"
 #include "render/segment_columns.h"
 
@@ -15,10 +16,8 @@ struct SegmentFront {
   SegmentMeetings meetings;
 };
 
-using SegmentFronts = BySector<SegmentFront>;
-
-/// Finds those of another sector that cover some of these columns of a screen that is so wide.
-void findFronts(const Scene& scene, const Projection& projection, SectorId sector, int width,
-                ColumnRange columns, SegmentFronts& fronts);
+/// The segment as one, if it covers some of these columns of a screen that is so wide.
+std::optional<SegmentFront> frontOf(const Scene& scene, const Projection& projection,
+                                    const Segment& segment, int width, ColumnRange columns);
 
 }  // namespace hearth
