@@ -8,16 +8,13 @@
 #include <memory>
 
 #include "peers/evenly.h"
+#include "peers/grown_level.h"
 #include "peers/peer_inputs.h"
 #include "peers/peer_rows.h"
 
 namespace hearth {
 
 namespace {
-
-constexpr ImageSize kSmallPicture{320, 200};
-constexpr int kHeadings = 16;
-constexpr int kRounds = 20;
 
 /// Rooms on a grid of squares; the one at (0, 0) is looked at from its middle. A level holds those
 /// of [-left, columns - left) x [-top, rows - top).
@@ -95,50 +92,18 @@ void writeLevel(const std::filesystem::path& file, const Layout& layout, const E
   out << "}}\n";
 }
 
-SectorId sectorNamed(const Level& level, const std::string& name) {
-  const auto found = std::ranges::find(level.sectors, name, &Sector::name);
-  return SectorId(static_cast<std::size_t>(found - level.sectors.begin()));
+tl::expected<std::shared_ptr<GrownLevel>, std::string> grownLevel(const std::filesystem::path& file,
+                                                                  const Layout& layout,
+                                                                  const Extent& extent) {
+  writeLevel(file, layout, extent);
+  return GrownLevel::of(file, {0, 0, 1.6});
 }
-
-/// A level of a layout, from inside.
-class GrownLevel {
- public:
-  static tl::expected<std::shared_ptr<GrownLevel>, std::string> of(
-      const std::filesystem::path& file, const Layout& layout, const Extent& extent) {
-    writeLevel(file, layout, extent);
-    LoadResult result = loadLevel(file);
-    std::filesystem::remove(file);
-    if (!result.loaded) return tl::unexpected(format(result.diagnostics.front()));
-    return std::make_shared<GrownLevel>(*std::move(result.loaded));
-  }
-
-  explicit GrownLevel(LoadedLevel level)
-      : level_(PeerLevel::unlit(std::move(level))),
-        start_(sectorNamed(level_.loaded.level, nameOf(0, 0))) {}
-
-  FrameBench measure(const Clock& clock) {
-    drawAll(clock);
-    frames_.begin();
-    for (int i = 0; i < kRounds; ++i) drawAll(clock);
-    return frames_.result();
-  }
-
- private:
-  void drawAll(const Clock& clock) {
-    for (int i = 0; i < kHeadings; ++i)
-      frames_.draw(level_.renderer, {start_, {0, 0, 1.6}, 360.0 * i / kHeadings}, clock);
-  }
-
-  PeerLevel level_;
-  SectorId start_;
-  FrameTimes frames_{kSmallPicture};
-};
 
 Prepared prepareGrowth(PeerInputs& inputs, const Layout& layout) {
   const std::filesystem::path file = inputs.folder() / "grown.json";
-  const auto small = GrownLevel::of(file, layout, layout.small);
+  const auto small = grownLevel(file, layout, layout.small);
   if (!small) return tl::unexpected(small.error());
-  return GrownLevel::of(file, layout, layout.large).map([&](const auto& large) -> Measure {
+  return grownLevel(file, layout, layout.large).map([&](const auto& large) -> Measure {
     return [small = *small, large, &inputs]() -> tl::expected<Figures, std::string> {
       const FrameBench ofSmall = small->measure(inputs.clock());
       const FrameBench ofLarge = large->measure(inputs.clock());

@@ -61,6 +61,14 @@ Prepared prepareLargestKept(PeerInputs& inputs);
 /// is seen; ms of both.
 Prepared prepareStripGrowth(PeerInputs& inputs);
 Prepared prepareGridGrowth(PeerInputs& inputs);
+/// A frame of a maze of a million cells, over one of 900, of which the same is seen; ms of both.
+Prepared prepareMazeFrame(PeerInputs& inputs);
+/// Seconds of loading the maze of a million cells; millions of its walls. Gigabytes of that.
+Prepared prepareMazeLoad(PeerInputs& inputs);
+Prepared prepareMazePeak(PeerInputs& inputs);
+/// Rays that a bake traces in a second, on one thread, in a hall of 10,000 walls, over those in one
+/// of 100; millions of both.
+Prepared prepareWallRays(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.
 Prepared prepareCastlePeak(PeerInputs& inputs);
 Prepared prepareLargestPeak(PeerInputs& inputs);
