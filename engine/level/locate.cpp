@@ -149,7 +149,7 @@ bool contains(const Level& level, const Sector& sector, Vec2 p) {
   if (!inBox(sector, p, 0)) return false;
   bool inside = false;
   WallsAt walls(p);
-  // The point is inside if an odd number of walls lies to one side of it.
+  // The point is inside if an odd number of walls lies to the left of it.
   forEachWallIn(level, sector, {{-kAnyDistance, p.y}, p}, [&](const Segment& segment) {
     const Vec2 a = segment.p0;
     const Vec2 b = segment.p1;

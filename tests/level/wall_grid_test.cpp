@@ -8,10 +8,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory_resource>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "math/predicates.h"
@@ -57,7 +59,7 @@ class Sequence {
   double place_ = 0;
 };
 
-/// Squares at rising sizes of the world, far from its origin: rounding is largest there.
+/// Square pillars, so many each way.
 Walls pillars(int count, double size, Vec2 origin) {
   std::vector<Segment> walls;
   for (int j = 0; j < count; ++j)
