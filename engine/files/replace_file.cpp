@@ -112,7 +112,7 @@ bool renameToNew(const fs::path& from, const fs::path& to) {
   return ::link(from.c_str(), to.c_str()) == 0 && ::unlink(from.c_str()) == 0;
 }
 
-fs::path partOf(fs::path file) { return file += ".part"; }
+fs::path partOf(fs::path file) { return file += ".tmp"; }
 
 }  // namespace
 

@@ -7,9 +7,9 @@
 #include <tl/expected.hpp>
 
 /// Files that are whole or not there. What is written goes into a file beside its target, with
-/// `.part` at the end of its name, which is then renamed: no reader sees half a file, and a failure
+/// `.tmp` at the end of its name, which is then renamed: no reader sees half a file, and a failure
 /// leaves what there was. Programs that write the same file wait for one another. One that is
-/// killed may leave its `.part`; the next to write that file overwrites it.
+/// killed may leave its `.tmp`; the next to write that file overwrites it.
 namespace hearth {
 
 /// Puts a file out, and says whether it could.

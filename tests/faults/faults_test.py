@@ -111,7 +111,7 @@ class CannotWrite(InFolder):
                     self.refused(result, f"hearth: error: .*{name}: cannot be written: File too large")
                     after = self.files()
                     self.assertEqual({file: after[file] for file in before}, before)
-                    self.assertFalse([file for file in after if file.endswith(".part")])
+                    self.assertFalse([file for file in after if file.endswith(".tmp")])
 
     def test_a_folder_that_is_missing_or_a_file(self):
         for place, reason in (("missing", "No such file or directory"),
@@ -200,7 +200,7 @@ class Killed(InFolder):
         self.assertIn(after[name], (OLD, new))
         added = set(after) - set(self.given) - {name}
         added = {file for file in added if not file.startswith("level.failed/")}
-        self.assertLessEqual(added, {f"{name}.part"})
+        self.assertLessEqual(added, {f"{name}.tmp"})
         return after[name] == new
 
     def new_of(self, name):
@@ -224,7 +224,7 @@ class Killed(InFolder):
                 self.assertFalse(self.expect_old_or(new, name))
                 # What was left is in nobody's way.
                 again, _ = self.new_of(name)
-                self.assertFalse([file for file in self.files() if file.endswith(".part")])
+                self.assertFalse([file for file in self.files() if file.endswith(".tmp")])
                 if name != "settings.html":  # it has times in it
                     self.assertEqual(again, new)
 
@@ -259,7 +259,7 @@ class Killed(InFolder):
                                  preexec_fn=no_more_than(size, signal.SIG_DFL))
             self.assertEqual(result.returncode, -signal.SIGXFSZ)
             self.assertLess({path.name for path in failed.iterdir()},
-                            pages | {page + ".part" for page in pages})
+                            pages | {page + ".tmp" for page in pages})
         self.assertEqual(self.hearth(*check).returncode, 0)
         self.assertFalse(failed.exists())
         self.assertEqual(golden.read_bytes(), kept)
@@ -276,7 +276,7 @@ class Killed(InFolder):
             process.kill()
             process.wait()
             left = {name: data for name, data in self.files().items()
-                    if name.startswith("castle") and not name.endswith(".part")}
+                    if name.startswith("castle") and not name.endswith(".tmp")}
             self.assertLessEqual(left.items(), whole.items())
             # With a level there are its lights.
             self.assertIn(len(left), (0, 2) if "castle.json" in left else (0, 1))

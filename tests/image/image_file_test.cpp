@@ -132,7 +132,7 @@ TEST_F(ImageFile, ReplacesAnOlderFileAndLeavesNothingBeside) {
   fileOf("a.png", {1, 2, 3});
   ASSERT_TRUE(writePng(path("a.png"), ramp(2, 2)));
   EXPECT_TRUE(readImage(path("a.png"), kMaxPixels));
-  EXPECT_FALSE(std::filesystem::exists(path("a.png.part")));
+  EXPECT_FALSE(std::filesystem::exists(path("a.png.tmp")));
 }
 
 TEST_F(ImageFile, SaysWhichFileCouldNotBeWritten) {

@@ -93,7 +93,7 @@ TEST_F(WholeFile, staysAsItWasWhenItsWriterFails) {
 }
 
 TEST_F(WholeFile, isWrittenOverWhatAKilledProgramLeft) {
-  put("a.part", "left behind, and longer than what comes");
+  put("a.tmp", "left behind, and longer than what comes");
   ASSERT_TRUE(replaceFile(path("a"), writerOf("new")));
   EXPECT_EQ(textOf("a"), "new");
   EXPECT_EQ(countFiles(), 1);
@@ -102,8 +102,8 @@ TEST_F(WholeFile, isWrittenOverWhatAKilledProgramLeft) {
 TEST_F(WholeFile, isWrittenOverWhatAKilledProgramLeftReadOnly) {
   for (const bool isThere : {false, true}) {
     if (isThere) put("a", "old");
-    put("a.part", "finished, but not renamed");
-    fs::permissions(path("a.part"), fs::perms(0444));
+    put("a.tmp", "finished, but not renamed");
+    fs::permissions(path("a.tmp"), fs::perms(0444));
     ASSERT_TRUE(replaceFile(path("a"), writerOf("new")));
     EXPECT_EQ(textOf("a"), "new");
     EXPECT_EQ(countFiles(), 1);
@@ -113,10 +113,10 @@ TEST_F(WholeFile, isWrittenOverWhatAKilledProgramLeftReadOnly) {
 TEST_F(WholeFile, isAsPrivateWhileItIsWrittenAsTheFileThatItReplaces) {
   put("a", "old");
   fs::permissions(path("a"), fs::perms(0600));
-  put("a.part", "left behind, from when everyone could read the file");
-  fs::permissions(path("a.part"), fs::perms(0644));
+  put("a.tmp", "left behind, from when everyone could read the file");
+  fs::permissions(path("a.tmp"), fs::perms(0644));
   ASSERT_TRUE(replaceFile(path("a"), [&](std::ostream& stream) {
-    EXPECT_EQ(fs::status(path("a.part")).permissions(), fs::perms(0600));
+    EXPECT_EQ(fs::status(path("a.tmp")).permissions(), fs::perms(0600));
     return writerOf("new")(stream);
   }));
   EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0600));
@@ -139,7 +139,7 @@ TEST_F(WholeFile, isReplacedBehindALink) {
 
 TEST_F(WholeFile, isNotWrittenThroughALinkInPlaceOfItsPart) {
   put("other", "mine");
-  fs::create_symlink(path("other"), path("a.part"));
+  fs::create_symlink(path("other"), path("a.tmp"));
   EXPECT_FALSE(replaceFile(path("a"), writerOf("new")));
   EXPECT_EQ(textOf("other"), "mine");
 }

@@ -268,7 +268,7 @@ class Update(InFolder):
     def test_killed_while_writing_leaves_the_old_picture_whole(self):
         result, added = self.limited(is_killed=True)
         self.assertEqual(result.returncode, -signal.SIGXFSZ)
-        self.assertEqual(added, ["room.golden/north.png.part"])
+        self.assertEqual(added, ["room.golden/north.png.tmp"])
         self.assertEqual(self.check("--update").returncode, 0)
         self.assertEqual(sorted(path.name for path in self.golden.iterdir()),
                          ["north.png", "south.png"])

@@ -27,7 +27,7 @@ constexpr std::string_view kExpected = ".expected.png";
 constexpr std::string_view kActual = ".actual.png";
 constexpr std::string_view kDifference = ".difference.png";
 constexpr std::string_view kPage = "report.html";
-constexpr std::string_view kPart = ".part";  // of what replaceFile was writing when it was killed
+constexpr std::string_view kPart = ".tmp";  // of what replaceFile was writing when it was killed
 
 /// What keeps a level from being checked at all.
 std::optional<std::string> mistakeInShots(const Level& level) {
