@@ -11,6 +11,8 @@
 #include <optional>
 
 #include "light/baking/sprite_light.h"
+#include "light/byte_stream.h"
+#include "light/file_frame.h"
 #include "light/geometry_hash.h"
 #include "light/grid/texel_limits.h"
 #include "math/check.h"
@@ -20,15 +22,15 @@ namespace hearth {
 namespace {
 
 // The layout, of which saved_bake.md has the table. Numbers are little-endian.
-constexpr std::string_view kMagic = "\x89HEARTH\n";
-/// To be raised with the layout, and with the rules of surfaces, their order and texel grids.
-constexpr std::uint32_t kVersion = 5;
-constexpr std::size_t kVersionEnd = 12;
-constexpr std::size_t kHeaderBytes = 52;
+constexpr FileFrame kBakeFrame{
+    .begin = "\x89HEARTH\n",
+    .kind = "saved bake",
+    // To be raised with the layout, and with the rules of surfaces, their order and texel grids.
+    .version = 5,
+    .headerBytes = 52};
 /// Surface, i0, j0, width, height and channels, before the texels of each lightmap.
 constexpr std::size_t kMapNumbers = 6;
 constexpr std::size_t kShortBytes = 5;  ///< at most
-constexpr std::size_t kChecksumBytes = 4;
 
 /// Of zlib, 1 to 9: the best that takes no more than about twice the time of the quickest, as
 /// engine/README.md tells.
@@ -41,74 +43,6 @@ const Bytef* zlibBytes(std::string_view bytes) {
 }
 
 Bytef* zlibBytes(std::string& bytes) { return reinterpret_cast<Bytef*>(bytes.data()); }
-
-/// CRC-32 as in zlib, PNG and gzip.
-std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, zlibBytes(bytes), bytes.size()));
-}
-
-template <typename Unsigned>
-void put(std::string& bytes, Unsigned number) {
-  for (std::size_t i = 0; i < sizeof number; ++i)
-    bytes.push_back(static_cast<char>((number >> (8 * i)) & 0xff));
-}
-
-/// Seven bits a byte, the lowest first, a top bit for more to come (LEB128): of small numbers, one
-/// byte.
-void putShort(std::string& bytes, std::uint32_t number) {
-  for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<char>(number | 0x80));
-  bytes.push_back(static_cast<char>(number));
-}
-
-/// 0, -1, 1, -2 and so on as 0, 1, 2, 3.
-std::uint32_t folded(int number) {
-  const auto twice = static_cast<std::uint32_t>(number) << 1;
-  return number < 0 ? ~twice : twice;
-}
-
-int unfolded(std::uint32_t number) {
-  return static_cast<int>((number & 1) != 0 ? ~(number >> 1) : number >> 1);
-}
-
-/// Takes numbers from the front of what is left. The caller has made sure that they are there.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : left_(bytes) {}
-
-  std::size_t left() const { return left_.size(); }
-
-  std::string_view take(std::size_t count) {
-    CHECK(count <= left_.size(), count, left_.size());
-    const std::string_view taken = left_.substr(0, count);
-    left_.remove_prefix(count);
-    return taken;
-  }
-
-  std::uint32_t take32() { return static_cast<std::uint32_t>(number(4)); }
-  std::uint64_t take64() { return number(8); }
-
-  /// None where no number of 32 bits stands.
-  std::optional<std::uint32_t> takeShort() {
-    std::uint64_t value = 0;
-    for (int shift = 0; shift < 32 && !left_.empty(); shift += 7) {
-      const auto byte = static_cast<unsigned char>(take(1).front());
-      value |= std::uint64_t{byte & 0x7fU} << shift;
-      if (byte < 0x80 && value <= 0xffffffff) return static_cast<std::uint32_t>(value);
-    }
-    return std::nullopt;
-  }
-
- private:
-  std::uint64_t number(std::size_t size) {
-    std::uint64_t value = 0;
-    const std::string_view bytes = take(size);
-    for (std::size_t i = 0; i < size; ++i)
-      value |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-    return value;
-  }
-
-  std::string_view left_;
-};
 
 std::string packed(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
@@ -184,7 +118,7 @@ struct Header {
   std::uint64_t lightmapBytes;  ///< unpacked
 };
 
-Header takeHeader(Reader& in) {
+Header takeHeader(ByteReader& in) {
   Header header;
   header.settingsBytes = in.take32();
   header.fileBytes = in.take64();
@@ -193,28 +127,6 @@ Header takeHeader(Reader& in) {
   header.lightmaps = in.take32();
   header.lightmapBytes = in.take64();
   return header;
-}
-
-/// That the bytes are a saved bake of this version, all of it and as it was written.
-Mistake mistakeInFrame(std::string_view bytes) {
-  if (!bytes.starts_with(kMagic.substr(0, bytes.size()))) return "is no saved bake";
-  const auto cutShort = [&](std::uint64_t whole) {
-    return fmt::format("is cut short: {} of {} bytes are there", bytes.size(), whole);
-  };
-  if (bytes.size() < kVersionEnd) return cutShort(kHeaderBytes + kChecksumBytes);
-  Reader in(bytes.substr(kMagic.size()));
-  if (const std::uint32_t version = in.take32(); version != kVersion)
-    return fmt::format("is a saved bake of version {}, and only version {} can be read", version,
-                       kVersion);
-  if (bytes.size() < kHeaderBytes + kChecksumBytes) return cutShort(kHeaderBytes + kChecksumBytes);
-  const Header header = takeHeader(in);
-  if (bytes.size() < header.fileBytes) return cutShort(header.fileBytes);
-  if (bytes.size() > header.fileBytes)
-    return fmt::format("goes on for {} bytes after its end", bytes.size() - header.fileBytes);
-  Reader end(bytes.substr(bytes.size() - kChecksumBytes));
-  if (end.take32() != checksum(bytes.substr(0, bytes.size() - kChecksumBytes)))
-    return "was altered: its checksum is not that of its bytes";
-  return std::nullopt;
 }
 
 Mistake mistakeInGeometry(const Scene& scene, const Header& header, std::string_view settings) {
@@ -273,7 +185,7 @@ class LightmapReader {
   Mistake readOne() {
     std::array<std::uint32_t, kMapNumbers> numbers{};
     for (std::uint32_t& number : numbers) {
-      const auto taken = in_.takeShort();
+      const auto taken = in_.takeShort32();
       if (!taken) return "has a lightmap that does not begin with six numbers";
       number = *taken;
     }
@@ -328,7 +240,7 @@ class LightmapReader {
   Scene scene_;
   std::vector<SurfaceId> surfaces_;  ///< by their numbers in the file
   BakedLight& light_;
-  Reader in_;
+  ByteReader in_;
 };
 
 }  // namespace
@@ -346,10 +258,11 @@ std::string encodeBake(const Scene& scene, const BakedLight& light, double texel
     ++count;
   }
   const std::string body = packed(lightmaps);
-  std::string bytes(kMagic);
-  put(bytes, kVersion);
+  std::string bytes(kBakeFrame.begin);
+  put(bytes, kBakeFrame.version);
   put(bytes, static_cast<std::uint32_t>(settings.size()));
-  put(bytes, std::uint64_t{kHeaderBytes + settings.size() + body.size() + kChecksumBytes});
+  put(bytes, std::uint64_t{kBakeFrame.headerBytes + settings.size() + body.size() +
+                           FileFrame::kChecksumBytes});
   put(bytes, geometryHash(scene, texel));
   put(bytes, std::bit_cast<std::uint64_t>(texel));
   put(bytes, count);
@@ -365,8 +278,9 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string
   const auto refused = [](std::string what) {
     return tl::unexpected(BakeMistake{std::move(what)});
   };
-  if (auto mistake = mistakeInFrame(bytes)) return refused(std::move(*mistake));
-  Reader in(bytes.substr(kVersionEnd, bytes.size() - kVersionEnd - kChecksumBytes));
+  if (auto mistake = mistakeInFrame(kBakeFrame, bytes)) return refused(std::move(*mistake));
+  const std::string_view framed = bytes.substr(0, bytes.size() - FileFrame::kChecksumBytes);
+  ByteReader in(framed.substr(FileFrame::kVersionEnd));
   const Header header = takeHeader(in);
   if (const std::size_t most = std::min(kMaxSettingsBytes, in.left()); header.settingsBytes > most)
     return refused(fmt::format("has settings of {} bytes, where at most {} can be",

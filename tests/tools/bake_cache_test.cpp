@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "light/light_hash.h"
 #include "support/level_text.h"
 
 namespace hearth {
@@ -151,8 +152,8 @@ TEST_F(BakeCacheTest, clearsAwayWhatStoppedProgramsLeft) {
   const LoadedLevel loaded = room();
   const Scene scene = loaded.scene();
   bakeAndKeep(cache_, scene, loaded.level.bake);
-  const fs::path old = folder_ / "1.bake.5.part";
-  const fs::path recent = folder_ / "2.bake.6.part";
+  const fs::path old = folder_ / "1.bake.5.tmp";
+  const fs::path recent = folder_ / "2.bake.6.tmp";
   for (const fs::path& part : {old, recent}) std::ofstream(part) << "half";
   fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(2));
   bakeAndKeep(cache_, scene, {.texel = 1});

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "cli/plan.h"
-#include "inputs/bake_cache.h"
+#include "light/light_hash.h"
 #include "load/json/parse.h"
 #include "load/load.h"
 #include "random_levels/random_level.h"

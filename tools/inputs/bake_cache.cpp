@@ -18,7 +18,7 @@
 
 #include "files/read_file.h"
 #include "folders/user_folders.h"
-#include "light/geometry_hash.h"
+#include "light/light_hash.h"
 #include "light/saved_bake.h"
 #include "math/hash.h"
 #include "settings/settings.h"
@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kBakeExtension = ".bake";
 /// Of files that are being written, or that a program left when it was stopped.
-constexpr std::string_view kPartExtension = ".part";
+constexpr std::string_view kPartExtension = ".tmp";
 constexpr std::chrono::hours kPartsOld{1};
 
 std::uint64_t hashOf(std::string_view bytes) {
@@ -84,17 +84,6 @@ std::optional<std::uint64_t> hashOfProgram() {
   return hashOf(*program);
 }
 
-void add(Hash& hash, const BakeSettings& settings) {
-  // By name, so that no new member is forgotten.
-  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, solidMaskedMiddles] =
-      settings;
-  hash.addReal(texel);
-  hash.addReal(cutOff);
-  for (const int number :
-       {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMaskedMiddles ? 1 : 0})
-    hash.addWhole(static_cast<std::uint64_t>(number));
-}
-
 bool writeAll(const fs::path& path, const std::string& bytes) {
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), std::ssize(bytes));
@@ -126,15 +115,6 @@ std::vector<Entry> entriesIn(const fs::path& folder, std::string_view extension)
 }
 
 }  // namespace
-
-std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
-  Hash hash;
-  hash.addWhole(geometryHash(scene, settings.texel));
-  hash.addWhole(scene.level().lights.size());
-  for (const LightSource& light : scene.level().lights) addLight(hash, light, light.sector.value);
-  add(hash, settings);
-  return hash.value();
-}
 
 std::optional<BakeCache> BakeCache::ofUser() {
   const auto folder = cacheFolder();

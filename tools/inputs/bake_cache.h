@@ -41,7 +41,4 @@ class BakeCache {
   std::uint64_t maxBytes_;
 };
 
-/// A hash of all that the light of a level depends on, except the program.
-std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings);
-
 }  // namespace hearth

@@ -1,0 +1,32 @@
+#include "light/light_hash.h"
+
+#include "light/geometry_hash.h"
+#include "math/hash.h"
+
+namespace hearth {
+
+namespace {
+
+void add(Hash& hash, const BakeSettings& settings) {
+  // By name, so that no new member is forgotten.
+  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, solidMaskedMiddles] =
+      settings;
+  hash.addReal(texel);
+  hash.addReal(cutOff);
+  for (const int number :
+       {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMaskedMiddles ? 1 : 0})
+    hash.addWhole(static_cast<std::uint64_t>(number));
+}
+
+}  // namespace
+
+std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
+  Hash hash;
+  hash.addWhole(geometryHash(scene, settings.texel));
+  hash.addWhole(scene.level().lights.size());
+  for (const LightSource& light : scene.level().lights) addLight(hash, light, light.sector.value);
+  add(hash, settings);
+  return hash.value();
+}
+
+}  // namespace hearth
