@@ -147,7 +147,7 @@ BakedLight bakeOnly(const WantedTexels& wanted, LitSurfaces surfaces, const Scen
   const Level& level = scene.level();
   std::vector<SurfaceTexels> jobs;
   for (const SurfaceTexels& texels : wanted.surfaces)
-    jobs.push_back({texels.surface, texelsToBake(texels, scene, surfaces, settings)});
+    jobs.push_back({texels.surface, texelsToBake(texels, scene, surfaces)});
   const std::vector<std::uint32_t> meshes = meshesOf(level, wanted.faces);
   std::vector<LitMesh> lit = makeLitMeshes(level, settings.texel, meshes, threads);
   for (const std::uint32_t mesh : meshes) keepOnly(wanted.faces, level.meshes[mesh], lit[mesh]);

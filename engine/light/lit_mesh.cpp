@@ -137,4 +137,19 @@ void keepOnly(std::span<const std::uint32_t> faces, const Mesh& of, LitMesh& mes
                 [&](const LitMesh::SmallFace& small) { return !isKept(small.face); });
 }
 
+std::int64_t texelsOfSmallFaces(std::span<const LitMesh::SmallFace> faces) {
+  return std::ssize(faces) * kSmallFaceSide * kSmallFaceSide;
+}
+
+std::vector<std::span<const LitMesh::SmallFace>> smallFacesAtOnce(const LitMesh& mesh) {
+  constexpr std::size_t kAtOnce = 512;
+  std::vector<std::span<const LitMesh::SmallFace>> parts;
+  std::span<const LitMesh::SmallFace> left = mesh.smallFaces;
+  while (!left.empty()) {
+    parts.push_back(left.first(std::min(kAtOnce, left.size())));
+    left = left.subspan(parts.back().size());
+  }
+  return parts;
+}
+
 }  // namespace hearth

@@ -44,6 +44,10 @@ Vec2 placeOn(const LitMesh& mesh, std::uint32_t index, const MeshFace& face, Vec
 
 /// The side of the square of texels that a small face has.
 inline constexpr int kSmallFaceSide = 2;
+std::int64_t texelsOfSmallFaces(std::span<const LitMesh::SmallFace> faces);
+
+/// The small faces of a mesh, as many at once as are lit together.
+std::vector<std::span<const LitMesh::SmallFace>> smallFacesAtOnce(const LitMesh& mesh);
 
 /// Of a mesh by its index. `texel` in metres, > 0.
 LitMesh makeLitMesh(const Level& level, std::uint32_t mesh, double texel);

@@ -64,22 +64,6 @@ struct LitSurface {
   std::vector<TexelRun> usedRuns(int j) const;
 };
 
-/// The texels of a row that filtering can read, and for each other texel the nearest of them.
-class UsedTexelRow {
- public:
-  UsedTexelRow(const LitSurface& surface, int j) : used_(surface.usedRuns(j)) {}
-
-  /// Call it for texels from left to right.
-  int nearest(int i) {
-    while (used_.size() - next_ > 1 && used_[next_ + 1].first - i <= i - used_[next_].last) ++next_;
-    return std::clamp(i, used_[next_].first, used_[next_].last);
-  }
-
- private:
-  std::vector<LitSurface::TexelRun> used_;
-  std::size_t next_ = 0;
-};
-
 /// By SurfaceId; none for skies, sprites and surfaces that do not show.
 using LitSurfaces = std::vector<std::optional<LitSurface>>;
 

@@ -64,7 +64,7 @@ class Rebake::Baker {
   std::int64_t texelsOfRounds() const;
   std::shared_ptr<const Surface> lit(SurfaceId id, BakeProgress& progress,
                                      const std::stop_token& stop) const;
-  void findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
+  void findLeft(SurfaceId id, const UsedTexels& texels, Surface& found, BakeProgress& progress,
                 const std::stop_token& stop) const;
   Contribution contributionOf(std::size_t light, const SurfaceLight& surface, const TexelSums& sums,
                               LightDependencies& dependencies) const;
@@ -263,14 +263,13 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
   for (const std::size_t light : plan.facing) surface.lights.push_back(prints_.lights[light]);
   surface.contributions = plan.known;
   if (plan.old) surface.samplesOn = plan.old->samplesOn;
-  if (!plan.left.empty()) findLeft(id, surface, progress, stop);
   if (!plan.facing.empty()) {
+    const UsedTexels texels(*surfaces_[id.index()], surfaces_[id.index()]->texels);
+    if (!plan.left.empty()) findLeft(id, texels, surface, progress, stop);
     TexelSums sums = sumsFor(id);
     for (const auto& contribution : surface.contributions) sums.add(contribution->sums);
-    emptyTexelsOf(SurfaceLight(scene_, surfaces_, visibilities_, settings_.lambert, id),
-                  surfaces_[id.index()]->texels, settings_)
-        .fill(sums);
-    surface.lightmap = lightmapOf(sums, settings_);
+    surface.lightmap =
+        lightmapOf(SurfacePlaces(scene_, surfaces_, id), std::move(sums), texels, settings_);
   }
   return std::make_shared<const Surface>(std::move(surface));
 }
@@ -283,8 +282,8 @@ TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
 }
 
 /// Computes the contributions of the lights that are left.
-void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progress,
-                             const std::stop_token& stop) const {
+void Rebake::Baker::findLeft(SurfaceId id, const UsedTexels& texels, Surface& found,
+                             BakeProgress& progress, const std::stop_token& stop) const {
   LightDependencies dependencies;
   SurfaceLight surface(scene_, surfaces_, visibilities_, settings_.lambert, id,
                        VisibilityMethod::Shafts, &dependencies);
@@ -295,10 +294,10 @@ void Rebake::Baker::findLeft(SurfaceId id, Surface& found, BakeProgress& progres
     left = left.subspan(lights.size());
     std::map<std::size_t, TexelSums> sums;
     for (const std::size_t light : lights)
-      sums.try_emplace(light, surface.texels(), scene_.level().lights[light].isColored() ? 3 : 1);
+      sums.try_emplace(light, texels.rect(), scene_.level().lights[light].isColored() ? 3 : 1);
     addLights(
-        surface, lights, settings_, [&](std::size_t light) -> TexelSums& { return sums.at(light); },
-        progress, stop);
+        surface, texels, lights, settings_,
+        [&](std::size_t light) -> TexelSums& { return sums.at(light); }, progress, stop);
     for (const std::size_t light : lights) {
       contribution = std::find(contribution, found.contributions.end(), nullptr);
       *contribution = std::make_shared<const Contribution>(
@@ -426,7 +425,7 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id,
     SurfaceLight surface(scene_, surfaces_, visibilities, settings_.lambert, id);
     addLightsDraft(surface, plan.left, settings_, [&](std::size_t) -> TexelSums& { return sums; });
   }
-  return lightmapOf(sums, settings_);
+  return sums.toLightmap(settings_.samples.value_or(1));
 }
 
 }  // namespace hearth

@@ -22,6 +22,15 @@ struct Box3 {
            std::max(max.z, other.max.z)};
   }
 
+  /// From a point to the nearest one of it.
+  double distanceTo(Vec3 p) const {
+    const auto beyond = [](double x, double low, double high) {
+      return std::max({low - x, x - high, 0.0});
+    };
+    return length(
+        Vec3{beyond(p.x, min.x, max.x), beyond(p.y, min.y, max.y), beyond(p.z, min.z, max.z)});
+  }
+
   /// The farthest point of it along a direction.
   constexpr Vec3 farthest(Vec3 along) const {
     return {along.x < 0 ? min.x : max.x, along.y < 0 ? min.y : max.y, along.z < 0 ? min.z : max.z};

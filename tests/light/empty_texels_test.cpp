@@ -12,6 +12,8 @@
 #include "light/baking/left_out.h"
 #include "light/baking/texel_sums.h"
 #include "light/lightmap.h"
+#include "light/polygons.h"
+#include "light/used_texels.h"
 
 namespace hearth {
 namespace {
@@ -23,6 +25,17 @@ struct Place {
 
 int distance2(Place a, Place b) { return (a.i - b.i) * (a.i - b.i) + (a.j - b.j) * (a.j - b.j); }
 
+/// Those of a surface that fills a rectangle.
+UsedTexels allUsed(const TexelRect& rect) {
+  LitSurface surface;
+  const double right = rect.i0 + rect.width;
+  const double bottom = rect.j0 + rect.height;
+  const Vec2 corner{static_cast<double>(rect.i0), static_cast<double>(rect.j0)};
+  surface.outline = Polygons({{corner, {right, corner.y}, {right, bottom}, {corner.x, bottom}}});
+  surface.texels = rect;
+  return {surface, rect};
+}
+
 /// Some texels of a rectangle are empty; each of the others has a level of its own.
 TEST(EmptyTexels, takeTheLightOfOneOfTheNearestOthers) {
   std::mt19937 random(1);
@@ -33,7 +46,8 @@ TEST(EmptyTexels, takeTheLightOfOneOfTheNearestOthers) {
   for (int round = 0; round < 300; ++round) {
     const TexelRect rect{below(9) - 4, below(9) - 4, 1 + below(20), 1 + below(12)};
     const int emptyOfTen = 1 + below(9);
-    EmptyTexels empty(rect);
+    const UsedTexels all = allUsed(rect);
+    EmptyTexels empty(all);
     TexelSums sums(rect, 1);
     std::vector<Place> emptied;
     std::vector<Place> byLevel(1);  // level 0 is dark

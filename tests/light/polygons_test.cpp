@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
+#include "light/used_texels.h"
 #include "math/predicates.h"
 #include "math/trig.h"
 #include "support/baked_room.h"
@@ -171,6 +173,38 @@ TEST(UsedTexels, areRepeatedWhereNoPixelReads) {
       EXPECT_EQ(light.at(i, j), light.at(used.front().first, j));
   }
   EXPECT_GT(gaps, 20);
+}
+
+TEST(UsedTexels, leaveEachOtherTexelTheNearestInItsRow) {
+  const test::BakedRoom room = gallery();
+  const std::optional<SurfaceId> floor = room.surfaceAt(SurfaceKind::Floor, {1, 1, 0}, "");
+  const LitSurface& surface = *room.light().surfaces[floor->index()];
+  const TexelRect& all = surface.texels;
+  int outside = 0;
+  for (const TexelRect& rect : {all, TexelRect{all.i0 + 30, all.j0 + 9, 25, 20}}) {
+    const UsedTexels texels(surface, rect);
+    for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
+      std::vector<int> nearest(static_cast<std::size_t>(rect.width), rect.i0 - 1);
+      const auto at = [&](int i) -> int& { return nearest[static_cast<std::size_t>(i - rect.i0)]; };
+      texels.forEachRunIn(rect, j, [&](int first, int last) {
+        for (int i = first; i <= last; ++i) at(i) = i;
+      });
+      texels.forEachUnused(j, [&](int i, int used) {
+        EXPECT_LT(at(i), rect.i0) << i << ' ' << j << " is used";
+        at(i) = used;
+      });
+      for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
+        int least = rect.width + all.width;
+        for (const auto& [first, last] : surface.usedRuns(j))
+          least = std::min(least, std::abs(std::clamp(i, first, last) - i));
+        if (at(i) < rect.i0)
+          ++outside;  // that one is not in the rectangle
+        else
+          EXPECT_EQ(std::abs(at(i) - i), least) << i << ' ' << j;
+      }
+    }
+    EXPECT_EQ(outside > 0, rect != all);
+  }
 }
 
 }  // namespace

@@ -125,7 +125,8 @@ TEST(BakeProgress, countsEachTileOfASurfaceOnceItIsDone) {
   const LightVisibilities visibilities(room.scene(), settings);
   SurfaceLight floor(room.scene(), surfaces, visibilities, settings.lambert,
                      room.level.sectors[0].floorSurface.value());
-  TexelSums sums(floor.texels(), floor.channels());
+  const UsedTexels used(floor.surface(), floor.surface().texels);
+  TexelSums sums(used.rect(), floor.channels());
   BakeProgress progress;
   // Sums are asked for before the lamp lights a tile.
   std::vector<std::int64_t> done;
@@ -133,9 +134,9 @@ TEST(BakeProgress, countsEachTileOfASurfaceOnceItIsDone) {
     done.push_back(progress.texelsDone());
     return sums;
   };
-  addLights(floor, floor.facing(), settings, sumsOf, progress);
-  const std::int64_t texels = floor.texels().count();
-  const std::int64_t tiles = std::ssize(tilesOf(floor.texels()));
+  addLights(floor, used, floor.facing(), settings, sumsOf, progress);
+  const std::int64_t texels = used.rect().count();
+  const std::int64_t tiles = std::ssize(tilesOf(used));
   std::vector<std::int64_t> expected;
   for (std::int64_t tile = 0; tile < tiles; ++tile) expected.push_back(texels * tile / tiles);
   EXPECT_GT(tiles, 4);

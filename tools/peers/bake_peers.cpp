@@ -41,7 +41,8 @@ Groundwork groundworkOf(const Scene& scene, int threads, const Clock& clock) {
     if (!surfaces[i]) return;
     const SurfaceLight surface(scene, surfaces, visibilities, settings.lambert, SurfaceId(i));
     if (surface.facing().empty()) return;
-    for (const TexelRect& tile : tilesOf(surface.texels())) (void)samplesOf(surface, tile, 1);
+    const UsedTexels texels(*surfaces[i], surfaces[i]->texels);
+    for (const TexelRect& tile : tilesOf(texels)) (void)samplesOf(surface, texels, tile, 1);
   });
   const double placed = clock();
   parallelFor(visibilities.fine.size(), threads,

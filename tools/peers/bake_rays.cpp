@@ -7,6 +7,7 @@
 
 #include "light/rays/raytracer.h"
 #include "light/sampling/sample_placement.h"
+#include "light/used_texels.h"
 #include "math/parallel.h"
 #include "math/tolerance.h"
 
@@ -86,12 +87,15 @@ BakeRays::SurfaceSamples BakeRays::samplesOf(const LitSurfaces& surfaces, Surfac
   samples.lights = lightsBefore(scene_.level(), surface);
   if (samples.lights.empty()) return samples;
   const TexelRect& rect = surface.texels;
+  const UsedTexels texels(surface, rect);
   for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
     std::vector<Sample>& row = samples.rows.emplace_back();
-    for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
-      const SamplePoint at = placement.place({i + 0.5, j + 0.5});
-      row.push_back({at.target, scene_[at.surface].sector});
-    }
+    texels.forEachRunIn(rect, j, [&](int first, int last) {
+      for (int i = first; i <= last; ++i) {
+        const SamplePoint at = placement.place({i + 0.5, j + 0.5});
+        row.push_back({at.target, scene_[at.surface].sector});
+      }
+    });
   }
   return samples;
 }

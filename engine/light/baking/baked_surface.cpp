@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "light/baking/clipped_light.h"
+#include "light/baking/left_out.h"
 #include "light/baking/patch_light.h"
 #include "light/baking/texel_sums.h"
 
@@ -38,11 +39,11 @@ void addLevels(const Tile& tile, const LightSource& light, const std::vector<dou
 }
 
 /// The samples of a texel, by their indices among those of a tile.
-std::vector<std::size_t> samplesOfTexel(const Tile& tile, int i, int j) {
+std::vector<std::size_t> samplesOfTexel(const TexelRect& tile, int side, int i, int j) {
   std::vector<std::size_t> samples;
-  const int columns = tile.rect.width * tile.side;
-  for (int row = j * tile.side; row < (j + 1) * tile.side; ++row)
-    for (int column = i * tile.side; column < (i + 1) * tile.side; ++column)
+  const int columns = tile.width * side;
+  for (int row = (j - tile.j0) * side; row < (j - tile.j0 + 1) * side; ++row)
+    for (int column = (i - tile.i0) * side; column < (i - tile.i0 + 1) * side; ++column)
       samples.push_back(static_cast<std::size_t>(row * columns + column));
   return samples;
 }
@@ -50,9 +51,10 @@ std::vector<std::size_t> samplesOfTexel(const Tile& tile, int i, int j) {
 /// How often each sample of a tile counts, so that the others stand for those that are left out.
 std::vector<double> weightsOf(const Tile& tile, const LeftOut& left) {
   std::vector<double> weights(static_cast<std::size_t>(tile.rect.count() * tile.side * tile.side));
-  for (int j = 0; j < tile.rect.height; ++j)
-    for (int i = 0; i < tile.rect.width; ++i) {
-      const std::vector<std::size_t> samples = samplesOfTexel(tile, i, j);
+  const TexelRect& rect = tile.rect;
+  for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+    for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
+      const std::vector<std::size_t> samples = samplesOfTexel(rect, tile.side, i, j);
       const auto kept = static_cast<double>(
           std::ranges::count_if(samples, [&](std::size_t sample) { return !left.is(sample); }));
       for (const std::size_t sample : samples)
@@ -61,14 +63,27 @@ std::vector<double> weightsOf(const Tile& tile, const LeftOut& left) {
   return weights;
 }
 
+/// Adds the used texels of a tile whose samples are all left out.
+void addEmpty(const TexelRect& tile, int side, const UsedTexels& texels, const LeftOut& left,
+              EmptyTexels& empty) {
+  if (left.isNone()) return;
+  for (int j = tile.j0; j < tile.j0 + tile.height; ++j)
+    texels.forEachRunIn(tile, j, [&](int first, int last) {
+      for (int i = first; i <= last; ++i)
+        if (left.areAll(samplesOfTexel(tile, side, i, j))) empty.add(i, j);
+    });
+}
+
+/// Adds what is empty of the tile to `empty`, if that is asked for.
 template <typename Lit>
-void addTile(const Tile& tile, Lit& surface, const SumsOf& sumsOf) {
-  const typename Lit::Blocks blocks = samplesOf(surface, tile.rect, tile.side);
+void addTile(const Tile& tile, const UsedTexels& texels, Lit& surface, const SumsOf& sumsOf,
+             EmptyTexels* empty) {
+  const typename Lit::Blocks blocks = samplesOf(surface, texels, tile.rect, tile.side);
   const LeftOut left(surface, blocks.samples());
+  if (empty) addEmpty(tile.rect, tile.side, texels, left, *empty);
   const std::vector<double> weights = left.isNone() ? std::vector<double>{} : weightsOf(tile, left);
   std::vector<double> weighted;
-  for (const std::size_t light : tile.lights) {
-    if (!surface.reaches(light, blocks)) continue;
+  for (const std::size_t light : surface.reaching(blocks, tile.lights)) {
     TexelSums& sums = sumsOf(light);
     if (std::ranges::none_of(surface.seenFractions(light, blocks),
                              [](double seen) { return seen > 0; }))
@@ -84,73 +99,116 @@ void addTile(const Tile& tile, Lit& surface, const SumsOf& sumsOf) {
   }
 }
 
-template <typename Lit>
-void addSampledLight(const TexelRect& rect, int side, std::span<const std::size_t> lights,
-                     Lit& surface, const SumsOf& sumsOf, BakeProgress& progress,
-                     const std::stop_token& stop) {
-  const std::vector<TexelRect> tiles = tilesOf(rect);
-  SurfaceProgress done(progress, rect.count(), std::ssize(tiles));
-  for (const TexelRect& tile : tiles) {
-    if (stop.stop_requested()) return;
-    addTile({tile, side, lights}, surface, sumsOf);
-    done.step();
-  }
-}
-
 int samplesAlong(const BakeSettings& settings) {
   return static_cast<int>(std::lround(std::sqrt(*settings.samples)));
 }
 
-/// `rect` is what must be baked, see texelsToBake.
+/// Adds some of the facing lights to the used texels of a tile, which is a rectangle around them.
 template <typename Lit>
-void addLightsIn(const TexelRect& rect, Lit& surface, std::span<const std::size_t> lights,
-                 const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
-                 const std::stop_token& stop) {
+void addLightsToTile(Lit& surface, const UsedTexels& texels, const TexelRect& tile,
+                     std::span<const std::size_t> lights, const BakeSettings& settings,
+                     const SumsOf& sumsOf, EmptyTexels* empty, const std::stop_token& stop) {
   if (settings.samples)
-    addSampledLight(rect, samplesAlong(settings), lights, surface, sumsOf, progress, stop);
+    addTile({tile, samplesAlong(settings), lights}, texels, surface, sumsOf, empty);
   else
-    addClippedLight(surface, lights, sumsOf, progress, stop);
-}
-
-}  // namespace
-
-std::vector<TexelRect> tilesOf(const TexelRect& texels) {
-  constexpr int kTile = 64;  // texels a side
-  std::vector<TexelRect> tiles;
-  for (int j = 0; j < texels.height; j += kTile)
-    for (int i = 0; i < texels.width; i += kTile)
-      tiles.push_back({texels.i0 + i, texels.j0 + j, std::min(kTile, texels.width - i),
-                       std::min(kTile, texels.height - j)});
-  return tiles;
+    addClippedLight(surface, texels, tile, lights, sumsOf, empty, stop);
 }
 
 template <typename Lit>
-typename Lit::Blocks samplesOf(const Lit& surface, const TexelRect& tile, int side) {
+void addLightsTo(Lit& surface, const UsedTexels& texels, std::span<const std::size_t> lights,
+                 const BakeSettings& settings, const SumsOf& sumsOf, EmptyTexels* empty,
+                 BakeProgress& progress, const std::stop_token& stop) {
+  const std::vector<TexelRect> tiles = tilesOf(texels);
+  SurfaceProgress done(progress, texels.rect().count(), std::ssize(tiles));
+  for (const TexelRect& tile : tiles) {
+    if (stop.stop_requested()) return;
+    addLightsToTile(surface, texels, tile, lights, settings, sumsOf, empty, stop);
+    done.step();
+  }
+}
+
+/// Fills a row of samples up to some number with spare ones at the place of another.
+void fillUpTo(std::size_t size, SamplePoint place, std::vector<SamplePoint>& samples) {
+  place.isSpare = true;
+  samples.resize(size, place);
+}
+
+/// The samples of a tile, row by row.
+template <typename Places>
+std::vector<SamplePoint> placedSamples(const Places& places, const UsedTexels& texels,
+                                       const TexelRect& tile, int side) {
   const auto along = [&](int texel0, int k) {
     const int texel = texel0 + k / side;
     return texel + (k % side + 0.5) / side;
   };
-  const int columns = tile.width * side;
+  const auto columns = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(side);
   const int rows = tile.height * side;
-  std::vector<double> inRow;
-  for (int i = 0; i < columns; ++i) inRow.push_back(along(tile.i0, i));
   std::vector<SamplePoint> samples;
-  samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int j = 0; j < rows; ++j) surface.placeRow(inRow, along(tile.j0, j), samples);
-  return surface.inBlocks(std::move(samples), columns, rows);
+  samples.reserve(columns * static_cast<std::size_t>(rows));
+  for (int j = 0; j < rows; ++j) {
+    const std::size_t begin = samples.size();
+    auto row = places.inRow(along(tile.j0, j));
+    texels.forEachRunIn(tile, tile.j0 + j / side, [&](int first, int last) {
+      const int end = (last + 1 - tile.i0) * side;
+      int k = (first - tile.i0) * side;
+      const SamplePoint atFirst = row.place(along(tile.i0, k));
+      fillUpTo(begin + static_cast<std::size_t>(k), atFirst, samples);
+      for (samples.push_back(atFirst); ++k < end;) samples.push_back(row.place(along(tile.i0, k)));
+    });
+    fillUpTo(begin + columns, samples.back(), samples);
+  }
+  return samples;
 }
 
-template SampleBlocks samplesOf(const SurfaceLight&, const TexelRect&, int);
+/// Used texels that take the light of others because none of their samples counts.
+template <typename Places>
+EmptyTexels emptyTexelsOf(const Places& places, const UsedTexels& texels,
+                          const BakeSettings& settings) {
+  EmptyTexels empty(texels);
+  if (!places.mayLeaveOut()) return empty;
+  for (const TexelRect& tile : tilesOf(texels)) {
+    if (!settings.samples) {
+      addEmptyOfCorners(places, texels, tile, empty);
+      continue;
+    }
+    const int side = samplesAlong(settings);
+    addEmpty(tile, side, texels, LeftOut(places, placedSamples(places, texels, tile, side)), empty);
+  }
+  return empty;
+}
 
-void addLights(SurfaceLight& surface, std::span<const std::size_t> lights,
+}  // namespace
+
+std::vector<TexelRect> tilesOf(const UsedTexels& texels) {
+  constexpr int kTile = 64;  // texels a side
+  const TexelRect& all = texels.rect();
+  std::vector<TexelRect> tiles;
+  for (int j = 0; j < all.height; j += kTile)
+    for (int i = 0; i < all.width; i += kTile)
+      if (const auto used = texels.around({all.i0 + i, all.j0 + j, std::min(kTile, all.width - i),
+                                           std::min(kTile, all.height - j)}))
+        tiles.push_back(*used);
+  return tiles;
+}
+
+template <typename Lit>
+typename Lit::Blocks samplesOf(const Lit& surface, const UsedTexels& texels, const TexelRect& tile,
+                               int side) {
+  return surface.inBlocks(placedSamples(surface, texels, tile, side), tile.width * side,
+                          tile.height * side);
+}
+
+template SampleBlocks samplesOf(const SurfaceLight&, const UsedTexels&, const TexelRect&, int);
+
+void addLights(SurfaceLight& surface, const UsedTexels& texels, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                const std::stop_token& stop) {
-  addLightsIn(surface.texels(), surface, lights, settings, sumsOf, progress, stop);
+  addLightsTo(surface, texels, lights, settings, sumsOf, nullptr, progress, stop);
 }
 
 void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
                     const BakeSettings& settings, const SumsOf& sumsOf) {
-  const TexelRect rect = surface.texels();
+  const TexelRect rect = surface.surface().texels;
   const auto samplesAlong = [](int texels) { return (texels + kDraftSide - 1) / kDraftSide; };
   const auto middle = [](int first, int texels, int k) {
     return first + std::min((k + 0.5) * kDraftSide, static_cast<double>(texels));
@@ -177,69 +235,57 @@ void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
   }
 }
 
-TexelRect texelsToBake(const SurfaceTexels& wanted, const Scene& scene, const LitSurfaces& surfaces,
-                       const BakeSettings& settings) {
+TexelRect texelsToBake(const SurfaceTexels& wanted, const Scene& scene,
+                       const LitSurfaces& surfaces) {
   const TexelRect& all = surfaces[wanted.surface.index()]->texels;
-  const bool areAlone =
-      settings.samples && !mayHaveSamplesInMeshes(scene, surfaces, wanted.surface);
-  return areAlone ? intersection(wanted.texels, all) : all;
+  return mayHaveSamplesInMeshes(scene, surfaces, wanted.surface) ? all
+                                                                 : intersection(wanted.texels, all);
 }
 
-template <typename Lit>
-EmptyTexels emptyTexelsOf(const Lit& surface, const TexelRect& baked,
-                          const BakeSettings& settings) {
-  EmptyTexels empty(baked);
-  if (!surface.mayLeaveOut()) return empty;
-  // With corners for samples, one more each way.
-  const int side = settings.samples ? samplesAlong(settings) : 1;
-  const bool areCorners = !settings.samples;
-  const auto isLeftOut = [&](int i, int j, int column, int row) {
-    const double shift = areCorners ? 0 : 0.5;
-    return surface.isLeftOut(
-        surface.place({i + (column + shift) / side, j + (row + shift) / side}));
-  };
-  const int samples = areCorners ? 2 : side;
-  const auto isEmpty = [&](int i, int j) {
-    for (int row = 0; row < samples; ++row)
-      for (int column = 0; column < samples; ++column)
-        if (!isLeftOut(i, j, column, row)) return false;
-    return true;
-  };
-  for (int j = baked.j0; j < baked.j0 + baked.height; ++j) {
-    UsedTexelRow row = surface.usedRuns(j);
-    for (int i = baked.i0; i < baked.i0 + baked.width; ++i) {
-      if (const int used = row.nearest(i); used != i)
-        empty.addUnused(i, j, used);
-      else if (isEmpty(i, j))
-        empty.add(i, j);
-    }
-  }
-  return empty;
+template <typename Places>
+std::optional<Lightmap> lightmapOf(const Places& places, TexelSums sums, const UsedTexels& texels,
+                                   const BakeSettings& settings) {
+  emptyTexelsOf(places, texels, settings).fill(sums);
+  return sums.toLightmap(settings.samples.value_or(1), texels);
 }
 
-template EmptyTexels emptyTexelsOf(const SurfaceLight&, const TexelRect&, const BakeSettings&);
+template std::optional<Lightmap> lightmapOf(const SurfacePlaces&, TexelSums, const UsedTexels&,
+                                            const BakeSettings&);
+template std::optional<Lightmap> lightmapOf(const PatchPlaces&, TexelSums, const UsedTexels&,
+                                            const BakeSettings&);
 
 template <typename Lit>
-std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& baked,
+TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings) {
+  const UsedTexels texels(surface.surface(), tile);
+  TexelSums sums(tile, surface.channels());
+  const auto all = [&](std::size_t) -> TexelSums& { return sums; };
+  if (const auto used = texels.around(tile))
+    addLightsToTile(surface, texels, *used, surface.facing(), settings, all, nullptr, {});
+  return sums;
+}
+
+template TexelSums sumsOfTile(SurfaceLight&, const TexelRect&, const BakeSettings&);
+template TexelSums sumsOfTile(PatchLight&, const TexelRect&, const BakeSettings&);
+
+template <typename Lit>
+std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,
                                     const BakeSettings& settings, BakeProgress& progress) {
   if (surface.facing().empty()) {
-    progress.add(baked.count());
+    progress.add(rect.count());
     return std::nullopt;
   }
-  TexelSums sums(baked, surface.channels());
+  const UsedTexels texels(surface.surface(), rect);
+  TexelSums sums(rect, surface.channels());
   const auto all = [&](std::size_t) -> TexelSums& { return sums; };
-  addLightsIn(baked, surface, surface.facing(), settings, all, progress, {});
-  emptyTexelsOf(surface, baked, settings).fill(sums);
-  return lightmapOf(sums, settings);
+  EmptyTexels empty(texels);
+  addLightsTo(surface, texels, surface.facing(), settings, all, &empty, progress, {});
+  empty.fill(sums);
+  return sums.toLightmap(settings.samples.value_or(1), texels);
 }
 
 template std::optional<Lightmap> bakeSurface(SurfaceLight&, const TexelRect&, const BakeSettings&,
                                              BakeProgress&);
 template std::optional<Lightmap> bakeSurface(PatchLight&, const TexelRect&, const BakeSettings&,
                                              BakeProgress&);
-
-std::optional<Lightmap> lightmapOf(const TexelSums& sums, const BakeSettings& settings) {
-  return sums.toLightmap(settings.samples.value_or(1));
-}
 
 }  // namespace hearth

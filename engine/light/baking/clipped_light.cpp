@@ -45,15 +45,46 @@ constexpr double kMaxCornerSpread = 8;
 constexpr int kMaxCellsPerSide = 8;
 constexpr int kMaxCellsPerSideSoft = 4;
 
+/// The corners of a tile's texels, row by row.
+template <typename Places>
+std::vector<SamplePoint> placedCorners(const Places& places, const TexelRect& tile) {
+  std::vector<SamplePoint> corners;
+  for (int j = tile.j0; j <= tile.j0 + tile.height; ++j)
+    for (int i = tile.i0; i <= tile.i0 + tile.width; ++i)
+      corners.push_back(places.place({static_cast<double>(i), static_cast<double>(j)}));
+  return corners;
+}
+
+/// Those of the i-th texel in the j-th row of a tile, by index.
+std::array<std::size_t, 4> cornersOf(const TexelRect& tile, int i, int j) {
+  const auto columns = static_cast<std::size_t>(tile.width) + 1;
+  const std::size_t first = static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i);
+  return {first, first + 1, first + columns, first + columns + 1};
+}
+
+/// Adds the used texels of a tile whose corners are all left out.
+void addEmptyBetween(const UsedTexels& texels, const TexelRect& tile, const LeftOut& left,
+                     EmptyTexels& empty) {
+  if (left.isNone()) return;
+  for (int j = 0; j < tile.height; ++j)
+    texels.forEachRunIn(tile, tile.j0 + j, [&](int first, int last) {
+      for (int i = first; i <= last; ++i)
+        if (left.areAll(cornersOf(tile, i - tile.i0, j))) empty.add(i, tile.j0 + j);
+    });
+}
+
 template <typename Lit>
 class ClippedLight {
  public:
-  explicit ClippedLight(Lit& surface)
+  ClippedLight(Lit& surface, const UsedTexels& texels, const TexelRect& tile)
       : surface_(surface),
-        rect_(surface.texels()),
-        blocks_(surface.inBlocks(placedCorners(), rect_.width + 1, rect_.height + 1)),
+        texels_(texels),
+        rect_(tile),
+        blocks_(surface.inBlocks(placedCorners(surface, tile), tile.width + 1, tile.height + 1)),
         corners_(blocks_.samples()),
         left_(surface, corners_) {}
+
+  const LeftOut& leftOut() const { return left_; }
 
   void add(std::size_t light, TexelSums& sums) {
     if (surface_.radiusOf(light) > 0)
@@ -63,12 +94,6 @@ class ClippedLight {
   }
 
  private:
-  std::vector<SamplePoint> placedCorners() const {
-    std::vector<SamplePoint> corners;
-    for (int j = 0; j <= rect_.height; ++j)
-      for (int i = 0; i <= rect_.width; ++i) corners.push_back(surface_.place(corner(i, j)));
-    return corners;
-  }
   Vec2 corner(double i, double j) const { return {rect_.i0 + i, rect_.j0 + j}; }
   std::size_t index(int i, int j) const { return blocks_.index(i, j); }
 
@@ -85,19 +110,15 @@ class ClippedLight {
             a.target + fraction * (b.target - a.target), a.isMoved || b.isMoved};
   }
 
-  std::array<std::size_t, 4> cornersOf(int i, int j) const {
-    return {index(i, j), index(i + 1, j), index(i, j + 1), index(i + 1, j + 1)};
-  }
-
   /// Whether the surface, or what continues it, ends inside the texel.
   bool hasEdge(int i, int j) const {
-    return std::ranges::any_of(cornersOf(i, j),
+    return std::ranges::any_of(cornersOf(rect_, i, j),
                                [&](std::size_t corner) { return corners_[corner].isMoved; });
   }
 
   /// Of a texel some of whose corners are left out: the mean of those of its samples that are not.
   double levelOfKept(std::size_t light, int i, int j) {
-    if (left_.areAll(cornersOf(i, j))) return 0;
+    if (left_.areAll(cornersOf(rect_, i, j))) return 0;
     constexpr int kSide = 4;
     double sum = 0;
     int kept = 0;
@@ -112,7 +133,7 @@ class ClippedLight {
         if (!surface_.isLeftOut(at)) add(at);
       }
     if (kept == 0)
-      for (const std::size_t corner : cornersOf(i, j))
+      for (const std::size_t corner : cornersOf(rect_, i, j))
         if (!left_.is(corner)) add(corners_[corner]);
     return sum / kept;
   }
@@ -173,18 +194,13 @@ class ClippedLight {
   void addTexels(std::size_t light, TexelSums& sums, LevelOf&& levelOf) {
     between_.clear();
     for (int j = 0; j < rect_.height; ++j) {
-      UsedTexelRow row = surface_.usedRuns(rect_.j0 + j);
-      std::optional<int> last;
-      double level = 0;
-      for (int i = 0; i < rect_.width; ++i) {
-        const int used = row.nearest(rect_.i0 + i);
-        if (used != last)
-          level = left_.isAny(cornersOf(used - rect_.i0, j))
-                      ? levelOfKept(light, used - rect_.i0, j)
-                      : levelOf(used - rect_.i0, j);
-        last = used;
-        if (level > 0) sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
-      }
+      texels_.forEachRunIn(rect_, rect_.j0 + j, [&](int first, int last) {
+        for (int i = first - rect_.i0; i <= last - rect_.i0; ++i) {
+          const double level =
+              left_.isAny(cornersOf(rect_, i, j)) ? levelOfKept(light, i, j) : levelOf(i, j);
+          if (level > 0) sums.add(rect_.i0 + i, rect_.j0 + j, surface_.light(light), level);
+        }
+      });
     }
   }
 
@@ -225,6 +241,7 @@ class ClippedLight {
   }
 
   Lit& surface_;
+  const UsedTexels& texels_;
   TexelRect rect_;
   typename Lit::Blocks blocks_;  ///< of corners, one more each way than texels
   const std::vector<SamplePoint>& corners_;
@@ -236,20 +253,33 @@ class ClippedLight {
 }  // namespace
 
 template <typename Lit>
-void addClippedLight(Lit& surface, std::span<const std::size_t> lights, const SumsOf& sumsOf,
-                     BakeProgress& progress, const std::stop_token& stop) {
-  SurfaceProgress done(progress, surface.texels().count(), std::ssize(lights));
-  ClippedLight clipped(surface);
+void addClippedLight(Lit& surface, const UsedTexels& texels, const TexelRect& tile,
+                     std::span<const std::size_t> lights, const SumsOf& sumsOf, EmptyTexels* empty,
+                     const std::stop_token& stop) {
+  ClippedLight clipped(surface, texels, tile);
+  if (empty) addEmptyBetween(texels, tile, clipped.leftOut(), *empty);
   for (const std::size_t light : lights) {
     if (stop.stop_requested()) return;
     clipped.add(light, sumsOf(light));
-    done.step();
   }
 }
 
-template void addClippedLight(SurfaceLight&, std::span<const std::size_t>, const SumsOf&,
-                              BakeProgress&, const std::stop_token&);
-template void addClippedLight(PatchLight&, std::span<const std::size_t>, const SumsOf&,
-                              BakeProgress&, const std::stop_token&);
+template void addClippedLight(SurfaceLight&, const UsedTexels&, const TexelRect&,
+                              std::span<const std::size_t>, const SumsOf&, EmptyTexels*,
+                              const std::stop_token&);
+template void addClippedLight(PatchLight&, const UsedTexels&, const TexelRect&,
+                              std::span<const std::size_t>, const SumsOf&, EmptyTexels*,
+                              const std::stop_token&);
+
+template <typename Places>
+void addEmptyOfCorners(const Places& places, const UsedTexels& texels, const TexelRect& tile,
+                       EmptyTexels& empty) {
+  addEmptyBetween(texels, tile, LeftOut(places, placedCorners(places, tile)), empty);
+}
+
+template void addEmptyOfCorners(const SurfacePlaces&, const UsedTexels&, const TexelRect&,
+                                EmptyTexels&);
+template void addEmptyOfCorners(const PatchPlaces&, const UsedTexels&, const TexelRect&,
+                                EmptyTexels&);
 
 }  // namespace hearth

@@ -52,13 +52,13 @@ void CornerLight::placeCorners(std::span<const LitMesh::SmallFace> faces) {
   }
 }
 
-std::optional<Lightmap> CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
+TexelSums CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
   placeCorners(faces);
   shafts_.emplace(scene_, visibilities_, boxOfCorners(), place_);
   constexpr int kChannels = 3;
   TexelSums sums({0, 0, 3, static_cast<int>(faces.size())}, kChannels);
   for (const std::size_t light : place_.lights.lights()) add(light, faces, sums);
-  return sums.toLightmap(1);
+  return sums;
 }
 
 void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,

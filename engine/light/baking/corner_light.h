@@ -12,7 +12,6 @@
 #include "light/baking/patch_light.h"
 #include "light/baking/texel_sums.h"
 #include "light/light_cost.h"
-#include "light/lightmap.h"
 #include "light/lit_mesh.h"
 
 namespace hearth {
@@ -24,8 +23,8 @@ class CornerLight {
   CornerLight(const Scene& scene, const LightVisibilities& visibilities, bool lambert,
               const MeshPlace& place);
 
-  /// As a lightmap with a row of three texels for each face; none if all is dark.
-  std::optional<Lightmap> find(std::span<const LitMesh::SmallFace> faces);
+  /// The sums of a row of three texels for each face, of one sample each.
+  TexelSums find(std::span<const LitMesh::SmallFace> faces);
 
   /// One for each light of the level, in their order.
   const std::vector<LightCost>& costs() const { return costs_; }

@@ -19,7 +19,7 @@ class MarkedTexels {
       : rect_(rect), isMarked_(static_cast<std::size_t>(rect.count())) {}
 
   const TexelRect& rect() const { return rect_; }
-  void mark(int i, int j) { isMarked_[indexOf(i, j)] = true; }
+  void mark(int i, int j, bool isMarked) { isMarked_[indexOf(i, j)] = isMarked; }
   bool isMarked(int i, int j) const { return isMarked_[indexOf(i, j)]; }
   std::size_t indexOf(int i, int j) const {
     return static_cast<std::size_t>(j - rect_.j0) * static_cast<std::size_t>(rect_.width) +
@@ -31,21 +31,21 @@ class MarkedTexels {
   std::vector<bool> isMarked_;
 };
 
-/// The texels of a rectangle that are not marked, to be found by their distance. As each row knows
+/// The marked texels of a rectangle, to be found by their distance. As each row knows
 /// the nearest ones to either side, a search visits as many rows as that distance, not as many
 /// texels as its square.
-class UnmarkedTexels {
+class NearestMarked {
  public:
-  explicit UnmarkedTexels(const MarkedTexels& marked)
+  explicit NearestMarked(const MarkedTexels& marked)
       : marked_(marked), left_(static_cast<std::size_t>(marked.rect().count())), right_(left_) {
     const TexelRect& rect = marked.rect();
     for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
       int nearest = kNone;
       for (int i = rect.i0; i < rect.i0 + rect.width; ++i)
-        left_[marked.indexOf(i, j)] = nearest = marked.isMarked(i, j) ? nearest : i;
+        left_[marked.indexOf(i, j)] = nearest = marked.isMarked(i, j) ? i : nearest;
       nearest = kNone;
       for (int i = rect.i0 + rect.width; i-- > rect.i0;)
-        right_[marked.indexOf(i, j)] = nearest = marked.isMarked(i, j) ? nearest : i;
+        right_[marked.indexOf(i, j)] = nearest = marked.isMarked(i, j) ? i : nearest;
     }
   }
 
@@ -90,15 +90,16 @@ class UnmarkedTexels {
 
 void EmptyTexels::fill(TexelSums& sums) const {
   if (texels_.empty()) return;
-  MarkedTexels empty(rect_);
-  for (const auto [i, j] : texels_) empty.mark(i, j);
-  MarkedTexels notPassed = empty;
-  for (const auto [i, j, used] : unused_) notPassed.mark(i, j);
-  const UnmarkedTexels passed(notPassed);
+  const TexelRect& rect = used_.rect();
+  MarkedTexels hasSample(rect);
+  for (int j = rect.j0; j < rect.j0 + rect.height; ++j)
+    used_.forEachRunIn(rect, j, [&](int first, int last) {
+      for (int i = first; i <= last; ++i) hasSample.mark(i, j, true);
+    });
+  for (const auto [i, j] : texels_) hasSample.mark(i, j, false);
+  const NearestMarked withSample(hasSample);
   for (const auto [i, j] : texels_)
-    if (const auto nearest = passed.nearestTo(i, j)) sums.copy(nearest->i, nearest->j, i, j);
-  for (const auto [i, j, used] : unused_)
-    if (empty.isMarked(used, j)) sums.copy(used, j, i, j);
+    if (const auto nearest = withSample.nearestTo(i, j)) sums.copy(nearest->i, nearest->j, i, j);
 }
 
 }  // namespace hearth

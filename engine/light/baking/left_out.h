@@ -7,6 +7,7 @@
 
 #include "light/baking/texel_sums.h"
 #include "light/sampling/sample_placement.h"
+#include "light/used_texels.h"
 
 namespace hearth {
 
@@ -18,7 +19,7 @@ class LeftOut {
   LeftOut(const Lit& surface, const std::vector<SamplePoint>& samples) {
     if (!surface.mayLeaveOut()) return;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (!surface.isLeftOut(samples[i])) continue;
+      if (samples[i].isSpare || !surface.isLeftOut(samples[i])) continue;
       isOut_.resize(samples.size());
       isOut_[i] = 1;
     }
@@ -39,16 +40,15 @@ class LeftOut {
   std::vector<std::uint8_t> isOut_;  ///< by sample; empty where none is
 };
 
-/// Texels of a rectangle without a sample that counts.
+/// Used texels without a sample that counts.
 class EmptyTexels {
  public:
-  explicit EmptyTexels(const TexelRect& rect) : rect_(rect) {}
+  /// They are some of `texels`.
+  explicit EmptyTexels(const UsedTexels& texels) : used_(texels) {}
 
   void add(int i, int j) { texels_.push_back({i, j}); }
-  /// One that filtering does not read, and that goes on as texel (`used`, j) does.
-  void addUnused(int i, int j, int used) { unused_.push_back({i, j, used}); }
 
-  /// Gives each the sums of the nearest texel that has a sample and is read; dark where none is.
+  /// Gives each the sums of the nearest used texel that has a sample; dark where none is.
   void fill(TexelSums& sums) const;
 
  private:
@@ -57,15 +57,8 @@ class EmptyTexels {
     int j;
   };
 
-  struct UnusedTexel {
-    int i;
-    int j;
-    int used;
-  };
-
-  TexelRect rect_;
+  const UsedTexels& used_;
   std::vector<Texel> texels_;  ///< row by row
-  std::vector<UnusedTexel> unused_;
 };
 
 }  // namespace hearth

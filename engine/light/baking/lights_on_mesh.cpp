@@ -8,9 +8,6 @@
 
 namespace hearth {
 
-namespace {
-
-/// Around all faces, and the grids on which they are lit.
 Box3 boxOf(const Level& level, const LitMesh& lit) {
   Box3 box = level.faceTrees[level.meshIndexOf(lit.surface)].box();
   for (const LitMesh::Patch& patch : lit.patches) {
@@ -19,16 +16,6 @@ Box3 boxOf(const Level& level, const LitMesh& lit) {
   }
   return box;
 }
-
-double distanceTo(const Box3& box, Vec3 from) {
-  const auto beyond = [](double x, double low, double high) {
-    return std::max({low - x, x - high, 0.0});
-  };
-  return length({beyond(from.x, box.min.x, box.max.x), beyond(from.y, box.min.y, box.max.y),
-                 beyond(from.z, box.min.z, box.max.z)});
-}
-
-}  // namespace
 
 TargetBox boxOf(const LitSurface& patch) {
   const TexelRect& rect = patch.texels;
@@ -45,7 +32,7 @@ LightsOnMesh::LightsOnMesh(const Scene& scene, const LightVisibilities& visibili
   const Box3 box = boxOf(scene.level(), lit);
   const ShaftTargets targets{TargetBox::around(box), sectors};
   for (std::size_t i = 0; i < scene.level().lights.size(); ++i) {
-    if (distanceTo(box, scene.level().lights[i].position) >= visibilities.reach[i] + kAuthorNoise)
+    if (box.distanceTo(scene.level().lights[i].position) >= visibilities.reach[i] + kAuthorNoise)
       continue;
     Shaft shaft(scene);
     if (shaft.follow(visibilities.fine[i].shaftLight(), targets, nullptr) == TargetVisibility::Dark)

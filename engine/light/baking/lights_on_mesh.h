@@ -11,11 +11,15 @@
 #include "light/lit_surface.h"
 #include "light/rays/id_set.h"
 #include "light/rays/shaft.h"
+#include "math/box3.h"
 
 namespace hearth {
 
 /// Around the texels of a patch, which may reach beyond its faces.
 TargetBox boxOf(const LitSurface& patch);
+
+/// Around a mesh and the texels of its patches.
+Box3 boxOf(const Level& level, const LitMesh& lit);
 
 /// The lights that may shine on a mesh, each with its shaft to the whole mesh: shafts to parts of
 /// it lie within that. A light too far away is none of them, nor one that walls hide altogether.

@@ -22,6 +22,9 @@ struct MeshLight {
   std::size_t facingLights = 0;      ///< the most that lie before one of its patches
 };
 
+/// The sectors that each mesh is in.
+std::vector<std::vector<SectorId>> sectorsOfMeshes(const Level& level);
+
 /// Finds the light of meshes: what is larger than a texel gets it as surfaces do, smaller faces at
 /// their corners.
 class MeshLighter {
@@ -35,6 +38,7 @@ class MeshLighter {
   std::span<const SectorId> sectorsOf(std::uint32_t mesh) const { return sectors_[mesh]; }
   /// Of one of the meshes.
   const LightsOnMesh& lightsOf(std::uint32_t mesh) const { return *lights_[mesh]; }
+  MeshPlace placeOf(std::uint32_t mesh) const { return {mesh, sectors_[mesh], lightsOf(mesh)}; }
   /// The texels that `find` counts as done.
   std::int64_t texelsOf(std::span<const std::uint32_t> meshes) const;
   /// Of some of the meshes, in their order; none where it was stopped before.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "level/locate.h"
 #include "light/baking/sample_rays.h"
 #include "light/baking/unshadowed_brightness.h"
 #include "math/tolerance.h"
@@ -22,25 +21,18 @@ double distanceTo(const LitSurface& patch, Vec3 from) {
 
 }  // namespace
 
-bool isInAir(const Scene& scene, std::span<const SectorId> sectors, Vec3 point) {
-  return std::ranges::any_of(sectors, [&](SectorId sector) {
-    return contains(scene, scene[sector], point, kPositionSlack);
-  });
-}
-
 PatchLight::PatchLight(const Scene& scene, const LightVisibilities& visibilities, bool lambert,
                        const MeshPlace& place, const LitSurfaces& patch)
-    : scene_(scene),
+    : PatchPlaces(scene, place.sectors, patch),
+      scene_(scene),
       visibilities_(visibilities),
       lambert_(lambert),
       place_(place),
-      patch_(patch),
-      placement_(patch, SurfaceId(0)),
       shafts_(scene, visibilities, boxOf(*patch.front()), place),
       costs_(scene.level().lights.size()) {
   for (const std::size_t i : place.lights.lights())
-    if (isInFront(light(i), radiusOf(i), this->patch()) &&
-        distanceTo(this->patch(), light(i).position) < visibilities.reach[i] + kAuthorNoise)
+    if (isInFront(light(i), radiusOf(i), surface()) &&
+        distanceTo(surface(), light(i).position) < visibilities.reach[i] + kAuthorNoise)
       facing_.push_back(i);
 }
 
@@ -49,14 +41,11 @@ int PatchLight::channels() const {
   return std::ranges::any_of(facing_, isColored) ? 3 : 1;
 }
 
-bool PatchLight::isLeftOut(const SamplePoint& at) const {
-  return !isInAir(scene_, place_.sectors, at.target);
-}
-
 const std::vector<double>& PatchLight::seenFractions(std::size_t light,
                                                      const PatchSamples& samples) {
   seen_.clear();
-  for (const SamplePoint& at : samples.samples()) seen_.push_back(seenFraction(light, at));
+  for (const SamplePoint& at : samples.samples())
+    seen_.push_back(at.isSpare ? 0 : seenFraction(light, at));
   return seen_;
 }
 
@@ -66,7 +55,7 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
   ++cost.samples;
   if (length(light(index).position - at.point) >= visibilities_.reach[index]) return 0;
   const auto& [shaft, outcome] = shafts_.from(index);
-  const double seen = visibility.seenFraction(FacePoint{at.target, patch().normal, place_.mesh},
+  const double seen = visibility.seenFraction(FacePoint{at.target, surface().normal, place_.mesh},
                                               shaft, outcome, cost.rays);
   if (seen > 0) ++cost.seenSamples;
   return seen;
@@ -74,7 +63,7 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
 
 double PatchLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {
   return hearth::unshadowedBrightness(light(index), visibilities_.reach[index], at.point,
-                                      patch().normal, lambert_);
+                                      surface().normal, lambert_);
 }
 
 const std::vector<double>& PatchLight::brightness(std::size_t light, const PatchSamples& samples) {

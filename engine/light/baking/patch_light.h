@@ -10,6 +10,7 @@
 #include "light/baking/light_visibility.h"
 #include "light/baking/lights_on_mesh.h"
 #include "light/baking/mesh_shafts.h"
+#include "light/baking/surface_places.h"
 #include "light/light_cost.h"
 #include "light/lit_surface.h"
 #include "light/sampling/sample_placement.h"
@@ -35,7 +36,7 @@ class PatchSamples {
 
 /// The light that arrives at points of a patch of a mesh: as SurfaceLight, but by rays
 /// alone, of one shaft for each light.
-class PatchLight {
+class PatchLight : public PatchPlaces {
  public:
   using Blocks = PatchSamples;
 
@@ -45,27 +46,19 @@ class PatchLight {
   PatchLight(const PatchLight&) = delete;
   PatchLight& operator=(const PatchLight&) = delete;
 
-  const TexelRect& texels() const { return patch().texels; }
-  UsedTexelRow usedRuns(int j) const { return {patch(), j}; }
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
   double radiusOf(std::size_t light) const { return visibilities_.fine[light].shaftLight().radius; }
   int channels() const;
 
-  SamplePoint place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
-  void placeRow(std::span<const double> columns, double row,
-                std::vector<SamplePoint>& places) const {
-    placement_.placeRow(columns, row, places);
-  }
   PatchSamples inBlocks(std::vector<SamplePoint> samples, int columns, int) const {
     return {std::move(samples), columns};
   }
 
-  /// Whether a sample lies in no air: in a wall, or beyond a flat.
-  bool isLeftOut(const SamplePoint& at) const;
-  bool mayLeaveOut() const { return true; }
-
-  bool reaches(std::size_t, const PatchSamples&) const { return true; }
+  std::span<const std::size_t> reaching(const PatchSamples&,
+                                        std::span<const std::size_t> lights) const {
+    return lights;
+  }
   const std::vector<double>& seenFractions(std::size_t light, const PatchSamples& samples);
   double seenFraction(std::size_t light, const SamplePoint& at) {
     return seenFraction(visibilities_.fine[light], light, at);
@@ -80,23 +73,17 @@ class PatchLight {
   const std::vector<LightCost>& costs() const { return costs_; }
 
  private:
-  const LitSurface& patch() const { return *patch_.front(); }
   double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at);
 
   Scene scene_;
   const LightVisibilities& visibilities_;
   bool lambert_;
   const MeshPlace& place_;
-  const LitSurfaces& patch_;  ///< of one
-  SamplePlacement placement_;
   MeshShafts shafts_;
   std::vector<std::size_t> facing_;
   std::vector<LightCost> costs_;
   std::vector<double> seen_;
   std::vector<double> brightness_;
 };
-
-/// Whether a point lies in the air of one of some sectors, or on its border.
-bool isInAir(const Scene& scene, std::span<const SectorId> sectors, Vec3 point);
 
 }  // namespace hearth

@@ -98,7 +98,7 @@ void SampleBeams::findBlock(const Query& query, const SampleBlocks::Block& block
 
 /// The light can shine on all surfaces of the block.
 void SampleBeams::findAlike(const Query& query, const SampleBlocks::Block& block, bool areLit) {
-  rays_.countSamples(query.light, std::int64_t{block.columns} * block.rows);
+  rays_.countSamples(query.light, block.samples);
   if (!areLit) return;
   forEachSample(query.blocks, block, [&](std::size_t index) {
     query.seen[index] = rays_.unoccludedFraction(query.light, query.blocks.samples()[index]);

@@ -1,14 +1,11 @@
 #include "light/baking/sprite_light.h"
 
-#include "light/baking/texel_sums.h"
 #include "math/parallel.h"
 
 namespace hearth {
 
-namespace {
-
-std::optional<Lightmap> lightOf(const Scene& scene, const LightVisibilities& visibilities,
-                                const Sprite& sprite, std::int64_t& rays) {
+TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilities,
+                        const Sprite& sprite, std::int64_t& rays) {
   const Vec3 point = lightPointOf(scene, sprite);
   constexpr int kChannels = 3;
   TexelSums sums(kSpriteTexel, kChannels);
@@ -21,10 +18,8 @@ std::optional<Lightmap> lightOf(const Scene& scene, const LightVisibilities& vis
     sums.add(0, 0, light,
              brightness * visibilities.fine[i].seenFractionFromAir(point, sprite.sector, rays));
   }
-  return sums.toLightmap(1);
+  return sums;
 }
-
-}  // namespace
 
 void lightSprites(const Scene& scene, const LightVisibilities& visibilities, int threads,
                   BakedLight& baked) {
@@ -32,7 +27,7 @@ void lightSprites(const Scene& scene, const LightVisibilities& visibilities, int
   parallelFor(sprites.size(), threads, [&](std::size_t i) {
     const std::size_t surface = sprites[i].surface.index();
     std::int64_t rays = 0;
-    baked.lightmaps[surface] = lightOf(scene, visibilities, sprites[i], rays);
+    baked.lightmaps[surface] = lightOfSprite(scene, visibilities, sprites[i], rays).toLightmap(1);
     if (!baked.surfaceCosts.empty()) baked.surfaceCosts[surface].rays = rays;
   });
 }

@@ -7,68 +7,43 @@
 
 #include "light/baking/brightness_kernels.h"
 #include "light/baking/unshadowed_brightness.h"
-#include "light/rays/raytracer.h"
+#include "math/box3.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
 
-/// Corners of all that samples of the surface can lie on, within tolerances.
-std::array<Vec3, 4> cornersOf(const LitSurface& surface) {
-  const TexelRect& rect = surface.texels;
-  const double i0 = rect.i0;
-  const double j0 = rect.j0;
-  return {surface.toWorld({i0, j0}), surface.toWorld({i0 + rect.width, j0}),
-          surface.toWorld({i0, j0 + rect.height}),
-          surface.toWorld({i0 + rect.width, j0 + rect.height})};
+Box3 boxAround(std::span<const Vec3> points) {
+  Box3 box;
+  for (const Vec3 p : points) box.add(p);
+  return box;
 }
 
-/// Metres from a point to the box, along the axes, around some others: to what these span it is no
-/// less.
-double distanceToBox(Vec3 from, std::span<const Vec3> corners) {
-  const auto along = [&](double Vec3::*axis) {
-    const auto [least, most] = std::ranges::minmax(corners, {}, axis);
-    return std::max({0.0, least.*axis - from.*axis, from.*axis - most.*axis});
-  };
-  return length(Vec3{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)});
+/// Around some texels of a surface. All its samples lie in the box around all of its texels, within
+/// tolerances.
+Box3 boxAround(const LitSurface& surface, const TexelRect& rect) {
+  const double i0 = rect.i0;
+  const double j0 = rect.j0;
+  return boxAround(std::array{surface.toWorld({i0, j0}), surface.toWorld({i0 + rect.width, j0}),
+                              surface.toWorld({i0, j0 + rect.height}),
+                              surface.toWorld({i0 + rect.width, j0 + rect.height})});
 }
 
 }  // namespace
 
-bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id) {
-  if (scene.level().meshes.empty()) return false;
-  // A sample lies on no surface that is farther away than a few others.
-  constexpr std::size_t kMany = 64;
-  std::vector<SurfaceId> reached{id};
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    if (i > kMany || !scene.level().meshesIn(scene[reached[i]].sector).empty()) return true;
-    for (const Continuation& next : surfaces[reached[i].index()]->continuations)
-      if (std::ranges::find(reached, next.surface) == reached.end())
-        reached.push_back(next.surface);
-  }
-  return false;
-}
-
 SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
                            const LightVisibilities& visibilities, bool lambert, SurfaceId id,
                            VisibilityMethod method, LightDependencies* dependencies)
-    : surface_(*surfaces[id.index()]),
+    : SurfacePlaces(scene, surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
       lambert_(lambert),
       method_(method),
-      placement_(surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
       rays_(scene, surfaces, visibilities, id, dependencies),
       shafts_(rays_),
-      beams_(rays_, shafts_),
-      mayLeaveOut_(mayHaveSamplesInMeshes(scene, surfaces, id)) {
+      beams_(rays_, shafts_) {
+  const Box3 box = boxAround(surface(), surface().texels);
   for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
-    if (isInFront(light(i), radiusOf(i), surface_) && reachesBox(i, cornersOf(surface_)))
-      facing_.push_back(i);
-}
-
-bool SurfaceLight::isLeftOut(const SamplePoint& at) const {
-  return Raytracer(rays_.scene())
-      .isInsideMesh(at.target, rays_.surface(at.surface).normal, rays_.scene()[at.surface].sector);
+    if (reaches(i, box) && isInFront(light(i), radiusOf(i), surface())) facing_.push_back(i);
 }
 
 int SurfaceLight::channels() const {
@@ -76,23 +51,29 @@ int SurfaceLight::channels() const {
   return std::ranges::any_of(facing_, isColored) ? 3 : 1;
 }
 
-bool SurfaceLight::reachesBox(std::size_t light, std::span<const Vec3> corners) const {
-  return distanceToBox(rays_.light(light).position, corners) < rays_.reach(light) + kAuthorNoise;
+bool SurfaceLight::reaches(std::size_t light, const Box3& box) const {
+  return box.distanceTo(rays_.light(light).position) < rays_.reach(light) + kAuthorNoise;
 }
 
-bool SurfaceLight::reaches(std::size_t light, const SampleBlocks& blocks) const {
-  return reachesBox(light, blocks.whole().box.corners());
+std::vector<std::size_t> SurfaceLight::facing(const TexelRect& texels) const {
+  const Box3 box = boxAround(surface(), texels);
+  std::vector<std::size_t> lights;
+  for (const std::size_t light : facing_)
+    if (reaches(light, box)) lights.push_back(light);
+  return lights;
 }
 
-SamplePoint SurfaceLight::place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
-
-void SurfaceLight::placeRow(std::span<const double> columns, double row,
-                            std::vector<SamplePoint>& places) const {
-  placement_.placeRow(columns, row, places);
+std::vector<std::size_t> SurfaceLight::reaching(const SampleBlocks& blocks,
+                                                std::span<const std::size_t> lights) const {
+  const Box3 box = boxAround(blocks.whole().box.corners());
+  std::vector<std::size_t> reach;
+  for (const std::size_t light : lights)
+    if (reaches(light, box)) reach.push_back(light);
+  return reach;
 }
 
 SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {
-  return {rays_.scene().level(), surface_, std::move(samples), columns, rows};
+  return {rays_.scene().level(), surface(), std::move(samples), columns, rows};
 }
 
 const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
@@ -104,7 +85,8 @@ const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
     shafts_.find(light, blocks, blocks.whole(), seen_);
   else
     for (std::size_t i = 0; i < seen_.size(); ++i)
-      seen_[i] = seenFraction(light, blocks.samples()[i]);
+      if (const SamplePoint& at = blocks.samples()[i]; !at.isSpare)
+        seen_[i] = seenFraction(light, at);
   return seen_;
 }
 

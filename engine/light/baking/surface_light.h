@@ -7,6 +7,8 @@
 #include "light/baking/sample_beams.h"
 #include "light/baking/sample_rays.h"
 #include "light/baking/sample_shafts.h"
+#include "light/baking/surface_places.h"
+#include "math/box3.h"
 
 namespace hearth {
 
@@ -16,11 +18,8 @@ enum class VisibilityMethod {
   RaysOnly  ///< by rays for each sample; the other way is compared with it
 };
 
-/// Whether samples of a surface, or of what continues it, may lie inside meshes.
-bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id);
-
 /// The light that arrives at points of one surface.
-class SurfaceLight {
+class SurfaceLight : public SurfacePlaces {
  public:
   using Blocks = SampleBlocks;
 
@@ -33,32 +32,24 @@ class SurfaceLight {
   SurfaceLight(const SurfaceLight&) = delete;
   SurfaceLight& operator=(const SurfaceLight&) = delete;
 
-  const TexelRect& texels() const { return surface_.texels; }
-  UsedTexelRow usedRuns(int j) const { return {surface_, j}; }
   /// Indices of the lights that can shine on the surface's plane and reach it.
   const std::vector<std::size_t>& facing() const { return facing_; }
+  /// Those of them that reach some texels. Samples may lie outside their texels, and so see others.
+  std::vector<std::size_t> facing(const TexelRect& texels) const;
   const LightSource& light(std::size_t index) const { return rays_.light(index); }
   /// Metres; 0 for a point light.
   double radiusOf(std::size_t light) const { return rays_.radiusOf(light); }
   /// 3 where one of the facing lights is coloured, else 1.
   int channels() const;
 
-  /// Whether a light may reach some of the samples.
-  bool reaches(std::size_t light, const SampleBlocks& blocks) const;
+  /// Those of the lights that may reach some of the samples.
+  std::vector<std::size_t> reaching(const SampleBlocks& blocks,
+                                    std::span<const std::size_t> lights) const;
 
-  SamplePoint place(Vec2 texelPoint) const;
-  /// Adds to `places` the samples of a row of points, in texel coordinates; `columns` rise.
-  void placeRow(std::span<const double> columns, double row,
-                std::vector<SamplePoint>& places) const;
   SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
 
-  /// Whether a sample lies inside a mesh, and so is left out of its texel.
-  bool isLeftOut(const SamplePoint& at) const;
-  /// False if none can be.
-  bool mayLeaveOut() const { return mayLeaveOut_; }
-
-  /// The fraction of a light that each of the samples sees, in their order. Valid until the next
-  /// call.
+  /// The fraction of a light that each of the samples sees, in their order; for spare ones nothing
+  /// that counts. Valid until the next call.
   const std::vector<double>& seenFractions(std::size_t light, const SampleBlocks& blocks);
 
   /// The fraction of a light that the point sees, 0..1.
@@ -76,16 +67,13 @@ class SurfaceLight {
   const std::vector<LightCost>& costs() const { return rays_.costs(); }
 
  private:
-  bool reachesBox(std::size_t light, std::span<const Vec3> corners) const;
+  bool reaches(std::size_t light, const Box3& box) const;
 
-  const LitSurface& surface_;
   bool lambert_;
   VisibilityMethod method_;
-  SamplePlacement placement_;
   SampleRays rays_;
   SampleShafts shafts_;
   SampleBeams beams_;
-  bool mayLeaveOut_;
   std::vector<std::size_t> facing_;
   std::vector<double> seen_;
   std::vector<double> distances_;  ///< from a light to samples, metres

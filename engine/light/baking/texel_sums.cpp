@@ -29,6 +29,13 @@ bool isDark(const Texels& texels) {
   return std::ranges::all_of(texels, [](std::uint8_t byte) { return byte == 0; });
 }
 
+/// None if all is dark; one channel if all is grey; one texel if all are equal.
+std::optional<Lightmap> simplified(Lightmap map) {
+  if (isDark(map.levels)) return std::nullopt;
+  if (map.channels == 3 && isGrey(map.levels)) map = {map.rect, everyThird(map.levels), 1};
+  return compacted(std::move(map));
+}
+
 }  // namespace
 
 TexelSums::TexelSums(TexelRect rect, int channels)
@@ -96,16 +103,36 @@ TexelSums TexelSums::cropped() const {
   return part;
 }
 
+/// The means of the texels from (i, j) on.
+void TexelSums::round(int i, int j, int count, int samples, Lightmap& map) const {
+  const auto channels = static_cast<std::size_t>(channels_);
+  std::uint8_t* const levels = &map.levels[index(i, j, 0) * channels];
+  for (int channel = 0; channel < channels_; ++channel) {
+    const double* const sums = &sums_[index(i, j, channel)];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+      levels[k * channels + static_cast<std::size_t>(channel)] = LightSum(sums[k]).mean(samples);
+  }
+}
+
 std::optional<Lightmap> TexelSums::toLightmap(int samples) const {
   Lightmap map{rect_, Texels(sums_.size()), channels_};
+  for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j)
+    round(rect_.i0, j, rect_.width, samples, map);
+  return simplified(std::move(map));
+}
+
+std::optional<Lightmap> TexelSums::toLightmap(int samples, const UsedTexels& used) const {
+  Lightmap map{rect_, Texels(sums_.size()), channels_};
   const auto channels = static_cast<std::size_t>(channels_);
-  const std::size_t texels = sums_.size() / channels;
-  for (std::size_t channel = 0; channel < channels; ++channel)
-    for (std::size_t i = 0; i < texels; ++i)
-      map.levels[i * channels + channel] = LightSum(sums_[channel * texels + i]).mean(samples);
-  if (isDark(map.levels)) return std::nullopt;
-  if (channels_ == 3 && isGrey(map.levels)) map = {rect_, everyThird(map.levels), 1};
-  return compacted(std::move(map));
+  for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j) {
+    used.forEachRunIn(
+        rect_, j, [&](int first, int last) { round(first, j, last - first + 1, samples, map); });
+    used.forEachUnused(j, [&](int i, int from) {
+      std::copy_n(&map.levels[index(from, j, 0) * channels], channels,
+                  &map.levels[index(i, j, 0) * channels]);
+    });
+  }
+  return simplified(std::move(map));
 }
 
 }  // namespace hearth

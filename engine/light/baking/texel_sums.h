@@ -7,6 +7,7 @@
 
 #include "level/level.h"
 #include "light/lightmap.h"
+#include "light/used_texels.h"
 
 namespace hearth {
 
@@ -30,11 +31,20 @@ class TexelSums {
   TexelSums cropped() const;
   std::size_t bytes() const { return sums_.size() * sizeof(double); }
 
+  const TexelRect& rect() const { return rect_; }
+  int channels() const { return channels_; }
+  /// In units of LightSum, whole numbers from 0 to LightSum::kFull: channel by channel, row by row.
+  std::span<const double> units() const { return sums_; }
+  std::span<double> units() { return sums_; }
+
   /// The means of so many samples a texel. None if all is dark; one channel if no coloured light
   /// has arrived.
   std::optional<Lightmap> toLightmap(int samples) const;
+  /// The same where only some texels are used. The others get the light of the nearest of these.
+  std::optional<Lightmap> toLightmap(int samples, const UsedTexels& used) const;
 
  private:
+  void round(int i, int j, int count, int samples, Lightmap& map) const;
   bool isTexelDark(int i, int j) const;
   std::size_t index(int i, int j, int channel) const {
     const auto row = static_cast<std::size_t>(channel) * static_cast<std::size_t>(rect_.height) +
@@ -44,7 +54,7 @@ class TexelSums {
 
   TexelRect rect_;
   int channels_;
-  std::vector<double> sums_;  ///< units of LightSum, channel by channel, row by row
+  std::vector<double> sums_;  ///< see units()
 };
 
 }  // namespace hearth

@@ -60,20 +60,29 @@ void SampleBlocks::divide(std::size_t index) {
   const auto [upper, lower] = halves(block.rows);
   blocks_[index].firstPart = static_cast<std::uint32_t>(blocks_.size());
   const auto add = [&](int column, int row, int columns, int rows) {
-    if (columns == 0 || rows == 0) return;
-    blocks_.push_back({.column = block.column + column,
-                       .row = block.row + row,
-                       .columns = columns,
-                       .rows = rows,
-                       .box = {},
-                       .sector = {},
-                       .surface = {}});
+    const Block part{.column = block.column + column,
+                     .row = block.row + row,
+                     .columns = columns,
+                     .rows = rows,
+                     .box = {},
+                     .sector = {},
+                     .surface = {}};
+    if (areSpare(part)) return;
+    blocks_.push_back(part);
     ++blocks_[index].parts;
   };
   add(0, 0, left, upper);
   add(left, 0, right, upper);
   add(0, upper, left, lower);
   add(left, upper, right, lower);
+}
+
+/// True of a block without samples.
+bool SampleBlocks::areSpare(const Block& block) const {
+  for (int j = block.row; j < block.row + block.rows; ++j)
+    for (int i = block.column; i < block.column + block.columns; ++i)
+      if (!samples_[index(i, j)].isSpare) return false;
+  return true;
 }
 
 /// Parts come behind what they are parts of.
@@ -96,6 +105,7 @@ SampleBlocks::Extent SampleBlocks::measureSamples(Block& block) const {
   for (int j = block.row; j < block.row + block.rows; ++j)
     for (int i = block.column; i < block.column + block.columns; ++i) {
       const SamplePoint& sample = samples_[index(i, j)];
+      block.samples += sample.isSpare ? 0 : 1;
       const Vec3 offset = sample.target - origin;
       extend(extent, {dot(offset, axisS_), dot(offset, axisT_), dot(offset, normal_)});
       if (sample.surface == surface) continue;
@@ -110,6 +120,7 @@ SampleBlocks::Extent SampleBlocks::joined(Block& block, std::span<const Extent> 
   Extent extent = extents[block.firstPart];
   block.surface = parts.front().surface;
   block.sector = parts.front().sector;
+  for (const Block& part : parts) block.samples += part.samples;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     extend(extent, extents[block.firstPart + i].least);
     extend(extent, extents[block.firstPart + i].most);

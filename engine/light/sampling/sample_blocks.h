@@ -14,7 +14,7 @@
 namespace hearth {
 
 /// A lattice of samples of one surface's lightmap, and a quadtree of blocks of them, whose leaves
-/// have kLeast samples a side.
+/// have kLeast samples a side. There are no blocks of nothing but spare samples.
 class SampleBlocks {
  public:
   /// Samples row by row, `columns` x `rows` of them. `surface` gives only directions.
@@ -30,6 +30,7 @@ class SampleBlocks {
     /// The sector in which all samples lie, if there is one, and the surface.
     std::optional<SectorId> sector;
     std::optional<SurfaceId> surface;
+    int samples = 0;              ///< without spare ones
     std::uint32_t firstPart = 0;  ///< the parts of a block follow one another
     std::uint32_t parts = 0;
   };
@@ -74,6 +75,7 @@ class SampleBlocks {
 
   void addToArrays(const SamplePoint& sample);
   void divide(std::size_t index);
+  bool areSpare(const Block& block) const;
   /// What holds some samples, in metres from the first of all along the axes and the normal.
   struct Extent {
     Vec3 least;

@@ -59,51 +59,21 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, Surf
       besideEdge_(2.5 * hair_),
       sought_(sought) {}
 
-/// Texels. Samples of texels that are used are no farther from their surface.
-constexpr double kRowReach = 3;
+SamplePlacement::Row::Row(const SamplePlacement& placement, double row)
+    : placement_(placement), surface_(*placement.surfaces_[placement.id_.index()]), row_(row) {
+  // Texels. Samples of texels that are used are no farther from their surface.
+  constexpr double kRowReach = 3;
+  outline_ = surface_.outline.aroundRow(row, kRowReach);
+  inside_ = outline_.insideAlong(row, placement.besideEdge_);
+}
 
-class SamplePlacement::Row {
- public:
-  Row(const SamplePlacement& placement, double row)
-      : placement_(placement),
-        surface_(*placement.surfaces_[placement.id_.index()]),
-        row_(row),
-        outline_(surface_.outline.aroundRow(row, kRowReach)),
-        inside_(outline_.insideAlong(row, placement.besideEdge_)) {}
-
-  /// At columns in rising order.
-  SamplePoint place(double column) {
-    const Vec2 p{column, row_};
-    while (nextInside_ < inside_.size() && inside_[nextInside_].to < column) ++nextInside_;
-    if (nextInside_ == inside_.size() || inside_[nextInside_].from > column)
-      return placement_.place(p, outline_);
-    const Vec3 point = surface_.toWorld(p);
-    return {point, placement_.id_, point, false};
-  }
-
- private:
-  const SamplePlacement& placement_;
-  const LitSurface& surface_;
-  double row_;
-  Polygons outline_;
-  std::vector<Polygons::Stretch> inside_;
-  std::size_t nextInside_ = 0;
-};
-
-void SamplePlacement::placeRow(std::span<const double> columns, double row,
-                               std::vector<SamplePoint>& places) const {
-  Row inRow(*this, row);
-  UsedTexelRow usedRow(*surfaces_[id_.index()], static_cast<int>(std::floor(row)));
-  const auto texelOf = [&](std::size_t i) { return static_cast<int>(std::floor(columns[i])); };
-  std::optional<int> placed;  // the texel whose places are the last ones
-  for (std::size_t i = 0, next = 0; i < columns.size(); i = next) {
-    while (next < columns.size() && texelOf(next) == texelOf(i)) ++next;
-    const int used = usedRow.nearest(texelOf(i));
-    for (std::size_t k = i; k < next; ++k)
-      places.push_back(used == placed ? places[places.size() - (next - i)]
-                                      : inRow.place(columns[k] + (used - texelOf(i))));
-    placed = used;
-  }
+SamplePoint SamplePlacement::Row::place(double column) {
+  const Vec2 p{column, row_};
+  while (nextInside_ < inside_.size() && inside_[nextInside_].to < column) ++nextInside_;
+  if (nextInside_ == inside_.size() || inside_[nextInside_].from > column)
+    return placement_.place(p, outline_);
+  const Vec3 point = surface_.toWorld(p);
+  return {point, placement_.id_, point, false};
 }
 
 SamplePoint SamplePlacement::place(Vec2 p) const {

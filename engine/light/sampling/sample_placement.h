@@ -18,6 +18,8 @@ struct SamplePoint {
   /// ray arrives.
   Vec3 target;
   bool isMoved;  ///< to the surface's edge, from beyond it
+  /// In a texel that nothing reads: it has the place of another sample, and needs no light.
+  bool isSpare = false;
 };
 
 /// Finds where a sample of a surface's lightmap takes its light: at the sample, if it lies on the
@@ -34,16 +36,11 @@ class SamplePlacement {
   SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought = nullptr);
 
   SamplePoint place(Vec2 texelPoint) const;
-  /// Adds those of a row of points inside texels, at rising `columns` on the height `row`. For
-  /// texels that no pixel can ask for those of the nearest in the row that one can: no time goes to
-  /// find places that do not matter, and the lightmap goes on evenly there.
-  void placeRow(std::span<const double> columns, double row,
-                std::vector<SamplePoint>& places) const;
 
- private:
   /// Places points of one row, with no more of the outline than is near it.
   class Row;
 
+ private:
   /// `own` is the outline of the surface, or the part of it that is near.
   SamplePoint place(Vec2 texelPoint, const Polygons& own) const;
   /// The other surfaces of the plane that are joined to this one near a sample.
@@ -61,6 +58,23 @@ class SamplePlacement {
   /// Texels: edges farther away than this are more than a hair from wherever a sample is moved.
   double besideEdge_;
   SurfaceSet* sought_;
+};
+
+class SamplePlacement::Row {
+ public:
+  /// Keeps a reference to `placement`. No point may be farther than a few texels from its surface.
+  Row(const SamplePlacement& placement, double row);
+
+  /// At columns in rising order.
+  SamplePoint place(double column);
+
+ private:
+  const SamplePlacement& placement_;
+  const LitSurface& surface_;
+  double row_;
+  Polygons outline_;
+  std::vector<Polygons::Stretch> inside_;
+  std::size_t nextInside_ = 0;
 };
 
 }  // namespace hearth
