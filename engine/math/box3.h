@@ -22,6 +22,16 @@ struct Box3 {
            std::max(max.z, other.max.z)};
   }
 
+  /// It, and all that is so far from it along an axis.
+  constexpr Box3 grownBy(double margin) const {
+    const Vec3 most{margin, margin, margin};
+    return {min - most, max + most};
+  }
+  constexpr bool meets(const Box3& other) const {
+    return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y &&
+           other.min.y <= max.y && min.z <= other.max.z && other.min.z <= max.z;
+  }
+
   /// From a point to the nearest one of it.
   double distanceTo(Vec3 p) const {
     const auto beyond = [](double x, double low, double high) {

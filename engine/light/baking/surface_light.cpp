@@ -20,16 +20,6 @@ Box3 boxAround(std::span<const Vec3> points) {
   return box;
 }
 
-/// Around some texels of a surface. All its samples lie in the box around all of its texels, within
-/// tolerances.
-Box3 boxAround(const LitSurface& surface, const TexelRect& rect) {
-  const double i0 = rect.i0;
-  const double j0 = rect.j0;
-  return boxAround(std::array{surface.toWorld({i0, j0}), surface.toWorld({i0 + rect.width, j0}),
-                              surface.toWorld({i0, j0 + rect.height}),
-                              surface.toWorld({i0 + rect.width, j0 + rect.height})});
-}
-
 }  // namespace
 
 SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,

@@ -10,6 +10,15 @@
 
 namespace hearth {
 
+Box3 boxAround(const LitSurface& surface, const TexelRect& rect) {
+  const double i0 = rect.i0;
+  const double j0 = rect.j0;
+  Box3 box;
+  for (const double i : {i0, i0 + rect.width})
+    for (const double j : {j0, j0 + rect.height}) box.add(surface.toWorld({i, j}));
+  return box;
+}
+
 bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id) {
   if (scene.level().meshes.empty()) return false;
   // A sample lies on no surface that is farther away than a few others.
@@ -30,9 +39,27 @@ SurfacePlaces::SurfacePlaces(const Scene& scene, const LitSurfaces& surfaces, Su
       surfaces_(surfaces),
       id_(id),
       placement_(surfaces, id, sought),
-      mayLeaveOut_(mayHaveSamplesInMeshes(scene, surfaces, id)) {}
+      mayLeaveOut_(mayHaveSamplesInMeshes(scene, surfaces, id)) {
+  if (!mayLeaveOut_) return;
+  const Vec3 normal = surface().normal;
+  const Box3 box = boxAround(surface(), surface().texels);
+  sweep_ = Raytracer(scene).pastMeshes(box.farthest(-1 * normal), normal, scene[id].sector);
+  const Box3 swept = sweptFrom(box);
+  for (const FaceTree& faces : scene.level().faceTrees)
+    if (faces.box().meets(swept)) before_.push_back(faces.box());
+}
+
+/// All that samples in a box meet on their way past the meshes of the surface's sector.
+Box3 SurfacePlaces::sweptFrom(const Box3& box) const {
+  Box3 swept = box;
+  swept.add(Box3{box.min + sweep_, box.max + sweep_});
+  return swept.grownBy(kAuthorNoise);
+}
 
 bool SurfacePlaces::isLeftOut(const SamplePoint& at) const {
+  const Box3 swept = sweptFrom({at.target, at.target});
+  const auto isOnWay = [&](const Box3& mesh) { return mesh.meets(swept); };
+  if (at.surface == id_ && std::ranges::none_of(before_, isOnWay)) return false;
   return Raytracer(scene_).isInsideMesh(at.target, surfaces_[at.surface.index()]->normal,
                                         scene_[at.surface].sector);
 }

@@ -1,13 +1,19 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "level/scene.h"
 #include "light/lit_surface.h"
 #include "light/rays/id_set.h"
 #include "light/sampling/sample_placement.h"
+#include "math/box3.h"
 
 namespace hearth {
+
+/// Around some texels of a surface. All its samples lie in the box around all of its texels, within
+/// tolerances.
+Box3 boxAround(const LitSurface& surface, const TexelRect& texels);
 
 /// Whether samples of a surface, or of what continues it, may lie inside meshes.
 bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id);
@@ -32,11 +38,15 @@ class SurfacePlaces {
   bool mayLeaveOut() const { return mayLeaveOut_; }
 
  private:
+  Box3 sweptFrom(const Box3& box) const;
+
   Scene scene_;
   const LitSurfaces& surfaces_;
   SurfaceId id_;
   SamplePlacement placement_;
   bool mayLeaveOut_;
+  Vec3 sweep_{};              ///< along the normal, past all meshes in the surface's sector
+  std::vector<Box3> before_;  ///< around the meshes that a sample of the surface meets on that way
 };
 
 /// The same for a patch of a mesh.

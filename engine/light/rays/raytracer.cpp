@@ -448,15 +448,19 @@ bool Raytracer::sees(const Source& source, const FacePoint& target, const Shaft&
                              [&](const MeshInSector& at) { return at.mesh == target.mesh; });
 }
 
-bool Raytracer::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const {
+Vec3 Raytracer::pastMeshes(Vec3 point, Vec3 normal, SectorId sector) const {
   double reach = 0;
   for (const MeshInSector& at : scene_.level().meshesIn(sector)) {
     const Vec3 farthest = scene_.level().faceTrees[at.mesh].box().farthest(normal);
     reach = std::max(reach, dot(normal, farthest - point));
   }
-  if (reach <= kArrival) return false;
-  return Walk(scene_, AllWalls{scene_}, {point, sector}, point + (2 * reach) * normal,
-              solidMaskedMiddles_, nullptr)
+  return reach <= kArrival ? Vec3{} : (2 * reach) * normal;
+}
+
+bool Raytracer::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const {
+  const Vec3 way = pastMeshes(point, normal, sector);
+  if (way == Vec3{}) return false;
+  return Walk(scene_, AllWalls{scene_}, {point, sector}, point + way, solidMaskedMiddles_, nullptr)
       .meetsBackFirst();
 }
 
