@@ -49,6 +49,7 @@ void SampleBeams::find(std::size_t light, const SampleBlocks& blocks, std::span<
   if (rays_.enteredSectors(light)) shafts_.noteSectors(light, blocks.targetsOf(whole));
   candidates_.clear();
   answers_.clear();
+  meshes_.reset();
   for (const SurfaceId surface : blocks.surfaces())
     answers_.push_back(ask(light, surface, whole.box.corners()));
   findBlock({light, blocks, seen}, whole, {0, answers_.size()});
@@ -83,8 +84,7 @@ void SampleBeams::findBlock(const Query& query, const SampleBlocks::Block& block
   const bool isLeaf =
       isSmall && (block.parts == 0 || std::ranges::all_of(in(here), &BeamAnswer::isAnswered));
   // Beams know of no meshes.
-  if (!areDark && (areAlike || isLeaf) &&
-      shafts_.mayMeetMesh(query.light, query.blocks.targetsOf(block)))
+  if (!areDark && (areAlike || isLeaf) && mayMeetMesh(query, block))
     return shafts_.find(query.light, query.blocks, block, query.seen);
   if (areAlike) {
     if (first.isInFront) findAlike(query, block, !areDark);
@@ -94,6 +94,13 @@ void SampleBeams::findBlock(const Query& query, const SampleBlocks::Block& block
     for (const SampleBlocks::Block& part : query.blocks.partsOf(block))
       findWithin(query, part, here);
   }
+}
+
+/// Whether a mesh may stop rays to a block.
+bool SampleBeams::mayMeetMesh(const Query& query, const SampleBlocks::Block& block) {
+  const auto& [light, blocks, seen] = query;
+  if (!meshes_) meshes_ = shafts_.meshesToMeet(light, blocks.targetsOf(blocks.whole()));
+  return shafts_.mayMeetMesh(light, blocks.targetsOf(block), *meshes_);
 }
 
 /// The light can shine on all surfaces of the block.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +57,7 @@ class SampleBeams {
   }
   void findWithin(const Query& query, const SampleBlocks::Block& block, Range around);
   void findBlock(const Query& query, const SampleBlocks::Block& block, Range here);
+  bool mayMeetMesh(const Query& query, const SampleBlocks::Block& block);
   void findAlike(const Query& query, const SampleBlocks::Block& block, bool areLit);
   void findOneByOne(const Query& query, const SampleBlocks::Block& block,
                     std::span<const BeamAnswer> here);
@@ -66,6 +69,8 @@ class SampleBeams {
   BeamTree::Candidates candidates_;
   BeamTree::Scratch scratch_;
   std::vector<BeamAnswer> answers_;
+  /// That rays of the query may meet; none until a block asks.
+  std::optional<std::vector<std::uint32_t>> meshes_;
   std::vector<double> seenIfOn_;  ///< `seen`, as if all samples lay on one surface
 };
 

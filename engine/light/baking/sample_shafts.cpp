@@ -1,6 +1,9 @@
 #include "light/baking/sample_shafts.h"
 
+#include <algorithm>
 #include <cstdint>
+
+#include "math/box3.h"
 
 namespace hearth {
 
@@ -19,14 +22,29 @@ TargetVisibility SampleShafts::follow(std::size_t depth, std::size_t light, cons
   return outcome;
 }
 
-bool SampleShafts::mayMeetMesh(std::size_t light, const ShaftTargets& targets) const {
+std::vector<std::uint32_t> SampleShafts::meshesToMeet(std::size_t light,
+                                                      const ShaftTargets& targets) const {
   const Level& level = rays_.scene().level();
-  if (level.meshes.empty()) return false;
+  std::vector<std::uint32_t> meshes;
+  if (level.meshes.empty()) return meshes;
   const ShaftLight& from = rays_.visibility(light).shaftLight();
   const ShaftHull hull(from.center, from.radius, targets.box);
+  Box3 around = Box3{from.center, from.center}.grownBy(from.radius);
+  for (const Vec3 corner : targets.box.corners()) around.add(corner);
+  around = around.grownBy(hull.margin());
+  // Of many meshes most are elsewhere, and their boxes tell so sooner than the hull.
   for (std::uint32_t i = 0; i < level.meshes.size(); ++i)
-    if (hull.mayMeet(level, i)) return true;
-  return false;
+    if (level.faceTrees[i].box().meets(around) && hull.mayMeet(level, i)) meshes.push_back(i);
+  return meshes;
+}
+
+bool SampleShafts::mayMeetMesh(std::size_t light, const ShaftTargets& targets,
+                               std::span<const std::uint32_t> meshes) const {
+  if (meshes.empty()) return false;
+  const ShaftLight& from = rays_.visibility(light).shaftLight();
+  const ShaftHull hull(from.center, from.radius, targets.box);
+  return std::ranges::any_of(
+      meshes, [&](std::uint32_t mesh) { return hull.mayMeet(rays_.scene().level(), mesh); });
 }
 
 void SampleShafts::find(std::size_t light, const SampleBlocks& blocks,

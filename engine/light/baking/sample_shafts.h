@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <span>
+#include <vector>
 
 #include "light/baking/sample_rays.h"
 
@@ -30,8 +32,12 @@ class SampleShafts {
     follow(0, light, rays_.visibility(light).shaftLight(), targets);
   }
 
-  /// Whether a mesh may stop rays of a light to targets. Looks at all meshes, in whatever sectors.
-  bool mayMeetMesh(std::size_t light, const ShaftTargets& targets) const;
+  /// The meshes that may stop rays of a light to targets, by index. Looks at all meshes, in
+  /// whatever sectors.
+  std::vector<std::uint32_t> meshesToMeet(std::size_t light, const ShaftTargets& targets) const;
+  /// Whether one of these may, for targets among those.
+  bool mayMeetMesh(std::size_t light, const ShaftTargets& targets,
+                   std::span<const std::uint32_t> meshes) const;
 
   /// A shaft for rays whose outcome is already known.
   const Shaft& any() { return shaftAt(0); }
