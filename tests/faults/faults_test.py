@@ -27,6 +27,7 @@ BAKE = ["--texel", "0.5", "--no-cache"]
 WRITERS = {
     "shot.png": ["shot", "level.json", "-o", "{}", *BAKE],
     "light.bake": ["bake", "level.json", "-o", "{}", "--texel", "0.5"],
+    "half.part": ["bake", "level.json", "--shard", "1/2", "-o", "{}", "--texel", "0.5"],
     "light.png": ["bake", "level.json", "-o", "{}", "--texel", "0.5"],
     "plan.svg": ["map", "level.json", "-o", "{}"],
     "other.json": ["fmt", "level.json", "-o", "{}"],

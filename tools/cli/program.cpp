@@ -30,6 +30,14 @@ void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValue
         name, [&] { values.set(row.id, ""); }, helpOf(row));
     return;
   }
+  if (row.kind == ValueKind::Texts) {
+    app.add_option_function<std::vector<std::string>>(
+           name, [&](const std::vector<std::string>& all) { values.setAll(row.id, all); },
+           helpOf(row))
+        ->type_name(std::string(row.value))
+        ->required(isRequired);
+    return;
+  }
   const auto take = [&](const std::string& value) { values.set(row.id, value); };
   app.add_option_function<std::string>(name, take, helpOf(row))
       ->type_name(std::string(row.value))

@@ -1,7 +1,11 @@
-// Bakes against Embree, which traces a ray for each pair of a sample and a light.
+// Bakes against Embree, which traces a ray for each pair of a sample and a light; and in parts.
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
+#include "light/bake_part.h"
 #include "light/baking/baked_surface.h"
 #include "math/parallel.h"
 #include "peers/bake_rays.h"
@@ -100,6 +104,30 @@ Prepared preparePairs(PeerInputs& inputs, const std::filesystem::path& file) {
 
 constexpr int kThreads = 2;
 
+/// What 16 parts of a bake take, one after the other on one thread.
+struct PartTimes {
+  double together = 0;  ///< seconds
+  double slowest = 0;
+  std::size_t bytes = 0;
+
+  static constexpr std::uint32_t kParts = 16;
+  double mean() const { return together / kParts; }
+};
+
+PartTimes timesOfParts(const BakeInParts& bake, const Clock& clock) {
+  PartTimes times;
+  for (std::uint32_t part = 1; part <= PartTimes::kParts; ++part) {
+    const double begin = clock();
+    times.bytes += bakePart(bake, {part, PartTimes::kParts}, 1).size();
+    const double seconds = clock() - begin;
+    times.together += seconds;
+    times.slowest = std::max(times.slowest, seconds);
+  }
+  return times;
+}
+
+BakeInParts inParts(const Scene& scene) { return {scene, settingsOfPairs(scene.level()), ""}; }
+
 }  // namespace
 
 Prepared prepareCastlePairs(PeerInputs& inputs) {
@@ -132,6 +160,27 @@ Prepared prepareLargestRays(PeerInputs& inputs) {
                      placing,
                      beams,
                      ofBake - placing - beams};
+    };
+  });
+}
+
+Prepared prepareSlowestPart(PeerInputs& inputs) {
+  return inputs.freedoomLevel(kLargestMap).map([&](const PeerLevel* level) -> Measure {
+    return [level, &inputs] {
+      const PartTimes times = timesOfParts(inParts(level->loaded.scene()), inputs.clock());
+      return Figures{times.slowest / times.mean(), times.slowest, times.mean()};
+    };
+  });
+}
+
+Prepared preparePartsTogether(PeerInputs& inputs) {
+  return inputs.freedoomLevel(kLargestMap).map([&](const PeerLevel* level) -> Measure {
+    return [level, &inputs] {
+      const Scene scene = level->loaded.scene();
+      const PartTimes times = timesOfParts(inParts(scene), inputs.clock());
+      const double whole = secondsOfBake(scene, 1, inputs.clock());
+      return Figures{times.together / whole, times.together, whole,
+                     1e-6 * static_cast<double>(times.bytes)};
     };
   });
 }

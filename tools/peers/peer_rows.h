@@ -46,6 +46,10 @@ Prepared prepareShadowRays(PeerInputs& inputs);
 Prepared prepareLargestBake(PeerInputs& inputs);
 /// The same over those of Embree; seconds of both, and millions of rays.
 Prepared prepareLargestRays(PeerInputs& inputs);
+/// Of 16 parts of that bake, one thread each: seconds of the slowest over their mean, and of all
+/// over the whole bake.
+Prepared prepareSlowestPart(PeerInputs& inputs);
+Prepared preparePartsTogether(PeerInputs& inputs);
 /// Milliseconds from the start of the program to a picture of the castle.
 Prepared prepareStart(PeerInputs& inputs);
 /// Bytes of saved light over texels that light reaches and channels, of maps of Freedoom; millions

@@ -110,6 +110,11 @@ constexpr std::array kTable = {
               "the WAD of the game, for what a WAD of maps alone does not have"},
     OptionRow{Option::TimeBudget, "--time-budget", ValueKind::Number, "SECONDS", 0.01, 1e6, "",
               "pick the most accurate settings with which the bake takes no longer"},
+    OptionRow{
+        Option::Shard, "--shard", ValueKind::Text, "K/N", 1, kMaxParts, "",
+        "bake only the K-th of N parts, and write it as X.part; a finished one is left as it is"},
+    OptionRow{Option::Join, "--join", ValueKind::Texts, "FILE.part", 0, 0, "",
+              "put parts together that were baked with --shard, instead of baking"},
     OptionRow{Option::Texel, "--texel", ValueKind::Number, "METRES", 1e-6, 1e6, "0.125",
               "size of a lightmap's texels"},
     OptionRow{Option::Samples, "--samples", ValueKind::Integer, "COUNT|auto", 1, 4096, "1",
@@ -160,6 +165,14 @@ std::optional<double> parseNumber(std::string_view text) {
   return value;
 }
 
+/// A whole number in digits.
+std::optional<int> parseCount(std::string_view digits) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
 std::optional<std::string> mistakeInChoice(const OptionRow& row, const std::string& value) {
   for (const std::string_view choice : split(row.value, '|'))
     if (choice == value) return std::nullopt;
@@ -181,6 +194,12 @@ std::optional<std::string> mistakeInSize(const OptionRow& row, const std::string
   return fmt::format("\"{}\" is no WIDTHxHEIGHT with both in {}..{}", value, row.min, row.max);
 }
 
+std::optional<std::string> mistakeInPartNumber(const OptionRow& row, const std::string& value) {
+  if (parsePartNumber(value)) return std::nullopt;
+  return fmt::format("\"{}\" is no K/N of whole numbers with {} <= K <= N <= {}", value, row.min,
+                     row.max);
+}
+
 }  // namespace
 
 const OptionRow& row(Option option) {
@@ -199,10 +218,12 @@ std::string helpOf(const OptionRow& row) {
 
 std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& value) {
   if (row.id == Option::Size) return mistakeInSize(row, value);
+  if (row.id == Option::Shard) return mistakeInPartNumber(row, value);
   if (row.id == Option::Samples && value == "auto") return std::nullopt;
   switch (row.kind) {
     case ValueKind::Flag:
     case ValueKind::Text:
+    case ValueKind::Texts:
       return std::nullopt;
     case ValueKind::Choice:
       return mistakeInChoice(row, value);
@@ -215,12 +236,17 @@ std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& va
 
 std::optional<std::string> OptionValues::text(Option option) const {
   const auto found = values_.find(option);
-  return found == values_.end() ? std::nullopt : std::optional(found->second);
+  return found == values_.end() ? std::nullopt : std::optional(found->second.back());
+}
+
+std::vector<std::string> OptionValues::texts(Option option) const {
+  const auto found = values_.find(option);
+  return found == values_.end() ? std::vector<std::string>{} : found->second;
 }
 
 std::optional<double> OptionValues::number(Option option) const {
   const auto found = values_.find(option);
-  return found == values_.end() ? std::nullopt : parseNumber(found->second);
+  return found == values_.end() ? std::nullopt : parseNumber(found->second.back());
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -236,17 +262,23 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::optional<ImageSize> parseSize(std::string_view text) {
   const std::vector<std::string_view> parts = split(text, 'x');
   if (parts.size() != 2) return std::nullopt;
-  const auto side = [](std::string_view digits) -> std::optional<int> {
-    int value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool isWhole = error == std::errc{} && end == digits.data() + digits.size();
-    if (!isWhole || value < 1 || value > kMaxPictureSide) return std::nullopt;
-    return value;
+  const std::optional<int> width = parseCount(parts[0]);
+  const std::optional<int> height = parseCount(parts[1]);
+  const auto isSide = [](std::optional<int> side) {
+    return side && *side >= 1 && *side <= kMaxPictureSide;
   };
-  const std::optional<int> width = side(parts[0]);
-  const std::optional<int> height = side(parts[1]);
-  if (!width || !height) return std::nullopt;
+  if (!isSide(width) || !isSide(height)) return std::nullopt;
   return ImageSize{*width, *height};
+}
+
+std::optional<PartNumber> parsePartNumber(std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, '/');
+  if (parts.size() != 2) return std::nullopt;
+  const std::optional<int> part = parseCount(parts[0]);
+  const std::optional<int> all = parseCount(parts[1]);
+  if (!part || !all || *part < 1 || *part > *all || *all > static_cast<int>(kMaxParts))
+    return std::nullopt;
+  return PartNumber{static_cast<std::uint32_t>(*part), static_cast<std::uint32_t>(*all)};
 }
 
 std::optional<std::vector<double>> parseNumbers(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "light/bake_part.h"
 
 namespace hearth {
 
@@ -57,6 +58,8 @@ enum class Option {
   Monsters,
   Iwad,
   TimeBudget,
+  Shard,
+  Join,
   Texel,
   Samples,
   SoftSamples,
@@ -75,7 +78,14 @@ enum class Option {
   MaxMeshFaces,
 };
 
-enum class ValueKind { Flag, Text, Choice, Number, Integer };
+enum class ValueKind {
+  Flag,
+  Text,
+  Texts,  ///< one or more: all that follows, up to the next option
+  Choice,
+  Number,
+  Integer
+};
 
 /// One row of the table from which help and manual are printed and input is checked.
 struct OptionRow {
@@ -105,14 +115,19 @@ class OptionValues {
   std::string level;                ///< the level file
   std::vector<std::string> levels;  ///< in its place, of a command that takes several
 
-  void set(Option option, std::string value) { values_[option] = std::move(value); }
+  void set(Option option, std::string value) { values_[option] = {std::move(value)}; }
+  void setAll(Option option, std::vector<std::string> values) {
+    values_[option] = std::move(values);
+  }
   void unset(Option option) { values_.erase(option); }
   bool has(Option option) const { return values_.contains(option); }
+  /// The last of several.
   std::optional<std::string> text(Option option) const;
+  std::vector<std::string> texts(Option option) const;
   std::optional<double> number(Option option) const;
 
  private:
-  std::map<Option, std::string> values_;
+  std::map<Option, std::vector<std::string>> values_;  ///< at least one each
 };
 
 /// Pixels of a picture's side: 2^14 squared still fits the renderer's ints.
@@ -120,6 +135,9 @@ inline constexpr int kMaxPictureSide = 16384;
 
 /// From `WxH`.
 std::optional<ImageSize> parseSize(std::string_view text);
+
+/// From `K/N`.
+std::optional<PartNumber> parsePartNumber(std::string_view text);
 
 /// The parts of a text between separators; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);

@@ -18,7 +18,8 @@ std::string typedOptions(const OptionValues& values, const std::vector<Option>& 
     if (!values.has(option)) continue;
     text += ' ';
     text += row(option).name;
-    if (row(option).kind != ValueKind::Flag) text += ' ' + shellWord(*values.text(option));
+    if (row(option).kind == ValueKind::Flag) continue;
+    for (const std::string& value : values.texts(option)) text += ' ' + shellWord(value);
   }
   return text;
 }
