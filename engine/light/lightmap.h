@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "light/lit_surface.h"
@@ -22,6 +23,19 @@ struct Lightmap {
   std::size_t bytes() const { return levels.size(); }
 
   std::uint8_t at(int i, int j, int channel = 0) const { return levels[indexOf(i, j, channel)]; }
+
+  /// All texels black, each kept.
+  static Lightmap dark(const TexelRect& rect, int channels) {
+    const std::size_t bytes =
+        static_cast<std::size_t>(rect.count()) * static_cast<std::size_t>(channels);
+    return {rect, std::vector<std::uint8_t>(bytes), channels};
+  }
+  /// The levels of texel (i, j), where all texels are kept.
+  std::uint8_t* texel(int i, int j) { return &levels[indexOf(i, j, 0)]; }
+  /// Gives the texel (toI, toJ) the light of (i, j).
+  void copyTexel(int i, int j, int toI, int toJ) {
+    std::copy_n(texel(i, j), channels, texel(toI, toJ));
+  }
 
   /// Light of a channel in levels (0..255) at texel coordinates, interpolated between texel
   /// centres. `rect` has all texels around points of the surface; a point that rounding puts beyond
@@ -51,5 +65,7 @@ struct Lightmap {
 
 /// The same light, stored as one texel if all are equal. Lightmaps are kept and drawn so.
 Lightmap compacted(Lightmap map);
+/// The same, with one channel if all is grey; none if all is dark.
+std::optional<Lightmap> simplified(Lightmap map);
 
 }  // namespace hearth

@@ -269,7 +269,7 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
     TexelSums sums = sumsFor(id);
     for (const auto& contribution : surface.contributions) sums.add(contribution->sums);
     surface.lightmap =
-        lightmapOf(SurfacePlaces(scene_, surfaces_, id), std::move(sums), texels, settings_);
+        lightmapOf(SurfacePlaces(scene_, surfaces_, id), {&sums, 1}, texels, settings_);
   }
   return std::make_shared<const Surface>(std::move(surface));
 }

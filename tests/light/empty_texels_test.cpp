@@ -62,8 +62,8 @@ TEST(EmptyTexels, takeTheLightOfOneOfTheNearestOthers) {
         }
       }
     if (byLevel.size() == 1) continue;
-    empty.fill(sums);
-    const Lightmap filled = sums.toLightmap(1).value();
+    Lightmap filled = sums.toLightmap(1).value();
+    empty.fill(filled);
     for (const Place at : emptied) {
       int least = std::numeric_limits<int>::max();
       for (std::size_t level = 1; level < byLevel.size(); ++level)

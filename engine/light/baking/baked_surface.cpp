@@ -8,6 +8,7 @@
 
 #include "light/baking/clipped_light.h"
 #include "light/baking/left_out.h"
+#include "light/baking/lightmap_builder.h"
 #include "light/baking/patch_light.h"
 #include "light/baking/texel_sums.h"
 
@@ -114,17 +115,14 @@ void addLightsToTile(Lit& surface, const UsedTexels& texels, const TexelRect& ti
     addClippedLight(surface, texels, tile, lights, sumsOf, empty, stop);
 }
 
+/// The sums of all facing lights in a tile, which is a rectangle around used texels.
 template <typename Lit>
-void addLightsTo(Lit& surface, const UsedTexels& texels, std::span<const std::size_t> lights,
-                 const BakeSettings& settings, const SumsOf& sumsOf, EmptyTexels* empty,
-                 BakeProgress& progress, const std::stop_token& stop) {
-  const std::vector<TexelRect> tiles = tilesOf(texels);
-  SurfaceProgress done(progress, texels.rect().count(), std::ssize(tiles));
-  for (const TexelRect& tile : tiles) {
-    if (stop.stop_requested()) return;
-    addLightsToTile(surface, texels, tile, lights, settings, sumsOf, empty, stop);
-    done.step();
-  }
+TexelSums sumsOfTile(Lit& surface, const UsedTexels& texels, const TexelRect& tile,
+                     const BakeSettings& settings, EmptyTexels* empty) {
+  TexelSums sums(tile, surface.channels());
+  const auto all = [&](std::size_t) -> TexelSums& { return sums; };
+  addLightsToTile(surface, texels, tile, surface.facing(), settings, all, empty, {});
+  return sums;
 }
 
 /// Fills a row of samples up to some number with spare ones at the place of another.
@@ -203,7 +201,13 @@ template SampleBlocks samplesOf(const SurfaceLight&, const UsedTexels&, const Te
 void addLights(SurfaceLight& surface, const UsedTexels& texels, std::span<const std::size_t> lights,
                const BakeSettings& settings, const SumsOf& sumsOf, BakeProgress& progress,
                const std::stop_token& stop) {
-  addLightsTo(surface, texels, lights, settings, sumsOf, nullptr, progress, stop);
+  const std::vector<TexelRect> tiles = tilesOf(texels);
+  SurfaceProgress done(progress, texels.rect().count(), std::ssize(tiles));
+  for (const TexelRect& tile : tiles) {
+    if (stop.stop_requested()) return;
+    addLightsToTile(surface, texels, tile, lights, settings, sumsOf, nullptr, stop);
+    done.step();
+  }
 }
 
 void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
@@ -243,25 +247,25 @@ TexelRect texelsToBake(const SurfaceTexels& wanted, const Scene& scene,
 }
 
 template <typename Places>
-std::optional<Lightmap> lightmapOf(const Places& places, TexelSums sums, const UsedTexels& texels,
-                                   const BakeSettings& settings) {
-  emptyTexelsOf(places, texels, settings).fill(sums);
-  return sums.toLightmap(settings.samples.value_or(1), texels);
+std::optional<Lightmap> lightmapOf(const Places& places, std::span<const TexelSums> sums,
+                                   const UsedTexels& texels, const BakeSettings& settings) {
+  if (std::ranges::all_of(sums, &TexelSums::isDark)) return std::nullopt;
+  LightmapBuilder map(texels, settings.samples.value_or(1));
+  for (const TexelSums& tile : sums) map.add(tile);
+  return std::move(map).finished(emptyTexelsOf(places, texels, settings));
 }
 
-template std::optional<Lightmap> lightmapOf(const SurfacePlaces&, TexelSums, const UsedTexels&,
-                                            const BakeSettings&);
-template std::optional<Lightmap> lightmapOf(const PatchPlaces&, TexelSums, const UsedTexels&,
-                                            const BakeSettings&);
+template std::optional<Lightmap> lightmapOf(const SurfacePlaces&, std::span<const TexelSums>,
+                                            const UsedTexels&, const BakeSettings&);
+template std::optional<Lightmap> lightmapOf(const PatchPlaces&, std::span<const TexelSums>,
+                                            const UsedTexels&, const BakeSettings&);
 
 template <typename Lit>
 TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings) {
   const UsedTexels texels(surface.surface(), tile);
-  TexelSums sums(tile, surface.channels());
-  const auto all = [&](std::size_t) -> TexelSums& { return sums; };
-  if (const auto used = texels.around(tile))
-    addLightsToTile(surface, texels, *used, surface.facing(), settings, all, nullptr, {});
-  return sums;
+  const auto used = texels.around(tile);
+  if (!used) return {{tile.i0, tile.j0, 0, 0}, 1};
+  return sumsOfTile(surface, texels, *used, settings, nullptr);
 }
 
 template TexelSums sumsOfTile(SurfaceLight&, const TexelRect&, const BakeSettings&);
@@ -275,12 +279,15 @@ std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,
     return std::nullopt;
   }
   const UsedTexels texels(surface.surface(), rect);
-  TexelSums sums(rect, surface.channels());
-  const auto all = [&](std::size_t) -> TexelSums& { return sums; };
+  LightmapBuilder map(texels, settings.samples.value_or(1));
   EmptyTexels empty(texels);
-  addLightsTo(surface, texels, surface.facing(), settings, all, &empty, progress, {});
-  empty.fill(sums);
-  return sums.toLightmap(settings.samples.value_or(1), texels);
+  const std::vector<TexelRect> tiles = tilesOf(texels);
+  SurfaceProgress done(progress, rect.count(), std::ssize(tiles));
+  for (const TexelRect& tile : tiles) {
+    map.add(sumsOfTile(surface, texels, tile, settings, &empty));
+    done.step();
+  }
+  return std::move(map).finished(empty);
 }
 
 template std::optional<Lightmap> bakeSurface(SurfaceLight&, const TexelRect&, const BakeSettings&,

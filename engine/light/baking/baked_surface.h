@@ -54,10 +54,10 @@ std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,
 template <typename Lit>
 TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings);
 
-/// The lightmap of a surface from the sums of all its lights in used texels. `Places` is
-/// SurfacePlaces or PatchPlaces.
+/// The lightmap of a surface from the sums of all its lights in its tiles, or in all of it.
+/// `Places` is SurfacePlaces or PatchPlaces.
 template <typename Places>
-std::optional<Lightmap> lightmapOf(const Places& places, TexelSums sums, const UsedTexels& texels,
-                                   const BakeSettings& settings);
+std::optional<Lightmap> lightmapOf(const Places& places, std::span<const TexelSums> sums,
+                                   const UsedTexels& texels, const BakeSettings& settings);
 
 }  // namespace hearth

@@ -88,7 +88,7 @@ class NearestMarked {
 
 }  // namespace
 
-void EmptyTexels::fill(TexelSums& sums) const {
+void EmptyTexels::fill(Lightmap& map) const {
   if (texels_.empty()) return;
   const TexelRect& rect = used_.rect();
   MarkedTexels hasSample(rect);
@@ -99,7 +99,8 @@ void EmptyTexels::fill(TexelSums& sums) const {
   for (const auto [i, j] : texels_) hasSample.mark(i, j, false);
   const NearestMarked withSample(hasSample);
   for (const auto [i, j] : texels_)
-    if (const auto nearest = withSample.nearestTo(i, j)) sums.copy(nearest->i, nearest->j, i, j);
+    if (const auto nearest = withSample.nearestTo(i, j))
+      map.copyTexel(nearest->i, nearest->j, i, j);
 }
 
 }  // namespace hearth

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "light/baking/texel_sums.h"
+#include "light/lightmap.h"
 #include "light/sampling/sample_placement.h"
 #include "light/used_texels.h"
 
@@ -48,8 +48,9 @@ class EmptyTexels {
 
   void add(int i, int j) { texels_.push_back({i, j}); }
 
-  /// Gives each the sums of the nearest used texel that has a sample; dark where none is.
-  void fill(TexelSums& sums) const;
+  /// Gives each the light of the nearest used texel that has a sample; dark where none is. The
+  /// lightmap keeps all its texels.
+  void fill(Lightmap& map) const;
 
  private:
   struct Texel {

@@ -8,36 +8,6 @@
 
 namespace hearth {
 
-namespace {
-
-using Texels = std::vector<std::uint8_t>;
-
-bool isGrey(const Texels& texels) {
-  for (std::size_t i = 0; i < texels.size(); i += 3)
-    if (texels[i] != texels[i + 1] || texels[i + 1] != texels[i + 2]) return false;
-  return true;
-}
-
-Texels everyThird(const Texels& texels) {
-  Texels kept;
-  kept.reserve(texels.size() / 3);
-  for (std::size_t i = 0; i < texels.size(); i += 3) kept.push_back(texels[i]);
-  return kept;
-}
-
-bool isDark(const Texels& texels) {
-  return std::ranges::all_of(texels, [](std::uint8_t byte) { return byte == 0; });
-}
-
-/// None if all is dark; one channel if all is grey; one texel if all are equal.
-std::optional<Lightmap> simplified(Lightmap map) {
-  if (isDark(map.levels)) return std::nullopt;
-  if (map.channels == 3 && isGrey(map.levels)) map = {map.rect, everyThird(map.levels), 1};
-  return compacted(std::move(map));
-}
-
-}  // namespace
-
 TexelSums::TexelSums(TexelRect rect, int channels)
     : rect_(rect),
       channels_(channels),
@@ -70,11 +40,6 @@ void TexelSums::add(const TexelSums& other) {
       }
 }
 
-void TexelSums::copy(int i, int j, int toI, int toJ) {
-  for (int channel = 0; channel < channels_; ++channel)
-    sums_[index(toI, toJ, channel)] = sums_[index(i, j, channel)];
-}
-
 bool TexelSums::isTexelDark(int i, int j) const {
   for (int channel = 0; channel < channels_; ++channel)
     if (sums_[index(i, j, channel)] > 0) return false;
@@ -103,10 +68,13 @@ TexelSums TexelSums::cropped() const {
   return part;
 }
 
-/// The means of the texels from (i, j) on.
+bool TexelSums::isDark() const {
+  return std::ranges::all_of(sums_, [](double units) { return units == 0; });
+}
+
 void TexelSums::round(int i, int j, int count, int samples, Lightmap& map) const {
   const auto channels = static_cast<std::size_t>(channels_);
-  std::uint8_t* const levels = &map.levels[index(i, j, 0) * channels];
+  std::uint8_t* const levels = map.texel(i, j);
   for (int channel = 0; channel < channels_; ++channel) {
     const double* const sums = &sums_[index(i, j, channel)];
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
@@ -115,23 +83,9 @@ void TexelSums::round(int i, int j, int count, int samples, Lightmap& map) const
 }
 
 std::optional<Lightmap> TexelSums::toLightmap(int samples) const {
-  Lightmap map{rect_, Texels(sums_.size()), channels_};
+  Lightmap map = Lightmap::dark(rect_, channels_);
   for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j)
     round(rect_.i0, j, rect_.width, samples, map);
-  return simplified(std::move(map));
-}
-
-std::optional<Lightmap> TexelSums::toLightmap(int samples, const UsedTexels& used) const {
-  Lightmap map{rect_, Texels(sums_.size()), channels_};
-  const auto channels = static_cast<std::size_t>(channels_);
-  for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j) {
-    used.forEachRunIn(
-        rect_, j, [&](int first, int last) { round(first, j, last - first + 1, samples, map); });
-    used.forEachUnused(j, [&](int i, int from) {
-      std::copy_n(&map.levels[index(from, j, 0) * channels], channels,
-                  &map.levels[index(i, j, 0) * channels]);
-    });
-  }
   return simplified(std::move(map));
 }
 

@@ -7,7 +7,6 @@
 
 #include "level/level.h"
 #include "light/lightmap.h"
-#include "light/used_texels.h"
 
 namespace hearth {
 
@@ -22,11 +21,9 @@ class TexelSums {
   /// The same for texels from (i, j) on, in a row.
   void addRow(int i, int j, const LightSource& light, std::span<const double> levels);
 
-  /// Gives the texel (toI, toJ) the sums of (i, j).
-  void copy(int i, int j, int toI, int toJ);
-
   /// Adds sums of some of these texels; one channel is added to all.
   void add(const TexelSums& other);
+  bool isDark() const;
   /// The same without dark rows and columns at the borders.
   TexelSums cropped() const;
   std::size_t bytes() const { return sums_.size() * sizeof(double); }
@@ -40,11 +37,11 @@ class TexelSums {
   /// The means of so many samples a texel. None if all is dark; one channel if no coloured light
   /// has arrived.
   std::optional<Lightmap> toLightmap(int samples) const;
-  /// The same where only some texels are used. The others get the light of the nearest of these.
-  std::optional<Lightmap> toLightmap(int samples, const UsedTexels& used) const;
+  /// Writes those of `count` texels from (i, j) on, in a row, into a lightmap of as many channels
+  /// that keeps all its texels.
+  void round(int i, int j, int count, int samples, Lightmap& map) const;
 
  private:
-  void round(int i, int j, int count, int samples, Lightmap& map) const;
   bool isTexelDark(int i, int j) const;
   std::size_t index(int i, int j, int channel) const {
     const auto row = static_cast<std::size_t>(channel) * static_cast<std::size_t>(rect_.height) +

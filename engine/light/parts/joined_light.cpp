@@ -54,27 +54,23 @@ void JoinedLight::finishMap() {
 
 std::optional<Lightmap> JoinedLight::mapAtHand() const {
   const auto& [kind, index, piece, texels, cost] = *first_;
-  if (std::ranges::all_of(sums_, [](const TexelSums& sums) { return sums.rect().count() == 0; }))
-    return std::nullopt;
   if (kind == LightTile::Kind::Surface)
     return mapOf(SurfacePlaces(scene_, light_.surfaces, SurfaceId(index)));
-  if (kind != LightTile::Kind::Patch) return joined(texels).toLightmap(1);
-  const LitSurfaces patch{light_.meshes[index].patches[piece].surface};
-  return mapOf(PatchPlaces(scene_, sectorsOfMeshes_[index], patch));
+  if (kind == LightTile::Kind::Patch) {
+    const LitSurfaces patch{light_.meshes[index].patches[piece].surface};
+    return mapOf(PatchPlaces(scene_, sectorsOfMeshes_[index], patch));
+  }
+  // Of small faces and sprites one tile has all texels, ...
+  constexpr int kChannels = 3;
+  TexelSums all(texels, kChannels);
+  all.add(sums_.front());  // ... of which those without light are not in it.
+  return all.toLightmap(1);
 }
 
 template <typename Places>
 std::optional<Lightmap> JoinedLight::mapOf(const Places& places) const {
-  const TexelRect& texels = places.surface().texels;
-  return lightmapOf(places, joined(texels), UsedTexels(places.surface(), texels), settings_);
-}
-
-/// All sums of the map at hand.
-TexelSums JoinedLight::joined(const TexelRect& texels) const {
-  const auto most = std::ranges::max_element(sums_, {}, &TexelSums::channels);
-  TexelSums all(texels, most->channels());
-  for (const TexelSums& sums : sums_) all.add(sums);
-  return all;
+  const UsedTexels texels(places.surface(), places.surface().texels);
+  return lightmapOf(places, sums_, texels, settings_);
 }
 
 }  // namespace hearth

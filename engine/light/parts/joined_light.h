@@ -29,7 +29,6 @@ class JoinedLight {
   std::optional<Lightmap> mapAtHand() const;
   template <typename Places>
   std::optional<Lightmap> mapOf(const Places& places) const;
-  TexelSums joined(const TexelRect& texels) const;
 
   Scene scene_;
   BakeSettings settings_;
