@@ -1,5 +1,7 @@
 #include "light/baking/atlas_light.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace hearth {
@@ -10,11 +12,7 @@ int channelOf(const Lightmap& light, int channel) { return light.channels == 1 ?
 
 class Atlas {
  public:
-  Atlas(const TexelRect& rect, int channels)
-      : map_{rect,
-             std::vector<std::uint8_t>(static_cast<std::size_t>(rect.count()) *
-                                       static_cast<std::size_t>(channels)),
-             channels} {}
+  Atlas(const TexelRect& rect, int channels) : map_(Lightmap::dark(rect, channels)) {}
 
   void addPatch(const LitMesh::Patch& patch, const Lightmap& light) {
     const TexelRect& rect = light.rect;
@@ -43,12 +41,7 @@ class Atlas {
   Lightmap taken() { return compacted(std::move(map_)); }
 
  private:
-  std::uint8_t& texel(int i, int j, int channel) {
-    const auto index = static_cast<std::size_t>(j) * static_cast<std::size_t>(map_.rect.width) +
-                       static_cast<std::size_t>(i);
-    return map_.levels[index * static_cast<std::size_t>(map_.channels) +
-                       static_cast<std::size_t>(channel)];
-  }
+  std::uint8_t& texel(int i, int j, int channel) { return map_.texel(i, j)[channel]; }
 
   Lightmap map_;
 };

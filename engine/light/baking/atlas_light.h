@@ -1,11 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "light/lightmap.h"
 #include "light/lit_mesh.h"
@@ -16,8 +12,8 @@ namespace hearth {
 struct PartOfAtlas {
   const LitMesh::Patch* patch;
   std::span<const LitMesh::SmallFace> faces;
-  std::optional<Lightmap>
-      light;  ///< of small faces, with a row of the texels of three corners each
+  /// Of small faces, a row of three texels each: of their corners.
+  std::optional<Lightmap> light;
 };
 
 /// The lightmap of a whole mesh, put together from those of its parts; none if all are dark.
