@@ -89,7 +89,8 @@ tl::expected<BakedLight, JoinMistake> joinParts(const BakeInParts& bake,
       if (!sums)
         return mistake(fmt::format("has no sums for tile {} of {}", i - firstTiles[k] + 1,
                                    firstTiles[k + 1] - firstTiles[k]));
-      light.add(tiles[i], *std::move(sums));
+      if (!light.add(tiles[i], *std::move(sums)))
+        return mistake("has white and coloured sums of one surface");
     }
     if (in.left() > 0) return mistake(fmt::format("has {} bytes after its sums", in.left()));
   }

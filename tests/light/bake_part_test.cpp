@@ -7,12 +7,18 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "light/baking/texel_sums.h"
 #include "light/byte_stream.h"
+#include "light/parts/light_tile.h"
+#include "light/parts/part_frame.h"
+#include "light/parts/sums_as_bytes.h"
 #include "light/saved_bake.h"
 #include "load/load.h"
 #include "support/in_tree.h"
@@ -225,6 +231,30 @@ TEST_F(BakePartMistakes, refuseSumsThatCannotBe) {
   // Sums of less than nothing, and of more than there can be.
   for (const std::string_view sum : {"\1"sv, "\xff\xff\xff\xff\xff\xff\xff\xff\xff\1"sv})
     EXPECT_NE(mistakeInSums(altered(part_, first + 5, sum)), "") << sum.size();
+}
+
+TEST_F(BakePartMistakes, refuseTilesOfOneSurfaceWithOtherChannels) {
+  const BakeSettings settings{.texel = 0.05};
+  const BakeInParts bake(rooms_.scene(), settings, "");
+  const LevelInTiles level(rooms_.scene(), settings, 1);
+  const auto second = std::ranges::adjacent_find(
+      level.tiles, [](const LightTile& a, const LightTile& b) { return a.isOfSameMap(b); });
+  ASSERT_NE(second, level.tiles.end()) << "a surface of several tiles";
+  for (const auto& [firstChannels, otherChannels] : {std::pair{1, 3}, std::pair{3, 1}}) {
+    std::string sums;
+    for (const LightTile& tile : level.tiles) {
+      TexelSums lit(tile.texels,
+                    tile.isOfSameMap(*second) && &tile != &*second ? otherChannels : firstChannels);
+      for (double& unit : lit.units()) unit = 5 << 20;
+      putSums(sums, lit);
+    }
+    const std::string part = framed(bake, {1, 1}, sums);
+    EXPECT_EQ(partNumberOf(bake, part), (PartNumber{1, 1}));
+    const auto joined = joinParts(bake, {&part, 1}, 1);
+    ASSERT_FALSE(joined);
+    EXPECT_EQ(joined.error().part, 0U);
+    EXPECT_EQ(joined.error().what, "has white and coloured sums of one surface");
+  }
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include "math/check.h"
+
 namespace hearth {
 
 void LightmapBuilder::add(const TexelSums& sums) {
   if (sums.isDark()) return;
   if (!map_) map_ = Lightmap::dark(texels_.rect(), sums.channels());
+  CHECK(sums.channels() == map_->channels, sums.channels(), map_->channels);
   const TexelRect& tile = sums.rect();
   for (int j = tile.j0; j < tile.j0 + tile.height; ++j)
     texels_.forEachRunIn(tile, j, [&](int first, int last) {

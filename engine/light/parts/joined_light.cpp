@@ -22,10 +22,13 @@ JoinedLight::JoinedLight(const Scene& scene, const BakeSettings& settings, LitSu
   light_.lightmaps.resize(light_.surfaces.size());
 }
 
-void JoinedLight::add(const LightTile& tile, TexelSums sums) {
+bool JoinedLight::add(const LightTile& tile, TexelSums sums) {
   if (first_ && !first_->isOfSameMap(tile)) finishMap();
   if (!first_) first_ = tile;
+  if (sums.isDark()) return true;
+  if (!sums_.empty() && sums_.front().channels() != sums.channels()) return false;
   sums_.push_back(std::move(sums));
+  return true;
 }
 
 BakedLight JoinedLight::taken() {
@@ -60,10 +63,10 @@ std::optional<Lightmap> JoinedLight::mapAtHand() const {
     const LitSurfaces patch{light_.meshes[index].patches[piece].surface};
     return mapOf(PatchPlaces(scene_, sectorsOfMeshes_[index], patch));
   }
-  // Of small faces and sprites one tile has all texels, ...
+  // Small faces and sprites are one tile, of which rows and columns without light are left out.
   constexpr int kChannels = 3;
   TexelSums all(texels, kChannels);
-  all.add(sums_.front());  // ... of which those without light are not in it.
+  for (const TexelSums& sums : sums_) all.add(sums);
   return all.toLightmap(1);
 }
 

@@ -19,8 +19,9 @@ class JoinedLight {
   JoinedLight(const Scene& scene, const BakeSettings& settings, LitSurfaces surfaces,
               std::vector<LitMesh> meshes);
 
-  /// Call it for all tiles of a level, in their order.
-  void add(const LightTile& tile, TexelSums sums);
+  /// Call it for all tiles of a level, in their order. False if the light of one map is white in
+  /// some of its tiles and coloured in others, which no bake writes.
+  bool add(const LightTile& tile, TexelSums sums);
   /// All light, once.
   BakedLight taken();
 
@@ -36,7 +37,7 @@ class JoinedLight {
   std::vector<std::vector<SectorId>> sectorsOfMeshes_;
   std::vector<std::vector<PartOfAtlas>> atlases_;  ///< by mesh
   std::optional<LightTile> first_;                 ///< of the map at hand, ...
-  std::vector<TexelSums> sums_;                    ///< ... and the light of all its tiles so far
+  std::vector<TexelSums> sums_;                    ///< ... and those of its tiles that are lit
 };
 
 }  // namespace hearth
