@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "level/locate.h"
+#include "light/ray_error.h"
 #include "light/rays/raytracer.h"
 #include "math/tolerance.h"
 
@@ -53,7 +54,8 @@ SurfacePlaces::SurfacePlaces(const Scene& scene, const LitSurfaces& surfaces, Su
 Box3 SurfacePlaces::sweptFrom(const Box3& box) const {
   Box3 swept = box;
   swept.add(Box3{box.min + sweep_, box.max + sweep_});
-  return swept.grownBy(kAuthorNoise);
+  return swept.grownBy(kAuthorNoise +
+                       roundingOf(largestCoordinate(swept.min) + largestCoordinate(swept.max)));
 }
 
 bool SurfacePlaces::isLeftOut(const SamplePoint& at) const {
