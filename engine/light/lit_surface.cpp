@@ -149,21 +149,26 @@ Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
   return p - distanceInFront(p) * normal;
 }
 
-std::vector<LitSurface::TexelRun> LitSurface::usedRuns(int j) const {
-  std::vector<TexelRun> used;
+ListPerRow<LitSurface::TexelRun> LitSurface::usedRuns(int firstRow, int rows) const {
   // See texelsAround: the middles of texels that are used are less than one texel off. Another
   // whisker, so that no rounding leaves a row of its texels without one.
-  for (const auto& [from, to] : outline.nearAlong(j + 0.5, 1 + 2 * kFilterSlack)) {
-    const TexelRun next{
-        std::max(texels.i0, static_cast<int>(std::ceil(from - 0.5))),
-        std::min(texels.i0 + texels.width - 1, static_cast<int>(std::floor(to - 0.5)))};
-    if (next.first > next.last) continue;
-    if (!used.empty() && next.first <= used.back().last + 1)
-      used.back().last = next.last;
-    else
-      used.push_back(next);
+  const auto near = outline.nearAlongRows(firstRow + 0.5, rows, 1 + 2 * kFilterSlack);
+  ListPerRow<TexelRun> used;
+  for (int row = 0; row < rows; ++row) {
+    used.addRow();
+    std::optional<TexelRun> run;
+    for (const auto& [from, to] : near.row(row)) {
+      const TexelRun next{
+          std::max(texels.i0, static_cast<int>(std::ceil(from - 0.5))),
+          std::min(texels.i0 + texels.width - 1, static_cast<int>(std::floor(to - 0.5)))};
+      if (next.first > next.last) continue;
+      const bool isJoined = run && next.first <= run->last + 1;
+      if (run && !isJoined) used.add(*run);
+      run = {isJoined ? run->first : next.first, next.last};
+    }
+    CHECK(run.has_value(), firstRow + row, texels.j0, texels.height);
+    used.add(*run);
   }
-  CHECK(!used.empty(), j, texels.j0, texels.height);
   return used;
 }
 

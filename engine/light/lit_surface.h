@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "light/list_per_row.h"
 #include "light/polygons.h"
 #include "light/texel_grid.h"
 
@@ -59,9 +60,10 @@ struct LitSurface {
     int first;
     int last;
   };
-  /// The runs of texels that bilinear filtering can read in row `j` of `texels`, at least one, from
-  /// left to right with gaps between them. The other texels exist because lightmaps are rectangles.
-  std::vector<TexelRun> usedRuns(int j) const;
+  /// The runs of texels that bilinear filtering can read in rows of `texels`, at least one in each,
+  /// from left to right with gaps between them. The other texels exist because lightmaps are
+  /// rectangles.
+  ListPerRow<TexelRun> usedRuns(int firstRow, int rows) const;
 };
 
 /// By SurfaceId; none for skies, sprites and surfaces that do not show.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "math/predicates.h"
 
@@ -96,6 +97,22 @@ Vec2 Polygons::nearest(Vec2 p) const {
   }
 }
 
+bool Polygons::mayMeet(const Box& box) const {
+  bool isCut = false;
+  forEachEdgeIn(box, [&](const Edge& edge) { isCut |= touch(boxOf(edge.a, edge.b), box); });
+  return isCut || contains(box.min);
+}
+
+double Polygons::areaNear(double margin) const {
+  double twiceInside = 0;
+  double border = 0;
+  for (const auto& [a, b] : edges_) {
+    twiceInside += cross(a - edges_.front().a, b - edges_.front().a);
+    border += length(b - a);
+  }
+  return std::abs(twiceInside) / 2 + margin * border;
+}
+
 std::vector<Polygons::Edge> Polygons::edgesWithin(Vec2 p, double reach) const {
   std::vector<Edge> edges;
   forEachEdgeIn(grown({p, p}, reach), [&](const Edge& edge) {
@@ -115,23 +132,23 @@ Polygons Polygons::aroundRow(double row, double reach) const {
   return around;
 }
 
-/// In rising order, and apart. Between two of these all is inside, or all is outside: as many edges
-/// cross the row before as tell.
-std::vector<Polygons::Beside> Polygons::besideEdges(double row, double margin) const {
-  std::vector<Beside> beside;
-  if (!tree_) beside.reserve(edges_.size());
-  forEachEdgeIn({{-kFar, row - margin}, {kFar, row + margin}}, [&](const Edge& edge) {
-    const Vec2 a = edge.a;
-    const Vec2 b = edge.b;
-    const double low = std::max(std::min(a.y, b.y), row - margin);
-    const double high = std::min(std::max(a.y, b.y), row + margin);
-    if (low > high) return;
-    const auto xAt = [&a, &b](double y) { return std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y)); };
-    const bool isLevel = a.y == b.y;
-    const double ends[] = {isLevel ? a.x : xAt(low), isLevel ? b.x : xAt(high)};
-    beside.push_back({{std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin},
-                      (a.y <= row) != (b.y <= row)});
-  });
+/// What of a row lies beside an edge, if any does.
+std::optional<Polygons::Beside> Polygons::besideEdge(const Edge& edge, double row, double margin) {
+  const Vec2 a = edge.a;
+  const Vec2 b = edge.b;
+  const double low = std::max(std::min(a.y, b.y), row - margin);
+  const double high = std::min(std::max(a.y, b.y), row + margin);
+  if (low > high) return std::nullopt;
+  const auto xAt = [&a, &b](double y) { return std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y)); };
+  const bool isLevel = a.y == b.y;
+  const double ends[] = {isLevel ? a.x : xAt(low), isLevel ? b.x : xAt(high)};
+  return Beside{{std::min(ends[0], ends[1]) - margin, std::max(ends[0], ends[1]) + margin},
+                (a.y <= row) != (b.y <= row)};
+}
+
+/// Of a row, in rising order and apart, at the front of what is given. Between two of these all is
+/// inside, or all is outside: as many edges cross the row before as tell.
+std::span<Polygons::Beside> Polygons::joined(std::span<Beside> beside) {
   std::ranges::sort(beside, {}, [](const Beside& part) { return part.part.from; });
   std::size_t apart = 0;
   bool isInside = false;
@@ -143,7 +160,16 @@ std::vector<Polygons::Beside> Polygons::besideEdges(double row, double margin) c
       beside[apart - 1].part.to = std::max(beside[apart - 1].part.to, next.part.to);
     beside[apart - 1].leadsInside = isInside;
   }
-  beside.resize(apart);
+  return beside.first(apart);
+}
+
+std::vector<Polygons::Beside> Polygons::besideEdges(double row, double margin) const {
+  std::vector<Beside> beside;
+  if (!tree_) beside.reserve(edges_.size());
+  forEachEdgeIn({{-kFar, row - margin}, {kFar, row + margin}}, [&](const Edge& edge) {
+    if (const auto found = besideEdge(edge, row, margin)) beside.push_back(*found);
+  });
+  beside.resize(joined(beside).size());
   return beside;
 }
 
@@ -155,17 +181,38 @@ std::vector<Polygons::Stretch> Polygons::insideAlong(double row, double margin) 
   return inside;
 }
 
-std::vector<Polygons::Stretch> Polygons::nearAlong(double row, double margin) const {
-  std::vector<Stretch> near;
-  bool isInside = false;
-  for (const Beside& next : besideEdges(row, margin)) {
-    if (isInside)
-      near.back().to = next.part.to;
-    else
-      near.push_back(next.part);
-    isInside = next.leadsInside;
+/// Edge by edge, so that no row looks at edges elsewhere.
+ListPerRow<Polygons::Beside> Polygons::besideEdgesInRows(double firstRow, int rows,
+                                                         double margin) const {
+  std::vector<std::pair<int, Beside>> found;
+  for (const Edge& edge : edges_) {
+    // One more at either end, so that rounding leaves out none.
+    const auto rowAt = [&](double y, int more) {
+      return static_cast<int>(std::clamp(std::floor(y - firstRow) + more, 0.0, rows * 1.0));
+    };
+    const int end = rowAt(std::max(edge.a.y, edge.b.y) + margin, 2);
+    for (int row = rowAt(std::min(edge.a.y, edge.b.y) - margin, -1); row < end; ++row)
+      if (const auto beside = besideEdge(edge, firstRow + row, margin))
+        found.emplace_back(row, *beside);
   }
-  return near;
+  return {rows, found};
+}
+
+ListPerRow<Polygons::Stretch> Polygons::nearAlongRows(double firstRow, int rows,
+                                                      double margin) const {
+  ListPerRow<Beside> besideRows = besideEdgesInRows(firstRow, rows, margin);
+  ListPerRow<Stretch> nearRows;
+  for (int row = 0; row < rows; ++row) {
+    nearRows.addRow();
+    std::optional<Stretch> near;
+    for (const Beside& next : joined(besideRows.row(row))) {
+      near = {near ? near->from : next.part.from, next.part.to};
+      if (next.leadsInside) continue;
+      nearRows.add(*near);
+      near.reset();
+    }
+  }
+  return nearRows;
 }
 
 }  // namespace hearth

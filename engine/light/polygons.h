@@ -3,8 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "light/list_per_row.h"
+#include "math/box.h"
 #include "math/box_tree.h"
 #include "math/vec.h"
 
@@ -33,6 +37,11 @@ class Polygons {
   bool contains(Vec2 p) const;
   /// The nearest point of the polygons.
   Vec2 nearest(Vec2 p) const;
+  /// False only if no point of the inside lies in the box.
+  bool mayMeet(const Box& box) const;
+  /// About the area of all that is inside, or no farther than `margin` from an edge. Holes run the
+  /// other way round than what they are in.
+  double areaNear(double margin) const;
   /// The edges no farther than `reach`.
   std::vector<Edge> edgesWithin(Vec2 p, double reach) const;
 
@@ -43,9 +52,9 @@ class Polygons {
   /// The parts of the row that lie inside, farther than `margin` from all edges, from left to
   /// right with gaps between them.
   std::vector<Stretch> insideAlong(double row, double margin) const;
-  /// The parts with a point of the inside, or of an edge, no farther than `margin` along both axes,
-  /// in the same order.
-  std::vector<Stretch> nearAlong(double row, double margin) const;
+  /// In each of some rows, which are 1 apart, the parts with a point of the inside, or of an edge,
+  /// no farther than `margin` along both axes, in the same order.
+  ListPerRow<Stretch> nearAlongRows(double firstRow, int rows, double margin) const;
 
  private:
   /// A part of a row with an edge no farther than a margin along both axes.
@@ -53,7 +62,10 @@ class Polygons {
     Stretch part;
     bool leadsInside;  ///< what comes after it lies inside
   };
+  static std::optional<Beside> besideEdge(const Edge& edge, double row, double margin);
+  static std::span<Beside> joined(std::span<Beside> beside);
   std::vector<Beside> besideEdges(double row, double margin) const;
+  ListPerRow<Beside> besideEdgesInRows(double firstRow, int rows, double margin) const;
 
   template <typename Visit>
   void forEachEdgeIn(const Box& box, Visit&& visit) const;

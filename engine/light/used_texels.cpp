@@ -4,14 +4,8 @@
 
 namespace hearth {
 
-UsedTexels::UsedTexels(const LitSurface& surface, const TexelRect& rect) : rect_(rect) {
-  for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
-    firstOfRow_.push_back(runs_.size());
-    const std::vector<LitSurface::TexelRun> ofRow = surface.usedRuns(j);
-    runs_.insert(runs_.end(), ofRow.begin(), ofRow.end());
-  }
-  firstOfRow_.push_back(runs_.size());
-}
+UsedTexels::UsedTexels(const LitSurface& surface, const TexelRect& rect)
+    : rect_(rect), runs_(surface.usedRuns(rect.j0, rect.height)) {}
 
 std::int64_t UsedTexels::countIn(const TexelRect& part) const {
   std::int64_t count = 0;

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
+#include "light/list_per_row.h"
 #include "light/lit_surface.h"
 
 namespace hearth {
@@ -58,15 +58,10 @@ class UsedTexels {
 
  private:
   /// At least one run.
-  std::span<const LitSurface::TexelRun> row(int j) const {
-    const auto index = static_cast<std::size_t>(j - rect_.j0);
-    const std::size_t first = firstOfRow_[index];
-    return std::span(runs_).subspan(first, firstOfRow_[index + 1] - first);
-  }
+  std::span<const LitSurface::TexelRun> row(int j) const { return runs_.row(j - rect_.j0); }
 
   TexelRect rect_;
-  std::vector<LitSurface::TexelRun> runs_;
-  std::vector<std::size_t> firstOfRow_;  ///< and at last the number of runs
+  ListPerRow<LitSurface::TexelRun> runs_;
 };
 
 }  // namespace hearth

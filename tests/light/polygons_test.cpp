@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <span>
 
 #include "light/used_texels.h"
 #include "math/predicates.h"
@@ -62,7 +63,7 @@ TEST_F(PolygonsOfSurfaces, aroundARowSayTheSameOfItsPoints) {
   }
 }
 
-bool isIn(const std::vector<Polygons::Stretch>& stretches, double column) {
+bool isIn(std::span<const Polygons::Stretch> stretches, double column) {
   return std::ranges::any_of(stretches, [column](const Polygons::Stretch& stretch) {
     return stretch.from <= column && column <= stretch.to;
   });
@@ -104,8 +105,12 @@ TEST_F(PolygonsOfSurfaces, alongARowAreNearWhereTheyHaveAPointWithinTheMargin) {
   int nearButOutside = 0;
   for (int round = 0; round < 6; ++round) {
     const Polygons found = outline(round % 2 == 0);
-    for (double row = -15; row < 18; row += 1.5) {
-      const std::vector<Polygons::Stretch> near = found.nearAlong(row, 1);
+    const double firstRow = -15 + round * 0.3;
+    const int rows = 33;
+    const ListPerRow<Polygons::Stretch> nearRows = found.nearAlongRows(firstRow, rows, 1);
+    for (int j = 0; j < rows; ++j) {
+      const double row = firstRow + j;
+      const std::span<const Polygons::Stretch> near = nearRows.row(j);
       for (double column = -15; column < 41; column += 0.5) {
         const Vec2 p{column, row};
         if (isNear(found, p, 1)) {
@@ -136,10 +141,11 @@ TEST(UsedTexels, areThoseThatBilinearFilteringReads) {
   for (const auto& surface : room.light().surfaces) {
     if (!surface) continue;
     const TexelRect& rect = surface->texels;
+    const ListPerRow<LitSurface::TexelRun> used = surface->usedRuns(rect.j0, rect.height);
     const auto expectAsked = [&](int i, int j) {
-      const std::vector<LitSurface::TexelRun> used = surface->usedRuns(j);
       EXPECT_TRUE(std::ranges::any_of(
-          used, [i](const LitSurface::TexelRun& row) { return row.first <= i && i <= row.last; }))
+          used.row(j - rect.j0),
+          [i](const LitSurface::TexelRun& row) { return row.first <= i && i <= row.last; }))
           << i << ' ' << j;
     };
     for (double t = rect.j0; t < rect.j0 + rect.height; t += 0.37)
@@ -159,9 +165,10 @@ TEST(UsedTexels, areRepeatedWhereNoPixelReads) {
   const LitSurface& surface = *room.light().surfaces[floor->index()];
   const Lightmap& light = *room.light().lightmaps[floor->index()];
   const TexelRect& rect = surface.texels;
+  const ListPerRow<LitSurface::TexelRun> runs = surface.usedRuns(rect.j0, rect.height);
   int gaps = 0;
   for (int j = rect.j0; j < rect.j0 + rect.height; ++j) {
-    const std::vector<LitSurface::TexelRun> used = surface.usedRuns(j);
+    const std::span<const LitSurface::TexelRun> used = runs.row(j - rect.j0);
     for (std::size_t k = 1; k < used.size(); ++k, ++gaps) {
       // A gap of one texel is as near to either.
       const int before = used[k - 1].last;
@@ -180,6 +187,7 @@ TEST(UsedTexels, leaveEachOtherTexelTheNearestInItsRow) {
   const std::optional<SurfaceId> floor = room.surfaceAt(SurfaceKind::Floor, {1, 1, 0}, "");
   const LitSurface& surface = *room.light().surfaces[floor->index()];
   const TexelRect& all = surface.texels;
+  const ListPerRow<LitSurface::TexelRun> runs = surface.usedRuns(all.j0, all.height);
   int outside = 0;
   for (const TexelRect& rect : {all, TexelRect{all.i0 + 30, all.j0 + 9, 25, 20}}) {
     const UsedTexels texels(surface, rect);
@@ -195,7 +203,7 @@ TEST(UsedTexels, leaveEachOtherTexelTheNearestInItsRow) {
       });
       for (int i = rect.i0; i < rect.i0 + rect.width; ++i) {
         int least = rect.width + all.width;
-        for (const auto& [first, last] : surface.usedRuns(j))
+        for (const auto& [first, last] : runs.row(j - all.j0))
           least = std::min(least, std::abs(std::clamp(i, first, last) - i));
         if (at(i) < rect.i0)
           ++outside;  // that one is not in the rectangle
