@@ -49,10 +49,11 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
                      BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
-  const LevelInTiles level(bake.scene(), bake.settings(), threads);
+  LevelInTiles level(bake.scene(), bake.settings(), threads);
   const std::vector<std::size_t> firstTiles = firstTilesOf(number.parts, level.tiles);
   const auto tiles =
       std::span(level.tiles).first(firstTiles[number.part]).subspan(firstTiles[number.part - 1]);
+  level.keepTo(tiles);
   done.begin(texelsOfTiles(tiles));
   const TileBaker baker(bake.scene(), bake.settings(), level, tiles, threads);
   std::vector<std::string> sums(tiles.size());
@@ -85,12 +86,11 @@ tl::expected<BakedLight, JoinMistake> joinParts(const BakeInParts& bake,
     };
     ByteReader in(sumsIn(parts[k]));
     for (std::size_t i = firstTiles[k]; i < firstTiles[k + 1]; ++i) {
-      auto sums = takeSums(in, tiles[i].texels);
+      const auto sums = takeSums(in, tiles[i].texels);
       if (!sums)
         return mistake(fmt::format("has no sums for tile {} of {}", i - firstTiles[k] + 1,
                                    firstTiles[k + 1] - firstTiles[k]));
-      if (!light.add(tiles[i], *std::move(sums)))
-        return mistake("has white and coloured sums of one surface");
+      if (!light.add(tiles[i], *sums)) return mistake("has white and coloured sums of one surface");
     }
     if (in.left() > 0) return mistake(fmt::format("has {} bytes after its sums", in.left()));
   }

@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <array>
+
 #include "math/check.h"
 
 namespace hearth {
@@ -17,8 +19,9 @@ Unsigned foldedAs(Signed number) {
 }  // namespace
 
 void putShort(std::string& bytes, std::uint64_t number) {
-  for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<char>(number | 0x80));
-  bytes.push_back(static_cast<char>(number));
+  std::array<char, kMostOfShort> some{};
+  const char* const end = writeShort(some.data(), number);
+  bytes.append(some.data(), static_cast<std::size_t>(end - some.data()));
 }
 
 std::uint32_t folded(std::int32_t number) { return foldedAs<std::int32_t, std::uint32_t>(number); }

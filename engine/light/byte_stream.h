@@ -20,6 +20,14 @@ void put(std::string& bytes, Unsigned number) {
 /// byte.
 void putShort(std::string& bytes, std::uint64_t number);
 
+/// The same at `at`, where there is room for `kMostOfShort` bytes; returns what comes after it.
+inline char* writeShort(char* at, std::uint64_t number) {
+  for (; number >= 0x80; number >>= 7) *at++ = static_cast<char>(number | 0x80);
+  *at++ = static_cast<char>(number);
+  return at;
+}
+inline constexpr std::size_t kMostOfShort = 10;
+
 /// 0, -1, 1, -2 and so on as 0, 1, 2, 3 (zigzag).
 std::uint32_t folded(std::int32_t number);
 std::uint64_t folded(std::int64_t number);

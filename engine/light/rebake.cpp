@@ -12,6 +12,7 @@
 #include "light/baking/baked_surface.h"
 #include "light/baking/light_dependencies.h"
 #include "light/baking/light_visibility.h"
+#include "light/baking/lightmap_builder.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/sprite_light.h"
 #include "light/baking/surface_light.h"
@@ -268,8 +269,10 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
     if (!plan.left.empty()) findLeft(id, texels, surface, progress, stop);
     TexelSums sums = sumsFor(id);
     for (const auto& contribution : surface.contributions) sums.add(contribution->sums);
+    LightmapBuilder map(texels, settings_.samples.value_or(1));
+    map.add(sums);
     surface.lightmap =
-        lightmapOf(SurfacePlaces(scene_, surfaces_, id), {&sums, 1}, texels, settings_);
+        finishedLightmap(SurfacePlaces(scene_, surfaces_, id), std::move(map), settings_);
   }
   return std::make_shared<const Surface>(std::move(surface));
 }
@@ -322,8 +325,8 @@ Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
 
 /// Those that decide which part of a light shines.
 void Rebake::Baker::addSectorsOf(std::size_t light, SectorSet& sectors) const {
-  for (const auto* visibilities : {&visibilities_.fine, &visibilities_.rough})
-    for (const SectorId sector : (*visibilities)[light].sectors()) sectors.add(sector);
+  for (const auto* visibility : {&visibilities_.fine[light], &visibilities_.rough(light)})
+    for (const SectorId sector : visibility->sectors()) sectors.add(sector);
 }
 
 std::vector<LightMemory::Kept::Number> Rebake::Baker::numbersOf(const SectorSet& sectors) const {

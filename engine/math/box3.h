@@ -35,7 +35,7 @@ struct Box3 {
   /// From a point to the nearest one of it.
   double distanceTo(Vec3 p) const {
     const auto beyond = [](double x, double low, double high) {
-      return std::max({low - x, x - high, 0.0});
+      return std::max(std::max(low - x, x - high), 0.0);
     };
     return length(
         Vec3{beyond(p.x, min.x, max.x), beyond(p.y, min.y, max.y), beyond(p.z, min.z, max.z)});

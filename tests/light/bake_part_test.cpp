@@ -238,13 +238,13 @@ TEST_F(BakePartMistakes, refuseTilesOfOneSurfaceWithOtherChannels) {
   const BakeInParts bake(rooms_.scene(), settings, "");
   const LevelInTiles level(rooms_.scene(), settings, 1);
   const auto second = std::ranges::adjacent_find(
-      level.tiles, [](const LightTile& a, const LightTile& b) { return a.isOfSameMap(b); });
+      level.tiles, [](const LightTile& a, const LightTile& b) { return a.map == b.map; });
   ASSERT_NE(second, level.tiles.end()) << "a surface of several tiles";
   for (const auto& [firstChannels, otherChannels] : {std::pair{1, 3}, std::pair{3, 1}}) {
     std::string sums;
     for (const LightTile& tile : level.tiles) {
       TexelSums lit(tile.texels,
-                    tile.isOfSameMap(*second) && &tile != &*second ? otherChannels : firstChannels);
+                    tile.map == second->map && &tile != &*second ? otherChannels : firstChannels);
       for (double& unit : lit.units()) unit = 5 << 20;
       putSums(sums, lit);
     }

@@ -33,11 +33,11 @@ std::optional<bool> areLit(const BeamTree& beams, const Level& level, const std:
 }
 
 BeamTree beamsFrom(const Scene& scene, Vec3 position, const std::string& name,
-                   double reach = kEndless, std::size_t maxBytes = 1 << 20) {
+                   const BeamLimits& limits = {kEndless, 1 << 20, {}}) {
   const std::vector<Sector>& sectors = scene.level().sectors;
   const auto sector = std::ranges::find(sectors, name, &Sector::name);
   const SectorId id(static_cast<std::size_t>(sector - sectors.begin()));
-  return {scene, {position, id}, reach, maxBytes};
+  return {scene, {position, id}, limits};
 }
 
 /// Two rooms side by side, the second with its floor at `z`.
@@ -86,22 +86,40 @@ TEST(BeamTree, seeOverAStepFromItsFarEdgeOn) {
 
 TEST(BeamTree, seeNothingBeyondTheirReach) {
   const LoadedLevel loaded = twoRooms(0);
-  EXPECT_EQ(
-      areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", 2), loaded.level, "east", {5, 1}, {6, 2}),
-      false);
-  EXPECT_EQ(areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", 4), loaded.level, "east", {5, 1.5},
-                   {6, 2}),
+  EXPECT_EQ(areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", {2, 1 << 20, {}}), loaded.level,
+                   "east", {5, 1}, {6, 2}),
+            false);
+  EXPECT_EQ(areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", {4, 1 << 20, {}}), loaded.level,
+                   "east", {5, 1.5}, {6, 2}),
             true);
 }
 
 TEST(BeamTree, sayNothingWhereTheyWouldTakeTooMuchMemory) {
   const LoadedLevel loaded = twoRooms(0);
   const auto near = [&](std::size_t maxBytes) {
-    return areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", kEndless, maxBytes), loaded.level,
-                  "west", {2.5, 1.5}, {2.6, 1.6});
+    return areLit(beamsFrom(loaded.scene(), {1, 2, 1}, "west", {kEndless, maxBytes, {}}),
+                  loaded.level, "west", {2.5, 1.5}, {2.6, 1.6});
   };
   EXPECT_EQ(near(1 << 20), true);
   EXPECT_EQ(near(100), std::nullopt);
+}
+
+TEST(BeamTree, sayTheSameWithinTheirRegionAndNothingBesideIt) {
+  const LoadedLevel loaded = twoRooms(-1);
+  const BeamTree all = beamsFrom(loaded.scene(), {2, 2, 1}, "west");
+  const Box region{{5, 1}, {7, 3}};
+  const BeamTree some = beamsFrom(loaded.scene(), {2, 2, 1}, "west", {kEndless, 1 << 20, region});
+  int lit = 0;
+  for (double x = 4.25; x < 8; x += 0.25)
+    for (double y = 0.25; y < 4; y += 0.25) {
+      const auto outcome = [&](const BeamTree& beams) {
+        return areLit(beams, loaded.level, "east", {x, y}, {x + 0.1, y + 0.1});
+      };
+      const bool isIn = region.contains({x, y}) && region.contains({x + 0.1, y + 0.1});
+      EXPECT_EQ(outcome(some), isIn ? outcome(all) : std::nullopt) << x << ' ' << y;
+      lit += outcome(some) == true ? 1 : 0;
+    }
+  EXPECT_GT(lit, 10);
 }
 
 TEST(BeamTree, sayNothingOfALightAlongTheFloor) {

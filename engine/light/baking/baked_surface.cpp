@@ -8,7 +8,6 @@
 
 #include "light/baking/clipped_light.h"
 #include "light/baking/left_out.h"
-#include "light/baking/lightmap_builder.h"
 #include "light/baking/patch_light.h"
 #include "light/baking/texel_sums.h"
 
@@ -177,15 +176,20 @@ EmptyTexels emptyTexelsOf(const Places& places, const UsedTexels& texels,
 
 }  // namespace
 
-std::vector<TexelRect> tilesOf(const UsedTexels& texels) {
+std::vector<TexelRect> tilesOf(const TexelRect& all) {
   constexpr int kTile = 64;  // texels a side
-  const TexelRect& all = texels.rect();
   std::vector<TexelRect> tiles;
   for (int j = 0; j < all.height; j += kTile)
     for (int i = 0; i < all.width; i += kTile)
-      if (const auto used = texels.around({all.i0 + i, all.j0 + j, std::min(kTile, all.width - i),
-                                           std::min(kTile, all.height - j)}))
-        tiles.push_back(*used);
+      tiles.push_back({all.i0 + i, all.j0 + j, std::min(kTile, all.width - i),
+                       std::min(kTile, all.height - j)});
+  return tiles;
+}
+
+std::vector<TexelRect> tilesOf(const UsedTexels& texels) {
+  std::vector<TexelRect> tiles;
+  for (const TexelRect& tile : tilesOf(texels.rect()))
+    if (const auto used = texels.around(tile)) tiles.push_back(*used);
   return tiles;
 }
 
@@ -247,18 +251,17 @@ TexelRect texelsToBake(const SurfaceTexels& wanted, const Scene& scene,
 }
 
 template <typename Places>
-std::optional<Lightmap> lightmapOf(const Places& places, std::span<const TexelSums> sums,
-                                   const UsedTexels& texels, const BakeSettings& settings) {
-  if (std::ranges::all_of(sums, &TexelSums::isDark)) return std::nullopt;
-  LightmapBuilder map(texels, settings.samples.value_or(1));
-  for (const TexelSums& tile : sums) map.add(tile);
-  return std::move(map).finished(emptyTexelsOf(places, texels, settings));
+std::optional<Lightmap> finishedLightmap(const Places& places, LightmapBuilder map,
+                                         const BakeSettings& settings) {
+  if (map.isDark()) return std::nullopt;
+  const EmptyTexels empty = emptyTexelsOf(places, map.texels(), settings);
+  return std::move(map).finished(empty);
 }
 
-template std::optional<Lightmap> lightmapOf(const SurfacePlaces&, std::span<const TexelSums>,
-                                            const UsedTexels&, const BakeSettings&);
-template std::optional<Lightmap> lightmapOf(const PatchPlaces&, std::span<const TexelSums>,
-                                            const UsedTexels&, const BakeSettings&);
+template std::optional<Lightmap> finishedLightmap(const SurfacePlaces&, LightmapBuilder,
+                                                  const BakeSettings&);
+template std::optional<Lightmap> finishedLightmap(const PatchPlaces&, LightmapBuilder,
+                                                  const BakeSettings&);
 
 template <typename Lit>
 TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings) {

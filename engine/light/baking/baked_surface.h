@@ -8,6 +8,7 @@
 
 #include "light/bake_progress.h"
 #include "light/bakery.h"
+#include "light/baking/lightmap_builder.h"
 #include "light/baking/surface_light.h"
 #include "light/baking/texel_sums.h"
 #include "light/lightmap.h"
@@ -18,8 +19,9 @@ namespace hearth {
 /// Returns the sums to which a light is added. All lights share one, or each has its own.
 using SumsOf = std::function<TexelSums&(std::size_t light)>;
 
-/// Divides texels into tiles, and leaves out those without a used texel. Each tile is baked by
-/// itself, so that its samples take little memory.
+/// Divides texels into tiles. Each tile is baked by itself, so that its samples take little memory.
+std::vector<TexelRect> tilesOf(const TexelRect& texels);
+/// The same for what is used of them: leaves out tiles without a used texel, and shrinks others.
 std::vector<TexelRect> tilesOf(const UsedTexels& texels);
 /// The samples of a tile: `side` x `side` in each texel, spare ones in texels that are not used.
 /// Here and below, `Lit` is SurfaceLight or PatchLight.
@@ -54,10 +56,10 @@ std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,
 template <typename Lit>
 TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings);
 
-/// The lightmap of a surface from the sums of all its lights in its tiles, or in all of it.
-/// `Places` is SurfacePlaces or PatchPlaces.
+/// The lightmap of a surface to which the sums of all lights in all texels are added. `Places` is
+/// SurfacePlaces or PatchPlaces.
 template <typename Places>
-std::optional<Lightmap> lightmapOf(const Places& places, std::span<const TexelSums> sums,
-                                   const UsedTexels& texels, const BakeSettings& settings);
+std::optional<Lightmap> finishedLightmap(const Places& places, LightmapBuilder map,
+                                         const BakeSettings& settings);
 
 }  // namespace hearth

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "light/grid/lit_lattice.h"
+#include "light/ray_error.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -127,6 +128,19 @@ class BallDisc {
   Vec3 up_;
   double tangent2_;
 };
+
+/// What each light reaches, and a little more, so that no rounding leaves out anything.
+std::vector<Box> boxesOnMap(const std::vector<LightSource>& lights,
+                            const std::vector<double>& reach) {
+  constexpr double kEverywhere = 1e15;  // metres; in place of an endless reach
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Vec2 p = lights[i].position.xy();
+    const double rounding = roundingOf(largestCoordinate(lights[i].position));
+    boxes.push_back(grown({p, p}, std::min(reach[i], kEverywhere) + 2 * kAuthorNoise + rounding));
+  }
+  return boxes;
+}
 
 Vec2 onDisc(Vec2 cells, int cellsAcross) { return 2.0 / cellsAcross * cells - Vec2{1, 1}; }
 
@@ -329,12 +343,10 @@ double LightVisibility::seenOfDisc(Vec3 point, Sees&& sees) const {
 }
 
 struct LightVisibility::Beams {
-  Beams(const Scene& where, double farthest, std::size_t limit)
-      : scene(where), reach(farthest), maxBytes(limit) {}
+  Beams(const Scene& where, const BeamLimits& which) : scene(where), limits(which) {}
 
   Scene scene;
-  double reach;
-  std::size_t maxBytes;
+  BeamLimits limits;
   std::atomic_flag hasBegun;
   std::once_flag once;
   std::optional<BeamTree> found;
@@ -343,15 +355,19 @@ struct LightVisibility::Beams {
 LightVisibility::~LightVisibility() = default;
 LightVisibility::LightVisibility(LightVisibility&&) noexcept = default;
 
-void LightVisibility::useBeams(const Scene& scene, double reach, std::size_t maxBytes) {
-  if (radius_ == 0) beams_ = std::make_unique<Beams>(scene, reach, maxBytes);
+void LightVisibility::useBeams(const Scene& scene, const BeamLimits& limits) {
+  if (radius_ == 0) beams_ = std::make_unique<Beams>(scene, limits);
+}
+
+void LightVisibility::limitBeamsTo(const Box& region) {
+  if (beams_) beams_->limits.region = region;
 }
 
 const BeamTree* LightVisibility::beams() const {
   if (!beams_) return nullptr;
   std::call_once(beams_->once, [this] {
     beams_->hasBegun.test_and_set();
-    beams_->found.emplace(beams_->scene, center_, beams_->reach, beams_->maxBytes);
+    beams_->found.emplace(beams_->scene, center_, beams_->limits);
   });
   return &*beams_->found;
 }
@@ -360,18 +376,44 @@ void LightVisibility::prefetchBeams() const {
   if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
-LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings) {
+LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings)
+    : scene_(scene) {
   // Of all lights together; an equal part for each, so that the order in which they are found
   // does not matter.
   constexpr std::size_t kMaxBytesOfBeams = std::size_t{256} << 20;
   for (const LightSource& light : scene.level().lights) {
     fine.emplace_back(scene, light, settings.softSamples, settings.solidMaskedMiddles);
-    rough.emplace_back(scene, light, (settings.softSamples + 3) / 4, settings.solidMaskedMiddles);
+    rough_.emplace_back();
+    if (fine.back().shaftLight().radius > 0)
+      rough_.back().emplace(scene, light, (settings.softSamples + 3) / 4,
+                            settings.solidMaskedMiddles);
     reach.push_back(light.reach(settings.cutOff));
     // Targets may lie outside the light's reach by what authors' files are inexact.
-    fine.back().useBeams(scene, reach.back() + kAuthorNoise,
-                         kMaxBytesOfBeams / scene.level().lights.size());
+    fine.back().useBeams(
+        scene, {reach.back() + kAuthorNoise, kMaxBytesOfBeams / scene.level().lights.size(), {}});
   }
+  reachOnMap_ = BoxTree(boxesOnMap(scene.level().lights, reach));
+}
+
+bool LightVisibilities::reaches(std::size_t light, const Box3& box) const {
+  return box.distanceTo(scene_.level().lights[light].position) < reach[light] + kAuthorNoise;
+}
+
+std::vector<std::size_t> LightVisibilities::reaching(const Box3& box) const {
+  std::vector<std::size_t> lights;
+  reachOnMap_.query({box.min.xy(), box.max.xy()}, [&](std::uint32_t light) {
+    if (reaches(light, box)) lights.push_back(light);
+  });
+  std::ranges::sort(lights);
+  return lights;
+}
+
+std::vector<std::size_t> LightVisibilities::reaching(const Box3& box,
+                                                     std::span<const std::size_t> lights) const {
+  std::vector<std::size_t> reaching;
+  for (const std::size_t light : lights)
+    if (reaches(light, box)) reaching.push_back(light);
+  return reaching;
 }
 
 }  // namespace hearth

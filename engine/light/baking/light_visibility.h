@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "light/beam_tree/beam_tree.h"
 #include "light/grid/plane.h"
 #include "light/rays/raytracer.h"
+#include "math/box3.h"
+#include "math/box_tree.h"
 
 namespace hearth {
 
@@ -79,7 +82,9 @@ class LightVisibility {
 
   const ShaftLight& shaftLight() const { return shaftLight_; }
   /// From now on the first call of `beams` finds the beam tree of a point light. Balls have none.
-  void useBeams(const Scene& scene, double reach, std::size_t maxBytes);
+  void useBeams(const Scene& scene, const BeamLimits& limits);
+  /// Only points of this part of the map will be asked for. Call it before `beams`.
+  void limitBeamsTo(const Box& region);
   /// None unless useBeams() was called. Any thread may call it.
   const BeamTree* beams() const;
   /// Finds the beam tree now, if it is used and no thread has begun to find it. So threads that
@@ -119,14 +124,30 @@ class LightVisibility {
 };
 
 /// How points see the lights of a level, in their order.
-struct LightVisibilities {
+class LightVisibilities {
+ public:
   LightVisibilities(const Scene& scene, const BakeSettings& settings);
 
   std::vector<LightVisibility> fine;
   /// With a quarter of the samples to a ball, for points that are averaged into one texel.
-  std::vector<LightVisibility> rough;
+  const LightVisibility& rough(std::size_t light) const {
+    return rough_[light] ? *rough_[light] : fine[light];
+  }
   /// Metres beyond which a light is left out, see LightSource::reach.
   std::vector<double> reach;
+
+  /// Whether the light reaches a point of a box, or misses it by no more than authors' files are
+  /// inexact.
+  bool reaches(std::size_t light, const Box3& box) const;
+  /// All lights that do, in their order.
+  std::vector<std::size_t> reaching(const Box3& box) const;
+  /// Those of some that do.
+  std::vector<std::size_t> reaching(const Box3& box, std::span<const std::size_t> lights) const;
+
+ private:
+  Scene scene_;
+  std::vector<std::optional<LightVisibility>> rough_;  ///< of balls
+  BoxTree reachOnMap_{{}};
 };
 
 }  // namespace hearth

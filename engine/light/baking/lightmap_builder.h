@@ -16,6 +16,9 @@ class LightmapBuilder {
   /// For the means of so many samples a texel. Keeps a reference to `texels`.
   LightmapBuilder(const UsedTexels& texels, int samples) : texels_(texels), samples_(samples) {}
 
+  const UsedTexels& texels() const { return texels_; }
+  bool isDark() const { return !map_; }
+
   /// Adds the used texels of a tile. All tiles in which there is light have the same channels.
   void add(const TexelSums& sums);
 

@@ -31,9 +31,7 @@ LightsOnMesh::LightsOnMesh(const Scene& scene, const LightVisibilities& visibili
                            const LitMesh& lit, std::span<const SectorId> sectors) {
   const Box3 box = boxOf(scene.level(), lit);
   const ShaftTargets targets{TargetBox::around(box), sectors};
-  for (std::size_t i = 0; i < scene.level().lights.size(); ++i) {
-    if (box.distanceTo(scene.level().lights[i].position) >= visibilities.reach[i] + kAuthorNoise)
-      continue;
+  for (const std::size_t i : visibilities.reaching(box)) {
     Shaft shaft(scene);
     if (shaft.follow(visibilities.fine[i].shaftLight(), targets, nullptr) == TargetVisibility::Dark)
       continue;

@@ -64,7 +64,7 @@ class PatchLight : public PatchPlaces {
     return seenFraction(visibilities_.fine[light], light, at);
   }
   double roughlySeenFraction(std::size_t light, const SamplePoint& at) {
-    return seenFraction(visibilities_.rough[light], light, at);
+    return seenFraction(visibilities_.rough(light), light, at);
   }
   double unshadowedBrightness(std::size_t light, const SamplePoint& at) const;
   const std::vector<double>& brightness(std::size_t light, const PatchSamples& samples);

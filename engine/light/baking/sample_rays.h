@@ -47,10 +47,11 @@ class SampleRays {
   SurfaceId id() const { return id_; }
   const LitSurface& surface(SurfaceId id) const { return *surfaces_[id.index()]; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
+  const LightVisibilities& visibilities() const { return visibilities_; }
   const LightVisibility& visibility(std::size_t light) const { return visibilities_.fine[light]; }
   /// The same, with fewer rays to a ball.
   const LightVisibility& roughVisibility(std::size_t light) const {
-    return visibilities_.rough[light];
+    return visibilities_.rough(light);
   }
   double reach(std::size_t light) const { return visibilities_.reach[light]; }
   /// Metres; 0 for a point light.

@@ -9,7 +9,7 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   const Vec3 point = lightPointOf(scene, sprite);
   constexpr int kChannels = 3;
   TexelSums sums(kSpriteTexel, kChannels);
-  for (std::size_t i = 0; i < scene.level().lights.size(); ++i) {
+  for (const std::size_t i : visibilities.reaching({point, point})) {
     const LightSource& light = scene.level().lights[i];
     const double distance = length(point - light.position);
     if (distance > visibilities.reach[i]) continue;

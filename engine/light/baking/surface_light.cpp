@@ -22,6 +22,15 @@ Box3 boxAround(std::span<const Vec3> points) {
 
 }  // namespace
 
+std::vector<std::size_t> lightsFacing(const Level& level, const LightVisibilities& visibilities,
+                                      const LitSurface& surface) {
+  std::vector<std::size_t> lights = visibilities.reaching(boxAround(surface, surface.texels));
+  std::erase_if(lights, [&](std::size_t i) {
+    return !isInFront(level.lights[i], visibilities.fine[i].shaftLight().radius, surface);
+  });
+  return lights;
+}
+
 SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
                            const LightVisibilities& visibilities, bool lambert, SurfaceId id,
                            VisibilityMethod method, LightDependencies* dependencies)
@@ -30,36 +39,21 @@ SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
       method_(method),
       rays_(scene, surfaces, visibilities, id, dependencies),
       shafts_(rays_),
-      beams_(rays_, shafts_) {
-  const Box3 box = boxAround(surface(), surface().texels);
-  for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
-    if (reaches(i, box) && isInFront(light(i), radiusOf(i), surface())) facing_.push_back(i);
-}
+      beams_(rays_, shafts_),
+      facing_(lightsFacing(scene.level(), visibilities, surface())) {}
 
 int SurfaceLight::channels() const {
   const auto isColored = [this](std::size_t i) { return light(i).isColored(); };
   return std::ranges::any_of(facing_, isColored) ? 3 : 1;
 }
 
-bool SurfaceLight::reaches(std::size_t light, const Box3& box) const {
-  return box.distanceTo(rays_.light(light).position) < rays_.reach(light) + kAuthorNoise;
-}
-
 std::vector<std::size_t> SurfaceLight::facing(const TexelRect& texels) const {
-  const Box3 box = boxAround(surface(), texels);
-  std::vector<std::size_t> lights;
-  for (const std::size_t light : facing_)
-    if (reaches(light, box)) lights.push_back(light);
-  return lights;
+  return rays_.visibilities().reaching(boxAround(surface(), texels), facing_);
 }
 
 std::vector<std::size_t> SurfaceLight::reaching(const SampleBlocks& blocks,
                                                 std::span<const std::size_t> lights) const {
-  const Box3 box = boxAround(blocks.whole().box.corners());
-  std::vector<std::size_t> reach;
-  for (const std::size_t light : lights)
-    if (reaches(light, box)) reach.push_back(light);
-  return reach;
+  return rays_.visibilities().reaching(boxAround(blocks.whole().box.corners()), lights);
 }
 
 SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {

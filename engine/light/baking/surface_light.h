@@ -8,7 +8,6 @@
 #include "light/baking/sample_rays.h"
 #include "light/baking/sample_shafts.h"
 #include "light/baking/surface_places.h"
-#include "math/box3.h"
 
 namespace hearth {
 
@@ -17,6 +16,10 @@ enum class VisibilityMethod {
   Shafts,   ///< by beam trees or shafts, and by rays where those do not decide
   RaysOnly  ///< by rays for each sample; the other way is compared with it
 };
+
+/// Indices of the lights that can shine on a surface's plane and reach the surface.
+std::vector<std::size_t> lightsFacing(const Level& level, const LightVisibilities& visibilities,
+                                      const LitSurface& surface);
 
 /// The light that arrives at points of one surface.
 class SurfaceLight : public SurfacePlaces {
@@ -32,7 +35,7 @@ class SurfaceLight : public SurfacePlaces {
   SurfaceLight(const SurfaceLight&) = delete;
   SurfaceLight& operator=(const SurfaceLight&) = delete;
 
-  /// Indices of the lights that can shine on the surface's plane and reach it.
+  /// See lightsFacing().
   const std::vector<std::size_t>& facing() const { return facing_; }
   /// Those of them that reach some texels. Samples may lie outside their texels, and so see others.
   std::vector<std::size_t> facing(const TexelRect& texels) const;
@@ -67,8 +70,6 @@ class SurfaceLight : public SurfacePlaces {
   const std::vector<LightCost>& costs() const { return rays_.costs(); }
 
  private:
-  bool reaches(std::size_t light, const Box3& box) const;
-
   bool lambert_;
   VisibilityMethod method_;
   SampleRays rays_;

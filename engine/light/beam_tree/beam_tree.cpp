@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 
-#include "light/beam_tree/beam_tree_builder.h"
 #include "light/ray_error.h"
 #include "light/rays/target_air.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
-BeamTree::BeamTree(const Scene& scene, const Raytracer::Source& light, double reach,
-                   std::size_t maxBytes)
-    : scene_(scene), light_(light), found_(findLightBeams(scene, light, reach, maxBytes)) {
+BeamTree::BeamTree(const Scene& scene, const Raytracer::Source& light, const BeamLimits& limits)
+    : scene_(scene),
+      light_(light),
+      region_(limits.region),
+      found_(findLightBeams(scene, light, limits)) {
   const std::vector<Beam>& beams = found_.beams;
   for (auto* side : {&sides_.beginX, &sides_.beginY, &sides_.endX, &sides_.endY})
     side->reserve(beams.size());
@@ -47,8 +48,15 @@ BeamTree::Points BeamTree::pointsBetween(std::span<const Vec3> corners) const {
   return points;
 }
 
+bool BeamTree::isInRegion(const Points& points) const {
+  return !region_ || (points.margin < BeamLimits::kBesideRegion &&
+                      std::ranges::all_of(points.corners, [this](Vec3 corner) {
+                        return region_->contains(corner.xy());
+                      }));
+}
+
 bool BeamTree::knows(SectorId sector, const Plane& plane, const Points& points) const {
-  return found_.isComplete && !found_.unknown.contains(sector.value) &&
+  return found_.isComplete && !found_.unknown.contains(sector.value) && isInRegion(points) &&
          plane.inFront(light_.position) >= minInFront(points.noise, points.reach) &&
          isAirClear(scene_, scene_[sector],
                     {light_.position, 0, points.reach, points.noise, points.margin},

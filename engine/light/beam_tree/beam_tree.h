@@ -9,6 +9,7 @@
 #include "level/scene.h"
 #include "light/beam_tree/beam.h"
 #include "light/beam_tree/beam_kernels.h"
+#include "light/beam_tree/beam_tree_builder.h"
 #include "light/grid/plane.h"
 #include "light/rays/raytracer.h"
 
@@ -23,9 +24,9 @@ namespace hearth {
 /// rounding decides, nor behind a flat portal that a slope reaches.
 class BeamTree {
  public:
-  /// Finds all beams up to `reach` metres, and perhaps some beyond. Gives no answers if the beams
-  /// would take more than about `maxBytes`. Keeps the scene.
-  BeamTree(const Scene& scene, const Raytracer::Source& light, double reach, std::size_t maxBytes);
+  /// Gives no answers if the beams would take more than the limit, nor outside their region. Keeps
+  /// the scene.
+  BeamTree(const Scene& scene, const Raytracer::Source& light, const BeamLimits& limits);
 
   /// All points between some corners, as seen from the light.
   struct Points {
@@ -84,6 +85,7 @@ class BeamTree {
   static constexpr std::uint32_t kAtEnd = 2;
 
   BeamBounds boundsOf(const Beam& beam, const Segment* on) const;
+  bool isInRegion(const Points& points) const;
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   static bool isRow(std::span<const CandidateBeam> candidates);
   bool add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
@@ -98,6 +100,7 @@ class BeamTree {
 
   Scene scene_;
   Raytracer::Source light_;
+  std::optional<Box> region_;
   BeamSet found_;
   /// By beam: its first two bounds, for many beams at once.
   struct Sides {

@@ -38,16 +38,21 @@ std::vector<Beam> sorted(const std::vector<Beam>& beams) {
 /// Follows what the light sees from its sector on.
 class BeamTreeBuilder {
  public:
-  BeamTreeBuilder(const Scene& scene, const Raytracer::Source& light, double reach)
+  BeamTreeBuilder(const Scene& scene, const Raytracer::Source& light, const BeamLimits& limits)
       : scene_(scene),
-        reach_(reach),
+        limits_(limits),
         light_(light.position),
         sector_(light.sector),
         planes_(light.position),
         sweep_(scene, light.position),
-        doubts_(scene, light.position, found_) {}
+        doubts_(scene, light.position, found_) {
+    if (!limits.region) return;
+    const Box region = grown(*limits.region, BeamLimits::kBesideRegion);
+    regionCorners_ = {
+        region.min, region.max, {region.min.x, region.max.y}, {region.max.x, region.min.y}};
+  }
 
-  BeamSet build(std::size_t maxBytes) {
+  BeamSet build() {
     // The first four windows are turned slightly, so that axis-aligned walls do not lie on their
     // borders.
     constexpr Vec2 kAhead{0.9921875, 0.124755859375};
@@ -55,7 +60,7 @@ class BeamTreeBuilder {
     for (int quarter = 0; quarter < 4; ++quarter, direction = turned90(direction))
       windows_.push_back({sector_, nullptr, direction, turned90(direction), {}, false, {}});
     const std::size_t most = maxBeams(scene_.level());
-    while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < maxBytes) {
+    while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < limits_.maxBytes) {
       const BeamWindow window = windows_.back();
       windows_.pop_back();
       sweep_.sweep(window);
@@ -71,7 +76,17 @@ class BeamTreeBuilder {
  private:
   Vec2 fromLight(Vec2 p) const { return p - light_.xy(); }
 
+  /// Whether no point of the region is to the left of a line from `p` along `direction`.
+  bool isRegionRightOf(Vec2 p, Vec2 direction) const {
+    return !regionCorners_.empty() && std::ranges::all_of(regionCorners_, [&](Vec2 corner) {
+      return cross(direction, corner - p) < 0;
+    });
+  }
+
   void finish(const BeamWindow& window, const VisibleStretch& visible) {
+    if (isRegionRightOf(light_.xy(), visible.begin) ||
+        isRegionRightOf(light_.xy(), -1 * visible.end))
+      return;
     Beam beam{.sector = window.sector,
               .from = visible.stretch.from,
               .to = visible.stretch.to,
@@ -105,7 +120,8 @@ class BeamTreeBuilder {
 
   void goThroughOpenings(const Beam& beam, const VisibleStretch& visible) {
     const std::span<const LightOpening> openings = scene_.lightOpeningsOf(*beam.to);
-    if (openings.empty() || distanceToWall(light_, beam, *beam.to) > reach_) return;
+    if (openings.empty() || distanceToWall(light_, beam, *beam.to) > limits_.reach) return;
+    if (isRegionRightOf(beam.to->p0, beam.to->p0 - beam.to->p1)) return;
     for (const LightOpening& opening : openings) {
       planes_.begin(found_.planesOf(beam));
       addBounds(beam, opening);
@@ -176,7 +192,8 @@ class BeamTreeBuilder {
   }
 
   Scene scene_;
-  double reach_;
+  BeamLimits limits_;
+  std::vector<Vec2> regionCorners_;  ///< none if it is everywhere
   Vec3 light_;
   SectorId sector_;
   BeamSet found_;
@@ -188,9 +205,9 @@ class BeamTreeBuilder {
 
 }  // namespace
 
-BeamSet findLightBeams(const Scene& scene, const Raytracer::Source& light, double reach,
-                       std::size_t maxBytes) {
-  return BeamTreeBuilder(scene, light, reach).build(maxBytes);
+BeamSet findLightBeams(const Scene& scene, const Raytracer::Source& light,
+                       const BeamLimits& limits) {
+  return BeamTreeBuilder(scene, light, limits).build();
 }
 
 }  // namespace hearth

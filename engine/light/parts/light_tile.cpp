@@ -1,14 +1,17 @@
 #include "light/parts/light_tile.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "light/baking/baked_surface.h"
 #include "light/baking/lights_on_mesh.h"
 #include "light/baking/sprite_light.h"
 #include "light/baking/surface_light.h"
-#include "light/used_texels.h"
+#include "math/box.h"
+#include "math/box3.h"
+#include "math/hilbert_curve.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
@@ -37,76 +40,116 @@ struct LightCounts {
   double balls = 0;
 };
 
+/// Tiles of a surface, without those that have no used texel.
+std::vector<TexelRect> tilesIn(const LitSurface& surface) {
+  std::vector<TexelRect> tiles = tilesOf(surface.texels);
+  if (tiles.size() == 1) return tiles;
+  std::erase_if(tiles, [&](const TexelRect& tile) {
+    const Vec2 first{tile.i0 - 1.0, tile.j0 - 1.0};
+    return !surface.outline.mayMeet({first, first + Vec2{tile.width + 2.0, tile.height + 2.0}});
+  });
+  return tiles;
+}
+
+/// About which share of its texels bilinear filtering can read.
+double usedShareOf(const LitSurface& surface) {
+  return std::min(1.0, surface.outline.areaNear(1) / static_cast<double>(surface.texels.count()));
+}
+
+Vec2 centerOf(const Box3& box) { return 0.5 * (box.min.xy() + box.max.xy()); }
+
 class TileList {
  public:
   TileList(const Scene& scene, const LightVisibilities& visibilities, const BakeSettings& settings)
       : scene_(scene), visibilities_(visibilities), settings_(settings) {}
 
-  std::vector<LightTile> taken() { return std::move(tiles_); }
+  /// Along a Hilbert curve, so that tiles near one another on the map mostly follow soon.
+  std::vector<LightTile> inOrder() const {
+    Box around;
+    for (const Placed& placed : tiles_) around.add(placed.center);
+    const double cell = std::max(around.longerSide(), kPositionSlack) / kHilbertCells;
+    const auto cellAt = [cell](double offset) {
+      return static_cast<std::uint32_t>(std::clamp(offset / cell, 0.0, kHilbertCells - 1.0));
+    };
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    for (const Placed& placed : tiles_) {
+      const Vec2 at = placed.center - around.min;
+      order.emplace_back(placeOnHilbertCurve(cellAt(at.x), cellAt(at.y)), order.size());
+    }
+    std::ranges::sort(order);
+    std::vector<LightTile> tiles;
+    tiles.reserve(order.size());
+    for (const auto& [place, i] : order) tiles.push_back(tiles_[i].tile);
+    return tiles;
+  }
 
   void addSurface(const LitSurfaces& surfaces, std::uint32_t index) {
-    const SurfaceLight light(scene_, surfaces, visibilities_, settings_.lambert, SurfaceId(index));
-    if (light.facing().empty()) return;
-    const UsedTexels texels(light.surface(), light.surface().texels);
-    for (const TexelRect& tile : tilesOf(texels)) {
-      LightCounts lights;
-      for (const std::size_t i : light.facing(tile)) count(i, lights);
-      add({LightTile::Kind::Surface, index, 0, tile}, samplesIn(texels, tile), lights, kOfSurface);
+    const LitSurface& surface = *surfaces[index];
+    const std::vector<std::size_t> facing = lightsFacing(scene_.level(), visibilities_, surface);
+    if (facing.empty()) return;
+    const double samples = samplesPerTexel(surface);
+    for (const TexelRect& tile : tilesIn(surface)) {
+      const Box3 box = boxAround(surface, tile);
+      const auto lights = visibilities_.reaching(box, facing);
+      add({{LightMapId::Kind::Surface, index, 0}, tile}, samples, counted(lights), kOfSurface,
+          centerOf(box));
     }
   }
 
   void addMesh(const LitMesh& mesh, std::uint32_t index) {
     const Box3 box = boxOf(scene_.level(), mesh);
-    const LightCounts lights = lightsNear(box);
+    const LightCounts lights = counted(visibilities_.reaching(box));
     for (std::uint32_t piece = 0; piece < mesh.patches.size(); ++piece) {
       const LitSurface& patch = mesh.patches[piece].surface;
-      const UsedTexels texels(patch, patch.texels);
-      for (const TexelRect& tile : tilesOf(texels))
-        add({LightTile::Kind::Patch, index, piece, tile}, samplesIn(texels, tile), lights,
-            kOfPatch);
+      const double samples = samplesPerTexel(patch);
+      for (const TexelRect& tile : tilesIn(patch))
+        add({{LightMapId::Kind::Patch, index, piece}, tile}, samples, lights, kOfPatch,
+            centerOf(box));
     }
     const auto faces = smallFacesAtOnce(mesh);
     for (std::uint32_t piece = 0; piece < faces.size(); ++piece) {
       const TexelRect corners{0, 0, 3, static_cast<int>(faces[piece].size())};
-      add({LightTile::Kind::SmallFaces, index, piece, corners},
-          static_cast<double>(corners.count()), lights, kOfSmallFaces);
+      add({{LightMapId::Kind::SmallFaces, index, piece}, corners}, 1, lights, kOfSmallFaces,
+          centerOf(box));
     }
   }
 
   void addSprite(std::uint32_t index) {
     const Vec3 point = lightPointOf(scene_, scene_.level().sprites[index]);
-    add({LightTile::Kind::Sprite, index, 0, kSpriteTexel}, 1, lightsNear({point, point}),
-        kOfSprite);
+    add({{LightMapId::Kind::Sprite, index, 0}, kSpriteTexel}, 1,
+        counted(visibilities_.reaching({point, point})), kOfSprite, point.xy());
   }
 
  private:
-  double samplesIn(const UsedTexels& texels, const TexelRect& tile) const {
-    return settings_.samples.value_or(1) * static_cast<double>(texels.countIn(tile));
+  LightCounts counted(const std::vector<std::size_t>& lights) const {
+    LightCounts counts;
+    for (const std::size_t light : lights)
+      ++(visibilities_.fine[light].shaftLight().radius > 0 ? counts.balls : counts.points);
+    return counts;
   }
 
-  void count(std::size_t light, LightCounts& lights) const {
-    ++(visibilities_.fine[light].shaftLight().radius > 0 ? lights.balls : lights.points);
+  double samplesPerTexel(const LitSurface& surface) const {
+    return settings_.samples.value_or(1) * usedShareOf(surface);
   }
 
-  LightCounts lightsNear(const Box3& box) const {
-    LightCounts lights;
-    for (std::size_t i = 0; i < visibilities_.fine.size(); ++i)
-      if (box.distanceTo(scene_.level().lights[i].position) < visibilities_.reach[i])
-        count(i, lights);
-    return lights;
-  }
-
-  void add(LightTile tile, double samples, const LightCounts& lights, const TileTimes& times) {
+  void add(LightTile tile, double samplesPerTexel, const LightCounts& lights,
+           const TileTimes& times, Vec2 center) {
+    const double samples = samplesPerTexel * static_cast<double>(tile.texels.count());
     const double perSample = times.sample + times.point * lights.points +
                              times.ballRay * settings_.softSamples * lights.balls;
     tile.cost = times.tile + times.light * (lights.points + lights.balls) + samples * perSample;
-    tiles_.push_back(tile);
+    tiles_.push_back({center, tile});
   }
+
+  struct Placed {
+    Vec2 center;  ///< on the map, of the tile, or of its mesh
+    LightTile tile;
+  };
 
   Scene scene_;
   const LightVisibilities& visibilities_;
   const BakeSettings& settings_;
-  std::vector<LightTile> tiles_;
+  std::vector<Placed> tiles_;
 };
 
 }  // namespace
@@ -120,7 +163,21 @@ LevelInTiles::LevelInTiles(const Scene& scene, const BakeSettings& settings, int
     if (surfaces[i]) list.addSurface(surfaces, i);
   for (std::uint32_t i = 0; i < meshes.size(); ++i) list.addMesh(meshes[i], i);
   for (std::uint32_t i = 0; i < scene.level().sprites.size(); ++i) list.addSprite(i);
-  tiles = list.taken();
+  tiles = list.inOrder();
+}
+
+void LevelInTiles::keepTo(std::span<const LightTile> some) {
+  // Texels that samples lie outside their tile. Beams give no answer for those farther away.
+  constexpr double kMostMoved = 4;
+  Box region;
+  for (const LightTile& tile : some) {
+    if (tile.map.kind != LightMapId::Kind::Surface) continue;
+    const LitSurface& surface = *surfaces[tile.map.index];
+    const Box3 box = boxAround(surface, tile.texels).grownBy(kMostMoved * surface.grid.texel);
+    region.add(box.min.xy());
+    region.add(box.max.xy());
+  }
+  for (LightVisibility& light : visibilities.fine) light.limitBeamsTo(region);
 }
 
 std::vector<std::size_t> firstTilesOf(std::uint32_t parts, const std::vector<LightTile>& tiles) {

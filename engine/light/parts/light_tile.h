@@ -1,7 +1,9 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "level/bake_settings.h"
@@ -12,26 +14,33 @@
 
 namespace hearth {
 
-/// A piece of a bake that needs no other one.
-struct LightTile {
+/// One lightmap, or one piece of a mesh's atlas.
+struct LightMapId {
   enum class Kind { Surface, Patch, SmallFaces, Sprite };
 
   Kind kind;
   std::uint32_t index;  ///< of the surface, the mesh or the sprite
   std::uint32_t piece;  ///< of a mesh: one of its patches, or of its smallFacesAtOnce()
-  TexelRect texels;     ///< of the surface or patch; of small faces, a row for each
-  double cost = 0;      ///< what it is expected to take, in nanoseconds
 
   bool isOfMesh() const { return kind == Kind::Patch || kind == Kind::SmallFaces; }
-  /// Whether both are tiles of one lightmap, or of one part of an atlas.
-  bool isOfSameMap(const LightTile& other) const {
-    return kind == other.kind && index == other.index && piece == other.piece;
-  }
+  bool isOfOneTile() const { return kind == Kind::SmallFaces || kind == Kind::Sprite; }
+
+  friend auto operator<=>(const LightMapId&, const LightMapId&) = default;
+};
+
+/// A piece of a bake that needs no other one.
+struct LightTile {
+  LightMapId map;
+  TexelRect texels;  ///< of the surface or patch; of small faces, a row for each
+  double cost = 0;   ///< what it is expected to take, in nanoseconds
 };
 
 /// A level as it is lit.
 struct LevelInTiles {
   LevelInTiles(const Scene& scene, const BakeSettings& settings, int threads);
+
+  /// From now on only light of these tiles is asked for. Call it before any of them is lit.
+  void keepTo(std::span<const LightTile> some);
 
   LitSurfaces surfaces;
   std::vector<LitMesh> meshes;
@@ -42,8 +51,8 @@ struct LevelInTiles {
 };
 
 /// Deals tiles to so many parts: the index of the first one of each, and at last their number. The
-/// tiles of a part follow one another, so they mostly see the same lights, and few parts need the
-/// beam tree of a light. The costs of the parts are as nearly the same as tiles allow.
+/// tiles of a part follow one another, so they are near one another, and few parts need the beam
+/// tree of a light. The costs of the parts are as nearly the same as tiles allow.
 std::vector<std::size_t> firstTilesOf(std::uint32_t parts, const std::vector<LightTile>& tiles);
 
 }  // namespace hearth

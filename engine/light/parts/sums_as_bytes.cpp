@@ -16,15 +16,15 @@ namespace {
 template <typename Visit>
 void forEachExpected(std::span<const double> units, int width, int height, Visit&& visit) {
   const auto columns = static_cast<std::size_t>(width);
-  const auto ofChannel = columns * static_cast<std::size_t>(height);
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    const bool hasLeft = i % columns > 0;
-    const bool hasUpper = i % ofChannel >= columns;
-    const double left = hasLeft ? units[i - 1] : 0;
-    const double upper = hasUpper ? units[i - columns] : 0;
-    const double corner = hasLeft && hasUpper ? units[i - columns - 1] : 0;
-    visit(i, static_cast<std::int64_t>(left + upper - corner));
-  }
+  const auto rows = static_cast<std::size_t>(height);
+  for (std::size_t i = 0; i < units.size();)
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t column = 0; column < columns; ++column, ++i) {
+        const double left = column > 0 ? units[i - 1] : 0;
+        const double upper = row > 0 ? units[i - columns] : 0;
+        const double corner = column > 0 && row > 0 ? units[i - columns - 1] : 0;
+        visit(i, static_cast<std::int64_t>(left + upper - corner));
+      }
 }
 
 }  // namespace
@@ -36,10 +36,14 @@ void putSums(std::string& bytes, const TexelSums& sums) {
   for (const int number : {lit.channels(), rect.i0 - sums.rect().i0, rect.j0 - sums.rect().j0,
                            rect.width, rect.height})
     putShort(bytes, static_cast<std::uint64_t>(number));
+  const std::size_t before = bytes.size();
+  bytes.resize(before + lit.units().size() * kMostOfShort);
+  char* at = &bytes[before];
   forEachExpected(lit.units(), rect.width, rect.height, [&](std::size_t i, std::int64_t expected) {
     const auto unit = static_cast<std::int64_t>(lit.units()[i]);
-    putShort(bytes, folded(unit - expected));
+    at = writeShort(at, folded(unit - expected));
   });
+  bytes.resize(static_cast<std::size_t>(at - bytes.data()));
 }
 
 std::optional<TexelSums> takeSums(ByteReader& in, const TexelRect& tile) {

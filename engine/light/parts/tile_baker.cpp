@@ -18,8 +18,8 @@ namespace {
 std::vector<std::uint32_t> meshesOfTiles(std::span<const LightTile> tiles) {
   std::vector<std::uint32_t> meshes;
   for (const LightTile& tile : tiles)
-    if (tile.isOfMesh() && (meshes.empty() || meshes.back() != tile.index))
-      meshes.push_back(tile.index);
+    if (tile.map.isOfMesh() && (meshes.empty() || meshes.back() != tile.map.index))
+      meshes.push_back(tile.map.index);
   return meshes;
 }
 
@@ -33,43 +33,43 @@ TileBaker::TileBaker(const Scene& scene, const BakeSettings& settings, const Lev
       lighter_(scene, level.visibilities, settings, threads, meshesOfTiles(tiles), level.meshes) {}
 
 TexelSums TileBaker::baked(const LightTile& tile) const {
-  switch (tile.kind) {
-    case LightTile::Kind::Surface:
+  switch (tile.map.kind) {
+    case LightMapId::Kind::Surface:
       return ofSurface(tile);
-    case LightTile::Kind::Patch:
+    case LightMapId::Kind::Patch:
       return ofPatch(tile);
-    case LightTile::Kind::SmallFaces:
+    case LightMapId::Kind::SmallFaces:
       return ofSmallFaces(tile);
-    case LightTile::Kind::Sprite:
+    case LightMapId::Kind::Sprite:
       return ofSprite(tile);
   }
-  CHECK(false, static_cast<int>(tile.kind));
+  CHECK(false, static_cast<int>(tile.map.kind));
 }
 
 TexelSums TileBaker::ofSurface(const LightTile& tile) const {
   SurfaceLight surface(scene_, level_.surfaces, level_.visibilities, settings_.lambert,
-                       SurfaceId(tile.index));
+                       SurfaceId(tile.map.index));
   for (const std::size_t light : surface.facing(tile.texels))
     level_.visibilities.fine[light].prefetchBeams();
   return sumsOfTile(surface, tile.texels, settings_);
 }
 
 TexelSums TileBaker::ofPatch(const LightTile& tile) const {
-  const LitSurfaces patch{level_.meshes[tile.index].patches[tile.piece].surface};
-  const MeshPlace place = lighter_.placeOf(tile.index);
+  const LitSurfaces patch{level_.meshes[tile.map.index].patches[tile.map.piece].surface};
+  const MeshPlace place = lighter_.placeOf(tile.map.index);
   PatchLight light(scene_, level_.visibilities, settings_.lambert, place, patch);
   return sumsOfTile(light, tile.texels, settings_);
 }
 
 TexelSums TileBaker::ofSmallFaces(const LightTile& tile) const {
-  const MeshPlace place = lighter_.placeOf(tile.index);
+  const MeshPlace place = lighter_.placeOf(tile.map.index);
   CornerLight corners(scene_, level_.visibilities, settings_.lambert, place);
-  return corners.find(smallFacesAtOnce(level_.meshes[tile.index])[tile.piece]);
+  return corners.find(smallFacesAtOnce(level_.meshes[tile.map.index])[tile.map.piece]);
 }
 
 TexelSums TileBaker::ofSprite(const LightTile& tile) const {
   std::int64_t rays = 0;
-  return lightOfSprite(scene_, level_.visibilities, scene_.level().sprites[tile.index], rays);
+  return lightOfSprite(scene_, level_.visibilities, scene_.level().sprites[tile.map.index], rays);
 }
 
 }  // namespace hearth
