@@ -29,6 +29,12 @@ class FaceRay {
   /// Edges belong to a face. None of a face that the ray sees edge-on.
   std::optional<Crossing> crossingOf(const MeshFace& face) const;
 
+  /// Whether the ray meets a face between two parameters, both included, and beyond its origin.
+  bool meets(const MeshFace& face, double tFrom, double tTo) const {
+    const std::optional<Crossing> crossing = crossingOf(face);
+    return crossing && crossing->t >= tFrom && crossing->t <= tTo && crossing->t > 0;
+  }
+
   Vec3 origin() const { return origin_; }
   /// The ray parameter of one metre along each axis; endless along those that it runs across.
   Vec3 perUnit() const { return perUnit_; }

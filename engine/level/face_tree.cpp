@@ -70,10 +70,8 @@ FaceTree::FaceTree(std::span<const MeshFace> faces) {
 
 bool FaceTree::stops(std::span<const MeshFace> faces, const FaceRay& ray, double tFrom,
                      double tTo) const {
-  return anyFaceOn(boxRay(ray, tFrom, tTo), [&](std::uint32_t face) {
-    const std::optional<FaceRay::Crossing> crossing = ray.crossingOf(faces[face]);
-    return crossing && crossing->t >= tFrom && crossing->t <= tTo && crossing->t > 0;
-  });
+  return anyFaceOn(boxRay(ray, tFrom, tTo),
+                   [&](std::uint32_t face) { return ray.meets(faces[face], tFrom, tTo); });
 }
 
 std::optional<FaceRay::Crossing> FaceTree::nearest(std::span<const MeshFace> faces,

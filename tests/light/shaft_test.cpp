@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+
 #include "both_bakes.h"
 #include "support/level_text.h"
+#include "support/models.h"
 
 namespace hearth {
 namespace {
@@ -36,6 +40,43 @@ TEST(Shafts, giveTheBytesOfRaysBehindAGrille) {
     settings.solidMaskedMiddles = areSolid;
     BothCosts costs;
     test::expectSameBakes(loaded.scene(), settings, "grille", costs);
+  }
+}
+
+/// Boxes before, behind and in an opening; one of "east" that reaches through a wall into "west",
+/// and one in a sector that overlaps both: there these stop no light.
+TEST(Shafts, giveTheBytesOfRaysAmongMeshes) {
+  const std::string solid = "{'texture':'#808080'}";
+  const auto opening = [](const std::string& next) {
+    return "{'texture':'#808080','next':'" + next + "'}";
+  };
+  const LoadedLevel loaded = test::levelFrom(
+      "{'things':[{'mesh':'box.obj','x':2,'y':1.3,'sector':'west'},"
+      "{'mesh':'box.obj','x':4.1,'y':2.2,'z':1,'scale':0.5,'sector':'east'},"
+      "{'mesh':'box.obj','x':4.1,'y':0.9,'z':1.5,'scale':0.5,'sector':'east'},"
+      "{'mesh':'box.obj','x':6.5,'y':3,'scale':0.7,'sector':'east'},"
+      "{'mesh':'box.obj','x':3,'y':3,'z':1.5,'sector':'apart'}],'sectors':{" +
+          test::sectorText("west", "0,0, 4,0, 4,1.5, 4,2.5, 4,4, 0,4", 0, 3,
+                           "[" + solid + "," + solid + "," + opening("east") + "," + solid + "," +
+                               solid + "," + solid + "]") +
+          "," +
+          test::sectorText("east", "4,0, 8,0, 8,4, 4,4, 4,2.5, 4,1.5", 0.2, 2.5,
+                           "[" + solid + "," + solid + "," + solid + "," + solid + "," +
+                               opening("west") + "," + solid + "]") +
+          "," + test::sectorText("apart", "0,0, 8,0, 8,4, 0,4", 0, 3) + "}}",
+      "[{'x':1,'y':3,'z':2.5,'radius':0.3,'sector':'west'},"
+      "{'x':3.7,'y':0.4,'z':2,'radius':0.1,'sector':'west'},"
+      "{'x':7,'y':0.7,'z':1.5,'radius':0.1,'sector':'east'},"
+      "{'x':5,'y':1,'z':2,'radius':0.2,'sector':'apart'}]",
+      {{"box.obj", test::kBoxModel}});
+  for (const std::optional<int> samples : {std::optional(1), std::optional<int>()}) {
+    BakeSettings settings = loaded.level.bake;
+    settings.texel = 0.15;
+    settings.samples = samples;
+    BothCosts costs;
+    test::expectSameBakes(loaded.scene(), settings, "meshes", costs);
+    EXPECT_LT(costs.byShafts.rays, costs.byRays.rays);
+    EXPECT_GT(costs.byShafts.rays, 1000);
   }
 }
 

@@ -102,7 +102,7 @@ double CornerLight::seenFraction(std::size_t light, std::uint32_t corner) {
   if (seen >= 0) return seen;
   LightCost& cost = costs_[light];
   ++cost.samples;
-  const auto& [shaft, outcome] = shafts_->from(light);
+  const auto& [shaft, outcome] = shafts_->toPoint(light, corners_[corner].point, {0, 0, 1});
   seen = visibilities_.fine[light].seenFractionFromCorner(corners_[corner].point, place_.mesh,
                                                           shaft, outcome, cost.rays);
   if (seen > 0) ++cost.seenSamples;

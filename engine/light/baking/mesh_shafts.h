@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "level/locate.h"
 #include "level/scene.h"
 #include "light/baking/light_visibility.h"
 #include "light/baking/lights_on_mesh.h"
@@ -21,7 +22,8 @@ class MeshShafts {
         visibilities_(visibilities),
         box_(box),
         place_(place),
-        known_(scene.level().lights.size()) {}
+        known_(scene.level().lights.size()),
+        toPoint_{Shaft(scene), TargetVisibility::Unknown} {}
 
   struct Known {
     Shaft shaft;
@@ -38,12 +40,32 @@ class MeshShafts {
     return *known;
   }
 
+  /// The same to one point of the part, if many rays go there: those of a ball. `normal`: of what
+  /// it lies on, if on a plane. Valid until the next call.
+  const Known& toPoint(std::size_t light, Vec3 point, Vec3 normal) {
+    const Known& all = from(light);
+    const ShaftLight& from = visibilities_.fine[light].shaftLight();
+    if (from.radius == 0 || all.outcome != TargetVisibility::Unknown) return all;
+    toPoint_.outcome = toPoint_.shaft.follow(
+        from, {TargetBox::ofPoint(point, normal), sectorsAt(point)}, &all.shaft);
+    return toPoint_;
+  }
+
  private:
+  /// One of the mesh's sectors in which a point is, if that is known, or all of them.
+  std::span<const SectorId> sectorsAt(Vec3 point) const {
+    for (std::size_t i = 0; place_.sectors.size() > 1 && i < place_.sectors.size(); ++i)
+      if (contains(scene_, scene_[place_.sectors[i]], point, 0))
+        return place_.sectors.subspan(i, 1);
+    return place_.sectors;
+  }
+
   Scene scene_;
   const LightVisibilities& visibilities_;
   TargetBox box_;
   const MeshPlace& place_;
   std::vector<std::optional<Known>> known_;  ///< by index of light
+  Known toPoint_;
 };
 
 }  // namespace hearth

@@ -54,7 +54,7 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
   LightCost& cost = costs_[index];
   ++cost.samples;
   if (length(light(index).position - at.point) >= visibilities_.reach[index]) return 0;
-  const auto& [shaft, outcome] = shafts_.from(index);
+  const auto& [shaft, outcome] = shafts_.toPoint(index, at.target, surface().normal);
   const double seen = visibility.seenFraction(FacePoint{at.target, surface().normal, place_.mesh},
                                               shaft, outcome, cost.rays);
   if (seen > 0) ++cost.seenSamples;

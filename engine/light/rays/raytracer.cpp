@@ -144,6 +144,25 @@ class Walk {
     return std::nullopt;
   }
 
+  /// Whether it passes all faces that it may meet, except within `slack` metres of its end; none if
+  /// the sectors on its way must tell.
+  std::optional<bool> passesFacesOf(const Shaft& shaft, double slack) const {
+    const auto faces = shaft.faces();
+    if (!faces) return std::nullopt;
+    if (faces->empty()) return true;
+    const FaceRay ray(origin_, delta_);
+    const double metres = std::sqrt(length2_);
+    const double tFrom = std::max(0.0, t_ - kPositionSlack / metres);
+    const double tTo = 1 - slack / metres;
+    std::optional<bool> passes = true;
+    for (const auto& [face, stopsAll] : *faces) {
+      if (!ray.meets(*face, tFrom, tTo)) continue;
+      if (stopsAll) return false;
+      passes.reset();
+    }
+    return passes;
+  }
+
   /// Whether the ray first meets the back of a face, of meshes that are in the sector where it
   /// starts.
   bool meetsBackFirst() {
@@ -420,7 +439,9 @@ bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorS
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const {
   Walk walk(scene_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
-  return walk.arrivesAt(sector, kArrival);
+  const std::optional<bool> passes = walk.passesFacesOf(shaft, kArrival);
+  if (passes && (!*passes || shaft.isOpenButForFaces())) return *passes;
+  return walk.arrivesAt(sector, passes ? kThroughMeshes : kArrival);
 }
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
@@ -442,7 +463,9 @@ bool Raytracer::sees(const Source& source, const FacePoint& target, const Shaft&
   const double slack = kArrival + rounding / dot(target.normal, toSource);
   Walk walk(scene_, ShaftWalls{shaft}, source, target.point, solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
-  const std::optional<SectorId> arrived = walk.sectorAtEnd(slack, slack);
+  const std::optional<bool> passes = walk.passesFacesOf(shaft, slack);
+  if (passes && (!*passes || shaft.isOpenButForFaces())) return *passes;
+  const std::optional<SectorId> arrived = walk.sectorAtEnd(slack, passes ? kThroughMeshes : slack);
   return arrived &&
          std::ranges::any_of(scene_.level().meshesIn(*arrived),
                              [&](const MeshInSector& at) { return at.mesh == target.mesh; });

@@ -102,7 +102,8 @@ TargetVisibility Shaft::follow(const ShaftLight& light, const ShaftTargets& targ
   exits_.clear();
   sectors_.clear();
   visits_.clear();
-  arrives_ = isStopped_ = false;
+  faces_.clear();
+  areFacesKnown_ = isOpenButForFaces_ = arrives_ = isStopped_ = false;
   gate_ = within ? within->gate() : std::nullopt;
   bool isGated = gate_ || light.sectors.size() == 1;
   if (gate_)
@@ -118,8 +119,12 @@ TargetVisibility Shaft::follow(const ShaftLight& light, const ShaftTargets& targ
     if (isGated) gate_ = gate;
   }
   if (!arrives_) return TargetVisibility::Dark;
-  return isStopped_ || targets.sectors.size() > 1 || !areTargetsClear() ? TargetVisibility::Unknown
-                                                                        : TargetVisibility::Lit;
+  isOpenButForFaces_ = !isStopped_ && targets.sectors.size() == 1 && areTargetsClear();
+  // From a ball many rays go to each target, and from a point one, not worth a search.
+  const bool areMany = light.radius > 0 && (isOpenButForFaces_ || targets.box.count == 1);
+  areFacesKnown_ = meshes_.empty() || (areMany && findFaces());
+  return isOpenButForFaces_ && areFacesKnown_ && faces_.empty() ? TargetVisibility::Lit
+                                                                : TargetVisibility::Unknown;
 }
 
 bool Shaft::meets(SectorId id) const {
@@ -175,6 +180,28 @@ void Shaft::meetMeshes(MetSector& sector) {
   for (const MeshInSector& at : all)
     if (hull_->mayMeet(scene_.level(), at.mesh)) meshes_.push_back(at);
   sector.meshesEnd = static_cast<std::uint32_t>(meshes_.size());
+}
+
+/// Finds the faces that rays may meet. False if they are many.
+bool Shaft::findFaces() {
+  for (auto at = meshes_.begin(); at != meshes_.end(); ++at) {
+    const auto isSame = [&](const MeshInSector& other) { return other.mesh == at->mesh; };
+    if (std::find_if(meshes_.begin(), at, isSame) != at) continue;
+    const auto sectors = static_cast<std::size_t>(std::ranges::count_if(meshes_, isSame));
+    if (!addFacesOf(at->mesh, sectors == sectors_.size())) return false;
+  }
+  return true;
+}
+
+bool Shaft::addFacesOf(std::uint32_t mesh, bool stopsAll) {
+  constexpr std::size_t kMostFaces = 32;  // that are tested sooner than the boxes around them
+  const Level& level = scene_.level();
+  const std::span<const MeshFace> faces = level.facesOf(level.meshes[mesh]);
+  return !hull_->anyFaceMet(level, mesh, [&](std::uint32_t face) {
+    if (faces_.size() == kMostFaces) return true;
+    faces_.push_back({&faces[face], stopsAll});
+    return false;
+  });
 }
 
 /// Whether no ray can leave the sector through a wall, which the hull may touch nevertheless.
@@ -318,7 +345,6 @@ bool Shaft::isHidden(const MetSector& sector, const Met& met) {
 
 void Shaft::visit(const Visit& visit) {
   const MetSector sector = meet(visit.sector);
-  isStopped_ |= sector.meshesBegin < sector.meshesEnd;
   screens_.clear();
   for (std::uint32_t screen = 1; screen <= sector.screens; ++screen)
     if (isScreen(sector, screen, visit)) screens_.push_back(screen);

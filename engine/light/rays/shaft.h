@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "level/mesh.h"
 #include "level/scene.h"
 #include "light/rays/id_set.h"
 #include "light/rays/shaft_hull.h"
@@ -66,6 +67,20 @@ class Shaft {
   /// The last gate.
   const std::optional<Gate>& gate() const { return gate_; }
 
+  /// A face that rays may meet.
+  struct Face {
+    const MeshFace* face;
+    /// Whether its mesh is in all sectors on the way. In others it stops no rays, though it may be
+    /// there.
+    bool stopsAll;
+  };
+  /// All such faces, if these are known, and few.
+  std::optional<std::span<const Face>> faces() const {
+    return areFacesKnown_ ? std::optional(std::span<const Face>(faces_)) : std::nullopt;
+  }
+  /// Whether all rays arrive that no face stops.
+  bool isOpenButForFaces() const { return isOpenButForFaces_; }
+
  private:
   /// A wall that the hull meets.
   struct Met {
@@ -107,6 +122,8 @@ class Shaft {
   bool isHarmless(SectorId id, const Segment& wall, const ShaftHull::Distances& distances) const;
   void meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Met& met);
   void meetMeshes(MetSector& sector);
+  bool findFaces();
+  bool addFacesOf(std::uint32_t mesh, bool stopsAll);
   void findScreens(MetSector& sector);
   void findScreenFrom(MetSector& sector, Met& first);
   Met* nextInLoop(const MetSector& sector, const Met& met);
@@ -143,8 +160,11 @@ class Shaft {
   std::vector<std::uint32_t> chain_;      ///< of `mets_`: a screen that may be
   std::vector<std::uint32_t> screens_;    ///< before the way of the visit at hand
   std::optional<Gate> gate_;
+  std::vector<Face> faces_;
+  bool areFacesKnown_ = false;
+  bool isOpenButForFaces_ = false;
   bool arrives_ = false;    ///< some ray, perhaps, at its target
-  bool isStopped_ = false;  ///< some ray, perhaps, elsewhere
+  bool isStopped_ = false;  ///< some ray, perhaps, elsewhere, by what is no mesh
 };
 
 }  // namespace hearth

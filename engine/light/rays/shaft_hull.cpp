@@ -181,23 +181,35 @@ bool ShaftHull::mayMeet(const Level& level, std::uint32_t mesh) const {
                                        [](std::uint32_t) { return true; });
 }
 
+/// Whether `isBeyond(normal, most)` holds for a bounding plane: the body has only points p with
+/// dot(normal, p) <= most.
+template <typename IsBeyond>
+bool ShaftHull::anyPlane(IsBeyond&& isBeyond) const {
+  const auto isBeyondSide = [&](const HalfPlane& side) {
+    return isBeyond(Vec3{side.normal.x, side.normal.y, 0}, side.most);
+  };
+  const auto isAbove = [&](const SlopedPlane& high) {
+    return isBeyond(Vec3{-high.gradient.x, -high.gradient.y, 1}, high.atCenter);
+  };
+  const auto isBelow = [&](const SlopedPlane& low) {
+    return isBeyond(Vec3{low.gradient.x, low.gradient.y, -1}, -low.atCenter);
+  };
+  return std::ranges::any_of(sides_.all(), isBeyondSide) ||
+         std::ranges::any_of(highs_.all(), isAbove) || std::ranges::any_of(lows_.all(), isBelow);
+}
+
 /// Whether it is certain that it has nothing of a box.
 bool ShaftHull::isClearOf(const Box3& box) const {
-  const auto isBeyond = [&](Vec3 outwards, double most) {
-    return dot(outwards, box.farthest(-1 * outwards) - center_) > most;
-  };
-  return std::ranges::any_of(sides_.all(),
-                             [&](const HalfPlane& side) {
-                               return isBeyond({side.normal.x, side.normal.y, 0}, side.most);
-                             }) ||
-         std::ranges::any_of(
-             highs_.all(),
-             [&](const SlopedPlane& high) {
-               return isBeyond({-high.gradient.x, -high.gradient.y, 1}, high.atCenter);
-             }) ||
-         std::ranges::any_of(lows_.all(), [&](const SlopedPlane& low) {
-           return isBeyond({low.gradient.x, low.gradient.y, -1}, -low.atCenter);
-         });
+  return anyPlane([&](Vec3 normal, double most) {
+    return dot(normal, box.farthest(-1 * normal) - center_) > most;
+  });
+}
+
+bool ShaftHull::isClearOf(const MeshFace& face) const {
+  return anyPlane([&](Vec3 normal, double most) {
+    return std::ranges::all_of(face.corners,
+                               [&](Vec3 p) { return dot(normal, p - center_) > most; });
+  });
 }
 
 ShaftHull::Distances ShaftHull::distances(Vec2 onLine, Vec2 normal) const {

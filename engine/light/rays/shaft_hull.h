@@ -84,6 +84,15 @@ class ShaftHull {
 
   /// Whether the body may have something of a mesh that casts a shadow.
   bool mayMeet(const Level& level, std::uint32_t mesh) const;
+  /// Whether `test(face)`, of an index, holds for one of the mesh's faces of which it may have
+  /// something. No more is tested once one does.
+  template <typename Test>
+  bool anyFaceMet(const Level& level, std::uint32_t mesh, Test&& test) const {
+    const std::span<const MeshFace> faces = level.facesOf(level.meshes[mesh]);
+    return level.faceTrees[mesh].anyFace(
+        [this](const Box3& box) { return !isClearOf(box); },
+        [&](std::uint32_t face) { return !isClearOf(faces[face]) && test(face); });
+  }
 
   /// Metres. More than rays come off their course by rounding, and than kArrival: what is outside
   /// has no part in whether a ray arrives.
@@ -108,6 +117,9 @@ class ShaftHull {
   };
   static Outline clipped(const Outline& outline, const HalfPlane& side);
   bool isClearOf(const Box3& box) const;
+  bool isClearOf(const MeshFace& face) const;
+  template <typename IsBeyond>
+  bool anyPlane(IsBeyond&& isBeyond) const;
   void addPlane(Vec3 normal);
   void addAround(Vec2 axis);
   void addAboveAndBelow(Vec2 along);
