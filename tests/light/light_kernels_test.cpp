@@ -115,6 +115,25 @@ TEST_F(LightKernelsTest, findLevelsAsALightSourceHasThem) {
   });
 }
 
+TEST_F(LightKernelsTest, findLevelsOnACurveAsALightSourceHasThem) {
+  std::vector<double> distances = between(0, 12);
+  // At a point of the curve, and where it jumps.
+  distances[0] = 2.5;
+  distances[1] = 7;
+  for (const std::vector<CurvePoint>& curve :
+       {std::vector<CurvePoint>{{3, 90}}, std::vector<CurvePoint>{{0, 255}, {9.3, 0}},
+        std::vector<CurvePoint>{{1, 200}, {2.5, 31}, {7, 60}, {7, 20}, {11, 3}}}) {
+    LightSource source;
+    source.curve = curve;
+    forEachInstructionSet([&] {
+      std::vector<double> levels(kCount);
+      brightnessKernels().findLevelsOnCurve(distances.data(), kCount, curve, levels.data());
+      for (std::size_t i = 0; i < kCount; ++i)
+        EXPECT_EQ(levels[i], source.brightnessAt(distances[i])) << distances[i];
+    });
+  }
+}
+
 TEST_F(LightKernelsTest, multiplyByTheCosineOfWhatFacesTheLight) {
   const std::vector<double> levels = between(0, 300);
   forEachInstructionSet([&] {

@@ -35,6 +35,28 @@ void findLevels(const double* distances, std::size_t count, double intensity, do
   });
 }
 
+void findLevelsOnCurve(const double* distances, std::size_t count,
+                       std::span<const CurvePoint> curve, double* levels) {
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto distance = hn::LoadU(d, distances + k);
+    auto level = hn::Set(d, curve.front().level);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const CurvePoint a = curve[i];
+      const auto isBeyond = hn::Ge(distance, hn::Set(d, a.distance));
+      if (hn::AllFalse(d, isBeyond)) break;
+      auto here = hn::Set(d, a.level);
+      if (i + 1 < curve.size()) {
+        const CurvePoint b = curve[i + 1];
+        const auto along = hn::Sub(distance, hn::Set(d, a.distance));
+        const auto fraction = hn::Div(along, hn::Set(d, b.distance - a.distance));
+        here = hn::Add(here, hn::Mul(fraction, hn::Set(d, b.level - a.level)));
+      }
+      level = hn::IfThenElse(isBeyond, here, level);
+    }
+    hn::StoreU(level, d, levels + k);
+  });
+}
+
 void applyCosine(const SampleArrays& samples, const double* distances, std::size_t count,
                  Vec3 light, Vec3 normal, double* levels) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
@@ -74,6 +96,7 @@ const BrightnessKernels& targetBrightnessKernels() {
   static constexpr BrightnessKernels kKernels{
       .findDistances = findDistances,
       .findLevels = findLevels,
+      .findLevelsOnCurve = findLevelsOnCurve,
       .applyCosine = applyCosine,
       .applySeen = applySeen,
       .addToSums = addToSums,

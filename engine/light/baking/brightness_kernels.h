@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
+#include "level/light_source.h"
 #include "light/sampling/sample_arrays.h"
 #include "math/vec.h"
 
@@ -16,6 +18,9 @@ struct BrightnessKernels {
   /// intensity / (distance * falloff + 1), see LightSource::brightnessAt.
   void (*findLevels)(const double* distances, std::size_t count, double intensity, double falloff,
                      double* levels);
+  /// On a curve of at least one point, see LightSource::brightnessAt.
+  void (*findLevelsOnCurve)(const double* distances, std::size_t count,
+                            std::span<const CurvePoint> curve, double* levels);
   /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.
   void (*applyCosine)(const SampleArrays& samples, const double* distances, std::size_t count,
                       Vec3 light, Vec3 normal, double* levels);

@@ -107,6 +107,10 @@ bool SampleBeams::mayMeetMesh(const Query& query, const SampleBlocks::Block& blo
 void SampleBeams::findAlike(const Query& query, const SampleBlocks::Block& block, bool areLit) {
   rays_.countSamples(query.light, block.samples);
   if (!areLit) return;
+  if (rays_.isAllInReach(query.light, block.box)) {
+    rays_.countSeenSamples(query.light, block.samples);
+    return forEachSample(query.blocks, block, [&](std::size_t index) { query.seen[index] = 1; });
+  }
   forEachSample(query.blocks, block, [&](std::size_t index) {
     query.seen[index] = rays_.unoccludedFraction(query.light, query.blocks.samples()[index]);
   });

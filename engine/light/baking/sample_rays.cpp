@@ -1,5 +1,6 @@
 #include "light/baking/sample_rays.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/tolerance.h"
@@ -34,6 +35,16 @@ double SampleRays::unoccludedFraction(std::size_t light, const SamplePoint& at) 
   if (!isInReach(light, at)) return 0;
   ++costs_[light].seenSamples;
   return 1;
+}
+
+bool SampleRays::isAllInReach(std::size_t index, const TargetBox& targets) const {
+  // Rays arrive less than this from samples, and rounding is less.
+  constexpr double kBeside = 1e-3;  // metres
+  const double most = reach(index) - kBeside;
+  return most > 0 && std::ranges::all_of(targets.corners(), [&](Vec3 corner) {
+           const Vec3 toLight = light(index).position - corner;
+           return dot(toLight, toLight) < most * most;
+         });
 }
 
 bool SampleRays::isInReach(std::size_t index, const SamplePoint& at) const {

@@ -71,7 +71,13 @@ class SampleRays {
   /// The same if nothing hides the light from the point: 1, or 0 if the light is too far away.
   double unoccludedFraction(std::size_t light, const SamplePoint& at);
 
+  /// Whether the light reaches all samples whose rays arrive in a box.
+  bool isAllInReach(std::size_t light, const TargetBox& targets) const;
+
   void countSamples(std::size_t light, std::int64_t samples) { costs_[light].samples += samples; }
+  void countSeenSamples(std::size_t light, std::int64_t samples) {
+    costs_[light].seenSamples += samples;
+  }
   /// In the order of the level's lights.
   const std::vector<LightCost>& costs() const { return costs_; }
 

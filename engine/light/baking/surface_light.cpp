@@ -101,8 +101,7 @@ const std::vector<double>& SurfaceLight::brightness(std::size_t index, const Sam
     kernels.findLevels(distances_.data(), count, source.intensity, source.falloff,
                        brightness_.data());
   else
-    for (std::size_t i = 0; i < count; ++i)
-      brightness_[i] = seen_[i] > 0 ? source.brightnessAt(distances_[i]) : 0;
+    kernels.findLevelsOnCurve(distances_.data(), count, source.curve, brightness_.data());
   if (lambert_)
     for (const auto& [surface, first, ofRun] : blocks.runs())
       kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,
