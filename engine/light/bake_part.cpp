@@ -60,7 +60,7 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
   const std::vector<std::size_t> order = byFallingCost(tiles);
   parallelFor(order.size(), threads, [&](std::size_t job) {
     const std::size_t i = order[job];
-    putSums(sums[i], baker.baked(tiles[i]));
+    putSums(sums[i], baker.baked(tiles[i]), tiles[i].texels);
     done.add(tiles[i].texels.count());
   });
   std::string all;

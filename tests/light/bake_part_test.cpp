@@ -233,6 +233,26 @@ TEST_F(BakePartMistakes, refuseSumsThatCannotBe) {
     EXPECT_NE(mistakeInSums(altered(part_, first + 5, sum)), "") << sum.size();
 }
 
+/// An L, of which the second row of tiles begins with texels that no pixel reads.
+TEST_F(BakePart, keepsLightInPlaceWhereTilesBeginWithUnusedTexels) {
+  const LoadedLevel loaded = test::levelFrom(
+      "{'light':0,'sectors':{" + test::sectorText("l", "0,0, 9,0, 9,9, 3,9, 3,5, 0,5", 0, 3) + "}}",
+      "[{'x':5,'y':4,'z':2,'falloff':0.4}]");
+  BakeSettings settings = loaded.level.bake;
+  settings.texel = 0.1;
+  const BakedLight whole = bake(loaded.scene(), settings, 1);
+  const BakeInParts inParts(loaded.scene(), settings, "");
+  const std::string part = bakePart(inParts, {1, 1}, 1);
+  const auto joined = joinParts(inParts, {&part, 1}, 1);
+  ASSERT_TRUE(joined);
+  for (std::size_t i = 0; i < whole.lightmaps.size(); ++i) {
+    ASSERT_EQ(joined->lightmaps[i].has_value(), whole.lightmaps[i].has_value()) << i;
+    if (whole.lightmaps[i]) {
+      EXPECT_EQ(joined->lightmaps[i]->levels, whole.lightmaps[i]->levels) << i;
+    }
+  }
+}
+
 TEST_F(BakePartMistakes, refuseTilesOfOneSurfaceWithOtherChannels) {
   const BakeSettings settings{.texel = 0.05};
   const BakeInParts bake(rooms_.scene(), settings, "");
@@ -246,7 +266,7 @@ TEST_F(BakePartMistakes, refuseTilesOfOneSurfaceWithOtherChannels) {
       TexelSums lit(tile.texels,
                     tile.map == second->map && &tile != &*second ? otherChannels : firstChannels);
       for (double& unit : lit.units()) unit = 5 << 20;
-      putSums(sums, lit);
+      putSums(sums, lit, tile.texels);
     }
     const std::string part = framed(bake, {1, 1}, sums);
     EXPECT_EQ(partNumberOf(bake, part), (PartNumber{1, 1}));

@@ -29,12 +29,12 @@ void forEachExpected(std::span<const double> units, int width, int height, Visit
 
 }  // namespace
 
-void putSums(std::string& bytes, const TexelSums& sums) {
+void putSums(std::string& bytes, const TexelSums& sums, const TexelRect& tile) {
   const TexelSums lit = sums.cropped();
   const TexelRect& rect = lit.rect();
   if (rect.count() == 0) return putShort(bytes, 0);
-  for (const int number : {lit.channels(), rect.i0 - sums.rect().i0, rect.j0 - sums.rect().j0,
-                           rect.width, rect.height})
+  for (const int number :
+       {lit.channels(), rect.i0 - tile.i0, rect.j0 - tile.j0, rect.width, rect.height})
     putShort(bytes, static_cast<std::uint64_t>(number));
   const std::size_t before = bytes.size();
   bytes.resize(before + lit.units().size() * kMostOfShort);

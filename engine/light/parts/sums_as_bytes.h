@@ -9,7 +9,7 @@
 namespace hearth {
 
 /// Adds the sums of a tile to bytes, as bake_part.md describes them.
-void putSums(std::string& bytes, const TexelSums& sums);
+void putSums(std::string& bytes, const TexelSums& sums, const TexelRect& tile);
 
 /// Takes those of a tile; none if no such sums stand there. More memory than that of the tile's
 /// sums is never taken.
