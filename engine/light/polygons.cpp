@@ -38,7 +38,7 @@ Polygons::Polygons(const std::vector<std::vector<Vec2>>& polygons) {
   std::vector<Box> boxes;
   boxes.reserve(edges_.size());
   for (const Edge& edge : edges_) boxes.push_back(boxOf(edge.a, edge.b));
-  tree_ = std::make_shared<const BoxTree>(std::move(boxes));
+  tree_ = std::make_shared<const BoxTree>(boxes);
 }
 
 /// Calls `visit(edge)` for all edges whose boxes touch one, in their order, and for others where

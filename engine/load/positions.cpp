@@ -20,7 +20,7 @@ namespace {
 BoxTree boxesOf(const Level& level) {
   std::vector<Box> boxes;
   for (const Sector& sector : level.sectors) boxes.push_back(sector.box);
-  return BoxTree(std::move(boxes));
+  return BoxTree(boxes);
 }
 
 double distanceToWall(const Segment& segment, Vec2 p) {

@@ -33,12 +33,10 @@ struct Box3 {
   }
 
   /// From a point to the nearest one of it.
-  double distanceTo(Vec3 p) const {
-    const auto beyond = [](double x, double low, double high) {
-      return std::max(std::max(low - x, x - high), 0.0);
-    };
-    return length(
-        Vec3{beyond(p.x, min.x, max.x), beyond(p.y, min.y, max.y), beyond(p.z, min.z, max.z)});
+  constexpr Vec3 vectorFrom(Vec3 p) const {
+    return Vec3{std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y),
+                std::clamp(p.z, min.z, max.z)} -
+           p;
   }
 
   /// The farthest point of it along a direction.

@@ -11,41 +11,42 @@ namespace hearth {
 /// halves its boxes along the longer side of their common box. Built in O(n log n).
 class BoxTree {
  public:
-  explicit BoxTree(std::vector<Box> boxes);
+  explicit BoxTree(const std::vector<Box>& boxes);
 
   /// Calls `visit(index)` for every box that touches `range`, in no particular order.
   template <typename Visit>
-  void query(Box range, Visit&& visit) const {
-    if (!nodes_.empty()) query(0, range, visit);
+  void query(const Box& range, Visit&& visit) const {
+    for (std::size_t i = 0; i < nodes_.size();) {
+      const Node& node = nodes_[i];
+      if (!touch(node.box, range)) {
+        i = node.afterAll;
+        continue;
+      }
+      for (std::uint32_t leaf = node.firstLeaf; leaf < node.lastLeaf; ++leaf)
+        if (touch(leaves_[leaf].box, range)) visit(leaves_[leaf].index);
+      ++i;
+    }
   }
 
  private:
-  static constexpr std::uint32_t kLeafSize = 4;
+  static constexpr std::uint32_t kLeavesAtOnce = 8;
 
-  struct Node {
+  struct Leaf {
     Box box;
-    std::uint32_t begin;  ///< of its part of order_
-    std::uint32_t end;
-    std::uint32_t right;  ///< node; 0 for a leaf. The left one follows its parent.
+    std::uint32_t index;
   };
 
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  /// Its first child follows it, and its second one all that is below the first.
+  struct Node {
+    Box box;
+    std::uint32_t firstLeaf;  ///< its leaves, if it has no children
+    std::uint32_t lastLeaf;
+    std::uint32_t afterAll;  ///< the node after all that are below it
+  };
 
-  template <typename Visit>
-  void query(std::uint32_t index, Box range, Visit& visit) const {
-    const Node& node = nodes_[index];
-    if (!touch(node.box, range)) return;
-    if (node.right != 0) {
-      query(index + 1, range, visit);
-      query(node.right, range, visit);
-      return;
-    }
-    for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (touch(boxes_[order_[i]], range)) visit(order_[i]);
-  }
+  void build(std::uint32_t begin, std::uint32_t end);
 
-  std::vector<Box> boxes_;
-  std::vector<std::uint32_t> order_;
+  std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;
 };
 

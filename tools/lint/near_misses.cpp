@@ -27,7 +27,7 @@ constexpr double kRunsBack = -0.9;
 BoxTree treeOf(const Outlines& outlines) {
   std::vector<Box> boxes;
   for (const Edge& edge : outlines.edges) boxes.push_back(outlines.box(edge));
-  return BoxTree(std::move(boxes));
+  return BoxTree(boxes);
 }
 
 class NearMissFinder {

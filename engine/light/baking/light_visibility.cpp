@@ -376,11 +376,12 @@ void LightVisibility::prefetchBeams() const {
   if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
-LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings)
-    : scene_(scene) {
+LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings) {
   // Of all lights together; an equal part for each, so that the order in which they are found
   // does not matter.
   constexpr std::size_t kMaxBytesOfBeams = std::size_t{256} << 20;
+  fine.reserve(scene.level().lights.size());
+  rough_.reserve(scene.level().lights.size());
   for (const LightSource& light : scene.level().lights) {
     fine.emplace_back(scene, light, settings.softSamples, settings.solidMaskedMiddles);
     rough_.emplace_back();
@@ -388,6 +389,7 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
       rough_.back().emplace(scene, light, (settings.softSamples + 3) / 4,
                             settings.solidMaskedMiddles);
     reach.push_back(light.reach(settings.cutOff));
+    positions_.push_back(light.position);
     // Targets may lie outside the light's reach by what authors' files are inexact.
     fine.back().useBeams(
         scene, {reach.back() + kAuthorNoise, kMaxBytesOfBeams / scene.level().lights.size(), {}});
@@ -395,12 +397,10 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
   reachOnMap_ = BoxTree(boxesOnMap(scene.level().lights, reach));
 }
 
-bool LightVisibilities::reaches(std::size_t light, const Box3& box) const {
-  return box.distanceTo(scene_.level().lights[light].position) < reach[light] + kAuthorNoise;
-}
-
 std::vector<std::size_t> LightVisibilities::reaching(const Box3& box) const {
+  constexpr std::size_t kFew = 32;
   std::vector<std::size_t> lights;
+  lights.reserve(std::min(kFew, reach.size()));
   reachOnMap_.query({box.min.xy(), box.max.xy()}, [&](std::uint32_t light) {
     if (reaches(light, box)) lights.push_back(light);
   });

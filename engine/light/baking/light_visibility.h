@@ -12,6 +12,7 @@
 #include "light/rays/raytracer.h"
 #include "math/box3.h"
 #include "math/box_tree.h"
+#include "math/tolerance.h"
 
 namespace hearth {
 
@@ -138,14 +139,19 @@ class LightVisibilities {
 
   /// Whether the light reaches a point of a box, or misses it by no more than authors' files are
   /// inexact.
-  bool reaches(std::size_t light, const Box3& box) const;
+  bool reaches(std::size_t light, const Box3& box) const {
+    // As squares: this is asked of many lights for each tile.
+    const double most = reach[light] + kAuthorNoise;
+    const Vec3 toBox = box.vectorFrom(positions_[light]);
+    return dot(toBox, toBox) < most * most;
+  }
   /// All lights that do, in their order.
   std::vector<std::size_t> reaching(const Box3& box) const;
   /// Those of some that do.
   std::vector<std::size_t> reaching(const Box3& box, std::span<const std::size_t> lights) const;
 
  private:
-  Scene scene_;
+  std::vector<Vec3> positions_;                        ///< as authored
   std::vector<std::optional<LightVisibility>> rough_;  ///< of balls
   BoxTree reachOnMap_{{}};
 };

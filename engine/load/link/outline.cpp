@@ -67,7 +67,7 @@ BoxTree Outlines::treeOf(const OutlineSector& sector) const {
   std::vector<Box> boxes;
   for (std::uint32_t i = 0; i < sector.edgeCount; ++i)
     boxes.push_back(box(edges[sector.firstEdge + i]));
-  return BoxTree(std::move(boxes));
+  return BoxTree(boxes);
 }
 
 Outlines makeOutlines(const LevelDescription& description) {

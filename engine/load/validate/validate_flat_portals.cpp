@@ -68,7 +68,7 @@ class SideOutline {
   static BoxTree boxesOf(const std::vector<const Segment*>& segments) {
     std::vector<Box> boxes;
     for (const Segment* segment : segments) boxes.push_back(boxOf(segment->p0, segment->p1));
-    return BoxTree(std::move(boxes));
+    return BoxTree(boxes);
   }
 
   bool crossesAnother(const Segment& a) const {
