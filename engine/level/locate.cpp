@@ -53,8 +53,19 @@ double nudgeAt(Vec2 p) {
   return std::max(kNudge, 64 * std::numeric_limits<double>::epsilon() * size);
 }
 
+/// Whether no wall comes nearer than `clearance`.
+bool isAwayFromWalls(const Level& level, const Sector& sector, Vec2 p, double clearance) {
+  const Box near = boxAround(p, 2 * clearance);
+  bool isAway = true;
+  forEachWallIn(level, sector, near, [&](const Segment& wall) {
+    if (isAway && touch(boxOf(wall.p0, wall.p1), near))
+      isAway = length(nearestOnSegment(wall.p0, wall.p1, p) - p) >= clearance;
+  });
+  return isAway;
+}
+
 bool isClear(const Level& level, const Sector& sector, Vec2 p, double clearance) {
-  return contains(level, sector, p) && nearestWall(level, sector, p).distance >= clearance;
+  return isAwayFromWalls(level, sector, p, clearance) && contains(level, sector, p);
 }
 
 /// A point of the sector that is at least a sixteenth of the nudge away from its walls: `p` itself,
