@@ -46,7 +46,7 @@ class LitSurfaceBuilder {
 
  private:
   void add(SurfaceId id, const TexelGrid& grid, Vec3 anchor, Vec3 normal,
-           const std::vector<Polygon>& outlines) {
+           std::span<const Polygon> outlines) {
     LitSurface& lit = lit_[id.index()].emplace();
     lit.grid = grid;
     lit.anchor = anchor;
@@ -61,12 +61,13 @@ class LitSurfaceBuilder {
     const Segment& segment = scene_[*scene_[id].segment];
     const TexelGrid& grid = wallGrids_[segment.id.index()];
     Polygon outline;
+    outline.reserve(air.size());
     for (const Vec2 p : air) {
       const Vec2 xy = lerp(segment.p0, segment.p1, p.x);
       outline.push_back(grid.toTexels({xy.x, xy.y, p.y}));
     }
     const Vec2 inward = (1 / segment.length) * turned90(segment.p1 - segment.p0);
-    add(id, grid, {segment.p0.x, segment.p0.y, 0}, {inward.x, inward.y, 0}, {std::move(outline)});
+    add(id, grid, {segment.p0.x, segment.p0.y, 0}, {inward.x, inward.y, 0}, {&outline, 1});
     upright_[segment.id.index()].push_back({id, std::move(air)});
   }
 
@@ -95,6 +96,7 @@ class LitSurfaceBuilder {
     std::vector<Polygon> outlines;
     for (const Loop& loop : sector.loops) {
       Polygon& outline = outlines.emplace_back();
+      outline.reserve(loop.count);
       for (std::size_t i = 0; i < loop.count; ++i) {
         const Vec2 p = scene_[SegmentId(loop.first.index() + i)].p0;
         outline.push_back(grid.toTexels({p.x, p.y, zAt(p)}));
@@ -115,7 +117,7 @@ class LitSurfaceBuilder {
 
 }  // namespace
 
-TexelRect texelsAround(const std::vector<std::vector<Vec2>>& outlines) {
+TexelRect texelsAround(std::span<const std::vector<Vec2>> outlines) {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   Vec2 low = {kEndless, kEndless};
   Vec2 high = {-kEndless, -kEndless};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "level/scene.h"
@@ -29,7 +30,7 @@ struct TexelRect {
 TexelRect intersection(const TexelRect& a, const TexelRect& b);
 
 /// The texels that bilinear filtering can read at points of polygons, in texel coordinates.
-TexelRect texelsAround(const std::vector<std::vector<Vec2>>& outlines);
+TexelRect texelsAround(std::span<const std::vector<Vec2>> outlines);
 
 /// A surface that continues another in its plane, and the edge that they share, in texel
 /// coordinates of that other one.

@@ -28,11 +28,14 @@ double distanceToBox(const Polygons::Edge& edge, Vec2 p) {
 
 }  // namespace
 
-Polygons::Polygons(const std::vector<std::vector<Vec2>>& polygons) {
+Polygons::Polygons(std::span<const std::vector<Vec2>> polygons) {
+  std::size_t edges = 0;
+  for (const std::vector<Vec2>& polygon : polygons) edges += polygon.size();
+  edges_.reserve(edges);
   for (const std::vector<Vec2>& polygon : polygons) {
     for (std::size_t i = 0; i < polygon.size(); ++i)
       edges_.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
-    ends_.push_back(edges_.size());
+    if (&polygon != &polygons.back()) endsOfOthers_.push_back(edges_.size());
   }
   if (edges_.size() < kManyEdges) return;
   std::vector<Box> boxes;
@@ -56,11 +59,12 @@ void Polygons::forEachEdgeIn(const Box& box, Visit&& visit) const {
 }
 
 std::vector<std::vector<Vec2>> Polygons::loops() const {
-  std::vector<std::vector<Vec2>> polygons;
+  std::vector<std::vector<Vec2>> polygons(endsOfOthers_.size() + 1);
   std::size_t i = 0;
-  for (const std::size_t end : ends_)
-    for (std::vector<Vec2>& polygon = polygons.emplace_back(); i < end; ++i)
-      polygon.push_back(edges_[i].a);
+  for (std::size_t k = 0; k < polygons.size(); ++k)
+    for (const std::size_t end = k < endsOfOthers_.size() ? endsOfOthers_[k] : edges_.size();
+         i < end; ++i)
+      polygons[k].push_back(edges_[i].a);
   return polygons;
 }
 

@@ -29,7 +29,7 @@ class Polygons {
 
   Polygons() = default;
   /// At least one of them, of at least three points each.
-  explicit Polygons(const std::vector<std::vector<Vec2>>& polygons);
+  explicit Polygons(std::span<const std::vector<Vec2>> polygons);
 
   /// The polygons that it was made from.
   std::vector<std::vector<Vec2>> loops() const;
@@ -71,8 +71,8 @@ class Polygons {
   void forEachEdgeIn(const Box& box, Visit&& visit) const;
 
   std::vector<Edge> edges_;
-  std::shared_ptr<const BoxTree> tree_;  ///< of the edges, where they are many
-  std::vector<std::size_t> ends_;        ///< of the polygons' edges
+  std::shared_ptr<const BoxTree> tree_;    ///< of the edges, where they are many
+  std::vector<std::size_t> endsOfOthers_;  ///< of the edges of all polygons but the last
 };
 
 }  // namespace hearth

@@ -31,7 +31,8 @@ UsedTexels allUsed(const TexelRect& rect) {
   const double right = rect.i0 + rect.width;
   const double bottom = rect.j0 + rect.height;
   const Vec2 corner{static_cast<double>(rect.i0), static_cast<double>(rect.j0)};
-  surface.outline = Polygons({{corner, {right, corner.y}, {right, bottom}, {corner.x, bottom}}});
+  const std::vector<Vec2> outline{corner, {right, corner.y}, {right, bottom}, {corner.x, bottom}};
+  surface.outline = Polygons({&outline, 1});
   surface.texels = rect;
   return {surface, rect};
 }

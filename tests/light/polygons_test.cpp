@@ -39,8 +39,9 @@ class PolygonsOfSurfaces : public testing::Test {
 
   /// Two stars side by side, one of which has a hole.
   Polygons outline(bool isWhole) {
-    return Polygons(
-        {star({0, 0}, 6, 12, isWhole), star({0, 0}, 2, 5, isWhole), star({26, 3}, 5, 12, isWhole)});
+    const std::vector stars{star({0, 0}, 6, 12, isWhole), star({0, 0}, 2, 5, isWhole),
+                            star({26, 3}, 5, 12, isWhole)};
+    return Polygons(stars);
   }
 
   std::mt19937 random_{1};

@@ -87,7 +87,7 @@ class Joiner {
 
   /// Joins surfaces of this segment to those of walls that continue it beyond its p1.
   void joinAfter(SegmentId id) {
-    for (const VertexFan::Spoke& spoke : fan_.at(scene_[id].p1)) {
+    for (const VertexFan::Spoke& spoke : fan_.atEndOf(id)) {
       if (!spoke.startsHere || spoke.segment == id) continue;
       for (const UprightSurface& a : upright_[id.index()])
         for (const UprightSurface& b : upright_[spoke.segment.index()])

@@ -43,7 +43,7 @@ class WallRun {
 
  private:
   void extend(SegmentId from, Vec2 vertex, bool forwards) {
-    for (const VertexFan::Spoke& spoke : fan_.at(vertex)) {
+    for (const VertexFan::Spoke& spoke : forwards ? fan_.atEndOf(from) : fan_.atStartOf(from)) {
       if (spoke.startsHere != forwards || taken_[spoke.segment.index()]) continue;
       if (continues(level_[from], level_[spoke.segment], vertex)) take(spoke.segment);
     }
@@ -171,6 +171,7 @@ std::vector<TexelGrid> slopeGrids(const Scene& scene, bool floor, double texel) 
                    [&](SectorId a, SectorId b) { return lessXY(anchorOf(a), anchorOf(b)); });
 
   std::vector<TexelGrid> grids(level.sectors.size());
+  if (order.empty()) return grids;
   std::vector<bool> taken(level.sectors.size(), false);
   const std::vector<std::vector<Joint>> joints = jointsOf(scene, floor);
   for (const SectorId seed : order) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 
 #include "math/predicates.h"
@@ -19,9 +20,11 @@ struct Line {
 };
 
 /// The part of a convex polygon in (fraction, z) that lies above the line (below it for `sign` -1).
-UprightOutline clipped(const UprightOutline& polygon, Line line, double sign) {
+UprightOutline clipped(UprightOutline polygon, Line line, double sign) {
   const auto height = [&](Vec2 p) { return sign * (p.y - std::lerp(line.at0, line.at1, p.x)); };
+  if (std::ranges::all_of(polygon, [&](Vec2 p) { return height(p) >= 0; })) return polygon;
   UprightOutline kept;
+  kept.reserve(polygon.size() + 1);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 a = polygon[i];
     const Vec2 b = polygon[(i + 1) % polygon.size()];
@@ -43,18 +46,18 @@ UprightOutline uprightAir(const Scene& scene, SurfaceId id) {
   const double zBottom = scene.geometryOf(id).zBottom;
   const double zTop = scene.geometryOf(id).zTop;
   UprightOutline air = {{0, zBottom}, {1, zBottom}, {1, zTop}, {0, zTop}};
-  air = clipped(air, {near.air0.zBottom, near.air1.zBottom}, 1);
-  air = clipped(air, {near.air0.zTop, near.air1.zTop}, -1);
+  air = clipped(std::move(air), {near.air0.zBottom, near.air1.zBottom}, 1);
+  air = clipped(std::move(air), {near.air0.zTop, near.air1.zTop}, -1);
   if (!isSidewall(surface.kind)) return air;
   for (const WallPiece& piece : scene.piecesOf(segment)) {
     const Opening* opening = std::get_if<Opening>(&piece.content);
     if (!opening || piece.zBottom != zBottom) continue;
     const SegmentGeometry& far = scene.geometryOf(scene[opening->twin]);
     if (surface.kind == SurfaceKind::FloorSidewall)
-      return clipped(air, {far.air1.zBottom, far.air0.zBottom}, -1);
+      return clipped(std::move(air), {far.air1.zBottom, far.air0.zBottom}, -1);
     // Wedges may pass each other by an author's noise. Then the lower one shows, as in openingSpan.
-    air = clipped(air, {far.air1.zBottom, far.air0.zBottom}, 1);
-    return clipped(air, {far.air1.zTop, far.air0.zTop}, 1);
+    air = clipped(std::move(air), {far.air1.zBottom, far.air0.zBottom}, 1);
+    return clipped(std::move(air), {far.air1.zTop, far.air0.zTop}, 1);
   }
   return air;
 }

@@ -28,15 +28,14 @@ VertexFan::VertexFan(const Scene& scene) : scene_(scene) {
   }
   std::stable_sort(spokes_.begin(), spokes_.end(),
                    [](const Spoke& a, const Spoke& b) { return lessXY(a.vertex, b.vertex); });
-}
-
-std::span<const VertexFan::Spoke> VertexFan::at(Vec2 vertex) const {
-  const auto first =
-      std::lower_bound(spokes_.begin(), spokes_.end(), vertex,
-                       [](const Spoke& spoke, Vec2 v) { return lessXY(spoke.vertex, v); });
-  auto last = first;
-  while (last != spokes_.end() && last->vertex == vertex) ++last;
-  return {first, last};
+  fans_.resize(spokes_.size());
+  for (std::uint32_t begin = 0; begin < spokes_.size();) {
+    std::uint32_t end = begin;
+    while (end < spokes_.size() && spokes_[end].vertex == spokes_[begin].vertex) ++end;
+    for (std::uint32_t i = begin; i < end; ++i)
+      fans_[2 * spokes_[i].segment.index() + (spokes_[i].startsHere ? 0 : 1)] = {begin, end};
+    begin = end;
+  }
 }
 
 std::vector<SegmentId> VertexFan::acrossFlatPortals(SegmentId id) const {
@@ -44,7 +43,7 @@ std::vector<SegmentId> VertexFan::acrossFlatPortals(SegmentId id) const {
   const Sector& sector = scene_[segment.sector];
   std::vector<SegmentId> found;
   if (!sector.floor.flatPortal && !sector.ceiling.flatPortal) return found;
-  for (const Spoke& spoke : at(segment.p0)) {
+  for (const Spoke& spoke : atStartOf(id)) {
     const Segment& other = scene_[spoke.segment];
     if (!spoke.startsHere || other.p1 != segment.p1) continue;
     const Sector& beyond = scene_[other.sector];
@@ -70,7 +69,7 @@ std::vector<VertexFan::Heights> VertexFan::waysRound(const Segment& wall, Vec2 v
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const Air here = reached[i];
     if (here.sector == to) openings.push_back(here.heights);
-    for (const Spoke& spoke : at(vertex)) {
+    for (const Spoke& spoke : isAfter ? atEndOf(wall.id) : atStartOf(wall.id)) {
       if (scene_[spoke.segment].sector != here.sector) continue;
       if (!turnsOn(here.from, farEnd(spoke))) continue;
       for (const Air& air : beyond(spoke, here.heights))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,7 +20,9 @@ class VertexFan {
     bool startsHere;  ///< else it ends here
   };
 
-  std::span<const Spoke> at(Vec2 vertex) const;
+  /// All spokes of the vertex at which a segment begins (ends).
+  std::span<const Spoke> atStartOf(SegmentId id) const { return fanOf(2 * id.index()); }
+  std::span<const Spoke> atEndOf(SegmentId id) const { return fanOf(2 * id.index() + 1); }
 
   /// Segments above or below this one, in its plane and with its ends, on the other side of a flat
   /// portal of its sector. Linking splits both sides of flat portals alike.
@@ -49,12 +53,23 @@ class VertexFan {
     }
   };
 
+  /// Spokes [begin, end) of one vertex.
+  struct Fan {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+
+  std::span<const Spoke> fanOf(std::size_t segmentEnd) const {
+    const Fan fan = fans_[segmentEnd];
+    return std::span(spokes_).first(fan.end).subspan(fan.begin);
+  }
   Vec2 farEnd(const Spoke& spoke) const;
   /// The air that a path at those heights enters through the openings of a segment, at its vertex.
   std::vector<Air> beyond(const Spoke& spoke, Heights near) const;
 
   Scene scene_;
   std::vector<Spoke> spokes_;  ///< sorted by vertex
+  std::vector<Fan> fans_;      ///< of each segment's start, then its end
 };
 
 }  // namespace hearth
