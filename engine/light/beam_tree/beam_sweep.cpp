@@ -16,15 +16,29 @@ bool isNarrow(Vec2 begin, Vec2 end) {
   return sine <= 0 || (sine <= kNarrow * length(begin) * length(end) && dot(begin, end) > 0);
 }
 
-/// As squares: this is asked of every wall of every window.
-bool isNear(Vec2 a, Vec2 b) {
+/// Whether two directions are nearly the same, or nearly opposite. As squares: this is asked of
+/// every wall of every window.
+bool isOneLine(Vec2 a, Vec2 b) {
   const double sine = cross(a, b);
-  return dot(a, b) > 0 && sine * sine <= kNarrow * kNarrow * dot(a, a) * dot(b, b);
+  return sine * sine <= kNarrow * kNarrow * dot(a, a) * dot(b, b);
+}
+
+bool isNear(Vec2 a, Vec2 b) { return dot(a, b) > 0 && isOneLine(a, b); }
+
+bool isClearlyLeftOf(Vec2 direction, Vec2 p) {
+  return cross(direction, p) > 0 && !isOneLine(direction, p);
 }
 
 /// Whether a direction lies between two others that are less than 180 degrees apart.
 bool isBetween(Vec2 begin, Vec2 end, Vec2 direction) {
   return cross(begin, direction) >= 0 && cross(direction, end) >= 0;
+}
+
+/// Whether a wall between two points lies clearly to the left or right of all of a window. Most
+/// walls of large sectors do.
+bool isBeside(const BeamWindow& window, Vec2 a, Vec2 b) {
+  return (isClearlyLeftOf(window.end, a) && isClearlyLeftOf(window.end, b)) ||
+         (isClearlyLeftOf(-1 * window.begin, a) && isClearlyLeftOf(-1 * window.begin, b));
 }
 
 double fractionOf(const BeamWindow& window, Vec2 direction) {
@@ -47,6 +61,7 @@ void BeamSweep::findParts(const BeamWindow& window) {
   for (const Segment& wall : scene_.segmentsOf(scene_[window.sector])) {
     const Vec2 a = fromLight(wall.p0);
     const Vec2 b = fromLight(wall.p1);
+    if (isBeside(window, a, b)) continue;
     if (isNear(a, b)) {
       addBound(window, a);
       addBound(window, b);

@@ -58,7 +58,8 @@ class BeamTreeBuilder {
     constexpr Vec2 kAhead{0.9921875, 0.124755859375};
     Vec2 direction = kAhead;
     for (int quarter = 0; quarter < 4; ++quarter, direction = turned90(direction))
-      windows_.push_back({sector_, nullptr, direction, turned90(direction), {}, false, {}});
+      if (mayLeadToRegion(direction, turned90(direction)))
+        windows_.push_back({sector_, nullptr, direction, turned90(direction), {}, false, {}});
     const std::size_t most = maxBeams(scene_.level());
     while (!windows_.empty() && found_.beams.size() < most && found_.bytes() < limits_.maxBytes) {
       const BeamWindow window = windows_.back();
@@ -83,10 +84,13 @@ class BeamTreeBuilder {
     });
   }
 
+  /// Whether some of the region may lie between two directions from the light.
+  bool mayLeadToRegion(Vec2 begin, Vec2 end) const {
+    return !isRegionRightOf(light_.xy(), begin) && !isRegionRightOf(light_.xy(), -1 * end);
+  }
+
   void finish(const BeamWindow& window, const VisibleStretch& visible) {
-    if (isRegionRightOf(light_.xy(), visible.begin) ||
-        isRegionRightOf(light_.xy(), -1 * visible.end))
-      return;
+    if (!mayLeadToRegion(visible.begin, visible.end)) return;
     Beam beam{.sector = window.sector,
               .from = visible.stretch.from,
               .to = visible.stretch.to,
