@@ -176,19 +176,19 @@ EmptyTexels emptyTexelsOf(const Places& places, const UsedTexels& texels,
 
 }  // namespace
 
-std::vector<TexelRect> tilesOf(const TexelRect& all) {
-  constexpr int kTile = 64;  // texels a side
+std::vector<TexelRect> tilesOf(const TexelRect& all, int side) {
   std::vector<TexelRect> tiles;
-  for (int j = 0; j < all.height; j += kTile)
-    for (int i = 0; i < all.width; i += kTile)
-      tiles.push_back({all.i0 + i, all.j0 + j, std::min(kTile, all.width - i),
-                       std::min(kTile, all.height - j)});
+  for (int j = 0; j < all.height; j += side)
+    for (int i = 0; i < all.width; i += side)
+      tiles.push_back(
+          {all.i0 + i, all.j0 + j, std::min(side, all.width - i), std::min(side, all.height - j)});
   return tiles;
 }
 
 std::vector<TexelRect> tilesOf(const UsedTexels& texels) {
+  constexpr int kSide = 32;
   std::vector<TexelRect> tiles;
-  for (const TexelRect& tile : tilesOf(texels.rect()))
+  for (const TexelRect& tile : tilesOf(texels.rect(), kSide))
     if (const auto used = texels.around(tile)) tiles.push_back(*used);
   return tiles;
 }
@@ -268,7 +268,11 @@ TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& se
   const UsedTexels texels(surface.surface(), tile);
   const auto used = texels.around(tile);
   if (!used) return {{tile.i0, tile.j0, 0, 0}, 1};
-  return sumsOfTile(surface, texels, *used, settings, nullptr);
+  TexelSums sums(*used, surface.channels());
+  const auto all = [&](std::size_t) -> TexelSums& { return sums; };
+  for (const TexelRect& part : tilesOf(texels))
+    addLightsToTile(surface, texels, part, surface.facing(), settings, all, nullptr, {});
+  return sums;
 }
 
 template TexelSums sumsOfTile(SurfaceLight&, const TexelRect&, const BakeSettings&);

@@ -19,9 +19,10 @@ namespace hearth {
 /// Returns the sums to which a light is added. All lights share one, or each has its own.
 using SumsOf = std::function<TexelSums&(std::size_t light)>;
 
-/// Divides texels into tiles. Each tile is baked by itself, so that its samples take little memory.
-std::vector<TexelRect> tilesOf(const TexelRect& texels);
-/// The same for what is used of them: leaves out tiles without a used texel, and shrinks others.
+/// Divides texels into tiles of at most `side` x `side`.
+std::vector<TexelRect> tilesOf(const TexelRect& texels, int side);
+/// Divides what is used of them into tiles that are baked one by one, so small that the samples of
+/// one stay in the processor's cache.
 std::vector<TexelRect> tilesOf(const UsedTexels& texels);
 /// The samples of a tile: `side` x `side` in each texel, spare ones in texels that are not used.
 /// Here and below, `Lit` is SurfaceLight or PatchLight.

@@ -42,7 +42,8 @@ struct LightCounts {
 
 /// Tiles of a surface, without those that have no used texel.
 std::vector<TexelRect> tilesIn(const LitSurface& surface) {
-  std::vector<TexelRect> tiles = tilesOf(surface.texels);
+  constexpr int kSide = 96;
+  std::vector<TexelRect> tiles = tilesOf(surface.texels, kSide);
   if (tiles.size() == 1) return tiles;
   std::erase_if(tiles, [&](const TexelRect& tile) {
     const Vec2 first{tile.i0 - 1.0, tile.j0 - 1.0};
@@ -61,7 +62,10 @@ Vec2 centerOf(const Box3& box) { return 0.5 * (box.min.xy() + box.max.xy()); }
 class TileList {
  public:
   TileList(const Scene& scene, const LightVisibilities& visibilities, const BakeSettings& settings)
-      : scene_(scene), visibilities_(visibilities), settings_(settings) {}
+      : scene_(scene), visibilities_(visibilities), settings_(settings) {
+    for (const LightVisibility& light : visibilities.fine)
+      isBall_.push_back(light.shaftLight().radius > 0);
+  }
 
   /// Along a Hilbert curve, so that tiles near one another on the map mostly follow soon.
   std::vector<LightTile> inOrder() const {
@@ -83,22 +87,30 @@ class TileList {
     return tiles;
   }
 
-  void addSurface(const LitSurfaces& surfaces, std::uint32_t index) {
-    const LitSurface& surface = *surfaces[index];
+  void addSurface(const LitSurface& surface, std::uint32_t index) {
     const std::vector<std::size_t> facing = lightsFacing(scene_.level(), visibilities_, surface);
     if (facing.empty()) return;
     const double samples = samplesPerTexel(surface);
-    for (const TexelRect& tile : tilesIn(surface)) {
-      const Box3 box = boxAround(surface, tile);
-      const auto lights = visibilities_.reaching(box, facing);
-      add({{LightMapId::Kind::Surface, index, 0}, tile}, samples, counted(lights), kOfSurface,
+    const std::vector<TexelRect> tiles = tilesIn(surface);
+    std::vector<std::size_t> reachingRow = facing;  // of tiles
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      const Box3 box = boxAround(surface, tiles[i]);
+      if (tiles.size() > 1 && (i == 0 || tiles[i - 1].j0 != tiles[i].j0)) {
+        const TexelRect& all = surface.texels;
+        const TexelRect row{all.i0, tiles[i].j0, all.width, tiles[i].height};
+        reachingRow = visibilities_.reaching(boxAround(surface, row), facing);
+      }
+      const LightCounts lights = counted(reachingRow, [&](std::size_t light) {
+        return tiles.size() == 1 || visibilities_.reaches(light, box);
+      });
+      add({{LightMapId::Kind::Surface, index, 0}, tiles[i]}, samples, lights, kOfSurface,
           centerOf(box));
     }
   }
 
   void addMesh(const LitMesh& mesh, std::uint32_t index) {
     const Box3 box = boxOf(scene_.level(), mesh);
-    const LightCounts lights = counted(visibilities_.reaching(box));
+    const LightCounts lights = countedReaching(box);
     for (std::uint32_t piece = 0; piece < mesh.patches.size(); ++piece) {
       const LitSurface& patch = mesh.patches[piece].surface;
       const double samples = samplesPerTexel(patch);
@@ -115,17 +127,22 @@ class TileList {
   }
 
   void addSprite(std::uint32_t index) {
-    const Vec3 point = lightPointOf(scene_, scene_.level().sprites[index]);
+    const Vec3 position = scene_.level().sprites[index].position;
     add({{LightMapId::Kind::Sprite, index, 0}, kSpriteTexel}, 1,
-        counted(visibilities_.reaching({point, point})), kOfSprite, point.xy());
+        countedReaching({position, position}), kOfSprite, position.xy());
   }
 
  private:
-  LightCounts counted(const std::vector<std::size_t>& lights) const {
+  template <typename Counts>
+  LightCounts counted(std::span<const std::size_t> lights, Counts&& isOne) const {
     LightCounts counts;
     for (const std::size_t light : lights)
-      ++(visibilities_.fine[light].shaftLight().radius > 0 ? counts.balls : counts.points);
+      if (isOne(light)) ++(isBall_[light] ? counts.balls : counts.points);
     return counts;
+  }
+
+  LightCounts countedReaching(const Box3& box) const {
+    return counted(visibilities_.reaching(box), [](std::size_t) { return true; });
   }
 
   double samplesPerTexel(const LitSurface& surface) const {
@@ -149,6 +166,7 @@ class TileList {
   Scene scene_;
   const LightVisibilities& visibilities_;
   const BakeSettings& settings_;
+  std::vector<bool> isBall_;  ///< by light
   std::vector<Placed> tiles_;
 };
 
@@ -160,7 +178,7 @@ LevelInTiles::LevelInTiles(const Scene& scene, const BakeSettings& settings, int
       visibilities(scene, settings) {
   TileList list(scene, visibilities, settings);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i]) list.addSurface(surfaces, i);
+    if (surfaces[i]) list.addSurface(*surfaces[i], i);
   for (std::uint32_t i = 0; i < meshes.size(); ++i) list.addMesh(meshes[i], i);
   for (std::uint32_t i = 0; i < scene.level().sprites.size(); ++i) list.addSprite(i);
   tiles = list.inOrder();
@@ -169,15 +187,17 @@ LevelInTiles::LevelInTiles(const Scene& scene, const BakeSettings& settings, int
 void LevelInTiles::keepTo(std::span<const LightTile> some) {
   // Texels that samples lie outside their tile. Beams give no answer for those farther away.
   constexpr double kMostMoved = 4;
-  Box region;
+  std::vector<Box> regions(visibilities.fine.size());
   for (const LightTile& tile : some) {
     if (tile.map.kind != LightMapId::Kind::Surface) continue;
     const LitSurface& surface = *surfaces[tile.map.index];
     const Box3 box = boxAround(surface, tile.texels).grownBy(kMostMoved * surface.grid.texel);
-    region.add(box.min.xy());
-    region.add(box.max.xy());
+    for (const std::size_t light : visibilities.reaching(box)) {
+      regions[light].add(box.min.xy());
+      regions[light].add(box.max.xy());
+    }
   }
-  for (LightVisibility& light : visibilities.fine) light.limitBeamsTo(region);
+  for (std::size_t i = 0; i < regions.size(); ++i) visibilities.fine[i].limitBeamsTo(regions[i]);
 }
 
 std::vector<std::size_t> firstTilesOf(std::uint32_t parts, const std::vector<LightTile>& tiles) {
