@@ -63,9 +63,7 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
     putSums(sums[i], baker.baked(tiles[i]), tiles[i].texels);
     done.add(tiles[i].texels.count());
   });
-  std::string all;
-  for (const std::string& ofTile : sums) all += ofTile;
-  return framed(bake, number, all);
+  return framed(bake, number, sums);
 }
 
 tl::expected<PartNumber, std::string> partNumberOf(const BakeInParts& bake,

@@ -2,38 +2,13 @@
 
 #include <zlib.h>
 
-#include <array>
-
 #include "math/check.h"
 
 namespace hearth {
 
-namespace {
-
-template <typename Signed, typename Unsigned>
-Unsigned foldedAs(Signed number) {
-  const Unsigned twice = static_cast<Unsigned>(number) << 1;
-  return number < 0 ? ~twice : twice;
-}
-
-}  // namespace
-
-void putShort(std::string& bytes, std::uint64_t number) {
-  std::array<char, kMostOfShort> some{};
-  const char* const end = writeShort(some.data(), number);
-  bytes.append(some.data(), static_cast<std::size_t>(end - some.data()));
-}
-
-std::uint32_t folded(std::int32_t number) { return foldedAs<std::int32_t, std::uint32_t>(number); }
-
-std::uint64_t folded(std::int64_t number) { return foldedAs<std::int64_t, std::uint64_t>(number); }
-
-std::int32_t unfolded(std::uint32_t number) {
-  return static_cast<std::int32_t>((number & 1) != 0 ? ~(number >> 1) : number >> 1);
-}
-
-std::int64_t unfolded(std::uint64_t number) {
-  return static_cast<std::int64_t>((number & 1) != 0 ? ~(number >> 1) : number >> 1);
+void putShort(std::string& bytes, std::uint32_t number) {
+  for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<char>(number | 0x80));
+  bytes.push_back(static_cast<char>(number));
 }
 
 std::uint32_t checksum(std::string_view bytes) {
@@ -48,27 +23,26 @@ std::string_view ByteReader::take(std::size_t count) {
   return taken;
 }
 
-std::optional<std::uint32_t> ByteReader::takeShort32() {
-  const std::optional<std::uint64_t> number = takeShort(32);
-  if (!number) return std::nullopt;
-  return static_cast<std::uint32_t>(*number);
+std::optional<std::uint8_t> ByteReader::takeByte() {
+  if (left_.empty()) return std::nullopt;
+  return static_cast<std::uint8_t>(take(1).front());
 }
 
-std::optional<std::uint64_t> ByteReader::takeShort64() { return takeShort(64); }
-
-std::optional<std::uint64_t> ByteReader::takeShort(int bits) {
-  std::uint64_t value = 0;
-  for (int shift = 0; shift < bits && !left_.empty(); shift += 7) {
-    const auto byte = static_cast<unsigned char>(take(1).front());
-    const std::uint64_t seven = byte & 0x7fU;
-    if (bits - shift < 7 && seven >> (bits - shift) != 0) return std::nullopt;
+std::optional<std::uint32_t> ByteReader::takeShort() {
+  constexpr int kBits = 32;
+  std::uint32_t value = 0;
+  for (int shift = 0; shift < kBits; shift += 7) {
+    const std::optional<std::uint8_t> byte = takeByte();
+    if (!byte) return std::nullopt;
+    const std::uint32_t seven = *byte & 0x7fU;
+    if (kBits - shift < 7 && seven >> (kBits - shift) != 0) return std::nullopt;
     value |= seven << shift;
-    if (byte < 0x80) return value;
+    if (*byte < 0x80) return value;
   }
   return std::nullopt;
 }
 
-std::uint64_t ByteReader::number(std::size_t size) {
+std::uint64_t ByteReader::takeNumber(std::size_t size) {
   std::uint64_t value = 0;
   const std::string_view bytes = take(size);
   for (std::size_t i = 0; i < size; ++i)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 /// Numbers as the bytes of files, as saved_bake.md and bake_part.md describe them.
 namespace hearth {
@@ -18,21 +19,19 @@ void put(std::string& bytes, Unsigned number) {
 
 /// Seven bits a byte, the lowest first, a top bit for more to come (LEB128): of small numbers, one
 /// byte.
-void putShort(std::string& bytes, std::uint64_t number);
-
-/// The same at `at`, where there is room for `kMostOfShort` bytes; returns what comes after it.
-inline char* writeShort(char* at, std::uint64_t number) {
-  for (; number >= 0x80; number >>= 7) *at++ = static_cast<char>(number | 0x80);
-  *at++ = static_cast<char>(number);
-  return at;
-}
-inline constexpr std::size_t kMostOfShort = 10;
+void putShort(std::string& bytes, std::uint32_t number);
 
 /// 0, -1, 1, -2 and so on as 0, 1, 2, 3 (zigzag).
-std::uint32_t folded(std::int32_t number);
-std::uint64_t folded(std::int64_t number);
-std::int32_t unfolded(std::uint32_t number);
-std::int64_t unfolded(std::uint64_t number);
+template <typename Signed>
+std::make_unsigned_t<Signed> folded(Signed number) {
+  const auto twice = static_cast<std::make_unsigned_t<Signed>>(number) << 1;
+  return number < 0 ? ~twice : twice;
+}
+template <typename Unsigned>
+std::make_signed_t<Unsigned> unfolded(Unsigned number) {
+  return static_cast<std::make_signed_t<Unsigned>>((number & 1) != 0 ? ~(number >> 1)
+                                                                     : number >> 1);
+}
 
 /// CRC-32 as in zlib, PNG and gzip.
 std::uint32_t checksum(std::string_view bytes);
@@ -45,17 +44,18 @@ class ByteReader {
   std::size_t left() const { return left_.size(); }
 
   std::string_view take(std::size_t count);
-  std::uint32_t take32() { return static_cast<std::uint32_t>(number(4)); }
-  std::uint64_t take64() { return number(8); }
+  std::uint32_t take32() { return static_cast<std::uint32_t>(takeNumber(4)); }
+  std::uint64_t take64() { return takeNumber(8); }
 
-  /// None where no such number of at most 32, or 64, bits stands.
-  std::optional<std::uint32_t> takeShort32();
-  std::optional<std::uint64_t> takeShort64();
+  /// Of so many bytes, at most 8, the lowest first.
+  std::uint64_t takeNumber(std::size_t size);
+
+  /// None at the end.
+  std::optional<std::uint8_t> takeByte();
+  /// None where no such number of at most 32 bits stands.
+  std::optional<std::uint32_t> takeShort();
 
  private:
-  std::optional<std::uint64_t> takeShort(int bits);
-  std::uint64_t number(std::size_t size);
-
   std::string_view left_;
 };
 

@@ -185,7 +185,7 @@ class LightmapReader {
   Mistake readOne() {
     std::array<std::uint32_t, kMapNumbers> numbers{};
     for (std::uint32_t& number : numbers) {
-      const auto taken = in_.takeShort32();
+      const auto taken = in_.takeShort();
       if (!taken) return "has a lightmap that does not begin with six numbers";
       number = *taken;
     }

@@ -48,6 +48,6 @@ void tryOut(const std::string& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(data, data + size);
   hearth::tryOut(bytes);
-  hearth::tryOut(hearth::framed(hearth::wholeBake(), {1, 1}, bytes));
+  hearth::tryOut(hearth::framed(hearth::wholeBake(), {1, 1}, {&bytes, 1}));
   return 0;
 }

@@ -198,8 +198,8 @@ TEST_F(BakePartMistakes, refusePartsOfOtherBakes) {
 }
 
 TEST_F(BakePartMistakes, refuseOtherVersions) {
-  EXPECT_EQ(mistakeIn(altered(part_, 8, std::string_view("\2\0\0\0", 4))),
-            "is a part of a bake of version 2, and only version 1 can be read");
+  EXPECT_EQ(mistakeIn(altered(part_, 8, std::string_view("\1\0\0\0", 4))),
+            "is a part of a bake of version 1, and only version 2 can be read");
   EXPECT_EQ(mistakeIn(altered(part_, 12, "\x4d\xcf\x13\0"sv)).substr(0, 46),
             "was baked by version 1.298.253 of the program,");
 }
@@ -268,7 +268,7 @@ TEST_F(BakePartMistakes, refuseTilesOfOneSurfaceWithOtherChannels) {
       for (double& unit : lit.units()) unit = 5 << 20;
       putSums(sums, lit, tile.texels);
     }
-    const std::string part = framed(bake, {1, 1}, sums);
+    const std::string part = framed(bake, {1, 1}, {&sums, 1});
     EXPECT_EQ(partNumberOf(bake, part), (PartNumber{1, 1}));
     const auto joined = joinParts(bake, {&part, 1}, 1);
     ASSERT_FALSE(joined);

@@ -40,31 +40,34 @@ void TexelSums::add(const TexelSums& other) {
       }
 }
 
-bool TexelSums::isTexelDark(int i, int j) const {
+TexelRect TexelSums::litTexels() const {
+  const auto isLit = [](double units) { return units > 0; };
+  int left = rect_.width;
+  int right = 0;
+  int top = rect_.height;
+  int bottom = 0;
   for (int channel = 0; channel < channels_; ++channel)
-    if (sums_[index(i, j, channel)] > 0) return false;
-  return true;
-}
-
-TexelSums TexelSums::cropped() const {
-  int left = rect_.i0 + rect_.width;
-  int right = rect_.i0;
-  int top = rect_.j0 + rect_.height;
-  int bottom = rect_.j0;
-  for (int j = rect_.j0; j < rect_.j0 + rect_.height; ++j)
-    for (int i = rect_.i0; i < rect_.i0 + rect_.width; ++i) {
-      if (isTexelDark(i, j)) continue;
-      left = std::min(left, i);
-      right = std::max(right, i + 1);
+    for (int j = 0; j < rect_.height; ++j) {
+      const auto row = unitsInRow(channel, rect_.i0, rect_.j0 + j, rect_.width);
+      const auto first = std::ranges::find_if(row, isLit);
+      if (first == row.end()) continue;
+      const auto afterLast = std::find_if(row.rbegin(), row.rend(), isLit).base();
+      left = std::min(left, static_cast<int>(first - row.begin()));
+      right = std::max(right, static_cast<int>(afterLast - row.begin()));
       top = std::min(top, j);
       bottom = std::max(bottom, j + 1);
     }
-  if (right <= left) return {{rect_.i0, rect_.j0, 0, 0}, channels_};
-  TexelSums part({left, top, right - left, bottom - top}, channels_);
+  if (right == 0) return {rect_.i0, rect_.j0, 0, 0};
+  return {rect_.i0 + left, rect_.j0 + top, right - left, bottom - top};
+}
+
+TexelSums TexelSums::cropped() const {
+  TexelSums part(litTexels(), channels_);
+  const TexelRect& lit = part.rect_;
   for (int channel = 0; channel < channels_; ++channel)
-    for (int j = top; j < bottom; ++j)
-      std::copy_n(&sums_[index(left, j, channel)], part.rect_.width,
-                  &part.sums_[part.index(left, j, channel)]);
+    for (int j = lit.j0; j < lit.j0 + lit.height; ++j)
+      std::ranges::copy(unitsInRow(channel, lit.i0, j, lit.width),
+                        &part.sums_[part.index(lit.i0, j, channel)]);
   return part;
 }
 

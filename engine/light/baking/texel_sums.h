@@ -24,6 +24,8 @@ class TexelSums {
   /// Adds sums of some of these texels; one channel is added to all.
   void add(const TexelSums& other);
   bool isDark() const;
+  /// Around all texels that are not dark; of size 0 where there are none.
+  TexelRect litTexels() const;
   /// The same without dark rows and columns at the borders.
   TexelSums cropped() const;
   std::size_t bytes() const { return sums_.size() * sizeof(double); }
@@ -33,6 +35,10 @@ class TexelSums {
   /// In units of LightSum, whole numbers from 0 to LightSum::kFull: channel by channel, row by row.
   std::span<const double> units() const { return sums_; }
   std::span<double> units() { return sums_; }
+  /// Those of one channel in `count` texels from (i, j) on, in a row.
+  std::span<const double> unitsInRow(int channel, int i, int j, int count) const {
+    return std::span(sums_).subspan(index(i, j, channel), static_cast<std::size_t>(count));
+  }
 
   /// The means of so many samples a texel. None if all is dark; one channel if no coloured light
   /// has arrived.
@@ -42,7 +48,6 @@ class TexelSums {
   void round(int i, int j, int count, int samples, Lightmap& map) const;
 
  private:
-  bool isTexelDark(int i, int j) const;
   std::size_t index(int i, int j, int channel) const {
     const auto row = static_cast<std::size_t>(channel) * static_cast<std::size_t>(rect_.height) +
                      static_cast<std::size_t>(j - rect_.j0);

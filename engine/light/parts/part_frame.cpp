@@ -20,7 +20,7 @@ constexpr FileFrame kPartFrame{
     .kind = "part of a bake",
     // To be raised with the layout, and with all that changes a sum: the rules of surfaces and
     // texel grids, the places of samples, and what light they get.
-    .version = 1,
+    .version = 2,
     .headerBytes = 52};
 /// 1,000,000 times the major version, 1,000 times the minor one, and the patch.
 constexpr std::uint32_t kProgram = HEARTH_VERSION;
@@ -52,21 +52,25 @@ std::string versionText(std::uint32_t version) {
 
 }  // namespace
 
-std::string framed(const BakeInParts& bake, PartNumber number, std::string_view sums) {
+std::string framed(const BakeInParts& bake, PartNumber number,
+                   std::span<const std::string> sumsOfTiles) {
   const std::string& settings = bake.settingsText();
   CHECK(settings.size() <= kMaxSettingsBytes, settings);
-  std::string bytes(kPartFrame.begin);
+  std::uint64_t size = kPartFrame.headerBytes + settings.size() + FileFrame::kChecksumBytes;
+  for (const std::string& sums : sumsOfTiles) size += sums.size();
+  std::string bytes;
+  bytes.reserve(size);
+  bytes += kPartFrame.begin;
   put(bytes, kPartFrame.version);
   put(bytes, kProgram);
-  put(bytes, std::uint64_t{kPartFrame.headerBytes + settings.size() + sums.size() +
-                           FileFrame::kChecksumBytes});
+  put(bytes, size);
   put(bytes, static_cast<std::uint32_t>(settings.size()));
   put(bytes, number.part);
   put(bytes, number.parts);
   put(bytes, bake.geometryHash());
   put(bytes, bake.lightHash());
   bytes += settings;
-  bytes += sums;
+  for (const std::string& sums : sumsOfTiles) bytes += sums;
   put(bytes, checksum(bytes));
   return bytes;
 }
