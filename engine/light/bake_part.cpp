@@ -49,11 +49,10 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
                      BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
-  LevelInTiles level(bake.scene(), bake.settings(), threads);
+  const LevelInTiles level(bake.scene(), bake.settings(), threads);
   const std::vector<std::size_t> firstTiles = firstTilesOf(number.parts, level.tiles);
   const auto tiles =
       std::span(level.tiles).first(firstTiles[number.part]).subspan(firstTiles[number.part - 1]);
-  level.keepTo(tiles);
   done.begin(texelsOfTiles(tiles));
   const TileBaker baker(bake.scene(), bake.settings(), level, tiles, threads);
   std::vector<std::string> sums(tiles.size());

@@ -16,6 +16,7 @@ struct Box {
     min = {std::min(min.x, p.x), std::min(min.y, p.y)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y)};
   }
+  constexpr bool isEmpty() const { return min.x > max.x; }
   constexpr double longerSide() const { return std::max(max.x - min.x, max.y - min.y); }
   constexpr bool contains(Vec2 p) const {
     return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y;

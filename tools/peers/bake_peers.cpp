@@ -49,8 +49,8 @@ Groundwork groundworkOf(const Scene& scene, int threads, const Clock& clock) {
     for (const TexelRect& tile : tilesOf(texels)) (void)samplesOf(surface, texels, tile, 1);
   });
   const double placed = clock();
-  parallelFor(visibilities.fine.size(), threads,
-              [&](std::size_t i) { (void)visibilities.fine[i].beams(); });
+  parallelFor(visibilities.reach.lights(), threads,
+              [&](std::size_t i) { (void)visibilities.fine(i).beams(); });
   return {placed - begin, clock() - placed};
 }
 

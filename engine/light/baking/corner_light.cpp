@@ -64,7 +64,7 @@ TexelSums CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
 void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,
                       TexelSums& sums) {
   const LightSource& light = scene_.level().lights[index];
-  const double radius = visibilities_.fine[index].shaftLight().radius;
+  const double radius = visibilities_.reach.radius(index);
   seen_.assign(corners_.size(), kUnknown);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const MeshFace& face = faceAt(faces[i]);
@@ -74,7 +74,7 @@ void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> fac
     if (!(inFront > 0)) continue;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t corner = cornerFor(ofFaces_[i], static_cast<std::size_t>(k));
-      const double brightness = unshadowedBrightness(light, visibilities_.reach[index],
+      const double brightness = unshadowedBrightness(light, visibilities_.reach.metres(index),
                                                      corners_[corner].point, normal, lambert_);
       if (brightness > 0)
         sums.add(k, static_cast<int>(i), light, brightness * inFront * seenFraction(index, corner));
@@ -103,7 +103,7 @@ double CornerLight::seenFraction(std::size_t light, std::uint32_t corner) {
   LightCost& cost = costs_[light];
   ++cost.samples;
   const auto& [shaft, outcome] = shafts_->toPoint(light, corners_[corner].point, {0, 0, 1});
-  seen = visibilities_.fine[light].seenFractionFromCorner(corners_[corner].point, place_.mesh,
+  seen = visibilities_.fine(light).seenFractionFromCorner(corners_[corner].point, place_.mesh,
                                                           shaft, outcome, cost.rays);
   if (seen > 0) ++cost.seenSamples;
   return seen;

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "light/grid/lit_lattice.h"
-#include "light/ray_error.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -128,19 +127,6 @@ class BallDisc {
   Vec3 up_;
   double tangent2_;
 };
-
-/// What each light reaches, and a little more, so that no rounding leaves out anything.
-std::vector<Box> boxesOnMap(const std::vector<LightSource>& lights,
-                            const std::vector<double>& reach) {
-  constexpr double kEverywhere = 1e15;  // metres; in place of an endless reach
-  std::vector<Box> boxes;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const Vec2 p = lights[i].position.xy();
-    const double rounding = roundingOf(largestCoordinate(lights[i].position));
-    boxes.push_back(grown({p, p}, std::min(reach[i], kEverywhere) + 2 * kAuthorNoise + rounding));
-  }
-  return boxes;
-}
 
 Vec2 onDisc(Vec2 cells, int cellsAcross) { return 2.0 / cellsAcross * cells - Vec2{1, 1}; }
 
@@ -359,10 +345,6 @@ void LightVisibility::useBeams(const Scene& scene, const BeamLimits& limits) {
   if (radius_ == 0) beams_ = std::make_unique<Beams>(scene, limits);
 }
 
-void LightVisibility::limitBeamsTo(const Box& region) {
-  if (beams_) beams_->limits.region = region;
-}
-
 const BeamTree* LightVisibility::beams() const {
   if (!beams_) return nullptr;
   std::call_once(beams_->once, [this] {
@@ -376,44 +358,38 @@ void LightVisibility::prefetchBeams() const {
   if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
-LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings) {
+LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings)
+    : LightVisibilities(scene, settings, LightReach(scene.level(), settings), {}) {}
+
+LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
+                                     const LightReach& itsReach, std::vector<Box> regions)
+    : reach(itsReach),
+      scene_(scene),
+      settings_(settings),
+      regions_(std::move(regions)),
+      lights_(reach.lights()) {}
+
+void LightVisibilities::makeReady(std::size_t index) const {
   // Of all lights together; an equal part for each, so that the order in which they are found
   // does not matter.
   constexpr std::size_t kMaxBytesOfBeams = std::size_t{256} << 20;
-  fine.reserve(scene.level().lights.size());
-  rough_.reserve(scene.level().lights.size());
-  for (const LightSource& light : scene.level().lights) {
-    fine.emplace_back(scene, light, settings.softSamples, settings.solidMaskedMiddles);
-    rough_.emplace_back();
-    if (fine.back().shaftLight().radius > 0)
-      rough_.back().emplace(scene, light, (settings.softSamples + 3) / 4,
-                            settings.solidMaskedMiddles);
-    reach.push_back(light.reach(settings.cutOff));
-    positions_.push_back(light.position);
+  Light& light = lights_[index];
+  std::call_once(light.once, [&] {
+    const LightSource& source = scene_.level().lights[index];
+    const auto visibility = [&](int softSamples) {
+      return std::make_unique<LightVisibility>(scene_, source, softSamples,
+                                               settings_.solidMaskedMiddles);
+    };
+    if (reach.radius(index) > 0) light.rough = visibility((settings_.softSamples + 3) / 4);
+    const std::optional<Box> region =
+        regions_.empty() ? std::nullopt : std::optional(regions_[index]);
+    auto fine = visibility(settings_.softSamples);
     // Targets may lie outside the light's reach by what authors' files are inexact.
-    fine.back().useBeams(
-        scene, {reach.back() + kAuthorNoise, kMaxBytesOfBeams / scene.level().lights.size(), {}});
-  }
-  reachOnMap_ = BoxTree(boxesOnMap(scene.level().lights, reach));
-}
-
-std::vector<std::size_t> LightVisibilities::reaching(const Box3& box) const {
-  constexpr std::size_t kFew = 32;
-  std::vector<std::size_t> lights;
-  lights.reserve(std::min(kFew, reach.size()));
-  reachOnMap_.query({box.min.xy(), box.max.xy()}, [&](std::uint32_t light) {
-    if (reaches(light, box)) lights.push_back(light);
+    fine->useBeams(scene_,
+                   {reach.metres(index) + kAuthorNoise, kMaxBytesOfBeams / reach.lights(), region});
+    light.fine = std::move(fine);
+    light.isReady.store(true, std::memory_order_release);
   });
-  std::ranges::sort(lights);
-  return lights;
-}
-
-std::vector<std::size_t> LightVisibilities::reaching(const Box3& box,
-                                                     std::span<const std::size_t> lights) const {
-  std::vector<std::size_t> reaching;
-  for (const std::size_t light : lights)
-    if (reaches(light, box)) reaching.push_back(light);
-  return reaching;
 }
 
 }  // namespace hearth

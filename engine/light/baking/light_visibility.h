@@ -1,18 +1,20 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "level/scene.h"
+#include "light/baking/light_reach.h"
 #include "light/beam_tree/beam_tree.h"
 #include "light/grid/plane.h"
 #include "light/rays/raytracer.h"
-#include "math/box3.h"
-#include "math/box_tree.h"
-#include "math/tolerance.h"
+#include "math/box.h"
 
 namespace hearth {
 
@@ -84,8 +86,6 @@ class LightVisibility {
   const ShaftLight& shaftLight() const { return shaftLight_; }
   /// From now on the first call of `beams` finds the beam tree of a point light. Balls have none.
   void useBeams(const Scene& scene, const BeamLimits& limits);
-  /// Only points of this part of the map will be asked for. Call it before `beams`.
-  void limitBeamsTo(const Box& region);
   /// None unless useBeams() was called. Any thread may call it.
   const BeamTree* beams() const;
   /// Finds the beam tree now, if it is used and no thread has begun to find it. So threads that
@@ -124,36 +124,41 @@ class LightVisibility {
   std::vector<SectorId> sectors_;
 };
 
-/// How points see the lights of a level, in their order.
+/// How points see the lights of a level. Each light is made ready when it is asked for: parts of a
+/// bake need few of them. Any thread may ask.
 class LightVisibilities {
  public:
   LightVisibilities(const Scene& scene, const BakeSettings& settings);
+  /// Finds only beams to points of these parts of the map, one for each light, which may be empty.
+  LightVisibilities(const Scene& scene, const BakeSettings& settings, const LightReach& itsReach,
+                    std::vector<Box> regions);
 
-  std::vector<LightVisibility> fine;
+  const LightReach reach;
+  const LightVisibility& fine(std::size_t light) const { return *ready(light).fine; }
   /// With a quarter of the samples to a ball, for points that are averaged into one texel.
   const LightVisibility& rough(std::size_t light) const {
-    return rough_[light] ? *rough_[light] : fine[light];
+    const Light& its = ready(light);
+    return its.rough ? *its.rough : *its.fine;
   }
-  /// Metres beyond which a light is left out, see LightSource::reach.
-  std::vector<double> reach;
-
-  /// Whether the light reaches a point of a box, or misses it by no more than authors' files are
-  /// inexact.
-  bool reaches(std::size_t light, const Box3& box) const {
-    // As squares: this is asked of many lights for each tile.
-    const double most = reach[light] + kAuthorNoise;
-    const Vec3 toBox = box.vectorFrom(positions_[light]);
-    return dot(toBox, toBox) < most * most;
-  }
-  /// All lights that do, in their order.
-  std::vector<std::size_t> reaching(const Box3& box) const;
-  /// Those of some that do.
-  std::vector<std::size_t> reaching(const Box3& box, std::span<const std::size_t> lights) const;
 
  private:
-  std::vector<Vec3> positions_;                        ///< as authored
-  std::vector<std::optional<LightVisibility>> rough_;  ///< of balls
-  BoxTree reachOnMap_{{}};
+  struct Light {
+    std::once_flag once;
+    std::atomic<bool> isReady = false;
+    std::unique_ptr<const LightVisibility> fine;
+    std::unique_ptr<const LightVisibility> rough;  ///< of a ball
+  };
+
+  const Light& ready(std::size_t light) const {
+    if (!lights_[light].isReady.load(std::memory_order_acquire)) makeReady(light);
+    return lights_[light];
+  }
+  void makeReady(std::size_t index) const;
+
+  Scene scene_;
+  BakeSettings settings_;
+  std::vector<Box> regions_;  ///< none if beams lead everywhere
+  mutable std::vector<Light> lights_;
 };
 
 }  // namespace hearth

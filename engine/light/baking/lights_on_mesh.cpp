@@ -31,9 +31,9 @@ LightsOnMesh::LightsOnMesh(const Scene& scene, const LightVisibilities& visibili
                            const LitMesh& lit, std::span<const SectorId> sectors) {
   const Box3 box = boxOf(scene.level(), lit);
   const ShaftTargets targets{TargetBox::around(box), sectors};
-  for (const std::size_t i : visibilities.reaching(box)) {
+  for (const std::size_t i : visibilities.reach.reaching(box)) {
     Shaft shaft(scene);
-    if (shaft.follow(visibilities.fine[i].shaftLight(), targets, nullptr) == TargetVisibility::Dark)
+    if (shaft.follow(visibilities.fine(i).shaftLight(), targets, nullptr) == TargetVisibility::Dark)
       continue;
     lights_.push_back(i);
     shafts_.push_back(std::move(shaft));

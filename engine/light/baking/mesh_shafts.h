@@ -34,7 +34,7 @@ class MeshShafts {
     std::optional<Known>& known = known_[light];
     if (!known) {
       known.emplace(Known{Shaft(scene_), TargetVisibility::Unknown});
-      known->outcome = known->shaft.follow(visibilities_.fine[light].shaftLight(),
+      known->outcome = known->shaft.follow(visibilities_.fine(light).shaftLight(),
                                            {box_, place_.sectors}, &place_.lights.shaftFrom(light));
     }
     return *known;
@@ -44,7 +44,7 @@ class MeshShafts {
   /// it lies on, if on a plane. Valid until the next call.
   const Known& toPoint(std::size_t light, Vec3 point, Vec3 normal) {
     const Known& all = from(light);
-    const ShaftLight& from = visibilities_.fine[light].shaftLight();
+    const ShaftLight& from = visibilities_.fine(light).shaftLight();
     if (from.radius == 0 || all.outcome != TargetVisibility::Unknown) return all;
     toPoint_.outcome = toPoint_.shaft.follow(
         from, {TargetBox::ofPoint(point, normal), sectorsAt(point)}, &all.shaft);

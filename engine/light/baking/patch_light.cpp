@@ -32,7 +32,7 @@ PatchLight::PatchLight(const Scene& scene, const LightVisibilities& visibilities
       costs_(scene.level().lights.size()) {
   for (const std::size_t i : place.lights.lights())
     if (isInFront(light(i), radiusOf(i), surface()) &&
-        distanceTo(surface(), light(i).position) < visibilities.reach[i] + kAuthorNoise)
+        distanceTo(surface(), light(i).position) < visibilities.reach.metres(i) + kAuthorNoise)
       facing_.push_back(i);
 }
 
@@ -53,7 +53,7 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
                                 const SamplePoint& at) {
   LightCost& cost = costs_[index];
   ++cost.samples;
-  if (length(light(index).position - at.point) >= visibilities_.reach[index]) return 0;
+  if (length(light(index).position - at.point) >= visibilities_.reach.metres(index)) return 0;
   const auto& [shaft, outcome] = shafts_.toPoint(index, at.target, surface().normal);
   const double seen = visibility.seenFraction(FacePoint{at.target, surface().normal, place_.mesh},
                                               shaft, outcome, cost.rays);
@@ -62,7 +62,7 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
 }
 
 double PatchLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {
-  return hearth::unshadowedBrightness(light(index), visibilities_.reach[index], at.point,
+  return hearth::unshadowedBrightness(light(index), visibilities_.reach.metres(index), at.point,
                                       surface().normal, lambert_);
 }
 

@@ -48,7 +48,7 @@ class PatchLight : public PatchPlaces {
 
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
-  double radiusOf(std::size_t light) const { return visibilities_.fine[light].shaftLight().radius; }
+  double radiusOf(std::size_t light) const { return visibilities_.reach.radius(light); }
   int channels() const;
 
   PatchSamples inBlocks(std::vector<SamplePoint> samples, int columns, int) const {
@@ -61,7 +61,7 @@ class PatchLight : public PatchPlaces {
   }
   const std::vector<double>& seenFractions(std::size_t light, const PatchSamples& samples);
   double seenFraction(std::size_t light, const SamplePoint& at) {
-    return seenFraction(visibilities_.fine[light], light, at);
+    return seenFraction(visibilities_.fine(light), light, at);
   }
   double roughlySeenFraction(std::size_t light, const SamplePoint& at) {
     return seenFraction(visibilities_.rough(light), light, at);

@@ -48,14 +48,14 @@ class SampleRays {
   const LitSurface& surface(SurfaceId id) const { return *surfaces_[id.index()]; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
   const LightVisibilities& visibilities() const { return visibilities_; }
-  const LightVisibility& visibility(std::size_t light) const { return visibilities_.fine[light]; }
+  const LightVisibility& visibility(std::size_t light) const { return visibilities_.fine(light); }
   /// The same, with fewer rays to a ball.
   const LightVisibility& roughVisibility(std::size_t light) const {
     return visibilities_.rough(light);
   }
-  double reach(std::size_t light) const { return visibilities_.reach[light]; }
+  double reach(std::size_t light) const { return visibilities_.reach.metres(light); }
   /// Metres; 0 for a point light.
-  double radiusOf(std::size_t light) const { return visibility(light).shaftLight().radius; }
+  double radiusOf(std::size_t light) const { return visibilities_.reach.radius(light); }
   /// The set that records which sectors rays of the light enter; null if nothing records them.
   SectorSet* enteredSectors(std::size_t light) {
     return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;

@@ -9,14 +9,14 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   const Vec3 point = lightPointOf(scene, sprite);
   constexpr int kChannels = 3;
   TexelSums sums(kSpriteTexel, kChannels);
-  for (const std::size_t i : visibilities.reaching({point, point})) {
+  for (const std::size_t i : visibilities.reach.reaching({point, point})) {
     const LightSource& light = scene.level().lights[i];
     const double distance = length(point - light.position);
-    if (distance > visibilities.reach[i]) continue;
+    if (distance > visibilities.reach.metres(i)) continue;
     const double brightness = light.brightnessAt(distance);
     if (brightness <= 0) continue;
     sums.add(0, 0, light,
-             brightness * visibilities.fine[i].seenFractionFromAir(point, sprite.sector, rays));
+             brightness * visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays));
   }
   return sums;
 }

@@ -22,12 +22,11 @@ Box3 boxAround(std::span<const Vec3> points) {
 
 }  // namespace
 
-std::vector<std::size_t> lightsFacing(const Level& level, const LightVisibilities& visibilities,
+std::vector<std::size_t> lightsFacing(const Level& level, const LightReach& reach,
                                       const LitSurface& surface) {
-  std::vector<std::size_t> lights = visibilities.reaching(boxAround(surface, surface.texels));
-  std::erase_if(lights, [&](std::size_t i) {
-    return !isInFront(level.lights[i], visibilities.fine[i].shaftLight().radius, surface);
-  });
+  std::vector<std::size_t> lights = reach.reaching(boxAround(surface, surface.texels));
+  std::erase_if(
+      lights, [&](std::size_t i) { return !isInFront(level.lights[i], reach.radius(i), surface); });
   return lights;
 }
 
@@ -40,7 +39,7 @@ SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
       rays_(scene, surfaces, visibilities, id, dependencies),
       shafts_(rays_),
       beams_(rays_, shafts_),
-      facing_(lightsFacing(scene.level(), visibilities, surface())) {}
+      facing_(lightsFacing(scene.level(), visibilities.reach, surface())) {}
 
 int SurfaceLight::channels() const {
   const auto isColored = [this](std::size_t i) { return light(i).isColored(); };
@@ -48,12 +47,12 @@ int SurfaceLight::channels() const {
 }
 
 std::vector<std::size_t> SurfaceLight::facing(const TexelRect& texels) const {
-  return rays_.visibilities().reaching(boxAround(surface(), texels), facing_);
+  return rays_.visibilities().reach.reaching(boxAround(surface(), texels), facing_);
 }
 
 std::vector<std::size_t> SurfaceLight::reaching(const SampleBlocks& blocks,
                                                 std::span<const std::size_t> lights) const {
-  return rays_.visibilities().reaching(boxAround(blocks.whole().box.corners()), lights);
+  return rays_.visibilities().reach.reaching(boxAround(blocks.whole().box.corners()), lights);
 }
 
 SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {

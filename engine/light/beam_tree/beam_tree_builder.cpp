@@ -86,6 +86,7 @@ class BeamTreeBuilder {
 
   /// Whether some of the region may lie between two directions from the light.
   bool mayLeadToRegion(Vec2 begin, Vec2 end) const {
+    if (limits_.region && limits_.region->isEmpty()) return false;
     return !isRegionRightOf(light_.xy(), begin) && !isRegionRightOf(light_.xy(), -1 * end);
   }
 

@@ -14,7 +14,7 @@ struct BeamLimits {
   double reach;  ///< metres up to which all are found, and perhaps some beyond
   /// If the beams take so much or more, the search stops, and they are not complete.
   std::size_t maxBytes;
-  /// Only beams to points of this part of the map are asked for.
+  /// Only beams to points of this part of the map, which may be empty, are asked for.
   std::optional<Box> region;
   /// Metres beside the region to which beams are found, too, so that no rounding leaves out any.
   static constexpr double kBesideRegion = 0.01;

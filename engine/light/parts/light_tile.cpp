@@ -61,11 +61,8 @@ Vec2 centerOf(const Box3& box) { return 0.5 * (box.min.xy() + box.max.xy()); }
 
 class TileList {
  public:
-  TileList(const Scene& scene, const LightVisibilities& visibilities, const BakeSettings& settings)
-      : scene_(scene), visibilities_(visibilities), settings_(settings) {
-    for (const LightVisibility& light : visibilities.fine)
-      isBall_.push_back(light.shaftLight().radius > 0);
-  }
+  TileList(const Scene& scene, const LightReach& reach, const BakeSettings& settings)
+      : scene_(scene), reach_(reach), settings_(settings) {}
 
   /// Along a Hilbert curve, so that tiles near one another on the map mostly follow soon.
   std::vector<LightTile> inOrder() const {
@@ -88,7 +85,7 @@ class TileList {
   }
 
   void addSurface(const LitSurface& surface, std::uint32_t index) {
-    const std::vector<std::size_t> facing = lightsFacing(scene_.level(), visibilities_, surface);
+    const std::vector<std::size_t> facing = lightsFacing(scene_.level(), reach_, surface);
     if (facing.empty()) return;
     const double samples = samplesPerTexel(surface);
     const std::vector<TexelRect> tiles = tilesIn(surface);
@@ -98,10 +95,10 @@ class TileList {
       if (tiles.size() > 1 && (i == 0 || tiles[i - 1].j0 != tiles[i].j0)) {
         const TexelRect& all = surface.texels;
         const TexelRect row{all.i0, tiles[i].j0, all.width, tiles[i].height};
-        reachingRow = visibilities_.reaching(boxAround(surface, row), facing);
+        reachingRow = reach_.reaching(boxAround(surface, row), facing);
       }
       const LightCounts lights = counted(reachingRow, [&](std::size_t light) {
-        return tiles.size() == 1 || visibilities_.reaches(light, box);
+        return tiles.size() == 1 || reach_.reaches(light, box);
       });
       add({{LightMapId::Kind::Surface, index, 0}, tiles[i]}, samples, lights, kOfSurface,
           centerOf(box));
@@ -137,12 +134,12 @@ class TileList {
   LightCounts counted(std::span<const std::size_t> lights, Counts&& isOne) const {
     LightCounts counts;
     for (const std::size_t light : lights)
-      if (isOne(light)) ++(isBall_[light] ? counts.balls : counts.points);
+      if (isOne(light)) ++(reach_.radius(light) > 0 ? counts.balls : counts.points);
     return counts;
   }
 
   LightCounts countedReaching(const Box3& box) const {
-    return counted(visibilities_.reaching(box), [](std::size_t) { return true; });
+    return counted(reach_.reaching(box), [](std::size_t) { return true; });
   }
 
   double samplesPerTexel(const LitSurface& surface) const {
@@ -164,9 +161,8 @@ class TileList {
   };
 
   Scene scene_;
-  const LightVisibilities& visibilities_;
+  const LightReach& reach_;
   const BakeSettings& settings_;
-  std::vector<bool> isBall_;  ///< by light
   std::vector<Placed> tiles_;
 };
 
@@ -175,29 +171,13 @@ class TileList {
 LevelInTiles::LevelInTiles(const Scene& scene, const BakeSettings& settings, int threads)
     : surfaces(makeLitSurfaces(scene, settings.texel)),
       meshes(makeLitMeshes(scene.level(), settings.texel, threads)),
-      visibilities(scene, settings) {
-  TileList list(scene, visibilities, settings);
+      reach(scene.level(), settings) {
+  TileList list(scene, reach, settings);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i]) list.addSurface(*surfaces[i], i);
   for (std::uint32_t i = 0; i < meshes.size(); ++i) list.addMesh(meshes[i], i);
   for (std::uint32_t i = 0; i < scene.level().sprites.size(); ++i) list.addSprite(i);
   tiles = list.inOrder();
-}
-
-void LevelInTiles::keepTo(std::span<const LightTile> some) {
-  // Texels that samples lie outside their tile. Beams give no answer for those farther away.
-  constexpr double kMostMoved = 4;
-  std::vector<Box> regions(visibilities.fine.size());
-  for (const LightTile& tile : some) {
-    if (tile.map.kind != LightMapId::Kind::Surface) continue;
-    const LitSurface& surface = *surfaces[tile.map.index];
-    const Box3 box = boxAround(surface, tile.texels).grownBy(kMostMoved * surface.grid.texel);
-    for (const std::size_t light : visibilities.reaching(box)) {
-      regions[light].add(box.min.xy());
-      regions[light].add(box.max.xy());
-    }
-  }
-  for (std::size_t i = 0; i < regions.size(); ++i) visibilities.fine[i].limitBeamsTo(regions[i]);
 }
 
 std::vector<std::size_t> firstTilesOf(std::uint32_t parts, const std::vector<LightTile>& tiles) {

@@ -3,12 +3,11 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "level/bake_settings.h"
 #include "level/scene.h"
-#include "light/baking/light_visibility.h"
+#include "light/baking/light_reach.h"
 #include "light/lit_mesh.h"
 #include "light/lit_surface.h"
 
@@ -39,12 +38,9 @@ struct LightTile {
 struct LevelInTiles {
   LevelInTiles(const Scene& scene, const BakeSettings& settings, int threads);
 
-  /// From now on only light of these tiles is asked for. Call it before any of them is lit.
-  void keepTo(std::span<const LightTile> some);
-
   LitSurfaces surfaces;
   std::vector<LitMesh> meshes;
-  LightVisibilities visibilities;
+  LightReach reach;
   /// In the order in which they are dealt out and written. Surfaces that no light can shine on have
   /// none.
   std::vector<LightTile> tiles;

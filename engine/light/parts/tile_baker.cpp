@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "light/baking/baked_surface.h"
 #include "light/baking/corner_light.h"
@@ -23,6 +24,23 @@ std::vector<std::uint32_t> meshesOfTiles(std::span<const LightTile> tiles) {
   return meshes;
 }
 
+/// By light: the part of the map in which the tiles that it reaches ask what it sees.
+std::vector<Box> regionsOf(const LevelInTiles& level, std::span<const LightTile> tiles) {
+  // Texels that samples lie outside their tile. Beams give no answer for those farther away.
+  constexpr double kMostMoved = 4;
+  std::vector<Box> regions(level.reach.lights());
+  for (const LightTile& tile : tiles) {
+    if (tile.map.kind != LightMapId::Kind::Surface) continue;  // things ask no beams
+    const LitSurface& surface = *level.surfaces[tile.map.index];
+    const Box3 box = boxAround(surface, tile.texels).grownBy(kMostMoved * surface.grid.texel);
+    for (const std::size_t light : level.reach.reaching(box)) {
+      regions[light].add(box.min.xy());
+      regions[light].add(box.max.xy());
+    }
+  }
+  return regions;
+}
+
 }  // namespace
 
 TileBaker::TileBaker(const Scene& scene, const BakeSettings& settings, const LevelInTiles& level,
@@ -30,7 +48,8 @@ TileBaker::TileBaker(const Scene& scene, const BakeSettings& settings, const Lev
     : scene_(scene),
       settings_(settings),
       level_(level),
-      lighter_(scene, level.visibilities, settings, threads, meshesOfTiles(tiles), level.meshes) {}
+      visibilities_(scene, settings, level.reach, regionsOf(level, tiles)),
+      lighter_(scene, visibilities_, settings, threads, meshesOfTiles(tiles), level.meshes) {}
 
 TexelSums TileBaker::baked(const LightTile& tile) const {
   switch (tile.map.kind) {
@@ -47,29 +66,29 @@ TexelSums TileBaker::baked(const LightTile& tile) const {
 }
 
 TexelSums TileBaker::ofSurface(const LightTile& tile) const {
-  SurfaceLight surface(scene_, level_.surfaces, level_.visibilities, settings_.lambert,
+  SurfaceLight surface(scene_, level_.surfaces, visibilities_, settings_.lambert,
                        SurfaceId(tile.map.index));
   for (const std::size_t light : surface.facing(tile.texels))
-    level_.visibilities.fine[light].prefetchBeams();
+    visibilities_.fine(light).prefetchBeams();
   return sumsOfTile(surface, tile.texels, settings_);
 }
 
 TexelSums TileBaker::ofPatch(const LightTile& tile) const {
   const LitSurfaces patch{level_.meshes[tile.map.index].patches[tile.map.piece].surface};
   const MeshPlace place = lighter_.placeOf(tile.map.index);
-  PatchLight light(scene_, level_.visibilities, settings_.lambert, place, patch);
+  PatchLight light(scene_, visibilities_, settings_.lambert, place, patch);
   return sumsOfTile(light, tile.texels, settings_);
 }
 
 TexelSums TileBaker::ofSmallFaces(const LightTile& tile) const {
   const MeshPlace place = lighter_.placeOf(tile.map.index);
-  CornerLight corners(scene_, level_.visibilities, settings_.lambert, place);
+  CornerLight corners(scene_, visibilities_, settings_.lambert, place);
   return corners.find(smallFacesAtOnce(level_.meshes[tile.map.index])[tile.map.piece]);
 }
 
 TexelSums TileBaker::ofSprite(const LightTile& tile) const {
   std::int64_t rays = 0;
-  return lightOfSprite(scene_, level_.visibilities, scene_.level().sprites[tile.map.index], rays);
+  return lightOfSprite(scene_, visibilities_, scene_.level().sprites[tile.map.index], rays);
 }
 
 }  // namespace hearth

@@ -31,6 +31,7 @@ class TileBaker {
   Scene scene_;
   const BakeSettings& settings_;
   const LevelInTiles& level_;
+  LightVisibilities visibilities_;  ///< of the lights that the tiles ask
   MeshLighter lighter_;
 };
 

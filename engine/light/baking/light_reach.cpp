@@ -1,0 +1,55 @@
+#include "light/baking/light_reach.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "light/ray_error.h"
+
+namespace hearth {
+
+namespace {
+
+/// What each light reaches, and a little more, so that no rounding leaves out anything.
+std::vector<Box> boxesOnMap(const std::vector<LightSource>& lights, double cutOff) {
+  constexpr double kEverywhere = 1e15;  // metres; in place of an endless reach
+  std::vector<Box> boxes;
+  for (const LightSource& light : lights) {
+    const Vec2 p = light.position.xy();
+    const double rounding = roundingOf(largestCoordinate(light.position));
+    boxes.push_back(
+        grown({p, p}, std::min(light.reach(cutOff), kEverywhere) + 2 * kAuthorNoise + rounding));
+  }
+  return boxes;
+}
+
+}  // namespace
+
+LightReach::LightReach(const Level& level, const BakeSettings& settings)
+    : onMap_(boxesOnMap(level.lights, settings.cutOff)) {
+  for (const LightSource& light : level.lights) {
+    metres_.push_back(light.reach(settings.cutOff));
+    radii_.push_back(settings.softSamples == 0 ? 0 : light.radius);
+    positions_.push_back(light.position);
+  }
+}
+
+std::vector<std::size_t> LightReach::reaching(const Box3& box) const {
+  constexpr std::size_t kFew = 32;
+  std::vector<std::size_t> found;
+  found.reserve(std::min(kFew, lights()));
+  onMap_.query({box.min.xy(), box.max.xy()}, [&](std::uint32_t light) {
+    if (reaches(light, box)) found.push_back(light);
+  });
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<std::size_t> LightReach::reaching(const Box3& box,
+                                              std::span<const std::size_t> lights) const {
+  std::vector<std::size_t> found;
+  for (const std::size_t light : lights)
+    if (reaches(light, box)) found.push_back(light);
+  return found;
+}
+
+}  // namespace hearth
