@@ -305,6 +305,23 @@ bool isFixed(const Flat& flat, const std::optional<Slope>& slope) {
   return flat.isSky || flat.flatPortal || slope;
 }
 
+void setHeights(const Sector& sector, SectorGeometry heights, Geometry& geometry) {
+  CHECK(heights.zFloor <= heights.zCeiling, sector.name, heights.zFloor, heights.zCeiling);
+  CHECK(!isFixed(sector.floor, sector.floorSlope) || heights.zFloor == sector.floor.z, sector.name,
+        heights.zFloor);
+  CHECK(!isFixed(sector.ceiling, sector.ceilingSlope) || heights.zCeiling == sector.ceiling.z,
+        sector.name, heights.zCeiling);
+  geometry.sectors[sector.id.index()] = heights;
+}
+
+/// The walls of a sector, and those of others that lead into it.
+template <typename Visit>
+void forEachWallAt(const Level& level, const Sector& sector, Visit&& visit) {
+  for (const Segment& segment : level.segmentsOf(sector)) visit(segment);
+  for (const SegmentId entrance : level.entrancesOf(sector))
+    if (level[entrance].sector != sector.id) visit(level[entrance]);
+}
+
 }  // namespace
 
 Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing) {
@@ -344,25 +361,25 @@ void addThingSurfaces(Level& level, Geometry& geometry) {
   showThings(level, geometry);
 }
 
-void moveFlats(const Level& level, SectorId id, SectorGeometry heights, Geometry& geometry) {
-  const Sector& sector = level[id];
-  CHECK(heights.zFloor <= heights.zCeiling, sector.name, heights.zFloor, heights.zCeiling);
-  CHECK(!isFixed(sector.floor, sector.floorSlope) || heights.zFloor == sector.floor.z, sector.name,
-        heights.zFloor);
-  CHECK(!isFixed(sector.ceiling, sector.ceilingSlope) || heights.zCeiling == sector.ceiling.z,
-        sector.name, heights.zCeiling);
-  geometry.sectors[id.index()] = heights;
+void moveFlats(const Level& level, std::span<const MovedFlats> moved, Geometry& geometry,
+               std::vector<MissingTexture>* missing) {
   const Scene scene(level, geometry);
-  deriveAir(scene, sector, geometry);
-  const auto visit = [&](const auto& function) {
-    for (const Segment& segment : level.segmentsOf(sector)) function(segment);
-    for (const SegmentId entrance : level.entrancesOf(sector))
-      if (level[entrance].sector != id) function(level[entrance]);
-  };
-  visit([&](const Segment& segment) {
-    SegmentDeriver(level, geometry, segment.id, nullptr).derive();
-  });
-  visit([&](const Segment& segment) { addMaskedMiddlesOfTwins(scene, segment, geometry); });
+  for (const auto& [id, heights] : moved) setHeights(level[id], heights, geometry);
+  for (const auto& [id, heights] : moved) deriveAir(scene, level[id], geometry);
+  // A wall between two of them is derived with each, the last time with both of its sides.
+  for (const auto& [id, heights] : moved) {
+    forEachWallAt(level, level[id], [&](const Segment& segment) {
+      SegmentDeriver(level, geometry, segment.id, missing).derive();
+    });
+    forEachWallAt(level, level[id], [&](const Segment& segment) {
+      addMaskedMiddlesOfTwins(scene, segment, geometry);
+    });
+  }
+}
+
+void moveFlats(const Level& level, SectorId sector, SectorGeometry heights, Geometry& geometry) {
+  const MovedFlats moved{sector, heights};
+  moveFlats(level, {&moved, 1}, geometry);
 }
 
 }  // namespace hearth

@@ -115,11 +115,21 @@ Geometry deriveGeometry(const Level& level, std::vector<MissingTexture>& missing
 /// Adds a surface for each sprite and each mesh to a level that has none yet, and shows them.
 void addThingSurfaces(Level& level, Geometry& geometry);
 
-/// Moves the flats of one sector to `heights`, and derives the sector and the walls that lead into
-/// it anew. The time depends on these alone. Stacks move with their floor.
+/// Where the flats of one sector move to.
+struct MovedFlats {
+  SectorId sector;
+  SectorGeometry heights;
+};
+
+/// Moves flats of some sectors at once, and derives these and the walls that lead into them anew.
+/// The time depends on these alone. Stacks move with their floor; things stay where they are.
 ///
-/// Expects: zFloor <= zCeiling, sub-walls of stacks between them, textures where steps show. Flats
-/// that are sky, flat portals or carry a slope stay where they are.
+/// Expects: zFloor <= zCeiling, sub-walls of stacks between them. Flats that are sky, flat portals
+/// or carry a slope stay where they are. Textures are expected where steps show, or such steps are
+/// added to `missing` and the geometry is not to be used.
+void moveFlats(const Level& level, std::span<const MovedFlats> moved, Geometry& geometry,
+               std::vector<MissingTexture>* missing = nullptr);
+/// Of one sector.
 void moveFlats(const Level& level, SectorId sector, SectorGeometry heights, Geometry& geometry);
 
 }  // namespace hearth

@@ -16,4 +16,11 @@ std::vector<SectorId> targetsOf(const Wall& wall) {
   return targets;
 }
 
+std::optional<SectorId> targetOf(const Wall& wall, std::uint32_t subWall) {
+  const Portal* portal = std::get_if<Portal>(&wall);
+  if (const Stack* stack = std::get_if<Stack>(&wall))
+    portal = std::get_if<Portal>(&stack->subWalls[subWall].kind);
+  return portal ? std::optional(portal->next) : std::nullopt;
+}
+
 }  // namespace hearth

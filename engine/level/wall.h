@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -44,5 +45,7 @@ using Wall = std::variant<Solid, Portal, Stack>;
 
 /// The sectors that a wall leads to, each once, in order.
 std::vector<SectorId> targetsOf(const Wall& wall);
+/// The sector that a wall leads to, or a sub-wall of a stack; none of a solid one.
+std::optional<SectorId> targetOf(const Wall& wall, std::uint32_t subWall);
 
 }  // namespace hearth
