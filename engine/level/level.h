@@ -11,6 +11,7 @@
 #include "level/ids.h"
 #include "level/light_source.h"
 #include "level/mesh.h"
+#include "level/mover.h"
 #include "level/sector.h"
 #include "level/segment.h"
 #include "level/sprite.h"
@@ -41,6 +42,7 @@ struct Shot {
   double fov = 90;   ///< degrees, horizontal
   int width = 320;
   int height = 200;
+  std::vector<MoverShare> movers{};  ///< each at most once; the others stand at share 0
 };
 
 /// A body that reaches into the air of a sector.
@@ -66,6 +68,7 @@ struct Level {
   std::vector<Sector> sectors;
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;
+  std::vector<Mover> movers;
   std::vector<Sprite> sprites;  ///< of two things at one place the later hides the earlier
   std::vector<Mesh> meshes;
   std::vector<MeshFace> meshFaces;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,12 @@ std::optional<LoadResult> reloadLights(const LoadedLevel& loaded, LevelSource& s
                                        const LoadLimits& limits = {},
                                        const std::optional<std::string>& unsavedLights = {},
                                        const FileSource& files = DiskFiles());
+
+/// The level with its movers at other shares (0..1, by index into Level::movers): what loads where
+/// the flats are authored at these heights. Reads models again, and shares the images of
+/// `authored`, whose source this is. Has the player only while its eye lies in air.
+LoadResult levelAt(const LoadedLevel& authored, const LevelSource& source,
+                   std::span<const double> shares, const LoadLimits& limits = {},
+                   const FileSource& files = DiskFiles());
 
 }  // namespace hearth

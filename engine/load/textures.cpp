@@ -188,10 +188,28 @@ ImageRead readFrom(const FileSource& files, const fs::path& path, bool isWorn,
   return *std::move(image);
 }
 
+/// The surfaces that show, and those that may while flats move.
+std::vector<SurfaceId> surfacesToShow(const Scene& scene) {
+  const Level& level = scene.level();
+  std::vector<SurfaceId> surfaces = scene.shownSurfaces();
+  const auto add = [&](const Segment& segment) {
+    for (const WallSurfaces& wall : level.surfacesOf(segment))
+      for (const auto& surface : {wall.solid, wall.lower, wall.upper, wall.maskedMiddle,
+                                  wall.floorSidewall, wall.ceilingSidewall})
+        if (surface) surfaces.push_back(*surface);
+  };
+  for (const Mover& mover : level.movers)
+    for (const SectorId sector : mover.sectors) {
+      for (const Segment& segment : level.segmentsOf(level[sector])) add(segment);
+      for (const SegmentId entrance : level.entrancesOf(level[sector])) add(level[entrance]);
+    }
+  return surfaces;
+}
+
 /// By TextureId.
 std::vector<bool> wornIn(const Scene& scene, std::size_t textures) {
   std::vector<bool> worn(textures);
-  for (const SurfaceId id : scene.shownSurfaces()) worn[scene[id].mapping.texture.index()] = true;
+  for (const SurfaceId id : surfacesToShow(scene)) worn[scene[id].mapping.texture.index()] = true;
   for (const Sprite& sprite : scene.level().sprites)
     for (const std::vector<SpriteView>& views : sprite.frames)
       for (const SpriteView& view : views) worn[view.texture.index()] = true;
@@ -330,7 +348,7 @@ void sizeSprites(Level& level, const std::vector<Image>& images) {
 
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images) {
   std::vector<TexelHoles> holes(images.size());
-  for (const SurfaceId id : scene.shownSurfaces()) {
+  for (const SurfaceId id : surfacesToShow(scene)) {
     const Surface& surface = scene[id];
     if (surface.kind != SurfaceKind::MaskedMiddle) continue;
     TexelHoles& found = holes[surface.mapping.texture.index()];

@@ -64,9 +64,9 @@ struct TexturePlace {
   const std::optional<NameReference>& folder;  ///< that the level file names, if it does
 };
 
-/// Reads the images of surfaces that show and of things. For the others it reads only the header,
-/// and gives one black pixel. Up to four threads read them. A missing or broken image is reported
-/// where it is first used.
+/// Reads the images of surfaces that show, or may while flats move, and of things. For the others
+/// it reads only the header, and gives one black pixel. Up to four threads read them. A missing or
+/// broken image is reported where it is first used.
 TextureFiles readTextures(Report& report, const TextureTable& table, const Scene& scene,
                           const TexturePlace& place, const LoadLimits& limits);
 

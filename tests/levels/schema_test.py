@@ -41,6 +41,10 @@ BEYOND_SCHEMAS = frozenset("""
     mesh_image_without_extension mesh_in_line
     mesh_is_a_folder mesh_materials_missing mesh_of_an_unknown_sector mesh_of_an_unknown_vertex
     mesh_of_nan mesh_outside mesh_texture_missing mesh_too_far mesh_too_small mesh_without_faces
+    mover_below_the_floor mover_of_a_flat_that_moves mover_of_a_slope mover_of_sky mover_sector_unknown
+    mover_shows_a_step_without_texture mover_starts_at_two_heights mover_takes_air_from_a_shot
+    mover_takes_air_from_a_thing mover_takes_height_from_a_stack mover_unknown_at_a_wall
+    mover_unknown_in_a_shot movers_show_a_step_without_texture
     next_unknown_but_there next_unknown_far
     next_unknown_near next_unknown_near_its_own player_eye_above_the_body player_in_a_slope
     player_in_another_sector player_of_an_unknown_sector player_outside

@@ -49,6 +49,11 @@ void Report::warning(Place place, std::string message, std::string advice, std::
     entries_.push_back({place, false, std::move(message), std::move(advice), std::string(kind)});
 }
 
+void Report::addErrors(const Report& other, std::string_view where) {
+  for (const Entry& entry : other.entries_)
+    if (entry.isError) error(entry.place, fmt::format("{}{}", where, entry.message), entry.advice);
+}
+
 std::vector<Diagnostic> Report::resolve(std::span<const Document> documents) const {
   std::vector<const Entry*> ordered;
   for (const Entry& entry : entries_) ordered.push_back(&entry);

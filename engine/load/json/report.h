@@ -27,6 +27,8 @@ class Report {
 
   void error(Place place, std::string message, std::string advice);
   void warning(Place place, std::string message, std::string advice, std::string_view kind);
+  /// Takes over the errors of another report; their messages begin with `where`.
+  void addErrors(const Report& other, std::string_view where);
   bool hasErrors() const { return errors_ > 0; }
   /// Once full, the text of an error is not worth working out.
   bool isFull() const { return errors_ >= kMaxMessages; }

@@ -87,6 +87,15 @@ void linkSegments(Linking& linking);
 /// The planes of slopes, the origins of relative flats.
 void linkSlopes(Linking& linking);
 
+/// The description of the same level with its movers at `shares`, by index: their flats lie where
+/// these take them, and it has no player.
+LevelDescription descriptionAt(LevelDescription description, std::span<const double> shares);
+/// What moves: its sectors, and the names of movers that walls give.
+void linkMovers(Linking& linking);
+/// A mover by its name, which is reported if none has it.
+std::optional<std::size_t> linkMover(Report& report, const LevelDescription& description,
+                                     const NameReference& name);
+
 // What is asked of the linked level.
 
 /// One-way portals, pairs that open different heights: warnings. After `deriveGeometry`.
@@ -100,7 +109,8 @@ void validateReach(Linking& linking);
 /// A light that lies on a surface of its sector: a warning. After `deriveGeometry`.
 void validateLight(Report& report, const Scene& scene, Place place, const LightSource& light);
 /// Reports surfaces that show without a texture, each at its cause.
-void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing);
+void reportMissingTextures(const Linking& linking, std::span<const MissingTexture> missing,
+                           Report& report);
 /// Sectors of player, shots and lights. After `deriveGeometry`. A position is skipped if a
 /// mistake has been reported about a sector that may contain it.
 void linkPositions(Linking& linking, const LightsDescription& lights);
@@ -109,6 +119,13 @@ void linkSprites(Linking& linking);
 /// The meshes: their models, placed in the level, the images of these, and their sectors. After
 /// `deriveGeometry`. Returns the files that were read; images not among them.
 std::vector<std::filesystem::path> linkMeshes(Linking& linking, const ModelPlace& place);
+/// Only asks whether the meshes lie in air.
+void validateMeshPositions(Linking& linking);
+/// How messages begin that hold while these movers, by index, are at `to`.
+std::string wordsFor(std::span<const MoverDescription> movers, std::span<const std::size_t> moved);
+/// Steps that show without a texture while some movers are at `to` and others are not. Leaves the
+/// geometry as it was.
+void validateSteps(Linking& linking);
 /// Only the lights, and the settings of the bake.
 void linkLights(Linking& linking, const LightsDescription& lights);
 /// Whether neither level nor lights mention light: then all is fully bright.

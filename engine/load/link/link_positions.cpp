@@ -26,9 +26,13 @@ class PositionLinker {
     const auto sector =
         finder_.find(described.cameraPlace, described.eye, described.sector, PositionOf::Camera);
     if (!sector) return;
-    linking_.level.shots.push_back({described.name, *sector, described.eye, described.angle,
-                                    described.pitch, described.fov, described.width,
-                                    described.height});
+    Shot shot{described.name,  *sector,          described.eye,
+              described.angle, described.pitch,  described.fov,
+              described.width, described.height, {}};
+    for (const auto& [name, share] : described.movers)
+      if (const auto mover = linkMover(linking_.report, linking_.description, name))
+        shot.movers.push_back({*mover, share});
+    linking_.level.shots.push_back(std::move(shot));
   }
 
   void linkLights(const LightsDescription& lights) {
@@ -57,6 +61,12 @@ void linkPositions(Linking& linking, const LightsDescription& lights) {
   if (linking.description.player) linker.linkPlayer(*linking.description.player);
   for (const ShotDescription& shot : linking.description.shots) linker.linkShot(shot);
   linker.linkLights(lights);
+}
+
+void validateMeshPositions(Linking& linking) {
+  if (linking.description.meshes.empty()) return;
+  const PositionFinder finder(linking);
+  for (const MeshDescription& mesh : linking.description.meshes) (void)finder.find(mesh);
 }
 
 void linkLights(Linking& linking, const LightsDescription& lights) {

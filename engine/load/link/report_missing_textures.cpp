@@ -25,11 +25,12 @@ StepWords wordsOf(SurfaceKind step) {
 
 class MissingTextureReporter {
  public:
-  explicit MissingTextureReporter(Linking& linking) : linking_(linking) {}
+  MissingTextureReporter(const Linking& linking, Report& report)
+      : linking_(linking), report_(report) {}
 
   void tell(const MissingTexture& missing) {
     const Segment& segment = linking_.level[missing.segment];
-    const std::optional<SectorId> next = nextOf(segment, missing.subWall);
+    const std::optional<SectorId> next = targetOf(segment.wall, missing.subWall);
     if (linking_.isDoubtful[segment.sector.index()]) return;
     if (next && linking_.isDoubtful[next->index()]) return;
     if (isSidewall(missing.kind) && next)
@@ -39,21 +40,13 @@ class MissingTextureReporter {
   }
 
  private:
-  static std::optional<SectorId> nextOf(const Segment& segment, std::uint32_t subWall) {
-    const Portal* portal = std::get_if<Portal>(&segment.wall);
-    if (const Stack* stack = std::get_if<Stack>(&segment.wall))
-      portal = std::get_if<Portal>(&stack->subWalls[subWall].kind);
-    return portal ? std::optional(portal->next) : std::nullopt;
-  }
-
   void tellSidewall(SectorId sloped, SectorId seenFrom, bool isFloor) {
     if (!sidewalls_.insert({sloped, isFloor}).second) return;
     const SectorDescription& sector = linking_.description.sectors[sloped.index()];
-    linking_.report.error(
-        (isFloor ? sector.slopeFloor : sector.slopeCeil)->place,
-        fmt::format("sector \"{}\" sees the side of this slope, which has no texture",
-                    linking_.level[seenFrom].name),
-        "give the slope a \"sidewall\"");
+    report_.error((isFloor ? sector.slopeFloor : sector.slopeCeil)->place,
+                  fmt::format("sector \"{}\" sees the side of this slope, which has no texture",
+                              linking_.level[seenFrom].name),
+                  "give the slope a \"sidewall\"");
   }
 
   void tellStep(const MissingTexture& missing, std::optional<SectorId> next) {
@@ -66,13 +59,13 @@ class MissingTextureReporter {
     if (isOfGrid && !gridSteps_.insert({wall.place, missing.kind}).second) return;
     const StackDescription* stack = std::get_if<StackDescription>(&wall.kind);
     const StepWords words = wordsOf(missing.kind);
-    linking_.report.error(stack ? stack->subWalls[missing.subWall].place : wall.place,
-                          fmt::format("the {} of sector \"{}\" is {}{}: the wall {} the opening "
-                                      "shows and has no texture",
-                                      words.flat, next ? linking_.level[*next].name : "",
-                                      words.lies, heightsOf(missing, next), words.where),
-                          isOfGrid ? fmt::format("give this entry \"{}\"", words.key)
-                                   : fmt::format("give the wall \"{}\" or \"texture\"", words.key));
+    report_.error(stack ? stack->subWalls[missing.subWall].place : wall.place,
+                  fmt::format("the {} of sector \"{}\" is {}{}: the wall {} the opening "
+                              "shows and has no texture",
+                              words.flat, next ? linking_.level[*next].name : "", words.lies,
+                              heightsOf(missing, next), words.where),
+                  isOfGrid ? fmt::format("give this entry \"{}\"", words.key)
+                           : fmt::format("give the wall \"{}\" or \"texture\"", words.key));
   }
 
   /// Of the two flats, where these are all that makes the step: one of them may be the mistake.
@@ -85,11 +78,14 @@ class MissingTextureReporter {
     const bool isFloor = missing.kind == SurfaceKind::LowerStep;
     if (isFloor ? here.floorSlope || there.floorSlope : here.ceilingSlope || there.ceilingSlope)
       return "";
-    return fmt::format(" ({} m, here {} m)", isFloor ? there.floor.z : there.ceiling.z,
-                       isFloor ? here.floor.z : here.ceiling.z);
+    const SectorGeometry& own = linking_.scene().geometryOf(here);
+    const SectorGeometry& other = linking_.scene().geometryOf(there);
+    return fmt::format(" ({} m, here {} m)", isFloor ? other.zFloor : other.zCeiling,
+                       isFloor ? own.zFloor : own.zCeiling);
   }
 
-  Linking& linking_;
+  const Linking& linking_;
+  Report& report_;
   std::set<std::pair<SectorId, bool>> sidewalls_;
   std::set<std::tuple<std::uint32_t, std::uint32_t, SurfaceKind>> steps_;
   std::set<std::pair<Place, SurfaceKind>> gridSteps_;
@@ -97,8 +93,9 @@ class MissingTextureReporter {
 
 }  // namespace
 
-void reportMissingTextures(Linking& linking, std::span<const MissingTexture> missing) {
-  MissingTextureReporter reporter(linking);
+void reportMissingTextures(const Linking& linking, std::span<const MissingTexture> missing,
+                           Report& report) {
+  MissingTextureReporter reporter(linking, report);
   for (const MissingTexture& each : missing) reporter.tell(each);
 }
 

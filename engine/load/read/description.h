@@ -12,6 +12,7 @@
 #include "level/bake_settings.h"
 #include "level/light_source.h"
 #include "level/mesh.h"
+#include "level/mover.h"
 #include "level/sprite.h"
 #include "load/json/document.h"
 #include "math/vec.h"
@@ -45,6 +46,7 @@ struct PortalDescription {
   std::optional<TextureDescription> upper;
   std::optional<TextureDescription> lower;
   std::optional<TextureDescription> maskedMiddle;
+  std::vector<NameReference> cross{};  ///< movers that the player starts by walking through
 };
 
 struct SubWallDescription {
@@ -52,6 +54,7 @@ struct SubWallDescription {
   std::optional<double> z;  ///< its top, above the sector's floor
   Place zPlace;             ///< of `z`, else of the sub-wall
   std::variant<Unreadable, SolidDescription, PortalDescription> kind;
+  std::vector<NameReference> use{};  ///< movers that the use key starts
 };
 
 struct StackDescription {
@@ -61,6 +64,7 @@ struct StackDescription {
 struct WallDescription {
   Place place;
   std::variant<Unreadable, SolidDescription, PortalDescription, StackDescription> kind;
+  std::vector<NameReference> use{};  ///< movers that the use key starts
 };
 
 struct LoopDescription {
@@ -171,6 +175,26 @@ struct PlayerDescription {
   double stepHeight = 0.4;
 };
 
+/// Flats that move together.
+struct MoverDescription {
+  std::string name;
+  Place place;  ///< of its key
+  std::vector<NameReference> sectors;
+  FlatPart part = FlatPart::Ceiling;
+  double to = 0;
+  Place toPlace;
+  double speed = 1.5;
+  std::optional<double> wait;
+  MoverTrigger trigger = MoverTrigger::None;
+  std::vector<NameReference> zones;
+  bool isReadable = true;  ///< else a mistake has been reported
+};
+
+struct MoverShareDescription {
+  NameReference mover;
+  double share = 0;
+};
+
 struct ShotDescription {
   Place place;
   Place cameraPlace;
@@ -182,6 +206,7 @@ struct ShotDescription {
   double fov = 90;
   int width = 320;
   int height = 200;
+  std::vector<MoverShareDescription> movers;
 };
 
 /// Where a thing stands.
@@ -224,6 +249,7 @@ struct LevelDescription {
   std::vector<MeshDescription> meshes;
   std::vector<SectorDescription> sectors;
   std::optional<GridDescription> grid;
+  std::vector<MoverDescription> movers;
   bool isReadable = true;  ///< else there is a grid that could not be read
 };
 

@@ -57,6 +57,9 @@ std::optional<MeshDescription> readMesh(Report& report, JsonValue value);
 /// Reads where a thing stands. False after a mistake.
 bool readThingPosition(Report& report, const Fields& fields, ThingDescription& thing);
 std::optional<NameReference> readReference(Report& report, JsonValue value);
+/// A name, or an array of names, each once.
+std::vector<NameReference> readReferences(Report& report, JsonValue value);
+void readMovers(Report& report, JsonValue value, LevelDescription& level);
 /// Reads `sector`, if it is given. False after a mistake.
 bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target);
 inline constexpr NumberRange kAngle{-1e6, 1e6};  ///< degrees

@@ -14,12 +14,13 @@ constexpr NumberRange kPitch{-60, 60};
 constexpr NumberRange kFov{1, 179};
 constexpr NumberRange kPixels{1, 16384};  // of a picture's side
 
-constexpr std::array<std::string_view, 10> kLevelKeys{"version", "name",   "textures", "lights",
+constexpr std::array<std::string_view, 11> kLevelKeys{"version", "name",   "textures", "lights",
                                                       "light",   "player", "shots",    "things",
-                                                      "sectors", "grid"};
+                                                      "sectors", "grid",   "movers"};
 constexpr std::array<std::string_view, 9> kPlayerKeys{"sector", "x",   "y",      "z",   "angle",
                                                       "height", "eye", "radius", "step"};
-constexpr std::array<std::string_view, 5> kShotKeys{"name", "camera", "fov", "size", "sector"};
+constexpr std::array<std::string_view, 6> kShotKeys{"name", "camera", "fov",
+                                                    "size", "sector", "movers"};
 
 void checkBody(Report& report, JsonValue value, const PlayerDescription& player) {
   if (player.eyeHeight > player.height)
@@ -66,6 +67,14 @@ void readSize(Report& report, JsonValue value, ShotDescription& shot) {
   shot.height = readInteger(report, sides[1], kPixels).value_or(shot.height);
 }
 
+void readShotMovers(Report& report, JsonValue value, ShotDescription& shot) {
+  if (!value.isObject())
+    return reportWrongType(report, value, "an object: the share (0..1) of each mover by its name");
+  for (const JsonValue::Member& member : value.members())
+    if (const auto share = readNumber(report, member.value, {0, 1}))
+      shot.movers.push_back({{std::string(member.key.text()), member.key.place()}, *share});
+}
+
 std::optional<ShotDescription> readShot(Report& report, JsonValue value) {
   const Fields fields(report, value, kShotKeys);
   ShotDescription shot;
@@ -73,6 +82,7 @@ std::optional<ShotDescription> readShot(Report& report, JsonValue value) {
   bool isGood = fields.isObject() && readSectorName(report, fields, shot.sector);
   fields.read("fov", kFov, shot.fov);
   if (const auto size = fields.find("size")) readSize(report, *size, shot);
+  if (const auto movers = fields.find("movers")) readShotMovers(report, *movers, shot);
   if (const auto name = fields.require("name", "name the shot"))
     shot.name = readName(report, *name).value_or("");
   const auto camera = fields.require("camera", "give [x, y, z, angle, pitch]");
@@ -151,6 +161,7 @@ LevelDescription readLevel(Report& report, JsonValue root, const LoadLimits& lim
     report.error(sectors->place(), "a level without sectors", "give at least one, or a \"grid\"");
   if (sectors) readSectors(report, *sectors, limits, level);
   if (grid) level.grid = readGrid(report, *grid, limits);
+  if (const auto movers = fields.find("movers")) readMovers(report, *movers, level);
   level.isReadable = !grid || level.grid;
   return level;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "load/json/fields.h"
 #include "load/read/read.h"
@@ -10,12 +11,13 @@ namespace hearth {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kWallKeys{"texture", "next",   "upper",
-                                                    "lower",   "middle", "walls"};
-constexpr std::array<std::string_view, 7> kSubWallKeys{"texture", "next",  "upper", "lower",
-                                                       "middle",  "walls", "z"};
+constexpr std::array<std::string_view, 8> kWallKeys{"texture", "next",  "upper", "lower",
+                                                    "middle",  "walls", "use",   "cross"};
+constexpr std::array<std::string_view, 9> kSubWallKeys{
+    "texture", "next", "upper", "lower", "middle", "walls", "use", "cross", "z"};
 /// Those that only a wall that leads somewhere has.
 constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "middle"};
+constexpr std::array<std::string_view, 4> kPortalKeys{"upper", "lower", "middle", "cross"};
 
 constexpr MisplacedKeys kOfTextures{
     kTextureKeys, "give it to a texture: {{ \"texture\": {{ .., \"{}\": .. }} }}"};
@@ -38,14 +40,15 @@ std::optional<PortalDescription> readPortal(Report& report, const Fields& fields
   const std::optional<NameReference> reference = readReference(report, next);
   if (!isGood || !reference) return std::nullopt;
   portal.next = *reference;
+  if (const auto cross = fields.find("cross")) portal.cross = readReferences(report, *cross);
   if (both) portal.upper = portal.lower = both;
   return portal;
 }
 
 /// Whether there are any.
-bool refusePortalTextures(Report& report, const Fields& fields) {
+bool refusePortalKeys(Report& report, const Fields& fields) {
   bool areThere = false;
-  for (const std::string_view key : kPortalTextures)
+  for (const std::string_view key : kPortalKeys)
     if (const std::optional<JsonValue> value = fields.find(key)) {
       areThere = true;
       report.error(value->place(), fmt::format("\"{}\" on a wall that leads nowhere", key),
@@ -62,7 +65,7 @@ Kind readSolidOrPortal(Report& report, const Fields& fields) {
     if (auto portal = readPortal(report, fields, *next)) return *std::move(portal);
     return Unreadable{};
   }
-  if (refusePortalTextures(report, fields)) return Unreadable{};
+  if (refusePortalKeys(report, fields)) return Unreadable{};
   const auto value = fields.require("texture", "give a wall \"texture\", \"next\" or \"walls\"");
   const auto texture = value ? readTexture(report, *value, TextureUse::OnWall) : std::nullopt;
   if (!texture) return Unreadable{};
@@ -83,11 +86,12 @@ SubWallDescription readSubWall(Report& report, JsonValue value) {
   }
   subWall.kind = readSolidOrPortal<decltype(subWall.kind)>(report, fields);
   if (!isGood) subWall.kind = Unreadable{};
+  if (const auto use = fields.find("use")) subWall.use = readReferences(report, *use);
   return subWall;
 }
 
 std::optional<StackDescription> readStack(Report& report, const Fields& fields, JsonValue walls) {
-  for (const std::string_view key : {"texture", "next", "upper", "lower", "middle"})
+  for (const std::string_view key : {"texture", "next", "upper", "lower", "middle", "cross"})
     if (const std::optional<JsonValue> value = fields.find(key))
       report.error(value->place(), fmt::format("\"{}\" beside \"walls\"", key),
                    "give it to the walls of the stack");
@@ -118,6 +122,25 @@ std::optional<NameReference> readReference(Report& report, JsonValue value) {
   return NameReference{*std::move(name), value.place()};
 }
 
+std::vector<NameReference> readReferences(Report& report, JsonValue value) {
+  if (!value.isString() && !value.isArray()) {
+    reportWrongType(report, value, "a name, or an array of names");
+    return {};
+  }
+  std::vector<NameReference> names;
+  std::set<std::string> seen;
+  for (const JsonValue element :
+       value.isArray() ? value.elements() : std::vector<JsonValue>{value}) {
+    std::optional<NameReference> name = readReference(report, element);
+    if (!name) continue;
+    if (seen.insert(name->name).second)
+      names.push_back(*std::move(name));
+    else
+      report.error(name->place, fmt::format("\"{}\" is named twice", name->name), "name it once");
+  }
+  return names;
+}
+
 bool readSectorName(Report& report, const Fields& fields, std::optional<NameReference>& target) {
   const std::optional<JsonValue> value = fields.find("sector");
   if (!value) return true;
@@ -133,6 +156,7 @@ WallDescription readWall(Report& report, JsonValue value) {
   } else {
     wall.kind = readSolidOrPortal<decltype(wall.kind)>(report, fields);
   }
+  if (const auto use = fields.find("use")) wall.use = readReferences(report, *use);
   return wall;
 }
 
