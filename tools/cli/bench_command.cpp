@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/start_instead.h"
 #include "inputs/inputs.h"
+#include "inputs/moved_light.h"
 #include "measure/level_bench.h"
 #include "measure/machine.h"
 #include "settings/shell_text.h"
@@ -128,8 +129,12 @@ ExitStatus runBench(const OptionValues& values) {
   if (values.has(Option::Peers)) return runPeers(values);
   if (values.level.empty()) return fail("name a level, or give --peers");
   if (values.has(Option::Only)) return fail("--only: it chooses rows of --peers");
-  const std::optional<LoadedLevel> loaded = loadAndReport(values);
-  if (!loaded) return ExitStatus::BadInput;
+  const OpenedLevel opened = loadAndReportWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const auto shares = moverSharesFor(opened.result.loaded->level, values);
+  if (!shares) return fail(shares.error());
+  const auto loaded = loadedAt(*opened.result.loaded, opened.source, *shares, values);
+  if (!loaded) return fail(loaded.error());
   const auto settings = bakeSettingsFor(loaded->scene(), values);
   if (!settings) return fail(settings.error());
   const int threads = threadsFrom(values);
@@ -148,7 +153,8 @@ ExitStatus runBench(const OptionValues& values) {
 Command benchCommand() {
   return {"bench",
           "measures frames of the level's shots and its bake, on one thread and on all",
-          std::vector<Option>{Option::Repeats, Option::Json, Option::Peers, Option::Only} +
+          std::vector<Option>{Option::Repeats, Option::Mover, Option::Json, Option::Peers,
+                              Option::Only} +
               drawOptions() + bakeOptions(),
           {},
           runBench,

@@ -30,11 +30,12 @@ void addOption(CLI::App& app, const OptionRow& row, bool isRequired, OptionValue
         name, [&] { values.set(row.id, ""); }, helpOf(row));
     return;
   }
-  if (row.kind == ValueKind::Texts) {
+  if (row.kind == ValueKind::Texts || row.kind == ValueKind::EachText) {
     app.add_option_function<std::vector<std::string>>(
            name, [&](const std::vector<std::string>& all) { values.setAll(row.id, all); },
            helpOf(row))
         ->type_name(std::string(row.value))
+        ->allow_extra_args(row.kind == ValueKind::Texts)
         ->required(isRequired);
     return;
   }

@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "image/image_file.h"
 #include "inputs/inputs.h"
+#include "inputs/moved_light.h"
 #include "render/renderer.h"
 #include "settings/channels.h"
 
@@ -17,13 +18,38 @@ namespace hearth {
 
 namespace {
 
-/// The picture that the options ask for. Light is baked only where it shows.
-tl::expected<Image, std::string> picture(const LoadedLevel& loaded, const Camera& camera,
-                                         const OptionValues& values) {
+/// The level at the shares that the options ask for.
+struct ShownLevel {
+  LoadedLevel loaded;
+  std::vector<double> shares;  ///< by mover
+};
+
+tl::expected<ShownLevel, std::string> shownLevel(const OpenedLevel& opened,
+                                                 const OptionValues& values) {
+  const LoadedLevel& authored = *opened.result.loaded;
+  auto shares = moverSharesFor(authored.level, values);
+  if (!shares) return tl::unexpected(shares.error());
+  auto loaded = loadedAt(authored, opened.source, *shares, values);
+  if (!loaded) return tl::unexpected(loaded.error());
+  return ShownLevel{*std::move(loaded), *std::move(shares)};
+}
+
+/// Baked only where it shows, unless it is that of several states.
+tl::expected<BakedLight, std::string> lightOf(const ShownLevel& shown, const OpenedLevel& opened,
+                                              const Camera& camera, const OptionValues& values) {
+  if (restStatesAround(shown.shares).size() == 1)
+    return lightInView(shown.loaded.scene(), camera, values);
+  return MovedLight(*opened.result.loaded, opened.source, values).at(shown.loaded, shown.shares);
+}
+
+/// The picture that the options ask for.
+tl::expected<Image, std::string> picture(const ShownLevel& shown, const OpenedLevel& opened,
+                                         const Camera& camera, const OptionValues& values) {
+  const LoadedLevel& loaded = shown.loaded;
   const std::optional<std::string> channel = values.text(Option::Channel);
   if (channel)
     if (auto geometry = drawGeometry(loaded.scene(), camera, *channel)) return *std::move(geometry);
-  const auto light = lightInView(loaded.scene(), camera, values);
+  const auto light = lightOf(shown, opened, camera, values);
   if (!light) return tl::unexpected(light.error());
   const Renderer renderer(loaded.scene(), loaded.textures, *light, drawSettingsFrom(values));
   if (!channel) return renderer.draw(camera, lightModeFrom(values));
@@ -55,11 +81,13 @@ std::optional<std::string> mistakeInShotOptions(const OptionValues& values) {
 
 ExitStatus runShot(const OptionValues& values) {
   if (const auto mistake = mistakeInShotOptions(values)) return fail(*mistake);
-  const std::optional<LoadedLevel> loaded = loadAndReport(values);
-  if (!loaded) return ExitStatus::BadInput;
-  const auto camera = cameraFor(loaded->scene(), values, {320, 200});
+  const OpenedLevel opened = loadAndReportWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const auto shown = shownLevel(opened, values);
+  if (!shown) return fail(shown.error());
+  const auto camera = cameraFor(shown->loaded.scene(), values, {320, 200});
   if (!camera) return fail(camera.error());
-  const auto image = picture(*loaded, *camera, values);
+  const auto image = picture(*shown, opened, *camera, values);
   if (!image) return fail(image.error());
   const auto written = writePng(*values.text(Option::Output), *image);
   return written ? ExitStatus::Done : fail(written.error());
@@ -72,8 +100,8 @@ Command shotCommand() {
       "shot",
       "bakes and draws one picture, of a level or of a model alone (MODEL.obj); needs no display",
       std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
-                          Option::Size, Option::Fov, Option::Time, Option::Light, Option::Channel,
-                          Option::Quiet} +
+                          Option::Mover, Option::Size, Option::Fov, Option::Time, Option::Light,
+                          Option::Channel, Option::Quiet} +
           drawOptions() + lightOptions(),
       {Option::Output},
       runShot};

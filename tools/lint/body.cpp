@@ -93,6 +93,7 @@ class Walks {
       for (const Loop& loop : sector.loops)
         for (std::uint32_t i = 0; i < loop.count; ++i) lookAtGap(loop, i);
     for (const FlatPortal& flatPortal : level.flatPortals) lookAtFlat(flatPortal);
+    addWaysOfMovers(level);
     for (Links& links : linksIfMended_)
       for (std::size_t i = 0; i < links.size(); ++i)
         links[i].insert(links[i].end(), links_[i].begin(), links_[i].end());
@@ -122,6 +123,15 @@ class Walks {
   static std::size_t indexOf(FindingKind kind) {
     return static_cast<std::size_t>(std::ranges::find(kHindranceKinds, kind) -
                                     kHindranceKinds.begin());
+  }
+
+  /// A door opens, and a lift goes up and down.
+  void addWaysOfMovers(const Level& level) {
+    const MovingWalls moving(level);
+    for (const Segment& segment : level.segments)
+      if (moving.has(segment))
+        for (const SectorId next : targetsOf(segment.wall))
+          links_[segment.sector.index()].push_back(next);
   }
 
   void lookAtWall(const Segment& segment) {

@@ -51,6 +51,7 @@ inline constexpr std::array kLoaderKinds{
     LoaderKindRow{"light-in-plane", "a light lies on a surface, which it does not light"},
     LoaderKindRow{"no-light", "nothing is said of light, and all is fully bright"},
     LoaderKindRow{"model-skips", "something in a model or its materials is left out"},
+    LoaderKindRow{"mover-zones", "zones of a mover that they do not start"},
 };
 
 inline constexpr std::array kFindingKinds{

@@ -77,4 +77,15 @@ std::vector<std::vector<SectorId>> connectedComponents(
   return parts;
 }
 
+MovingWalls::MovingWalls(const Level& level) : isMoving_(level.sectors.size()) {
+  for (const Mover& mover : level.movers)
+    for (const SectorId sector : mover.sectors) isMoving_[sector.index()] = true;
+}
+
+bool MovingWalls::has(const Segment& segment) const {
+  return isMoving_[segment.sector.index()] ||
+         std::ranges::any_of(targetsOf(segment.wall),
+                             [&](SectorId next) { return isMoving_[next.index()]; });
+}
+
 }  // namespace hearth

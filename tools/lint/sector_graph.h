@@ -24,4 +24,16 @@ std::vector<SectorId> newlyReachableFrom(const std::vector<std::vector<SectorId>
 std::vector<std::vector<SectorId>> connectedComponents(
     const std::vector<std::vector<SectorId>>& links);
 
+/// Walls at which flats move.
+class MovingWalls {
+ public:
+  explicit MovingWalls(const Level& level);
+
+  /// Whether a flat moves in the segment's sector or in one that it leads to.
+  bool has(const Segment& segment) const;
+
+ private:
+  std::vector<bool> isMoving_;  ///< by sector
+};
+
 }  // namespace hearth

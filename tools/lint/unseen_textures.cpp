@@ -3,6 +3,7 @@
 #include <set>
 
 #include "lint/authored_wall.h"
+#include "lint/sector_graph.h"
 #include "math/tolerance.h"
 
 namespace hearth {
@@ -24,13 +25,13 @@ bool isUpperStep(SurfaceKind kind) {
 class UnseenFinder {
  public:
   UnseenFinder(const LintedLevel& linted, Findings& findings)
-      : linted_(linted), findings_(findings) {
+      : linted_(linted), findings_(findings), moving_(linted.level()) {
     for (const SurfaceId surface : linted.scene().shownSurfaces()) wear(surface);
   }
 
   void lookAtWall(const Segment& segment, const WallDescription& wall) {
     const Sector& sector = linted_.level()[segment.sector];
-    if (isClosed(sector)) return;
+    if (isClosed(sector) || moving_.has(segment)) return;
     if (const auto* portal = std::get_if<PortalDescription>(&wall.kind))
       lookAtPortal(sector, *portal);
     if (const auto* stack = std::get_if<StackDescription>(&wall.kind))
@@ -84,6 +85,7 @@ class UnseenFinder {
 
   const LintedLevel& linted_;
   Findings& findings_;
+  MovingWalls moving_;  ///< what shows at these changes
   std::set<Place> worn_;
 };
 

@@ -26,6 +26,8 @@ constexpr std::array kTable = {
     OptionRow{
         Option::Shot, "--shot", ValueKind::Text, "NAME", 0, 0, "",
         "the camera and field of view of one of the level's shots; `shot` takes its size, too"},
+    OptionRow{Option::Mover, "--mover", ValueKind::EachText, "NAME=SHARE", 0, 1, "as the shot says",
+              "where a mover stands: 0 as authored, 1 at its \"to\"; once for each mover"},
     OptionRow{Option::Size, "--size", ValueKind::Text, "WxH", 1, kMaxPictureSide,
               "320x200; in a window, as large as that", "size of the picture in pixels"},
     OptionRow{Option::Fov, "--fov", ValueKind::Number, "DEGREES", 1, 179, "90",
@@ -223,6 +225,7 @@ std::optional<std::string> mistakeIn(const OptionRow& row, const std::string& va
   switch (row.kind) {
     case ValueKind::Flag:
     case ValueKind::Text:
+    case ValueKind::EachText:
     case ValueKind::Texts:
       return std::nullopt;
     case ValueKind::Choice:

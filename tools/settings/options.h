@@ -18,6 +18,7 @@ enum class Option {
   Camera,
   Sector,
   Shot,
+  Mover,
   Size,
   Fov,
   Time,
@@ -81,7 +82,8 @@ enum class Option {
 enum class ValueKind {
   Flag,
   Text,
-  Texts,  ///< one or more: all that follows, up to the next option
+  EachText,  ///< may be given several times, each with one text
+  Texts,     ///< one or more: all that follows, up to the next option
   Choice,
   Number,
   Integer

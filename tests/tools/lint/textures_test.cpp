@@ -232,6 +232,14 @@ TEST(UnseenTextures, AreNoneInAClosedDoor) {
   EXPECT_EQ(placesOf(findUnseenTextures, closed), Places{});
 }
 
+TEST(UnseenTextures, AreNoneBesideMovers) {
+  const std::string flush = with(kDais, "{'z': 0.3, 'texture'", "{'z': 0, 'texture'");
+  EXPECT_NE(placesOf(findUnseenTextures, flush), Places{});
+  const std::string lift = "'movers': {'lift': {'sectors': 'dais', 'part': 'floor', 'to': 1}},";
+  EXPECT_EQ(placesOf(findUnseenTextures, with(flush, "'sectors':", lift + " 'sectors':")),
+            Places{});
+}
+
 TEST(UnseenTextures, AreNoneWhereAWedgeHidesTheStep) {
   const std::string wedge =
       with(kDais, "'room': {",

@@ -272,6 +272,8 @@ TEST(SectorsOutOfReach, AreThoseThatNoFeetComeTo) {
   EXPECT_EQ(unreached(hallAndRoom(0.3, 4)), Names{});
   EXPECT_EQ(unreached(hallAndRoom(0, 1)), Names{});  // crouching
   EXPECT_EQ(unreached(hallAndRoom(0.9, 4)), Names{"room"});
+  const std::string lift = "'movers': {'lift': {'sectors': 'room', 'part': 'floor', 'to': 0}},";
+  EXPECT_EQ(unreached(with(hallAndRoom(0.9, 4), "'sectors':", lift + " 'sectors':")), Names{});
   EXPECT_EQ(unreached(hallAndRoom(0, 0.4)), Names{"room"});
   EXPECT_EQ(unreached(hallAndDoorway(0.2)), (Names{"doorway", "room"}));
   EXPECT_EQ(unreached(hallAndStair(0.9, 4)),

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <system_error>
 
 #include "cli/check/golden_picture.h"
@@ -14,6 +15,7 @@
 #include "image/compare.h"
 #include "image/image_file.h"
 #include "inputs/inputs.h"
+#include "inputs/moved_light.h"
 #include "render/renderer.h"
 #include "settings/shell_text.h"
 
@@ -88,16 +90,16 @@ class LevelCheck {
   }
 
   LevelFindings run() && {
-    const auto loaded = loadAndReport(values_);
+    const OpenedLevel opened = loadAndReportWithSource(values_);
+    const std::optional<LoadedLevel>& loaded = opened.result.loaded;
     if (!loaded) return refused();
     if (const auto mistake = mistakeInShots(loaded->level)) return refused(*mistake);
-    const auto light = lightFor(loaded->scene(), values_);
-    if (!light) return refused(light.error());
+    const auto pictures = drawShots(*loaded, opened.source);
+    if (!pictures) return refused(pictures.error());
 
     removeFailed(folders_.failed);
-    const Renderer renderer(loaded->scene(), loaded->textures, *light, drawSettingsFrom(values_));
-    for (const Shot& shot : loaded->level.shots)
-      judge(shot.name, renderer.draw(cameraOf(shot), LightMode::Both));
+    for (std::size_t i = 0; i < pictures->size(); ++i)
+      judge(loaded->level.shots[i].name, (*pictures)[i]);
     for (const std::string& name : staleGoldens(folders_.golden, loaded->level.shots))
       judgeStale(name);
     if (!isUpdate_) printSum();
@@ -112,6 +114,26 @@ class LevelCheck {
   LevelFindings refused(const std::string& message) {
     fail(fmt::format("{}: {}", values_.level, message));
     return refused();
+  }
+
+  /// By shot, each with the movers where it has them.
+  tl::expected<std::vector<Image>, std::string> drawShots(const LoadedLevel& authored,
+                                                          const LevelSource& source) const {
+    std::map<std::vector<double>, std::vector<std::size_t>> shotsAt;
+    for (std::size_t i = 0; i < authored.level.shots.size(); ++i)
+      shotsAt[moverSharesOf(authored.level, authored.level.shots[i])].push_back(i);
+    MovedLight movedLight(authored, source, values_);
+    std::vector<Image> pictures(authored.level.shots.size(), Image(1, 1));
+    for (const auto& [shares, shots] : shotsAt) {
+      const auto moved = loadedAt(authored, source, shares, values_);
+      if (!moved) return tl::unexpected(moved.error());
+      const auto light = movedLight.at(*moved, shares);
+      if (!light) return tl::unexpected(light.error());
+      const Renderer renderer(moved->scene(), moved->textures, *light, drawSettingsFrom(values_));
+      for (const std::size_t i : shots)
+        pictures[i] = renderer.draw(cameraOf(moved->level.shots[i]), LightMode::Both);
+    }
+    return pictures;
   }
 
   void judge(const std::string& name, const Image& drawn) {

@@ -7,6 +7,17 @@
 
 namespace hearth {
 
+std::vector<MoverContents> moverContents(const LoadedLevel& authored,
+                                         std::span<const double> shares) {
+  std::vector<MoverContents> contents;
+  for (const Mover& mover : authored.level.movers) {
+    const Sector& first = authored.level[mover.sectors.front()];
+    const double from = mover.part == FlatPart::Floor ? first.floor.z : first.ceiling.z;
+    contents.push_back({mover, from, shares[contents.size()]});
+  }
+  return contents;
+}
+
 Contents contentsOf(const LoadedLevel& loaded, const LevelSource& source, const Bake& bake) {
   const Level& level = loaded.level;
   Contents contents;

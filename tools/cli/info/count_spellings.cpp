@@ -43,6 +43,8 @@ class SpellingCounter {
       });
     if (level.contains("sectors"))
       forEachChild(level["sectors"], [&](const json& sector) { countSector(sector); });
+    if (level.contains("movers"))
+      forEachChild(level["movers"], [&](const json&) { counts_.add(FormatFeature::Mover); });
     if (level.contains("grid")) {
       counts_.add(FormatFeature::Grid);
       forEachChild(level["grid"].at("legend"), [&](const json& entry) { countEntry(entry); });
@@ -131,6 +133,7 @@ class SpellingCounter {
   }
 
   void countWall(const json& wall) {
+    addIf(wall.contains("use") || wall.contains("cross"), FormatFeature::WallThatStarts);
     for (const char* role : {"texture", "upper", "lower", "middle"})
       if (wall.contains(role)) countTexture(wall[role]);
     if (wall.contains("walls"))

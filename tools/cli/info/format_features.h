@@ -75,6 +75,8 @@ enum class FormatFeature : std::size_t {
   Grid,
   GridSides,
   GridNext,
+  Mover,
+  WallThatStarts,
 };
 
 struct FormatFeatureName {
@@ -148,6 +150,8 @@ inline constexpr std::array kFormatFeatures{
     FormatFeatureName{FormatFeature::Grid, "grid"},
     FormatFeatureName{FormatFeature::GridSides, "grid with textures by side"},
     FormatFeatureName{FormatFeature::GridNext, "grid that leads to another sector"},
+    FormatFeatureName{FormatFeature::Mover, "mover"},
+    FormatFeatureName{FormatFeature::WallThatStarts, "wall that starts a mover"},
 };
 
 /// How often a level uses each.

@@ -7,6 +7,8 @@
 #include "cli/info/info_json.h"
 #include "cli/info/info_text.h"
 #include "inputs/inputs.h"
+#include "inputs/moved_light.h"
+#include "measure/light_difference.h"
 
 namespace hearth {
 
@@ -16,11 +18,21 @@ ExitStatus runInfo(const OptionValues& values) {
   if (values.has(Option::Surfaces) && !values.has(Option::Json))
     return fail("--surfaces: they are printed as JSON only; give --json, too");
   const OpenedLevel opened = loadAndReportWithSource(values);
-  const std::optional<LoadedLevel>& loaded = opened.result.loaded;
-  if (!loaded) return ExitStatus::BadInput;
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const LoadedLevel& authored = *opened.result.loaded;
+  const auto shares = moverSharesFor(authored.level, values);
+  if (!shares) return fail(shares.error());
+  const auto loaded = loadedAt(authored, opened.source, *shares, values);
+  if (!loaded) return fail(loaded.error());
   const auto bake = bakeFor(loaded->scene(), values);
   if (!bake) return fail(bake.error());
-  const Contents contents = contentsOf(*loaded, opened.source, *bake);
+  Contents contents = contentsOf(*loaded, opened.source, *bake);
+  contents.movers = moverContents(authored, *shares);
+  if (restStatesAround(*shares).size() > 1) {
+    const auto blended = MovedLight(authored, opened.source, values).at(*loaded, *shares);
+    if (!blended) return fail(blended.error());
+    contents.blend = differenceOf(*blended, bake->light);
+  }
   if (!values.has(Option::Json)) {
     printInfo(*loaded, contents);
     return ExitStatus::Done;
@@ -38,7 +50,7 @@ Command infoCommand() {
   return {"info",
           "bakes, and prints what the level holds, which features it requires and which engine "
           "features it pays for",
-          std::vector<Option>{Option::Json, Option::Surfaces} + bakeOptions(),
+          std::vector<Option>{Option::Mover, Option::Json, Option::Surfaces} + bakeOptions(),
           {},
           runInfo};
 }

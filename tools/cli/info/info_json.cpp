@@ -56,6 +56,27 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
   return object;
 }
 
+nlohmann::ordered_json toJson(const MoverContents& contents) {
+  const auto& [mover, from, share] = contents;
+  nlohmann::ordered_json object{{"name", mover.name},
+                                {"part", name(mover.part)},
+                                {"from", from},
+                                {"to", mover.to},
+                                {"speed", mover.speed},
+                                {"trigger", name(mover.trigger)},
+                                {"sectors", mover.sectors.size()},
+                                {"share", share}};
+  if (mover.wait) object["wait"] = *mover.wait;
+  return object;
+}
+
+nlohmann::ordered_json toJson(const LightDifference& difference) {
+  return {{"texels", difference.texels},
+          {"rmsLevels", difference.rms},
+          {"texelsOff", difference.visible},
+          {"mostLevels", difference.most}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json infoToJson(const LoadedLevel& loaded, const Contents& contents) {
@@ -66,6 +87,9 @@ nlohmann::ordered_json infoToJson(const LoadedLevel& loaded, const Contents& con
   object["loops"] = contents.loops;
   object["segments"] = level.segments.size();
   object["interfaces"] = level.flatPortals.size();  // scripts know them by this name
+  object["movers"] = nlohmann::ordered_json::array();
+  for (const MoverContents& mover : contents.movers) object["movers"].push_back(toJson(mover));
+  if (contents.blend) object["blendedLight"] = toJson(*contents.blend);
   object["lights"] = level.lights.size();
   object["shots"] = level.shots.size();
   object["sprites"] = level.sprites.size();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,29 @@ void printRow(std::string_view name, const SurfaceReport& row) {
   fmt::print("{:<16} {:>8} {:>6} {:>8} {:>10} {:>6} {:>7} {:>6} {:>11} {:>13}\n", name,
              row.surfaces(), row.bare, row.unfaced, row.unreached, row.white, row.colored, row.even,
              row.bytes, row.rays);
+}
+
+std::string numberOrDash(const std::optional<double>& number) {
+  return number ? fmt::format("{}", *number) : "-";
+}
+
+void printMovers(const Contents& contents) {
+  if (contents.movers.empty()) return;
+  fmt::print("\n{:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>8} {:>6}\n", "movers", "moves",
+             "from, m", "to, m", "m/s", "wait, s", "starts", "sectors", "share");
+  for (const auto& [mover, from, share] : contents.movers)
+    fmt::print("{:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>8} {:>6}\n", mover.name,
+               name(mover.part), from, mover.to, mover.speed, numberOrDash(mover.wait),
+               name(mover.trigger), mover.sectors.size(), share);
+  if (!contents.blend) return;
+  const LightDifference& blend = *contents.blend;
+  const double percent = blend.texels == 0 ? 0
+                                           : 100 * static_cast<double>(blend.visible) /
+                                                 static_cast<double>(blend.texels);
+  fmt::print(
+      "light is blended from the movers' ends: {:.2f} levels RMS from a bake at these heights,\n"
+      "{:.1f} % of {} texels more than {} levels off, the farthest {}\n",
+      blend.rms, percent, blend.texels, LightDifference::kVisible, blend.most);
 }
 
 void printLight(const Contents& contents) {
@@ -59,6 +83,7 @@ void printInfo(const LoadedLevel& loaded, const Contents& contents) {
   printLine("loops", contents.loops);
   printLine("segments", std::ssize(level.segments));
   printLine("flat portals", std::ssize(level.flatPortals));
+  printLine("movers", std::ssize(level.movers));
   printLine("lights", std::ssize(level.lights));
   printLine("shots", std::ssize(level.shots));
   printLine("sprites", std::ssize(level.sprites));
@@ -70,6 +95,7 @@ void printInfo(const LoadedLevel& loaded, const Contents& contents) {
   printLine("bytes of textures", contents.textureBytes);
   printLine("bytes of lightmaps", contents.light.all.bytes);
   printLine("rays to bake them", contents.light.all.rays);
+  printMovers(contents);
   printLight(contents);
   fmt::print("\n{:<55}{}\n", "pays for", "and of the rest");
   for (const EngineFeatureUse& use : engineFeatureUses(loaded, contents.light)) {

@@ -1,0 +1,136 @@
+"""Holds the commands to what they promise of levels with movers.
+
+usage: mover_command_test.py HEARTH
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+# No bakes of other runs are found, and none are left.
+os.environ["XDG_CACHE_HOME"] = os.devnull
+os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = os.devnull
+
+HEARTH = ""
+SOLID = {"texture": "#808080"}
+
+
+def to(name):
+    return {"next": name, "texture": "#604020"}
+
+
+def sector(v, walls, ceiling=3):
+    return {"floor": SOLID, "ceiling": SOLID | {"z": ceiling}, "loops": {"border": {"v": v, "walls": walls}}}
+
+
+def level(door=0, **more):
+    """A lit hall, a dark cellar, and between them a door whose ceiling is at a height."""
+    return {
+        "player": {"x": 1, "y": 2, "z": 1.6},
+        "shots": [{"name": "shut", "camera": [1, 2, 1.5, 0, 0]},
+                  {"name": "ajar", "camera": [1, 2, 1.5, 0, 0], "movers": {"gate": 0.5}},
+                  {"name": "open", "camera": [1, 2, 1.5, 0, 0], "movers": {"gate": 1}}],
+        "sectors": {
+            "hall": sector([0, 0, 4, 0, 4, 4, 0, 4], [SOLID, to("door"), SOLID, SOLID]),
+            "door": sector([4, 0, 5, 0, 5, 4, 4, 4], [SOLID, to("cellar"), SOLID, to("hall")], door),
+            "cellar": sector([5, 0, 9, 0, 9, 4, 5, 4], [SOLID, SOLID, SOLID, to("door")])}} | more
+
+
+GATE = {"gate": {"sectors": ["door"], "part": "ceiling", "to": 2.5, "wait": 3, "trigger": "use"},
+        "lift = 1": {"sectors": ["cellar"], "part": "floor", "to": 1}}
+
+
+class Movers(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+        self.level = self.write("level", level(movers=GATE))
+
+    def write(self, name, content):
+        path = self.folder / f"{name}.json"
+        path.write_text(json.dumps(content))
+        path.with_suffix(".lights.json").write_text(
+            '[{"x": 2, "y": 2, "z": 2, "intensity": 220, "falloff": 0.2}]')
+        return path
+
+    def run_hearth(self, *arguments, status=0):
+        done = subprocess.run([HEARTH, *map(str, arguments)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def shot(self, *options, of=None, light="both"):
+        out = self.folder / "out.png"
+        self.run_hearth("shot", of or self.level, "-o", out, "--light", light, *options)
+        return out.read_bytes()
+
+    def test_are_drawn_at_their_ends_as_if_authored_there(self):
+        for share, height in (0, 0), (1, 2.5):
+            content = level(door=height)
+            for shot in content["shots"]:
+                shot.pop("movers", None)
+            authored = self.write(f"authored_{share}", content)
+            for light in "both", "only", "none":
+                with self.subTest(share=share, light=light):
+                    self.assertEqual(self.shot("--mover", f"gate={share}", light=light),
+                                     self.shot(of=authored, light=light))
+
+    def test_stand_where_a_shot_has_them_unless_an_option_says_otherwise(self):
+        shut, ajar, opened = (self.shot("--mover", f"gate={share}", "--camera", "1,2,1.5,0", "--size", "320x200")
+                              for share in (0, 0.5, 1))
+        self.assertEqual(len({shut, ajar, opened}), 3)
+        for name, picture in ("shut", shut), ("ajar", ajar), ("open", opened):
+            self.assertEqual(self.shot("--shot", name), picture, name)
+        self.assertEqual(self.shot("--shot", "open", "--mover", "gate=0"), shut)
+
+    def test_have_names_with_signs_in_them(self):
+        self.assertEqual(self.shot("--mover", "lift = 1=0.5", "--mover", "gate=1"),
+                         self.shot("--mover", "gate=1", "--mover", "lift = 1=0.5"))
+
+    def test_are_refused_by_place_and_remedy(self):
+        for text, message in [
+                ("gat=1", 'the level has no mover "gat"; did you mean "gate"?'),
+                ("gate", '"gate" is not NAME=SHARE with a share from 0 to 1'),
+                ("gate=1.5", '"gate=1.5" is not NAME=SHARE with a share from 0 to 1'),
+                ("gate=nan", '"gate=nan" is not NAME=SHARE with a share from 0 to 1')]:
+            for command in ("shot", self.level, "-o", self.folder / "x.png"), ("info", self.level), ("bench", self.level):
+                done = self.run_hearth(*command, "--mover", text, status=2)
+                self.assertEqual(done.stderr, f"hearth: error: --mover: {message}\n")
+        self.assertFalse((self.folder / "x.png").exists())
+        still = self.write("still", level() | {"shots": []})
+        done = self.run_hearth("info", still, "--mover", "gate=1", status=2)
+        self.assertEqual(done.stderr, "hearth: error: --mover: the level has no movers\n")
+
+    def test_are_kept_in_golden_pictures_of_shots(self):
+        self.run_hearth("check", self.level, "--update")
+        pictures = {name: (self.folder / f"level.golden/{name}.png").read_bytes() for name in ("shut", "ajar", "open")}
+        for name, picture in pictures.items():
+            self.assertEqual(self.shot("--shot", name), picture, name)
+        self.assertEqual(self.run_hearth("check", self.level).stdout, f"{self.level}: 3 as kept\n")
+
+    def test_are_listed_by_info(self):
+        info = json.loads(self.run_hearth("info", self.level, "--json", "--mover", "gate=1").stdout)
+        self.assertEqual(info["movers"][0], {"name": "gate", "part": "ceiling", "from": 0, "to": 2.5, "speed": 1.5,
+                                             "trigger": "use", "sectors": 1, "share": 1, "wait": 3})
+        self.assertEqual([mover["share"] for mover in info["movers"]], [1, 0])
+        self.assertNotIn("blendedLight", info)
+        self.assertEqual(info["features"]["mover"], 2)
+        text = self.run_hearth("info", self.level).stdout
+        self.assertRegex(text, r"\ngate +ceiling +0 +2.5 +1.5 +3 +use +1 +0\n")
+
+    def test_have_the_error_of_their_light_told_by_info(self):
+        info = json.loads(self.run_hearth("info", self.level, "--json", "--mover", "gate=0.5").stdout)["blendedLight"]
+        self.assertGreater(info["texels"], 1000)
+        self.assertGreater(info["rmsLevels"], 0)
+        self.assertGreaterEqual(info["mostLevels"], info["rmsLevels"])
+        self.assertIn(f"{info['rmsLevels']:.2f} levels RMS from a bake at these heights",
+                      self.run_hearth("info", self.level, "--mover", "gate=0.5").stdout)
+
+
+if __name__ == "__main__":
+    HEARTH = sys.argv.pop(1)
+    unittest.main()

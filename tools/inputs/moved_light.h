@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "inputs/inputs.h"
+#include "load/load.h"
+#include "load/source.h"
+#include "settings/options.h"
+
+namespace hearth {
+
+/// The shares of a level's movers, by index: those of `--mover`, else of the shot that `--shot`
+/// names, else 0.
+tl::expected<std::vector<double>, std::string> moverSharesFor(const Level& level,
+                                                              const OptionValues& values);
+/// The same of a shot of the level, `--mover` apart.
+std::vector<double> moverSharesOf(const Level& level, const Shot& shot);
+
+/// The level with its movers at these shares, loaded within the limits of the command line; a copy
+/// of `authored` where all are 0.
+tl::expected<LoadedLevel, std::string> loadedAt(const LoadedLevel& authored,
+                                                const LevelSource& source,
+                                                std::span<const double> shares,
+                                                const OptionValues& values);
+
+/// The light of a level wherever its movers stand. Each state at rest is taken from the cache or
+/// baked once, when its light is first asked for.
+class MovedLight {
+ public:
+  /// All of these must outlive it.
+  MovedLight(const LoadedLevel& authored, const LevelSource& source, const OptionValues& values)
+      : authored_(authored), source_(source), values_(values) {}
+
+  /// Of the level at some shares: exact at rest, else blended.
+  tl::expected<BakedLight, std::string> at(const LoadedLevel& shown,
+                                           std::span<const double> shares);
+
+ private:
+  struct AtRest {
+    LoadedLevel level;
+    BakedLight light;
+  };
+  tl::expected<const AtRest*, std::string> atRest(const std::vector<double>& shares);
+
+  const LoadedLevel& authored_;
+  const LevelSource& source_;
+  const OptionValues& values_;
+  std::map<std::vector<double>, AtRest> rests_;  ///< by shares
+};
+
+}  // namespace hearth
