@@ -28,7 +28,7 @@ struct Samples {
 
   explicit Samples(std::mt19937& random) {
     std::uniform_real_distribution<double> metres(-30, 30);
-    for (std::size_t i = 0; i < kCount; ++i)
+    for (std::size_t i = 0; i < kCount + SampleArrays::kMaxLanes; ++i)
       x.push_back(metres(random)), y.push_back(metres(random)), z.push_back(metres(random));
   }
 
@@ -284,8 +284,8 @@ TEST_F(LightKernelsTest, findSeenWhatOneBeamHoldsForSure) {
   int unknown = 0;
   forEachInstructionSet([&] {
     const BeamKernels& kernels = beamKernels();
-    std::vector<double> seen(kCount);
-    std::vector<double> inDoubt(kCount);
+    std::vector<double> seen(kCount + SampleArrays::kMaxLanes);
+    std::vector<double> inDoubt(kCount + SampleArrays::kMaxLanes);
     kernels.findSeen(samples_.arrays(), kCount, light_, beams, bounds.data(), seen.data());
     kernels.findSeen(samples_.arrays(), kCount, light_, doubtful, bounds.data(), inDoubt.data());
     for (std::size_t i = 0; i < kCount; ++i) {

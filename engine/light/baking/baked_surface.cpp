@@ -196,8 +196,7 @@ std::vector<TexelRect> tilesOf(const UsedTexels& texels) {
 template <typename Lit>
 typename Lit::Blocks samplesOf(const Lit& surface, const UsedTexels& texels, const TexelRect& tile,
                                int side) {
-  return surface.inBlocks(placedSamples(surface, texels, tile, side), tile.width * side,
-                          tile.height * side);
+  return surface.inBlocks(placedSamples(surface, texels, tile, side), tile.width * side);
 }
 
 template SampleBlocks samplesOf(const SurfaceLight&, const UsedTexels&, const TexelRect&, int);
@@ -228,7 +227,7 @@ void addLightsDraft(SurfaceLight& surface, std::span<const std::size_t> lights,
     for (int i = 0; i < columns; ++i)
       samples.push_back(
           surface.place({middle(rect.i0, rect.width, i), middle(rect.j0, rect.height, j)}));
-  const SampleBlocks blocks = surface.inBlocks(std::move(samples), columns, rows);
+  const SampleBlocks blocks = surface.inBlocks(std::move(samples), columns);
   for (const std::size_t light : lights) {
     TexelSums& sums = sumsOf(light);
     const std::vector<double>& seen = surface.seenFractions(light, blocks);

@@ -80,7 +80,7 @@ class ClippedLight {
       : surface_(surface),
         texels_(texels),
         rect_(tile),
-        blocks_(surface.inBlocks(placedCorners(surface, tile), tile.width + 1, tile.height + 1)),
+        blocks_(surface.inBlocks(placedCorners(surface, tile), tile.width + 1)),
         corners_(blocks_.samples()),
         left_(surface, corners_) {}
 

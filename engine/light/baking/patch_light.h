@@ -51,7 +51,7 @@ class PatchLight : public PatchPlaces {
   double radiusOf(std::size_t light) const { return visibilities_.reach.radius(light); }
   int channels() const;
 
-  PatchSamples inBlocks(std::vector<SamplePoint> samples, int columns, int) const {
+  PatchSamples inBlocks(std::vector<SamplePoint> samples, int columns) const {
     return {std::move(samples), columns};
   }
 

@@ -30,48 +30,33 @@ class SampleBeams {
     const SampleBlocks& blocks;
     std::span<double> seen;
   };
-  /// What the beams say of points on one surface.
+  /// If the outcome is unknown, these beams can contain some of the points: a range of
+  /// `candidates_`.
   struct BeamAnswer {
-    SurfaceId surface;
-    bool isInFront;  ///< whether the light can shine on it; a continuation may be tilted away
     TargetVisibility outcome;
-    bool isAnswered;  ///< whether the beams give an answer
-    /// If the outcome is unknown, these beams can contain some of the points: a range of
-    /// `candidates_`.
-    std::size_t first;
-    std::size_t last;
-  };
-  /// The entries of a block in `answers_`: one for each surface that can hold its samples.
-  struct Range {
     std::size_t first;
     std::size_t last;
   };
 
   const BeamTree& treeOf(std::size_t light) const { return *rays_.visibility(light).beams(); }
   const Segment* wallOf(SurfaceId surface) const;
-  BeamAnswer answerFor(SurfaceId surface, bool areLit, std::size_t first) const;
-  BeamAnswer ask(std::size_t light, SurfaceId surface, std::span<const Vec3> corners);
-  BeamAnswer refine(std::size_t light, const BeamAnswer& before, std::span<const Vec3> corners);
-  std::span<const BeamAnswer> in(Range range) const {
-    return std::span(answers_).subspan(range.first, range.last - range.first);
-  }
-  void findWithin(const Query& query, const SampleBlocks::Block& block, Range around);
-  void findBlock(const Query& query, const SampleBlocks::Block& block, Range here);
+  BeamAnswer answerFor(bool areLit, std::size_t first) const;
+  void findOnSurface(const Query& query, const SampleBlocks::Block& block);
+  BeamAnswer refine(std::size_t light, SurfaceId surface, const BeamAnswer& around,
+                    std::span<const Vec3> corners);
+  void findBlock(const Query& query, const SampleBlocks::Block& block, const BeamAnswer& here);
   bool mayMeetMesh(const Query& query, const SampleBlocks::Block& block);
-  void findAlike(const Query& query, const SampleBlocks::Block& block, bool areLit);
-  void findOneByOne(const Query& query, const SampleBlocks::Block& block,
-                    std::span<const BeamAnswer> here);
-  void findOn(const BeamAnswer& here, const Query& query, const SampleBlocks::Block& block);
+  void findLit(const Query& query, const SampleBlocks::Block& block);
+  void findOneByOne(const Query& query, const SampleBlocks::Block& block, const BeamAnswer& here);
   double seenFraction(std::size_t light, const SamplePoint& at, const BeamAnswer& around);
 
   SampleRays& rays_;
   SampleShafts& shafts_;
   BeamTree::Candidates candidates_;
   BeamTree::Scratch scratch_;
-  std::vector<BeamAnswer> answers_;
   /// That rays of the query may meet; none until a block asks.
   std::optional<std::vector<std::uint32_t>> meshes_;
-  std::vector<double> seenIfOn_;  ///< `seen`, as if all samples lay on one surface
+  std::vector<double> seenHere_;  ///< by the samples of a block
 };
 
 }  // namespace hearth

@@ -14,13 +14,10 @@
 
 namespace hearth {
 
-/// Calls `visit(index)` for the samples of a block that are not spare.
+/// Calls `visit(index)` for the samples of a block.
 template <typename Visit>
 void forEachSample(const SampleBlocks& blocks, const SampleBlocks::Block& block, Visit&& visit) {
-  for (int j = block.row; j < block.row + block.rows; ++j)
-    for (int i = block.column; i < block.column + block.columns; ++i)
-      if (const std::size_t index = blocks.index(i, j); !blocks.samples()[index].isSpare)
-        visit(index);
+  for (const std::uint32_t index : blocks.indices(block)) visit(index);
 }
 
 /// What a shaft says of a sample's rays.

@@ -67,7 +67,7 @@ void SampleShafts::findEach(std::size_t light, const SampleBlocks& blocks,
                             const SampleBlocks::Block& block, const KnownRays& known,
                             std::span<double> seen) {
   if (known.outcome == TargetVisibility::Dark && block.surface == rays_.id())
-    return rays_.countSamples(light, block.samples);
+    return rays_.countSamples(light, static_cast<std::int64_t>(block.count));
   forEachSample(blocks, block, [&](std::size_t index) {
     seen[index] =
         rays_.seenFraction(rays_.visibility(light), light, blocks.samples()[index], &known);

@@ -55,8 +55,8 @@ std::vector<std::size_t> SurfaceLight::reaching(const SampleBlocks& blocks,
   return rays_.visibilities().reach.reaching(boxAround(blocks.whole().box.corners()), lights);
 }
 
-SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const {
-  return {rays_.scene().level(), surface(), std::move(samples), columns, rows};
+SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns) const {
+  return {rays_.scene().level(), surface(), std::move(samples), columns};
 }
 
 const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,

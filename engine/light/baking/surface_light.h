@@ -49,7 +49,7 @@ class SurfaceLight : public SurfacePlaces {
   std::vector<std::size_t> reaching(const SampleBlocks& blocks,
                                     std::span<const std::size_t> lights) const;
 
-  SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns, int rows) const;
+  SampleBlocks inBlocks(std::vector<SamplePoint> samples, int columns) const;
 
   /// The fraction of a light that each of the samples sees, in their order; for spare ones nothing
   /// that counts. Valid until the next call.

@@ -78,7 +78,8 @@ std::uint32_t findStraddled(const CornerOffsets& corners, const BeamBounds& boun
 
 void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
               std::span<const StraddledBounds> beams, const BoundingPlane* bounds, double* seen) {
-  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+  const hn::CappedTag<double, SampleArrays::kMaxLanes> d;
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
     const auto offsets = offsetsFrom(d, light, samples, k);
     auto areLit = hn::FirstN(d, 0);
     auto areUnknown = areLit;
@@ -98,7 +99,7 @@ void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
     }
     const auto unlit = hn::IfThenElseZero(areUnknown, hn::Set(d, kUnknownFraction));
     hn::StoreU(hn::IfThenElse(areLit, hn::Set(d, 1.0), unlit), d, seen + k);
-  });
+  }
 }
 
 const BeamKernels& targetBeamKernels() {

@@ -65,7 +65,8 @@ struct BeamKernels {
   std::uint32_t (*findStraddled)(const CornerOffsets& corners, const BeamBounds& bounds,
                                  std::uint32_t asked, double margin, double reach);
   /// For each sample 1 if one of the beams of a point light certainly contains it, 0 if none can,
-  /// and else kUnknownFraction. `bounds` holds those of all beams, one beam after the other.
+  /// and else kUnknownFraction. `bounds` holds those of all beams, one beam after the other. Reads
+  /// and writes up to SampleArrays::kMaxLanes more than `count`.
   void (*findSeen)(const SampleArrays& samples, std::size_t count, Vec3 light,
                    std::span<const StraddledBounds> beams, const BoundingPlane* bounds,
                    double* seen);

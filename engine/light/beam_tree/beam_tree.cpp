@@ -92,8 +92,8 @@ bool BeamTree::addSpanning(Range beams, const Points& points, const Segment* on,
 }
 
 void BeamTree::findSeen(const Points& points, const Segment* on,
-                        std::span<const CandidateBeam> candidates, const Samples& samples,
-                        Scratch& scratch, double* seen) const {
+                        std::span<const CandidateBeam> candidates, const SampleArrays& samples,
+                        std::size_t count, Scratch& scratch, double* seen) const {
   auto& [parts, beams] = scratch;
   parts.clear();
   beams.clear();
@@ -107,9 +107,7 @@ void BeamTree::findSeen(const Points& points, const Segment* on,
     }
     beams.push_back({parts.size() - before, candidate.beam->isDoubtful});
   }
-  for (std::size_t row = 0; row < samples.rows; ++row)
-    beamKernels().findSeen(samples.arrays.from(row * samples.stride), samples.columns,
-                           light_.position, beams, parts.data(), seen + row * samples.stride);
+  beamKernels().findSeen(samples, count, light_.position, beams, parts.data(), seen);
 }
 
 /// Whether beams, each of which begins at the very vertex where another ends, hold all that lies

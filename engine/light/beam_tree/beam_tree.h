@@ -62,22 +62,16 @@ class BeamTree {
   bool narrow(const Points& points, const Segment* on, Candidates& candidates, std::size_t first,
               std::size_t last) const;
 
-  /// Rows of samples.
-  struct Samples {
-    SampleArrays arrays;
-    std::size_t columns;
-    std::size_t rows;
-    std::size_t stride;  ///< from a row to the next
-  };
   /// Memory of findSeen(); keep it from call to call.
   struct Scratch {
     std::vector<BoundingPlane> bounds;
     std::vector<StraddledBounds> beams;
   };
   /// Which fraction each of some samples among `points` sees, by the same beams: kUnknownFraction
-  /// if only narrow() can decide.
+  /// if only narrow() can decide. Of `samples` and `seen`, see BeamKernels::findSeen.
   void findSeen(const Points& points, const Segment* on, std::span<const CandidateBeam> candidates,
-                const Samples& samples, Scratch& scratch, double* seen) const;
+                const SampleArrays& samples, std::size_t count, Scratch& scratch,
+                double* seen) const;
 
  private:
   /// The first two bounds of a beam.

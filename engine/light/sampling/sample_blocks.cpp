@@ -8,81 +8,132 @@
 
 namespace hearth {
 
+namespace {
+
+/// Columns and rows of samples that follow one another row by row.
+constexpr int kCell = 4;
+/// A block of no more samples has no parts.
+constexpr std::size_t kLeastBlock = kCell * kCell;
+
+}  // namespace
+
 SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
-                           std::vector<SamplePoint> samples, int columns, int rows)
+                           std::vector<SamplePoint> samples, int columns)
     : level_(level), normal_(surface.normal), samples_(std::move(samples)), columns_(columns) {
   const Vec3 inPlane = surface.grid.axisS - dot(surface.grid.axisS, normal_) * normal_;
   axisS_ = (1 / length(inPlane)) * inPlane;
   axisT_ = cross(normal_, axisS_);
-  const auto addOnce = [](auto& ids, auto id) {
-    if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
-  };
   points_.reserve(samples_.size());
-  targets_.reserve(samples_.size());
-  for (const SamplePoint& sample : samples_) addToArrays(sample);
-  for (const Run& run : runs_) {
-    addOnce(surfaces_, run.surface);
-    addOnce(sectors_, level_[run.surface].sector);
-  }
-  blocks_.push_back({.column = 0,
-                     .row = 0,
-                     .columns = columns,
-                     .rows = rows,
-                     .box = {},
-                     .sector = {},
-                     .surface = {}});
-  for (std::size_t i = 0; i < blocks_.size(); ++i) divide(i);
+  for (const SamplePoint& sample : samples_) addPoint(sample);
+  addSurfaces();
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (blocks_[i].surface) divide(i);
   measureAll();
+}
+
+void SampleBlocks::addPoint(const SamplePoint& sample) {
+  if (runs_.empty() || runs_.back().surface != sample.surface)
+    runs_.push_back({sample.surface, points_.x.size(), 0});
+  ++runs_.back().count;
+  points_.add(sample.point);
+}
+
+std::vector<SampleBlocks::Part> SampleBlocks::partsOnSurfaces() const {
+  std::vector<Part> parts;
+  for (const Run& run : runs_) {
+    const auto place = [&](std::size_t index) {
+      return std::pair{static_cast<int>(index) % columns_, static_cast<int>(index) / columns_};
+    };
+    const auto [left, top] = place(run.first);
+    const auto [right, bottom] = place(run.first + run.count - 1);
+    const Part here = top == bottom ? Part{run.surface, left, right + 1, top, top + 1}
+                                    : Part{run.surface, 0, columns_, top, bottom + 1};
+    const auto found = std::ranges::find(parts, run.surface, &Part::surface);
+    if (found == parts.end()) {
+      parts.push_back(here);
+      continue;
+    }
+    found->left = std::min(found->left, here.left);
+    found->right = std::max(found->right, here.right);
+    found->top = std::min(found->top, here.top);
+    found->bottom = std::max(found->bottom, here.bottom);
+  }
+  return parts;
+}
+
+/// Adds the whole and, if it lies on several surfaces, the parts on each of them.
+void SampleBlocks::addSurfaces() {
+  indices_.reserve(samples_.size());
+  targets_.reserve(samples_.size() + SampleArrays::kMaxLanes);
+  const std::vector<Part> parts = partsOnSurfaces();
+  blocks_.reserve(1 + parts.size() + samples_.size() / 8);
+  if (parts.size() > 1) blocks_.push_back({.first = 0, .count = 0, .box = {}});
+  for (const Part& part : parts) {
+    const std::size_t first = indices_.size();
+    collect(part);
+    addRange(first, indices_.size(), part.surface);
+    const SectorId sector = level_[part.surface].sector;
+    if (std::ranges::find(sectors_, sector) == sectors_.end()) sectors_.push_back(sector);
+  }
+  for (std::size_t i = 0; i < SampleArrays::kMaxLanes; ++i) targets_.add({});
+  if (parts.size() == 1) return;
+  Block& whole = blocks_.front();
+  whole.count = indices_.size();
+  if (sectors_.size() == 1) whole.sector = sectors_.front();
+  whole.firstPart = 1;
+  whole.parts = static_cast<std::uint32_t>(parts.size());
+}
+
+/// Appends the samples of a surface, quarter by quarter.
+void SampleBlocks::collect(const Part& part) {
+  const auto& [surface, left, right, top, bottom] = part;
+  if (right - left <= kCell && bottom - top <= kCell) {
+    for (int row = top; row < bottom; ++row)
+      for (int column = left; column < right; ++column) {
+        const std::size_t at = index(column, row);
+        if (samples_[at].isSpare || samples_[at].surface != surface) continue;
+        indices_.push_back(static_cast<std::uint32_t>(at));
+        targets_.add(samples_[at].target);
+      }
+    return;
+  }
+  const auto middle = [](int first, int end) {
+    const int count = end - first;
+    return count <= kCell ? end : first + (count / 2 + kCell - 1) / kCell * kCell;
+  };
+  const int column = middle(left, right);
+  const int row = middle(top, bottom);
+  collect({surface, left, column, top, row});
+  if (column < right) collect({surface, column, right, top, row});
+  if (row < bottom) collect({surface, left, column, row, bottom});
+  if (column < right && row < bottom) collect({surface, column, right, row, bottom});
+}
+
+void SampleBlocks::addRange(std::size_t first, std::size_t end, SurfaceId surface) {
+  blocks_.push_back({.first = first,
+                     .count = end - first,
+                     .box = {},
+                     .sector = level_[surface].sector,
+                     .surface = surface});
+}
+
+/// In four parts, or fewer.
+void SampleBlocks::divide(std::size_t index) {
+  const Block block = blocks_[index];
+  if (block.count <= kLeastBlock) return;
+  const std::size_t quarter = (block.count + 4 * kLeastBlock - 1) / (4 * kLeastBlock) * kLeastBlock;
+  blocks_[index].firstPart = static_cast<std::uint32_t>(blocks_.size());
+  for (std::size_t first = 0; first < block.count; first += quarter) {
+    addRange(block.first + first, block.first + std::min(first + quarter, block.count),
+             *block.surface);
+    ++blocks_[index].parts;
+  }
 }
 
 void SampleBlocks::extend(Extent& extent, Vec3 p) {
   auto& [least, most] = extent;
   least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
   most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-}
-
-void SampleBlocks::addToArrays(const SamplePoint& sample) {
-  if (runs_.empty() || runs_.back().surface != sample.surface)
-    runs_.push_back({sample.surface, points_.x.size(), 0});
-  ++runs_.back().count;
-  points_.add(sample.point);
-  targets_.add(sample.target);
-}
-
-void SampleBlocks::divide(std::size_t index) {
-  const Block block = blocks_[index];
-  if (block.columns <= kLeast && block.rows <= kLeast) return;
-  const auto halves = [](int count) {
-    const int first = count <= kLeast ? count : (count / 2 + kLeast - 1) / kLeast * kLeast;
-    return std::pair{first, count - first};
-  };
-  const auto [left, right] = halves(block.columns);
-  const auto [upper, lower] = halves(block.rows);
-  blocks_[index].firstPart = static_cast<std::uint32_t>(blocks_.size());
-  const auto add = [&](int column, int row, int columns, int rows) {
-    const Block part{.column = block.column + column,
-                     .row = block.row + row,
-                     .columns = columns,
-                     .rows = rows,
-                     .box = {},
-                     .sector = {},
-                     .surface = {}};
-    if (areSpare(part)) return;
-    blocks_.push_back(part);
-    ++blocks_[index].parts;
-  };
-  add(0, 0, left, upper);
-  add(left, 0, right, upper);
-  add(0, upper, left, lower);
-  add(left, upper, right, lower);
-}
-
-/// True of a block without samples.
-bool SampleBlocks::areSpare(const Block& block) const {
-  for (int j = block.row; j < block.row + block.rows; ++j)
-    for (int i = block.column; i < block.column + block.columns; ++i)
-      if (!samples_[index(i, j)].isSpare) return false;
-  return true;
 }
 
 /// Parts come behind what they are parts of.
@@ -95,37 +146,24 @@ void SampleBlocks::measureAll() {
   }
 }
 
-SampleBlocks::Extent SampleBlocks::measureSamples(Block& block) const {
+SampleBlocks::Extent SampleBlocks::measureSamples(const Block& block) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Extent extent{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
   const Vec3 origin = samples_.front().target;
-  const SurfaceId surface = samples_[index(block.column, block.row)].surface;
-  block.surface = surface;
-  block.sector = level_[surface].sector;
-  for (int j = block.row; j < block.row + block.rows; ++j)
-    for (int i = block.column; i < block.column + block.columns; ++i) {
-      const SamplePoint& sample = samples_[index(i, j)];
-      block.samples += sample.isSpare ? 0 : 1;
-      const Vec3 offset = sample.target - origin;
-      extend(extent, {dot(offset, axisS_), dot(offset, axisT_), dot(offset, normal_)});
-      if (sample.surface == surface) continue;
-      block.surface.reset();
-      if (level_[sample.surface].sector != level_[surface].sector) block.sector.reset();
-    }
+  const SampleArrays at = targets(block);
+  for (std::size_t i = 0; i < block.count; ++i) {
+    const Vec3 offset = Vec3{at.x[i], at.y[i], at.z[i]} - origin;
+    extend(extent, {dot(offset, axisS_), dot(offset, axisT_), dot(offset, normal_)});
+  }
   return extent;
 }
 
-SampleBlocks::Extent SampleBlocks::joined(Block& block, std::span<const Extent> extents) const {
-  const std::span<const Block> parts = partsOf(block);
+SampleBlocks::Extent SampleBlocks::joined(const Block& block,
+                                          std::span<const Extent> extents) const {
   Extent extent = extents[block.firstPart];
-  block.surface = parts.front().surface;
-  block.sector = parts.front().sector;
-  for (const Block& part : parts) block.samples += part.samples;
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    extend(extent, extents[block.firstPart + i].least);
-    extend(extent, extents[block.firstPart + i].most);
-    if (parts[i].surface != block.surface) block.surface.reset();
-    if (parts[i].sector != block.sector) block.sector.reset();
+  for (const Extent& part : extents.subspan(block.firstPart, block.parts)) {
+    extend(extent, part.least);
+    extend(extent, part.most);
   }
   return extent;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,24 +14,23 @@
 
 namespace hearth {
 
-/// A lattice of samples of one surface's lightmap, and a quadtree of blocks of them, whose leaves
-/// have kLeast samples a side. There are no blocks of nothing but spare samples.
+/// A lattice of samples of one surface's lightmap, and a tree of blocks of them. First the samples
+/// are parted by the surfaces on which they lie. Those of one surface follow one another in the
+/// order in which a quadtree visits them, so a block is a range of these: its samples lie side by
+/// side, and SIMD code reads them without gaps. Spare samples are in no block.
 class SampleBlocks {
  public:
-  /// Samples row by row, `columns` x `rows` of them. `surface` gives only directions.
+  /// Samples row by row, `columns` of them in each. `surface` gives only directions.
   SampleBlocks(const Level& level, const LitSurface& surface, std::vector<SamplePoint> samples,
-               int columns, int rows);
+               int columns);
 
   struct Block {
-    int column;
-    int row;
-    int columns;
-    int rows;
+    std::size_t first;  ///< in indices() and targets()
+    std::size_t count;
     TargetBox box;  ///< contains the points where the samples' rays arrive
     /// The sector in which all samples lie, if there is one, and the surface.
     std::optional<SectorId> sector;
     std::optional<SurfaceId> surface;
-    int samples = 0;              ///< without spare ones
     std::uint32_t firstPart = 0;  ///< the parts of a block follow one another
     std::uint32_t parts = 0;
   };
@@ -39,10 +39,20 @@ class SampleBlocks {
   std::span<const Block> partsOf(const Block& block) const {
     return std::span(blocks_).subspan(block.firstPart, block.parts);
   }
+  /// The largest blocks that lie on one surface: one for each surface.
+  std::span<const Block> onSurfaces() const {
+    return whole().surface ? std::span(blocks_).first(1) : partsOf(whole());
+  }
+
   const std::vector<SamplePoint>& samples() const { return samples_; }
-  /// In the same order: where samples lie, and where their rays arrive.
+  /// In the same order: where samples lie.
   SampleArrays points() const { return points_.arrays(); }
-  SampleArrays targets() const { return targets_.arrays(); }
+  /// The samples of a block, by their indices in the lattice.
+  std::span<const std::uint32_t> indices(const Block& block) const {
+    return std::span(indices_).subspan(block.first, block.count);
+  }
+  /// In the same order: where their rays arrive. Up to SampleArrays::kMaxLanes more can be read.
+  SampleArrays targets(const Block& block) const { return targets_.arrays().from(block.first); }
 
   /// Samples that follow one another on one surface.
   struct Run {
@@ -51,8 +61,6 @@ class SampleBlocks {
     std::size_t count;
   };
   const std::vector<Run>& runs() const { return runs_; }
-  /// The surfaces on which they lie, each once.
-  const std::vector<SurfaceId>& surfaces() const { return surfaces_; }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
@@ -61,8 +69,6 @@ class SampleBlocks {
   ShaftTargets targetsOf(const Block& block) const;
 
  private:
-  static constexpr int kLeast = 4;
-
   struct Coordinates {
     std::vector<double> x;
     std::vector<double> y;
@@ -72,10 +78,21 @@ class SampleBlocks {
     void add(Vec3 p) { x.push_back(p.x), y.push_back(p.y), z.push_back(p.z); }
     SampleArrays arrays() const { return {x.data(), y.data(), z.data()}; }
   };
+  /// Columns and rows of the lattice around all samples on a surface.
+  struct Part {
+    SurfaceId surface;
+    int left;
+    int right;  ///< one more than the last
+    int top;
+    int bottom;
+  };
 
-  void addToArrays(const SamplePoint& sample);
+  void addPoint(const SamplePoint& sample);
+  std::vector<Part> partsOnSurfaces() const;
+  void addSurfaces();
+  void collect(const Part& part);
+  void addRange(std::size_t first, std::size_t end, SurfaceId surface);
   void divide(std::size_t index);
-  bool areSpare(const Block& block) const;
   /// What holds some samples, in metres from the first of all along the axes and the normal.
   struct Extent {
     Vec3 least;
@@ -83,8 +100,8 @@ class SampleBlocks {
   };
   static void extend(Extent& extent, Vec3 p);
   void measureAll();
-  Extent measureSamples(Block& block) const;
-  Extent joined(Block& block, std::span<const Extent> extents) const;
+  Extent measureSamples(const Block& block) const;
+  Extent joined(const Block& block, std::span<const Extent> extents) const;
   TargetBox boxOf(const Extent& extent) const;
 
   const Level& level_;
@@ -94,9 +111,9 @@ class SampleBlocks {
   std::vector<SamplePoint> samples_;
   int columns_;
   Coordinates points_;
+  std::vector<std::uint32_t> indices_;
   Coordinates targets_;
   std::vector<Run> runs_;
-  std::vector<SurfaceId> surfaces_;
   std::vector<SectorId> sectors_;  ///< of all samples, each once
   std::vector<Block> blocks_;
 };
