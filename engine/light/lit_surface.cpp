@@ -146,11 +146,6 @@ TexelRect intersection(const TexelRect& a, const TexelRect& b) {
   return both;
 }
 
-Vec3 LitSurface::toWorld(Vec2 texelPoint) const {
-  const Vec3 p = grid.toWorld(texelPoint);
-  return p - distanceInFront(p) * normal;
-}
-
 ListPerRow<LitSurface::TexelRun> LitSurface::usedRuns(int firstRow, int rows) const {
   // See texelsAround: the middles of texels that are used are less than one texel off. Another
   // whisker, so that no rounding leaves a row of its texels without one.

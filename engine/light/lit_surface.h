@@ -54,7 +54,10 @@ struct LitSurface {
   /// Metres in front of the surface's plane.
   double distanceInFront(Vec3 p) const { return dot(p - anchor, normal); }
   /// The point of the surface's own plane at texel coordinates.
-  Vec3 toWorld(Vec2 texelPoint) const;
+  Vec3 toWorld(Vec2 texelPoint) const {
+    const Vec3 p = grid.toWorld(texelPoint);
+    return p - distanceInFront(p) * normal;
+  }
 
   /// Consecutive texels of a row.
   struct TexelRun {

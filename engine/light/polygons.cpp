@@ -28,6 +28,10 @@ double distanceToBox(const Polygons::Edge& edge, Vec2 p) {
 
 }  // namespace
 
+bool Polygons::Edge::isWithin(double reach, Vec2 p) const {
+  return distanceToBox(*this, p) <= reach && length(nearestOnSegment(a, b, p) - p) <= reach;
+}
+
 Polygons::Polygons(std::span<const std::vector<Vec2>> polygons) {
   std::size_t edges = 0;
   for (const std::vector<Vec2>& polygon : polygons) edges += polygon.size();
@@ -117,23 +121,23 @@ double Polygons::areaNear(double margin) const {
   return std::abs(twiceInside) / 2 + margin * border;
 }
 
-std::vector<Polygons::Edge> Polygons::edgesWithin(Vec2 p, double reach) const {
-  std::vector<Edge> edges;
+Polygons::EdgesNear Polygons::edgesWithin(Vec2 p, double reach,
+                                          std::pmr::memory_resource& memory) const {
+  constexpr std::size_t kFew = 8;
+  EdgesNear edges(&memory);
+  edges.reserve(kFew);
   forEachEdgeIn(grown({p, p}, reach), [&](const Edge& edge) {
-    if (distanceToBox(edge, p) <= reach && length(nearestOnSegment(edge.a, edge.b, p) - p) <= reach)
-      edges.push_back(edge);
+    if (edge.isWithin(reach, p)) edges.push_back(edge);
   });
   return edges;
 }
 
-Polygons Polygons::aroundRow(double row, double reach) const {
-  Polygons around;
-  if (!tree_) around.edges_.reserve(edges_.size());
+void Polygons::findAroundRow(double row, double reach, Polygons& around) const {
+  around.edges_.clear();
   forEachEdgeIn({{-kFar, row - reach}, {kFar, row + reach}}, [&](const Edge& edge) {
     if (std::min(edge.a.y, edge.b.y) - row <= reach && row - std::max(edge.a.y, edge.b.y) <= reach)
       around.edges_.push_back(edge);
   });
-  return around;
 }
 
 /// What of a row lies beside an edge, if any does.
@@ -167,22 +171,12 @@ std::span<Polygons::Beside> Polygons::joined(std::span<Beside> beside) {
   return beside.first(apart);
 }
 
-std::vector<Polygons::Beside> Polygons::besideEdges(double row, double margin) const {
-  std::vector<Beside> beside;
-  if (!tree_) beside.reserve(edges_.size());
+void Polygons::findBeside(double row, double margin, std::vector<Beside>& beside) const {
+  beside.clear();
   forEachEdgeIn({{-kFar, row - margin}, {kFar, row + margin}}, [&](const Edge& edge) {
     if (const auto found = besideEdge(edge, row, margin)) beside.push_back(*found);
   });
   beside.resize(joined(beside).size());
-  return beside;
-}
-
-std::vector<Polygons::Stretch> Polygons::insideAlong(double row, double margin) const {
-  const std::vector<Beside> beside = besideEdges(row, margin);
-  std::vector<Stretch> inside;
-  for (std::size_t i = 0; i + 1 < beside.size(); ++i)
-    if (beside[i].leadsInside) inside.push_back({beside[i].part.to, beside[i + 1].part.from});
-  return inside;
 }
 
 /// Edge by edge, so that no row looks at edges elsewhere.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,6 +21,9 @@ class Polygons {
   struct Edge {
     Vec2 a;
     Vec2 b;
+
+    /// Whether a point is no farther away than `reach`.
+    bool isWithin(double reach, Vec2 p) const;
   };
   /// A part of a row of points.
   struct Stretch {
@@ -42,29 +46,29 @@ class Polygons {
   /// About the area of all that is inside, or no farther than `margin` from an edge. Holes run the
   /// other way round than what they are in.
   double areaNear(double margin) const;
+  /// Of few edges no memory is taken but that of `memory`.
+  using EdgesNear = std::pmr::vector<Edge>;
   /// The edges no farther than `reach`.
-  std::vector<Edge> edgesWithin(Vec2 p, double reach) const;
+  EdgesNear edgesWithin(Vec2 p, double reach, std::pmr::memory_resource& memory) const;
 
-  /// Only the edges within `reach` of the points of a row. For such a point it gives the same
-  /// answers within that distance.
-  Polygons aroundRow(double row, double reach) const;
+  /// Makes `around` have only the edges within `reach` of the points of a row. For such a point it
+  /// gives the same answers within that distance.
+  void findAroundRow(double row, double reach, Polygons& around) const;
 
-  /// The parts of the row that lie inside, farther than `margin` from all edges, from left to
-  /// right with gaps between them.
-  std::vector<Stretch> insideAlong(double row, double margin) const;
-  /// In each of some rows, which are 1 apart, the parts with a point of the inside, or of an edge,
-  /// no farther than `margin` along both axes, in the same order.
-  ListPerRow<Stretch> nearAlongRows(double firstRow, int rows, double margin) const;
-
- private:
   /// A part of a row with an edge no farther than a margin along both axes.
   struct Beside {
     Stretch part;
     bool leadsInside;  ///< what comes after it lies inside
   };
+  /// Those of a row, from left to right with gaps between them.
+  void findBeside(double row, double margin, std::vector<Beside>& beside) const;
+  /// In each of some rows, which are 1 apart, the parts with a point of the inside, or of an edge,
+  /// no farther than `margin` along both axes, in the same order.
+  ListPerRow<Stretch> nearAlongRows(double firstRow, int rows, double margin) const;
+
+ private:
   static std::optional<Beside> besideEdge(const Edge& edge, double row, double margin);
   static std::span<Beside> joined(std::span<Beside> beside);
-  std::vector<Beside> besideEdges(double row, double margin) const;
   ListPerRow<Beside> besideEdgesInRows(double firstRow, int rows, double margin) const;
 
   template <typename Visit>

@@ -198,20 +198,26 @@ TEST_F(LightKernelsTest, findBeamsBetweenWhoseSidesSomethingMayLie) {
     const std::vector<double> endX = between(-1, 1);
     const std::vector<double> endY = between(-1, 1);
     const double margin = 0.25;
-    std::vector<std::uint32_t> expected;
+    std::vector<SpanningBeam> expected;
     for (std::uint32_t i = 0; i < kCount; ++i) {
-      const auto isBehind = [&](double x, double y) {
+      const auto cornersBehind = [&](double x, double y, double offset) {
+        std::size_t behind = 0;
         for (std::size_t k = 0; k < count; ++k)
-          if (corners.x[k] * x + corners.y[k] * y >= -margin) return false;
-        return true;
+          if (!(corners.x[k] * x + corners.y[k] * y > offset)) ++behind;
+        return behind;
       };
-      if (!isBehind(beginX[i], beginY[i]) && !isBehind(endX[i], endY[i])) expected.push_back(i);
+      const auto isBehind = [&](double x, double y) {
+        return cornersBehind(x, y, -margin) == count;
+      };
+      if (isBehind(beginX[i], beginY[i]) || isBehind(endX[i], endY[i])) continue;
+      expected.push_back({i, (cornersBehind(beginX[i], beginY[i], margin) > 0 ? 1U : 0U) |
+                                 (cornersBehind(endX[i], endY[i], margin) > 0 ? 2U : 0U)});
     }
     EXPECT_GT(expected.size(), 5U);
     EXPECT_LT(expected.size(), kCount - 5);
     forEachInstructionSet([&] {
       const BeamKernels& kernels = beamKernels();
-      std::vector<std::uint32_t> found(kCount);
+      std::vector<SpanningBeam> found(kCount);
       found.resize(kernels.findSpanning(corners,
                                         {beginX.data(), beginY.data(), endX.data(), endY.data()},
                                         kCount, margin, found.data()));

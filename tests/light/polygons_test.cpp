@@ -20,6 +20,10 @@
 namespace hearth {
 namespace {
 
+std::size_t edgesWithin(const Polygons& outline, Vec2 p, double reach) {
+  return outline.edgesWithin(p, reach, *std::pmr::get_default_resource()).size();
+}
+
 class PolygonsOfSurfaces : public testing::Test {
  protected:
   double between(double low, double high) {
@@ -50,18 +54,29 @@ class PolygonsOfSurfaces : public testing::Test {
 TEST_F(PolygonsOfSurfaces, aroundARowSayTheSameOfItsPoints) {
   for (int round = 0; round < 20; ++round) {
     const Polygons whole = outline(round % 2 == 0);
+    Polygons around;
     for (double row = -14; row < 17; row += 0.5) {
-      const Polygons around = whole.aroundRow(row, 2);
+      whole.findAroundRow(row, 2, around);
       for (double column = -14; column < 40; column += 0.5) {
         const Vec2 p{column, row};
         ASSERT_EQ(around.contains(p), whole.contains(p)) << column << ' ' << row;
-        ASSERT_EQ(around.edgesWithin(p, 1.5).size(), whole.edgesWithin(p, 1.5).size());
+        ASSERT_EQ(edgesWithin(around, p, 1.5), edgesWithin(whole, p, 1.5));
         if (const Vec2 nearest = whole.nearest(p); length(nearest - p) <= 2) {
           ASSERT_EQ(around.nearest(p), nearest) << column << ' ' << row;
         }
       }
     }
   }
+}
+
+/// The parts of a row that lie inside, farther than `margin` from all edges.
+std::vector<Polygons::Stretch> insideAlong(const Polygons& outline, double row, double margin) {
+  std::vector<Polygons::Beside> beside;
+  outline.findBeside(row, margin, beside);
+  std::vector<Polygons::Stretch> inside;
+  for (std::size_t i = 0; i + 1 < beside.size(); ++i)
+    if (beside[i].leadsInside) inside.push_back({beside[i].part.to, beside[i + 1].part.from});
+  return inside;
 }
 
 bool isIn(std::span<const Polygons::Stretch> stretches, double column) {
@@ -85,16 +100,16 @@ TEST_F(PolygonsOfSurfaces, alongARowAreInsideAsFarFromEdgesAsAsked) {
   for (int round = 0; round < 20; ++round) {
     const Polygons found = outline(round % 2 == 0);
     for (double row = -13; row < 16; row += 1.5) {
-      const std::vector<Polygons::Stretch> inside = found.insideAlong(row, 0.25);
+      const std::vector<Polygons::Stretch> inside = insideAlong(found, row, 0.25);
       for (double column = -14; column < 40; column += 0.0625) {
         const Vec2 p{column, row};
         if (isIn(inside, column)) {
           ASSERT_TRUE(found.contains(p)) << column << ' ' << row;
         }
         if (isIn(inside, column)) {
-          ASSERT_TRUE(found.edgesWithin(p, 0.2499).empty());
+          ASSERT_TRUE(edgesWithin(found, p, 0.2499) == 0);
         }
-        if (found.contains(p) && found.edgesWithin(p, 0.36).empty()) {
+        if (found.contains(p) && edgesWithin(found, p, 0.36) == 0) {
           ASSERT_TRUE(isIn(inside, column)) << column << ' ' << row;
         }
       }

@@ -142,15 +142,17 @@ std::vector<SamplePoint> placedSamples(const Places& places, const UsedTexels& t
   const int rows = tile.height * side;
   std::vector<SamplePoint> samples;
   samples.reserve(columns * static_cast<std::size_t>(rows));
+  SamplePlacement::Rows inRows = places.inRows();
   for (int j = 0; j < rows; ++j) {
     const std::size_t begin = samples.size();
-    auto row = places.inRow(along(tile.j0, j));
+    inRows.begin(along(tile.j0, j));
     texels.forEachRunIn(tile, tile.j0 + j / side, [&](int first, int last) {
       const int end = (last + 1 - tile.i0) * side;
       int k = (first - tile.i0) * side;
-      const SamplePoint atFirst = row.place(along(tile.i0, k));
+      const SamplePoint atFirst = inRows.place(along(tile.i0, k));
       fillUpTo(begin + static_cast<std::size_t>(k), atFirst, samples);
-      for (samples.push_back(atFirst); ++k < end;) samples.push_back(row.place(along(tile.i0, k)));
+      for (samples.push_back(atFirst); ++k < end;)
+        samples.push_back(inRows.place(along(tile.i0, k)));
     });
     fillUpTo(begin + columns, samples.back(), samples);
   }

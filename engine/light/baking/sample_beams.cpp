@@ -49,7 +49,7 @@ SampleBeams::BeamAnswer SampleBeams::refine(std::size_t light, SurfaceId surface
 /// Of a block that `here` is about.
 void SampleBeams::findBlock(const Query& query, const SampleBlocks::Block& block,
                             const BeamAnswer& here) {
-  constexpr std::size_t kMostAtOnce = 64;
+  constexpr std::size_t kMostAtOnce = 256;
   if (here.outcome == TargetVisibility::Dark)
     return rays_.countSamples(query.light, static_cast<std::int64_t>(block.count));
   const bool isLit = here.outcome == TargetVisibility::Lit;

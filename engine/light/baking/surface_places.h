@@ -29,8 +29,8 @@ class SurfacePlaces {
   const LitSurface& surface() const { return *surfaces_[id_.index()]; }
 
   SamplePoint place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
-  /// Places the samples at one height, in texel coordinates.
-  SamplePlacement::Row inRow(double row) const { return {placement_, row}; }
+  /// Places samples row by row.
+  SamplePlacement::Rows inRows() const { return SamplePlacement::Rows(placement_); }
 
   /// Whether a sample lies inside a mesh, and so is left out of its texel.
   bool isLeftOut(const SamplePoint& at) const;
@@ -60,7 +60,7 @@ class PatchPlaces {
   const LitSurface& surface() const { return *patch_.front(); }
 
   SamplePoint place(Vec2 texelPoint) const { return placement_.place(texelPoint); }
-  SamplePlacement::Row inRow(double row) const { return {placement_, row}; }
+  SamplePlacement::Rows inRows() const { return SamplePlacement::Rows(placement_); }
 
   /// Whether a sample lies in no air: in a wall, or beyond a flat.
   bool isLeftOut(const SamplePoint& at) const;

@@ -101,9 +101,10 @@ struct BeamSet {
   std::span<const HeightPlane> planesOf(const Beam& beam) const {
     return std::span(planes).subspan(beam.firstPlane, beam.lastPlane - beam.firstPlane);
   }
-  /// With what BeamTree keeps of each: its sides.
+  /// With what BeamTree keeps of each: its sides, and its last wall.
   std::size_t bytes() const {
-    return beams.size() * (sizeof(Beam) + 4 * sizeof(double)) + planes.size() * sizeof(HeightPlane);
+    return beams.size() * (sizeof(Beam) + 4 * sizeof(double) + sizeof(const Segment*)) +
+           planes.size() * sizeof(HeightPlane);
   }
 };
 

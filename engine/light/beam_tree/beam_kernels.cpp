@@ -18,35 +18,55 @@ HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
 namespace {
 
-/// In lanes that are beams: how far in front of an upright plane through the light the foremost of
-/// the corners is.
+/// How far in front of a plane the hindmost and the foremost corner are.
 template <typename D>
-HWY_INLINE hn::Vec<D> foremost(D d, const CornerOffsets& corners, hn::Vec<D> normalX,
-                               hn::Vec<D> normalY) {
+struct InFront {
+  hn::Vec<D> least;
+  hn::Vec<D> most;
+};
+
+/// In lanes that are beams: of an upright plane through the light.
+template <typename D>
+HWY_INLINE InFront<D> inFrontOfSide(D d, const CornerOffsets& corners, hn::Vec<D> normalX,
+                                    hn::Vec<D> normalY) {
   const auto inFront = [&](std::size_t k) HWY_ATTR {
     return hn::Add(hn::Mul(hn::Set(d, corners.x[k]), normalX),
                    hn::Mul(hn::Set(d, corners.y[k]), normalY));
   };
-  auto most = inFront(0);
-  for (std::size_t k = 1; k < corners.count; ++k) most = hn::Max(most, inFront(k));
-  return most;
+  auto least = inFront(0);
+  auto most = least;
+  for (std::size_t k = 1; k < corners.count; ++k) {
+    const auto next = inFront(k);
+    least = hn::Min(least, next);
+    most = hn::Max(most, next);
+  }
+  return {least, most};
 }
 
 std::size_t findSpanning(const CornerOffsets& corners, const BeamSides& beams, std::size_t count,
-                         double margin, std::uint32_t* spanning) {
+                         double margin, SpanningBeam* spanning) {
   std::size_t found = 0;
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
-    const auto least = hn::Set(d, -margin);
+    const auto bitsOf = [d](auto mask) HWY_ATTR {
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, mask, bits);
+      return std::uint32_t{bits[0]};
+    };
+    const auto most = hn::Set(d, margin);
     const auto ofBegin =
-        foremost(d, corners, hn::LoadU(d, beams.beginX + k), hn::LoadU(d, beams.beginY + k));
+        inFrontOfSide(d, corners, hn::LoadU(d, beams.beginX + k), hn::LoadU(d, beams.beginY + k));
     const auto ofEnd =
-        foremost(d, corners, hn::LoadU(d, beams.endX + k), hn::LoadU(d, beams.endY + k));
-    const auto areSpanning = hn::And(hn::Ge(ofBegin, least), hn::Ge(ofEnd, least));
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, areSpanning, bits);
-    for (unsigned left = bits[0]; left != 0; left &= left - 1)
-      spanning[found++] =
-          static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(left));
+        inFrontOfSide(d, corners, hn::LoadU(d, beams.endX + k), hn::LoadU(d, beams.endY + k));
+    const auto least = hn::Neg(most);
+    std::uint32_t left = bitsOf(hn::And(hn::Ge(ofBegin.most, least), hn::Ge(ofEnd.most, least)));
+    if (left == 0) return;
+    const std::uint32_t atBegin = bitsOf(hn::Le(ofBegin.least, most));
+    const std::uint32_t atEnd = bitsOf(hn::Le(ofEnd.least, most));
+    for (; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      spanning[found++] = {static_cast<std::uint32_t>(k) + lane,
+                           (atBegin >> lane & 1) | (atEnd >> lane & 1) << 1};
+    }
   });
   return found;
 }

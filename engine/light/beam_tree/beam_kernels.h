@@ -45,6 +45,14 @@ struct BoundingPlane {
   double slack;
 };
 
+/// A beam that findSpanning() finds.
+struct SpanningBeam {
+  std::uint32_t index;
+  std::uint32_t straddled;  ///< which of its sides may have some corners behind it: 1 and 2
+
+  friend bool operator==(const SpanningBeam&, const SpanningBeam&) = default;
+};
+
 /// The number of bounds of a beam that may part some samples. If the beam `isDoubtful`, no sample
 /// in it is certainly lit.
 struct StraddledBounds {
@@ -56,10 +64,10 @@ struct StraddledBounds {
 inline constexpr double kUnknownFraction = -1;
 
 struct BeamKernels {
-  /// The indices of beams without a side that has all corners behind it, in rising order. Returns
-  /// their number; `spanning` has room for `count`. `margin` is that of rays to the corners.
+  /// The beams without a side that has all corners behind it, by rising indices. Returns their
+  /// number; `spanning` has room for `count`. `margin` is that of rays to the corners.
   std::size_t (*findSpanning)(const CornerOffsets& corners, const BeamSides& beams,
-                              std::size_t count, double margin, std::uint32_t* spanning);
+                              std::size_t count, double margin, SpanningBeam* spanning);
   /// A bit for each bound of a beam that may have some corners behind it; or kBehindBound. Tests
   /// only the bounds with a bit in `asked`.
   std::uint32_t (*findStraddled)(const CornerOffsets& corners, const BeamBounds& bounds,

@@ -16,10 +16,14 @@ BeamTree::BeamTree(const Scene& scene, const Raytracer::Source& light, const Bea
       region_(limits.region),
       found_(findLightBeams(scene, light, limits)) {
   const std::vector<Beam>& beams = found_.beams;
+  walls_.reserve(beams.size());
   for (auto* side : {&sides_.beginX, &sides_.beginY, &sides_.endX, &sides_.endY})
     side->reserve(beams.size());
   for (std::size_t i = 0; i < beams.size(); ++i) {
-    ++rangeOf_.try_emplace(beams[i].sector.value, Range{i, i}).first->second.last;
+    BeamsOfSector& its = ofSector_.try_emplace(beams[i].sector.value, i).first->second;
+    ++its.all.last;
+    if (!beams[i].to) ++its.withoutWall.last;
+    walls_.push_back(beams[i].to);
     sides_.beginX.push_back(-beams[i].begin.y);
     sides_.beginY.push_back(beams[i].begin.x);
     sides_.endX.push_back(beams[i].end.y);
@@ -64,12 +68,13 @@ bool BeamTree::knows(SectorId sector, const Plane& plane, const Points& points) 
 }
 
 /// Whether points lie in a beam for sure; if they may, adds it. `asked` are the bounds that may
-/// part them.
+/// part them, and `known` those that do.
 bool BeamTree::add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
-                   Candidates& candidates) const {
-  const std::uint32_t straddled = beamKernels().findStraddled(points.directions, boundsOf(beam, on),
-                                                              asked, points.margin, points.reach);
-  if (straddled == kBehindBound) return false;
+                   std::uint32_t known, Candidates& candidates) const {
+  const std::uint32_t found = beamKernels().findStraddled(points.directions, boundsOf(beam, on),
+                                                          asked, points.margin, points.reach);
+  if (found == kBehindBound) return false;
+  const std::uint32_t straddled = found | known;
   if (straddled == 0 && !beam.isDoubtful) return true;
   candidates.push_back({&beam, straddled});
   return false;
@@ -78,15 +83,17 @@ bool BeamTree::add(const Beam& beam, const Points& points, const Segment* on, st
 /// The same of several beams. Most of them are told by their sides, many at once.
 bool BeamTree::addSpanning(Range beams, const Points& points, const Segment* on,
                            Candidates& candidates) const {
-  std::array<std::uint32_t, 64> spanning;
+  std::array<SpanningBeam, 64> spanning;
   for (std::size_t first = beams.first; first < beams.last; first += spanning.size()) {
-    const BeamSides sides{&sides_.beginX[first], &sides_.beginY[first], &sides_.endX[first],
-                          &sides_.endY[first]};
+    const BeamSides planes{&sides_.beginX[first], &sides_.beginY[first], &sides_.endX[first],
+                           &sides_.endY[first]};
     const std::size_t count = beamKernels().findSpanning(
-        points.directions, sides, std::min(spanning.size(), beams.last - first), points.margin,
+        points.directions, planes, std::min(spanning.size(), beams.last - first), points.margin,
         spanning.data());
-    for (const std::uint32_t i : std::span(spanning).first(count))
-      if (add(found_.beams[first + i], points, on, kAllBounds, candidates)) return true;
+    for (const auto& [i, sides] : std::span(spanning).first(count))
+      if (add(found_.beams[first + i], points, on, kAllBounds & ~(kAtBegin | kAtEnd), sides,
+              candidates))
+        return true;
   }
   return false;
 }
@@ -139,24 +146,25 @@ bool BeamTree::comesToEndOf(const Segment& wall, const Points& points) const {
   });
 }
 
+/// Those of some beams of a sector that end at a wall.
+BeamTree::Range BeamTree::upTo(const Segment& wall, Range beams) const {
+  const auto walls = std::span(walls_).first(beams.last).subspan(beams.first);
+  const auto found = std::ranges::equal_range(walls, &wall);
+  const auto first = beams.first + static_cast<std::size_t>(found.begin() - walls.begin());
+  return {first, first + found.size()};
+}
+
 bool BeamTree::find(SectorId sector, const Segment* on, const Points& points,
                     Candidates& candidates) const {
   const std::size_t before = candidates.size();
-  const auto range = rangeOf_.find(sector.value);
-  if (range == rangeOf_.end()) return false;
-  const Range ofSector = range->second;
-  const auto isAnyTo = [&](const Segment* wall) {
-    const auto beams = std::span(found_.beams).first(ofSector.last).subspan(ofSector.first);
-    const auto indexOf = [&](auto place) {
-      return ofSector.first + static_cast<std::size_t>(place - beams.begin());
-    };
-    return addSpanning({indexOf(std::ranges::lower_bound(beams, wall, {}, &Beam::to)),
-                        indexOf(std::ranges::upper_bound(beams, wall, {}, &Beam::to))},
-                       points, on, candidates);
-  };
-  const bool isLit = !on || comesToEndOf(*on, points)
-                         ? addSpanning(ofSector, points, on, candidates)
-                         : isAnyTo(nullptr) || isAnyTo(on);
+  const auto range = ofSector_.find(sector.value);
+  if (range == ofSector_.end()) return false;
+  const auto& [all, withoutWall] = range->second;
+  const bool isLit =
+      !on || comesToEndOf(*on, points)
+          ? addSpanning(all, points, on, candidates)
+          : addSpanning(withoutWall, points, on, candidates) ||
+                addSpanning(upTo(*on, {withoutWall.last, all.last}), points, on, candidates);
   return isLit || isRow(std::span(candidates).subspan(before));
 }
 
@@ -164,7 +172,7 @@ bool BeamTree::narrow(const Points& points, const Segment* on, Candidates& candi
                       std::size_t first, std::size_t last) const {
   const std::size_t before = candidates.size();
   for (std::size_t i = first; i < last; ++i)
-    if (add(*candidates[i].beam, points, on, candidates[i].straddled, candidates)) return true;
+    if (add(*candidates[i].beam, points, on, candidates[i].straddled, 0, candidates)) return true;
   return isRow(std::span(candidates).subspan(before));
 }
 

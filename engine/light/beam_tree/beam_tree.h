@@ -83,12 +83,19 @@ class BeamTree {
   bool comesToEndOf(const Segment& wall, const Points& points) const;
   static bool isRow(std::span<const CandidateBeam> candidates);
   bool add(const Beam& beam, const Points& points, const Segment* on, std::uint32_t asked,
-           Candidates& candidates) const;
+           std::uint32_t known, Candidates& candidates) const;
   /// Some of the beams, by index.
   struct Range {
     std::size_t first;
     std::size_t last;
   };
+  struct BeamsOfSector {
+    explicit BeamsOfSector(std::size_t first) : all{first, first}, withoutWall{first, first} {}
+
+    Range all;
+    Range withoutWall;  ///< doubtful ones, which come first; the others follow by their walls
+  };
+  Range upTo(const Segment& wall, Range beams) const;
   bool addSpanning(Range beams, const Points& points, const Segment* on,
                    Candidates& candidates) const;
 
@@ -103,7 +110,8 @@ class BeamTree {
     std::vector<double> endX;
     std::vector<double> endY;
   } sides_;
-  std::unordered_map<std::uint32_t, Range> rangeOf_;  ///< of a sector
+  std::vector<const Segment*> walls_;  ///< by beam: up to which it goes
+  std::unordered_map<std::uint32_t, BeamsOfSector> ofSector_;
 };
 
 }  // namespace hearth

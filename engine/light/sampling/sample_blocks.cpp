@@ -19,23 +19,28 @@ constexpr std::size_t kLeastBlock = kCell * kCell;
 
 SampleBlocks::SampleBlocks(const Level& level, const LitSurface& surface,
                            std::vector<SamplePoint> samples, int columns)
-    : level_(level), normal_(surface.normal), samples_(std::move(samples)), columns_(columns) {
+    : level_(level),
+      normal_(surface.normal),
+      samples_(std::move(samples)),
+      columns_(columns),
+      points_(samples_.size()),
+      targets_(samples_.size() + SampleArrays::kMaxLanes) {
   const Vec3 inPlane = surface.grid.axisS - dot(surface.grid.axisS, normal_) * normal_;
   axisS_ = (1 / length(inPlane)) * inPlane;
   axisT_ = cross(normal_, axisS_);
-  points_.reserve(samples_.size());
-  for (const SamplePoint& sample : samples_) addPoint(sample);
+  for (std::size_t i = 0; i < samples_.size(); ++i) addPoint(i);
   addSurfaces();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     if (blocks_[i].surface) divide(i);
   measureAll();
 }
 
-void SampleBlocks::addPoint(const SamplePoint& sample) {
+void SampleBlocks::addPoint(std::size_t index) {
+  const SamplePoint& sample = samples_[index];
   if (runs_.empty() || runs_.back().surface != sample.surface)
-    runs_.push_back({sample.surface, points_.x.size(), 0});
+    runs_.push_back({sample.surface, index, 0});
   ++runs_.back().count;
-  points_.add(sample.point);
+  points_.set(index, sample.point);
 }
 
 std::vector<SampleBlocks::Part> SampleBlocks::partsOnSurfaces() const {
@@ -64,7 +69,6 @@ std::vector<SampleBlocks::Part> SampleBlocks::partsOnSurfaces() const {
 /// Adds the whole and, if it lies on several surfaces, the parts on each of them.
 void SampleBlocks::addSurfaces() {
   indices_.reserve(samples_.size());
-  targets_.reserve(samples_.size() + SampleArrays::kMaxLanes);
   const std::vector<Part> parts = partsOnSurfaces();
   blocks_.reserve(1 + parts.size() + samples_.size() / 8);
   if (parts.size() > 1) blocks_.push_back({.first = 0, .count = 0, .box = {}});
@@ -75,7 +79,6 @@ void SampleBlocks::addSurfaces() {
     const SectorId sector = level_[part.surface].sector;
     if (std::ranges::find(sectors_, sector) == sectors_.end()) sectors_.push_back(sector);
   }
-  for (std::size_t i = 0; i < SampleArrays::kMaxLanes; ++i) targets_.add({});
   if (parts.size() == 1) return;
   Block& whole = blocks_.front();
   whole.count = indices_.size();
@@ -92,8 +95,8 @@ void SampleBlocks::collect(const Part& part) {
       for (int column = left; column < right; ++column) {
         const std::size_t at = index(column, row);
         if (samples_[at].isSpare || samples_[at].surface != surface) continue;
+        targets_.set(indices_.size(), samples_[at].target);
         indices_.push_back(static_cast<std::uint32_t>(at));
-        targets_.add(samples_[at].target);
       }
     return;
   }

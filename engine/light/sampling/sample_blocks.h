@@ -74,8 +74,8 @@ class SampleBlocks {
     std::vector<double> y;
     std::vector<double> z;
 
-    void reserve(std::size_t count) { x.reserve(count), y.reserve(count), z.reserve(count); }
-    void add(Vec3 p) { x.push_back(p.x), y.push_back(p.y), z.push_back(p.z); }
+    explicit Coordinates(std::size_t count) : x(count), y(count), z(count) {}
+    void set(std::size_t i, Vec3 p) { x[i] = p.x, y[i] = p.y, z[i] = p.z; }
     SampleArrays arrays() const { return {x.data(), y.data(), z.data()}; }
   };
   /// Columns and rows of the lattice around all samples on a surface.
@@ -87,7 +87,7 @@ class SampleBlocks {
     int bottom;
   };
 
-  void addPoint(const SamplePoint& sample);
+  void addPoint(std::size_t index);
   std::vector<Part> partsOnSurfaces() const;
   void addSurfaces();
   void collect(const Part& part);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory_resource>
 
 #include "math/predicates.h"
 #include "math/tolerance.h"
@@ -29,7 +31,7 @@ constexpr std::array<Vec2, 16> kWays = {{{1, 0},
                                          {0.4, -0.9},
                                          {0.9, -0.4}}};
 
-double distanceTo(const std::vector<Polygons::Edge>& edges, Vec2 p) {
+double distanceTo(std::span<const Polygons::Edge> edges, Vec2 p) {
   double distance = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : edges)
     distance = std::min(distance, length(nearestOnSegment(a, b, p) - p));
@@ -50,6 +52,15 @@ std::optional<Vec2> insideCorner(const Polygons::Edge& before, const Polygons::E
   return after.a + margin / (sine * length(back + on)) * (back + on);
 }
 
+/// Of what is small mostly: more is allocated.
+class StackMemory : public std::pmr::monotonic_buffer_resource {
+ public:
+  StackMemory() : monotonic_buffer_resource(bytes_.data(), bytes_.size()) {}
+
+ private:
+  alignas(std::max_align_t) std::array<std::byte, 512> bytes_;
+};
+
 }  // namespace
 
 SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, SurfaceSet* sought)
@@ -59,19 +70,25 @@ SamplePlacement::SamplePlacement(const LitSurfaces& surfaces, SurfaceId id, Surf
       besideEdge_(2.5 * hair_),
       sought_(sought) {}
 
-SamplePlacement::Row::Row(const SamplePlacement& placement, double row)
-    : placement_(placement), surface_(*placement.surfaces_[placement.id_.index()]), row_(row) {
+SamplePlacement::Rows::Rows(const SamplePlacement& placement)
+    : placement_(placement), surface_(*placement.surfaces_[placement.id_.index()]) {}
+
+void SamplePlacement::Rows::begin(double row) {
   // Texels. Samples of texels that are used are no farther from their surface.
   constexpr double kRowReach = 3;
-  outline_ = surface_.outline.aroundRow(row, kRowReach);
-  inside_ = outline_.insideAlong(row, placement.besideEdge_);
+  row_ = row;
+  surface_.outline.findAroundRow(row, kRowReach, outline_);
+  outline_.findBeside(row, placement_.besideEdge_, besideEdges_);
+  next_ = 0;
 }
 
-SamplePoint SamplePlacement::Row::place(double column) {
+SamplePoint SamplePlacement::Rows::place(double column) {
   const Vec2 p{column, row_};
-  while (nextInside_ < inside_.size() && inside_[nextInside_].to < column) ++nextInside_;
-  if (nextInside_ == inside_.size() || inside_[nextInside_].from > column)
+  while (next_ < besideEdges_.size() && besideEdges_[next_].part.to < column) ++next_;
+  if (next_ < besideEdges_.size() && besideEdges_[next_].part.from <= column)
     return placement_.place(p, outline_);
+  if (next_ == 0 || !besideEdges_[next_ - 1].leadsInside)
+    return placement_.placeOutside(p, outline_);
   const Vec3 point = surface_.toWorld(p);
   return {point, placement_.id_, point, false};
 }
@@ -81,11 +98,15 @@ SamplePoint SamplePlacement::place(Vec2 p) const {
 }
 
 SamplePoint SamplePlacement::place(Vec2 p, const Polygons& own) const {
-  if (own.contains(p)) return at(id_, own, p, p);
+  return own.contains(p) ? at(id_, own, p, p) : placeOutside(p, own);
+}
+
+SamplePoint SamplePlacement::placeOutside(Vec2 p, const Polygons& own) const {
   const Vec2 nearest = own.nearest(p);
   const double distance = length(nearest - p);
   if (distance < hair_) return at(id_, own, p, p);
-  const std::vector<SurfaceId> others = joinedWithin(distance + hair_, p);
+  StackMemory memory;
+  const Ids others = joinedWithin(distance + hair_, p, memory);
   const auto outlineOf = [this](SurfaceId id) -> const Polygons& {
     return surfaces_[id.index()]->outline;
   };
@@ -112,19 +133,21 @@ Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
 
 SamplePoint SamplePlacement::at(SurfaceId id, const Polygons& outline, Vec2 p, Vec2 from) const {
   const LitSurface& surface = *surfaces_[id.index()];
-  const std::vector<Polygons::Edge> edges = outline.edgesWithin(p, besideEdge_);
+  StackMemory memory;
+  const Polygons::EdgesNear edges = outline.edgesWithin(p, besideEdge_, memory);
   const bool isOnEdge = distanceTo(edges, p) < hair_;
   return {surface.toWorld(p), id,
           surface.toWorld(isOnEdge ? movedInside(outline, edges, p, from) : p), p != from};
 }
 
-std::vector<SurfaceId> SamplePlacement::joinedWithin(double reach, Vec2 p) const {
-  std::vector<SurfaceId> joined;
+SamplePlacement::Ids SamplePlacement::joinedWithin(double reach, Vec2 p,
+                                                   std::pmr::memory_resource& memory) const {
+  Ids joined(&memory);
   const auto addBeside = [&](SurfaceId id) {
     const Vec2 there = onGridOf(id, p);
     for (const Continuation& next : surfaces_[id.index()]->continuations)
       if (next.surface != id_ && std::ranges::find(joined, next.surface) == joined.end() &&
-          length(nearestOnSegment(next.edge0, next.edge1, there) - there) <= reach)
+          Polygons::Edge{next.edge0, next.edge1}.isWithin(reach, there))
         joined.push_back(next.surface);
   };
   addBeside(id_);
@@ -144,7 +167,7 @@ bool SamplePlacement::holds(const Polygons& outline, Vec2 p) const {
 /// From a point on the surface's edge a hair inwards: straight on from where the sample was, or in
 /// a corner, where that may run along the other edge, the way that leads farthest inside; in a
 /// sharp one to where its edges are a hair away.
-Vec2 SamplePlacement::movedInside(const Polygons& outline, const std::vector<Polygons::Edge>& edges,
+Vec2 SamplePlacement::movedInside(const Polygons& outline, std::span<const Polygons::Edge> edges,
                                   Vec2 edgePoint, Vec2 from) const {
   Vec2 best = edgePoint;
   double clearance = 0;
@@ -156,7 +179,12 @@ Vec2 SamplePlacement::movedInside(const Polygons& outline, const std::vector<Pol
     clearance = found;
     return clearance > 0.9 * hair_;
   };
-  if (edgePoint != from && isGood((1 / length(edgePoint - from)) * (edgePoint - from))) return best;
+  if (edgePoint != from) {
+    const Vec2 straightOn = (1 / length(edgePoint - from)) * (edgePoint - from);
+    // Behind an edge that is alone, seen from outside, lies the inside.
+    if (edges.size() == 1) return edgePoint + hair_ * straightOn;
+    if (isGood(straightOn)) return best;
+  }
   if (std::ranges::any_of(kWays, isGood) || clearance > 0.5 * hair_) return best;
   // A sharp corner, into which none of the ways leads, or not far from its edges.
   for (const Polygons::Edge& before : edges)

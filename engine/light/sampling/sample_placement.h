@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -37,20 +38,22 @@ class SamplePlacement {
 
   SamplePoint place(Vec2 texelPoint) const;
 
-  /// Places points of one row, with no more of the outline than is near it.
-  class Row;
+  /// Places points row by row, with no more of the outline than is near the row.
+  class Rows;
 
  private:
   /// `own` is the outline of the surface, or the part of it that is near.
   SamplePoint place(Vec2 texelPoint, const Polygons& own) const;
+  SamplePoint placeOutside(Vec2 texelPoint, const Polygons& own) const;
   /// The other surfaces of the plane that are joined to this one near a sample.
-  std::vector<SurfaceId> joinedWithin(double reach, Vec2 texelPoint) const;
+  using Ids = std::pmr::vector<SurfaceId>;
+  Ids joinedWithin(double reach, Vec2 texelPoint, std::pmr::memory_resource& memory) const;
   Vec2 onGridOf(SurfaceId surface, Vec2 texelPoint) const;
   bool holds(const Polygons& outline, Vec2 texelPoint) const;
   /// `outline` is that of the surface, or the part of it that is near.
   SamplePoint at(SurfaceId surface, const Polygons& outline, Vec2 texelPoint, Vec2 from) const;
-  Vec2 movedInside(const Polygons& outline, const std::vector<Polygons::Edge>& edges,
-                   Vec2 edgePoint, Vec2 from) const;
+  Vec2 movedInside(const Polygons& outline, std::span<const Polygons::Edge> edges, Vec2 edgePoint,
+                   Vec2 from) const;
 
   const LitSurfaces& surfaces_;
   SurfaceId id_;
@@ -60,21 +63,23 @@ class SamplePlacement {
   SurfaceSet* sought_;
 };
 
-class SamplePlacement::Row {
+class SamplePlacement::Rows {
  public:
-  /// Keeps a reference to `placement`. No point may be farther than a few texels from its surface.
-  Row(const SamplePlacement& placement, double row);
+  /// Keeps a reference to `placement`.
+  explicit Rows(const SamplePlacement& placement);
 
+  /// Whose points follow. None may be farther than a few texels from its surface.
+  void begin(double row);
   /// At columns in rising order.
   SamplePoint place(double column);
 
  private:
   const SamplePlacement& placement_;
   const LitSurface& surface_;
-  double row_;
+  double row_ = 0;
   Polygons outline_;
-  std::vector<Polygons::Stretch> inside_;
-  std::size_t nextInside_ = 0;
+  std::vector<Polygons::Beside> besideEdges_;
+  std::size_t next_ = 0;  ///< of these, the first that is not before the point
 };
 
 }  // namespace hearth
