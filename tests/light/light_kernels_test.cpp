@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -181,6 +182,22 @@ TEST_F(LightKernelsTest, addToSumsAsLightSumDoes) {
       }
     }
     EXPECT_EQ(sums[3], LightSum::kFull);
+  });
+}
+
+TEST_F(LightKernelsTest, findMeansAsLightSumDoes) {
+  std::vector<double> sums = between(0, 300 * LightSum::kUnit);
+  for (double& sum : sums) sum = std::floor(sum);
+  sums[3] = LightSum::kFull;
+  sums[4] = LightSum::kUnit / 2;
+  sums[5] = LightSum::kUnit / 2 - 1;
+  forEachInstructionSet([&] {
+    for (const int samples : {1, 3, 4, 9}) {
+      std::vector<double> means(kCount);
+      brightnessKernels().findMeans(sums.data(), kCount, samples, means.data());
+      for (std::size_t i = 0; i < kCount; ++i)
+        EXPECT_EQ(means[i], LightSum(sums[i]).mean(samples)) << samples;
+    }
   });
 }
 

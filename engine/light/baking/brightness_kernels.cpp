@@ -92,6 +92,15 @@ void addToSums(const double* levels, std::size_t count, double fraction, double*
   });
 }
 
+void findMeans(const double* sums, std::size_t count, int samples, double* means) {
+  const double one = samples * LightSum::kUnit;
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    const auto rounded = hn::Add(hn::LoadU(d, sums + k), hn::Set(d, one / 2));
+    const auto mean = hn::Floor(hn::Div(rounded, hn::Set(d, one)));
+    hn::StoreU(hn::Min(mean, hn::Set(d, 255.0)), d, means + k);
+  });
+}
+
 const BrightnessKernels& targetBrightnessKernels() {
   static constexpr BrightnessKernels kKernels{
       .findDistances = findDistances,
@@ -100,6 +109,7 @@ const BrightnessKernels& targetBrightnessKernels() {
       .applyCosine = applyCosine,
       .applySeen = applySeen,
       .addToSums = addToSums,
+      .findMeans = findMeans,
   };
   return kKernels;
 }

@@ -29,6 +29,8 @@ struct BrightnessKernels {
                     double* levels);
   /// Adds levels times `fraction` to sums, each by the rules of LightSum.
   void (*addToSums)(const double* levels, std::size_t count, double fraction, double* sums);
+  /// The means of sums of so many samples, see LightSum::mean.
+  void (*findMeans)(const double* sums, std::size_t count, int samples, double* means);
 };
 
 /// The kernels for the widest registers of this processor.

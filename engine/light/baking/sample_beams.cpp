@@ -27,7 +27,8 @@ void SampleBeams::findOnSurface(const Query& query, const SampleBlocks::Block& b
   if (!rays_.canShineOn(query.light, *block.surface)) return;
   const BeamTree& beams = treeOf(query.light);
   const LitSurface& surface = rays_.surface(*block.surface);
-  const BeamTree::Points points = beams.pointsBetween(block.box.corners());
+  const TargetBox box = query.blocks.boxOf(block);
+  const BeamTree::Points points = beams.pointsBetween(box.corners());
   if (!beams.knows(*block.sector, {surface.anchor, surface.normal}, points))
     return shafts_.find(query.light, query.blocks, block, query.seen);
   candidates_.clear();
@@ -60,7 +61,8 @@ void SampleBeams::findBlock(const Query& query, const SampleBlocks::Block& block
   if (isLit) return findLit(query, block);
   if (isLeaf) return findOneByOne(query, block, here);
   for (const SampleBlocks::Block& part : query.blocks.partsOf(block)) {
-    findBlock(query, part, refine(query.light, *block.surface, here, part.box.corners()));
+    findBlock(query, part,
+              refine(query.light, *block.surface, here, query.blocks.boxOf(part).corners()));
     candidates_.resize(here.last);
   }
 }
@@ -74,7 +76,7 @@ bool SampleBeams::mayMeetMesh(const Query& query, const SampleBlocks::Block& blo
 
 void SampleBeams::findLit(const Query& query, const SampleBlocks::Block& block) {
   rays_.countSamples(query.light, static_cast<std::int64_t>(block.count));
-  if (rays_.isAllInReach(query.light, block.box)) {
+  if (rays_.isAllInReach(query.light, query.blocks.boxOf(block))) {
     rays_.countSeenSamples(query.light, static_cast<std::int64_t>(block.count));
     return forEachSample(query.blocks, block, [&](std::size_t index) { query.seen[index] = 1; });
   }
@@ -88,10 +90,14 @@ void SampleBeams::findOneByOne(const Query& query, const SampleBlocks::Block& bl
                                const BeamAnswer& here) {
   const auto& [light, blocks, seen] = query;
   const BeamTree& beams = treeOf(light);
+  const TargetBox box = blocks.boxOf(block);
   seenHere_.resize(block.count + SampleArrays::kMaxLanes);
-  beams.findSeen(beams.pointsBetween(block.box.corners()), wallOf(*block.surface),
+  beams.findSeen(beams.pointsBetween(box.corners()), wallOf(*block.surface),
                  std::span(candidates_).subspan(here.first, here.last - here.first),
                  blocks.targets(block), block.count, scratch_, seenHere_.data());
+  const bool areInReach = rays_.isAllInReach(light, box);
+  std::int64_t known = 0;
+  std::int64_t seenInReach = 0;
   const double* fraction = seenHere_.data();
   for (const std::uint32_t index : blocks.indices(block)) {
     const double found = *fraction++;
@@ -99,9 +105,13 @@ void SampleBeams::findOneByOne(const Query& query, const SampleBlocks::Block& bl
       seen[index] = seenFraction(light, blocks.samples()[index], here);
       continue;
     }
-    rays_.countSamples(light, 1);
-    if (found > 0) seen[index] = rays_.unoccludedFraction(light, blocks.samples()[index]);
+    ++known;
+    if (found == 0) continue;
+    seen[index] = areInReach ? 1 : rays_.unoccludedFraction(light, blocks.samples()[index]);
+    if (areInReach) ++seenInReach;
   }
+  rays_.countSamples(light, known);
+  rays_.countSeenSamples(light, seenInReach);
 }
 
 /// Of one of the samples that `around` is about.

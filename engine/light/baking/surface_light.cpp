@@ -52,7 +52,8 @@ std::vector<std::size_t> SurfaceLight::facing(const TexelRect& texels) const {
 
 std::vector<std::size_t> SurfaceLight::reaching(const SampleBlocks& blocks,
                                                 std::span<const std::size_t> lights) const {
-  return rays_.visibilities().reach.reaching(boxAround(blocks.whole().box.corners()), lights);
+  return rays_.visibilities().reach.reaching(boxAround(blocks.boxOf(blocks.whole()).corners()),
+                                             lights);
 }
 
 SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int columns) const {

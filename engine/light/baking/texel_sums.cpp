@@ -1,6 +1,7 @@
 #include "light/baking/texel_sums.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "light/baking/brightness_kernels.h"
@@ -77,11 +78,19 @@ bool TexelSums::isDark() const {
 
 void TexelSums::round(int i, int j, int count, int samples, Lightmap& map) const {
   const auto channels = static_cast<std::size_t>(channels_);
-  std::uint8_t* const levels = map.texel(i, j);
+  std::array<double, 64> means;
   for (int channel = 0; channel < channels_; ++channel) {
-    const double* const sums = &sums_[index(i, j, channel)];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-      levels[k * channels + static_cast<std::size_t>(channel)] = LightSum(sums[k]).mean(samples);
+    std::uint8_t* level = map.texel(i, j) + channel;
+    auto sums = unitsInRow(channel, i, j, count);
+    while (!sums.empty()) {
+      const auto some = sums.first(std::min(sums.size(), means.size()));
+      brightnessKernels().findMeans(some.data(), some.size(), samples, means.data());
+      for (const double mean : std::span(means).first(some.size())) {
+        *level = static_cast<std::uint8_t>(mean);
+        level += channels;
+      }
+      sums = sums.subspan(some.size());
+    }
   }
 }
 

@@ -115,6 +115,7 @@ void findSeen(const SampleArrays& samples, std::size_t count, Vec3 light,
       }
       next += beam.count;
       areLit = hn::Or(areLit, areInside);
+      if (hn::AllTrue(d, areLit)) break;
       areUnknown = hn::Or(areUnknown, areNear);
     }
     const auto unlit = hn::IfThenElseZero(areUnknown, hn::Set(d, kUnknownFraction));

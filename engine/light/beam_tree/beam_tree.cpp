@@ -20,9 +20,10 @@ BeamTree::BeamTree(const Scene& scene, const Raytracer::Source& light, const Bea
   for (auto* side : {&sides_.beginX, &sides_.beginY, &sides_.endX, &sides_.endY})
     side->reserve(beams.size());
   for (std::size_t i = 0; i < beams.size(); ++i) {
-    BeamsOfSector& its = ofSector_.try_emplace(beams[i].sector.value, i).first->second;
-    ++its.all.last;
-    if (!beams[i].to) ++its.withoutWall.last;
+    if (bySector_.empty() || bySector_.back().sector != beams[i].sector)
+      bySector_.push_back({beams[i].sector, {i, i}, {i, i}});
+    ++bySector_.back().all.last;
+    if (!beams[i].to) ++bySector_.back().withoutWall.last;
     walls_.push_back(beams[i].to);
     sides_.beginX.push_back(-beams[i].begin.y);
     sides_.beginY.push_back(beams[i].begin.x);
@@ -157,9 +158,9 @@ BeamTree::Range BeamTree::upTo(const Segment& wall, Range beams) const {
 bool BeamTree::find(SectorId sector, const Segment* on, const Points& points,
                     Candidates& candidates) const {
   const std::size_t before = candidates.size();
-  const auto range = ofSector_.find(sector.value);
-  if (range == ofSector_.end()) return false;
-  const auto& [all, withoutWall] = range->second;
+  const auto there = std::ranges::lower_bound(bySector_, sector, {}, &BeamsOfSector::sector);
+  if (there == bySector_.end() || there->sector != sector) return false;
+  const auto& [itself, all, withoutWall] = *there;
   const bool isLit =
       !on || comesToEndOf(*on, points)
           ? addSpanning(all, points, on, candidates)

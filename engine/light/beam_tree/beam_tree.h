@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "level/scene.h"
@@ -90,8 +89,7 @@ class BeamTree {
     std::size_t last;
   };
   struct BeamsOfSector {
-    explicit BeamsOfSector(std::size_t first) : all{first, first}, withoutWall{first, first} {}
-
+    SectorId sector;
     Range all;
     Range withoutWall;  ///< doubtful ones, which come first; the others follow by their walls
   };
@@ -110,8 +108,8 @@ class BeamTree {
     std::vector<double> endX;
     std::vector<double> endY;
   } sides_;
-  std::vector<const Segment*> walls_;  ///< by beam: up to which it goes
-  std::unordered_map<std::uint32_t, BeamsOfSector> ofSector_;
+  std::vector<const Segment*> walls_;    ///< by beam: up to which it goes
+  std::vector<BeamsOfSector> bySector_;  ///< of those that have some, in rising order
 };
 
 }  // namespace hearth

@@ -71,7 +71,7 @@ void SampleBlocks::addSurfaces() {
   indices_.reserve(samples_.size());
   const std::vector<Part> parts = partsOnSurfaces();
   blocks_.reserve(1 + parts.size() + samples_.size() / 8);
-  if (parts.size() > 1) blocks_.push_back({.first = 0, .count = 0, .box = {}});
+  if (parts.size() > 1) blocks_.push_back({.first = 0, .count = 0, .sector = {}, .surface = {}});
   for (const Part& part : parts) {
     const std::size_t first = indices_.size();
     collect(part);
@@ -113,11 +113,8 @@ void SampleBlocks::collect(const Part& part) {
 }
 
 void SampleBlocks::addRange(std::size_t first, std::size_t end, SurfaceId surface) {
-  blocks_.push_back({.first = first,
-                     .count = end - first,
-                     .box = {},
-                     .sector = level_[surface].sector,
-                     .surface = surface});
+  blocks_.push_back(
+      {.first = first, .count = end - first, .sector = level_[surface].sector, .surface = surface});
 }
 
 /// In four parts, or fewer.
@@ -141,12 +138,8 @@ void SampleBlocks::extend(Extent& extent, Vec3 p) {
 
 /// Parts come behind what they are parts of.
 void SampleBlocks::measureAll() {
-  std::vector<Extent> extents(blocks_.size());
-  for (std::size_t i = blocks_.size(); i-- > 0;) {
-    Block& block = blocks_[i];
-    extents[i] = block.parts == 0 ? measureSamples(block) : joined(block, extents);
-    block.box = boxOf(extents[i]);
-  }
+  for (std::size_t i = blocks_.size(); i-- > 0;)
+    blocks_[i].extent = blocks_[i].parts == 0 ? measureSamples(blocks_[i]) : joined(blocks_[i]);
 }
 
 SampleBlocks::Extent SampleBlocks::measureSamples(const Block& block) const {
@@ -161,19 +154,18 @@ SampleBlocks::Extent SampleBlocks::measureSamples(const Block& block) const {
   return extent;
 }
 
-SampleBlocks::Extent SampleBlocks::joined(const Block& block,
-                                          std::span<const Extent> extents) const {
-  Extent extent = extents[block.firstPart];
-  for (const Extent& part : extents.subspan(block.firstPart, block.parts)) {
-    extend(extent, part.least);
-    extend(extent, part.most);
+SampleBlocks::Extent SampleBlocks::joined(const Block& block) const {
+  Extent extent = partsOf(block).front().extent;
+  for (const Block& part : partsOf(block)) {
+    extend(extent, part.extent.least);
+    extend(extent, part.extent.most);
   }
   return extent;
 }
 
-TargetBox SampleBlocks::boxOf(const Extent& extent) const {
+TargetBox SampleBlocks::boxOf(const Block& block) const {
   constexpr double kThin = kHeightNoise;
-  const auto& [least, most] = extent;
+  const auto& [least, most] = block.extent;
   TargetBox box;
   box.normal = normal_;
   const bool isFlat = most.z - least.z < kThin;
@@ -187,8 +179,8 @@ TargetBox SampleBlocks::boxOf(const Extent& extent) const {
 }
 
 ShaftTargets SampleBlocks::targetsOf(const Block& block) const {
-  if (block.sector) return {block.box, {&*block.sector, 1}};
-  return {block.box, sectors_};
+  if (block.sector) return {boxOf(block), {&*block.sector, 1}};
+  return {boxOf(block), sectors_};
 }
 
 }  // namespace hearth

@@ -24,13 +24,18 @@ class SampleBlocks {
   SampleBlocks(const Level& level, const LitSurface& surface, std::vector<SamplePoint> samples,
                int columns);
 
+  /// What holds some samples, in metres from the first of all along the axes and the normal.
+  struct Extent {
+    Vec3 least;
+    Vec3 most;
+  };
   struct Block {
     std::size_t first;  ///< in indices() and targets()
     std::size_t count;
-    TargetBox box;  ///< contains the points where the samples' rays arrive
     /// The sector in which all samples lie, if there is one, and the surface.
     std::optional<SectorId> sector;
     std::optional<SurfaceId> surface;
+    Extent extent{};              ///< of the points where the samples' rays arrive
     std::uint32_t firstPart = 0;  ///< the parts of a block follow one another
     std::uint32_t parts = 0;
   };
@@ -66,6 +71,8 @@ class SampleBlocks {
            static_cast<std::size_t>(column);
   }
 
+  /// Contains the points where the samples' rays arrive.
+  TargetBox boxOf(const Block& block) const;
   ShaftTargets targetsOf(const Block& block) const;
 
  private:
@@ -93,16 +100,10 @@ class SampleBlocks {
   void collect(const Part& part);
   void addRange(std::size_t first, std::size_t end, SurfaceId surface);
   void divide(std::size_t index);
-  /// What holds some samples, in metres from the first of all along the axes and the normal.
-  struct Extent {
-    Vec3 least;
-    Vec3 most;
-  };
   static void extend(Extent& extent, Vec3 p);
   void measureAll();
   Extent measureSamples(const Block& block) const;
-  Extent joined(const Block& block, std::span<const Extent> extents) const;
-  TargetBox boxOf(const Extent& extent) const;
+  Extent joined(const Block& block) const;
 
   const Level& level_;
   Vec3 axisS_;  ///< unit vectors: nearly those of the surface's grid, and in its own plane
