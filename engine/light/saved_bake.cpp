@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <optional>
 
@@ -46,13 +47,12 @@ Bytef* zlibBytes(std::string& bytes) { return reinterpret_cast<Bytef*>(bytes.dat
 
 std::string packed(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
-  std::string packed(size, '\0');
-  const int result =
-      compress2(zlibBytes(packed), &size, zlibBytes(bytes), bytes.size(), kPackingLevel);
+  // Not set to zero, which would take memory for bytes that none of the packed ones fills.
+  const auto packed = std::make_unique_for_overwrite<Bytef[]>(size);
+  const int result = compress2(packed.get(), &size, zlibBytes(bytes), bytes.size(), kPackingLevel);
   if (result == Z_MEM_ERROR) throw std::bad_alloc();
   CHECK(result == Z_OK, result);
-  packed.resize(size);
-  return packed;
+  return {packed.get(), packed.get() + size};
 }
 
 /// What was packed, if it is `size` bytes, or what is wrong with it.
@@ -107,6 +107,11 @@ void put(std::string& bytes, std::uint32_t surface, const Lightmap& map) {
         static_cast<std::uint32_t>(rect.height), static_cast<std::uint32_t>(map.channels)})
     putShort(bytes, number);
   putTexels(bytes, map);
+}
+
+/// No less than put() adds.
+std::size_t bytesOf(const Lightmap& map) {
+  return kMapNumbers * kShortBytes + static_cast<std::size_t>(map.channels) * texelsIn(map.rect);
 }
 
 struct Header {
@@ -251,6 +256,10 @@ std::string encodeBake(const Scene& scene, const BakedLight& light, double texel
   std::string lightmaps;
   std::uint32_t count = 0;
   const std::vector<SurfaceId> surfaces = scene.shownSurfaces();
+  std::size_t mostBytes = 0;
+  for (const SurfaceId surface : surfaces)
+    if (const auto& map = light.lightmaps[surface.index()]) mostBytes += bytesOf(*map);
+  lightmaps.reserve(mostBytes);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const std::optional<Lightmap>& map = light.lightmaps[surfaces[i].index()];
     if (!map) continue;

@@ -135,7 +135,7 @@ SamplePoint SamplePlacement::at(SurfaceId id, const Polygons& outline, Vec2 p, V
   const LitSurface& surface = *surfaces_[id.index()];
   StackMemory memory;
   const Polygons::EdgesNear edges = outline.edgesWithin(p, besideEdge_, memory);
-  const bool isOnEdge = distanceTo(edges, p) < hair_;
+  const bool isOnEdge = p != from || distanceTo(edges, p) < hair_;
   return {surface.toWorld(p), id,
           surface.toWorld(isOnEdge ? movedInside(outline, edges, p, from) : p), p != from};
 }
