@@ -150,9 +150,11 @@ bool BeamTree::comesToEndOf(const Segment& wall, const Points& points) const {
 /// Those of some beams of a sector that end at a wall.
 BeamTree::Range BeamTree::upTo(const Segment& wall, Range beams) const {
   const auto walls = std::span(walls_).first(beams.last).subspan(beams.first);
-  const auto found = std::ranges::equal_range(walls, &wall);
-  const auto first = beams.first + static_cast<std::size_t>(found.begin() - walls.begin());
-  return {first, first + found.size()};
+  const auto indexOf = [&](auto place) {
+    return beams.first + static_cast<std::size_t>(place - walls.begin());
+  };
+  return {indexOf(std::ranges::lower_bound(walls, &wall)),
+          indexOf(std::ranges::upper_bound(walls, &wall))};
 }
 
 bool BeamTree::find(SectorId sector, const Segment* on, const Points& points,
@@ -160,7 +162,8 @@ bool BeamTree::find(SectorId sector, const Segment* on, const Points& points,
   const std::size_t before = candidates.size();
   const auto there = std::ranges::lower_bound(bySector_, sector, {}, &BeamsOfSector::sector);
   if (there == bySector_.end() || there->sector != sector) return false;
-  const auto& [itself, all, withoutWall] = *there;
+  const Range all = there->all;
+  const Range withoutWall = there->withoutWall;
   const bool isLit =
       !on || comesToEndOf(*on, points)
           ? addSpanning(all, points, on, candidates)

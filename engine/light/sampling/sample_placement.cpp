@@ -53,12 +53,9 @@ std::optional<Vec2> insideCorner(const Polygons::Edge& before, const Polygons::E
 }
 
 /// Of what is small mostly: more is allocated.
-class StackMemory : public std::pmr::monotonic_buffer_resource {
- public:
-  StackMemory() : monotonic_buffer_resource(bytes_.data(), bytes_.size()) {}
-
- private:
-  alignas(std::max_align_t) std::array<std::byte, 512> bytes_;
+struct StackMemory {
+  std::array<std::byte, 512> bytes;
+  std::pmr::monotonic_buffer_resource resource{bytes.data(), bytes.size()};
 };
 
 }  // namespace
@@ -106,7 +103,7 @@ SamplePoint SamplePlacement::placeOutside(Vec2 p, const Polygons& own) const {
   const double distance = length(nearest - p);
   if (distance < hair_) return at(id_, own, p, p);
   StackMemory memory;
-  const Ids others = joinedWithin(distance + hair_, p, memory);
+  const Ids others = joinedWithin(distance + hair_, p, memory.resource);
   const auto outlineOf = [this](SurfaceId id) -> const Polygons& {
     return surfaces_[id.index()]->outline;
   };
@@ -134,7 +131,7 @@ Vec2 SamplePlacement::onGridOf(SurfaceId id, Vec2 p) const {
 SamplePoint SamplePlacement::at(SurfaceId id, const Polygons& outline, Vec2 p, Vec2 from) const {
   const LitSurface& surface = *surfaces_[id.index()];
   StackMemory memory;
-  const Polygons::EdgesNear edges = outline.edgesWithin(p, besideEdge_, memory);
+  const Polygons::EdgesNear edges = outline.edgesWithin(p, besideEdge_, memory.resource);
   const bool isOnEdge = p != from || distanceTo(edges, p) < hair_;
   return {surface.toWorld(p), id,
           surface.toWorld(isOnEdge ? movedInside(outline, edges, p, from) : p), p != from};
