@@ -13,7 +13,7 @@ namespace {
 /// Columns and rows of samples that follow one another row by row.
 constexpr int kCell = 4;
 /// A block of no more samples has no parts.
-constexpr std::size_t kLeastBlock = kCell * kCell;
+constexpr std::size_t kLeastBlock = std::size_t{kCell} * kCell;
 
 }  // namespace
 
