@@ -54,8 +54,6 @@ class StateReader {
     at0_ = to[0] - from[0].x * axisS_ - from[0].y * axisT_;
   }
 
-  const Lightmap& map() const { return *map_; }
-
   double weighted(Vec2 place, int channel) const {
     if (map_->isUniform()) return weight_ * map_->at(0, 0, channel);
     const Vec2 at = at0_ + place.x * axisS_ + place.y * axisT_;
@@ -154,10 +152,14 @@ class Blender {
       rects.push_back(rectsOfFaces(state.light->meshes[index]));
     const auto blendFace = [&](std::uint32_t face, const TexelRect& rect) {
       std::vector<StateReader> readers;
-      for (std::size_t i = 0; i < states_.size(); ++i)
-        if (const auto& at = mapOf(states_[i], mesh.surface))
-          readers.emplace_back(*at, states_[i].weight, mesh.places[face],
-                               states_[i].light->meshes[index].places[face], rects[i][face]);
+      for (std::size_t i = 0; i < states_.size(); ++i) {
+        const auto& at = mapOf(states_[i], mesh.surface);
+        const LitMesh& there = states_[i].light->meshes[index];
+        // Far from the origin, rounding leaves faces without an area: then it is another mesh.
+        if (!at || there.places.size() != mesh.places.size()) continue;
+        readers.emplace_back(*at, states_[i].weight, mesh.places[face], there.places[face],
+                             rects[i][face]);
+      }
       blendInto(*map, rect, readers);
     };
     for (const LitMesh::Patch& patch : mesh.patches) blendFace(patch.faces.front(), rectOf(patch));
