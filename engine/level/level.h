@@ -45,6 +45,14 @@ struct Shot {
   std::vector<MoverShare> movers{};  ///< each at most once; the others stand at share 0
 };
 
+/// A wall, or one sub-wall of a stack, that starts a mover.
+struct MoverSwitch {
+  SegmentId segment;
+  std::optional<std::uint32_t> subWall;  ///< none: all of the wall
+  std::size_t mover;                     ///< index into Level::movers
+  bool isCrossed;  ///< by walking through it from its front; else by the use key
+};
+
 /// A body that reaches into the air of a sector.
 struct BodyInSector {
   SectorId sector;
@@ -69,7 +77,8 @@ struct Level {
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;
   std::vector<Mover> movers;
-  std::vector<Sprite> sprites;  ///< of two things at one place the later hides the earlier
+  std::vector<MoverSwitch> switches;  ///< by segment
+  std::vector<Sprite> sprites;        ///< of two things at one place the later hides the earlier
   std::vector<Mesh> meshes;
   std::vector<MeshFace> meshFaces;
   std::vector<LightSource> lights;
@@ -122,6 +131,11 @@ struct Level {
   }
   std::span<const MeshInSector> meshesIn(SectorId sector) const {
     return inSector(meshesBySector, sector);
+  }
+
+  std::span<const MoverSwitch> switchesOf(SegmentId segment) const {
+    return {std::ranges::lower_bound(switches, segment, {}, &MoverSwitch::segment),
+            std::ranges::upper_bound(switches, segment, {}, &MoverSwitch::segment)};
   }
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {

@@ -52,6 +52,7 @@ std::string keysOf(const WalkInput& input) {
   if (input.jump) keys += 'j';
   if (input.crouch) keys += 'c';
   if (input.toggleFlight) keys += 'f';
+  if (input.use) keys += 'u';
   return keys.empty() ? "-" : keys;
 }
 
@@ -196,7 +197,7 @@ class Reader {
     WalkInput input;
     for (int* value : {&input.forward, &input.right, &input.up, &input.turn, &input.pitch})
       *value = words.number<int>();
-    const std::vector<bool> keys = words.flags("rjcf");
+    const std::vector<bool> keys = words.flags("rjcfu");
     if (!words.isGood() || !words.atEnd() || count == 0)
       return "expected \"TICKS FORWARD RIGHT UP TURN PITCH KEYS\" or \"end ...\"";
     if (count > kMaxRecordedTicks - recording_.inputs.size())
@@ -205,6 +206,7 @@ class Reader {
     input.jump = keys[1];
     input.crouch = keys[2];
     input.toggleFlight = keys[3];
+    input.use = keys[4];
     recording_.inputs.insert(recording_.inputs.end(), count, input);
     return std::nullopt;
   }

@@ -20,6 +20,7 @@ struct WalkInput {
   bool jump = false;          ///< held
   bool crouch = false;        ///< held
   bool toggleFlight = false;  ///< pressed in this tick
+  bool use = false;           ///< likewise
 
   friend bool operator==(const WalkInput&, const WalkInput&) = default;
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -34,6 +35,19 @@ class SectorNames {
 
  private:
   std::unordered_map<std::string, std::optional<SectorId>> ids_;  ///< none: several sectors
+  std::vector<std::string_view> names_;
+};
+
+/// Movers by name.
+class MoverNames {
+ public:
+  explicit MoverNames(const LevelDescription& description);
+
+  /// Reports a name that no mover has.
+  std::optional<std::size_t> link(Report& report, const NameReference& name) const;
+
+ private:
+  std::unordered_map<std::string_view, std::size_t> indices_;
   std::vector<std::string_view> names_;
 };
 
@@ -92,10 +106,6 @@ void linkSlopes(Linking& linking);
 LevelDescription descriptionAt(LevelDescription description, std::span<const double> shares);
 /// What moves: its sectors, and the names of movers that walls give.
 void linkMovers(Linking& linking);
-/// A mover by its name, which is reported if none has it.
-std::optional<std::size_t> linkMover(Report& report, const LevelDescription& description,
-                                     const NameReference& name);
-
 // What is asked of the linked level.
 
 /// One-way portals, pairs that open different heights: warnings. After `deriveGeometry`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "load/link/link.h"
 #include "load/suggest.h"
@@ -30,10 +32,6 @@ class MoverLinker {
       if (const auto zone = linking_.names.link(linking_.report, name))
         mover.zones.push_back(*zone);
     linking_.level.movers.push_back(std::move(mover));
-  }
-
-  void linkNames(const std::vector<NameReference>& names) const {
-    for (const NameReference& name : names) linkMover(linking_.report, linking_.description, name);
   }
 
  private:
@@ -79,37 +77,62 @@ class MoverLinker {
   std::map<std::pair<SectorId, FlatPart>, const MoverDescription*> movers_;
 };
 
-/// Calls `visit` for each list of movers that a wall or sub-wall names.
-template <typename Visit>
-void forEachSwitch(const LevelDescription& description, Visit&& visit) {
-  const auto visitKind = [&](const auto& kind) {
-    if (const auto* portal = std::get_if<PortalDescription>(&kind)) visit(portal->cross);
-  };
-  for (const SectorDescription& sector : description.sectors)
-    for (const LoopDescription& loop : sector.loops)
-      for (const WallDescription& wall : loop.walls) {
-        visit(wall.use);
-        visitKind(wall.kind);
-        const auto* stack = std::get_if<StackDescription>(&wall.kind);
-        if (!stack) continue;
-        for (const SubWallDescription& subWall : stack->subWalls) {
-          visit(subWall.use);
-          visitKind(subWall.kind);
-        }
+/// What walls say of movers that they start.
+class SwitchLinker {
+ public:
+  explicit SwitchLinker(Linking& linking) : linking_(linking), names_(linking.description) {}
+
+  void link(SegmentId segment) {
+    // A wall may be split into several segments, and stand for many walls.
+    const WallDescription& wall = linking_.describedWall(segment);
+    add({segment, std::nullopt, 0, false}, wall.use);
+    addCrossed(segment, 0, wall.kind);
+    const auto* stack = std::get_if<StackDescription>(&wall.kind);
+    if (!stack) return;
+    for (std::uint32_t i = 0; i < stack->subWalls.size(); ++i) {
+      add({segment, i, 0, false}, stack->subWalls[i].use);
+      addCrossed(segment, i, stack->subWalls[i].kind);
+    }
+  }
+
+ private:
+  template <typename Kind>
+  void addCrossed(SegmentId segment, std::uint32_t subWall, const Kind& kind) {
+    if (const auto* portal = std::get_if<PortalDescription>(&kind))
+      add({segment, subWall, 0, true}, portal->cross);
+  }
+
+  void add(MoverSwitch made, const std::vector<NameReference>& names) {
+    for (const NameReference& name : names) {
+      if (unknown_.contains(name.place)) continue;  // has been reported
+      const auto mover = names_.link(linking_.report, name);
+      if (!mover) {
+        unknown_.insert(name.place);
+        continue;
       }
-}
+      made.mover = *mover;
+      linking_.level.switches.push_back(made);
+    }
+  }
+
+  Linking& linking_;
+  MoverNames names_;
+  std::set<Place> unknown_;
+};
 
 }  // namespace
 
-std::optional<std::size_t> linkMover(Report& report, const LevelDescription& description,
-                                     const NameReference& name) {
-  const std::vector<MoverDescription>& movers = description.movers;
-  const auto found = std::ranges::find(movers, name.name, &MoverDescription::name);
-  if (found != movers.end()) return static_cast<std::size_t>(found - movers.begin());
-  std::vector<std::string_view> known;
-  for (const MoverDescription& mover : movers) known.push_back(mover.name);
+MoverNames::MoverNames(const LevelDescription& description) {
+  for (const MoverDescription& mover : description.movers) {
+    indices_.emplace(mover.name, names_.size());
+    names_.push_back(mover.name);
+  }
+}
+
+std::optional<std::size_t> MoverNames::link(Report& report, const NameReference& name) const {
+  if (const auto found = indices_.find(name.name); found != indices_.end()) return found->second;
   report.error(name.place, fmt::format("there is no mover \"{}\"", name.name),
-               suggest(name.name, known, "name a mover of this level"));
+               report.isFull() ? "" : suggest(name.name, names_, "name a mover of this level"));
   return std::nullopt;
 }
 
@@ -132,8 +155,8 @@ LevelDescription descriptionAt(LevelDescription description, std::span<const dou
 void linkMovers(Linking& linking) {
   MoverLinker linker(linking);
   for (const MoverDescription& mover : linking.description.movers) linker.link(mover);
-  forEachSwitch(linking.description,
-                [&](const std::vector<NameReference>& names) { linker.linkNames(names); });
+  SwitchLinker switches(linking);
+  for (std::size_t i = 0; i < linking.level.segments.size(); ++i) switches.link(SegmentId(i));
 }
 
 }  // namespace hearth

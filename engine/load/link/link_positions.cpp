@@ -7,7 +7,8 @@ namespace {
 
 class PositionLinker {
  public:
-  explicit PositionLinker(Linking& linking) : linking_(linking), finder_(linking) {}
+  explicit PositionLinker(Linking& linking)
+      : linking_(linking), finder_(linking), movers_(linking.description) {}
 
   void linkPlayer(const PlayerDescription& described) {
     const auto sector =
@@ -30,7 +31,7 @@ class PositionLinker {
               described.angle, described.pitch,  described.fov,
               described.width, described.height, {}};
     for (const auto& [name, share] : described.movers)
-      if (const auto mover = linkMover(linking_.report, linking_.description, name))
+      if (const auto mover = movers_.link(linking_.report, name))
         shot.movers.push_back({*mover, share});
     linking_.level.shots.push_back(std::move(shot));
   }
@@ -52,6 +53,7 @@ class PositionLinker {
 
   Linking& linking_;
   PositionFinder finder_;
+  MoverNames movers_;
 };
 
 }  // namespace

@@ -1,0 +1,240 @@
+#include "walk/moving_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "math/trig.h"
+#include "walk/stand.h"
+
+namespace hearth {
+
+namespace {
+
+/// Where a line on the map leaves a sector.
+struct Exit {
+  const Segment* segment;
+  double fraction;  ///< of the way along the line
+};
+
+/// The first wall that the line meets from its front, not before `from`.
+std::optional<Exit> exitOf(const Scene& scene, const Sector& sector, Vec2 origin, Vec2 motion,
+                           double from) {
+  std::optional<Exit> first;
+  for (const Segment& segment : scene.segmentsOf(sector)) {
+    const Vec2 along = segment.p1 - segment.p0;
+    const double approach = -cross(along, motion);
+    if (!(approach > 0)) continue;
+    const double fraction = cross(along, origin - segment.p0) / approach;
+    if (fraction < from || fraction > 1 || (first && first->fraction <= fraction)) continue;
+    const double s = dot(origin + fraction * motion - segment.p0, along) / dot(along, along);
+    if (s >= 0 && s <= 1) first = Exit{&segment, fraction};
+  }
+  return first;
+}
+
+/// The opening of a wall in which some of these heights lie.
+const Opening* openingAt(const Scene& scene, const Segment& segment, double zBottom, double zTop) {
+  for (const WallPiece& piece : scene.piecesOf(segment))
+    if (const Opening* opening = std::get_if<Opening>(&piece.content))
+      if (piece.zBottom < zTop && zBottom < piece.zTop) return opening;
+  return nullptr;
+}
+
+/// Calls `visit(segment, opening)` for the walls that a line on the map meets, with the opening
+/// through which it goes on between these heights: none at the last. Stops where that is false.
+template <typename Visit>
+void followOnMap(const Scene& scene, const Walker& from, Vec2 motion, double height,
+                 Visit&& visit) {
+  constexpr int kMostWalls = 256;
+  SectorId sector = from.sector;
+  double fraction = 0;
+  for (int i = 0; i < kMostWalls; ++i) {
+    const auto exit = exitOf(scene, scene[sector], from.feet.xy(), motion, fraction);
+    if (!exit) return;
+    const Opening* opening = openingAt(scene, *exit->segment, from.feet.z, from.feet.z + height);
+    if (!visit(*exit->segment, opening) || !opening) return;
+    sector = opening->next;
+    fraction = exit->fraction;
+  }
+}
+
+double heightOf(const Mover& mover, const Sector& sector, double share) {
+  const Flat& flat = mover.part == FlatPart::Floor ? sector.floor : sector.ceiling;
+  return std::lerp(flat.z, mover.to, share);
+}
+
+bool has(const std::vector<SectorId>& sectors, SectorId sector) {
+  return std::ranges::find(sectors, sector) != sectors.end();
+}
+
+/// Whether a wall leads to a sector.
+bool leadsTo(const Wall& wall, SectorId sector) {
+  if (const Portal* portal = std::get_if<Portal>(&wall)) return portal->next == sector;
+  const Stack* stack = std::get_if<Stack>(&wall);
+  return stack && std::ranges::any_of(stack->subWalls, [&](const SubWall& subWall) {
+           const Portal* portal = std::get_if<Portal>(&subWall.kind);
+           return portal && portal->next == sector;
+         });
+}
+
+bool isNear(const Level& level, const Mover& mover, Vec2 p, double radius) {
+  return std::ranges::any_of(mover.sectors, [&](SectorId sector) {
+    return grown(level[sector].box, radius + kSkin).contains(p);
+  });
+}
+
+bool fits(const Scene& scene, const Walker& walker) {
+  const Body body = bodyOf(scene.level(), walker.crouch);
+  const auto stand = standAt(scene, body, walker.sector, walker.feet, walker.feet.z,
+                             body.stepHeight, body.stepHeight);
+  return stand && stand->hasRoomFor(body.height);
+}
+
+/// The walker on a floor that has moved from one height to another; none where that leaves it no
+/// room. A floor that rises lifts what it meets, one that sinks takes along what stands on it.
+std::optional<Walker> carried(const Scene& scene, Walker walker, double from, double to) {
+  const Body body = bodyOf(scene.level(), walker.crouch);
+  const double feet = walker.feet.z;
+  const bool isLifted = to > from && from <= feet + kSkin && feet < to;
+  const bool isLowered = to < from && walker.isOnGround && std::abs(feet - from) <= kSkin;
+  const Vec3 at{walker.feet.x, walker.feet.y, isLowered ? to : feet};
+  const auto stand = standAt(scene, body, walker.sector, at, isLifted ? to : feet, body.stepHeight,
+                             body.stepHeight);
+  if (!stand || !stand->hasRoomFor(body.height)) return std::nullopt;
+  walker.sector = stand->sector;
+  walker.feet = stand->feet;
+  return walker;
+}
+
+}  // namespace
+
+MovingLevel::MovingLevel(const Level& level, const Geometry& geometry)
+    : level_(&level), geometry_(geometry) {
+  std::size_t most = 0;
+  for (const Mover& mover : level.movers) {
+    states_.push_back(firstState(mover));
+    most = std::max(most, mover.sectors.size());
+  }
+  moved_.reserve(most);
+}
+
+Walker MovingLevel::ticked(const Walker& walker, const WalkInput& input) {
+  if (level_->movers.empty()) return walked(scene(), walker, input);
+  if (input.use) startUsed(walker);
+  Walker before = walker;
+  for (std::size_t i = 0; i < states_.size(); ++i) move(i, before);
+  const Walker after = walked(scene(), before, input);
+  startCrossed(before, after);
+  startEntered(after);
+  return after;
+}
+
+void MovingLevel::start(std::size_t mover) {
+  states_[mover] = started(level_->movers[mover], states_[mover]);
+}
+
+/// What lies ahead, or else what the walker stands in.
+void MovingLevel::startUsed(const Walker& walker) {
+  const SinCos heading = sinCosDegrees(walker.angle);
+  bool isStarted = false;
+  followOnMap(scene(), walker, kUseReach * Vec2{heading.cos, heading.sin},
+              bodyOf(*level_, walker.crouch).height, [&](const Segment& segment, const Opening*) {
+                isStarted = startAt(segment);
+                return !isStarted;
+              });
+  if (!isStarted) startOf(walker.sector);
+}
+
+/// The movers that the use key starts at a wall. Whether there are any.
+bool MovingLevel::startAt(const Segment& segment) {
+  bool isStarted = false;
+  for (const MoverSwitch& each : level_->switchesOf(segment.id)) {
+    if (each.isCrossed) continue;
+    start(each.mover);
+    isStarted = true;
+  }
+  for (std::size_t i = 0; i < level_->movers.size(); ++i) {
+    const Mover& mover = level_->movers[i];
+    if (mover.trigger != MoverTrigger::Use) continue;
+    if (std::ranges::none_of(mover.sectors, [&](SectorId sector) {
+          return sector == segment.sector || leadsTo(segment.wall, sector);
+        }))
+      continue;
+    start(i);
+    isStarted = true;
+  }
+  return isStarted;
+}
+
+bool MovingLevel::startOf(SectorId sector) {
+  bool isStarted = false;
+  for (std::size_t i = 0; i < level_->movers.size(); ++i) {
+    const Mover& mover = level_->movers[i];
+    if (mover.trigger != MoverTrigger::Use || !has(mover.sectors, sector)) continue;
+    start(i);
+    isStarted = true;
+  }
+  return isStarted;
+}
+
+void MovingLevel::startCrossed(const Walker& before, const Walker& after) {
+  if (level_->switches.empty()) return;
+  const Vec2 motion = after.feet.xy() - before.feet.xy();
+  if (motion == Vec2{}) return;
+  followOnMap(
+      scene(), before, motion, bodyOf(*level_, before.crouch).height,
+      [&](const Segment& segment, const Opening* opening) {
+        for (const MoverSwitch& each : level_->switchesOf(segment.id))
+          if (each.isCrossed && opening && targetOf(segment.wall, *each.subWall) == opening->next)
+            start(each.mover);
+        return true;
+      });
+}
+
+void MovingLevel::startEntered(const Walker& walker) {
+  for (std::size_t i = 0; i < level_->movers.size(); ++i)
+    if (level_->movers[i].trigger == MoverTrigger::Enter &&
+        has(level_->movers[i].zones, walker.sector))
+      start(i);
+}
+
+/// By one tick, unless that would crush the walker: then it turns back.
+void MovingLevel::move(std::size_t index, Walker& walker) {
+  const Mover& mover = level_->movers[index];
+  const MoverState now = states_[index];
+  const Sector& first = (*level_)[mover.sectors.front()];
+  const auto heightAt = [&](double share) { return heightOf(mover, first, share); };
+  const MoverState next = moved(mover, std::abs(heightAt(1) - heightAt(0)), now);
+  states_[index] = next;
+  if (next.share == now.share) return;
+  const bool isNearWalker =
+      isNear(*level_, mover, walker.feet.xy(), bodyOf(*level_, walker.crouch).radius) &&
+      fits(scene(), walker);
+  setShare(index, next.share);
+  if (!isNearWalker) return;
+  const double still = walker.feet.z;
+  const auto kept = mover.part == FlatPart::Floor
+                        ? carried(scene(), walker, heightAt(now.share), heightAt(next.share))
+                        : carried(scene(), walker, still, still);
+  if (kept) {
+    walker = *kept;
+    return;
+  }
+  setShare(index, now.share);
+  states_[index] = {now.share, -now.direction, 0};
+}
+
+void MovingLevel::setShare(std::size_t index, double share) {
+  const Mover& mover = level_->movers[index];
+  moved_.clear();
+  for (const SectorId sector : mover.sectors) {
+    SectorGeometry heights = geometry_.sectors[sector.index()];
+    (mover.part == FlatPart::Floor ? heights.zFloor : heights.zCeiling) =
+        heightOf(mover, (*level_)[sector], share);
+    moved_.push_back({sector, heights});
+  }
+  moveFlats(*level_, moved_, geometry_);
+}
+
+}  // namespace hearth
