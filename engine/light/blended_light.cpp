@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "level/wall.h"
-#include "light/baking/sprite_light.h"
-#include "math/parallel.h"
+#include "light/blended_texels.h"
+#include "math/check.h"
 
 namespace hearth {
 
@@ -31,179 +32,258 @@ std::optional<double> edgeHeight(const Scene& scene, SurfaceId id) {
   return isLower ? scene.zFloor(scene[*next]) : scene.zCeiling(scene[*next]);
 }
 
-/// Three points of a plane, in texel coordinates.
-using Corners = std::array<Vec2, 3>;
-
-/// A lightmap of one state, read at texel coordinates of the blended one.
-class StateReader {
- public:
-  /// What lies at `from` in the blend lies at `to` in the state, where texels `within` belong to
-  /// the same part of the surface.
-  StateReader(const Lightmap& map, double weight, const Corners& from, const Corners& to,
-              const TexelRect& within)
-      : map_(&map),
-        weight_(weight),
-        min_{within.i0 + 0.5, within.j0 + 0.5},
-        max_{within.i0 + within.width - 0.5, within.j0 + within.height - 0.5} {
-    if (from == to) return;
-    const Vec2 u = from[1] - from[0];
-    const Vec2 v = from[2] - from[0];
-    const double area = cross(u, v);
-    axisS_ = (v.y / area) * (to[1] - to[0]) - (u.y / area) * (to[2] - to[0]);
-    axisT_ = (u.x / area) * (to[2] - to[0]) - (v.x / area) * (to[1] - to[0]);
-    at0_ = to[0] - from[0].x * axisS_ - from[0].y * axisT_;
-  }
-
-  double weighted(Vec2 place, int channel) const {
-    if (map_->isUniform()) return weight_ * map_->at(0, 0, channel);
-    const Vec2 at = at0_ + place.x * axisS_ + place.y * axisT_;
-    return weight_ * map_->sample(std::clamp(at.x, min_.x, max_.x),
-                                  std::clamp(at.y, min_.y, max_.y), channel);
-  }
-
- private:
-  const Lightmap* map_;
-  double weight_;
-  Vec2 min_;
-  Vec2 max_;
-  Vec2 at0_{0, 0};
-  Vec2 axisS_{1, 0};
-  Vec2 axisT_{0, 1};
-};
-
-std::uint8_t rounded(double level) {
-  return static_cast<std::uint8_t>(std::clamp(std::floor(level + 0.5), 0.0, 255.0));
+/// Texels that both lie in, and those between them.
+TexelRect around(const TexelRect& a, const TexelRect& b) {
+  const int i0 = std::min(a.i0, b.i0);
+  const int j0 = std::min(a.j0, b.j0);
+  return {i0, j0, std::max(a.i0 + a.width, b.i0 + b.width) - i0,
+          std::max(a.j0 + a.height, b.j0 + b.height) - j0};
 }
 
-/// Fills some texels of `map` with the sum of what the readers find.
-void blendInto(Lightmap& map, const TexelRect& part, std::span<const StateReader> readers) {
-  for (int j = part.j0; j < part.j0 + part.height; ++j)
-    for (int i = part.i0; i < part.i0 + part.width; ++i)
-      for (int channel = 0; channel < map.channels; ++channel) {
-        double sum = 0;
-        for (const StateReader& reader : readers)
-          sum += reader.weighted({i + 0.5, j + 0.5}, channel);
-        map.texel(i, j)[channel] = rounded(sum);
-      }
+bool areSameTexels(const Lightmap& a, const Lightmap& b) {
+  return a.rect == b.rect && a.channels == b.channels && a.levels == b.levels;
 }
 
-class Blender {
- public:
-  Blender(const Scene& shown, double texel, std::span<const LightAtRest> states, int threads)
-      : shown_(shown), states_(states), threads_(threads) {
-    light_.surfaces = makeLitSurfaces(shown, texel);
-    light_.meshes = makeLitMeshes(shown.level(), texel, threads);
-    light_.lightmaps.resize(light_.surfaces.size());
-  }
+TexelRect rectOf(const LitMesh::Patch& patch) {
+  return {patch.i, patch.j, patch.surface.texels.width, patch.surface.texels.height};
+}
 
-  BakedLight blend() && {
-    const Level& level = shown_.level();
-    parallelFor(light_.surfaces.size(), threads_, [&](std::size_t i) {
-      if (light_.surfaces[i]) blendSurface(SurfaceId(i));
-    });
-    parallelFor(light_.meshes.size(), threads_,
-                [&](std::size_t i) { blendMesh(light_.meshes[i], i); });
-    for (const Sprite& sprite : level.sprites) blendSprite(sprite.surface);
-    light_.stats = statsOf(light_);
-    return std::move(light_);
-  }
+TexelRect rectOf(const LitMesh::SmallFace& face) {
+  return {face.i, face.j, kSmallFaceSide, kSmallFaceSide};
+}
 
- private:
-  const std::optional<Lightmap>& mapOf(const LightAtRest& state, SurfaceId id) const {
-    return state.light->lightmaps[id.index()];
-  }
+/// The texels of an atlas that belong to each face.
+std::vector<TexelRect> rectsOfFaces(const LitMesh& mesh) {
+  std::vector<TexelRect> rects(mesh.places.size());
+  for (const LitMesh::Patch& patch : mesh.patches)
+    for (const std::uint32_t face : patch.faces) rects[face] = rectOf(patch);
+  for (const LitMesh::SmallFace& face : mesh.smallFaces) rects[face.face] = rectOf(face);
+  return rects;
+}
 
-  /// None where all states are dark.
-  std::optional<Lightmap> emptyMap(SurfaceId id, const TexelRect& texels) const {
-    int channels = 0;
-    for (const LightAtRest& state : states_)
-      if (const auto& map = mapOf(state, id)) channels = std::max(channels, map->channels);
-    return channels == 0 ? std::nullopt : std::optional(Lightmap::dark(texels, channels));
-  }
+void runEach(std::size_t count, Workers* workers, const std::function<void(std::size_t)>& work) {
+  if (workers) return workers->run(count, work);
+  for (std::size_t i = 0; i < count; ++i) work(i);
+}
 
-  void blendSurface(SurfaceId id) {
-    const LitSurface& lit = *light_.surfaces[id.index()];
-    std::optional<Lightmap> map = emptyMap(id, lit.texels);
-    if (!map) return;
-    const std::optional<double> edge = edgeHeight(shown_, id);
-    constexpr Corners kUnit{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};
-    std::vector<StateReader> readers;
-    for (const LightAtRest& state : states_) {
-      const auto& at = mapOf(state, id);
-      if (!at) continue;
-      const TexelGrid& grid = state.light->surfaces[id.index()]->grid;
-      const Vec3 shift{0, 0, edge ? *edgeHeight(state.scene, id) - *edge : 0};
-      Corners there = kUnit;
-      if (grid != lit.grid || shift != Vec3{})
-        for (Vec2& corner : there) corner = grid.toTexels(lit.grid.toWorld(corner) + shift);
-      readers.emplace_back(*at, state.weight, kUnit, there, at->rect);
-    }
-    blendInto(*map, lit.texels, readers);
-    light_.lightmaps[id.index()] = simplified(*std::move(map));
-  }
+/// Whether points have the same texel coordinates on both, however high these are.
+bool haveSameTexels(const Scene& scene, SurfaceId id, const LitSurface& a, const LitSurface& b) {
+  return isLevelFlat(scene[id].kind) || a.grid == b.grid;
+}
 
-  /// Face by face: where a mesh moves with the floor that it stands on, its patches may lie
-  /// elsewhere in the atlas.
-  void blendMesh(const LitMesh& mesh, std::size_t index) {
-    std::optional<Lightmap> map = emptyMap(mesh.surface, mesh.texels);
-    if (!map) return;
-    std::vector<std::vector<TexelRect>> rects;  // by state, then by face
-    for (const LightAtRest& state : states_)
-      rects.push_back(rectsOfFaces(state.light->meshes[index]));
-    const auto blendFace = [&](std::uint32_t face, const TexelRect& rect) {
-      std::vector<StateReader> readers;
-      for (std::size_t i = 0; i < states_.size(); ++i) {
-        const auto& at = mapOf(states_[i], mesh.surface);
-        const LitMesh& there = states_[i].light->meshes[index];
-        // Far from the origin, rounding leaves faces without an area: then it is another mesh.
-        if (!at || there.places.size() != mesh.places.size()) continue;
-        readers.emplace_back(*at, states_[i].weight, mesh.places[face], there.places[face],
-                             rects[i][face]);
-      }
-      blendInto(*map, rect, readers);
-    };
-    for (const LitMesh::Patch& patch : mesh.patches) blendFace(patch.faces.front(), rectOf(patch));
-    for (const LitMesh::SmallFace& face : mesh.smallFaces) blendFace(face.face, rectOf(face));
-    light_.lightmaps[mesh.surface.index()] = simplified(*std::move(map));
-  }
+/// The texels of one surface that some of another lie on.
+TexelRect rectOn(const LitSurface& to, const LitSurface& from, const TexelRect& rect) {
+  std::vector<Vec2> corners;
+  for (const int i : {rect.i0, rect.i0 + rect.width})
+    for (const int j : {rect.j0, rect.j0 + rect.height})
+      corners.push_back(to.grid.toTexels(from.grid.toWorld(Vec2{1.0 * i, 1.0 * j})));
+  return texelsAround({&corners, 1});
+}
 
-  static TexelRect rectOf(const LitMesh::Patch& patch) {
-    return {patch.i, patch.j, patch.surface.texels.width, patch.surface.texels.height};
-  }
-  static TexelRect rectOf(const LitMesh::SmallFace& face) {
-    return {face.i, face.j, kSmallFaceSide, kSmallFaceSide};
-  }
-  /// The texels of an atlas that belong to each face.
-  static std::vector<TexelRect> rectsOfFaces(const LitMesh& mesh) {
-    std::vector<TexelRect> rects(mesh.places.size());
-    for (const LitMesh::Patch& patch : mesh.patches)
-      for (const std::uint32_t face : patch.faces) rects[face] = rectOf(patch);
-    for (const LitMesh::SmallFace& face : mesh.smallFaces) rects[face.face] = rectOf(face);
-    return rects;
-  }
+constexpr StateTexels::Corners kUnit{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};
 
-  void blendSprite(SurfaceId id) {
-    std::optional<Lightmap> map = emptyMap(id, kSpriteTexel);
-    if (!map) return;
-    std::vector<StateReader> readers;
-    for (const LightAtRest& state : states_)
-      if (const auto& at = mapOf(state, id))
-        readers.emplace_back(*at, state.weight, Corners{}, Corners{}, kSpriteTexel);
-    blendInto(*map, kSpriteTexel, readers);
-    light_.lightmaps[id.index()] = simplified(*std::move(map));
-  }
-
-  const Scene& shown_;
-  std::span<const LightAtRest> states_;
-  int threads_;
-  BakedLight light_;
-};
+/// Where these points of one surface lie on another, where all is `rise` metres higher.
+StateTexels::Corners placesOn(const LitSurface& to, const LitSurface& from, double rise) {
+  StateTexels::Corners places = kUnit;
+  for (Vec2& place : places) place = to.grid.toTexels(from.grid.toWorld(place) + Vec3{0, 0, rise});
+  return places;
+}
 
 }  // namespace
 
+void BlendedLight::setStates(std::span<const LightAtRest> states) {
+  hasOwnSurfaces_ = false;
+  states_.assign(states.begin(), states.end());
+  setAllLight();
+}
+
+void BlendedLight::setStates(std::span<const LightAtRest> states, LitSurfaces surfaces) {
+  hasOwnSurfaces_ = true;
+  light_.surfaces = std::move(surfaces);
+  states_.assign(states.begin(), states.end());
+  setAllLight();
+}
+
+void BlendedLight::setAllLight() {
+  CHECK(!states_.empty(), states_.size());
+  blends_.clear();
+  meshes_.clear();
+  moving_.clear();
+  const Level& level = states_.front().scene.level();
+  light_.surfaces.resize(level.surfaces.size());
+  light_.lightmaps.resize(level.surfaces.size());
+  light_.meshes.resize(level.meshes.size());
+  light_.stats = states_.front().light->stats;
+  for (std::size_t i = 0; i < level.surfaces.size(); ++i) {
+    if (!hasOwnSurfaces_) setSurface(SurfaceId(i));
+    if (level.surfaces[i].kind != SurfaceKind::Mesh) setLight(SurfaceId(i));
+  }
+  for (std::size_t i = 0; i < level.meshes.size(); ++i) setMesh(i);
+}
+
+/// As it lies in the first state that shows it.
+void BlendedLight::setSurface(SurfaceId id) {
+  const LitSurface* first = nullptr;
+  bool moves = false;
+  for (const LightAtRest& state : states_) {
+    const auto& lit = state.light->surfaces[id.index()];
+    if (!lit) continue;
+    if (!first) first = &*lit;
+    moves |= lit->grid.origin.z != first->grid.origin.z;
+  }
+  std::optional<LitSurface>& surface = light_.surfaces[id.index()];
+  if (!first)
+    surface.reset();
+  else if (!surface || surface->grid != first->grid || surface->texels != first->texels)
+    surface = *first;
+  if (moves && isLevelFlat(states_.front().scene[id].kind)) moving_.push_back(id);
+}
+
+/// The light of a surface whose places on its lightmap follow from its grid, or are the same in all
+/// states.
+void BlendedLight::setLight(SurfaceId id) {
+  std::optional<Lightmap>& map = light_.lightmaps[id.index()];
+  Blend blend = blendOf(id);
+  std::size_t lit = 0;
+  int channels = 1;
+  for (const Source& source : blend.sources) {
+    lit += source.states.size();
+    channels = std::max(channels, source.map->channels);
+  }
+  const bool isLost =
+      hasOwnSurfaces_ && !isThing(states_.front().scene[id].kind) && !light_.surfaces[id.index()];
+  if (blend.sources.empty() || isLost) return map.reset();
+  const TexelRect texels = texelsOf(blend);
+  const Lightmap& first = *blend.sources.front().map;
+  if (blend.sources.size() == 1 && lit == states_.size() && texels == first.rect) {
+    if (!map || !areSameTexels(*map, first)) map = first;
+    return;
+  }
+  map = Lightmap::dark(texels, channels);
+  blend.texels.reserve(blend.sources.size());
+  blends_.push_back(std::move(blend));
+}
+
+BlendedLight::Blend BlendedLight::blendOf(SurfaceId id) const {
+  Blend blend{id, {}};
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const auto& map = states_[i].light->lightmaps[id.index()];
+    if (!map) continue;
+    const auto& lit = states_[i].light->surfaces[id.index()];
+    const std::optional<double> edge = edgeHeight(states_[i].scene, id);
+    const auto same = std::ranges::find_if(blend.sources, [&](const Source& source) {
+      return source.edge == edge &&
+             (!lit || haveSameTexels(states_[i].scene, id, *source.lit, *lit)) &&
+             areSameTexels(*source.map, *map);
+    });
+    if (same != blend.sources.end())
+      same->states.push_back(i);
+    else
+      blend.sources.push_back({&*map, lit ? &*lit : nullptr, edge, {i}});
+  }
+  return blend;
+}
+
+/// Those of the surface that was given; else all that it has in some state.
+TexelRect BlendedLight::texelsOf(const Blend& blend) const {
+  const std::optional<LitSurface>& lit = light_.surfaces[blend.surface.index()];
+  if (hasOwnSurfaces_ && lit) return lit->texels;
+  TexelRect texels = blend.sources.front().map->rect;
+  for (const Source& source : blend.sources) {
+    const TexelRect& rect = source.map->rect;
+    const bool isSame =
+        !lit || haveSameTexels(states_.front().scene, blend.surface, *lit, *source.lit);
+    texels = around(texels, isSame ? rect : rectOn(*lit, *source.lit, rect));
+  }
+  return texels;
+}
+
+void BlendedLight::setMesh(std::size_t mesh) {
+  const LitMesh& first = states_.front().light->meshes[mesh];
+  light_.meshes[mesh] = first;
+  const bool isAtOnePlace = std::ranges::all_of(states_, [&](const LightAtRest& state) {
+    return state.light->meshes[mesh].places == first.places;
+  });
+  if (isAtOnePlace) return setLight(first.surface);
+  MeshBlend blend{mesh, {}};
+  int channels = 0;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const auto& map = states_[i].light->lightmaps[first.surface.index()];
+    const LitMesh& there = states_[i].light->meshes[mesh];
+    // Far from the origin, rounding leaves faces without an area: then it is another mesh.
+    if (!map || there.places.size() != first.places.size()) continue;
+    blend.sources.push_back({i, rectsOfFaces(there)});
+    channels = std::max(channels, map->channels);
+  }
+  std::optional<Lightmap>& map = light_.lightmaps[first.surface.index()];
+  if (channels == 0) return map.reset();
+  map = Lightmap::dark(first.texels, channels);
+  blend.texels.reserve(blend.sources.size());
+  meshes_.push_back(std::move(blend));
+}
+
+void BlendedLight::blend(const Scene& shown, std::span<const double> weights, Workers* workers) {
+  CHECK(weights.size() == states_.size(), weights.size(), states_.size());
+  for (const SurfaceId id : moving_) {
+    LitSurface& lit = *light_.surfaces[id.index()];
+    lit.grid.origin.z = lit.anchor.z = shown.geometryOf(id).zBottom;
+  }
+  runEach(blends_.size(), workers,
+          [&](std::size_t i) { blendSurface(shown, weights, blends_[i]); });
+  runEach(meshes_.size(), workers, [&](std::size_t i) { blendMesh(weights, meshes_[i]); });
+}
+
+void BlendedLight::blendSurface(const Scene& shown, std::span<const double> weights, Blend& blend) {
+  const std::optional<LitSurface>& lit = light_.surfaces[blend.surface.index()];
+  const std::optional<double> edge = edgeHeight(shown, blend.surface);
+  blend.texels.clear();
+  for (const Source& source : blend.sources) {
+    double weight = 0;
+    for (const std::size_t state : source.states) weight += weights[state];
+    if (!(weight > 0)) continue;
+    const double rise = edge ? *source.edge - *edge : 0;
+    if (!lit)
+      blend.texels.emplace_back(*source.map, weight, Vec2{});
+    else if (haveSameTexels(shown, blend.surface, *lit, *source.lit))
+      blend.texels.emplace_back(*source.map, weight, Vec2{0, rise / lit->grid.texel});
+    else
+      blend.texels.emplace_back(*source.map, weight, kUnit, placesOn(*source.lit, *lit, rise),
+                                source.map->rect);
+  }
+  Lightmap& map = *light_.lightmaps[blend.surface.index()];
+  blendInto(map, map.rect, blend.texels);
+}
+
+/// Face by face.
+void BlendedLight::blendMesh(std::span<const double> weights, MeshBlend& blend) {
+  const LitMesh& mesh = light_.meshes[blend.mesh];
+  Lightmap& map = *light_.lightmaps[mesh.surface.index()];
+  const auto blendFace = [&](std::uint32_t face, const TexelRect& rect) {
+    blend.texels.clear();
+    for (const MeshBlend::Source& source : blend.sources) {
+      const BakedLight& light = *states_[source.state].light;
+      if (weights[source.state] > 0)
+        blend.texels.emplace_back(*light.lightmaps[mesh.surface.index()], weights[source.state],
+                                  mesh.places[face], light.meshes[blend.mesh].places[face],
+                                  source.rectOf[face]);
+    }
+    blendInto(map, rect, blend.texels);
+  };
+  for (const LitMesh::Patch& patch : mesh.patches) blendFace(patch.faces.front(), rectOf(patch));
+  for (const LitMesh::SmallFace& face : mesh.smallFaces) blendFace(face.face, rectOf(face));
+}
+
 BakedLight blendedLight(const Scene& shown, double texel, std::span<const LightAtRest> states,
-                        int threads) {
-  return Blender(shown, texel, states, threads).blend();
+                        std::span<const double> weights, int threads) {
+  BlendedLight blended;
+  blended.setStates(states, makeLitSurfaces(shown, texel));
+  Workers workers(threads);
+  blended.blend(shown, weights, &workers);
+  BakedLight light = blended.light();
+  for (std::optional<Lightmap>& map : light.lightmaps)
+    if (map) map = simplified(*std::move(map));
+  light.stats = statsOf(light);
+  return light;
 }
 
 }  // namespace hearth

@@ -47,9 +47,12 @@ class Moved {
     const std::vector<RestState> states = restStatesAround(shares);
     for (const RestState& state : states) rests_.push_back(loadedAt(state.shares));
     for (const LoadedLevel& rest : rests_) atRest_.push_back(bake(rest.scene(), settings(), 1));
-    for (std::size_t i = 0; i < states.size(); ++i)
-      lights.push_back({rests_[i].scene(), &atRest_[i], states[i].weight});
-    light_ = blendedLight(shown_.scene(), kTexel, lights, 2);
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      lights.push_back({rests_[i].scene(), &atRest_[i]});
+      weights.push_back(states[i].weight);
+    }
+    light_ = blendedLight(shown_.scene(), kTexel, lights, weights, 2);
   }
 
   const BakedLight& light() const { return light_; }

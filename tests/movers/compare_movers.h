@@ -17,6 +17,7 @@ struct MoverTally {
   agreement::Tally truth;        ///< of these
   double squares = 0;            ///< of the levels by which light between ends differs from a bake
   std::int64_t lightTexels = 0;  ///< that were compared
+  std::int64_t otherGrids = 0;   ///< levels whose light between ends has grids of its own
   std::int64_t failed = 0;
   std::string firstFailure;
 

@@ -79,12 +79,14 @@ tl::expected<BakedLight, std::string> MovedLight::at(const LoadedLevel& shown,
   const auto settings = bakeSettingsFor(shown.scene(), values_);
   if (!settings) return tl::unexpected(settings.error());
   std::vector<LightAtRest> lights;
+  std::vector<double> weights;
   for (const RestState& state : states) {
     const auto rest = atRest(state.shares);
     if (!rest) return tl::unexpected(rest.error());
-    lights.push_back({(*rest)->level.scene(), &(*rest)->light, state.weight});
+    lights.push_back({(*rest)->level.scene(), &(*rest)->light});
+    weights.push_back(state.weight);
   }
-  return blendedLight(shown.scene(), settings->texel, lights, threadsFrom(values_));
+  return blendedLight(shown.scene(), settings->texel, lights, weights, threadsFrom(values_));
 }
 
 tl::expected<const MovedLight::AtRest*, std::string> MovedLight::atRest(
