@@ -11,25 +11,31 @@ std::string_view name(MoverTrigger trigger) {
   return kMoverTriggerNames[static_cast<std::size_t>(trigger)];
 }
 
-std::vector<RestState> restStatesAround(std::span<const double> shares) {
-  std::vector<std::size_t> falling(shares.size());
-  std::iota(falling.begin(), falling.end(), std::size_t{0});
-  std::ranges::stable_sort(falling, std::ranges::greater{},
-                           [&](std::size_t mover) { return shares[mover]; });
-  std::vector<RestState> states;
-  RestState state{std::vector<double>(shares.size()), 0};
+void RestStates::find(std::span<const double> shares) {
+  falling_.resize(shares.size());
+  std::iota(falling_.begin(), falling_.end(), std::size_t{0});
+  std::ranges::sort(falling_, [&](std::size_t a, std::size_t b) {
+    return shares[a] != shares[b] ? shares[a] > shares[b] : a < b;
+  });
+  atEnd_.clear();
+  weights_.clear();
+  atEnd_.reserve(shares.size() + 1);
+  weights_.reserve(shares.size() + 1);
   double before = 1;
-  const auto addUpTo = [&](double share) {
-    state.weight = before - share;
-    if (state.weight > 0) states.push_back(state);
+  for (std::size_t i = 0; i <= falling_.size(); ++i) {
+    const double share = i < falling_.size() ? shares[falling_[i]] : 0;
+    if (before > share) {
+      atEnd_.push_back(i);
+      weights_.push_back(before - share);
+    }
     before = share;
-  };
-  for (const std::size_t mover : falling) {
-    addUpTo(shares[mover]);
-    state.shares[mover] = 1;
   }
-  addUpTo(0);
-  return states;
+}
+
+std::vector<double> RestStates::shares(std::size_t state) const {
+  std::vector<double> shares(falling_.size());
+  for (std::size_t i = 0; i < atEnd_[state]; ++i) shares[falling_[i]] = 1;
+  return shares;
 }
 
 }  // namespace hearth

@@ -51,15 +51,33 @@ struct MoverShare {
   friend bool operator==(const MoverShare&, const MoverShare&) = default;
 };
 
-/// All movers at one of their ends each, and how much the light of this state counts.
-struct RestState {
-  std::vector<double> shares;  ///< by mover: 0 or 1
-  double weight;               ///< > 0; those of all states sum up to 1
-};
+/// The states at rest whose light together is that of a level with movers at some shares (0..1).
+/// With the shares sorted, s1 >= s2 >= .., the state with the first i movers at `to` counts s_i -
+/// s_(i+1), where s_0 is 1 and there is a 0 after the last. It is a single state where all movers
+/// are at an end.
+class RestStates {
+ public:
+  RestStates() = default;
+  explicit RestStates(std::span<const double> shares) { find(shares); }
 
-/// The states whose light together is that with movers at these shares (0..1): sorted by falling
-/// share s1 >= s2 >= .., the state with the first i movers at `to` counts s_i - s_(i+1), with s_0
-/// = 1 and 0 after the last. One state where all movers are at an end.
-std::vector<RestState> restStatesAround(std::span<const double> shares);
+  /// As many movers each time. Takes memory the first time only.
+  void find(std::span<const double> shares);
+
+  std::size_t count() const { return weights_.size(); }
+  /// How much the light of each state counts: > 0, with a sum of 1.
+  std::span<const double> weights() const { return weights_; }
+  /// The shares of all movers in a state: 0 or 1.
+  std::vector<double> shares(std::size_t state) const;
+
+  /// Whether these are the same states, whatever their weights.
+  bool areStatesOf(const RestStates& other) const {
+    return falling_ == other.falling_ && atEnd_ == other.atEnd_;
+  }
+
+ private:
+  std::vector<std::size_t> falling_;  ///< movers by falling share
+  std::vector<std::size_t> atEnd_;    ///< by state: so many of them are at `to`
+  std::vector<double> weights_;
+};
 
 }  // namespace hearth

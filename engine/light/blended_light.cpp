@@ -228,9 +228,10 @@ void BlendedLight::blend(const Scene& shown, std::span<const double> weights, Wo
     LitSurface& lit = *light_.surfaces[id.index()];
     lit.grid.origin.z = lit.anchor.z = shown.geometryOf(id).zBottom;
   }
-  runEach(blends_.size(), workers,
-          [&](std::size_t i) { blendSurface(shown, weights, blends_[i]); });
-  runEach(meshes_.size(), workers, [&](std::size_t i) { blendMesh(weights, meshes_[i]); });
+  const auto onSurface = [&](std::size_t i) { blendSurface(shown, weights, blends_[i]); };
+  const auto onMesh = [&](std::size_t i) { blendMesh(weights, meshes_[i]); };
+  runEach(blends_.size(), workers, std::cref(onSurface));  // a reference takes no memory
+  runEach(meshes_.size(), workers, std::cref(onMesh));
 }
 
 void BlendedLight::blendSurface(const Scene& shown, std::span<const double> weights, Blend& blend) {

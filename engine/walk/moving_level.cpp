@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "math/check.h"
 #include "math/trig.h"
 #include "walk/stand.h"
 
@@ -59,11 +60,6 @@ void followOnMap(const Scene& scene, const Walker& from, Vec2 motion, double hei
   }
 }
 
-double heightOf(const Mover& mover, const Sector& sector, double share) {
-  const Flat& flat = mover.part == FlatPart::Floor ? sector.floor : sector.ceiling;
-  return std::lerp(flat.z, mover.to, share);
-}
-
 bool has(const std::vector<SectorId>& sectors, SectorId sector) {
   return std::ranges::find(sectors, sector) != sectors.end();
 }
@@ -109,18 +105,29 @@ std::optional<Walker> carried(const Scene& scene, Walker walker, double from, do
 
 }  // namespace
 
-MovingLevel::MovingLevel(const Level& level, const Geometry& geometry)
-    : level_(&level), geometry_(geometry) {
-  std::size_t most = 0;
-  for (const Mover& mover : level.movers) {
-    states_.push_back(firstState(mover));
-    most = std::max(most, mover.sectors.size());
+MovingLevel::MovingLevel(const Scene& authored) : moved_(authored.level(), authored.geometry()) {
+  for (const Mover& mover : level().movers) states_.push_back(firstState(mover));
+}
+
+MovingLevel::MovingLevel(const Scene& authored, std::span<const double> shares)
+    : MovingLevel(authored) {
+  CHECK(shares.size() == states_.size(), shares.size(), states_.size());
+  for (std::size_t i = 0; i < shares.size(); ++i) states_[i].share = shares[i];
+  moved_.setShares(shares);
+}
+
+MovingLevel::MovingLevel(const Scene& authored, const MovingLevel& before) : MovingLevel(authored) {
+  const std::vector<Mover>& movers = before.level().movers;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const auto same = std::ranges::find(movers, level().movers[i].name, &Mover::name);
+    if (same == movers.end()) continue;
+    states_[i] = before.states_[static_cast<std::size_t>(same - movers.begin())];
+    moved_.setShare(i, states_[i].share);
   }
-  moved_.reserve(most);
 }
 
 Walker MovingLevel::ticked(const Walker& walker, const WalkInput& input) {
-  if (level_->movers.empty()) return walked(scene(), walker, input);
+  if (level().movers.empty()) return walked(scene(), walker, input);
   if (input.use) startUsed(walker);
   Walker before = walker;
   for (std::size_t i = 0; i < states_.size(); ++i) move(i, before);
@@ -131,7 +138,7 @@ Walker MovingLevel::ticked(const Walker& walker, const WalkInput& input) {
 }
 
 void MovingLevel::start(std::size_t mover) {
-  states_[mover] = started(level_->movers[mover], states_[mover]);
+  states_[mover] = started(level().movers[mover], states_[mover]);
 }
 
 /// What lies ahead, or else what the walker stands in.
@@ -139,7 +146,7 @@ void MovingLevel::startUsed(const Walker& walker) {
   const SinCos heading = sinCosDegrees(walker.angle);
   bool isStarted = false;
   followOnMap(scene(), walker, kUseReach * Vec2{heading.cos, heading.sin},
-              bodyOf(*level_, walker.crouch).height, [&](const Segment& segment, const Opening*) {
+              bodyOf(level(), walker.crouch).height, [&](const Segment& segment, const Opening*) {
                 isStarted = startAt(segment);
                 return !isStarted;
               });
@@ -149,13 +156,13 @@ void MovingLevel::startUsed(const Walker& walker) {
 /// The movers that the use key starts at a wall. Whether there are any.
 bool MovingLevel::startAt(const Segment& segment) {
   bool isStarted = false;
-  for (const MoverSwitch& each : level_->switchesOf(segment.id)) {
+  for (const MoverSwitch& each : level().switchesOf(segment.id)) {
     if (each.isCrossed) continue;
     start(each.mover);
     isStarted = true;
   }
-  for (std::size_t i = 0; i < level_->movers.size(); ++i) {
-    const Mover& mover = level_->movers[i];
+  for (std::size_t i = 0; i < level().movers.size(); ++i) {
+    const Mover& mover = level().movers[i];
     if (mover.trigger != MoverTrigger::Use) continue;
     if (std::ranges::none_of(mover.sectors, [&](SectorId sector) {
           return sector == segment.sector || leadsTo(segment.wall, sector);
@@ -169,8 +176,8 @@ bool MovingLevel::startAt(const Segment& segment) {
 
 bool MovingLevel::startOf(SectorId sector) {
   bool isStarted = false;
-  for (std::size_t i = 0; i < level_->movers.size(); ++i) {
-    const Mover& mover = level_->movers[i];
+  for (std::size_t i = 0; i < level().movers.size(); ++i) {
+    const Mover& mover = level().movers[i];
     if (mover.trigger != MoverTrigger::Use || !has(mover.sectors, sector)) continue;
     start(i);
     isStarted = true;
@@ -179,13 +186,13 @@ bool MovingLevel::startOf(SectorId sector) {
 }
 
 void MovingLevel::startCrossed(const Walker& before, const Walker& after) {
-  if (level_->switches.empty()) return;
+  if (level().switches.empty()) return;
   const Vec2 motion = after.feet.xy() - before.feet.xy();
   if (motion == Vec2{}) return;
   followOnMap(
-      scene(), before, motion, bodyOf(*level_, before.crouch).height,
+      scene(), before, motion, bodyOf(level(), before.crouch).height,
       [&](const Segment& segment, const Opening* opening) {
-        for (const MoverSwitch& each : level_->switchesOf(segment.id))
+        for (const MoverSwitch& each : level().switchesOf(segment.id))
           if (each.isCrossed && opening && targetOf(segment.wall, *each.subWall) == opening->next)
             start(each.mover);
         return true;
@@ -193,25 +200,24 @@ void MovingLevel::startCrossed(const Walker& before, const Walker& after) {
 }
 
 void MovingLevel::startEntered(const Walker& walker) {
-  for (std::size_t i = 0; i < level_->movers.size(); ++i)
-    if (level_->movers[i].trigger == MoverTrigger::Enter &&
-        has(level_->movers[i].zones, walker.sector))
+  for (std::size_t i = 0; i < level().movers.size(); ++i)
+    if (level().movers[i].trigger == MoverTrigger::Enter &&
+        has(level().movers[i].zones, walker.sector))
       start(i);
 }
 
 /// By one tick, unless that would crush the walker: then it turns back.
 void MovingLevel::move(std::size_t index, Walker& walker) {
-  const Mover& mover = level_->movers[index];
+  const Mover& mover = level().movers[index];
   const MoverState now = states_[index];
-  const Sector& first = (*level_)[mover.sectors.front()];
-  const auto heightAt = [&](double share) { return heightOf(mover, first, share); };
+  const auto heightAt = [&](double share) { return moved_.heightAt(index, share); };
   const MoverState next = moved(mover, std::abs(heightAt(1) - heightAt(0)), now);
   states_[index] = next;
   if (next.share == now.share) return;
   const bool isNearWalker =
-      isNear(*level_, mover, walker.feet.xy(), bodyOf(*level_, walker.crouch).radius) &&
+      isNear(level(), mover, walker.feet.xy(), bodyOf(level(), walker.crouch).radius) &&
       fits(scene(), walker);
-  setShare(index, next.share);
+  moved_.setShare(index, next.share);
   if (!isNearWalker) return;
   const double still = walker.feet.z;
   const auto kept = mover.part == FlatPart::Floor
@@ -221,20 +227,8 @@ void MovingLevel::move(std::size_t index, Walker& walker) {
     walker = *kept;
     return;
   }
-  setShare(index, now.share);
+  moved_.setShare(index, now.share);
   states_[index] = {now.share, -now.direction, 0};
-}
-
-void MovingLevel::setShare(std::size_t index, double share) {
-  const Mover& mover = level_->movers[index];
-  moved_.clear();
-  for (const SectorId sector : mover.sectors) {
-    SectorGeometry heights = geometry_.sectors[sector.index()];
-    (mover.part == FlatPart::Floor ? heights.zFloor : heights.zCeiling) =
-        heightOf(mover, (*level_)[sector], share);
-    moved_.push_back({sector, heights});
-  }
-  moveFlats(*level_, moved_, geometry_);
 }
 
 }  // namespace hearth

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "level/scene.h"
+#include "level/moved_geometry.h"
 #include "walk/mover_state.h"
 #include "walk/walker.h"
 
@@ -16,13 +16,20 @@ class MovingLevel {
   /// The player's use key reaches so many metres.
   static constexpr double kUseReach = 1.5;
 
-  /// `geometry` is that of the level as authored. The level must outlive this.
-  MovingLevel(const Level& level, const Geometry& geometry);
+  /// Where the level has its movers. Its geometry is that of the level as authored. Both must
+  /// outlive this.
+  explicit MovingLevel(const Scene& authored);
+  /// With the movers at other shares, by index: at rest there, loops apart.
+  MovingLevel(const Scene& authored, std::span<const double> shares);
+  /// Another version of a level, whose movers are in the states of those of the same name.
+  MovingLevel(const Scene& authored, const MovingLevel& before);
 
-  const Level& level() const { return *level_; }
-  Scene scene() const { return {*level_, geometry_}; }
+  /// Valid while this stays in its place.
+  Scene scene() const { return moved_.scene(); }
+  const Level& level() const { return moved_.level(); }
   /// By mover.
   std::span<const MoverState> movers() const { return states_; }
+  std::span<const double> shares() const { return moved_.shares(); }
 
   /// One tick. First the use key starts movers; then all movers move, those with floors under the
   /// walker carry it, and those for which it leaves no room turn back; then it walks, and starts
@@ -37,12 +44,9 @@ class MovingLevel {
   void startCrossed(const Walker& before, const Walker& after);
   void startEntered(const Walker& walker);
   void move(std::size_t mover, Walker& walker);
-  void setShare(std::size_t mover, double share);
 
-  const Level* level_;
-  Geometry geometry_;
+  MovedGeometry moved_;
   std::vector<MoverState> states_;
-  std::vector<MovedFlats> moved_;  ///< of the mover that moves
 };
 
 }  // namespace hearth

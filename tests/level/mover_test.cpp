@@ -9,38 +9,45 @@ using Shares = std::vector<double>;
 
 TEST(RestStates, areOneWhereAllMoversRest) {
   for (const Shares& shares : {Shares{}, Shares{0}, Shares{1}, Shares{1, 0, 1}}) {
-    const auto states = restStatesAround(shares);
-    ASSERT_EQ(states.size(), 1U);
-    EXPECT_EQ(states[0].shares, shares);
-    EXPECT_EQ(states[0].weight, 1);
+    const RestStates states(shares);
+    ASSERT_EQ(states.count(), 1U);
+    EXPECT_EQ(states.shares(0), shares);
+    EXPECT_EQ(states.weights()[0], 1);
   }
 }
 
 TEST(RestStates, areTheEndsOfAMoverBetweenThem) {
-  const auto states = restStatesAround(Shares{0.25});
-  ASSERT_EQ(states.size(), 2U);
-  EXPECT_EQ(states[0].shares, Shares{0});
-  EXPECT_EQ(states[0].weight, 0.75);
-  EXPECT_EQ(states[1].shares, Shares{1});
-  EXPECT_EQ(states[1].weight, 0.25);
+  const RestStates states(Shares{0.25});
+  ASSERT_EQ(states.count(), 2U);
+  EXPECT_EQ(states.shares(0), Shares{0});
+  EXPECT_EQ(states.weights()[0], 0.75);
+  EXPECT_EQ(states.shares(1), Shares{1});
+  EXPECT_EQ(states.weights()[1], 0.25);
 }
 
 TEST(RestStates, takeMoversToTheirOtherEndByFallingShare) {
-  const auto states = restStatesAround(Shares{0.25, 0.75, 1, 0});
-  ASSERT_EQ(states.size(), 3U);
-  EXPECT_EQ(states[0].shares, (Shares{0, 0, 1, 0}));
-  EXPECT_EQ(states[0].weight, 0.25);
-  EXPECT_EQ(states[1].shares, (Shares{0, 1, 1, 0}));
-  EXPECT_EQ(states[1].weight, 0.5);
-  EXPECT_EQ(states[2].shares, (Shares{1, 1, 1, 0}));
-  EXPECT_EQ(states[2].weight, 0.25);
+  const RestStates states(Shares{0.25, 0.75, 1, 0});
+  ASSERT_EQ(states.count(), 3U);
+  EXPECT_EQ(states.shares(0), (Shares{0, 0, 1, 0}));
+  EXPECT_EQ(states.weights()[0], 0.25);
+  EXPECT_EQ(states.shares(1), (Shares{0, 1, 1, 0}));
+  EXPECT_EQ(states.weights()[1], 0.5);
+  EXPECT_EQ(states.shares(2), (Shares{1, 1, 1, 0}));
+  EXPECT_EQ(states.weights()[2], 0.25);
 }
 
 TEST(RestStates, moveMoversOfOneShareTogether) {
-  const auto states = restStatesAround(Shares{0.5, 0.5});
-  ASSERT_EQ(states.size(), 2U);
-  EXPECT_EQ(states[0].shares, (Shares{0, 0}));
-  EXPECT_EQ(states[1].shares, (Shares{1, 1}));
+  const RestStates states(Shares{0.5, 0.5});
+  ASSERT_EQ(states.count(), 2U);
+  EXPECT_EQ(states.shares(0), (Shares{0, 0}));
+  EXPECT_EQ(states.shares(1), (Shares{1, 1}));
+}
+
+TEST(RestStates, areTheSameWhileTheMoversKeepTheirOrder) {
+  const RestStates states(Shares{0.25, 0.75});
+  EXPECT_TRUE(states.areStatesOf(RestStates(Shares{0.5, 0.9})));
+  EXPECT_FALSE(states.areStatesOf(RestStates(Shares{0.75, 0.25})));
+  EXPECT_FALSE(states.areStatesOf(RestStates(Shares{0.25, 1})));
 }
 
 }  // namespace

@@ -5,54 +5,25 @@
 #include <cmath>
 
 #include "level/mover.h"
-#include "support/level_text.h"
+#include "support/hall_and_cellar.h"
 
 namespace hearth {
 namespace {
 
 constexpr double kTexel = 0.25;
 
-/// A lit hall, a cellar without a lamp and a door between them; and in the hall a lift.
-SourcedResult hallAndCellar() {
-  const std::string solid = "{'texture':'#808080'}";
-  const std::string toDoor = "{'next':'door','texture':'#604020'}";
-  return test::levelWithSourceFrom(
-      "{'movers': {'gate': {'sectors':['door'],'part':'ceiling','to':2},"
-      "            'lift': {'sectors':['lift'],'part':'floor','to':1}},"
-      " 'sectors': {" +
-          test::sectorText(
-              "hall", "0,0, 4,0, 4,4, 0,4", 0, 3,
-              "[" + solid + "," + toDoor + "," + solid + ",{'next':'lift','texture':'#604020'}]") +
-          "," +
-          test::sectorText("door", "4,0, 4.5,0, 4.5,4, 4,4", 0, 0,
-                           "[" + solid + ",{'next':'cellar','texture':'#604020'}," + solid +
-                               ",{'next':'hall','texture':'#604020'}]") +
-          "," +
-          test::sectorText("cellar", "4.5,0, 9,0, 9,4, 4.5,4", 0, 3,
-                           "[" + solid + "," + solid + "," + solid + "," + toDoor + "]") +
-          "," +
-          test::sectorText(
-              "lift", "-2,0, 0,0, 0,4, -2,4", 0, 3,
-              "[" + solid + ",{'next':'hall','texture':'#604020'}," + solid + "," + solid + "]") +
-          "}}",
-      "[{'x':2,'y':2,'z':1.5,'intensity':200,'falloff':0.25}]");
-}
-
 /// The level and its light at some shares, and at rest on both sides of these.
 class Moved {
  public:
   explicit Moved(std::vector<double> shares)
-      : authored_(hallAndCellar()), shown_(loadedAt(shares)) {
+      : authored_(test::hallAndCellar()), shown_(loadedAt(shares)) {
     std::vector<LightAtRest> lights;
-    const std::vector<RestState> states = restStatesAround(shares);
-    for (const RestState& state : states) rests_.push_back(loadedAt(state.shares));
+    const RestStates states(shares);
+    for (std::size_t i = 0; i < states.count(); ++i) rests_.push_back(loadedAt(states.shares(i)));
     for (const LoadedLevel& rest : rests_) atRest_.push_back(bake(rest.scene(), settings(), 1));
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < states.size(); ++i) {
+    for (std::size_t i = 0; i < states.count(); ++i)
       lights.push_back({rests_[i].scene(), &atRest_[i]});
-      weights.push_back(states[i].weight);
-    }
-    light_ = blendedLight(shown_.scene(), kTexel, lights, weights, 2);
+    light_ = blendedLight(shown_.scene(), kTexel, lights, states.weights(), 2);
   }
 
   const BakedLight& light() const { return light_; }

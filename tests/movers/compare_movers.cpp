@@ -163,23 +163,20 @@ class Comparison {
   }
 
   void compareLight(const LoadedLevel& moved, const std::vector<double>& shares) {
-    const std::vector<RestState> states = restStatesAround(shares);
+    const RestStates states(shares);
     std::vector<LoadedLevel> rests;
     std::vector<BakedLight> baked;
-    for (const RestState& state : states) {
-      auto rest = loadedAt(state.shares);
+    for (std::size_t i = 0; i < states.count(); ++i) {
+      auto rest = loadedAt(states.shares(i));
       if (!rest) return;
       baked.push_back(lightOf(*rest));
       rests.push_back(*std::move(rest));
     }
     std::vector<LightAtRest> lights;
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < states.size(); ++i) {
+    for (std::size_t i = 0; i < states.count(); ++i)
       lights.push_back({rests[i].scene(), &baked[i]});
-      weights.push_back(states[i].weight);
-    }
-    const BakedLight blended = blendedLight(moved.scene(), kTexel, lights, weights, 1);
-    compareFrames(moved, lights, weights, blended, shares);
+    const BakedLight blended = blendedLight(moved.scene(), kTexel, lights, states.weights(), 1);
+    compareFrames(moved, lights, states.weights(), blended, shares);
     const LightDifference difference = differenceOf(blended, lightOf(moved));
     tally_.squares += difference.rms * difference.rms * static_cast<double>(difference.texels);
     tally_.lightTexels += difference.texels;
@@ -187,7 +184,7 @@ class Comparison {
 
   /// Light that is kept from frame to frame with that of a single picture, and at rest with a bake.
   void compareFrames(const LoadedLevel& moved, const std::vector<LightAtRest>& lights,
-                     const std::vector<double>& weights, const BakedLight& blended,
+                     std::span<const double> weights, const BakedLight& blended,
                      const std::vector<double>& shares) {
     BlendedLight frames;
     for (const LightAtRest& rest : lights) {

@@ -52,7 +52,7 @@ const std::string kFar = "'far':{'sectors':'gallery','part':'ceiling','to':5,'sp
 class MovingCastle : public testing::Test {
  protected:
   explicit MovingCastle(std::string_view wallOfHall = "")
-      : loaded_(castle(kGate + kLift + kFar, wallOfHall)), level(loaded_.level, loaded_.geometry) {}
+      : loaded_(castle(kGate + kLift + kFar, wallOfHall)), level(loaded_.scene()) {}
 
   enum Movers { Gate, Lift, Far };
 
@@ -168,7 +168,7 @@ TEST_F(MovingCastleWithASwitch, StartsAllThatAWallNames) {
 TEST(MovingLifts, LowerTheWalkerWithoutAFall) {
   const LoadedLevel loaded = castle(
       "'far':{'sectors':'gallery','part':'floor','to':0,'speed':4,'trigger':'loop','wait':0.5}");
-  MovingLevel level(loaded.level, loaded.geometry);
+  MovingLevel level(loaded.scene());
   Walker walker = standing(level.scene(), "gallery", {-4.5, 2, 2});
   for (int i = 0; i < 300; ++i) {
     walker = level.ticked(walker, {});
@@ -179,8 +179,8 @@ TEST(MovingLifts, LowerTheWalkerWithoutAFall) {
 
 TEST(MovingLevels, AreTheSameForTheSameInputsToTheBit) {
   const LoadedLevel loaded = castle(kGate + kLift + kFar);
-  MovingLevel one(loaded.level, loaded.geometry);
-  MovingLevel other(loaded.level, loaded.geometry);
+  MovingLevel one(loaded.scene());
+  MovingLevel other(loaded.scene());
   Walker a = standing(one.scene(), "hall", {9, 2, 0});
   Walker b = a;
   random_levels::Random random(7);
@@ -203,7 +203,7 @@ TEST(MovingLevels, LeaveTheWalkerItsRoom) {
       "'press':{'sectors':['hall','yard'],'part':'ceiling','to':0.5,'speed':1,'trigger':'loop'},"
       "'far':{'sectors':'gallery','part':'floor','to':4,'speed':3,'trigger':'loop'}");
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    MovingLevel level(loaded.level, loaded.geometry);
+    MovingLevel level(loaded.scene());
     Walker walker = standing(level.scene(), "hall", {5, 2, 0});
     random_levels::Random random(seed);
     WalkInput input;

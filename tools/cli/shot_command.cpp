@@ -37,7 +37,7 @@ tl::expected<ShownLevel, std::string> shownLevel(const OpenedLevel& opened,
 /// Baked only where it shows, unless it is that of several states.
 tl::expected<BakedLight, std::string> lightOf(const ShownLevel& shown, const OpenedLevel& opened,
                                               const Camera& camera, const OptionValues& values) {
-  if (restStatesAround(shown.shares).size() == 1)
+  if (RestStates(shown.shares).count() == 1)
     return lightInView(shown.loaded.scene(), camera, values);
   return MovedLight(*opened.result.loaded, opened.source, values).at(shown.loaded, shown.shares);
 }

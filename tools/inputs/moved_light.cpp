@@ -74,19 +74,18 @@ tl::expected<LoadedLevel, std::string> loadedAt(const LoadedLevel& authored,
 
 tl::expected<BakedLight, std::string> MovedLight::at(const LoadedLevel& shown,
                                                      std::span<const double> shares) {
-  const std::vector<RestState> states = restStatesAround(shares);
-  if (states.size() == 1) return lightFor(shown.scene(), values_);
+  const RestStates states(shares);
+  if (states.count() == 1) return lightFor(shown.scene(), values_);
   const auto settings = bakeSettingsFor(shown.scene(), values_);
   if (!settings) return tl::unexpected(settings.error());
   std::vector<LightAtRest> lights;
-  std::vector<double> weights;
-  for (const RestState& state : states) {
-    const auto rest = atRest(state.shares);
+  for (std::size_t i = 0; i < states.count(); ++i) {
+    const auto rest = atRest(states.shares(i));
     if (!rest) return tl::unexpected(rest.error());
     lights.push_back({(*rest)->level.scene(), &(*rest)->light});
-    weights.push_back(state.weight);
   }
-  return blendedLight(shown.scene(), settings->texel, lights, weights, threadsFrom(values_));
+  return blendedLight(shown.scene(), settings->texel, lights, states.weights(),
+                      threadsFrom(values_));
 }
 
 tl::expected<const MovedLight::AtRest*, std::string> MovedLight::atRest(

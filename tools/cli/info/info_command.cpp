@@ -28,7 +28,7 @@ ExitStatus runInfo(const OptionValues& values) {
   if (!bake) return fail(bake.error());
   Contents contents = contentsOf(*loaded, opened.source, *bake);
   contents.movers = moverContents(authored, *shares);
-  if (restStatesAround(*shares).size() > 1) {
+  if (RestStates(*shares).count() > 1) {
     const auto blended = MovedLight(authored, opened.source, values).at(*loaded, *shares);
     if (!blended) return fail(blended.error());
     contents.blend = differenceOf(*blended, bake->light);

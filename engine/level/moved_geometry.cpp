@@ -1,0 +1,45 @@
+#include "level/moved_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/check.h"
+
+namespace hearth {
+
+MovedGeometry::MovedGeometry(const Level& level, const Geometry& authored)
+    : level_(&level), authored_(&authored), shares_(level.movers.size()) {
+  if (level.movers.empty()) return;
+  geometry_ = authored;
+  std::size_t most = 0;
+  for (const Mover& mover : level.movers) most = std::max(most, mover.sectors.size());
+  moved_.reserve(most);
+}
+
+void MovedGeometry::setShare(std::size_t mover, double share) {
+  shares_[mover] = share;
+  const double height = heightAt(mover, share);
+  const bool isFloor = level_->movers[mover].part == FlatPart::Floor;
+  moved_.clear();
+  for (const SectorId sector : level_->movers[mover].sectors) {
+    SectorGeometry heights = geometry_.sectors[sector.index()];
+    (isFloor ? heights.zFloor : heights.zCeiling) = height;
+    moved_.push_back({sector, heights});
+  }
+  moveFlats(*level_, moved_, geometry_);
+}
+
+void MovedGeometry::setShares(std::span<const double> shares) {
+  CHECK(shares.size() == shares_.size(), shares.size(), shares_.size());
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (shares[i] != shares_[i]) setShare(i, shares[i]);
+}
+
+double MovedGeometry::heightAt(std::size_t mover, double share) const {
+  const Mover& moving = level_->movers[mover];
+  const SectorGeometry& authored = authored_->sectors[moving.sectors.front().index()];
+  return std::lerp(moving.part == FlatPart::Floor ? authored.zFloor : authored.zCeiling, moving.to,
+                   share);
+}
+
+}  // namespace hearth

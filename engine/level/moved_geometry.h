@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "level/scene.h"
+
+namespace hearth {
+
+/// The geometry of a level whose movers stand at any shares. Takes no memory when they move, and
+/// none at all for a level without movers.
+class MovedGeometry {
+ public:
+  /// All movers at share 0, as in `authored`. Level and geometry must outlive it.
+  MovedGeometry(const Level& level, const Geometry& authored);
+
+  /// Valid while this stays in its place.
+  Scene scene() const { return {*level_, shares_.empty() ? *authored_ : geometry_}; }
+  const Level& level() const { return *level_; }
+  /// By mover.
+  std::span<const double> shares() const { return shares_; }
+
+  /// Moves one mover (0..1), in a time that depends on it alone.
+  void setShare(std::size_t mover, double share);
+  /// Moves those whose share differs.
+  void setShares(std::span<const double> shares);
+
+  /// The absolute height of a mover's flats at a share.
+  double heightAt(std::size_t mover, double share) const;
+
+ private:
+  const Level* level_;
+  const Geometry* authored_;
+  Geometry geometry_;
+  std::vector<double> shares_;
+  std::vector<MovedFlats> moved_;  ///< of the mover that moves
+};
+
+}  // namespace hearth
