@@ -414,7 +414,7 @@ class Walk(InFolder):
         text = (SOURCE / "tools/README.md").read_text().partition("#### Settings of your own")[2]
         (folder / "config.json").write_text(re.search(r"```json\n(.*?)```", text, re.DOTALL)[1])
         keys = run("walk", "--help", env=environment).stdout
-        self.assertRegex(keys, r"(?m)^  E S, Up Down +walk$")
+        self.assertRegex(keys, r"(?m)^  Q S, Up Down +walk$")
         self.assertRegex(keys, r"(?m)^  Space, Keypad 0 +jump; in flight: up$")
         actions = re.search(r"Actions are (.*?)\. Keys", text, re.DOTALL)[1]
         for name in re.findall(r"`(\w+)`", actions):

@@ -405,6 +405,42 @@ def rebinds_a_key_in_the_overlay(display, hearth, level, folder):
         walk.process.wait()
 
 
+DOOR = """{
+  "player": { "x": 2.8, "y": 2, "z": 1.6 },
+  "movers": { "gate": { "sectors": "door", "part": "ceiling", "to": 2.5, "trigger": "use" } },
+  "sectors": {
+    "hall": { "floor": SOLID, "ceiling": { "z": 3, "texture": "#808080" },
+      "loops": { "border": { "v": [0,0, 4,0, 4,4, 0,4], "walls": [SOLID, TO door, SOLID, SOLID] } } },
+    "door": { "floor": SOLID, "ceiling": { "z": 0, "texture": "#808080" },
+      "loops": { "border": { "v": [4,0, 5,0, 5,4, 4,4], "walls": [SOLID, TO cellar, SOLID, TO hall] } } },
+    "cellar": { "floor": SOLID, "ceiling": { "z": 3, "texture": "#808080" },
+      "loops": { "border": { "v": [5,0, 9,0, 9,4, 5,4], "walls": [SOLID, SOLID, SOLID, TO door] } } }
+  }
+}
+"""
+
+
+def opens_a_door(display, hearth, folder):
+    """The use key starts it. Once it is open, the window shows the light of a level that is authored so."""
+    level = folder / "door.json"
+    walls = re.sub(r"TO (\w+)", r'{ "next": "\1", "upper": "#604020" }', DOOR)
+    level.write_text(walls.replace("SOLID", '{ "texture": "#808080" }'))
+    (folder / "door.lights.json").write_text('[{ "x": 2, "y": 1, "z": 2, "intensity": 200, "falloff": 0.25 }]')
+    walk = Walk(display, hearth, level, folder, "--record", "door.txt")
+    try:
+        expect_change(display, "E opens the door", lambda: display.do("key", "e"))
+        wait_for("the door is open", lambda: "gate=1" in " ".join(walk.screenshot()[1]))
+        walk.expect_screenshot()
+        walk.leave()
+    finally:
+        walk.process.kill()
+        walk.process.wait()
+    result = subprocess.run([hearth, "walk", level, "--replay", folder / "door.txt", "--headless"],
+                            capture_output=True, text=True)
+    if result.returncode != 0 or " u\n" not in (folder / "door.txt").read_text():
+        sys.exit(f"FAILED: the walk through the door is replayed: {result}")
+
+
 def opens_where_it_was_left(display, hearth, level, folder):
     """The window is remembered, unless a size of the picture is asked for."""
     state = {"XDG_STATE_HOME": str(folder / "state")}
@@ -456,6 +492,7 @@ def main():
             heeds_the_users_settings(display, hearth, level, folder)
             rebinds_a_key_in_the_overlay(display, hearth, level, folder)
             opens_where_it_was_left(display, hearth, level, folder)
+            opens_a_door(display, hearth, folder)
             keeps_to_a_time(display, hearth, level, folder)
             fits_small_screens(hearth, level, folder)
         finally:

@@ -84,6 +84,12 @@ void BackgroundBaker::setOptions(const OptionValues& values) {
   wakeUp_.notify_all();
 }
 
+void BackgroundBaker::want(std::span<const std::vector<double>> states) {
+  const std::scoped_lock lock(mutex_);
+  wanted_.assign(states.begin(), states.end());
+  wakeUp_.notify_all();
+}
+
 std::optional<std::string> BackgroundBaker::unsavedLights() const {
   const std::scoped_lock lock(mutex_);
   return unsavedLights_;
@@ -120,6 +126,7 @@ void BackgroundBaker::run(const std::stop_token& stopOfFirst) {
         isLit_ = false;
       if (job->changed) load(*job->changed);
       if (!isLit_) light(false, job->stop);
+      if (isLit_ && !job->atRest.empty()) lightAtRest(job->atRest, job->stop);
     });
 }
 
@@ -136,12 +143,18 @@ void BackgroundBaker::attempt(const std::function<void()>& work) {
 /// Waits until there is something to do; none at the end.
 std::optional<BackgroundBaker::Job> BackgroundBaker::nextJob() {
   std::unique_lock lock(mutex_);
-  wakeUp_.wait(lock, [this] { return isAsked(); });
+  wakeUp_.wait(lock, [this] { return isAsked() || !wanted_.empty(); });
   if (isOver_) return std::nullopt;
   stop_ = std::stop_source();
   hasShownDraft_ = false;
-  return Job{std::exchange(asked_, std::nullopt), std::exchange(areOptionsNew_, false),
-             stop_.get_token()};
+  Job job{std::exchange(asked_, std::nullopt),
+          std::exchange(areOptionsNew_, false),
+          {},
+          stop_.get_token()};
+  if (job.changed || job.hasOtherOptions || wanted_.empty()) return job;
+  job.atRest = std::move(wanted_.front());
+  wanted_.pop_front();
+  return job;
 }
 
 /// The file's level takes the place of the one at hand, if it is one.
@@ -210,16 +223,43 @@ void BackgroundBaker::light(bool isFirst, const std::stop_token& stop) {
     show(rebake.draft(), true);
     if (isOvertaken()) return;
   }
-  const auto progress = std::make_shared<BakeProgress>();
-  setProgress(isKept ? nullptr : progress);
-  auto baked = rebake.finish(progress.get(), stop);
-  setProgress(nullptr);
+  auto baked = isKept ? rebake.finish(nullptr, stop) : finish(rebake, stop);
   if (!baked) return;
   isLit_ = true;
   litBy_ = *settings;
   if (isKept) return;
   const auto lit = show(*std::move(baked), false);
   if (cache && !unsavedLights()) cache->keep(scene, *settings, *lit->light);
+}
+
+/// While its progress can be seen.
+std::optional<BakedLight> BackgroundBaker::finish(Rebake& rebake, const std::stop_token& stop) {
+  const auto progress = std::make_shared<BakeProgress>();
+  setProgress(progress);
+  auto baked = rebake.finish(progress.get(), stop);
+  setProgress(nullptr);
+  return baked;
+}
+
+/// The level is lit: only light that the movers change is found anew, if it was not kept.
+void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::stop_token& stop) {
+  if (!source_ || shares.size() != current_->level.movers.size()) return;
+  const OptionValues values = options();
+  LoadResult moved = levelAt(*current_, *source_, shares, limitsFrom(values));
+  if (!moved.loaded) return refuse(format(moved.diagnostics.front()));
+  const auto rest = std::make_shared<RestLight>(shares, *std::move(moved.loaded));
+  const Scene scene = rest->level.scene();
+  const auto cache =
+      values.has(Option::NoCache) || unsavedLights() ? std::nullopt : BakeCache::ofUser();
+  auto light = cache ? cache->find(scene, litBy_) : std::nullopt;
+  if (!light) {
+    Rebake rebake(memory_, scene, litBy_, threadsFrom(values));
+    light = finish(rebake, stop);
+    if (!light) return;
+    if (cache) cache->keep(scene, litBy_, *light);
+  }
+  rest->light = *std::move(light);
+  tell({.rest = rest, .restOf = current_});
 }
 
 bool BackgroundBaker::showKept(const BakeCache& cache, const BakeSettings& settings) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -22,6 +23,7 @@
 #include "model/model_figures.h"
 #include "render/renderer.h"
 #include "settings/options.h"
+#include "viewer/walk/rest_light.h"
 
 namespace hearth {
 
@@ -55,6 +57,9 @@ struct LevelNews {
   std::vector<std::string> mistakes = {};
   std::shared_ptr<const LitLevel> level = nullptr;
   bool isDraft = false;  ///< better light follows
+  /// The light of a level, `restOf`, with its movers at rest elsewhere.
+  std::shared_ptr<const RestLight> rest = nullptr;
+  std::shared_ptr<const LoadedLevel> restOf = nullptr;
 };
 
 /// Loads and bakes a level on request, in a thread of its own with low priority. A new request
@@ -85,6 +90,10 @@ class BackgroundBaker {
   /// depends on them; `redrawn` only changes how it is drawn.
   void setOptions(const OptionValues& values);
 
+  /// Bakes the level with its movers at rest at these shares, the first of these first, whenever
+  /// nothing else is to be done. Replaces what was wanted before.
+  void want(std::span<const std::vector<double>> states);
+
   /// The oldest news that has not been taken.
   std::optional<LevelNews> news();
   /// The progress of a bake, while one shows.
@@ -94,6 +103,7 @@ class BackgroundBaker {
   struct Job {
     std::optional<Changed> changed;
     bool hasOtherOptions;
+    std::vector<double> atRest;  ///< shares of movers to bake for; without them nothing
     std::stop_token stop;
   };
   void run(const std::stop_token& stopOfFirst);
@@ -107,6 +117,8 @@ class BackgroundBaker {
   std::optional<std::string> unsavedLights() const;
   void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
+  void lightAtRest(const std::vector<double>& shares, const std::stop_token& stop);
+  std::optional<BakedLight> finish(Rebake& rebake, const std::stop_token& stop);
   bool isAsked() const { return asked_ || areOptionsNew_ || isOver_; }
   OptionValues options() const;
   const DrawnTextures& texturesFor(TextureFilter filter);
@@ -123,9 +135,10 @@ class BackgroundBaker {
   std::optional<std::string> unsavedLights_;
   bool isOver_ = false;
   OptionValues values_;
-  bool areOptionsNew_ = false;  ///< and have not been baked by
-  std::stop_source stop_;       ///< of the job at hand
-  bool hasShownDraft_ = false;  ///< of that job
+  bool areOptionsNew_ = false;              ///< and have not been baked by
+  std::stop_source stop_;                   ///< of the job at hand
+  bool hasShownDraft_ = false;              ///< of that job
+  std::deque<std::vector<double>> wanted_;  ///< states at rest
   std::deque<LevelNews> news_;
   std::shared_ptr<const BakeProgress> progress_;
   double bakeBegin_ = 0;

@@ -61,13 +61,17 @@ std::optional<Walker> carriedOver(const Scene& from, const Walker& walker, const
 }
 
 LiveLevel::LiveLevel(const OptionValues& values, const std::shared_ptr<const LoadedLevel>& loaded,
-                     std::shared_ptr<const LevelSource> source, std::chrono::milliseconds nextFile)
-    : baker_(values, loaded, std::move(source), nextFile), draw_(drawSettingsFrom(values)) {
+                     std::shared_ptr<const LevelSource> source, Reload reload,
+                     std::chrono::milliseconds nextFile)
+    : reload_(reload),
+      baker_(values, loaded, std::move(source), nextFile),
+      draw_(drawSettingsFrom(values)) {
   watch(*loaded);
 }
 
 /// Also the lights that are not there yet.
 void LiveLevel::watch(const LoadedLevel& loaded) {
+  if (reload_ == Reload::No) return;
   watched_ = loaded.files;
   const auto found = std::ranges::find(watched_, loaded.lights);
   lightsFile_ = static_cast<std::size_t>(found - watched_.begin());
@@ -88,7 +92,7 @@ tl::expected<std::shared_ptr<const LitLevel>, std::string> LiveLevel::awaitFirst
 }
 
 void LiveLevel::setOptions(const OptionValues& values) {
-  baker_.setOptions(values);
+  if (reload_ == Reload::Yes) baker_.setOptions(values);
   draw_ = drawSettingsFrom(values);
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
 }
@@ -101,10 +105,11 @@ void LiveLevel::update(WalkLoop& loop, WalkSession& session, WindowHost& outside
     loop.continueIn(shown_->loaded->scene(), shown_->renderer, shown_->source);
   }
   LightsEditor* const lights = loop.lightsEditor();
-  reload(watch_.changes(), lights);
+  if (reload_ == Reload::Yes) reload(watch_.changes(), lights);
   if (lights)
     if (auto text = lights->takeText()) baker_.setLights(*std::move(text));
   while (const auto news = baker_.news()) take(*news, loop, session);
+  wantLight(loop);
   loop.setNotes(mistakes_, baker_.progress());
 }
 
@@ -132,7 +137,9 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
   if (isOfFiles) printToStderr(news.warnings);
   if (isOfFiles && mistakes_ != news.mistakes) printToStderr(news.mistakes);
   mistakes_ = news.mistakes;
+  if (news.rest && news.restOf == shown_->loaded) loop.addLight(news.rest);
   if (!news.level) return;
+  wanted_.clear();
   if (news.level->loaded != shown_->loaded) {
     if (!continueIn(*news.level, session)) {
       mistakes_ = {"there is no room where you stand, and the level has no player to start with"};
@@ -151,10 +158,19 @@ void LiveLevel::take(const LevelNews& news, WalkLoop& loop, WalkSession& session
   if (!news.isDraft) saved_.reset();
 }
 
-bool LiveLevel::continueIn(const LitLevel& next, WalkSession& session) const {
-  const auto walker = carriedOver(shown_->loaded->scene(), session.walker(), next.loaded->scene());
-  if (walker) session.continueIn(next.loaded->scene(), *walker);
+bool LiveLevel::continueIn(const LitLevel& next, WalkSession& session) {
+  MovingLevel level(next.loaded->scene(), session.level());
+  const auto walker = carriedOver(session.level().scene(), session.walker(), level.scene());
+  if (walker) session.continueIn(std::move(level), *walker);
   return walker.has_value();
+}
+
+/// Of states that show now. What is wanted no more is not baked.
+void LiveLevel::wantLight(const WalkLoop& loop) {
+  const auto wanted = loop.wantedLight();
+  if (std::ranges::equal(wanted, wanted_)) return;
+  wanted_.assign(wanted.begin(), wanted.end());
+  baker_.want(wanted_);
 }
 
 }  // namespace hearth

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -20,6 +21,7 @@
 #include "desktop/window_place.h"
 #include "folders/user_folders.h"
 #include "inputs/inputs.h"
+#include "inputs/moved_light.h"
 #include "measure/budget.h"
 #include "model/orbit_view.h"
 #include "render/renderer.h"
@@ -40,7 +42,7 @@ struct Plan {
 };
 
 /// Recordings are of one version of a level, and saved light is of one geometry.
-bool isLive(const OptionValues& values) {
+bool isReloaded(const OptionValues& values) {
   return !values.has(Option::Record) && !values.has(Option::Replay) &&
          !values.has(Option::LightFrom);
 }
@@ -54,7 +56,7 @@ tl::expected<Plan, std::string> planFor(const Scene& scene,
   plan.settings.frameCap = values.number(Option::FrameCap).value_or(plan.settings.frameCap);
   plan.settings.view.mode = lightModeFrom(values);
   plan.settings.options = values;
-  plan.settings.canBake = isLive(values);
+  plan.settings.canBake = isReloaded(values);
   if (values.has(Option::Replay)) {
     auto recording = readReplay(values);
     if (!recording) return tl::unexpected(recording.error());
@@ -85,7 +87,7 @@ std::optional<std::string> mistakeInWalkOptions(const OptionValues& values) {
     return "--headless: give --replay, which alone needs no window";
   if (!values.has(Option::Replay)) return std::nullopt;
   for (const Option option :
-       {Option::Start, Option::Camera, Option::Sector, Option::Shot, Option::Record})
+       {Option::Start, Option::Camera, Option::Sector, Option::Shot, Option::Mover, Option::Record})
     if (values.has(option)) return fmt::format("give --replay or {}, not both", row(option).name);
   return std::nullopt;
 }
@@ -206,12 +208,14 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
     return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
                             window.error(), values.program));
   std::optional<LiveLevel> live;
-  if (isLive(values)) live.emplace(values, loaded, source);
+  if (!values.has(Option::LightFrom))
+    live.emplace(values, loaded, source,
+                 isReloaded(values) ? LiveLevel::Reload::Yes : LiveLevel::Reload::No);
   auto lit = live ? live->awaitFirst(WalkWindow::answerDesktop) : litBehind(loaded, source, values);
   if (!lit) return fail(lit.error());
   Disk disk;
   WalkSettings settings = plan.settings;
-  if (live && !settings.model) settings.lightsFile = loaded->lights;
+  if (isReloaded(values) && !settings.model) settings.lightsFile = loaded->lights;
   addConfig(configOfUser(), settings);
   settings.config = configFile().value_or("");
   if (const auto file = bookmarksFile(loaded->path); file && !settings.model)
@@ -256,15 +260,22 @@ ExitStatus runWalk(const OptionValues& values) {
   OpenedLevel opened = loadAndReportWithSource(values);
   if (!opened.result.loaded) return ExitStatus::BadInput;
   const auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
-  const Scene scene = loaded->scene();
-  const auto plan = planFor(scene, opened.model, values);
+  const auto shares = moverSharesFor(loaded->level, values);
+  if (!shares) return fail(shares.error());
+  if (values.has(Option::Record) && std::ranges::count(*shares, 0.0) != std::ssize(*shares))
+    return fail(
+        "--record: a recording begins with all movers where the level has them; leave out "
+        "--mover, or --shot with movers");
+  MovingLevel level(loaded->scene(), *shares);
+  const auto plan = planFor(level.scene(), opened.model, values);
   if (!plan) return fail(plan.error());
-  const auto walker = firstWalker(scene, *plan);
+  const auto walker = firstWalker(level.scene(), *plan);
   if (!walker) return fail(fmt::format("--replay: {}", walker.error()));
   WalkSession session(
-      scene, *walker,
+      std::move(level), *walker,
       values.has(Option::Record) ? WalkSession::Record::Yes : WalkSession::Record::No);
-  if (values.has(Option::Headless)) return replayHeadless(scene, session, *plan->replay);
+  if (values.has(Option::Headless))
+    return replayHeadless(session.level().scene(), session, *plan->replay);
   const SharedSource source = takeSource(opened);
   return walkInWindow(loaded, source, *plan, session, values);
 }

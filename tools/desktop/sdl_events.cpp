@@ -67,6 +67,8 @@ std::optional<Event> gamepadButtonFrom(const SDL_ControllerButtonEvent& button) 
       return GamepadButtonEvent{GamepadButton::B, isDown};
     case SDL_CONTROLLER_BUTTON_Y:
       return GamepadButtonEvent{GamepadButton::Y, isDown};
+    case SDL_CONTROLLER_BUTTON_X:
+      return GamepadButtonEvent{GamepadButton::X, isDown};
     default:
       return std::nullopt;
   }

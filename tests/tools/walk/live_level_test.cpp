@@ -258,6 +258,44 @@ TEST_F(LiveWalk, OptionsThatNoBakeTakesAreToldAndCanBeTakenBack) {
   EXPECT_TRUE(comesToShowFresh());
 }
 
+TEST_F(LiveWalk, LightsADoorThatWasOpened) {
+  writeHall();
+  begin();
+  const SourcedResult sourced = loadLevelWithSource(levelFile());
+  const LoadedLevel open =
+      *levelAt(*sourced.result.loaded, sourced.source, std::vector{1.0, 0.0}).loaded;
+  const BakedLight light = bake(open.scene(), open.level.bake, 2);
+  stage_.events.push_back(test::down(Key::E));
+  EXPECT_TRUE(comesTo([&] {
+    const Eye eye = eyeOf(open.scene(), session_->walker());
+    return session_->level().shares()[0] == 1 &&
+           stage_.shown == Renderer(open.scene(), open.textures, light)
+                               .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90,
+                                      stage_.window->width, stage_.window->height},
+                                     LightMode::Both);
+  }));
+}
+
+TEST_F(LiveWalk, KeepsADoorOpenWhileItsLightIsEdited) {
+  writeHall();
+  begin();
+  stage_.events.push_back(test::down(Key::E));
+  ASSERT_TRUE(comesTo([&] { return session_->level().shares()[0] == 1; }));
+  write(lightsFile(), R"([{"x":3,"y":1,"z":2,"intensity":100}])");
+  const SourcedResult sourced = loadLevelWithSource(levelFile());
+  const LoadedLevel open =
+      *levelAt(*sourced.result.loaded, sourced.source, std::vector{1.0, 0.0}).loaded;
+  const BakedLight light = bake(open.scene(), open.level.bake, 2);
+  EXPECT_TRUE(comesTo([&] {
+    const Eye eye = eyeOf(open.scene(), session_->walker());
+    return stage_.shown == Renderer(open.scene(), open.textures, light)
+                               .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90,
+                                      stage_.window->width, stage_.window->height},
+                                     LightMode::Both);
+  }));
+  EXPECT_EQ(session_->level().shares()[0], 1);
+}
+
 TEST_F(LiveWalk, LiftsTheWalkerWithTheFloor) {
   writeRoom("room", 0);
   begin();

@@ -33,7 +33,7 @@ class LiveModel : public test::LiveStage {
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
     const SectorId air = loaded->level.meshes.front().sector;
-    session_ = std::make_unique<WalkSession>(loaded->scene(),
+    session_ = std::make_unique<WalkSession>(MovingLevel(loaded->scene()),
                                              Walker{.sector = air, .feet = {}, .velocity = {}},
                                              WalkSession::Record::No);
     WalkSettings settings;

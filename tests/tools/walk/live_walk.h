@@ -18,6 +18,7 @@
 #include "desktop/screenshot_files.h"
 #include "settings/settings.h"
 #include "stage.h"
+#include "support/hall_and_cellar.h"
 #include "support/in_tree.h"
 
 namespace hearth::test {
@@ -89,12 +90,13 @@ class LiveWalk : public LiveStage {
     ASSERT_TRUE(opened.result.loaded);
     auto loaded = std::make_shared<const LoadedLevel>(*std::move(opened.result.loaded));
     auto source = std::make_shared<const LevelSource>(std::move(opened.source));
-    live_ = std::make_unique<LiveLevel>(values_, loaded, source, nextFile);
+    live_ = std::make_unique<LiveLevel>(values_, loaded, source, LiveLevel::Reload::Yes, nextFile);
     const auto lit = live_->awaitFirst([] { std::this_thread::yield(); });
     ASSERT_TRUE(lit) << lit.error();
     const Player& player = *loaded->level.player;
     session_ = std::make_unique<WalkSession>(
-        loaded->scene(), walkerAt(loaded->scene(), player.sector, player.eye, player.angle, 0),
+        MovingLevel(loaded->scene()),
+        walkerAt(loaded->scene(), player.sector, player.eye, player.angle, 0),
         WalkSession::Record::No);
     screenshots_ = std::make_unique<ScreenshotFiles>(folder_, "live");
     const WalkSettings settings{.options = values_, .lightsFile = loaded->lights, .canBake = true};
@@ -108,6 +110,16 @@ class LiveWalk : public LiveStage {
     return comesTo([&] { return stage_.shown == expected; });
   }
 
+  /// A hall with a door in place of the level.
+  void writeHall() {
+    const auto json = [](std::string text) {
+      std::ranges::replace(text, '\'', '"');
+      return text;
+    };
+    write(levelFile(), json(hallAndCellarText()));
+    write(lightsFile(), json(std::string(kHallLights)));
+  }
+
   LoadedLevel load() const {
     LoadResult result = loadLevel(levelFile());
     for (const Diagnostic& diagnostic : result.diagnostics) ADD_FAILURE() << format(diagnostic);
@@ -119,7 +131,7 @@ class LiveWalk : public LiveStage {
   Image fresh(const OptionValues& values) const {
     const LoadedLevel loaded = load();
     const BakedLight light = bake(loaded.scene(), *bakeSettingsFor(loaded.scene(), values), 2);
-    const Eye eye = session_->eye(1);
+    const Eye eye = session_->eye(session_->level().scene(), 1);
     return Renderer(loaded.scene(), loaded.textures, light, drawSettingsFrom(values))
         .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
                stage_.window->height},

@@ -172,7 +172,7 @@ class TurnedBox {
     opened_ = openLevel("box.obj", {}, {}, files);
     light_ = bake(scene(), loaded().level.bake, 1);
     renderer_.emplace(scene(), loaded().textures, light_);
-    session_.emplace(scene(), Walker{.sector = sector(), .feet = {}, .velocity = {}},
+    session_.emplace(MovingLevel(scene()), Walker{.sector = sector(), .feet = {}, .velocity = {}},
                      WalkSession::Record::No);
     WalkSettings settings;
     settings.fov = kModelFov;

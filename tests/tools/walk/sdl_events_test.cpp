@@ -140,6 +140,7 @@ TEST(SdlEvents, TellOfGamepads) {
   SDL_Event event = ofType(SDL_CONTROLLERBUTTONDOWN);
   for (const auto& [code, button] : {std::pair{SDL_CONTROLLER_BUTTON_A, GamepadButton::A},
                                      {SDL_CONTROLLER_BUTTON_B, GamepadButton::B},
+                                     {SDL_CONTROLLER_BUTTON_X, GamepadButton::X},
                                      {SDL_CONTROLLER_BUTTON_Y, GamepadButton::Y}}) {
     event.cbutton.button = static_cast<Uint8>(code);
     EXPECT_EQ(taken<GamepadButtonEvent>(event).button, button);
@@ -147,7 +148,7 @@ TEST(SdlEvents, TellOfGamepads) {
   }
   event.type = SDL_CONTROLLERBUTTONUP;
   EXPECT_FALSE(taken<GamepadButtonEvent>(event).isDown);
-  event.cbutton.button = SDL_CONTROLLER_BUTTON_X;
+  event.cbutton.button = SDL_CONTROLLER_BUTTON_BACK;
   EXPECT_FALSE(eventFrom(event)) << "a button that asks for nothing";
   taken<GamepadRemoved>(ofType(SDL_CONTROLLERDEVICEREMOVED));
 }

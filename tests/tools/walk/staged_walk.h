@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "desktop/disk.h"
@@ -16,8 +18,9 @@ namespace hearth::test {
 
 /// A level with its light.
 struct Place {
-  explicit Place(const std::string& path)
-      : loaded(hearth::loaded(path)), light(bake(loaded.scene(), loaded.level.bake, 2)) {}
+  explicit Place(const std::string& path) : Place(hearth::loaded(path)) {}
+  explicit Place(LoadedLevel level)
+      : loaded(std::move(level)), light(bake(loaded.scene(), loaded.level.bake, 2)) {}
 
   LoadedLevel loaded;
   BakedLight light;
@@ -38,7 +41,7 @@ class StagedWalk {
         renderer_(place.loaded.scene(), place.loaded.textures, place.light),
         start_(walkerAt(scene(), level().player->sector, level().player->eye, level().player->angle,
                         0)),
-        session_(scene(), start_, record),
+        session_(MovingLevel(scene()), start_, record),
         screenshots_(testing::TempDir(), "walk"),
         settings_(settings),
         loop_(scene(), renderer_, session_, {stage, disk_, screenshots_, workers}, settings) {
@@ -63,7 +66,7 @@ class StagedWalk {
 
   /// What `hearth shot` would draw where the walker was a tick ago.
   Image drawn(LightMode mode, ImageSize size) const {
-    const Eye eye = session_.eye(0);
+    const Eye eye = session_.eye(scene(), 0);
     return renderer_.draw(
         {eye.sector, eye.point, eye.angle, eye.pitch, settings_.fov, size.width, size.height},
         mode);
@@ -74,7 +77,13 @@ class StagedWalk {
   const Walker& start() const { return start_; }
   const Walker& walker() const { return session_.walker(); }
   const std::vector<WalkInput>& inputs() const { return session_.inputs(); }
+  std::span<const double> shares() const { return session_.level().shares(); }
   WalkLoop& loop() { return loop_; }
+  /// Goes on in another version of the level, at the same place.
+  void continueIn(const Place& place, const Renderer& renderer) {
+    session_.continueIn(MovingLevel(place.loaded.scene(), session_.level()), walker());
+    loop_.continueIn(place.loaded.scene(), renderer, nullptr);
+  }
   Screenshots& screenshots() { return screenshots_; }
 
   test::Stage stage;

@@ -25,6 +25,7 @@ constexpr std::array kActions = {
     ActionRow{
         Action::Crouch, "crouch", "crouch, fly down", {Key::C, Key::LeftCtrl, Key::RightCtrl}},
     ActionRow{Action::Fly, "fly", "fly, walk again", {Key::N}},
+    ActionRow{Action::Use, "use", "open, start, use", {Key::E}},
     ActionRow{Action::ShowBoth, "showBoth", "textures and light", {Key::Digit1}},
     ActionRow{Action::ShowTextures, "showTextures", "textures alone", {Key::Digit2}},
     ActionRow{Action::ShowLight, "showLight", "light alone", {Key::Digit3}},
@@ -63,6 +64,7 @@ constexpr std::array kListed = {
     ListedActions{Action::Jump, Action::Jump, "jump; in flight: up"},
     ListedActions{Action::Crouch, Action::Crouch, "crouch; in flight: down"},
     ListedActions{Action::Fly, Action::Fly, "fly, or walk again"},
+    ListedActions{Action::Use, Action::Use, "open a door, start a lift"},
     ListedActions{Action::ShowBoth, Action::ShowLight, "textures and light, one alone"},
     ListedActions{Action::Map, Action::ZoomOut, "map of what was seen, its zoom"},
     ListedActions{Action::Bookmark, Action::NextBookmark, "bookmark here, go to the next"},
@@ -80,7 +82,7 @@ struct Listed {
 constexpr std::array kNoKeys = {
     Listed{"Mouse", "look, after a click"},
     Listed{"Gamepad", "left stick walks, right one looks"},
-    Listed{"A B Y, triggers", "jump, crouch, fly, run"},
+    Listed{"ABXY, triggers", "jump, crouch, use, fly, run"},
 };
 
 /// Of a model: keys that are the same for all users.

@@ -27,6 +27,7 @@ enum class Action : std::uint8_t {
   Jump,
   Crouch,
   Fly,
+  Use,
   ShowBoth,
   ShowTextures,
   ShowLight,

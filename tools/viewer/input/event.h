@@ -53,8 +53,8 @@ struct GamepadMotion {
   int value = 0;  ///< -32768..32767, to the right and down; of triggers from 0
 };
 
-enum class GamepadButton : std::uint8_t { A, B, Y };
-inline constexpr std::size_t kGamepadButtonCount = 3;
+enum class GamepadButton : std::uint8_t { A, B, X, Y };
+inline constexpr std::size_t kGamepadButtonCount = 4;
 struct GamepadButtonEvent {
   GamepadButton button{};
   bool isDown = true;

@@ -30,6 +30,7 @@ struct ButtonBinding {
 constexpr std::array kButtons = {
     ButtonBinding{GamepadButton::A, Action::Jump},
     ButtonBinding{GamepadButton::B, Action::Crouch},
+    ButtonBinding{GamepadButton::X, Action::Use},
     ButtonBinding{GamepadButton::Y, Action::Fly},
 };
 
@@ -129,6 +130,7 @@ WalkInput Controls::nextTick(int ticksDue, double pitch) {
   input.jump = wants(Action::Jump);
   input.crouch = wants(Action::Crouch);
   input.toggleFlight = pressed_[indexOf(Action::Fly)];
+  input.use = pressed_[indexOf(Action::Use)];
   pressed_.reset();
   return input;
 }

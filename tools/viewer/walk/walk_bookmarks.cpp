@@ -24,7 +24,7 @@ std::string WalkBookmarks::goTo(const Bookmark& bookmark, const Scene& scene) {
   if (!canJump()) return "no jumps in a walk that is recorded or replayed";
   const auto walker = walkerAt(scene, bookmark);
   if (!walker) return walker.error();
-  session_.continueIn(scene, *walker);
+  session_.continueAt(*walker);
   settings_.fov = bookmark.fov;
   return bookmark.name;
 }

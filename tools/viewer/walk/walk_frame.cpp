@@ -23,7 +23,7 @@ std::string_view nameOf(LightMode mode) {
 
 }  // namespace
 
-std::string shotOptionsOf(const WalkFrame& frame, std::string_view sector,
+std::string shotOptionsOf(const WalkFrame& frame, const Level& level,
                           const DrawSettings& settings) {
   const Camera& camera = frame.camera;
   const std::string drawOptions = optionsOf(settings);
@@ -31,10 +31,15 @@ std::string shotOptionsOf(const WalkFrame& frame, std::string_view sector,
                                ? fmt::format("--light {}", nameOf(frame.view.mode))
                                : fmt::format("--channel {}", frame.view.channel);
   const std::string time = camera.seconds > 0 ? fmt::format("--time {} ", camera.seconds) : "";
-  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}{}",
+  std::string movers;
+  for (std::size_t i = 0; i < frame.shares.size(); ++i)
+    if (frame.shares[i] != 0)
+      movers += fmt::format("--mover {} ",
+                            shellWord(fmt::format("{}={}", level.movers[i].name, frame.shares[i])));
+  return fmt::format("--camera {},{},{},{},{} --sector {} --fov {} --size {}x{} {}{}{}{}",
                      camera.eye.x, camera.eye.y, camera.eye.z, camera.angle, camera.pitch,
-                     shellWord(sector), camera.fov, camera.width, camera.height, time, what,
-                     drawOptions.empty() ? "" : " " + drawOptions);
+                     shellWord(level[camera.sector].name), camera.fov, camera.width, camera.height,
+                     time, movers, what, drawOptions.empty() ? "" : " " + drawOptions);
 }
 
 }  // namespace hearth

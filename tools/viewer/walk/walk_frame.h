@@ -1,9 +1,9 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "level/level.h"
 #include "render/camera.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
@@ -17,6 +17,7 @@ struct WalkFrame {
   ImageSize size{};
   Camera camera;  ///< of the picture; for a channel of geometry, of its part beside the panel
   Eye eye;        ///< without head bob: the middle of the map
+  std::vector<double> shares;  ///< of the level's movers
   WalkView view;
   std::string message;
   std::vector<std::string> notes;
@@ -24,8 +25,7 @@ struct WalkFrame {
   friend bool operator==(const WalkFrame&, const WalkFrame&) = default;
 };
 
-/// The options with which `hearth shot` draws what the camera sees. `sector` is its sector's name.
-std::string shotOptionsOf(const WalkFrame& frame, std::string_view sector,
-                          const DrawSettings& settings);
+/// The options with which `hearth shot` draws what the camera sees of a level.
+std::string shotOptionsOf(const WalkFrame& frame, const Level& level, const DrawSettings& settings);
 
 }  // namespace hearth

@@ -25,22 +25,30 @@ std::optional<MarkerSpace> markerSpaceOf(const WalkFrame& frame) {
   return isOfCamera(view.channel) ? std::optional(MarkerSpace(frame.camera)) : std::nullopt;
 }
 
+/// None of a level in which nothing can move.
+std::unique_ptr<MovedView> movedViewOf(const Scene& authored, const Renderer& renderer) {
+  return authored.level().movers.empty() ? nullptr
+                                         : std::make_unique<MovedView>(authored, renderer);
+}
+
 }  // namespace
 
 WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& session,
                    const WalkHost& host, const WalkSettings& settings,
                    std::shared_ptr<const LevelSource> source)
-    : scene_(scene),
+    : moved_(movedViewOf(scene, renderer)),
+      scene_(moved_ ? moved_->scene() : scene),
       source_(std::move(source)),
       session_(session),
       window_(host.window),
       storage_(host.storage),
       screenshots_(host.screenshots),
+      workers_(host.workers),
       settings_(settings),
       config_(host.storage, settings.config, settings.preferences),
       bookmarks_(session, settings_),
       notices_(settings.notes),
-      screen_(scene, renderer, session, host),
+      screen_(scene_, moved_ ? moved_->renderer() : renderer, session, host),
       panel_(bakeSettingsFrom(scene, settings.options)) {
   frame_.view = settings.view;
   if (settings.lightsFile) editLights(*settings.lightsFile);
@@ -51,9 +59,10 @@ WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& se
 
 void WalkLoop::continueIn(const Scene& scene, const Renderer& renderer,
                           std::shared_ptr<const LevelSource> source) {
-  scene_ = scene;
+  moved_ = movedViewOf(scene, renderer);
+  scene_ = moved_ ? moved_->scene() : scene;
   source_ = std::move(source);
-  screen_.continueIn(scene, renderer);
+  screen_.continueIn(scene_, moved_ ? moved_->renderer() : renderer);
   panel_.forget();
 }
 
@@ -95,6 +104,7 @@ bool WalkLoop::round() {
   passTime(now);
   updateNotices(now);
   if (hasLeft_) return false;
+  moveFlats();
   aimCamera();
   grant(screen_.show(frame_, panelSubject(), panel_, settings_, now));
   return true;
@@ -158,10 +168,10 @@ void WalkLoop::act(Action action) {
       togglePanel();
       break;
     case Action::Bookmark:
-      say(bookmarks_.addHere(scene_));
+      say(bookmarks_.addHere(session_.level().scene()));
       break;
     case Action::NextBookmark:
-      say(bookmarks_.goToNext(scene_));
+      say(bookmarks_.goToNext(session_.level().scene()));
       break;
     case Action::Leave:
       if (panel_.letGo()) break;
@@ -250,6 +260,23 @@ void WalkLoop::awaitScreenshots() {
 
 // --- Pictures ------------------------------------------------------------------------------------
 
+/// To where they stand between the last two ticks.
+void WalkLoop::moveFlats() {
+  if (!moved_) return;
+  session_.findShares(fractionOfTick_, frame_.shares);
+  moved_->moveTo(frame_.shares);
+  moved_->light(workers_);
+}
+
+std::span<const std::vector<double>> WalkLoop::wantedLight() const {
+  return moved_ ? moved_->wanted() : std::span<const std::vector<double>>();
+}
+
+void WalkLoop::addLight(std::shared_ptr<const RestLight> rest) {
+  moved_->add(std::move(rest));
+  screen_.redraw();
+}
+
 /// Of geometry the panel covers nothing, if it leaves any room.
 void WalkLoop::aimCamera() {
   const std::optional<ImageSize> window = window_.windowSize();
@@ -268,7 +295,7 @@ void WalkLoop::aimCamera() {
 }
 
 Eye WalkLoop::eyeOfFrame(double bob) const {
-  if (!model_) return session_.eye(fractionOfTick_, bob);
+  if (!model_) return session_.eye(scene_, fractionOfTick_, bob);
   const OrbitView view = model_->orbit.at(fractionOfTick_);
   return {scene_.level().meshes.front().sector, model_->orbit.eyeAt(fractionOfTick_), view.angle,
           view.pitch};
@@ -298,7 +325,7 @@ void WalkLoop::grant(const PanelRequests& requests) {
     controls_.setPreferences(settings_.preferences);
   if (requests.preferencesChanged)
     if (const auto written = config_.write(settings_.preferences); !written) say(written.error());
-  if (requests.bookmark) say(bookmarks_.grant(*requests.bookmark, scene_));
+  if (requests.bookmark) say(bookmarks_.grant(*requests.bookmark, session_.level().scene()));
 }
 
 }  // namespace hearth

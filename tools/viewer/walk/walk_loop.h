@@ -18,6 +18,7 @@
 #include "viewer/overlay/marker_space.h"
 #include "viewer/preferences/config.h"
 #include "viewer/walk/controls.h"
+#include "viewer/walk/moved_view.h"
 #include "viewer/walk/notices.h"
 #include "viewer/walk/walk_bookmarks.h"
 #include "viewer/walk/walk_frame.h"
@@ -35,7 +36,8 @@ namespace hearth {
 class WalkLoop {
  public:
   /// All arguments except the settings must outlive the loop, the scene's level and geometry too.
-  /// `source`, if any, is that of the level; without it no places in its files can be copied.
+  /// `scene` is the level as authored, and `renderer` draws it so. `source`, if any, is that of
+  /// the level; without it no places in its files can be copied.
   WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& session, const WalkHost& host,
            const WalkSettings& settings, std::shared_ptr<const LevelSource> source = nullptr);
   WalkLoop(const WalkLoop&) = delete;
@@ -66,6 +68,12 @@ class WalkLoop {
   /// the progress of a bake.
   void setNotes(std::vector<std::string> mistakes, const std::optional<StageProgress>& bake);
 
+  /// The states at rest of the level's movers, by share of each, whose light would show and is not
+  /// known; the first is needed most.
+  std::span<const std::vector<double>> wantedLight() const;
+  /// Adds the light of one. The level has the same movers.
+  void addLight(std::shared_ptr<const RestLight> rest);
+
   /// False once the walk is over.
   bool round();
 
@@ -86,16 +94,19 @@ class WalkLoop {
   WalkInput nextInput(int ticksDue);
   void say(std::string message) { notices_.say(std::move(message), window_.seconds()); }
   void updateNotices(double now);
+  void moveFlats();
   void aimCamera();
   PanelSubject panelSubject() const;
   void grant(const PanelRequests& requests);
 
-  Scene scene_;
+  std::unique_ptr<MovedView> moved_;  ///< where the level has movers
+  Scene scene_;                       ///< as frames show it
   std::shared_ptr<const LevelSource> source_;
   WalkSession& session_;
   WindowHost& window_;
   Storage& storage_;
   Screenshots& screenshots_;
+  Workers* workers_;
   WalkSettings settings_;
   ConfigFile config_;
   std::optional<std::span<const WalkInput>> replay_;  ///< what is left of it

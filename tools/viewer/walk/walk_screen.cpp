@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -42,7 +43,7 @@ void WalkScreen::keepNext() {
 PanelRequests WalkScreen::show(WalkFrame& frame, const PanelSubject& subject, WalkPanel& panel,
                                WalkSettings& settings, double now) {
   PanelRequests requests;
-  if (!window_.windowSize() || (shown_ == frame && !panel.isStale(now))) {
+  if (!window_.windowSize() || (isShown_ && last_ == frame && !panel.isStale(now))) {
     window_.rest(kTickSeconds);
     return requests;
   }
@@ -50,12 +51,12 @@ PanelRequests WalkScreen::show(WalkFrame& frame, const PanelSubject& subject, Wa
     window_.rest(std::min(left, kTickSeconds));
     return requests;
   }
-  WalkFrame drawn = frame;  // which the panel may change
+  last_ = frame;  // which the panel may change; so no frame takes memory
+  isShown_ = true;
   if (isCovered(frame, panel))
     requests = drawCovered(frame, subject, panel, settings, now);
   else
     drawUncovered(frame, now);
-  shown_ = std::move(drawn);
   return requests;
 }
 
@@ -68,12 +69,13 @@ bool WalkScreen::isCovered(const WalkFrame& frame, const WalkPanel& panel) const
 
 /// Straight into the window's memory.
 void WalkScreen::drawUncovered(const WalkFrame& frame, double now) {
-  window_.show(frame.size, [&](const PixelRows& rows) {
+  const auto draw = [&](const PixelRows& rows) {
     painter_.find(frame);
     painter_.paint(frame, rows);
     painter_.noteSeen(frame, session_.walker().sector);
     count(now, window_.seconds());
-  });
+  };
+  window_.show(frame.size, std::cref(draw));  // a reference takes no memory
 }
 
 /// In memory of its own: a window's is not to be read.
@@ -110,8 +112,7 @@ PanelRequests WalkScreen::drawCovered(WalkFrame& frame, const PanelSubject& subj
 
 void WalkScreen::keepScreenshot(const WalkFrame& frame, const PixelRows& picture) {
   if (!std::exchange(keepsNext_, false)) return;
-  screenshots_.take(imageOf(picture),
-                    shotOptionsOf(frame, scene_[frame.camera.sector].name, renderer().settings()));
+  screenshots_.take(imageOf(picture), shotOptionsOf(frame, scene_.level(), renderer().settings()));
 }
 
 /// The list of keys and the panel would be in each other's way.

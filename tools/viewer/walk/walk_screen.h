@@ -28,7 +28,7 @@ class WalkScreen {
   const Renderer& renderer() const { return painter_.renderer(); }
 
   /// Draws the next frame even if it equals the last one.
-  void redraw() { shown_.reset(); }
+  void redraw() { isShown_ = false; }
   /// Keeps the next frame as a picture.
   void keepNext();
   /// Sets the progress of a bake, for the panel.
@@ -55,8 +55,9 @@ class WalkScreen {
   Screenshots& screenshots_;
   FramePacer pacer_;
   FramePainter painter_;
-  std::optional<WalkFrame> shown_;  ///< the last one; none where it must be drawn again
-  PixelBuffer memory_;              ///< of pictures that something is drawn over
+  WalkFrame last_;
+  bool isShown_ = false;  ///< the last frame; else it must be drawn again
+  PixelBuffer memory_;    ///< of pictures that something is drawn over
   bool keepsNext_ = false;
   Figures figures_;
   FrameRate rate_;

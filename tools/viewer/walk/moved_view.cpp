@@ -1,0 +1,77 @@
+#include "viewer/walk/moved_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hearth {
+
+namespace {
+
+/// Movers that stand at another end.
+std::ptrdiff_t differences(std::span<const double> a, std::span<const double> b) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] == b[i] ? 0 : 1;
+  return count;
+}
+
+}  // namespace
+
+MovedView::MovedView(const Scene& authored, const Renderer& still)
+    : geometry_(authored.level(), authored.geometry()),
+      known_{{std::vector<double>(authored.level().movers.size()), {authored, &still.light()}, {}}},
+      renderer_(geometry_.scene(), still.textures(), light_.light(), still.settings()) {
+  around_.find(geometry_.shares());
+  setStates();
+  light(nullptr);
+}
+
+void MovedView::moveTo(std::span<const double> shares) {
+  if (std::ranges::equal(shares, geometry_.shares())) return;
+  geometry_.setShares(shares);
+  around_.find(shares);
+  isLit_ = false;
+}
+
+void MovedView::light(Workers* workers) {
+  if (isLit_) return;
+  if (!around_.areStatesOf(blended_)) setStates();
+  std::ranges::fill(weights_, 0.0);
+  for (std::size_t i = 0; i < around_.count(); ++i) weights_[sourceOf_[i]] += around_.weights()[i];
+  light_.blend(geometry_.scene(), weights_, workers);
+  isLit_ = true;
+}
+
+void MovedView::setStates() {
+  blended_ = around_;
+  std::vector<std::size_t> used;  // of the known lights
+  sourceOf_.clear();
+  wanted_.clear();
+  for (std::size_t i = 0; i < around_.count(); ++i) {
+    const std::vector<double> shares = around_.shares(i);
+    const std::size_t known = nearestKnown(shares);
+    if (known_[known].shares != shares) wanted_.push_back(shares);
+    const auto same = std::ranges::find(used, known);
+    sourceOf_.push_back(static_cast<std::size_t>(same - used.begin()));
+    if (same == used.end()) used.push_back(known);
+  }
+  std::vector<LightAtRest> lights;
+  for (const std::size_t known : used) lights.push_back(known_[known].at);
+  light_.setStates(lights);
+  weights_.resize(lights.size());
+}
+
+std::size_t MovedView::nearestKnown(std::span<const double> shares) const {
+  const auto nearest = std::ranges::min_element(
+      known_, {}, [&](const Known& known) { return differences(known.shares, shares); });
+  return static_cast<std::size_t>(nearest - known_.begin());
+}
+
+void MovedView::add(std::shared_ptr<const RestLight> rest) {
+  if (known_[nearestKnown(rest->shares)].shares == rest->shares) return;
+  const LightAtRest at{rest->level.scene(), &rest->light};
+  known_.push_back({rest->shares, at, std::move(rest)});
+  blended_ = {};
+  isLit_ = false;
+}
+
+}  // namespace hearth

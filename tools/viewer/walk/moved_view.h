@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "level/moved_geometry.h"
+#include "level/mover.h"
+#include "light/blended_light.h"
+#include "math/parallel.h"
+#include "render/renderer.h"
+#include "viewer/walk/rest_light.h"
+
+namespace hearth {
+
+/// What frames show of a level whose movers move: its flats at any heights, in light that is
+/// blended from the states at rest around them. A state whose light is not known yet has that of
+/// the known one which fewest movers tell from it.
+class MovedView {
+ public:
+  /// At first the light of `still` is known, which draws the level as authored. It must outlive
+  /// this, its level and geometry, too.
+  MovedView(const Scene& authored, const Renderer& still);
+  MovedView(const MovedView&) = delete;
+  MovedView& operator=(const MovedView&) = delete;
+
+  Scene scene() const { return geometry_.scene(); }
+  const Renderer& renderer() const { return renderer_; }
+
+  /// Moves flats to where they stand with movers at these shares.
+  void moveTo(std::span<const double> shares);
+  /// Lights them so. Takes memory only where another mover sets out or arrives.
+  void light(Workers* workers);
+
+  /// From now on this light is known; its level has the same movers.
+  void add(std::shared_ptr<const RestLight> rest);
+  /// The states around the shares of now whose light is not known, by falling share of their
+  /// movers.
+  std::span<const std::vector<double>> wanted() const { return wanted_; }
+
+ private:
+  struct Known {
+    std::vector<double> shares;
+    LightAtRest at;
+    std::shared_ptr<const RestLight> rest;  ///< which owns it; null for the level as authored
+  };
+
+  void setStates();
+  std::size_t nearestKnown(std::span<const double> shares) const;
+
+  MovedGeometry geometry_;
+  std::vector<Known> known_;
+  BlendedLight light_;
+  Renderer renderer_;
+
+  RestStates around_;                  ///< the shares of now
+  RestStates blended_;                 ///< for which `light_` has its states
+  std::vector<std::size_t> sourceOf_;  ///< by these: the index of the known light
+  std::vector<double> weights_;        ///< by known light that is blended
+  std::vector<std::vector<double>> wanted_;
+  bool isLit_ = false;
+};
+
+}  // namespace hearth
