@@ -12,6 +12,7 @@ std::vector<Diagnostic> lintGeometry(const LintedLevel& linted) {
   findUnseenThings(linted, findings);
   findImpassable(linted, findings);
   findMisplacedPlayer(linted, findings);
+  findIdleMovers(linted, findings);
   return findings.resolve(linted.source.documents);
 }
 

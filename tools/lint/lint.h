@@ -38,6 +38,8 @@ std::vector<SectorId> outOfReach(const Scene& scene);
 /// A player whose feet begin below the floor, or whose head begins above the ceiling, or who begins
 /// inside a solid thing.
 void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
+/// Movers that nothing starts, and zones of movers that the player cannot get to.
+void findIdleMovers(const LintedLevel& linted, Findings& findings);
 
 // What needs one.
 
