@@ -112,6 +112,18 @@ class Movers(unittest.TestCase):
             self.assertEqual(self.shot("--shot", name), picture, name)
         self.assertEqual(self.run_hearth("check", self.level).stdout, f"{self.level}: 3 as kept\n")
 
+    def test_are_marked_on_the_plan(self):
+        plan = self.folder / "plan.svg"
+        self.run_hearth("map", self.level, "-o", plan)
+        self.assertIn("mover gate: ceiling from 0 to 2.5</title>", plan.read_text())
+
+    def test_are_no_part_of_a_walk_that_is_recorded_from_elsewhere(self):
+        done = self.run_hearth("walk", self.level, "--record", self.folder / "walk.txt", "--mover", "gate=1", status=2)
+        self.assertIn("--record: a recording begins with all movers where the level has them", done.stderr)
+        done = self.run_hearth("walk", self.level, "--replay", self.folder / "walk.txt", "--mover", "gate=1", status=2)
+        self.assertIn("give --replay or --mover, not both", done.stderr)
+        self.assertFalse((self.folder / "walk.txt").exists())
+
     def test_are_listed_by_info(self):
         info = json.loads(self.run_hearth("info", self.level, "--json", "--mover", "gate=1").stdout)
         self.assertEqual(info["movers"][0], {"name": "gate", "part": "ceiling", "from": 0, "to": 2.5, "speed": 1.5,

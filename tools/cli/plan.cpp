@@ -42,7 +42,7 @@ constexpr Rgb kHighest = {242, 228, 196};
 constexpr std::string_view kPlanStyle =
     "text{font-family:sans-serif;text-anchor:middle;fill:#141414}"
     "path{fill:none;stroke-linecap:round}"
-    ".sector{fill-rule:evenodd;stroke:none}.portalled{fill:url(#flat)}"
+    ".sector{fill-rule:evenodd;stroke:none}.portalled{fill:url(#flat)}.moving{fill:url(#moving)}"
     ".solid{stroke:#141414;stroke-width:2.5}.step{stroke:#b4541e;stroke-width:1.5}"
     ".opening{stroke:#141414;stroke-width:.7;stroke-dasharray:3 4}"
     ".oneway{stroke:#c4006e;stroke-width:2.5;stroke-dasharray:7 4}"
@@ -123,6 +123,7 @@ class PlanDrawing {
   std::string svg() {
     begin();
     drawSectors();
+    drawMovers();
     for (const LineStyle& style : kLines) drawLines(style);
     drawMeshes();
     drawSprites();
@@ -154,7 +155,10 @@ class PlanDrawing {
         "<title>{}</title>\n<style>{}</style>\n"
         "<defs><pattern id=\"flat\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\" "
         "patternTransform=\"rotate(45)\"><rect width=\"2\" height=\"9\" fill=\"#1e6ec8\" "
-        "fill-opacity=\".55\"/></pattern></defs>\n"
+        "fill-opacity=\".55\"/></pattern>"
+        "<pattern id=\"moving\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\" "
+        "patternTransform=\"rotate(-45)\"><rect width=\"3\" height=\"9\" fill=\"#128a58\" "
+        "fill-opacity=\".6\"/></pattern></defs>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         width(), height(), escaped(scene_.level().name), kPlanStyle);
   }
@@ -201,6 +205,19 @@ class PlanDrawing {
         add("<path class=\"sector portalled\" d=\"{}\"><title>{}, flat portal</title></path>\n",
             path, words(*sector));
     }
+  }
+
+  /// Sectors of which a flat moves.
+  void drawMovers() {
+    for (const Mover& mover : scene_.level().movers)
+      for (const SectorId id : mover.sectors) {
+        const Sector& sector = scene_.level()[id];
+        const bool isFloor = mover.part == FlatPart::Floor;
+        add("<path class=\"sector moving\" d=\"{}\"><title>{}; mover {}: {} from {:g} to {:g}"
+            "</title></path>\n",
+            outline(sector), words(sector), escaped(mover.name), name(mover.part),
+            isFloor ? scene_.zFloor(sector) : scene_.zCeiling(sector), mover.to);
+      }
   }
 
   void drawLines(const LineStyle& style) {
@@ -371,7 +388,10 @@ class PlanDrawing {
     }
     add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"36\" height=\"16\" fill=\"url(#flat)\"/>\n",
         column, row - 8);
-    explain("flat portal", column + 44, row);
+    column = explain("flat portal", column + 44, row);
+    add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"36\" height=\"16\" fill=\"url(#moving)\"/>\n",
+        column, row - 8);
+    explain("floor or ceiling moves", column + 44, row);
   }
 
   void drawKeyOfSigns(double row) {
