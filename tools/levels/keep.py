@@ -47,7 +47,10 @@ HEAD = """\
     { "name": "hall", "camera": [22.8, 9.8, 2.4, 202, 8], "fov": 90 },
     { "name": "chapel", "camera": [22.8, 17.0, 2.0, 355, 6], "fov": 90 },
     { "name": "crypt", "camera": [7.6, 24.4, -3, 330, 4], "fov": 90 },
-    { "name": "rampart", "camera": [1.6, 14, 7.6, 62, -8], "fov": 90 }
+    { "name": "rampart", "camera": [1.6, 14, 7.6, 62, -8], "fov": 90, "movers": { "lift": 1 } },
+    { "name": "gate", "camera": [16.4, 36.6, 1.6, 276, 8], "fov": 90, "movers": { "portcullis": 0.5 } },
+    { "name": "crypt-door", "camera": [6, 18, -3.2, 261, -2], "fov": 90, "movers": { "crypt-door": 0.5 } },
+    { "name": "lift", "camera": [8.2, 16.2, 1.6, 183, 17], "fov": 90, "movers": { "lift": 0.5 } }
   ],
 """
 

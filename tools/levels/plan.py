@@ -58,7 +58,8 @@ class Sector:
     `floor_rise` and `ceiling_drop` are wedges: heights by (x, y), with `sidewall` on their sides.
     `foot` lists other stones that the masses around it stand on, (texture, up to z) from the ground
     up. `surround` = (texture, metres) is a frame around it on the walls of those that it opens into.
-    `opening` names the sectors above and below of the flat portal that it belongs to."""
+    `opening` names the sectors above and below of the flat portal that it belongs to. `floors` and
+    `ceilings` are the heights that a flat has: two where it moves."""
 
     def __init__(self, name, outline, floor, ceiling, **other):
         self.name = name
@@ -66,6 +67,7 @@ class Sector:
         self.holes = [clockwise(hole)[::-1] for hole in other.pop("holes", [])]
         self.floor, self.floor_texture = floor
         self.ceiling, self.ceiling_texture = ceiling
+        self.floors, self.ceilings = {self.floor}, {self.ceiling}
         self.light = other.pop("light", None)
         self.wall = other.pop("wall", None)
         self.skin = other.pop("skin", None)
@@ -84,9 +86,14 @@ class Sector:
         return [self.outline, *self.holes]
 
     def shares_air_with(self, other):
-        is_open = min(self.ceiling, other.ceiling) - max(self.floor, other.floor) > 1e-9
+        (low, high), (other_low, other_high) = self.reach(), other.reach()
+        is_open = min(high, other_high) - max(low, other_low) > 1e-9
         # A closed one was put there on purpose.
-        return is_open or self.floor == self.ceiling or other.floor == other.ceiling
+        return is_open or low == high or other_low == other_high
+
+    def reach(self):
+        """From its lowest to its highest, wherever what moves stands."""
+        return min(self.floors), max(self.ceilings)
 
 
 class Plan:
@@ -97,6 +104,7 @@ class Plan:
         self.pictures = pictures  # by name: where along its wall the image begins, and the height of its top
         self.sectors = []
         self.things = []  # each a dictionary, as the format names it
+        self.movers = {}  # by name, likewise
         self.headings = {}  # by the name of the sector that each stands above
         self.pending = None  # the heading of the next sector
 
@@ -108,6 +116,13 @@ class Plan:
         if self.pending:
             self.headings[name], self.pending = self.pending, None
         self.sectors.append(Sector(name, outline, floor, ceiling, **other))
+
+    def move(self, name, part, to, sectors, **how):
+        """The floor or ceiling (`part`) of the sectors named moves from where it is to another height."""
+        for sector in self.sectors:
+            if sector.name in sectors:
+                {"floor": sector.floors, "ceiling": sector.ceilings}[part].add(to)
+        self.movers[name] = {"sectors": sectors, "part": part, "to": rounded(to), **how}
 
     # --- Neighbours
 
@@ -173,7 +188,8 @@ class Plan:
     # --- Writing
 
     def texture(self, name, a=None, b=None, top=0.0):
-        """As the format writes it; on a wall from a to b, anchored to the world."""
+        """As the format writes it; on a wall from a to b, anchored to the world. Without a `top` it goes with
+        the edge of its step."""
         if name is None:
             return None
         if name.startswith("#"):
@@ -187,12 +203,16 @@ class Plan:
         parts = [f'"name": "{name}", "scale": [{su}, {sv}]']
         if rounded(start) % su:
             parts.append(f'"along": {rounded(start)}')
-        parts.append(f'"zref": {rounded(top + hangs) if hangs else anchor}')
+        if top is not None:
+            parts.append(f'"zref": {rounded(top + hangs) if hangs else anchor}')
         return "{ " + ", ".join(parts) + " }"
 
     def wall(self, sector, a, b, across, framing):
         def painted(name, top):
             return self.texture(name or sector.wall, a, b, top)
+
+        def hung(heights, top):
+            return top if len(heights) == 1 else None
 
         foot = [] if across and across[0].floor <= max((z for _, z in sector.foot), default=0) else sector.foot
         skins = [next((upper.skin for upper in across[i:] if upper.skin), None)
@@ -208,14 +228,14 @@ class Plan:
         rows = []
         for i, other in enumerate(across):
             is_last = i + 1 == len(across)
-            top = sector.ceiling if is_last else across[i + 1].floor
+            top = max(sector.ceilings) if is_last else across[i + 1].floor
             row = [] if is_last else [f'"z": {rounded(top - sector.floor)}']
             row.append(f'"next": "{other.name}"')
-            if i == 0 and other.floor > sector.floor and other.floor_texture != "sky":
-                row.append(f'"lower": {painted(skins[i], other.floor)}')
-            if other.ceiling < top and not (is_last and sector.is_sky() and other.is_sky()):
+            if i == 0 and max(other.floors) > min(sector.floors) and other.floor_texture != "sky":
+                row.append(f'"lower": {painted(skins[i], hung(other.floors, other.floor))}')
+            if min(other.ceilings) < top and not (is_last and sector.is_sky() and other.is_sky()):
                 above = other.skin if is_last else skins[i + 1]
-                row.append(f'"upper": {painted(above, top)}')
+                row.append(f'"upper": {painted(above, hung(other.ceilings, top))}')
             rows.append(self.row(row))
         return self.listed(rows)
 
@@ -323,7 +343,8 @@ class Plan:
 
     def text(self, head):
         """The level file, to be laid out by `hearth fmt`: `head` is the text of everything above the
-        things and sectors."""
+        movers, things and sectors."""
         things = ",\n".join(json.dumps(thing) for thing in self.things)
         body = ",\n\n".join(self.sector(sector) for sector in self.sectors)
-        return head + '\n"things": [\n' + things + '\n],\n\n"sectors": {\n\n' + body + "\n}}\n"
+        movers = ",\n".join(f'"{name}": {json.dumps(mover)}' for name, mover in self.movers.items())
+        return head + '\n"movers": {\n' + movers + '\n},\n\n"things": [\n' + things + '\n],\n\n"sectors": {\n\n' + body + "\n}}\n"

@@ -86,9 +86,9 @@ def crypt():
 
 
 def lights():
-    """At the passage, on both sides of its mouth, between niches; and beside the tomb."""
-    for x, y, angle in ((4.6, 21.2, 0), (7, 20.9, 0), (7, 24.1, 0), (10.45, 27.5, 270), (13.95, 27.5, 270),
-                        (17.1, 17.5, 90)):
+    """In the passage, on both sides of its mouth, between niches; and beside the tomb."""
+    for x, y, angle in ((4.6, 16.4, 0), (4.6, 21.2, 0), (7, 20.9, 0), (7, 24.1, 0), (10.45, 27.5, 270),
+                        (13.95, 27.5, 270), (17.1, 17.5, 90)):
         torch(x, y, CRYPT + 1.75, angle)
     candle_stand(10.9, 22.5, CRYPT)
     stores(CRYPT, barrels=[(4.95, 23.2)])

@@ -15,23 +15,27 @@ BARS = (33.1, 33.2)
 
 
 def bars(name, turned, x0, x1, middles, **vault):
-    """The raised portcullis between two places: upright bars 40 cm apart, and one across them."""
+    """The portcullis between two places: upright bars 40 cm apart, which move, and one across them, which
+    guides them. Names those that move."""
     def iron(part, begin, end, ceiling, floor=(COURT, "cobble"), **other):
         room(f"{name}-{part}", turned(rectangle(begin, BARS[0], end, BARS[1])), floor, ceiling, wall="iron",
              skin="iron", **other)
 
     for i, x in enumerate(middles):
-        iron(f"bar-{i + 1}", x - 0.05, x + 0.05, (2.75, "iron"))
+        iron(f"bar-{i + 1}", x - 0.05, x + 0.05, (COURT, "iron"))
     begins, ends = [x0, *(x + 0.05 for x in middles)], [*(x - 0.05 for x in middles), x1]
     for i, (begin, end) in enumerate(zip(begins, ends)):
         iron(f"gap-{i + 1}", begin, end, (2.9, "iron"))
         iron(f"gap-{i + 1}-above", begin, end, (4.4, "ashlar"), floor=(3, "iron"), **vault)
+    return [f"{name}-bar-{i + 1}" for i in range(len(middles))]
 
 
 def gatehouse():
     plan.heading("The gatehouse: a passage below a guardroom below a platform")
     outer = [(12, 33), (12, 34.4), (12.8, 35.2), (14.4, 35.2), (15.2, 34.4)]
     inner = [(12.5, 33), (12.5, 34.193), (13.007, 34.7), (14.193, 34.7), (14.893, 34)]
+
+    moving = []
 
     def side(name, turned):
         heights = [PARAPET + 3.2, PARAPET + 2.4, PARAPET + 3.2, PARAPET + 2.4]
@@ -55,7 +59,7 @@ def gatehouse():
             room(f"gate-{part}-{name}", turned(rectangle(15.2, y0, 16.1, y1)), (COURT, "cobble"),
                  (4.4, "ashlar"), wall="ashlar", skin="ashlar", ceiling_drop=spring,
                  holes=[turned(rectangle(15.22, BARS[0], 16.08, BARS[1]))] if holes else [])
-        bars(f"portcullis-{name}", turned, 15.22, 16.08, [15.4, 15.8], ceiling_drop=spring)
+        moving.extend(bars(f"portcullis-{name}", turned, 15.22, 16.08, [15.4, 15.8], ceiling_drop=spring))
 
     on_both_sides(side)
     outdoors("gate-top-entry", rectangle(12, 30.5, 12.5, 31.3), GATE_TOP, "stone", skin="ashlar")
@@ -76,7 +80,9 @@ def gatehouse():
     for part, y0, y1, holes in PASSAGE:
         room(f"gate-{part}", rectangle(16.1, y0, 17.9, y1), (COURT, "cobble"), (4.4, "ashlar"),
              wall="ashlar", skin="ashlar", holes=[rectangle(16.12, BARS[0], 17.88, BARS[1])] if holes else [])
-    bars("portcullis", lambda points: points, 16.12, 17.88, [16.2, 16.6, 17, 17.4, 17.8])
+    moving.extend(bars("portcullis", lambda points: points, 16.12, 17.88, [16.2, 16.6, 17, 17.4, 17.8]))
+    passage = [f"gate-{part}{side}" for part, *_ in PASSAGE for side in ("", "-west", "-east")]
+    plan.move("portcullis", "ceiling", 2.75, moving, wait=4, trigger="enter", zones=["bridge", *passage])
 
 
 def guardroom():

@@ -39,6 +39,16 @@ def stair_tower():
 
     south, east, west = STAIR_Y + STAIR_INNER, STAIR_X + STAIR_INNER, STAIR_X - STAIR_INNER
     doorway("stair-door", rectangle(5, south, 6, TOWER_SOUTH), COURT, 2.2)
-    doorway("stair-door-crypt", rectangle(5, south, 6, TOWER_SOUTH), CRYPT, 2.2, light=BELOW)
+    crypt_door(south)
     doorway("stair-door-gallery", rectangle(east, 11.6, HALL_WEST, 12.5), GALLERY, 2.1)
     doorway("stair-door-rampart", rectangle(2.5, 11.6, west, 12.6), WALK, 2.1)
+
+
+def crypt_door(south):
+    """A leaf of wood that is drawn up, in the middle of its doorway."""
+    leaf = (south + TOWER_SOUTH) / 2 - 0.06, (south + TOWER_SOUTH) / 2 + 0.06
+    doorway("stair-door-crypt", rectangle(5, south, 6, leaf[0]), CRYPT, 2.2, light=BELOW)
+    room("crypt-door", rectangle(5, leaf[0], 6, leaf[1]), (CRYPT, "stone"), (CRYPT, "wood"), wall="dressed",
+         skin="door", light=BELOW)
+    doorway("stair-door-crypt-outer", rectangle(5, leaf[1], 6, TOWER_SOUTH), CRYPT, 2.2, light=BELOW)
+    plan.move("crypt-door", "ceiling", CRYPT + 2.2, ["crypt-door"], speed=1.8, wait=4, trigger="use")

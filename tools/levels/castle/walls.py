@@ -4,10 +4,12 @@ import math
 
 from castle.props import BOWL, brazier
 from castle.site import (
-    MERLON, PARAPET, STEP, WALK, battlement, cone, doorway, mirrored, on_both_sides, outdoors, plan, room)
+    COURT, MERLON, PARAPET, STEP, WALK, battlement, cone, doorway, mirrored, on_both_sides, outdoors, plan, room)
 from castle.things import lantern, put, stores
 from plan import rectangle, ring
 
+# In a groove of the western wall, beside the stair tower; from north to south.
+LIFT = [(2.5, 15.9), (1.3, 15.9), (1.3, 17.3), (2.5, 17.3)]
 TOWER_X, TOWER_Y, TOWER_APOTHEM = 1.25, 31.75, 1.25 / math.tan(math.pi / 8)
 
 
@@ -39,7 +41,10 @@ def ramparts():
     battlements = [1.5, 0.9] * 11 + [1.5]
 
     def side(name, turned):
-        outdoors(f"rampart-{name}", turned(rectangle(0.5, 0.5, 2.5, tower_y)), WALK, "stone", skin="ashlar",
+        walk = turned(rectangle(0.5, 0.5, 2.5, tower_y))
+        if name == "west":
+            walk[2:2] = LIFT
+        outdoors(f"rampart-{name}", walk, WALK, "stone", skin="ashlar",
                  holes=[ring(0.8, 20, BOWL, 8)] if name == "west" else [])
         battlement(f"parapet-{name}", turned([(0, 0.5), (0, tower_y)]), turned([(0.5, 0.5), (0.5, tower_y)]),
                    battlements, PARAPET, MERLON)
@@ -54,6 +59,8 @@ def ramparts():
     battlement("parapet-north-east", [(24.5, 0), (33.5, 0)], [(24.5, 0.5), (33.5, 0.5)],
                [1.3, 0.8] * 4 + [1.3], PARAPET, MERLON)
     brazier("brazier-rampart", 0.8, 20, WALK)
+    outdoors("lift", LIFT, COURT, "wood", skin="wood")
+    plan.move("lift", "floor", WALK, ["lift"], wait=4, trigger="use")
     outdoors("terrace", rectangle(24.5, 0.5, 31.5, 13), WALK, "stone", skin="ashlar",
              holes=[ring(26, 6.7, BOWL, 8)])
     brazier("brazier-terrace", 26, 6.7, WALK)
