@@ -7,10 +7,15 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "light/bakery.h"
 #include "load/load.h"
+#include "load/source.h"
 #include "support/in_tree.h"
 #include "truth/truth_view.h"
 #include "walkable.h"
@@ -21,14 +26,20 @@ namespace {
 class Keep : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    result_ = new LoadResult(loadLevel(test::inTree("levels/keep.json")));
+    SourcedResult sourced = loadLevelWithSource(test::inTree("levels/keep.json"));
+    result_ = new LoadResult(std::move(sourced.result));
+    source_ = new LevelSource(std::move(sourced.source));
   }
-  static void TearDownTestSuite() { delete result_; }
+  static void TearDownTestSuite() {
+    delete result_;
+    delete source_;
+  }
   void SetUp() override { ASSERT_TRUE(result_->loaded.has_value()); }
 
   static const Level& level() { return result_->loaded->level; }
   static Scene scene() { return result_->loaded->scene(); }
   static inline LoadResult* result_ = nullptr;
+  static inline LevelSource* source_ = nullptr;
 };
 
 TEST_F(Keep, LoadsWithoutAWarning) {
@@ -115,36 +126,58 @@ TEST_F(Keep, IsNeitherDarkNorGlaring) {
   EXPECT_LE(100 * full, texels);
 }
 
+/// What moves counts at both ends: the walker waits for it.
 class KeepWalk : public Keep {
  protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(Keep::SetUp());
+    const std::vector<double> atTheirEnds(level().movers.size(), 1);
+    moved_ = levelAt(*result_->loaded, *source_, atTheirEnds).loaded;
+    ASSERT_TRUE(moved_.has_value());
+  }
+
+  test::Ways ways() const {
+    test::Ways ways = test::waysOf(scene(), gait());
+    const test::Ways others = test::waysOf(moved_->scene(), gait());
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      ways[i].insert(others[i].begin(), others[i].end());
+    return ways;
+  }
+  bool hasRoom(std::size_t i) const {
+    return test::hasRoom(scene(), level().sectors[i], gait()) ||
+           test::hasRoom(moved_->scene(), moved_->level.sectors[i], gait());
+  }
+
+ private:
   test::Gait gait() const { return {level().player->stepHeight, level().player->radius}; }
+
+  std::optional<LoadedLevel> moved_;
 };
 
 TEST_F(KeepWalk, LeadsFromTheRoadToWhereverABodyHasRoom) {
-  const std::set<std::size_t> reached =
-      test::reachableFrom(test::waysOf(scene(), gait()), level().player->sector.index());
+  const std::set<std::size_t> reached = test::reachableFrom(ways(), level().player->sector.index());
   for (std::size_t i = 0; i < level().sectors.size(); ++i)
-    if (test::hasRoom(scene(), level().sectors[i], gait())) {
+    if (hasRoom(i)) {
       EXPECT_TRUE(reached.contains(i)) << level().sectors[i].name;
     }
 }
 
 TEST_F(KeepWalk, LeadsBackToTheRoadFromEverywhere) {
-  const test::Ways back = test::reversed(test::waysOf(scene(), gait()));
-  const std::set<std::size_t> homing = test::reachableFrom(back, level().player->sector.index());
+  const std::set<std::size_t> homing =
+      test::reachableFrom(test::reversed(ways()), level().player->sector.index());
   for (std::size_t i = 0; i < level().sectors.size(); ++i)
-    if (test::hasRoom(scene(), level().sectors[i], gait())) {
+    if (hasRoom(i)) {
       EXPECT_TRUE(homing.contains(i)) << level().sectors[i].name;
     }
 }
 
 TEST_F(KeepWalk, KnowsRoomsFromParapets) {
   int rooms = 0;
-  for (const Sector& sector : level().sectors) {
-    const bool hasRoom = test::hasRoom(scene(), sector, gait());
-    rooms += hasRoom;
-    if (sector.name.starts_with("parapet") || sector.name.starts_with("rampart")) {
-      EXPECT_EQ(hasRoom, sector.name.starts_with("rampart")) << sector.name;
+  for (std::size_t i = 0; i < level().sectors.size(); ++i) {
+    const std::string& name = level().sectors[i].name;
+    rooms += hasRoom(i);
+    if (name.starts_with("parapet") || name.starts_with("rampart")) {
+      EXPECT_EQ(hasRoom(i), name.starts_with("rampart")) << name;
     }
   }
   EXPECT_GE(rooms, 60);

@@ -1,14 +1,17 @@
-// The player's body walks the keep from the road to its ends.
+// The player's body walks the keep from the road to its ends, past all that moves.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "load/load.h"
 #include "support/in_tree.h"
-#include "walk/walker.h"
+#include "walk/moving_level.h"
 
 namespace hearth {
 namespace {
@@ -17,28 +20,33 @@ class KeepTour : public testing::Test {
  protected:
   KeepTour()
       : loaded_(loadLevel(test::inTree("levels/keep.json")).loaded.value()),
-        walker_(walkerAt(scene(), level().player->sector, level().player->eye, 0, 0)) {}
+        moving_(loaded_.scene()),
+        walker_(walkerAt(moving_.scene(), level().player->sector, level().player->eye, 0, 0)) {}
 
   const Level& level() const { return loaded_.level; }
-  Scene scene() const { return loaded_.scene(); }
   std::string sector() const { return level()[walker_.sector].name; }
 
   /// Turns to each place in turn and goes straight there.
   void walk(const std::vector<Vec2>& places) {
     for (const Vec2 place : places) {
       constexpr int kMaxTicks = 1200;
-      for (int tick = 0; tick < kMaxTicks && !isNear(place); ++tick) {
+      for (int i = 0; i < kMaxTicks && !isNear(place); ++i) {
         const Vec2 apart = place - walker_.feet.xy();
         const double angle = std::atan2(apart.y, apart.x) * 180 / std::numbers::pi;
         const double turn = std::remainder(angle - walker_.angle, 360);
-        walker_ =
-            walked(scene(), walker_,
-                   {.forward = kFullSpeed, .turn = static_cast<int>(std::lround(1000 * turn))});
+        tick({.forward = kFullSpeed, .turn = static_cast<int>(std::lround(1000 * turn))});
       }
       ASSERT_TRUE(isNear(place)) << "stuck in " << sector() << " at " << walker_.feet.x << ", "
                                  << walker_.feet.y << " on the way to " << place.x << ", "
                                  << place.y;
     }
+  }
+
+  void tick(const WalkInput& input) { walker_ = moving_.ticked(walker_, input); }
+  /// Presses the use key where the walker looks.
+  void use() { tick({.use = true}); }
+  void rest(int seconds) {
+    for (int i = 0; i < seconds * kTicksPerSecond; ++i) tick({});
   }
 
   /// Along the middle of the stair tower's steps, from one to another.
@@ -48,6 +56,7 @@ class KeepTour : public testing::Test {
   }
 
   LoadedLevel loaded_;
+  MovingLevel moving_;
   Walker walker_;
 
  private:
@@ -83,7 +92,7 @@ TEST_F(KeepTour, LeadsUpTheStairsToGalleryRampartsAndGate) {
   EXPECT_EQ(sector(), "hall-gallery-south");
   walk({{8.6, 12.05}});
   climb(9, 15);
-  walk({{1.5, 12.1}, {1.4, 28}, {1.3, 30}, {2.5, 31.7}, {8, 31.8}});
+  walk({{1.5, 12.1}, {0.9, 15}, {0.9, 18}, {1.4, 28}, {1.3, 30}, {2.5, 31.7}, {8, 31.8}});
   EXPECT_EQ(sector(), "rampart-south-west");
   walk({{9, 30.9}, {13, 30.9}, {17, 32}});
   EXPECT_EQ(sector(), "gate-top");
@@ -92,11 +101,49 @@ TEST_F(KeepTour, LeadsUpTheStairsToGalleryRampartsAndGate) {
 TEST_F(KeepTour, LeadsDownToTheCryptAndUpToTheLookOut) {
   walk({{17, 18}, {9, 16.5}, {5.5, 16.5}});
   climb(0, -12);
+  walk({{5.5, 14.3}});
+  use();
   walk({{5.5, 17}, {5.5, 22.4}, {10, 22.5}});
   EXPECT_EQ(sector(), "crypt");
+  rest(5);
   walk({{5.5, 22.4}, {5.5, 16}});
+  use();
   climb(-12, 29);
   EXPECT_NEAR(walker_.feet.z, 11.2, 0.01);
+}
+
+TEST_F(KeepTour, LeadsByTheLiftUpAndDown) {
+  walk({{17, 18}, {9, 16.6}, {2, 16.6}});
+  EXPECT_EQ(sector(), "lift");
+  use();
+  rest(5);
+  EXPECT_EQ(walker_.feet.z, 6);
+  walk({{0.9, 16.6}, {0.9, 18}});
+  EXPECT_EQ(sector(), "rampart-west");
+  rest(10);
+  walk({{0.9, 16.6}, {1.25, 16.6}});
+  use();
+  rest(5);
+  walk({{2, 16.6}});
+  EXPECT_EQ(walker_.feet.z, 6);
+  rest(8);
+  EXPECT_EQ(walker_.feet.z, 0);
+  walk({{5, 16.6}});
+  EXPECT_EQ(sector(), "courtyard");
+}
+
+TEST_F(KeepTour, PassesThePortcullisFromEitherSideAndItShutsAgain) {
+  const auto portcullis =
+      std::ranges::find(level().movers, "portcullis", &Mover::name) - level().movers.begin();
+  const auto share = [&] { return moving_.movers()[static_cast<std::size_t>(portcullis)].share; };
+  walk({{17, 35}});
+  EXPECT_GT(share(), 0);
+  walk({{17, 28}});
+  rest(7);
+  EXPECT_EQ(share(), 0);
+  walk({{17, 44}});
+  rest(7);
+  EXPECT_EQ(share(), 0);
 }
 
 TEST_F(KeepTour, FallsThroughTheOpeningIntoTheCrypt) {
