@@ -24,15 +24,15 @@ class StateTexels {
 
   /// Adds the weighted light at the middles of texels (i, j), (i + 1, j), .. of the blend, as many
   /// as there is room for: `channels` sums for each.
-  void addRow(int i, int j, int channels, std::span<double> sums) const;
+  void addRow(int i, int j, int channels, std::span<float> sums) const;
 
  private:
-  void addEven(int channels, std::span<double> sums) const;
-  void addShifted(int i, int j, int channels, std::span<double> sums) const;
-  void addTurned(int i, int j, int channels, std::span<double> sums) const;
+  void addEven(int channels, std::span<float> sums) const;
+  void addShifted(int i, int j, int channels, std::span<float> sums) const;
+  void addTurned(int i, int j, int channels, std::span<float> sums) const;
 
   const Lightmap* map_;
-  double weight_;
+  float weight_;
   Vec2 min_;  ///< between which the state is read
   Vec2 max_;
   bool isShifted_;  ///< along its columns, if at all
