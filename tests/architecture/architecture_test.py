@@ -36,7 +36,7 @@ LAYERS |= {
     "viewer": ["model", "settings", "text", *ENGINE],
     "cli": ["folders", "import", "lint", "measure", "inputs", "model", "settings", "text", "viewer", *ENGINE],
     "desktop": ["cli", "folders", "measure", "inputs", "model", "settings", "text", "viewer", *ENGINE],
-    "peers": ["cli", "desktop", "folders", "import", "measure", "inputs", "settings", *ENGINE],
+    "peers": ["cli", "desktop", "folders", "import", "measure", "inputs", "settings", "viewer", *ENGINE],
 }
 # Of tools/, what is not a library of the program.
 PROGRAMS = ["package", "levels", "models"]

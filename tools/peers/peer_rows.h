@@ -73,6 +73,7 @@ Prepared prepareMazePeak(PeerInputs& inputs);
 /// Rays that a bake traces in a second, on one thread, in a hall of 10,000 walls, over those in one
 /// of 100; millions of both.
 Prepared prepareWallRays(PeerInputs& inputs);
+Prepared prepareMovingDoors(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.
 Prepared prepareCastlePeak(PeerInputs& inputs);
 Prepared prepareLargestPeak(PeerInputs& inputs);
