@@ -25,7 +25,7 @@ constexpr std::size_t kMaxCrossings = 50'000;
 constexpr std::size_t kMaxPieces = 250'000;
 
 GridPoint gridPointOf(const Vertex& vertex) { return {vertex.x * kCells, -vertex.y * kCells}; }
-Vec2 placeOf(GridPoint p) { return {p.x * kCell, p.y * kCell}; }
+Vec2 metresOf(GridPoint p) { return {p.x * kCell, p.y * kCell}; }
 std::string nameOf(GridPoint p) {
   return fmt::format("({:g}, {:g})", double{1} * p.x / kCells, double{-1} * p.y / kCells);
 }
@@ -118,12 +118,12 @@ class Cutter {
   void addPieces(const Cuttable& line, const std::vector<GridPoint>& path) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
       if (i > 0) tellOfBend(line, path[i]);
-      addPiece(line, placeOf(path[i]), placeOf(path[i + 1]));
+      addPiece(line, metresOf(path[i]), metresOf(path[i + 1]));
     }
   }
 
   void tellOfBend(const Cuttable& line, GridPoint at) {
-    if (orientation(placeOf(line.from), placeOf(line.to), placeOf(at)) == 0) return;
+    if (orientation(metresOf(line.from), metresOf(line.to), metresOf(at)) == 0) return;
     if (std::ranges::find(line.crossings, at) != line.crossings.end()) return;  // told
     findings_.push_back({Outcome::Repaired, Part::Line, line.line,
                          fmt::format("it all but touches {}, where another line ends: it is bent "
@@ -133,8 +133,8 @@ class Cutter {
 
   void addPiece(const Cuttable& line, Vec2 from, Vec2 to) {
     const Line& of = map_.lines[line.line];
-    const std::array<double, 2> along{length(from - placeOf(line.from)),
-                                      length(placeOf(line.to) - to)};
+    const std::array<double, 2> along{length(from - metresOf(line.from)),
+                                      length(metresOf(line.to) - to)};
     Piece piece{{pointAt(from), pointAt(to)}, {}};
     for (const std::size_t i : {0U, 1U})
       if (of.sides[i])
