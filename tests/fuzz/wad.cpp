@@ -90,8 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto wad = hearth::doom::Wad::open(file, hearth::doom::kMaxBytes);
   // The last byte is of no other meaning in most WADs: a WAD ends with the name of a lump.
   if (wad)
-    hearth::doom::tryOut(
-        *wad, data[size - 1] % 2 == 0 ? hearth::doom::Doors::Open : hearth::doom::Doors::Closed);
+    hearth::doom::tryOut(*wad, static_cast<hearth::doom::Doors>(data[size - 1] % 3));
   else
     CHECK(!wad.error().empty());
   return 0;

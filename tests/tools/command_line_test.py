@@ -969,8 +969,12 @@ class Import(InFolder):
         self.assertIn(f"{made['sectors']} sectors of {made['of']['sectors']}, ", text)
         self.assertIn(f"{made['walls']} walls of {made['of']['lines']} lines, "
                       f"{made['sprites']} sprites of {made['of']['things']} things, "
-                      f"{made['lights']} lights, {made['textures']} textures; ", text)
-        self.assertEqual(len(made["findings"]), text.count("\n") - 1)
+                      f"{made['lights']} lights, {made['textures']} textures, ", text)
+        self.assertIn(f" textures, {made['movers']} movers that {made['starters']} lines start; ", text)
+        for reason, count in made["leftOut"].items():
+            self.assertRegex(text, f"  {count} lines? left out: {reason}\n")
+        self.assertGreater(len(made["leftOut"]), 2)
+        self.assertEqual(len(made["findings"]) + len(made["leftOut"]), text.count("\n") - 1)
         for finding in made["findings"]:
             self.assertIn(f"{finding['outcome']}: {finding['what']}\n", text)
 
@@ -1010,14 +1014,17 @@ class Import(InFolder):
         result = run("import", self.WAD, "MAP01", "-o", self.folder / folder)
         self.assertEqual(result.returncode, 0, result.stderr)
 
-    def test_doors_can_stay_closed(self):
-        for way in ("open", "closed"):
+    def test_doors_move_or_stay_open_or_closed(self):
+        ways = ("open", "closed", "moving")
+        for way in ways:
             run("import", self.WAD, "MAP01", "--doors", way, "-o", self.folder / way)
-        levels = [json.loads((self.folder / way / "map01.json").read_text())
-                  for way in ("open", "closed")]
+        levels = [json.loads((self.folder / way / "map01.json").read_text()) for way in ways]
         opened = [name for name, sector in levels[0]["sectors"].items()
                   if sector["ceiling"]["z"] > levels[1]["sectors"][name]["ceiling"]["z"]]
         self.assertGreater(len(opened), 3)
+        self.assertEqual(["movers" in level for level in levels], [False, False, True])
+        self.run_import_into("usual")
+        self.assertEqual(json.loads((self.folder / "usual/map01.json").read_text()), levels[2])
 
     def test_takes_things_of_the_game_that_is_asked_for(self):
         def names(*options):

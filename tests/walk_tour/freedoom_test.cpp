@@ -45,7 +45,8 @@ class Freedoom : public testing::Test {
     const auto pictures = doom::Pictures::read(*wad);
     const auto lights = doom::parseLightTable(doom::ownLightTable());
     const fs::path folder = fs::temp_directory_path() / fmt::format("hearth-tour-{}", ::getpid());
-    const auto imported = doom::importMap({*wad, *pictures, *lights}, "MAP01", {folder});
+    const auto imported = doom::importMap({*wad, *pictures, *lights}, "MAP01",
+                                          {.folder = folder, .doors = doom::Doors::Open});
     if (imported) loaded_ = loadLevel(imported->level).loaded;
     fs::remove_all(folder);
     ASSERT_TRUE(loaded_);

@@ -20,8 +20,8 @@ constexpr ImageSize kFrame{320, 200};  ///< of which the time is taken
 std::optional<LoadedLevel> importAndLoad(const Archive& archive, World& world,
                                          const std::filesystem::path& folder) {
   const doom::LightTable lights = doom::parseLightTable(doom::ownLightTable()).value();
-  const auto imported =
-      doom::importMap({archive.wad(), archive.pictures(), lights}, world.map, {folder});
+  const auto imported = doom::importMap({archive.wad(), archive.pictures(), lights}, world.map,
+                                        {.folder = folder, .doors = doom::Doors::Open});
   if (!imported) {
     world.errors.push_back(imported.error());
     return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -47,14 +48,29 @@ std::string_view nameOf(doom::Outcome outcome) {
   return outcome == doom::Outcome::Repaired ? "repaired" : "dropped";
 }
 
+std::size_t countStarters(const Imported& imported) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(imported.specials, &doom::LineFate::isImported));
+}
+
+/// Of lines that start nothing, by the reason.
+std::map<std::string, std::size_t> countLeftOut(const Imported& imported) {
+  std::map<std::string, std::size_t> counts;
+  for (const doom::LineFate& fate : imported.specials)
+    if (!fate.isImported()) ++counts[fate.reason];
+  return counts;
+}
+
 void print(const Imported& imported) {
   fmt::print(
       "{}: {} sectors of {}, {} walls of {} lines, {} sprites of {} things, {} lights, {} "
-      "textures; {} repaired, {} dropped\n",
+      "textures, {} movers that {} lines start; {} repaired, {} dropped\n",
       imported.level.string(), imported.sectors, imported.mapSectors, imported.walls,
       imported.lines, imported.sprites, imported.mapThings, imported.lights, imported.textures,
-      countOf(imported.findings, doom::Outcome::Repaired),
+      imported.movers, countStarters(imported), countOf(imported.findings, doom::Outcome::Repaired),
       countOf(imported.findings, doom::Outcome::Dropped));
+  for (const auto& [reason, count] : countLeftOut(imported))
+    fmt::print("  {} line{} left out: {}\n", count, count == 1 ? "" : "s", reason);
   for (const Finding& finding : imported.findings)
     fmt::print("  {}{}: {}: {}\n", nameOf(finding.part),
                finding.part == doom::Part::Texture ? "" : fmt::format(" {}", finding.number),
@@ -69,6 +85,8 @@ Json jsonOf(const Imported& imported) {
     json["what"] = finding.what;
     findings.push_back(std::move(json));
   }
+  Json leftOut = Json::object();
+  for (const auto& [reason, count] : countLeftOut(imported)) leftOut[reason] = count;
   return {{"map", imported.map},
           {"level", imported.level.string()},
           {"of",
@@ -80,6 +98,9 @@ Json jsonOf(const Imported& imported) {
           {"sprites", imported.sprites},
           {"lights", imported.lights},
           {"textures", imported.textures},
+          {"movers", imported.movers},
+          {"starters", countStarters(imported)},
+          {"leftOut", std::move(leftOut)},
           {"findings", std::move(findings)}};
 }
 
@@ -117,7 +138,9 @@ ExitStatus list(const std::string& file, const doom::Wad& wad, bool isJson) {
 doom::ImportSettings settingsFrom(const OptionValues& values) {
   doom::ImportSettings settings;
   settings.folder = *values.text(Option::Output);
-  if (values.text(Option::Doors) == "closed") settings.doors = doom::Doors::Closed;
+  const auto doors = values.text(Option::Doors);
+  if (doors == "open") settings.doors = doom::Doors::Open;
+  if (doors == "closed") settings.doors = doom::Doors::Closed;
   settings.ambient = values.number(Option::Ambient).value_or(settings.ambient);
   if (const auto skill = values.number(Option::Skill))
     settings.things.game.skill = static_cast<int>(*skill);

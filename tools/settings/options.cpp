@@ -95,8 +95,9 @@ constexpr std::array kTable = {
     OptionRow{Option::List, "--list", ValueKind::Flag, "", 0, 0, "",
               "only print what is approximated, with its setting and the bound on its error"},
     OptionRow{Option::Csv, "--csv", ValueKind::Flag, "", 0, 0, "", "print CSV"},
-    OptionRow{Option::Doors, "--doors", ValueKind::Choice, "open|closed", 0, 0, "open",
-              "how doors stand; lifts are down where they are open"},
+    OptionRow{Option::Doors, "--doors", ValueKind::Choice, "moving|open|closed", 0, 0, "moving",
+              "doors, lifts and floors move; or nothing does, and doors stand so, with lifts down "
+              "where they are open"},
     OptionRow{Option::Ambient, "--ambient", ValueKind::Number, "FRACTION", 0, 1, "0.75",
               "the part of the light of a map's sectors that is everywhere in them"},
     OptionRow{Option::LightTable, "--light-table", ValueKind::Text, "FILE", 0, 0, "its own",

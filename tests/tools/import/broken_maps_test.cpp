@@ -98,6 +98,19 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
       line(to, from, left, right);
   }
 
+  /// All rooms have one of three tags, and half of the lines start something.
+  void makeMovers() {
+    for (Sector& sector : map.sectors) {
+      sector.tag = static_cast<std::uint16_t>(whole(1, 3));
+      if (whole(0, 3) == 0) sector.ceiling = sector.floor;
+    }
+    for (Line& line : map.lines) {
+      if (whole(0, 1) == 0) continue;
+      line.special = lineTypes()[random_.below(lineTypes().size())].number;
+      line.tag = static_cast<std::uint16_t>(whole(1, 3));
+    }
+  }
+
   /// Lines between random places: they cross, overlap, and miss each other by hardly anything.
   void makeTangle() {
     map = Map{};
@@ -189,6 +202,7 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
         convertMap({wad, *Pictures::read(wad), *parseLightTable(ownLightTable())}, map.name,
                    {.folder = folder_, .doors = doors}, imported);
     if (!converted) return "";
+    movers_ += imported.movers;
     std::ofstream(folder_ / "map01.lights.json") << converted->lights;
     std::ofstream(folder_ / "map01.json") << converted->level;
     std::string mistakes;
@@ -197,6 +211,7 @@ class BrokenMaps : public testing::Test, protected MapBuilder {
     return mistakes;
   }
 
+  std::size_t movers_ = 0;  ///< of all levels
   random_levels::Random random_{1};
   WadBuilder game_;
   fs::path folder_ = fs::path(testing::TempDir()) / fmt::format("hearth-maps-{}", ::getpid());
@@ -208,6 +223,16 @@ TEST_F(BrokenMaps, becomeLevelsThatLoadOrAreRefused) {
     for (int k = whole(0, 6); k > 0; --k) breakSomething();
     EXPECT_EQ(mistakesOfImport(i % 2 == 0 ? Doors::Open : Doors::Closed), "") << "map " << i;
   }
+}
+
+TEST_F(BrokenMaps, areLevelsWhoseMoversAreSoundInAllTheirEnds) {
+  for (int i = 0; i < kMaps; ++i) {
+    makeRooms();
+    makeMovers();
+    for (int k = whole(0, 6); k > 0; --k) breakSomething();
+    EXPECT_EQ(mistakesOfImport(Doors::Moving), "") << "map " << i;
+  }
+  EXPECT_GT(movers_, 2U * kMaps);
 }
 
 TEST_F(BrokenMaps, areLevelsThatLoadHoweverTheirLinesAreTangled) {

@@ -16,7 +16,7 @@ class RegionsOfAMap : public testing::Test, protected MapBuilder {
  protected:
   const std::vector<Region>& find() {
     findings_.clear();
-    regions_ = findRegions(map, findings_).value();
+    regions_ = findRegions(map, starters_, findings_).value();
     return regions_.regions;
   }
 
@@ -64,6 +64,7 @@ class RegionsOfAMap : public testing::Test, protected MapBuilder {
   }
 
   Regions regions_;
+  std::set<std::uint32_t> starters_;
   Findings findings_;
 };
 
@@ -227,6 +228,16 @@ TEST_F(RegionsOfAMap, aPointAsHighAsACornerToItsLeftLiesInTheRegionBetween) {
   EXPECT_EQ(regions_.regions[*regions_.regionAt(placeOf(20, 16))].sector, wedge);
 }
 
+TEST_F(RegionsOfAMap, aLineWithinASectorDividesItOnlyWhereItStartsSomething) {
+  const auto a = sector();
+  walls(a, {{0, 0}, {0, 64}, {0, 128}, {128, 128}, {128, 64}, {128, 0}});
+  line({0, 64}, {128, 64}, a, a);
+  EXPECT_EQ(find().size(), 1U);
+  starters_ = {6};
+  EXPECT_EQ(find().size(), 2U);
+  expectSoundLoops();
+}
+
 TEST_F(RegionsOfAMap, linesThatMeetNearlyInAPointMeetInIt) {
   const auto a = sector();
   walls(a, square(0, 0, 1000));
@@ -255,7 +266,7 @@ TEST_F(RegionsOfAMap, aGridOfManyLinesIsNotCutWithoutEnd) {
     line({i, -1}, {i, 301}, room);
     line({-1, i}, {301, i}, room);
   }
-  const auto found = findRegions(map, findings_);
+  const auto found = findRegions(map, starters_, findings_);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error(), "its lines cross in more than 50000 places: too many to cut them there");
 }
@@ -263,7 +274,7 @@ TEST_F(RegionsOfAMap, aGridOfManyLinesIsNotCutWithoutEnd) {
 TEST_F(RegionsOfAMap, linesOnOneAnotherAreNotCutWithoutEnd) {
   const auto room = sector();
   for (int i = 0; i < 800; ++i) line({i, 0}, {2000 - i, 0}, room);
-  const auto found = findRegions(map, findings_);
+  const auto found = findRegions(map, starters_, findings_);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error(),
             "its lines meet so often that they would have to be cut into more than 250000 pieces");

@@ -39,6 +39,7 @@ class Converter {
   Json level() {
     Json level{{"version", 1}, {"name", map_.name}, {"textures", "textures"}};
     if (auto player = playerJson()) level["player"] = std::move(*player);
+    if (!plan_.movers().movers.empty()) level["movers"] = moversJson();
     Json& sectors = level["sectors"] = Json::object();
     for (std::uint32_t i = 0; i < plan_.regions().size(); ++i)
       sectors[plan_.nameOf(i)] = sectorJson(i);
@@ -82,13 +83,33 @@ class Converter {
   Json wallJson(std::uint32_t h) {
     Json wall = Json::object();
     if (plan_.isPortal(h)) wall["next"] = plan_.nameOf(*plan_.behind(h).region);
-    for (const ShownPart& part : plan_.shownParts(h)) {
+    for (const ShownPart& part : plan_.partsAtAnyEnd(h)) {
       if (part.part != WallPart::Middle)
         wall[keyOf(part.part)] = textureJson(h, part);
-      else if (auto middle = middleJson(part))
+      else if (auto middle = middleJson(h, part))
         wall["middle"] = *std::move(middle);
     }
+    addStarts(h, wall);
     return wall;
+  }
+
+  /// Doom's lines are used from their front, and crossed from both sides.
+  void addStarts(std::uint32_t h, Json& wall) const {
+    const bool hasFace = plan_.halfEdge(h).face.has_value();
+    const Face& face = hasFace ? *plan_.halfEdge(h).face : *plan_.behind(h).face;
+    const std::vector<std::size_t> started = plan_.startedBy(face.line);
+    if (started.empty()) return;
+    const Line& line = map_.lines[face.line];
+    const bool isCrossed = findLineType(line.special)->activation == Activation::Walk;
+    const bool isFront = hasFace && face.side == line.sides[0];
+    if (!isCrossed && isFront) wall["use"] = moverNames(started);
+    if (isCrossed && plan_.isPortal(h)) wall["cross"] = moverNames(started);
+  }
+
+  Json moverNames(const std::vector<std::size_t>& movers) const {
+    Json names = Json::array();
+    for (const std::size_t mover : movers) names.push_back(plan_.movers().movers[mover].name);
+    return names.size() == 1 ? names.front() : names;
   }
 
   static const char* keyOf(WallPart part) {
@@ -104,13 +125,24 @@ class Converter {
   }
 
   /// Once from its top to its bottom: so offsets move all of it.
-  std::optional<Json> middleJson(const ShownPart& part) {
+  std::optional<Json> middleJson(std::uint32_t h, const ShownPart& part) {
     shownMiddles_.insert(part.face->side);
     const Side& side = map_.sides[part.face->side];
     const bool stands = map_.lines[part.face->line].isLowerUnpegged();
+    Hanging hanging{side.xOffset, 0, part.face->along, {}};
     const double top = stands ? part.bottom + materials_.heightOf(part.texture) : part.top;
-    return materials_.middle(part.texture,
-                             {side.xOffset, 0, part.face->along, top + side.yOffset * kUnit});
+    if (stands || side.yOffset != 0 || !hasMovingCeiling(h))
+      hanging.top = top + side.yOffset * kUnit;  // without it, it follows the opening's top
+    return materials_.middle(part.texture, hanging);
+  }
+
+  bool hasMovingCeiling(std::uint32_t h) const {
+    const auto isMoving = [this](std::uint32_t region) {
+      return std::ranges::any_of(plan_.moversOf(region), [this](std::size_t mover) {
+        return plan_.movers().movers[mover].part == FlatPart::Ceiling;
+      });
+    };
+    return isMoving(*plan_.halfEdge(h).region) || isMoving(*plan_.behind(h).region);
   }
 
   /// Where Doom hangs an image otherwise than Hearth does by itself
@@ -155,6 +187,27 @@ class Converter {
         break;
       }
     }
+  }
+
+  // --- Movers ------------------------------------------------------------------------------------
+
+  Json moversJson() const {
+    Json movers = Json::object();
+    for (const MapMover& mover : plan_.movers().movers) movers[mover.name] = moverJson(mover);
+    return movers;
+  }
+
+  Json moverJson(const MapMover& mover) const {
+    Json json{{"sectors", Json::array()},
+              {"part", name(mover.part)},
+              {"to", mover.motion.to * kUnit},
+              {"speed", mover.motion.speed}};
+    for (const std::uint32_t sector : mover.sectors)
+      for (const std::uint32_t region : plan_.regionsOf(sector))
+        json["sectors"].push_back(plan_.nameOf(region));
+    if (mover.motion.wait) json["wait"] = std::round(1000 * *mover.motion.wait) / 1000;
+    if (mover.motion.isLoop) json["trigger"] = name(MoverTrigger::Loop);
+    return json;
   }
 
   // --- Player ------------------------------------------------------------------------------------

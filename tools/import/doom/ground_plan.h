@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -7,12 +9,10 @@
 #include "import/doom/findings.h"
 #include "import/doom/heights.h"
 #include "import/doom/map.h"
+#include "import/doom/movers.h"
 #include "import/doom/regions.h"
 
 namespace hearth::doom {
-
-/// The flat that stands for the sky.
-inline constexpr const char* kSkyFlat = "F_SKY1";
 
 /// The air of a region.
 struct Space {
@@ -50,26 +50,48 @@ class GroundPlan {
   const Sector& sectorOf(std::uint32_t region) const {
     return map_->sectors[plane_.regions[region].sector];
   }
+  /// The parts of a sector of the map.
+  const std::vector<std::uint32_t>& regionsOf(std::uint32_t sector) const {
+    return regionsOf_[sector];
+  }
   /// The sector's number; of a sector in several parts `N`, `N.2`, `N.3` ...
   const std::string& nameOf(std::uint32_t region) const { return names_[region]; }
-  Space spaceOf(std::uint32_t region) const;
+  Space spaceOf(std::uint32_t region) const { return spaceAt(region, {}); }
 
-  /// Whether a half-edge is open. It has a region before it.
-  bool isPortal(std::uint32_t h) const;
+  const MapMovers& movers() const { return movers_; }
+  /// Those of either flat.
+  const std::vector<std::size_t>& moversOf(std::uint32_t region) const {
+    return moversOf_[plane_.regions[region].sector];
+  }
+  /// Those that a line starts.
+  std::vector<std::size_t> startedBy(std::uint32_t line) const;
+  /// What is air wherever movers stand.
+  Space lastingSpaceOf(std::uint32_t region) const;
+
+  bool isPortal(std::uint32_t h) const { return plane_.isPortal(h); }
   /// From the bottom to the top.
-  std::vector<ShownPart> shownParts(std::uint32_t h) const;
+  std::vector<ShownPart> shownParts(std::uint32_t h) const { return partsAt(h, {}); }
+  /// And those that show only while movers are at other ends.
+  std::vector<ShownPart> partsAtAnyEnd(std::uint32_t h) const;
 
  private:
-  GroundPlan(const Map& map, Regions plane, std::vector<Heights> heights, Findings& findings);
-  void mendHeights(Findings& findings);
+  GroundPlan(const Map& map, Regions plane, std::vector<Heights> heights, MapMovers movers);
   void nameRegions();
+  void indexMovers();
+  /// While these movers are at their other ends.
+  Space spaceAt(std::uint32_t region, std::span<const std::size_t> moved) const;
+  std::vector<ShownPart> partsAt(std::uint32_t h, std::span<const std::size_t> moved) const;
   bool hasMaskedMiddle(std::uint32_t h) const;
-  ShownPart solidPart(std::uint32_t h, const Face& face) const;
+  ShownPart solidPart(const Face& face, const Space& own) const;
 
   const Map* map_;
   Regions plane_;
-  std::vector<Heights> heights_;    ///< by sector of the map
-  std::vector<std::string> names_;  ///< by region
+  std::vector<Heights> heights_;  ///< by sector of the map
+  MapMovers movers_;
+  std::vector<std::vector<std::size_t>> moversOf_;               ///< by sector of the map
+  std::map<std::uint32_t, std::vector<std::size_t>> startedBy_;  ///< by line
+  std::vector<std::vector<std::uint32_t>> regionsOf_;            ///< by sector of the map
+  std::vector<std::string> names_;                               ///< by region
 };
 
 }  // namespace hearth::doom

@@ -6,10 +6,11 @@
 
 namespace hearth::doom {
 
-/// The positions of a map's moving sectors.
+/// What becomes of what moves in a map: doors, lifts, floors and ceilings.
 enum class Doors : std::uint8_t {
-  Open,   ///< doors are open, lifts are down
-  Closed  ///< as the map begins
+  Moving,  ///< it stands as the map begins, and moves
+  Open,    ///< doors are open and lifts are down for ever
+  Closed   ///< all stands for ever as the map begins
 };
 
 struct Heights {

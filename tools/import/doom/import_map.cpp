@@ -97,6 +97,8 @@ tl::expected<Converted, std::string> convertMap(const Source& source, const std:
   imported.mapThings = map->things.size();
   imported.lights = lights["lights"].size();
   imported.textures = materials.count();
+  imported.movers = plan->movers().movers.size();
+  imported.specials = plan->movers().lines;
   return Converted{textOf(level), textOf(lights), std::move(materials)};
 }
 

@@ -24,7 +24,7 @@ struct Source {
 
 struct ImportSettings {
   std::filesystem::path folder;  ///< where the level goes; it need not be there
-  Doors doors = Doors::Open;
+  Doors doors = Doors::Moving;
   /// The fraction of the sectors' light in the map: low enough for the light of lamps to show.
   double ambient = 0.75;
   ThingSettings things{};
@@ -45,6 +45,8 @@ struct Imported {
   std::size_t sprites = 0;
   std::size_t lights = 0;
   std::size_t textures = 0;
+  std::size_t movers = 0;
+  std::vector<LineFate> specials;  ///< all lines of the map that do something; none if frozen
   Findings findings;
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "math/box.h"
@@ -47,16 +48,17 @@ class Illuminator {
   Json lights() {
     for (const Thing& thing : plan_.map().things) lightThing(thing);
     for (std::uint32_t region = 0; region < plan_.regions().size(); ++region) {
-      const Space space = plan_.spaceOf(region);
-      if (space.floor == space.ceiling) continue;
+      if (isClosed(plan_.spaceOf(region))) continue;
       for (const auto& loop : plan_.regions()[region].loops)
         for (const std::uint32_t h : loop) lightWall(region, h);
-      lightFlats(region, space);
+      lightFlats(region, plan_.lastingSpaceOf(region));
     }
     return std::move(lights_);
   }
 
  private:
+  static bool isClosed(const Space& space) { return space.floor == space.ceiling; }
+
   template <typename Key>
   static const Glow* find(const std::map<Key, Glow>& glows, const Key& key) {
     const auto found = glows.find(key);
@@ -68,8 +70,8 @@ class Illuminator {
     const Vec2 place = placeOf(thing.x, thing.y);
     const auto region = plan_.regionAt(place);
     if (!glow || !region || !isThere(thing, game_)) return;
-    const Space space = plan_.spaceOf(*region);
-    if (space.floor == space.ceiling) return;
+    if (isClosed(plan_.spaceOf(*region))) return;
+    const Space space = plan_.lastingSpaceOf(*region);
     const double highest = std::max(space.ceiling - kBefore, (space.floor + space.ceiling) / 2);
     add(*glow, *region, place, std::min(space.floor + glow->height, highest));
   }
@@ -87,9 +89,18 @@ class Illuminator {
       for (int i = 0; i < across; ++i) {
         const auto place = before(region, lerp(edge.from, edge.to, (i + 0.5) / across), inwards);
         for (int k = 0; place && k < up; ++k)
-          add(*glow, region, *place, part.bottom + (part.top - part.bottom) * (k + 0.5) / up);
+          add(*glow, region, *place,
+              inLastingSpace(region, part.bottom + (part.top - part.bottom) * (k + 0.5) / up));
       }
     }
+  }
+
+  /// What shines on a wall may lie where a flat moves to.
+  double inLastingSpace(std::uint32_t region, double z) const {
+    if (plan_.moversOf(region).empty()) return z;
+    const Space space = plan_.lastingSpaceOf(region);
+    const double gap = std::min(kBefore, (space.ceiling - space.floor) / 2);
+    return std::clamp(z, space.floor + gap, space.ceiling - gap);
   }
 
   static int partsOf(double metres, double every) {
@@ -167,6 +178,7 @@ class Illuminator {
   }
 
   void add(const Glow& glow, std::uint32_t region, Vec2 place, double z) {
+    if (isClosed(plan_.lastingSpaceOf(region))) return tellOfClosing(region);
     if (lights_.size() == maxLights_) return tellOfTooMany(region);
     for (const Vec2 beside : kBeside) {
       const Vec2 p{rounded(place.x + beside.x), rounded(place.y + beside.y)};
@@ -179,6 +191,13 @@ class Illuminator {
                          {"curve", curveOf(glow)}});
       return;
     }
+  }
+
+  void tellOfClosing(std::uint32_t region) {
+    const std::uint32_t sector = plan_.regions()[region].sector;
+    if (closing_.insert(sector).second)
+      findings_.push_back(
+          {Outcome::Dropped, Part::Sector, sector, "its lights: what moves leaves them no air"});
   }
 
   void tellOfTooMany(std::uint32_t region) {
@@ -194,6 +213,7 @@ class Illuminator {
   std::size_t maxLights_;
   Findings& findings_;
   bool hasTooMany_ = false;
+  std::set<std::uint32_t> closing_;  ///< sectors of the map
   Json lights_ = Json::array();
 };
 

@@ -23,6 +23,9 @@ struct Vertex {
 /// In the place of a texture's name where there is none.
 inline constexpr const char* kNoTexture = "-";
 
+/// The flat that stands for the sky.
+inline constexpr const char* kSkyFlat = "F_SKY1";
+
 /// One side of a line: what it wears.
 struct Side {
   int xOffset;

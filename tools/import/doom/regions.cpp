@@ -156,8 +156,9 @@ class Subdivision {
 
 class RegionFinder {
  public:
-  RegionFinder(const Map& map, const Pieces& pieces, Findings& findings)
-      : map_(map), findings_(findings), plane_(pieces) {}
+  RegionFinder(const Map& map, const std::set<std::uint32_t>& starters, const Pieces& pieces,
+               Findings& findings)
+      : map_(map), starters_(starters), findings_(findings), plane_(pieces) {}
 
   Regions find() {
     do {
@@ -214,8 +215,13 @@ class RegionFinder {
     if (sector != sectorBefore(twin(h))) return false;
     if (!sector) return true;  // both are rock
     // Parts of one sector, cut by a line of which both sides say so and on which nothing hangs.
-    return namedSector(h) == sector && namedSector(twin(h)) == sector && !hasMaskedMiddle(h) &&
-           !hasMaskedMiddle(twin(h));
+    return namedSector(h) == sector && namedSector(twin(h)) == sector && !isNeeded(h) &&
+           !isNeeded(twin(h));
+  }
+
+  bool isNeeded(HalfEdgeId h) const {
+    const auto& face = plane_.face(h);
+    return hasMaskedMiddle(h) || (face && starters_.contains(face->line));
   }
 
   bool hasMaskedMiddle(HalfEdgeId h) const {
@@ -295,6 +301,7 @@ class RegionFinder {
   }
 
   const Map& map_;
+  const std::set<std::uint32_t>& starters_;
   Findings& findings_;
   Subdivision plane_;
   std::vector<std::optional<std::uint32_t>> sectors_;  ///< by cell
@@ -323,10 +330,18 @@ bool Regions::contains(std::uint32_t region, Vec2 p) const {
   return isInside;
 }
 
-tl::expected<Regions, std::string> findRegions(const Map& map, Findings& findings) {
+bool Regions::isPortal(std::uint32_t halfEdge) const {
+  const auto isTwoSided = [](const HalfEdge& side) { return side.face && side.face->isTwoSided; };
+  const HalfEdge& behind = halfEdges[twinOf(halfEdge)];
+  return behind.region && (isTwoSided(halfEdges[halfEdge]) || isTwoSided(behind));
+}
+
+tl::expected<Regions, std::string> findRegions(const Map& map,
+                                               const std::set<std::uint32_t>& starters,
+                                               Findings& findings) {
   const auto pieces = piecesOf(map, findings);
   if (!pieces) return tl::unexpected(pieces.error());
-  return RegionFinder(map, *pieces, findings).find();
+  return RegionFinder(map, starters, *pieces, findings).find();
 }
 
 }  // namespace hearth::doom

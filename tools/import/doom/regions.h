@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -36,11 +37,17 @@ struct Regions {
   /// The region in which a point lies. One on a line is in exactly one of the two beside it.
   std::optional<std::uint32_t> regionAt(Vec2 p) const;
   bool contains(std::uint32_t region, Vec2 p) const;
+  /// Whether a half-edge is open. It has a region before it.
+  bool isPortal(std::uint32_t halfEdge) const;
 };
 
 /// Finds out of which regions a map consists, whatever its sides say: sectors that are not closed,
 /// sides that name the wrong sector and lines that divide nothing are found by what encloses what.
-/// A region is of the sector that most of its outline's length names. The error is one sentence.
-tl::expected<Regions, std::string> findRegions(const Map& map, Findings& findings);
+/// A region is of the sector that most of its outline's length names. `starters` are lines that
+/// divide a region even if they lie within one sector: who crosses them starts something. The error
+/// is one sentence.
+tl::expected<Regions, std::string> findRegions(const Map& map,
+                                               const std::set<std::uint32_t>& starters,
+                                               Findings& findings);
 
 }  // namespace hearth::doom

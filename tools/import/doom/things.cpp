@@ -99,7 +99,7 @@ class Placer {
     addImages(look, json);
     json["x"] = place.x;
     json["y"] = place.y;
-    if (type.hangs) json["z"] = hangingHeight(plan_.spaceOf(region), type);
+    if (type.hangs) json["z"] = hangingHeight(plan_.lastingSpaceOf(region), type);
     json["sector"] = plan_.nameOf(region);
     if (look.hasSides()) json["angle"] = angleOf(eighthOf(thing.angle));
     json["size"] = {image.width, image.height};
