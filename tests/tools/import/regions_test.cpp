@@ -238,6 +238,30 @@ TEST_F(RegionsOfAMap, aLineWithinASectorDividesItOnlyWhereItStartsSomething) {
   expectSoundLoops();
 }
 
+TEST_F(RegionsOfAMap, aLineThatStartsSomethingAndEndsInsideIsASideOfASliver) {
+  const auto a = sector();
+  walls(a, square(0, 0, 128));
+  line({4, 64}, {124, 64}, a, a);
+  EXPECT_EQ(find().size(), 1U);
+  starters_ = {4};
+  ASSERT_EQ(find().size(), 2U);
+  expectSoundLoops();
+  const double sliver = 120.0 / 32 / 32;
+  EXPECT_EQ(sectorsAndAreas(),
+            (std::multiset<std::pair<std::uint32_t, double>>{{a, 16 - sliver}, {a, sliver}}));
+  EXPECT_TRUE(findings_.empty());
+}
+
+TEST_F(RegionsOfAMap, aSliverIsCutWhereItMeetsWalls) {
+  const auto a = sector();
+  walls(a, square(0, 0, 128));
+  line({64, 64}, {64, 128}, a, a);
+  line({4, 64}, {124, 66}, a, a);
+  starters_ = {4, 5};
+  EXPECT_GE(find().size(), 3U);
+  expectSoundLoops();
+}
+
 TEST_F(RegionsOfAMap, linesThatMeetNearlyInAPointMeetInIt) {
   const auto a = sector();
   walls(a, square(0, 0, 1000));

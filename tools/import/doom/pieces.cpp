@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -35,7 +36,8 @@ struct Cuttable {
   GridPoint from;
   GridPoint to;
   std::uint32_t line;
-  std::vector<GridPoint> crossings;
+  std::vector<GridPoint> crossings{};
+  bool isAdded = false;  ///< a side of a sliver
 
   int minX() const { return std::min(from.x, to.x); }
   int maxX() const { return std::max(from.x, to.x); }
@@ -47,7 +49,8 @@ struct Cuttable {
 
 class Cutter {
  public:
-  Cutter(const Map& map, Findings& findings) : map_(map), findings_(findings) {}
+  Cutter(const Map& map, const std::set<std::uint32_t>& starters, Findings& findings)
+      : map_(map), starters_(starters), findings_(findings) {}
 
   tl::expected<Pieces, std::string> cut() {
     gather();
@@ -73,14 +76,50 @@ class Cutter {
 
  private:
   void gather() {
+    countEnds();
     for (std::size_t i = 0; i < map_.lines.size(); ++i) {
       const GridPoint from = gridPointOf(map_.vertices[map_.lines[i].from]);
       const GridPoint to = gridPointOf(map_.vertices[map_.lines[i].to]);
       if (from == to)
         findings_.push_back({Outcome::Dropped, Part::Line, i, "it has no length"});
       else
-        lines_.push_back({from, to, static_cast<std::uint32_t>(i), {}});
+        add({from, to, static_cast<std::uint32_t>(i)});
     }
+  }
+
+  void countEnds() {
+    for (const Line& line : map_.lines)
+      for (const std::uint32_t vertex : {line.from, line.to})
+        ++endsAt_[{map_.vertices[vertex].x, map_.vertices[vertex].y}];
+  }
+
+  void add(const Cuttable& line) {
+    lines_.push_back(line);
+    if (!startsAndEndsInside(map_.lines[line.line], line.line)) return;
+    const double scale = kCells / std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
+    const auto moved = [&](GridPoint p) {
+      return GridPoint{p.x + static_cast<int>(std::lround((line.from.y - line.to.y) * scale)),
+                       p.y + static_cast<int>(std::lround((line.to.x - line.from.x) * scale))};
+    };
+    const GridPoint from = moved(line.from);
+    const GridPoint to = moved(line.to);
+    for (const auto& [a, b] :
+         {std::pair(from, to), std::pair(line.from, from), std::pair(line.to, to)})
+      lines_.push_back({a, b, line.line, {}, true});
+  }
+
+  /// A line that starts something, and ends within a sector: it divides nothing, so nobody would
+  /// cross it. It becomes the side of a sliver, a unit wide.
+  bool startsAndEndsInside(const Line& line, std::uint32_t number) const {
+    if (!starters_.contains(number) || !line.sides[0] || !line.sides[1]) return false;
+    const Side& right = map_.sides[*line.sides[0]];
+    const Side& left = map_.sides[*line.sides[1]];
+    if (right.sector != left.sector || right.middle != kNoTexture || left.middle != kNoTexture)
+      return false;
+    const auto endsAlone = [this](std::uint32_t vertex) {
+      return endsAt_.at({map_.vertices[vertex].x, map_.vertices[vertex].y}) == 1;
+    };
+    return endsAlone(line.from) || endsAlone(line.to);
   }
 
   /// False where there are too many.
@@ -100,6 +139,7 @@ class Cutter {
     ++crossings_;
     a.crossings.push_back(*p);
     b.crossings.push_back(*p);
+    if (a.isAdded || b.isAdded) return;
     findings_.push_back({Outcome::Repaired, Part::Line, std::max(a.line, b.line),
                          fmt::format("it crosses line {} at {}: both are cut there",
                                      std::min(a.line, b.line), nameOf(*p))});
@@ -123,7 +163,8 @@ class Cutter {
   }
 
   void tellOfBend(const Cuttable& line, GridPoint at) {
-    if (orientation(metresOf(line.from), metresOf(line.to), metresOf(at)) == 0) return;
+    if (line.isAdded || orientation(metresOf(line.from), metresOf(line.to), metresOf(at)) == 0)
+      return;
     if (std::ranges::find(line.crossings, at) != line.crossings.end()) return;  // told
     findings_.push_back({Outcome::Repaired, Part::Line, line.line,
                          fmt::format("it all but touches {}, where another line ends: it is bent "
@@ -164,7 +205,9 @@ class Cutter {
   }
 
   const Map& map_;
+  const std::set<std::uint32_t>& starters_;
   Findings& findings_;
+  std::map<std::pair<int, int>, int> endsAt_;  ///< of lines, by place
   std::vector<Cuttable> lines_;
   std::size_t crossings_ = 0;
   std::map<std::pair<double, double>, std::uint32_t> pointsAt_;
@@ -174,8 +217,9 @@ class Cutter {
 
 }  // namespace
 
-tl::expected<Pieces, std::string> piecesOf(const Map& map, Findings& findings) {
-  return Cutter(map, findings).cut();
+tl::expected<Pieces, std::string> piecesOf(const Map& map, const std::set<std::uint32_t>& starters,
+                                           Findings& findings) {
+  return Cutter(map, starters, findings).cut();
 }
 
 }  // namespace hearth::doom

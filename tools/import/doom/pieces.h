@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -43,8 +44,10 @@ struct Pieces {
 };
 
 /// Cuts the lines of a map wherever one meets another. Lines between the same points become one.
-/// One that misses a point by so little that levels could not tell is bent to it. The error is one
-/// sentence.
-tl::expected<Pieces, std::string> piecesOf(const Map& map, Findings& findings);
+/// One that misses a point by so little that levels could not tell is bent to it. One of the
+/// `starters` that would divide nothing, because it ends within a sector, has pieces all round a
+/// sliver beside it. The error is one sentence.
+tl::expected<Pieces, std::string> piecesOf(const Map& map, const std::set<std::uint32_t>& starters,
+                                           Findings& findings);
 
 }  // namespace hearth::doom

@@ -339,7 +339,7 @@ bool Regions::isPortal(std::uint32_t halfEdge) const {
 tl::expected<Regions, std::string> findRegions(const Map& map,
                                                const std::set<std::uint32_t>& starters,
                                                Findings& findings) {
-  const auto pieces = piecesOf(map, findings);
+  const auto pieces = piecesOf(map, starters, findings);
   if (!pieces) return tl::unexpected(pieces.error());
   return RegionFinder(map, starters, *pieces, findings).find();
 }
