@@ -180,6 +180,16 @@ TEST_F(MoversOfAMap, areLiftsWhereAnotherLineLowersThemForGood) {
   EXPECT_EQ(movers_.movers[0].motion.wait, 3);
 }
 
+TEST_F(MoversOfAMap, areLiftsThatComeBackDownWhereAnotherLineRaisesThem) {
+  map.sectors[2].floor = 64;
+  setSpecial(0, 18);
+  setSpecial(1, 62);
+  const MapMovers& found = find();
+  ASSERT_EQ(found.movers.size(), 1U);
+  EXPECT_EQ(found.movers[0].motion, (Motion{64, 4.375, 3, false}));
+  EXPECT_EQ(found.movers[0].lines, (std::vector<std::uint32_t>{0, 1}));
+}
+
 TEST_F(MoversOfAMap, doNotCloseWhatAnotherLineOpens) {
   map.sectors[1].ceiling = 124;
   setSpecial(0, 3);

@@ -241,20 +241,37 @@ class MoverFinder {
   /// A door that is open stays so where lines open and close it: a mover has one other end.
   void choose(Flat flat, const std::vector<Wish>& wishes) {
     const int from = startOf(flat);
-    const auto stays = [&](const Wish& wish) { return wish.motion.to == from; };
-    const Wish* best = nullptr;
-    for (const Wish& wish : wishes) {
-      if (flat.part == FlatPart::Floor && stays(wish)) continue;
-      if (!best || isBetter(flat.part, wish.motion, best->motion)) best = &wish;
-    }
-    const bool moves = best && !stays(*best);
+    const Wish* best = bestOf(flat, wishes);
+    const bool moves = best && best->motion.to != from;
     Choice choice{from, best ? best->motion : Motion{}, {}};
-    for (const Wish& wish : wishes)
-      if (moves && wish.motion.to == best->motion.to)
+    for (const Wish& wish : wishes) {
+      const bool stays = wish.motion.to == from;
+      const bool bringsBack = moves && stays && isLift(flat, wish);
+      if (bringsBack) {
+        choice.motion.speed = wish.motion.speed;
+        choice.motion.wait = wish.motion.wait;
+      }
+      if (bringsBack || (moves && wish.motion.to == best->motion.to))
         choice.orders.push_back(wish.order);
       else
-        refuse(wish.order, flat.sector, stays(wish) ? kIsThere : kOtherWay);
+        refuse(wish.order, flat.sector, stays ? kIsThere : kOtherWay);
+    }
     if (moves) choices_.emplace(flat, std::move(choice));
+  }
+
+  const Wish* bestOf(Flat flat, const std::vector<Wish>& wishes) const {
+    const Wish* best = nullptr;
+    for (const Wish& wish : wishes) {
+      if (flat.part == FlatPart::Floor && wish.motion.to == startOf(flat)) continue;
+      if (!best || isBetter(flat.part, wish.motion, best->motion)) best = &wish;
+    }
+    return best;
+  }
+
+  /// A lift that is down as the map begins, and that another line raises first, returns down
+  /// instead of up: then one gets on it from both ends, too.
+  static bool isLift(Flat flat, const Wish& wish) {
+    return flat.part == FlatPart::Floor && wish.motion.wait.has_value();
   }
 
   /// The floor keeps its motion where both flats of a sector would meet.
