@@ -258,14 +258,15 @@ TEST_F(MoversOfAMap, loseLinesThatNobodyReachesAndSectorsWithoutSpace) {
   setSpecial(0, 23);
   setSpecial(1, 23);
   const MapMovers all = find();
-  const auto yes = [](std::uint32_t) { return true; };
-  movers_.keep([](std::uint32_t line) { return line == 1; }, yes);
+  movers_.keep([](std::uint32_t line) { return line == 1 ? std::size_t{1} : std::size_t{0}; },
+               [](std::uint32_t) { return true; });
   ASSERT_EQ(movers_.movers.size(), 1U);
   EXPECT_EQ(movers_.movers[0].lines, std::vector<std::uint32_t>{1});
   EXPECT_EQ(movers_.lines[0].reason, "no player can reach it");
   EXPECT_TRUE(movers_.lines[1].isImported());
   movers_ = all;
-  movers_.keep(yes, [](std::uint32_t sector) { return sector != 1; });
+  movers_.keep([](std::uint32_t) { return std::size_t{1}; },
+               [](std::uint32_t sector) { return sector != 1; });
   EXPECT_TRUE(movers_.movers.empty());
   EXPECT_EQ(movers_.lines[0].reason, "what it moves has no space");
 }
@@ -281,6 +282,8 @@ TEST_F(MoversOfAMap, areNotWithoutEnd) {
   for (const MapMover& mover : found.movers) starts += mover.lines.size();
   EXPECT_LE(starts, 100'000U);
   EXPECT_GT(starts, 99'000U);
+  movers_.keep([](std::uint32_t) { return std::size_t{100}; }, [](std::uint32_t) { return true; });
+  EXPECT_EQ(movers_.movers.size(), 2U) << "400 lines of 100 walls start each";
 }
 
 }  // namespace

@@ -20,27 +20,31 @@ std::vector<Heights> mendedHeights(const Map& map, Doors doors, Findings& findin
   return heights;
 }
 
-/// The lines of which a player comes to what starts something: to the front, or, of those that are
-/// crossed, from one side to the other.
-std::set<std::uint32_t> reachableLines(const Map& map, const Regions& plane) {
-  std::set<std::uint32_t> lines;
+/// By line, how many walls it is at which a player can start something: before its front, or, of
+/// those that are crossed, on either side.
+std::map<std::uint32_t, std::size_t> countStartingWalls(const Map& map, const Regions& plane) {
+  std::map<std::uint32_t, std::size_t> counts;
   for (std::uint32_t h = 0; h < plane.halfEdges.size(); ++h) {
     const auto& face = plane.halfEdges[h].face;
     if (!face || !plane.halfEdges[h].region) continue;
     const LineType* type = findLineType(map.lines[face->line].special);
     const bool isCrossed = type && type->activation == Activation::Walk;
     if (isCrossed ? plane.isPortal(h) : face->side == map.lines[face->line].sides[0])
-      lines.insert(face->line);
+      ++counts[face->line];
   }
-  return lines;
+  return counts;
 }
 
 void keepReachable(MapMovers& movers, const Map& map, const Regions& plane) {
-  const std::set<std::uint32_t> lines = reachableLines(map, plane);
+  const std::map<std::uint32_t, std::size_t> walls = countStartingWalls(map, plane);
   std::set<std::uint32_t> sectors;
   for (const Region& region : plane.regions) sectors.insert(region.sector);
-  movers.keep([&](std::uint32_t line) { return lines.contains(line); },
-              [&](std::uint32_t sector) { return sectors.contains(sector); });
+  movers.keep(
+      [&](std::uint32_t line) {
+        const auto found = walls.find(line);
+        return found == walls.end() ? std::size_t{0} : found->second;
+      },
+      [&](std::uint32_t sector) { return sectors.contains(sector); });
 }
 
 /// Of a part that shows at several ends the first that has height counts.

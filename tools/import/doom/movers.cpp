@@ -15,11 +15,12 @@ namespace hearth::doom {
 
 namespace {
 
-/// Of all movers together: without a bound, a small hostile map has billions. All maps of Freedoom
-/// together have fewer than ten thousand.
+/// Pairs of a mover and a line, or a wall, that starts it: without a bound, a small hostile map has
+/// billions.
 constexpr std::size_t kMaxStarts = 100'000;
 
 constexpr std::string_view kIsThere = "what it moves stands there already";
+constexpr std::string_view kTooMany = "there are too many lines before it that move things";
 constexpr std::string_view kOtherWay = "another line moves the same floor or ceiling elsewhere";
 
 /// Lines that do the same: of one type and tag, or all of one type behind which one sector lies.
@@ -323,7 +324,7 @@ class MoverFinder {
 
   void tellOfTooMany() {
     for (std::size_t i = 0; i < orders_.size(); ++i)
-      refuse(i, orders_[i].sectors.front(), "there are too many lines before it that move things");
+      refuse(i, orders_[i].sectors.front(), kTooMany);
   }
 
   // --- Report ------------------------------------------------------------------------------------
@@ -369,18 +370,22 @@ std::set<std::uint32_t> MapMovers::starters() const {
   return starters;
 }
 
-void MapMovers::keep(const std::function<bool(std::uint32_t line)>& isStarter,
+void MapMovers::keep(const std::function<std::size_t(std::uint32_t line)>& countWalls,
                      const std::function<bool(std::uint32_t sector)>& isSpace) {
-  for (MapMover& mover : movers) {
+  std::size_t starts = 0;
+  std::erase_if(movers, [&](MapMover& mover) {
     std::erase_if(mover.sectors, [&](std::uint32_t sector) { return !isSpace(sector); });
-    std::erase_if(mover.lines, [&](std::uint32_t line) { return !isStarter(line); });
-  }
-  std::erase_if(movers,
-                [](const MapMover& mover) { return mover.sectors.empty() || mover.lines.empty(); });
+    std::erase_if(mover.lines, [&](std::uint32_t line) { return countWalls(line) == 0; });
+    if (mover.sectors.empty() || mover.lines.empty()) return true;
+    for (const std::uint32_t line : mover.lines) starts += countWalls(line);
+    return starts > kMaxStarts;
+  });
   const std::set<std::uint32_t> left = starters();
   for (LineFate& fate : lines)
     if (fate.isImported() && !left.contains(fate.line))
-      fate.reason = isStarter(fate.line) ? "what it moves has no space" : "no player can reach it";
+      fate.reason = countWalls(fate.line) == 0 ? "no player can reach it"
+                    : starts > kMaxStarts      ? kTooMany
+                                               : "what it moves has no space";
 }
 
 MapMovers moversOf(const Map& map, const std::vector<Heights>& heights) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -52,8 +53,9 @@ struct MapMovers {
 
   std::set<std::uint32_t> starters() const;
   /// Leaves out the lines that no player can reach, the sectors without space, and what then has no
-  /// lines or no sectors.
-  void keep(const std::function<bool(std::uint32_t line)>& isStarter,
+  /// lines or no sectors. `countWalls` says how many walls of the level a line is that starts
+  /// movers: each names them all, so movers are also left out once these are too many.
+  void keep(const std::function<std::size_t(std::uint32_t line)>& countWalls,
             const std::function<bool(std::uint32_t sector)>& isSpace);
 };
 
