@@ -247,8 +247,7 @@ void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::
   const OptionValues values = options();
   LoadResult moved = levelAt(*current_, *source_, shares, limitsFrom(values));
   if (!moved.loaded) return refuse(format(moved.diagnostics.front()));
-  const auto rest = std::make_shared<RestLight>(shares, *std::move(moved.loaded));
-  const Scene scene = rest->level.scene();
+  const Scene scene = moved.loaded->scene();
   const auto cache =
       values.has(Option::NoCache) || unsavedLights() ? std::nullopt : BakeCache::ofUser();
   auto light = cache ? cache->find(scene, litBy_) : std::nullopt;
@@ -258,8 +257,9 @@ void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::
     if (!light) return;
     if (cache) cache->keep(scene, litBy_, *light);
   }
-  rest->light = *std::move(light);
-  tell({.rest = rest, .restOf = current_});
+  tell({.rest = std::make_shared<const RestLight>(
+            RestLight{shares, std::move(moved.loaded->geometry), *std::move(light)}),
+        .restOf = current_});
 }
 
 bool BackgroundBaker::showKept(const BakeCache& cache, const BakeSettings& settings) {

@@ -97,8 +97,11 @@ class HallOfDoors {
       const std::string one = corners.substr(0, end);
       const std::size_t comma = one.rfind(',');
       const std::string next = one.substr(comma + 1);
-      points += (points.empty() ? "" : ",") + one.substr(0, comma);
-      walls += walls.empty() ? "" : ",";
+      if (!points.empty()) {
+        points += ',';
+        walls += ',';
+      }
+      points += one.substr(0, comma);
       walls += next.empty() ? R"({"texture":"#908070"})"
                             : fmt::format(R"({{"next":"{}","texture":"#705030"}})", next);
     }
@@ -145,7 +148,7 @@ tl::expected<std::shared_ptr<Doors>, std::string> doorsOf(const std::filesystem:
     if (!rest.loaded) return tl::unexpected(format(rest.diagnostics.front()));
     BakedLight light = bake(rest.loaded->scene(), rest.loaded->level.bake, 1);
     doors->view.add(std::make_shared<const RestLight>(
-        RestLight{states.shares(i), *std::move(rest.loaded), std::move(light)}));
+        RestLight{states.shares(i), std::move(rest.loaded->geometry), std::move(light)}));
   }
   return doors;
 }

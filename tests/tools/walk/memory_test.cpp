@@ -48,8 +48,8 @@ TEST_P(WalkMemory, ADoorThatMovesTakesNone) {
   walk.stage.title.reserve(100);
   LoadedLevel opened = *levelAt(place.loaded, sourced.source, std::vector{1.0, 0.0}).loaded;
   BakedLight light = bake(opened.scene(), opened.level.bake, 1);
-  walk.loop().addLight(
-      std::make_shared<const RestLight>(RestLight{{1, 0}, std::move(opened), std::move(light)}));
+  walk.loop().addLight(std::make_shared<const RestLight>(
+      RestLight{{1, 0}, std::move(opened.geometry), std::move(light)}));
   const auto open = [&] {
     walk.now(test::down(Key::E));
     walk.now(test::up(Key::E));

@@ -29,23 +29,23 @@ class WalkMovers : public testing::Test {
   }
 
   /// The level with the gate at a share, lit there.
-  std::shared_ptr<const RestLight> restAt(double gate) const {
-    LoadedLevel level = *levelAt(place_.loaded, authored_.source, std::vector{gate, 0.0}).loaded;
+  std::shared_ptr<const RestLight> restAt(double gate, double lift = 0) const {
+    LoadedLevel level = *levelAt(place_.loaded, authored_.source, std::vector{gate, lift}).loaded;
     BakedLight light = bake(level.scene(), level.level.bake, 2);
     return std::make_shared<const RestLight>(
-        RestLight{{gate, 0}, std::move(level), std::move(light)});
+        RestLight{{gate, lift}, std::move(level.geometry), std::move(light)});
   }
+  Scene sceneOf(const RestLight& rest) const { return {place_.loaded.level, rest.geometry}; }
 
   /// The picture of a level from where the player stands.
-  Image drawn(const LoadedLevel& level, const BakedLight& light,
-              LightMode mode = LightMode::Both) const {
-    const Eye eye = eyeOf(level.scene(), walk.walker());
-    return Renderer(level.scene(), level.textures, light)
+  Image drawn(const Scene& scene, const BakedLight& light, LightMode mode = LightMode::Both) const {
+    const Eye eye = eyeOf(scene, walk.walker());
+    return Renderer(scene, place_.loaded.textures, light)
         .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, walk.stage.window->width,
                walk.stage.window->height},
               mode);
   }
-  Image drawn(const RestLight& rest) const { return drawn(rest.level, rest.light); }
+  Image drawn(const RestLight& rest) const { return drawn(sceneOf(rest), rest.light); }
 
   void use() {
     walk.now(down(Key::E));
@@ -77,7 +77,7 @@ TEST_F(WalkMovers, FlatsStandBetweenTheLastTwoTicks) {
   const double tick = 1.5 / kTicksPerSecond / 2;
   const std::vector<double> shares{std::lerp(9 * tick, 10 * tick, 0.25), 0};
   const LoadedLevel there = *levelAt(place_.loaded, authored_.source, shares).loaded;
-  EXPECT_EQ(walk.stage.shown, drawn(there, place_.light, LightMode::None));
+  EXPECT_EQ(walk.stage.shown, drawn(there.scene(), place_.light, LightMode::None));
 }
 
 TEST_F(WalkMovers, AtRestTheLightIsThatOfALevelAuthoredSo) {
@@ -103,10 +103,30 @@ TEST_F(WalkMovers, BetweenItsEndsTheLightIsBlended) {
   const LoadedLevel there =
       *levelAt(place_.loaded, authored_.source, std::vector{share, 0.0}).loaded;
   const std::vector<LightAtRest> states{{place_.loaded.scene(), &place_.light},
-                                        {open->level.scene(), &open->light}};
+                                        {sceneOf(*open), &open->light}};
   const BakedLight light = blendedLight(there.scene(), place_.loaded.level.bake.texel, states,
                                         std::vector{1 - share, share}, 2);
-  EXPECT_EQ(walk.stage.shown, drawn(there, light));
+  EXPECT_EQ(walk.stage.shown, drawn(there.scene(), light));
+}
+
+TEST_F(WalkMovers, StatesThatWereNotNeededForLongestAreForgottenAndWantedAgain) {
+  const Renderer still(place_.loaded.scene(), place_.loaded.textures, place_.light);
+  MovedView view(place_.loaded.scene(), still, 1);
+  const auto show = [&](std::vector<double> shares) {
+    view.moveTo(shares);
+    view.light(nullptr);
+    const bool isWanted = !view.wanted().empty();
+    if (isWanted) view.add(restAt(shares[Gate], shares[Lift]));
+    view.light(nullptr);
+    const auto rest = restAt(shares[Gate], shares[Lift]);
+    EXPECT_EQ(drawn(view.scene(), view.renderer().light()), drawn(*rest));
+    return isWanted;
+  };
+  EXPECT_TRUE(show({1, 0}));
+  EXPECT_FALSE(show({0, 0})) << "as authored";
+  EXPECT_FALSE(show({1, 0}));
+  EXPECT_TRUE(show({1, 1}));
+  EXPECT_TRUE(show({1, 0})) << "one state is kept";
 }
 
 TEST_F(WalkMovers, ALevelThatIsLoadedAgainKeepsItsDoorsOpen) {

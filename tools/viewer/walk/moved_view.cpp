@@ -16,9 +16,11 @@ std::ptrdiff_t differences(std::span<const double> a, std::span<const double> b)
 
 }  // namespace
 
-MovedView::MovedView(const Scene& authored, const Renderer& still)
+MovedView::MovedView(const Scene& authored, const Renderer& still, std::size_t keptStates)
     : geometry_(authored.level(), authored.geometry()),
-      known_{{std::vector<double>(authored.level().movers.size()), {authored, &still.light()}, {}}},
+      keptStates_(keptStates),
+      known_{
+          {std::vector<double>(authored.level().movers.size()), {authored, &still.light()}, {}, 0}},
       renderer_(geometry_.scene(), still.textures(), light_.light(), still.settings()) {
   around_.find(geometry_.shares());
   setStates();
@@ -43,12 +45,14 @@ void MovedView::light(Workers* workers) {
 
 void MovedView::setStates() {
   blended_ = around_;
+  ++uses_;
   std::vector<std::size_t> used;  // of the known lights
   sourceOf_.clear();
   wanted_.clear();
   for (std::size_t i = 0; i < around_.count(); ++i) {
     const std::vector<double> shares = around_.shares(i);
     const std::size_t known = nearestKnown(shares);
+    known_[known].lastUse = uses_;
     if (known_[known].shares != shares) wanted_.push_back(shares);
     const auto same = std::ranges::find(used, known);
     sourceOf_.push_back(static_cast<std::size_t>(same - used.begin()));
@@ -68,10 +72,20 @@ std::size_t MovedView::nearestKnown(std::span<const double> shares) const {
 
 void MovedView::add(std::shared_ptr<const RestLight> rest) {
   if (known_[nearestKnown(rest->shares)].shares == rest->shares) return;
-  const LightAtRest at{rest->level.scene(), &rest->light};
-  known_.push_back({rest->shares, at, std::move(rest)});
-  blended_ = {};
+  const LightAtRest at{{geometry_.level(), rest->geometry}, &rest->light};
+  known_.push_back({rest->shares, at, std::move(rest), uses_});
+  setStates();
   isLit_ = false;
+  if (known_.size() > 1 + keptStates_) forgetOldest();
+}
+
+/// Unless it is blended now. The level as authored is always kept.
+void MovedView::forgetOldest() {
+  const auto oldest =
+      std::ranges::min_element(known_.begin() + 1, known_.end(), {}, &Known::lastUse);
+  if (oldest->lastUse == uses_) return;
+  known_.erase(oldest);
+  setStates();  // whose lights are where they were; their indices are not
 }
 
 }  // namespace hearth

@@ -19,9 +19,13 @@ namespace hearth {
 /// the known one which fewest movers tell from it.
 class MovedView {
  public:
+  /// So many states are kept where not more of them show at once, the level as authored not
+  /// counted.
+  static constexpr std::size_t kKeptStates = 32;
+
   /// At first the light of `still` is known, which draws the level as authored. It must outlive
   /// this, its level and geometry, too.
-  MovedView(const Scene& authored, const Renderer& still);
+  MovedView(const Scene& authored, const Renderer& still, std::size_t keptStates = kKeptStates);
   MovedView(const MovedView&) = delete;
   MovedView& operator=(const MovedView&) = delete;
 
@@ -33,7 +37,8 @@ class MovedView {
   /// Lights them so. Takes memory only where another mover sets out or arrives.
   void light(Workers* workers);
 
-  /// From now on this light is known; its level has the same movers.
+  /// From now on this light is known, of the same level. The one that was not needed for longest is
+  /// forgotten where too many are kept.
   void add(std::shared_ptr<const RestLight> rest);
   /// The states around the shares of now whose light is not known, by falling share of their
   /// movers.
@@ -44,13 +49,17 @@ class MovedView {
     std::vector<double> shares;
     LightAtRest at;
     std::shared_ptr<const RestLight> rest;  ///< which owns it; null for the level as authored
+    std::size_t lastUse = 0;                ///< of states that were set
   };
 
   void setStates();
+  void forgetOldest();
   std::size_t nearestKnown(std::span<const double> shares) const;
 
   MovedGeometry geometry_;
+  std::size_t keptStates_;
   std::vector<Known> known_;
+  std::size_t uses_ = 0;  ///< how often states were set
   BlendedLight light_;
   Renderer renderer_;
 

@@ -2,15 +2,15 @@
 
 #include <vector>
 
+#include "level/geometry.h"
 #include "light/bakery.h"
-#include "load/load.h"
 
 namespace hearth {
 
-/// A level with all its movers at rest, and its light.
+/// The light of a level with all its movers at rest.
 struct RestLight {
   std::vector<double> shares;  ///< by mover: 0 or 1
-  LoadedLevel level;
+  Geometry geometry;
   BakedLight light;
 };
 
