@@ -126,6 +126,14 @@ MovingLevel::MovingLevel(const Scene& authored, const MovingLevel& before) : Mov
   }
 }
 
+void MovingLevel::setMovers(std::span<const MoverState> states) {
+  CHECK(states.size() == states_.size(), states.size(), states_.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    states_[i] = states[i];
+    if (shares()[i] != states[i].share) moved_.setShare(i, states[i].share);
+  }
+}
+
 Walker MovingLevel::ticked(const Walker& walker, const WalkInput& input) {
   if (level().movers.empty()) return walked(scene(), walker, input);
   if (input.use) startUsed(walker);

@@ -31,6 +31,9 @@ class MovingLevel {
   std::span<const MoverState> movers() const { return states_; }
   std::span<const double> shares() const { return moved_.shares(); }
 
+  /// Puts the movers into other states, by index: as they were at another tick.
+  void setMovers(std::span<const MoverState> states);
+
   /// One tick. First the use key starts movers; then all movers move, those with floors under the
   /// walker carry it, and those for which it leaves no room turn back; then it walks, and starts
   /// what it crosses or enters.

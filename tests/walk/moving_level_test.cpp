@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "random_levels/random.h"
 #include "walk/body.h"
 #include "walks.h"
@@ -98,6 +100,24 @@ TEST_F(MovingCastle, KeepsOutOfAShutDoor) {
   tick(kForward, 200);
   EXPECT_EQ(sector(), "hall");
   EXPECT_LT(walker.feet.x, 10 - 0.3 + 1e-5);
+}
+
+TEST_F(MovingCastle, GoesOnFromAnEarlierTickWithItsMovers) {
+  stand("hall", {9, 2, 0}, 0);
+  tick({.use = true});
+  tick({}, 16);
+  const Walker earlier = walker;
+  const std::vector<MoverState> movers(level.movers().begin(), level.movers().end());
+  tick(kForward, 64);
+  const Walker later = walker;
+
+  level.setMovers(movers);
+  walker = earlier;
+  EXPECT_TRUE(std::ranges::equal(level.movers(), movers));
+  EXPECT_LT(level.shares()[Gate], 1);
+  tick(kForward, 64);
+  EXPECT_EQ(walker, later);
+  EXPECT_EQ(level.shares()[Gate], 1);
 }
 
 TEST_F(MovingCastle, ShutsADoorAfterItsWait) {
