@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <random>
 #include <tuple>
 
@@ -11,8 +13,7 @@ namespace hearth::test {
 
 namespace {
 
-constexpr int kMaxTries = 60000;         // for each new sector
-constexpr int kMaxTriesOfOne = 1000000;  // for a way to one place
+constexpr int kMaxTries = 60000;  // for each new sector
 
 /// A walker in one of the places that the search tells apart, and how it came there.
 struct Visit {
@@ -40,9 +41,8 @@ class Search {
   /// The way to where `isThere` holds, through none of the sectors forbidden; nothing where none is
   /// found.
   std::optional<std::vector<WalkInput>> wayTo(const std::function<bool(const Walker&)>& isThere,
-                                              const std::vector<SectorId>& forbidden,
-                                              int maxTries) {
-    for (int i = 0; i < maxTries; ++i) {
+                                              const std::vector<SectorId>& forbidden) {
+    for (int i = 0; i < kMaxTries; ++i) {
       Visit visit = stretchFrom(seldomTried());
       if (std::ranges::find(forbidden, visit.walker.sector) != forbidden.end()) continue;
       if (isThere(visit.walker)) return wayTo(visit);
@@ -121,7 +121,7 @@ std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait
   for (;;) {
     const std::vector<bool> isVisited = visitedSectors(scene, start, inputs);
     const auto isNew = [&](const Walker& there) { return !isVisited[there.sector.index()]; };
-    const auto way = Search(scene, walker, gait, random).wayTo(isNew, forbidden, kMaxTries);
+    const auto way = Search(scene, walker, gait, random).wayTo(isNew, forbidden);
     if (!way && forbidden.empty()) return inputs;
     if (!way) {
       forbidden.clear();
@@ -130,12 +130,6 @@ std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait
     inputs.insert(inputs.end(), way->begin(), way->end());
     walker = walkedBy(scene, walker, *way);
   }
-}
-
-std::optional<std::vector<WalkInput>> wayTo(const Scene& scene, const Walker& start, Gait gait,
-                                            const std::function<bool(const Walker&)>& isThere) {
-  std::mt19937 random(1);
-  return Search(scene, start, gait, random).wayTo(isThere, {}, kMaxTriesOfOne);
 }
 
 std::vector<bool> visitedSectors(const Scene& scene, Walker walker,

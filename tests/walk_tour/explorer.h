@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <vector>
 
 #include "level/scene.h"
@@ -18,11 +16,6 @@ enum class Gait { OnFoot, Flying };
 /// when no other is left. The same for the same scene and walker.
 std::vector<WalkInput> exploration(const Scene& scene, const Walker& start, Gait gait,
                                    const std::vector<SectorId>& noReturn);
-
-/// Inputs with which a walker that starts there comes to where `isThere` holds, found by such a
-/// search; nothing where it finds no way.
-std::optional<std::vector<WalkInput>> wayTo(const Scene& scene, const Walker& start, Gait gait,
-                                            const std::function<bool(const Walker&)>& isThere);
 
 /// By sector: whether the walker's feet have been in it.
 std::vector<bool> visitedSectors(const Scene& scene, Walker walker,
