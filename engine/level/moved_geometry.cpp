@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "level/thing_bodies.h"
 #include "math/check.h"
 
 namespace hearth {
@@ -14,6 +15,24 @@ MovedGeometry::MovedGeometry(const Level& level, const Geometry& authored)
   std::size_t most = 0;
   for (const Mover& mover : level.movers) most = std::max(most, mover.sectors.size());
   moved_.reserve(most);
+  findRiders();
+  if (!riders_.empty()) own_ = std::make_unique<Level>(level);
+}
+
+void MovedGeometry::findRiders() {
+  std::vector<std::optional<std::size_t>> moverUnder(level_->sectors.size());
+  for (std::size_t mover = 0; mover < level_->movers.size(); ++mover)
+    if (level_->movers[mover].part == FlatPart::Floor)
+      for (const SectorId sector : level_->movers[mover].sectors)
+        moverUnder[sector.index()] = mover;
+  std::uint32_t bodies = 0;
+  for (std::uint32_t i = 0; i < level_->sprites.size(); ++i) {
+    const Sprite& sprite = level_->sprites[i];
+    const auto body = sprite.body ? std::optional(bodies++) : std::nullopt;
+    const auto mover = moverUnder[sprite.sector.index()];
+    if (sprite.standsOnFloor && mover) riders_.push_back({*mover, i, body});
+  }
+  std::ranges::stable_sort(riders_, {}, &Rider::mover);
 }
 
 void MovedGeometry::setShare(std::size_t mover, double share) {
@@ -27,6 +46,11 @@ void MovedGeometry::setShare(std::size_t mover, double share) {
     moved_.push_back({sector, heights});
   }
   moveFlats(*level_, moved_, geometry_);
+  for (const Rider& rider : std::ranges::equal_range(riders_, mover, {}, &Rider::mover)) {
+    Sprite& sprite = own_->sprites[rider.sprite];
+    sprite.position.z = height;
+    if (rider.body) stand(own_->bodies[*rider.body], sprite);
+  }
 }
 
 void MovedGeometry::setShares(std::span<const double> shares) {

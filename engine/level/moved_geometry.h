@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,16 +11,16 @@
 
 namespace hearth {
 
-/// The geometry of a level whose movers stand at any shares. Takes no memory when they move, and
-/// none at all for a level without movers.
+/// The geometry of a level whose movers stand at any shares, and the sprites that stand on moving
+/// floors. Takes no memory when they move, and none at all for a level without movers.
 class MovedGeometry {
  public:
   /// All movers at share 0, as in `authored`. Level and geometry must outlive it.
   MovedGeometry(const Level& level, const Geometry& authored);
 
   /// Valid while this stays in its place.
-  Scene scene() const { return {*level_, shares_.empty() ? *authored_ : geometry_}; }
-  const Level& level() const { return *level_; }
+  Scene scene() const { return {level(), shares_.empty() ? *authored_ : geometry_}; }
+  const Level& level() const { return own_ ? *own_ : *level_; }
   /// By mover.
   std::span<const double> shares() const { return shares_; }
 
@@ -30,11 +33,22 @@ class MovedGeometry {
   double heightAt(std::size_t mover, double share) const;
 
  private:
+  /// A sprite on a floor that moves.
+  struct Rider {
+    std::size_t mover;
+    std::uint32_t sprite;               ///< index
+    std::optional<std::uint32_t> body;  ///< of Level::bodies, if it is solid
+  };
+
+  void findRiders();
+
   const Level* level_;
+  std::unique_ptr<Level> own_;  ///< a copy, in which riders move; null without any
   const Geometry* authored_;
   Geometry geometry_;
   std::vector<double> shares_;
   std::vector<MovedFlats> moved_;  ///< of the mover that moves
+  std::vector<Rider> riders_;      ///< by mover
 };
 
 }  // namespace hearth

@@ -33,10 +33,11 @@ struct SpriteBody {
 
 /// An image that stands or lies in the air of a level. Doom calls these things, Build sprites.
 struct Sprite {
-  std::string name;  ///< may be empty
-  Vec3 position;     ///< the middle of its lower edge; where it lies, its centre
-  SectorId sector;   ///< that contains `position`
-  double angle = 0;  ///< degrees
+  std::string name;            ///< may be empty
+  Vec3 position;               ///< the middle of its lower edge; where it lies, its centre
+  SectorId sector;             ///< that contains `position`
+  bool standsOnFloor = false;  ///< of its sector, with which it moves
+  double angle = 0;            ///< degrees
   Facing facing = Facing::Camera;
   Vec2 offset;  ///< metres by which the image is shifted, to its right and up
   /// The frames of an animation, each seen from as many sides: view k by an eye that stands at

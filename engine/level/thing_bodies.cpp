@@ -15,8 +15,9 @@ namespace hearth {
 namespace {
 
 ThingBody cylinderOf(const Sprite& sprite) {
-  return {ConvexOutline({sprite.position.xy()}), sprite.body->radius, sprite.position.z,
-          sprite.position.z + sprite.body->height};
+  ThingBody body{ConvexOutline({sprite.position.xy()}), sprite.body->radius};
+  stand(body, sprite);
+  return body;
 }
 
 ThingBody prismOf(const Level& level, const Mesh& mesh) {
@@ -108,6 +109,11 @@ class BodySpreader {
 };
 
 }  // namespace
+
+void stand(ThingBody& body, const Sprite& sprite) {
+  body.zBottom = sprite.position.z;
+  body.zTop = sprite.position.z + sprite.body->height;
+}
 
 std::optional<std::uint32_t> addBodies(Level& level, const Geometry& geometry) {
   level.bodies.clear();

@@ -20,4 +20,7 @@ inline constexpr std::size_t kMaxBodies = 1'000'000;
 /// returns the thing (an index) with which it does; the level must not be used then.
 std::optional<std::uint32_t> addBodies(Level& level, const Geometry& geometry);
 
+/// Makes the body of a sprite begin at its position.
+void stand(ThingBody& body, const Sprite& sprite);
+
 }  // namespace hearth

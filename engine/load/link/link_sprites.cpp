@@ -28,6 +28,7 @@ void linkSprites(Linking& linking) {
     Sprite& sprite = linking.level.sprites.emplace_back(described.sprite);
     sprite.position = standing->position;
     sprite.sector = standing->sector;
+    sprite.standsOnFloor = !described.z;
     sprite.frames = std::move(frames);
   }
 }

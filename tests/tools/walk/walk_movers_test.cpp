@@ -129,6 +129,26 @@ TEST_F(WalkMovers, StatesThatWereNotNeededForLongestAreForgottenAndWantedAgain) 
   EXPECT_TRUE(show({1, 0})) << "one state is kept";
 }
 
+TEST(MovedViews, ShowABarrelThatALiftRaises) {
+  std::string text = test::hallAndCellarText();
+  text.insert(text.find("'movers'"),
+              "'things':[{'sprite':'#c04020','size':[0.5,0.9],'x':-1,'y':2}],");
+  const SourcedResult sourced = test::levelWithSourceFrom(text, test::kHallLights);
+  const test::Place place(*sourced.result.loaded);
+  const Renderer still(place.loaded.scene(), place.loaded.textures, place.light);
+  MovedView view(place.loaded.scene(), still);
+  const std::vector<double> up{0, 1};
+  LoadedLevel raised = *levelAt(place.loaded, sourced.source, up).loaded;
+  const BakedLight light = bake(raised.scene(), raised.level.bake, 1);
+  const Camera camera{raised.level.player->sector, {3, 2, 1.6}, 180, 0, 90, 64, 40};
+  const Image expected =
+      Renderer(raised.scene(), raised.textures, light).draw(camera, LightMode::Both);
+  view.add(std::make_shared<const RestLight>(RestLight{up, std::move(raised.geometry), light}));
+  view.moveTo(up);
+  view.light(nullptr);
+  EXPECT_EQ(view.renderer().draw(camera, LightMode::Both), expected);
+}
+
 TEST_F(WalkMovers, ALevelThatIsLoadedAgainKeepsItsDoorsOpen) {
   use();
   walk.ticks(kTicksOfGate + 3);
