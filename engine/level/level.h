@@ -137,6 +137,10 @@ struct Level {
     return {std::ranges::lower_bound(switches, segment, {}, &MoverSwitch::segment),
             std::ranges::upper_bound(switches, segment, {}, &MoverSwitch::segment)};
   }
+  /// Whether some wall starts a mover.
+  bool hasSwitch(std::size_t mover) const {
+    return std::ranges::find(switches, mover, &MoverSwitch::mover) != switches.end();
+  }
 
   std::span<const Segment> segmentsOf(const Sector& sector) const {
     return {&segments[sector.firstSegment.index()], sector.segmentCount};

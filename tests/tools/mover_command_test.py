@@ -127,12 +127,21 @@ class Movers(unittest.TestCase):
     def test_are_listed_by_info(self):
         info = json.loads(self.run_hearth("info", self.level, "--json", "--mover", "gate=1").stdout)
         self.assertEqual(info["movers"][0], {"name": "gate", "part": "ceiling", "from": 0, "to": 2.5, "speed": 1.5,
-                                             "trigger": "use", "sectors": 1, "share": 1, "wait": 3})
+                                             "trigger": "use", "startedByWalls": False, "sectors": 1, "share": 1, "wait": 3})
         self.assertEqual([mover["share"] for mover in info["movers"]], [1, 0])
         self.assertNotIn("blendedLight", info)
         self.assertEqual(info["features"]["mover"], 2)
         text = self.run_hearth("info", self.level).stdout
         self.assertRegex(text, r"\ngate +ceiling +0 +2.5 +1.5 +3 +use +1 +0\n")
+        self.assertRegex(text, r"\nlift = 1 +floor +0 +1 +1.5 +- +none +1 +0\n")
+
+    def test_are_said_to_be_started_by_walls(self):
+        movers = {"gate": GATE["gate"] | {"trigger": "none"}}
+        switched = level(movers=movers)
+        switched["sectors"]["hall"]["loops"]["border"]["walls"][0] = SOLID | {"use": "gate"}
+        path = self.write("switched", switched)
+        self.assertRegex(self.run_hearth("info", path).stdout, r"\ngate +ceiling +0 +2.5 +1.5 +3 +wall +1 +0\n")
+        self.assertTrue(json.loads(self.run_hearth("info", path, "--json").stdout)["movers"][0]["startedByWalls"])
 
     def test_have_the_error_of_their_light_told_by_info(self):
         info = json.loads(self.run_hearth("info", self.level, "--json", "--mover", "gate=0.5").stdout)["blendedLight"]

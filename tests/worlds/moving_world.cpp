@@ -41,7 +41,7 @@ void checkAccount(const doom::Map& map, const Level& level, MovingWorld& world) 
     if (map.lines[i].special != 0) specials.push_back(i);
   if (told != specials) world.errors.emplace_back("lines are not told of once each");
   for (std::size_t i = 0; i < level.movers.size(); ++i)
-    if (std::ranges::find(level.switches, i, &MoverSwitch::mover) == level.switches.end())
+    if (!level.hasSwitch(i))
       world.errors.push_back(fmt::format("nothing starts {}", level.movers[i].name));
 }
 

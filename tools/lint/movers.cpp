@@ -6,15 +6,6 @@
 
 namespace hearth {
 
-namespace {
-
-bool isStarted(const Level& level, std::size_t mover) {
-  return level.movers[mover].trigger != MoverTrigger::None ||
-         std::ranges::find(level.switches, mover, &MoverSwitch::mover) != level.switches.end();
-}
-
-}  // namespace
-
 void findIdleMovers(const LintedLevel& linted, Findings& findings) {
   const Level& level = linted.level();
   if (level.movers.empty()) return;
@@ -22,7 +13,7 @@ void findIdleMovers(const LintedLevel& linted, Findings& findings) {
   for (std::size_t i = 0; i < level.movers.size(); ++i) {
     const Mover& mover = level.movers[i];
     const MoverDescription& described = linted.source.level.movers[i];
-    if (!isStarted(level, i))
+    if (mover.trigger == MoverTrigger::None && !level.hasSwitch(i))
       findings.add(FindingKind::IdleMover, described.place,
                    fmt::format("nothing starts mover \"{}\"", mover.name),
                    "give it a \"trigger\", or name it in \"use\" or \"cross\" of a wall");

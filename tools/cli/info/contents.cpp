@@ -13,7 +13,8 @@ std::vector<MoverContents> moverContents(const LoadedLevel& authored,
   for (const Mover& mover : authored.level.movers) {
     const Sector& first = authored.level[mover.sectors.front()];
     const double from = mover.part == FlatPart::Floor ? first.floor.z : first.ceiling.z;
-    contents.push_back({mover, from, shares[contents.size()]});
+    const std::size_t index = contents.size();
+    contents.push_back({mover, from, shares[index], authored.level.hasSwitch(index)});
   }
   return contents;
 }

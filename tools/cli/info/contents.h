@@ -19,6 +19,7 @@ struct MoverContents {
   Mover mover;
   double from;  ///< its height at share 0
   double share;
+  bool hasSwitch;  ///< some wall starts it
 };
 
 /// What a level holds, and what drawing it needs.

@@ -57,13 +57,14 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
 }
 
 nlohmann::ordered_json toJson(const MoverContents& contents) {
-  const auto& [mover, from, share] = contents;
+  const auto& [mover, from, share, hasSwitch] = contents;
   nlohmann::ordered_json object{{"name", mover.name},
                                 {"part", name(mover.part)},
                                 {"from", from},
                                 {"to", mover.to},
                                 {"speed", mover.speed},
                                 {"trigger", name(mover.trigger)},
+                                {"startedByWalls", hasSwitch},
                                 {"sectors", mover.sectors.size()},
                                 {"share", share}};
   if (mover.wait) object["wait"] = *mover.wait;

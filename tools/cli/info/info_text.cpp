@@ -28,14 +28,19 @@ std::string numberOrDash(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "-";
 }
 
+/// What starts it.
+std::string_view startOf(const Mover& mover, bool hasSwitch) {
+  return mover.trigger == MoverTrigger::None && hasSwitch ? "wall" : name(mover.trigger);
+}
+
 void printMovers(const Contents& contents) {
   if (contents.movers.empty()) return;
   fmt::print("\n{:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>8} {:>6}\n", "movers", "moves",
              "from, m", "to, m", "m/s", "wait, s", "starts", "sectors", "share");
-  for (const auto& [mover, from, share] : contents.movers)
+  for (const auto& [mover, from, share, hasSwitch] : contents.movers)
     fmt::print("{:<24} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>8} {:>6}\n", mover.name,
                name(mover.part), from, mover.to, mover.speed, numberOrDash(mover.wait),
-               name(mover.trigger), mover.sectors.size(), share);
+               startOf(mover, hasSwitch), mover.sectors.size(), share);
   if (!contents.blend) return;
   const LightDifference& blend = *contents.blend;
   const double percent = blend.texels == 0 ? 0
