@@ -62,7 +62,7 @@ std::vector<TexelRect> rectsOfFaces(const LitMesh& mesh) {
 }
 
 void runEach(std::size_t count, Workers* workers, const std::function<void(std::size_t)>& work) {
-  if (workers) return workers->run(count, work);
+  if (workers && count > 1) return workers->run(count, work);  // else it would only wake them
   for (std::size_t i = 0; i < count; ++i) work(i);
 }
 
