@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,103 +18,85 @@ namespace hearth {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kDoors = 20;  ///< half of them on each side of the hall
 constexpr int kFrames = 24;
 
+/// A corner of a sector, and what its wall leads to; empty where that is solid.
+struct Corner {
+  double x;
+  double y;
+  std::string next;
+};
+
+/// The same on the other side of a hall 10 m wide.
+std::vector<Corner> mirrored(const std::vector<Corner>& corners) {
+  std::vector<Corner> others;
+  for (std::size_t i = corners.size(); i > 0; --i) {
+    const Corner& corner = corners[i - 1];
+    // Walls begin at the corner where they ended.
+    const Corner& begin = corners[(i + corners.size() - 2) % corners.size()];
+    others.push_back({corner.x, 10 - corner.y, begin.next});
+  }
+  return others;
+}
+
+Json sectorOf(const std::vector<Corner>& corners, double ceiling) {
+  Json points = Json::array();
+  Json walls = Json::array();
+  for (const Corner& corner : corners) {
+    points.insert(points.end(), {corner.x, corner.y});
+    walls.push_back(corner.next.empty() ? Json{{"texture", "#908070"}}
+                                        : Json{{"next", corner.next}, {"texture", "#705030"}});
+  }
+  return {{"floor", {{"texture", "#707070"}}},
+          {"ceiling", {{"z", ceiling}, {"texture", "#909090"}}},
+          {"loops", {{"border", {{"v", points}, {"walls", walls}}}}}};
+}
+
 /// A hall of 44 m, doors of 2 m along both of its long walls, and a cell with a lamp behind each.
-class HallOfDoors {
- public:
-  std::string level() {
-    std::string south;
-    std::string north;
-    for (int i = 0; i < kDoors / 2; ++i) {
-      south += corner(3.0 + 4 * i, 0, doorName(i, 0)) + corner(5.0 + 4 * i, 0, "");
-      north += corner(41.0 - 4 * i, 10, doorName(9 - i, 1)) + corner(39.0 - 4 * i, 10, "");
-      addCell(i, 0, 0, -1);
-      addCell(i, 1, 10, 1);
-    }
-    const std::string hall = corner(0, 0, "") + south + corner(44, 0, "") + corner(44, 10, "") +
-                             north + corner(0, 10, "");
-    addSector("hall", hall, 5);
-    return fmt::format(R"({{"light":0.1,"player":{{"x":1,"y":5,"z":1.7,"angle":0}},
-"movers":{{{}}},"sectors":{{{}}}}})",
-                       movers_, sectors_);
-  }
-
-  static std::string lights() {
-    std::string lights;
-    for (int i = 0; i < kDoors / 2; ++i)
-      for (const double y : {-2.5, 5.0, 12.5})
-        lights += fmt::format(R"({}{{"x":{},"y":{},"z":2.6,"curve":[[0,220],[9,0]]}})",
-                              lights.empty() ? "" : ",", 4 + 4 * i, y);
-    return fmt::format(R"({{"lights":[{}]}})", lights);
-  }
-
- private:
-  static std::string doorName(int i, int side) { return fmt::format("door {} {}", i, side); }
-
-  /// A corner, and what its wall leads to.
-  static std::string corner(double x, double y, const std::string& next) {
-    return fmt::format("{},{},{};", x, y, next);
-  }
-
-  void addCell(int i, int side, double y, double out) {
-    const std::string door = doorName(i, side);
-    const std::string cell = fmt::format("cell {} {}", i, side);
+Json hallOfDoors() {
+  Json movers = Json::object();
+  Json sectors = Json::object();
+  std::vector<Corner> hall{{0, 0, ""}};
+  std::vector<Corner> south;  // whose walls follow from east to west
+  for (int i = 0; i < kDoors / 2; ++i) {
     const double west = 3 + 4 * i;
     const double east = west + 2;
-    const double outer = y + 0.4 * out;
-    // Clockwise on the plan, where y grows down.
-    if (out < 0) {
-      addSector(door,
-                corner(west, outer, cell) + corner(east, outer, "") + corner(east, y, "hall") +
-                    corner(west, y, ""),
-                0);
-      addSector(cell,
-                corner(west - 0.8, y - 5, "") + corner(east + 0.8, y - 5, "") +
-                    corner(east + 0.8, outer, "") + corner(east, outer, door) +
-                    corner(west, outer, "") + corner(west - 0.8, outer, ""),
-                3);
-    } else {
-      addSector(door,
-                corner(west, y, "hall") + corner(east, y, "") + corner(east, outer, cell) +
-                    corner(west, outer, ""),
-                0);
-      addSector(cell,
-                corner(west - 0.8, outer, "") + corner(west, outer, door) +
-                    corner(east, outer, "") + corner(east + 0.8, outer, "") +
-                    corner(east + 0.8, y + 5, "") + corner(west - 0.8, y + 5, ""),
-                3);
+    for (const std::string side : {"north", "south"}) {
+      const std::string door = fmt::format("{} door {}", side, i);
+      const std::string cell = fmt::format("{} cell {}", side, i);
+      const std::vector<Corner> frame{
+          {west, -0.4, cell}, {east, -0.4, ""}, {east, 0, "hall"}, {west, 0, ""}};
+      const std::vector<Corner> room{{west - 0.8, -5, ""},   {east + 0.8, -5, ""},
+                                     {east + 0.8, -0.4, ""}, {east, -0.4, door},
+                                     {west, -0.4, ""},       {west - 0.8, -0.4, ""}};
+      const bool isNorth = side == "north";
+      sectors[door] = sectorOf(isNorth ? frame : mirrored(frame), 0);
+      sectors[cell] = sectorOf(isNorth ? room : mirrored(room), 3);
+      movers[door] = {{"sectors", door}, {"part", "ceiling"}, {"to", 2.6}};
     }
-    movers_ += fmt::format(R"({}"{}":{{"sectors":"{}","part":"ceiling","to":2.6}})",
-                           movers_.empty() ? "" : ",", door, door);
+    hall.insert(hall.end(), {{west, 0, fmt::format("north door {}", i)}, {east, 0, ""}});
+    south.insert(south.begin(), {{east, 10, fmt::format("south door {}", i)}, {west, 10, ""}});
   }
+  hall.insert(hall.end(), {{44, 0, ""}, {44, 10, ""}});
+  hall.insert(hall.end(), south.begin(), south.end());
+  hall.push_back({0, 10, ""});
+  sectors["hall"] = sectorOf(hall, 5);
+  return {{"light", 0.1},
+          {"player", {{"x", 1}, {"y", 5}, {"z", 1.7}, {"angle", 0}}},
+          {"movers", std::move(movers)},
+          {"sectors", std::move(sectors)}};
+}
 
-  void addSector(const std::string& name, std::string corners, double ceiling) {
-    std::string points;
-    std::string walls;
-    for (std::size_t end = 0; (end = corners.find(';')) != std::string::npos;
-         corners.erase(0, end + 1)) {
-      const std::string one = corners.substr(0, end);
-      const std::size_t comma = one.rfind(',');
-      const std::string next = one.substr(comma + 1);
-      if (!points.empty()) {
-        points += ',';
-        walls += ',';
-      }
-      points += one.substr(0, comma);
-      walls += next.empty() ? R"({"texture":"#908070"})"
-                            : fmt::format(R"({{"next":"{}","texture":"#705030"}})", next);
-    }
-    sectors_ += fmt::format(
-        R"({}"{}":{{"floor":{{"texture":"#707070"}},"ceiling":{{"z":{},"texture":"#909090"}},
-"loops":{{"border":{{"v":[{}],"walls":[{}]}}}}}})",
-        sectors_.empty() ? "" : ",\n", name, ceiling, points, walls);
-  }
-
-  std::string movers_;
-  std::string sectors_;
-};
+Json lampsOfDoors() {
+  Json lamps = Json::array();
+  for (int i = 0; i < kDoors / 2; ++i)
+    for (const double y : {-2.5, 5.0, 12.5})
+      lamps.push_back({{"x", 4 + 4 * i}, {"y", y}, {"z", 2.6}, {"curve", {{0, 220}, {9, 0}}}});
+  return lamps;
+}
 
 /// The level with the light of all states that its doors pass, one after the other.
 struct Doors {
@@ -156,10 +139,9 @@ tl::expected<std::shared_ptr<Doors>, std::string> doorsOf(const std::filesystem:
 }  // namespace
 
 Prepared prepareMovingDoors(PeerInputs& inputs) {
-  HallOfDoors hall;
   const std::filesystem::path file = inputs.folder() / "doors.json";
-  std::ofstream(file) << hall.level();
-  std::ofstream(inputs.folder() / "doors.lights.json") << HallOfDoors::lights();
+  std::ofstream(file) << hallOfDoors();
+  std::ofstream(inputs.folder() / "doors.lights.json") << lampsOfDoors();
   return doorsOf(file).map([&inputs](const std::shared_ptr<Doors>& doors) -> Measure {
     return [doors, &inputs] {
       const Player& player = *doors->authored.level.player;

@@ -73,6 +73,7 @@ Prepared prepareMazePeak(PeerInputs& inputs);
 /// Rays that a bake traces in a second, on one thread, in a hall of 10,000 walls, over those in one
 /// of 100; millions of both.
 Prepared prepareWallRays(PeerInputs& inputs);
+/// A frame of a hall while 20 doors move, over drawing it alone; ms of moving and of drawing.
 Prepared prepareMovingDoors(PeerInputs& inputs);
 /// Memory of a bake over what it may take; MB of both.
 Prepared prepareCastlePeak(PeerInputs& inputs);
