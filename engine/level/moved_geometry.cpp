@@ -46,10 +46,11 @@ void MovedGeometry::setShare(std::size_t mover, double share) {
     moved_.push_back({sector, heights});
   }
   moveFlats(*level_, moved_, geometry_);
-  for (const Rider& rider : std::ranges::equal_range(riders_, mover, {}, &Rider::mover)) {
-    Sprite& sprite = own_->sprites[rider.sprite];
+  auto rider = std::ranges::lower_bound(riders_, mover, {}, &Rider::mover);
+  for (; rider != riders_.end() && rider->mover == mover; ++rider) {
+    Sprite& sprite = own_->sprites[rider->sprite];
     sprite.position.z = height;
-    if (rider.body) stand(own_->bodies[*rider.body], sprite);
+    if (rider->body) stand(own_->bodies[*rider->body], sprite);
   }
 }
 

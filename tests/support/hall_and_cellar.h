@@ -8,13 +8,14 @@ namespace hearth::test {
 
 /// The text of a level: a lit hall, a cellar without a lamp and a door between them, which opens by
 /// the use key and stays open; and in the hall a lift that the player starts by stepping on it. The
-/// player stands in the hall and looks at the door.
-inline std::string hallAndCellarText() {
+/// player stands in the hall and looks at the door. `things` is a list of them.
+inline std::string hallAndCellarText(const std::string& things = "[]") {
   const std::string solid = "{'texture':'#808080'}";
   const std::string toDoor = "{'next':'door','texture':'#604020'}";
   const std::string toHall = "{'next':'hall','texture':'#604020'}";
   const std::string toLift = "{'next':'lift','texture':'#604020'}";
-  return "{'player': {'x':3,'y':2,'z':1.6,'angle':0},"
+  return "{'player': {'x':3,'y':2,'z':1.6,'angle':0}, 'things': " + things +
+         ","
          " 'movers': {'gate': {'sectors':'door','part':'ceiling','to':2,'trigger':'use'},"
          "            'lift': {'sectors':'lift','part':'floor','to':1,'trigger':'enter',"
          "                     'zones':'lift'}},"
@@ -37,8 +38,8 @@ inline std::string hallAndCellarText() {
 inline constexpr std::string_view kHallLights =
     "[{'x':2,'y':2,'z':1.5,'intensity':200,'falloff':0.25}]";
 
-inline SourcedResult hallAndCellar() {
-  return levelWithSourceFrom(hallAndCellarText(), kHallLights);
+inline SourcedResult hallAndCellar(const std::string& things = "[]") {
+  return levelWithSourceFrom(hallAndCellarText(things), kHallLights);
 }
 
 }  // namespace hearth::test

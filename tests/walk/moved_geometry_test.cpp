@@ -15,13 +15,10 @@ enum Movers { Gate, Lift };
 /// With a barrel, which is solid, on the lift, a lamp that hangs above it, and a barrel in the
 /// hall.
 SourcedResult hallWithBarrels() {
-  std::string text = test::hallAndCellarText();
-  const std::string barrel = "'sprite':'#604020','size':[0.5,0.9],'radius':0.25,'height':0.9";
-  text.insert(text.find("'movers'"), "'things':[{" + barrel +
-                                         ",'x':2,'y':1},{'sprite':'#ffff80','size':[0.2,0.2],"
-                                         "'x':-1,'y':2,'z':2.5},{" +
-                                         barrel + ",'x':-1,'y':2}],");
-  return test::levelWithSourceFrom(text, test::kHallLights);
+  const std::string barrel = "{'sprite':'#604020','size':[0.5,0.9],'radius':0.25,'height':0.9,";
+  return test::hallAndCellar("[" + barrel + "'x':2,'y':1}," +
+                             "{'sprite':'#ffff80','size':[0.2,0.2],'x':-1,'y':2,'z':2.5}," +
+                             barrel + "'x':-1,'y':2}]");
 }
 
 void expectThingsAsIn(const Level& expected, const Level& level) {

@@ -59,7 +59,7 @@ WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& se
 
 void WalkLoop::continueIn(const Scene& scene, const Renderer& renderer,
                           std::shared_ptr<const LevelSource> source) {
-  moved_ = movedViewOf(scene, renderer);
+  const auto before = std::exchange(moved_, movedViewOf(scene, renderer));  // is still shown
   scene_ = moved_ ? moved_->scene() : scene;
   source_ = std::move(source);
   screen_.continueIn(scene_, moved_ ? moved_->renderer() : renderer);
