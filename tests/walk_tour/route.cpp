@@ -5,7 +5,8 @@
 #include <limits>
 #include <queue>
 #include <utility>
-#include <variant>
+
+#include "worlds/reach.h"
 
 namespace hearth::test {
 
@@ -14,84 +15,6 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Vec2 middleOf(const Segment& segment) { return lerp(segment.p0, segment.p1, 0.5); }
-
-/// Spreads from the start through what can be passed, then starts all movers whose switches it has
-/// come to, and so on. So it comes to every sector with as few movers as it can.
-class Spread {
- public:
-  Spread(const Level& level, const worlds::Passages& passages)
-      : level_(level),
-        passages_(passages),
-        isStarted_(level.movers.size()),
-        switchSectors_(level.movers.size()),
-        arrivals_(level.sectors.size()),
-        isReached_(level.sectors.size()) {
-    for (std::size_t i = 0; i < isStarted_.size(); ++i)
-      isStarted_[i] = level.movers[i].trigger == MoverTrigger::Loop;
-    isReached_[level.player->sector.index()] = true;
-    while (goOn() || startMovers()) {
-    }
-  }
-
-  bool reaches(SectorId sector) const { return isReached_[sector.index()]; }
-
-  std::vector<std::size_t> moversTo(SectorId sector) {
-    plan(sector);
-    return std::move(planned_);
-  }
-
- private:
-  struct Arrival {
-    SectorId from;
-    std::vector<std::size_t> movers;
-  };
-
-  /// Whether there is more than before.
-  bool goOn() {
-    bool isMore = false;
-    for (const Segment& segment : level_.segments) {
-      const Portal* portal = std::get_if<Portal>(&segment.wall);
-      if (!portal || !reaches(segment.sector) || reaches(portal->next)) continue;
-      auto movers = passages_.moversToPass(segment.sector, portal->next, isStarted_);
-      if (!movers) continue;
-      isReached_[portal->next.index()] = isMore = true;
-      arrivals_[portal->next.index()] = Arrival{segment.sector, std::move(*movers)};
-    }
-    return isMore;
-  }
-
-  bool startMovers() {
-    bool isMore = false;
-    for (std::size_t i = 0; i < isStarted_.size(); ++i) {
-      if (isStarted_[i]) continue;
-      for (const Spot& spot : spotsToStart(level_, i))
-        if (!isStarted_[i] && reaches(spot.sector)) {
-          isStarted_[i] = isMore = true;
-          switchSectors_[i] = spot.sector;
-        }
-    }
-    return isMore;
-  }
-
-  void plan(SectorId sector) {
-    const std::optional<Arrival>& arrival = arrivals_[sector.index()];
-    if (!arrival) return;
-    plan(arrival->from);
-    for (const std::size_t mover : arrival->movers) {
-      if (!switchSectors_[mover] || std::ranges::find(planned_, mover) != planned_.end()) continue;
-      plan(*switchSectors_[mover]);
-      planned_.push_back(mover);
-    }
-  }
-
-  const Level& level_;
-  const worlds::Passages& passages_;
-  std::vector<bool> isStarted_;                         ///< by mover
-  std::vector<std::optional<SectorId>> switchSectors_;  ///< by mover; none of loops
-  std::vector<std::optional<Arrival>> arrivals_;        ///< by sector; none of the first
-  std::vector<bool> isReached_;                         ///< by sector
-  std::vector<std::size_t> planned_;
-};
 
 }  // namespace
 
@@ -104,27 +27,24 @@ Vec2 nearestOf(const Segment& segment, Vec2 p) {
 std::optional<std::vector<std::size_t>> moversOnTheWay(const Level& level,
                                                        const worlds::Passages& passages,
                                                        const std::vector<Spot>& spots) {
-  Spread spread(level, passages);
+  const worlds::Reach reach(level, passages);
   for (const Spot& spot : spots)
-    if (spread.reaches(spot.sector)) return spread.moversTo(spot.sector);
+    if (reach.comesTo(spot.sector)) return reach.moversTo(spot.sector);
   return std::nullopt;
 }
 
 std::vector<Spot> spotsAt(const Level& level, SectorId sector, Vec2 place) {
-  std::vector<Spot> spots{{sector, place}};
-  for (const SegmentId entrance : level.entrancesOf(level[sector]))
-    spots.push_back({level[entrance].sector, place});
+  std::vector<Spot> spots;
+  for (const SectorId each : worlds::sectorsToUse(level, sector)) spots.push_back({each, place});
   return spots;
 }
 
 std::vector<Spot> spotsToStart(const Level& level, std::size_t mover) {
   std::vector<Spot> spots;
-  for (const MoverSwitch& each : level.switches) {
-    if (each.mover != mover) continue;
-    const Segment& segment = level[each.segment];
-    const std::vector<Spot> more = spotsAt(level, segment.sector, middleOf(segment));
-    spots.insert(spots.end(), more.begin(), each.isCrossed ? more.begin() + 1 : more.end());
-  }
+  for (const MoverSwitch& each : level.switches)
+    if (each.mover == mover)
+      for (const SectorId sector : worlds::sectorsToStart(level, each))
+        spots.push_back({sector, middleOf(level[each.segment])});
   return spots;
 }
 

@@ -58,12 +58,12 @@ std::vector<Vec2> placesBefore(const doom::Map& map, const doom::Line& line,
   return {middle + before};
 }
 
-bool isReached(const Level& level, const std::vector<bool>& reached, const doom::LineType& type,
+bool isReached(const Level& level, const Reach& reach, const doom::LineType& type,
                const std::vector<Vec2>& places) {
   for (std::size_t i = 0; i < level.sectors.size(); ++i) {
     const bool counts = type.activation == doom::Activation::Walk
-                            ? reached[i]
-                            : mayUseWallsOf(level, SectorId(i), reached);
+                            ? reach.comesTo(SectorId(i))
+                            : reach.mayUseWallsOf(SectorId(i));
     if (counts &&
         std::ranges::any_of(places, [&](Vec2 p) { return contains(level, level.sectors[i], p); }))
       return true;
@@ -72,13 +72,15 @@ bool isReached(const Level& level, const std::vector<bool>& reached, const doom:
 }
 
 std::optional<bool> isExitReached(const doom::Map& map, const Level& level) {
-  const std::vector<bool> reached = reachedSectors(level);
+  if (!level.player) return std::nullopt;
+  const Passages passages(level, level.player->stepHeight);
+  const Reach reach(level, passages);
   std::optional<bool> isAnyReached;
   for (const doom::Line& line : map.lines) {
     const doom::LineType* type = doom::findLineType(line.special);
     if (!type || type->kind != LineKind::Exit) continue;
     isAnyReached = isAnyReached.value_or(false) ||
-                   isReached(level, reached, *type, placesBefore(map, line, *type));
+                   isReached(level, reach, *type, placesBefore(map, line, *type));
   }
   return isAnyReached;
 }

@@ -41,6 +41,14 @@ Level row(Heights middle, double chamberFloor, const std::string& mover, const s
       .level;
 }
 
+Reached reachedSectors(const Level& level) {
+  const Passages passages(level, level.player->stepHeight);
+  const Reach reach(level, passages);
+  Reached reached;
+  for (const Sector& sector : level.sectors) reached.push_back(reach.comesTo(sector.id));
+  return reached;
+}
+
 TEST(Reach, goesThroughDoorsThatAreOpened) {
   const std::string door = "'door': {'sectors': 'middle', 'part': 'ceiling', 'to': 3}";
   EXPECT_EQ(reachedSectors(row({0, 0}, 0, door, ", 'use': 'door'")), (Reached{true, true, true}));
@@ -56,9 +64,19 @@ TEST(Reach, goesUpWithLifts) {
 
 TEST(Reach, usesWallsFromBeside) {
   const Level level = row({2, 7}, 2, "", "");
-  const Reached reached = reachedSectors(level);
-  EXPECT_TRUE(mayUseWallsOf(level, SectorId(1), reached));
-  EXPECT_FALSE(mayUseWallsOf(level, SectorId(2), reached));
+  const Passages passages(level, level.player->stepHeight);
+  const Reach reach(level, passages);
+  EXPECT_TRUE(reach.mayUseWallsOf(SectorId(1)));
+  EXPECT_FALSE(reach.mayUseWallsOf(SectorId(2)));
+}
+
+TEST(Reach, tellsWhichMoversMustBeStarted) {
+  const std::string door = "'door': {'sectors': 'middle', 'part': 'ceiling', 'to': 3}";
+  const Level level = row({0, 0}, 0, door, ", 'use': 'door'");
+  const Passages passages(level, level.player->stepHeight);
+  const Reach reach(level, passages);
+  EXPECT_EQ(reach.moversTo(SectorId(0)), std::vector<std::size_t>{});
+  EXPECT_EQ(reach.moversTo(SectorId(2)), std::vector<std::size_t>{0});
 }
 
 }  // namespace
