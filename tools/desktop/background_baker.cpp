@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "inputs/inputs.h"
+#include "inputs/moved_light.h"
 #include "measure/level_bench.h"
 #include "settings/settings.h"
 
@@ -245,9 +246,9 @@ std::optional<BakedLight> BackgroundBaker::finish(Rebake& rebake, const std::sto
 void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::stop_token& stop) {
   if (!source_ || shares.size() != current_->level.movers.size()) return;
   const OptionValues values = options();
-  LoadResult moved = levelAt(*current_, *source_, shares, limitsFrom(values));
-  if (!moved.loaded) return refuse(format(moved.diagnostics.front()));
-  const Scene scene = moved.loaded->scene();
+  auto moved = loadedAt(*current_, *source_, shares, values);
+  if (!moved) return refuse(moved.error());
+  const Scene scene = moved->scene();
   const auto cache =
       values.has(Option::NoCache) || unsavedLights() ? std::nullopt : BakeCache::ofUser();
   auto light = cache ? cache->find(scene, litBy_) : std::nullopt;
@@ -258,7 +259,7 @@ void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::
     if (cache) cache->keep(scene, litBy_, *light);
   }
   tell({.rest = std::make_shared<const RestLight>(
-            RestLight{shares, std::move(moved.loaded->geometry), *std::move(light)}),
+            RestLight{shares, std::move(moved->geometry), *std::move(light)}),
         .restOf = current_});
 }
 

@@ -82,7 +82,7 @@ tl::expected<BakedLight, std::string> MovedLight::at(const LoadedLevel& shown,
   for (std::size_t i = 0; i < states.count(); ++i) {
     const auto rest = atRest(states.shares(i));
     if (!rest) return tl::unexpected(rest.error());
-    lights.push_back({(*rest)->level.scene(), &(*rest)->light});
+    lights.push_back({{authored_.level, (*rest)->geometry}, &(*rest)->light});
   }
   return blendedLight(shown.scene(), settings->texel, lights, states.weights(),
                       threadsFrom(values_));
@@ -95,7 +95,8 @@ tl::expected<const MovedLight::AtRest*, std::string> MovedLight::atRest(
   if (!level) return tl::unexpected(level.error());
   auto light = lightFor(level->scene(), values_);
   if (!light) return tl::unexpected(light.error());
-  const auto [rest, isNew] = rests_.emplace(shares, AtRest{*std::move(level), *std::move(light)});
+  const auto [rest, isNew] =
+      rests_.emplace(shares, AtRest{std::move(level->geometry), *std::move(light)});
   return &rest->second;
 }
 

@@ -41,7 +41,7 @@ class MovedLight {
 
  private:
   struct AtRest {
-    LoadedLevel level;
+    Geometry geometry;
     BakedLight light;
   };
   tl::expected<const AtRest*, std::string> atRest(const std::vector<double>& shares);
