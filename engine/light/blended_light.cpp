@@ -80,6 +80,12 @@ TexelRect rectOn(const LitSurface& to, const LitSurface& from, const TexelRect& 
   return texelsAround({&corners, 1});
 }
 
+double sumOf(std::span<const double> weights, std::span<const std::size_t> states) {
+  double sum = 0;
+  for (const std::size_t state : states) sum += weights[state];
+  return sum;
+}
+
 constexpr StateTexels::Corners kUnit{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};
 
 /// Where these points of one surface lie on another, where all is `rise` metres higher.
@@ -165,11 +171,12 @@ void BlendedLight::setLight(SurfaceId id) {
 }
 
 BlendedLight::Blend BlendedLight::blendOf(SurfaceId id) const {
-  Blend blend{id, {}};
+  Blend blend{id, {}, {}};
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const auto& map = states_[i].light->lightmaps[id.index()];
-    if (!map) continue;
     const auto& lit = states_[i].light->surfaces[id.index()];
+    if (lit || isThing(states_[i].scene[id].kind)) blend.shownIn.push_back(i);
+    if (!map) continue;
     const std::optional<double> edge = edgeHeight(states_[i].scene, id);
     const auto same = std::ranges::find_if(blend.sources, [&](const Source& source) {
       return source.edge == edge &&
@@ -237,10 +244,10 @@ void BlendedLight::blend(const Scene& shown, std::span<const double> weights, Wo
 void BlendedLight::blendSurface(const Scene& shown, std::span<const double> weights, Blend& blend) {
   const std::optional<LitSurface>& lit = light_.surfaces[blend.surface.index()];
   const std::optional<double> edge = edgeHeight(shown, blend.surface);
+  const double all = sumOf(weights, blend.shownIn);
   blend.texels.clear();
   for (const Source& source : blend.sources) {
-    double weight = 0;
-    for (const std::size_t state : source.states) weight += weights[state];
+    const double weight = sumOf(weights, source.states) / all;
     if (!(weight > 0)) continue;
     const double rise = edge ? *source.edge - *edge : 0;
     if (!lit)

@@ -23,7 +23,8 @@ struct LightAtRest {
 /// heights of flats, and in what stands on these. A texel of a step moves with the flat whose edge
 /// the step is: the next sector's floor below an opening, its ceiling above one. All other texels
 /// of walls stay in place. Where a texel lies beyond the surface in a state, it takes the nearest
-/// light of the surface there; a surface that does not show in a state is dark in it.
+/// light of the surface there. A surface that does not show in a state takes its light from the
+/// others.
 class BlendedLight {
  public:
   /// From now on the light of these, baked with texels of one size. At least one.
@@ -51,6 +52,7 @@ class BlendedLight {
   /// A surface whose light differs between states.
   struct Blend {
     SurfaceId surface;
+    std::vector<std::size_t> shownIn;  ///< states; all of a thing
     std::vector<Source> sources;
     std::vector<StateTexels> texels = {};  ///< room for those of `sources`
   };
