@@ -19,6 +19,7 @@
 #include "light/baking/texel_sums.h"
 #include "light/kept_light.h"
 #include "light/light_fingerprints.h"
+#include "math/check.h"
 #include "math/parallel.h"
 
 namespace hearth {
@@ -28,6 +29,11 @@ LightMemory::LightMemory(std::size_t maxBytes) : kept_(std::make_unique<Kept>())
 }
 
 LightMemory::~LightMemory() = default;
+
+void LightMemory::keepBakes(std::size_t count) {
+  CHECK(count > 0, count);
+  kept_->maxBakes = count;
+}
 
 std::size_t LightMemory::bytes() const { return kept_->bytes; }
 
@@ -47,18 +53,18 @@ class Rebake::Baker {
 
   /// What is known of a surface, and what is not.
   struct Plan {
-    std::shared_ptr<const Surface> old;  ///< if it was lit before, on surfaces that are still there
-    std::vector<std::size_t> facing;     ///< lights
+    std::shared_ptr<const Surface> same;  ///< if it was lit so before
+    std::vector<std::size_t> facing;      ///< lights
     std::vector<std::shared_ptr<const Contribution>>
         known;                      ///< of these; null where it is left to find
     std::vector<std::size_t> left;  ///< lights without a known contribution
-
-    bool isUnchanged() const { return old && known == old->contributions; }
+    std::vector<Number> samplesOn;  ///< surfaces, for what is known
   };
 
   void findNumbers();
   bool areThere(const std::vector<Number>& numbers) const;
   Plan planFor(SurfaceId id) const;
+  void takeKnown(const Surface& old, Plan& plan) const;
   std::shared_ptr<const Mesh> knownMesh(std::uint32_t mesh) const;
   std::vector<std::size_t> byFallingWork() const;
   std::size_t lightsAtOnce(SurfaceId id) const;
@@ -77,7 +83,8 @@ class Rebake::Baker {
                                                      const std::stop_token& stop) const;
   BakedLight collect(std::span<const std::shared_ptr<const Surface>> lit,
                      std::span<const std::shared_ptr<const Mesh>> meshes) const;
-  void remember(std::span<const std::shared_ptr<const Surface>> lit);
+  void remember(std::span<const std::shared_ptr<const Surface>> surfaces,
+                std::span<const std::shared_ptr<const Mesh>> meshes);
   std::optional<Lightmap> draftOf(SurfaceId id, const LightVisibilities& visibilities) const;
   void draftMeshes(const LightVisibilities& visibilities, const BakeSettings& settings,
                    BakedLight& baked) const;
@@ -174,24 +181,44 @@ bool Rebake::Baker::areThere(const std::vector<Number>& numbers) const {
 Rebake::Baker::Plan Rebake::Baker::planFor(SurfaceId id) const {
   Plan plan;
   plan.facing = SurfaceLight(scene_, surfaces_, visibilities_, settings_.lambert, id).facing();
-  const auto old = memory_.surfaces.find(prints_.surfaces[id.index()]);
-  if (old != memory_.surfaces.end() && areThere(old->second->samplesOn)) plan.old = old->second;
-  for (const std::size_t light : plan.facing) {
-    std::shared_ptr<const Contribution> contribution;
-    if (plan.old) contribution = plan.old->contributionOf(prints_.lights[light]);
-    if (contribution && !areThere(contribution->sectors)) contribution = nullptr;
-    if (!contribution) plan.left.push_back(light);
-    plan.known.push_back(std::move(contribution));
+  plan.known.resize(plan.facing.size());
+  for (const LightMemory::Kept::OneBake& bake : memory_.bakes) {
+    const auto old = bake.surfaces.find(prints_.surfaces[id.index()]);
+    if (old == bake.surfaces.end() || !areThere(old->second->samplesOn)) continue;
+    takeKnown(*old->second, plan);
+    if (plan.known == old->second->contributions) {
+      plan.same = old->second;
+      return plan;
+    }
   }
+  for (std::size_t i = 0; i < plan.facing.size(); ++i)
+    if (!plan.known[i]) plan.left.push_back(plan.facing[i]);
   return plan;
+}
+
+/// What a bake before found, on surfaces and through sectors that are there.
+void Rebake::Baker::takeKnown(const Surface& old, Plan& plan) const {
+  bool hasTaken = false;
+  for (std::size_t i = 0; i < plan.facing.size(); ++i) {
+    if (plan.known[i]) continue;
+    auto contribution = old.contributionOf(prints_.lights[plan.facing[i]]);
+    if (!contribution || !areThere(contribution->sectors)) continue;
+    plan.known[i] = std::move(contribution);
+    hasTaken = true;
+  }
+  if (hasTaken)
+    plan.samplesOn.insert(plan.samplesOn.end(), old.samplesOn.begin(), old.samplesOn.end());
 }
 
 /// Null if it was not lit before, or by other lights or through other sectors.
 std::shared_ptr<const LightMemory::Kept::Mesh> Rebake::Baker::knownMesh(std::uint32_t mesh) const {
-  const auto old = memory_.meshes.find(prints_.meshes[mesh]);
-  const bool isKnown = old != memory_.meshes.end() && old->second->lights == lightsOn(mesh) &&
-                       areThere(old->second->sectors);
-  return isKnown ? old->second : nullptr;
+  const std::vector<std::uint64_t> lights = lightsOn(mesh);
+  for (const LightMemory::Kept::OneBake& bake : memory_.bakes) {
+    const auto old = bake.meshes.find(prints_.meshes[mesh]);
+    if (old != bake.meshes.end() && old->second->lights == lights && areThere(old->second->sectors))
+      return old->second;
+  }
+  return nullptr;
 }
 
 /// Prints of those that may shine on a mesh.
@@ -230,10 +257,8 @@ std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
   const bool isWhole =
       std::ranges::all_of(order, [&](std::size_t i) { return surfaces[i] != nullptr; }) &&
       std::ranges::all_of(meshes, [](const auto& mesh) { return mesh != nullptr; });
-  if (isWhole) memory_.clear();
-  remember(surfaces);
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (meshes[i]) memory_.keep(memory_.meshes, prints_.meshes[i], meshes[i]);
+  if (isWhole || memory_.bakes.empty()) memory_.begin();
+  remember(surfaces, meshes);
   if (!isWhole) return std::nullopt;
   return collect(surfaces, meshes);
 }
@@ -259,14 +284,17 @@ std::int64_t Rebake::Baker::texelsOfRounds() const {
 std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
     SurfaceId id, BakeProgress& progress, const std::stop_token& stop) const {
   const Plan& plan = plans_[id.index()];
-  if (plan.isUnchanged()) return plan.old;
+  if (plan.same) return plan.same;
   Surface surface;
   for (const std::size_t light : plan.facing) surface.lights.push_back(prints_.lights[light]);
   surface.contributions = plan.known;
-  if (plan.old) surface.samplesOn = plan.old->samplesOn;
+  surface.samplesOn = plan.samplesOn;
   if (!plan.facing.empty()) {
     const UsedTexels texels(*surfaces_[id.index()], surfaces_[id.index()]->texels);
     if (!plan.left.empty()) findLeft(id, texels, surface, progress, stop);
+    std::ranges::sort(surface.samplesOn);
+    surface.samplesOn.erase(std::unique(surface.samplesOn.begin(), surface.samplesOn.end()),
+                            surface.samplesOn.end());
     TexelSums sums = sumsFor(id);
     for (const auto& contribution : surface.contributions) sums.add(contribution->sums);
     LightmapBuilder map(texels, settings_.samples.value_or(1));
@@ -309,9 +337,6 @@ void Rebake::Baker::findLeft(SurfaceId id, const UsedTexels& texels, Surface& fo
   }
   for (const SurfaceId sought : dependencies.surfaces().sorted())
     found.samplesOn.push_back(surfaceNumbers_[sought.index()]);
-  std::ranges::sort(found.samplesOn);
-  found.samplesOn.erase(std::unique(found.samplesOn.begin(), found.samplesOn.end()),
-                        found.samplesOn.end());
 }
 
 Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
@@ -380,9 +405,13 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
 }
 
 /// As many as there is room for.
-void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> lit) {
-  for (std::size_t i = 0; i < lit.size(); ++i)
-    if (lit[i]) memory_.keep(memory_.surfaces, prints_.surfaces[i], lit[i]);
+void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> surfaces,
+                             std::span<const std::shared_ptr<const Mesh>> meshes) {
+  LightMemory::Kept::OneBake& bake = memory_.bakes.front();
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i]) memory_.keep(bake.surfaces, prints_.surfaces[i], surfaces[i]);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (meshes[i]) memory_.keep(bake.meshes, prints_.meshes[i], meshes[i]);
 }
 
 // --- A draft -------------------------------------------------------------------------------------
@@ -420,7 +449,7 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id,
                                                const LightVisibilities& visibilities) const {
   const Plan& plan = plans_[id.index()];
   if (plan.facing.empty()) return std::nullopt;
-  if (plan.isUnchanged()) return plan.old->lightmap;
+  if (plan.same) return plan.same->lightmap;
   TexelSums sums = sumsFor(id);
   for (const auto& contribution : plan.known)
     if (contribution) sums.add(contribution->sums);

@@ -12,16 +12,21 @@
 
 namespace hearth {
 
-/// The light of each source on each surface, kept from one bake of an edited level to the next.
+/// The light of each source on each surface, kept from one bake of a level to the next: after an
+/// edit, or with its movers elsewhere.
 class LightMemory {
  public:
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
-  /// Keeps no light beyond so many bytes.
+  /// Keeps no light beyond so many bytes: that of the oldest bake is let go of first.
   explicit LightMemory(std::size_t maxBytes = kMaxBytes);
   ~LightMemory();
   LightMemory(const LightMemory&) = delete;
   LightMemory& operator=(const LightMemory&) = delete;
+
+  /// Keeps the light of so many bakes, at least one, from now on; of one at first. What several
+  /// have in common is kept once.
+  void keepBakes(std::size_t count);
 
   std::size_t bytes() const;
 
@@ -32,7 +37,7 @@ class LightMemory {
   std::unique_ptr<Kept> kept_;
 };
 
-/// Bakes a level of which an earlier version may have been baked. The result equals that of `bake`
+/// Bakes a level of which earlier versions may have been baked. The result equals that of `bake`
 /// to the byte, counters included, but only light that a change can affect is computed anew. The
 /// light of a source on a surface is kept while neither of them changes, nor any sector that rays
 /// between them enter. That of all sources on a mesh is kept likewise.

@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "light/saved_bake.h"
 #include "load/load.h"
@@ -107,6 +108,60 @@ TEST_F(RebakeOfRooms, GoesOnFromWhereItWasStopped) {
   EXPECT_EQ(rebake.texelLightsLeft() == 0, isWhole);
   EXPECT_LT(rebake.texelLightsLeft(), all);
   expectSame(scene_, *rebake.finish(), bake(scene_, settings_, kThreads));
+}
+
+TEST_F(RebakeOfRooms, TakesWhatAnyOfTheBakesFoundThatAreKept) {
+  for (const std::size_t bakes : {1U, 2U, 3U}) {
+    LightMemory memory;
+    memory.keepBakes(bakes);
+    std::vector<std::int64_t> left;
+    for (const double rise : {0.0, 0.1, 0.2, 0.0}) {
+      LoadedLevel other = rooms();
+      other.level.lights[0].position.z += rise;
+      Rebake rebake(memory, other.scene(), settings_, kThreads);
+      left.push_back(rebake.texelLightsLeft());
+      expectSame(other.scene(), *rebake.finish(), bake(other.scene(), settings_, kThreads));
+    }
+    EXPECT_GT(left[2], 0);
+    EXPECT_EQ(left[3] == 0, bakes == 3) << bakes;
+  }
+}
+
+TEST_F(RebakeOfRooms, TakesPartsFromSeveralBakes) {
+  memory_.keepBakes(3);
+  for (const auto& [first, second] : {std::pair(0.1, 0.0), {0.0, 0.1}}) {
+    LoadedLevel other = rooms();
+    other.level.lights[0].position.z += first;
+    other.level.lights[1].position.z += second;
+    ASSERT_TRUE(Rebake(memory_, other.scene(), settings_, kThreads).finish());
+  }
+  level_.lights[0].position.z += 0.1;
+  level_.lights[1].position.z += 0.1;
+  Rebake rebake(memory_, scene_, settings_, kThreads);
+  EXPECT_EQ(rebake.texelLightsLeft(), 0);
+  expectSame(scene_, *rebake.finish(), bake(scene_, settings_, kThreads));
+}
+
+TEST_F(RebakeOfRooms, LetsGoOfTheOldestBakeFirstWhereThereIsNoRoom) {
+  ASSERT_TRUE(Rebake(memory_, scene_, settings_, kThreads).finish());
+  LightMemory small(memory_.bytes());
+  small.keepBakes(2);
+  ASSERT_TRUE(Rebake(small, scene_, settings_, kThreads).finish());
+  level_.lights[0].intensity += 1;
+  ASSERT_TRUE(Rebake(small, scene_, settings_, kThreads).finish());
+  EXPECT_LE(small.bytes(), memory_.bytes());
+  EXPECT_EQ(Rebake(small, scene_, settings_, kThreads).texelLightsLeft(), 0);
+  level_.lights[0].intensity -= 1;
+  EXPECT_GT(Rebake(small, scene_, settings_, kThreads).texelLightsLeft(), 0);
+}
+
+TEST_F(RebakeOfRooms, KeepsOnceWhatBakesHaveInCommon) {
+  memory_.keepBakes(4);
+  ASSERT_TRUE(Rebake(memory_, scene_, settings_, kThreads).finish());
+  const std::size_t one = memory_.bytes();
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(Rebake(memory_, scene_, settings_, kThreads).finish());
+  EXPECT_GT(memory_.bytes(), one);
+  EXPECT_LT(memory_.bytes(), 1.1 * static_cast<double>(one)) << "but for the lists of surfaces";
 }
 
 /// Mean difference of texels, in levels.
