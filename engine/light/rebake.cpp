@@ -344,6 +344,8 @@ Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
                                                           const TexelSums& sums,
                                                           LightDependencies& dependencies) const {
   SectorSet& met = dependencies.sectorsOf(light);
+  if (!sums.isDark() || dependencies.isSampleInMesh())
+    for (const SectorId sector : dependencies.sampleSectors().sorted()) met.add(sector);
   addSectorsOf(light, met);
   return {sums.cropped(), surface.costs()[light], numbersOf(met)};
 }

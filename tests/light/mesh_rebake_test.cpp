@@ -38,8 +38,9 @@ struct TwoHalls {
   }
 };
 
-constexpr std::string_view kNearBox = "{'mesh':'box.obj','x':4,'y':4}";
-constexpr std::string_view kFarBox = "{'mesh':'box.obj','x':24,'y':4,'angle':30}";
+// In the air: samples that lie in a mesh make all lights of a sector depend on it.
+constexpr std::string_view kNearBox = "{'mesh':'box.obj','x':4,'y':4,'z':1}";
+constexpr std::string_view kFarBox = "{'mesh':'box.obj','x':24,'y':4,'z':1,'angle':30}";
 
 /// Bakes what has changed; the texels that are left, once for each light.
 std::int64_t rebaked(LightMemory& memory, const LoadedLevel& loaded) {

@@ -11,6 +11,7 @@
 #include "level/mover.h"
 #include "light/bakery.h"
 #include "light/blended_light.h"
+#include "light/rebake.h"
 #include "measure/light_difference.h"
 #include "movers/random_movers.h"
 #include "random_levels/random.h"
@@ -61,6 +62,12 @@ bool areSame(const Lightmap* a, const Lightmap* b) {
   return a->rect == b->rect && a->channels == b->channels && a->levels == b->levels;
 }
 
+bool haveSameLight(const LoadedLevel& level, const BakedLight& light, const LoadedLevel& other,
+                   const BakedLight& otherLight) {
+  return std::ranges::equal(lightmapsOf(level, light), lightmapsOf(other, otherLight),
+                            [](const auto* a, const auto* b) { return areSame(a, b); });
+}
+
 /// What follows from heights, things apart.
 bool areSame(const LoadedLevel& a, const Geometry& moved) {
   const Scene one = a.scene();
@@ -83,7 +90,13 @@ bool haveSameGrids(const BakedLight& one, const BakedLight& other) {
 class Comparison {
  public:
   Comparison(std::uint64_t seed, const std::filesystem::path& folder)
-      : seed_(seed), random_(seed + 1), level_(seed, folder), geometry_{} {}
+      : seed_(seed),
+        random_(seed + 1),
+        level_(seed, folder),
+        geometry_{},
+        memory_(std::size_t{1} << random_.between(8, 22)) {
+    memory_.keepBakes(1 + random_.below(8));
+  }
 
   MoverTally run() {
     if (!level_.loaded().result.loaded) return tally_;
@@ -138,9 +151,10 @@ class Comparison {
     if (!areSame(*moved, geometry_)) fail("the geometry differs that was moved there", shares);
     const BakedLight light = lightOf(*moved);
     const BakedLight expected = lightOf(*written.loaded);
-    if (!std::ranges::equal(lightmapsOf(*moved, light), lightmapsOf(*written.loaded, expected),
-                            [](const auto* a, const auto* b) { return areSame(a, b); }))
-      fail("the light differs", shares);
+    if (!haveSameLight(*moved, light, *written.loaded, expected)) fail("the light differs", shares);
+    Rebake rebake(memory_, moved->scene(), coarse(moved->level.bake), 1);
+    if (!haveSameLight(*moved, *rebake.finish(), *written.loaded, expected))
+      fail("the light differs that was found with that of other states", shares);
     const std::vector<Image> pictures = picturesOf(*moved, light);
     tally_.pictures += std::ssize(pictures);
     if (!std::ranges::equal(pictures, picturesOf(*written.loaded, expected),
@@ -216,7 +230,8 @@ class Comparison {
   std::uint64_t seed_;
   random_levels::Random random_;
   RandomMovers level_;
-  Geometry geometry_;  ///< of the authored level, moved from state to state
+  Geometry geometry_;   ///< of the authored level, moved from state to state
+  LightMemory memory_;  ///< of little room or much, for one state or several
   MoverTally tally_;
 };
 

@@ -25,7 +25,8 @@ struct MoverTally {
 };
 
 /// Compares the random level of a seed with itself: at all ends of its movers with levels that are
-/// authored so, to the byte, and at random shares with truth. `folder` holds the textures of random
+/// authored so, to the byte, also light that is found with that of the ends before, kept in a
+/// random amount of memory; and at random shares with truth. `folder` holds the textures of random
 /// levels.
 MoverTally compareRandomMovers(std::uint64_t seed, const std::filesystem::path& folder);
 

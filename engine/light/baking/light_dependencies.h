@@ -15,10 +15,17 @@ class LightDependencies {
   SectorSet& sectorsOf(std::size_t light) { return sectors_[light]; }
   /// The surfaces on which places for samples were sought.
   SurfaceSet& surfaces() { return surfaces_; }
+  /// The sectors that lines enter which tell whether a sample lies inside a mesh. They count for
+  /// each light that reaches the surface, or might reach a sample that lies in one.
+  SectorSet& sampleSectors() { return sampleSectors_; }
+  bool isSampleInMesh() const { return isSampleInMesh_; }
+  void addSampleInMesh() { isSampleInMesh_ = true; }
 
  private:
   std::map<std::size_t, SectorSet> sectors_;  ///< by light
   SurfaceSet surfaces_;
+  SectorSet sampleSectors_;
+  bool isSampleInMesh_ = false;
 };
 
 }  // namespace hearth

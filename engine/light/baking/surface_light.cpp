@@ -33,7 +33,7 @@ std::vector<std::size_t> lightsFacing(const Level& level, const LightReach& reac
 SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
                            const LightVisibilities& visibilities, bool lambert, SurfaceId id,
                            VisibilityMethod method, LightDependencies* dependencies)
-    : SurfacePlaces(scene, surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
+    : SurfacePlaces(scene, surfaces, id, dependencies),
       lambert_(lambert),
       method_(method),
       rays_(scene, surfaces, visibilities, id, dependencies),

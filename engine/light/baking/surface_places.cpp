@@ -35,11 +35,12 @@ bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, Sur
 }
 
 SurfacePlaces::SurfacePlaces(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id,
-                             SurfaceSet* sought)
+                             LightDependencies* dependencies)
     : scene_(scene),
       surfaces_(surfaces),
       id_(id),
-      placement_(surfaces, id, sought),
+      dependencies_(dependencies),
+      placement_(surfaces, id, dependencies ? &dependencies->surfaces() : nullptr),
       mayLeaveOut_(mayHaveSamplesInMeshes(scene, surfaces, id)) {
   if (!mayLeaveOut_) return;
   const Vec3 normal = surface().normal;
@@ -61,9 +62,13 @@ Box3 SurfacePlaces::sweptFrom(const Box3& box) const {
 bool SurfacePlaces::isLeftOut(const SamplePoint& at) const {
   const Box3 swept = sweptFrom({at.target, at.target});
   const auto isOnWay = [&](const Box3& mesh) { return mesh.meets(swept); };
-  if (at.surface == id_ && std::ranges::none_of(before_, isOnWay)) return false;
-  return Raytracer(scene_).isInsideMesh(at.target, surfaces_[at.surface.index()]->normal,
-                                        scene_[at.surface].sector);
+  // A mesh that is not on the way may come to be: then the sectors there will have changed.
+  if (!dependencies_ && at.surface == id_ && std::ranges::none_of(before_, isOnWay)) return false;
+  const bool isInMesh = Raytracer(scene_).isInsideMesh(
+      at.target, surfaces_[at.surface.index()]->normal, scene_[at.surface].sector,
+      dependencies_ ? &dependencies_->sampleSectors() : nullptr);
+  if (isInMesh && dependencies_) dependencies_->addSampleInMesh();
+  return isInMesh;
 }
 
 bool PatchPlaces::isLeftOut(const SamplePoint& at) const {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "light/baking/light_dependencies.h"
 #include "light/lit_surface.h"
-#include "light/rays/id_set.h"
 #include "light/sampling/sample_placement.h"
 #include "math/box3.h"
 
@@ -21,10 +21,10 @@ bool mayHaveSamplesInMeshes(const Scene& scene, const LitSurfaces& surfaces, Sur
 /// Where the samples of a surface lie, and which of them count.
 class SurfacePlaces {
  public:
-  /// Keeps references to `surfaces` and `sought`, which, if any, records the surfaces on which
-  /// places are sought.
+  /// Keeps references to `surfaces` and `dependencies`, which, if any, records what the places
+  /// depend on.
   SurfacePlaces(const Scene& scene, const LitSurfaces& surfaces, SurfaceId id,
-                SurfaceSet* sought = nullptr);
+                LightDependencies* dependencies = nullptr);
 
   const LitSurface& surface() const { return *surfaces_[id_.index()]; }
 
@@ -43,6 +43,7 @@ class SurfacePlaces {
   Scene scene_;
   const LitSurfaces& surfaces_;
   SurfaceId id_;
+  LightDependencies* dependencies_;
   SamplePlacement placement_;
   bool mayLeaveOut_;
   Vec3 sweep_{};              ///< along the normal, past all meshes in the surface's sector

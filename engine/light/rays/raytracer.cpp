@@ -480,10 +480,10 @@ Vec3 Raytracer::pastMeshes(Vec3 point, Vec3 normal, SectorId sector) const {
   return reach <= kArrival ? Vec3{} : (2 * reach) * normal;
 }
 
-bool Raytracer::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const {
+bool Raytracer::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector, SectorSet* met) const {
   const Vec3 way = pastMeshes(point, normal, sector);
   if (way == Vec3{}) return false;
-  return Walk(scene_, AllWalls{scene_}, {point, sector}, point + way, solidMaskedMiddles_, nullptr)
+  return Walk(scene_, AllWalls{scene_}, {point, sector}, point + way, solidMaskedMiddles_, met)
       .meetsBackFirst();
 }
 

@@ -48,7 +48,8 @@ class Raytracer {
   /// Whether the line along a surface's normal, from a point of the surface on the border of the
   /// air of `sector`, first meets the back of a face: the point lies inside a mesh. Meshes that
   /// cast no shadow do not count, nor do two-sided ones, which have no inside.
-  bool isInsideMesh(Vec3 point, Vec3 normal, SectorId sector) const;
+  /// `met` as above.
+  bool isInsideMesh(Vec3 point, Vec3 normal, SectorId sector, SectorSet* met = nullptr) const;
   /// The way that such a line takes: past all meshes in the sector. Zero if none lies that way.
   Vec3 pastMeshes(Vec3 point, Vec3 normal, SectorId sector) const;
 
