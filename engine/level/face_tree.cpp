@@ -68,6 +68,12 @@ FaceTree::FaceTree(std::span<const MeshFace> faces) {
   faces_ = std::move(divided.faces);
 }
 
+void FaceTree::raiseFrom(const FaceTree& original, double rise) {
+  const Vec3 up{0, 0, rise};
+  box_ = {original.box_.min + up, original.box_.max + up};
+  middle_ = original.middle_ + up;  // to which all nodes are relative
+}
+
 bool FaceTree::stops(std::span<const MeshFace> faces, const FaceRay& ray, double tFrom,
                      double tTo) const {
   return anyFaceOn(boxRay(ray, tFrom, tTo),

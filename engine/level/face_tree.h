@@ -25,6 +25,10 @@ class FaceTree {
   /// Around all faces.
   const Box3& box() const { return box_; }
 
+  /// Makes it that of the faces of `original`, all of them raised by so many metres. As large as
+  /// it, which must be of the same faces.
+  void raiseFrom(const FaceTree& original, double rise);
+
   // `faces` are those that the tree was made of. Rays meet faces from the ray parameter `tFrom` to
   // `tTo`, both included, and beyond their origin.
 

@@ -24,13 +24,14 @@ inline Vec3 frontOf(const MeshFace& face) {
 
 /// A model that stands in the air of a level.
 struct Mesh {
-  std::string name;         ///< may be empty
-  Vec3 position;            ///< of the model's origin
-  SectorId sector;          ///< that contains `position`
-  bool isTwoSided = false;  ///< its faces are seen from their backs, too
-  bool isSolid = true;      ///< to the player
-  bool castsShadow = true;  ///< it stops light
-  std::uint32_t thing = 0;  ///< index among the level's sprites and meshes together
+  std::string name;            ///< may be empty
+  Vec3 position;               ///< of the model's origin
+  SectorId sector;             ///< that contains `position`
+  bool isTwoSided = false;     ///< its faces are seen from their backs, too
+  bool isSolid = true;         ///< to the player
+  bool castsShadow = true;     ///< it stops light
+  bool standsOnFloor = false;  ///< of its sector, with which it moves
+  std::uint32_t thing = 0;     ///< index among the level's sprites and meshes together
 
   // Its faces are [firstFace, firstFace + faceCount) of Level::meshFaces.
   std::uint32_t firstFace = 0;

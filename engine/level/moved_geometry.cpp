@@ -25,13 +25,17 @@ void MovedGeometry::findRiders() {
     if (level_->movers[mover].part == FlatPart::Floor)
       for (const SectorId sector : level_->movers[mover].sectors)
         moverUnder[sector.index()] = mover;
-  std::uint32_t bodies = 0;
-  for (std::uint32_t i = 0; i < level_->sprites.size(); ++i) {
-    const Sprite& sprite = level_->sprites[i];
-    const auto body = sprite.body ? std::optional(bodies++) : std::nullopt;
-    const auto mover = moverUnder[sprite.sector.index()];
-    if (sprite.standsOnFloor && mover) riders_.push_back({*mover, i, body});
-  }
+  std::uint32_t bodies = 0;  // of sprites, then of meshes
+  const auto add = [&](bool isMesh, std::size_t index, const auto& thing, bool isSolid) {
+    const auto body = isSolid ? std::optional(bodies++) : std::nullopt;
+    const auto mover = moverUnder[thing.sector.index()];
+    if (thing.standsOnFloor && mover)
+      riders_.push_back({*mover, isMesh, static_cast<std::uint32_t>(index), body});
+  };
+  for (std::size_t i = 0; i < level_->sprites.size(); ++i)
+    add(false, i, level_->sprites[i], level_->sprites[i].body.has_value());
+  for (std::size_t i = 0; i < level_->meshes.size(); ++i)
+    add(true, i, level_->meshes[i], level_->meshes[i].isSolid);
   std::ranges::stable_sort(riders_, {}, &Rider::mover);
 }
 
@@ -47,11 +51,30 @@ void MovedGeometry::setShare(std::size_t mover, double share) {
   }
   moveFlats(*level_, moved_, geometry_);
   auto rider = std::ranges::lower_bound(riders_, mover, {}, &Rider::mover);
-  for (; rider != riders_.end() && rider->mover == mover; ++rider) {
-    Sprite& sprite = own_->sprites[rider->sprite];
-    sprite.position.z = height;
-    if (rider->body) stand(own_->bodies[*rider->body], sprite);
-  }
+  for (; rider != riders_.end() && rider->mover == mover; ++rider)
+    rider->isMesh ? standMesh(*rider, height) : standSprite(*rider, height);
+}
+
+void MovedGeometry::standSprite(const Rider& rider, double height) {
+  Sprite& sprite = own_->sprites[rider.index];
+  sprite.position.z = height;
+  if (rider.body) stand(own_->bodies[*rider.body], sprite);
+}
+
+/// All of it is as much higher than where it is authored.
+void MovedGeometry::standMesh(const Rider& rider, double height) {
+  Mesh& mesh = own_->meshes[rider.index];
+  mesh.position.z = height;
+  const double rise = height - level_->meshes[rider.index].position.z;
+  const std::span<const MeshFace> authored = level_->facesOf(mesh);
+  for (std::uint32_t i = 0; i < mesh.faceCount; ++i)
+    for (std::size_t corner = 0; corner < authored[i].corners.size(); ++corner)
+      own_->meshFaces[mesh.firstFace + i].corners[corner].z = authored[i].corners[corner].z + rise;
+  own_->faceTrees[rider.index].raiseFrom(level_->faceTrees[rider.index], rise);
+  if (!rider.body) return;
+  const ThingBody& body = level_->bodies[*rider.body];
+  own_->bodies[*rider.body].zBottom = body.zBottom + rise;
+  own_->bodies[*rider.body].zTop = body.zTop + rise;
 }
 
 void MovedGeometry::setShares(std::span<const double> shares) {

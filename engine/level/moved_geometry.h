@@ -11,7 +11,7 @@
 
 namespace hearth {
 
-/// The geometry of a level whose movers stand at any shares, and the sprites that stand on moving
+/// The geometry of a level whose movers stand at any shares, and the things that stand on moving
 /// floors. Takes no memory when they move, and none at all for a level without movers.
 class MovedGeometry {
  public:
@@ -24,7 +24,7 @@ class MovedGeometry {
   /// By mover.
   std::span<const double> shares() const { return shares_; }
 
-  /// Moves one mover (0..1), in a time that depends on it alone.
+  /// Moves one mover (0..1), in a time that depends on it alone, and on what stands on it.
   void setShare(std::size_t mover, double share);
   /// Moves those whose share differs.
   void setShares(std::span<const double> shares);
@@ -33,14 +33,17 @@ class MovedGeometry {
   double heightAt(std::size_t mover, double share) const;
 
  private:
-  /// A sprite on a floor that moves.
+  /// A thing on a floor that moves.
   struct Rider {
     std::size_t mover;
-    std::uint32_t sprite;               ///< index
+    bool isMesh;                        ///< else it is a sprite
+    std::uint32_t index;                ///< among the meshes, or the sprites
     std::optional<std::uint32_t> body;  ///< of Level::bodies, if it is solid
   };
 
   void findRiders();
+  void standSprite(const Rider& rider, double height);
+  void standMesh(const Rider& rider, double height);
 
   const Level* level_;
   std::unique_ptr<Level> own_;  ///< a copy, in which riders move; null without any

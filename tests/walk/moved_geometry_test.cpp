@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/hall_and_cellar.h"
+#include "support/models.h"
 
 namespace hearth {
 namespace {
@@ -44,6 +45,35 @@ TEST(MovedGeometries, MoveWhatStandsOnAFloorAndNothingElse) {
     EXPECT_EQ(moved.scene().geometry().sectors, there.geometry.sectors) << share;
   }
   EXPECT_EQ(authored.level.sprites[2].position.z, 0) << "the level itself stays";
+}
+
+TEST(MovedGeometries, MoveAMeshThatStandsOnAFloorWithItsBodyAndForRays) {
+  const SourcedResult sourced = test::levelWithSourceFrom(
+      test::hallAndCellarText("[{'mesh':'box.obj','x':-1,'y':2},{'mesh':'box.obj','x':2,'y':1}]"),
+      "[]", {{"box.obj", test::kBoxModel}});
+  const Level& authored = sourced.result.loaded->level;
+  MovedGeometry moved(authored, sourced.result.loaded->geometry);
+  const Level& level = moved.level();
+  for (const double share : {0.3, 1.0, 0.5}) {
+    moved.setShare(Lift, share);
+    EXPECT_EQ(level.meshes[0].position.z, share);
+    EXPECT_EQ(level.meshes[1].position.z, 0);
+    for (std::size_t mesh = 0; mesh < 2; ++mesh) {
+      const double rise = mesh == 0 ? share : 0;
+      const auto faces = level.facesOf(level.meshes[mesh]);
+      const auto before = authored.facesOf(authored.meshes[mesh]);
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        EXPECT_EQ(faces[i].corners[1], before[i].corners[1] + Vec3(0, 0, rise)) << i;
+      EXPECT_EQ(level.bodies[mesh].zBottom, rise);
+      EXPECT_EQ(level.bodies[mesh].zTop, rise + 1);
+      EXPECT_EQ(level.faceTrees[mesh].box().max.z, authored.faceTrees[mesh].box().max.z + rise);
+      const FaceRay down({level.meshes[mesh].position.x + 0.1, mesh == 0 ? 2.1 : 1.1, 3},
+                         {0, 0, -1});
+      const auto met = level.faceTrees[mesh].nearest(faces, down, 0, 10, 0);
+      ASSERT_TRUE(met);
+      EXPECT_DOUBLE_EQ(met->t, 2 - rise);
+    }
+  }
 }
 
 TEST(MovedGeometries, CopyNoLevelWhereNothingStandsOnAFloorThatMoves) {

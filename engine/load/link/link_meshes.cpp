@@ -135,6 +135,7 @@ void MeshLinker::place(const MeshDescription& described, const LinkedModel& mode
   Mesh mesh = described.mesh;
   mesh.position = standing->position;
   mesh.sector = standing->sector;
+  mesh.standsOnFloor = !described.z;
   std::vector<MeshFace>& faces = linking_.level.meshFaces;
   mesh.firstFace = static_cast<std::uint32_t>(faces.size());
   if (!addFaces(described, model, {described.scale, described.angle, mesh.position}, bare)) return;
