@@ -4,7 +4,7 @@
 usage: tools/measure_settings.py [OPTION OF `hearth tradeoff`...]
 
 Costs are geometric means, errors arithmetic ones, of the tutorial and the castle; of shadows of
-middle textures, which these do not have, those of the gaol. Bakes take one thread, so that costs are
+middle textures, which these do not have, those of the gaol; of stages of movers those of the castle. Bakes take one thread, so that costs are
 of work, and not of how threads share it.
 """
 
@@ -19,7 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 HEARTH = ROOT / "build/release/hearth"
 LEVELS = ["tutorial", "keep"]
-LEVELS_OF = {"--middle-shadows": ["gaol"]}
+LEVELS_OF = {"--middle-shadows": ["gaol"], "--mover-stages": ["keep"]}
 SAME = {"--texel 0.0625": "--quality high"}  # and named so
 
 
@@ -38,10 +38,10 @@ def rows_of(text):
     return rows | {name: rows[same] for name, same in SAME.items() if same in rows}
 
 
-def values_of(name, levels):
-    """Those that were tried by themselves, in their order."""
+def values_of(name, default, levels):
+    """Those that were tried by themselves, in their order, and the default first."""
     tried = [row.split() for level in levels for row in level]
-    return list(dict.fromkeys(row[1] for row in tried if len(row) == 2 and row[0] == name))
+    return list(dict.fromkeys([default] + [row[1] for row in tried if len(row) == 2 and row[0] == name]))
 
 
 def figures(row, is_bake):
@@ -60,15 +60,16 @@ def printed(name, value, measured):
 def table(listed, rows):
     for name, default, is_bake in settings_of(listed):
         levels = [rows[level] for level in LEVELS_OF.get(name, LEVELS)]
-        yield printed(name, default, [figures(level[""], is_bake) for level in levels])
-        for value in values_of(name, levels):
-            yield printed(name, value, [figures(level[f"{name} {value}"], is_bake) for level in levels])
+        for value in values_of(name, default, levels):
+            yield printed(name, value, [figures(level.get(f"{name} {value}", level[""]), is_bake) for level in levels])
 
 
 def main():
     levels = sorted({*LEVELS, *sum(LEVELS_OF.values(), [])})
     rows = {level: rows_of(tradeoff(ROOT / f"levels/{level}.json", "--csv", "--threads", "1", *sys.argv[1:]))
             for level in levels}
+    for level in LEVELS_OF["--mover-stages"]:
+        rows[level] |= rows_of(tradeoff(ROOT / f"levels/{level}.json", "--csv", "--threads", "1", "--movers"))
     print("\n".join(table(tradeoff("--list"), rows)))
 
 

@@ -95,6 +95,14 @@ StateTexels::Corners placesOn(const LitSurface& to, const LitSurface& from, doub
   return places;
 }
 
+/// The side of the texels, in metres; any where no state has some.
+double texelOf(std::span<const LightAtRest> states) {
+  for (const LightAtRest& state : states)
+    for (const std::optional<LitSurface>& surface : state.light->surfaces)
+      if (surface) return surface->grid.texel;
+  return 1;
+}
+
 }  // namespace
 
 void BlendedLight::setStates(std::span<const LightAtRest> states) {
@@ -281,10 +289,10 @@ void BlendedLight::blendMesh(std::span<const double> weights, MeshBlend& blend) 
   for (const LitMesh::SmallFace& face : mesh.smallFaces) blendFace(face.face, rectOf(face));
 }
 
-BakedLight blendedLight(const Scene& shown, double texel, std::span<const LightAtRest> states,
+BakedLight blendedLight(const Scene& shown, std::span<const LightAtRest> states,
                         std::span<const double> weights, int threads) {
   BlendedLight blended;
-  blended.setStates(states, makeLitSurfaces(shown, texel));
+  blended.setStates(states, makeLitSurfaces(shown, texelOf(states)));
   Workers workers(threads);
   blended.blend(shown, weights, &workers);
   BakedLight light = blended.light();

@@ -85,8 +85,8 @@ class BlendedLight {
   BakedLight light_;
 };
 
-/// The same, for a single picture: with the surfaces of `shown`.
-BakedLight blendedLight(const Scene& shown, double texel, std::span<const LightAtRest> states,
+/// The same, for a single picture: with the surfaces of `shown`, on texels as those of the states.
+BakedLight blendedLight(const Scene& shown, std::span<const LightAtRest> states,
                         std::span<const double> weights, int threads);
 
 }  // namespace hearth

@@ -134,12 +134,59 @@ Header takeHeader(ByteReader& in) {
   return header;
 }
 
-Mistake mistakeInGeometry(const Scene& scene, const Header& header, std::string_view settings) {
-  if (const auto mistake = mistakeInTexel(scene, header.texel))
-    return fmt::format("has texels that cannot be: {}", *mistake);
-  if (header.geometry == geometryHash(scene, header.texel)) return std::nullopt;
-  return fmt::format("was baked for other geometry than the level has now, with the settings {:?}",
-                     settings);
+/// One of the bakes of a file.
+struct BakeBlock {
+  Header header;
+  std::string_view settings;
+  std::string_view body;  ///< packed
+};
+
+/// The bytes up to the next bake, if one begins where the first ends; else all.
+std::string_view firstBlock(std::string_view bytes) {
+  if (bytes.size() < kBakeFrame.headerBytes) return bytes;
+  ByteReader in(bytes.substr(FileFrame::kVersionEnd));
+  const std::uint64_t length = takeHeader(in).fileBytes;
+  if (length < kBakeFrame.headerBytes || length >= bytes.size()) return bytes;
+  return bytes.substr(length).starts_with(kBakeFrame.begin) ? bytes.substr(0, length) : bytes;
+}
+
+tl::expected<BakeBlock, std::string> blockOf(std::string_view bytes) {
+  if (auto mistake = mistakeInFrame(kBakeFrame, bytes)) return tl::unexpected(*std::move(mistake));
+  const std::string_view framed = bytes.substr(0, bytes.size() - FileFrame::kChecksumBytes);
+  ByteReader in(framed.substr(FileFrame::kVersionEnd));
+  const Header header = takeHeader(in);
+  if (const std::size_t most = std::min(kMaxSettingsBytes, in.left()); header.settingsBytes > most)
+    return tl::unexpected(fmt::format("has settings of {} bytes, where at most {} can be",
+                                      header.settingsBytes, most));
+  const std::string_view settings = in.take(header.settingsBytes);
+  return BakeBlock{header, settings, in.take(in.left())};
+}
+
+/// The first bake of a file that was baked for the scene's geometry. All of the file is checked.
+tl::expected<BakeBlock, std::string> blockFor(const Scene& scene, std::string_view bytes) {
+  std::optional<BakeBlock> first;
+  std::optional<BakeBlock> found;
+  std::uint64_t geometry = 0;
+  do {
+    const std::string_view begin = firstBlock(bytes);
+    const auto block = blockOf(begin);
+    if (!block) return tl::unexpected(block.error());
+    const double texel = block->header.texel;
+    if (first && texel != first->header.texel)
+      return tl::unexpected(std::string("has bakes with texels of several sizes"));
+    if (!first) {
+      if (const auto mistake = mistakeInTexel(scene, texel))
+        return tl::unexpected(fmt::format("has texels that cannot be: {}", *mistake));
+      geometry = geometryHash(scene, texel);
+      first = *block;
+    }
+    if (!found && block->header.geometry == geometry) found = *block;
+    bytes.remove_prefix(begin.size());
+  } while (!bytes.empty());
+  if (found) return *found;
+  return tl::unexpected(
+      fmt::format("was baked for other geometry than the level has now, with the settings {:?}",
+                  first->settings));
 }
 
 /// As many bytes as the lightmaps of all surfaces can have.
@@ -287,16 +334,9 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string
   const auto refused = [](std::string what) {
     return tl::unexpected(BakeMistake{std::move(what)});
   };
-  if (auto mistake = mistakeInFrame(kBakeFrame, bytes)) return refused(std::move(*mistake));
-  const std::string_view framed = bytes.substr(0, bytes.size() - FileFrame::kChecksumBytes);
-  ByteReader in(framed.substr(FileFrame::kVersionEnd));
-  const Header header = takeHeader(in);
-  if (const std::size_t most = std::min(kMaxSettingsBytes, in.left()); header.settingsBytes > most)
-    return refused(fmt::format("has settings of {} bytes, where at most {} can be",
-                               header.settingsBytes, most));
-  const std::string_view settings = in.take(header.settingsBytes);
-  if (auto mistake = mistakeInGeometry(scene, header, settings))
-    return refused(std::move(*mistake));
+  const auto block = blockFor(scene, bytes);
+  if (!block) return refused(block.error());
+  const Header& header = block->header;
 
   BakedLight light;
   light.surfaces = makeLitSurfaces(scene, header.texel);
@@ -305,7 +345,7 @@ tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string
   const std::size_t sprites = scene.level().sprites.size();
   if (auto mistake = mistakeInSize(header, light, sprites, maxLightBytes))
     return tl::unexpected(std::move(*mistake));
-  const auto lightmaps = unpacked(in.take(in.left()), header.lightmapBytes);
+  const auto lightmaps = unpacked(block->body, header.lightmapBytes);
   if (!lightmaps) return refused(lightmaps.error());
   if (auto mistake = LightmapReader(scene, light, *lightmaps).readAll(header.lightmaps))
     return refused(std::move(*mistake));

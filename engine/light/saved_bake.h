@@ -24,10 +24,11 @@ struct BakeMistake {
   bool isTooLarge = false;  ///< more light than allowed, and no other known mistake
 };
 
-/// The light in such bytes, which any program may have written. They must belong to the scene's
-/// geometry; its textures, lights and sector light may differ. `maxLightBytes` limits all unpacked
-/// lightmaps together. More are refused before memory is taken. Decoding takes at most twice that,
-/// and the memory of the scene's surfaces.
+/// The light in such bytes, which any program may have written: one bake, or several of a level
+/// with its movers at rest, one after the other. The first is taken that belongs to the scene's
+/// geometry; textures, lights and sector light may differ. `maxLightBytes` limits all unpacked
+/// lightmaps of this one together. More are refused before memory is taken. Decoding takes at most
+/// twice that, and the memory of the scene's surfaces.
 tl::expected<BakedLight, BakeMistake> decodeBake(const Scene& scene, std::string_view bytes,
                                                  std::uint64_t maxLightBytes);
 

@@ -23,7 +23,7 @@ class Moved {
     for (const LoadedLevel& rest : rests_) atRest_.push_back(bake(rest.scene(), settings(), 1));
     for (std::size_t i = 0; i < states.count(); ++i)
       lights.push_back({rests_[i].scene(), &atRest_[i]});
-    light_ = blendedLight(shown_.scene(), kTexel, lights, states.weights(), 2);
+    light_ = blendedLight(shown_.scene(), lights, states.weights(), 2);
   }
 
   const BakedLight& light() const { return light_; }

@@ -122,6 +122,21 @@ TEST_F(SavedRoom, tellsWhatIsWrongInItsHeader) {
             "has settings of 12 bytes, where at most 11 can be");
 }
 
+TEST_F(SavedRoom, isRefusedForAMistakeInAnyOfItsBakes) {
+  const std::string one = saved();
+  EXPECT_EQ(mistakeIn(one + one), "");
+  EXPECT_EQ(mistakeIn(one + one.substr(0, 9)), "is cut short: 9 of 56 bytes are there");
+  EXPECT_EQ(mistakeIn(one + one.substr(0, one.size() - 1)),
+            fmt::format("is cut short: {} of {} bytes are there", one.size() - 1, one.size()));
+  EXPECT_EQ(mistakeIn(one + "HEARTH"), "goes on for 6 bytes after its end");
+  std::string other = one;
+  put(other, kTexelAt, std::bit_cast<std::uint64_t>(2.0), 8);
+  EXPECT_EQ(mistakeIn(one + sealed(other)), "has bakes with texels of several sizes");
+  other = one;
+  other[kPackedAt] ^= 1;
+  EXPECT_EQ(mistakeIn(one + other), "was altered: its checksum is not that of its bytes");
+}
+
 TEST_F(SavedRoom, isRefusedWithMoreLightThanTheLevelHas) {
   const auto claiming = [](std::uint64_t bytes) {
     return [=](std::string& file) { put(file, kLightmapBytesAt, bytes, 8); };

@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "saved_room.h"
 #include "support/baked_room.h"
+#include "support/hall_and_cellar.h"
 #include "support/in_tree.h"
 #include "support/level_text.h"
 
@@ -83,6 +84,27 @@ TEST(SavedBake, ofRandomLevelsDrawTheSamePictures) {
   }
   std::filesystem::remove_all(folder);
   EXPECT_LE(saved.perLevel(), 0.4);
+}
+
+TEST(SavedBake, holdsALevelWithItsMoversAtRest) {
+  const SourcedResult authored = test::hallAndCellar();
+  std::string bytes;
+  for (const std::vector<double>& shares : {std::vector{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}) {
+    const LoadedLevel moved = *levelAt(*authored.result.loaded, authored.source, shares).loaded;
+    bytes += encodeBake(moved.scene(), bake(moved.scene(), {}, 2), BakeSettings{}.texel, "");
+  }
+  for (const std::vector<double>& shares : {std::vector{1.0, 1.0}, {0.0, 0.0}, {1.0, 0.0}}) {
+    const LoadedLevel moved = *levelAt(*authored.result.loaded, authored.source, shares).loaded;
+    const auto read = decodeBake(moved.scene(), bytes, kMuchLight);
+    ASSERT_TRUE(read) << read.error().what;
+    expectSameLight(*read, bake(moved.scene(), {}, 2));
+  }
+  const LoadedLevel missing =
+      *levelAt(*authored.result.loaded, authored.source, std::vector{0.0, 1.0}).loaded;
+  const auto refused = decodeBake(missing.scene(), bytes, kMuchLight);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().what,
+            "was baked for other geometry than the level has now, with the settings \"\"");
 }
 
 TEST_F(SavedRoom, isReadWithOneChannelAndWithThree) {

@@ -189,7 +189,7 @@ class Comparison {
     std::vector<LightAtRest> lights;
     for (std::size_t i = 0; i < states.count(); ++i)
       lights.push_back({rests[i].scene(), &baked[i]});
-    const BakedLight blended = blendedLight(moved.scene(), kTexel, lights, states.weights(), 1);
+    const BakedLight blended = blendedLight(moved.scene(), lights, states.weights(), 1);
     compareFrames(moved, lights, states.weights(), blended, shares);
     const LightDifference difference = differenceOf(blended, lightOf(moved));
     tally_.squares += difference.rms * difference.rms * static_cast<double>(difference.texels);

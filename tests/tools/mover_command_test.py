@@ -151,6 +151,64 @@ class Movers(unittest.TestCase):
         self.assertIn(f"{info['rmsLevels']:.2f} levels RMS from a bake at these heights",
                       self.run_hearth("info", self.level, "--mover", "gate=0.5").stdout)
 
+    def test_are_baked_in_all_states_that_are_kept(self):
+        figures = self.run_hearth("bake", self.level).stdout
+        self.assertRegex(figures, r"\nstates +3 more by 2 mover\(s\): [\d.]+ s, \d+ bytes; \d+ bytes kept meanwhile\n")
+        self.assertIn("states    1 more by", self.run_hearth("bake", self.level, "--mover-states", 2).stdout)
+        self.assertIn("states    8 more by", self.run_hearth("bake", self.level, "--mover-stages", 1).stdout)
+        still = self.write("still", level() | {"shots": []})
+        self.assertNotIn("states", self.run_hearth("bake", still).stdout)
+
+    def test_have_their_light_in_a_saved_bake(self):
+        saved = self.folder / "all.bake"
+        self.run_hearth("bake", self.level, "-o", saved)
+        for shares in (0, 0), (0.3, 0), (1, 0), (0.5, 0.2), (1, 1):
+            movers = [f"--mover=gate={shares[0]}", f"--mover=lift = 1={shares[1]}"]
+            self.assertEqual(self.shot(*movers, "--light-from", saved), self.shot(*movers), shares)
+        self.run_hearth("bake", self.level, "-o", saved, "--mover-stages", 1)
+        stage = ["--mover", "gate=0.3", "--mover-stages", 1]
+        self.assertEqual(self.shot(*stage, "--light-from", saved), self.shot(*stage))
+
+    def test_are_blended_on_the_texels_of_a_saved_bake(self):
+        saved = self.folder / "fine.bake"
+        self.run_hearth("bake", self.level, "-o", saved, "--texel", 0.05)
+        for share in 0, 0.4, 1:
+            ask = ["--mover", f"gate={share}"]
+            self.assertEqual(self.shot(*ask, "--light-from", saved, light="only"),
+                             self.shot(*ask, "--texel", 0.05, light="only"), share)
+
+    def test_are_no_part_of_parts(self):
+        done = self.run_hearth("bake", self.level, "--shard", "1/2", "-o", self.folder / "x.part", "--mover-states", 2,
+                               status=2)
+        self.assertIn("give --mover-states or --shard, not both", done.stderr)
+        self.assertNotIn("states", self.run_hearth("bake", self.level, "-o", self.folder / "x.png").stdout)
+
+    def test_are_refused_where_a_saved_bake_leaves_a_state_out(self):
+        saved = self.folder / "some.bake"
+        self.run_hearth("bake", self.level, "-o", saved, "--mover-states", 2)
+        self.shot("--mover", "gate=1", "--light-from", saved)
+        ask = ["shot", self.level, "-o", self.folder / "x.png", "--light-from", saved]
+        done = self.run_hearth(*ask, "--mover", "lift = 1=1", status=2)
+        self.assertRegex(done.stderr, r"some.bake was baked for other geometry .*: bake again with `\S+ bake \S+ -o \S+`")
+        done = self.run_hearth(*ask, "--mover", "gate=0.5", "--mover-stages", 1, status=2)
+        self.assertRegex(done.stderr, r": bake again with `\S+ bake \S+ --mover-stages 1 -o \S+`")
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_are_lit_more_nearly_with_stages(self):
+        def rms(stages):
+            told = self.run_hearth("info", self.level, "--json", "--mover", "gate=0.3", "--mover-stages", stages)
+            return json.loads(told.stdout)["blendedLight"]["rmsLevels"]
+        self.assertLess(rms(3), 0.7 * rms(0))
+        self.assertLess(rms(15), 0.3 * rms(0))
+        exact = self.run_hearth("info", self.level, "--json", "--mover", "gate=0.25", "--mover-stages", 3).stdout
+        self.assertNotIn("blendedLight", json.loads(exact))
+
+    def test_are_checked_with_as_many_stages_as_asked(self):
+        self.run_hearth("check", self.level, "--update", "--mover-stages", 1)
+        ajar = (self.folder / "level.golden/ajar.png").read_bytes()
+        self.assertEqual(ajar, self.shot("--shot", "ajar", "--mover-stages", 1))
+        self.assertNotEqual(ajar, self.shot("--shot", "ajar"))
+
 
 if __name__ == "__main__":
     HEARTH = sys.argv.pop(1)

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "cli/command.h"
 #include "cli/lightmap_atlas.h"
+#include "cli/state_bakes.h"
 #include "image/image_file.h"
 #include "inputs/bake_file.h"
 #include "inputs/inputs.h"
@@ -41,10 +43,16 @@ void print(const Bake& bake) {
   fmt::print("time      {:.3f} s\n", bake.seconds);
 }
 
-/// With the settings of the command line, or those that fit the time that it gives.
-tl::expected<Bake, std::string> bakeInTime(const Scene& scene, const OptionValues& values) {
+void print(const StateFigures& states) {
+  fmt::print("states    {} more by {} mover(s): {:.3f} s, {} bytes; {} bytes kept meanwhile\n",
+             states.count, states.movers, states.seconds, states.bytes, states.keptBytes);
+}
+
+/// The settings of the command line, or those that fit the time that it gives.
+tl::expected<BakeSettings, std::string> settingsInTime(const Scene& scene,
+                                                       const OptionValues& values) {
   const std::optional<double> budget = values.number(Option::TimeBudget);
-  if (!budget) return bakeFor(scene, values, ProgressStyle::Lines);
+  if (!budget) return bakeSettingsFor(scene, values);
   for (const Option option :
        {Option::Quality, Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff})
     if (values.has(option))
@@ -54,16 +62,21 @@ tl::expected<Bake, std::string> bakeInTime(const Scene& scene, const OptionValue
   const FittingBake fitting =
       bakeFitting(scene, *settings, *budget, threadsFrom(values), steadySeconds);
   if (!values.has(Option::Quiet)) fmt::print("picked    {}\n", words(fitting));
-  return bakeWith(scene, fitting.settings, values, ProgressStyle::Lines);
+  return fitting.settings;
 }
 
-/// Writes the light to the file of `-o`, if any.
-ExitStatus writeLight(const Scene& scene, const Bake& bake, const OptionValues& values) {
+bool isSavedBake(const OptionValues& values) {
+  return extensionOf(values.text(Option::Output).value_or("")) == ".bake";
+}
+
+/// Writes the light to the file of `-o`, if any. `bakes` is what a saved bake holds.
+ExitStatus writeLight(const Scene& scene, const Bake& bake, std::string_view bakes,
+                      const OptionValues& values) {
   const std::optional<std::string> output = values.text(Option::Output);
   if (!output) return ExitStatus::Done;
   const auto written = [&]() -> tl::expected<void, std::string> {
     const ProgressDisplay display(progressStyle(values), Stage::Writing);
-    if (extensionOf(*output) == ".bake") return writeBake(*output, scene, bake);
+    if (isSavedBake(values)) return writeBakes(*output, bakes);
     const auto image = lightmapAtlas(scene.level(), bake.light);
     if (!image) return tl::unexpected(image.error());
     return writePng(*output, *image);
@@ -71,11 +84,20 @@ ExitStatus writeLight(const Scene& scene, const Bake& bake, const OptionValues& 
   return written ? ExitStatus::Done : fail(written.error());
 }
 
-ExitStatus bakeAll(const Scene& scene, const OptionValues& values) {
-  const auto bake = bakeInTime(scene, values);
-  if (!bake) return fail(bake.error());
-  if (!values.has(Option::Quiet)) print(*bake);
-  return writeLight(scene, *bake, values);
+ExitStatus bakeAll(const OpenedLevel& opened, const OptionValues& values) {
+  const Scene scene = opened.result.loaded->scene();
+  const auto settings = settingsInTime(scene, values);
+  if (!settings) return fail(settings.error());
+  StateBakes states(opened, *settings, values, isSavedBake(values));
+  const Bake bake = states.bakeAuthored();
+  warnIfDark(scene.level(), bake.light, values);
+  if (!values.has(Option::Quiet)) print(bake);
+  const bool showsAuthoredOnly = values.has(Option::Output) && !isSavedBake(values);
+  if (!scene.level().movers.empty() && !showsAuthoredOnly) {
+    if (const auto mistake = states.bakeOthers()) return fail(*mistake);
+    if (!values.has(Option::Quiet)) print(states.figures());
+  }
+  return writeLight(scene, bake, states.bytes(), values);
 }
 
 ExitStatus bakeShard(const Scene& scene, const OptionValues& values) {
@@ -97,7 +119,7 @@ ExitStatus join(const Scene& scene, const OptionValues& values) {
   if (!light) return fail(light.error());
   const Bake joined{std::move(*light), bake->settings(), threadsFrom(values), 0};
   if (!values.has(Option::Quiet)) printLight(joined);
-  return writeLight(scene, joined, values);
+  return writeLight(scene, joined, isSavedBake(values) ? bytesOf(scene, joined) : "", values);
 }
 
 /// What does not go together, or with the file to write.
@@ -108,6 +130,11 @@ std::optional<std::string> mistakeIn(const OptionValues& values) {
     if (values.has(parts) && values.has(Option::TimeBudget))
       return fmt::format("give {} or {}, not both: parts need one choice of settings",
                          row(Option::TimeBudget).name, row(parts).name);
+  for (const Option parts : {Option::Shard, Option::Join})
+    for (const Option states : {Option::MoverStages, Option::MoverStates})
+      if (values.has(parts) && values.has(states))
+        return fmt::format("give {} or {}, not both: parts are of the level as authored",
+                           row(states).name, row(parts).name);
   if (values.has(Option::Shard) && values.has(Option::Join))
     return fmt::format("give {} or {}, not both", row(Option::Shard).name, row(Option::Join).name);
   if (values.has(Option::Shard) && !output)
@@ -122,11 +149,11 @@ std::optional<std::string> mistakeIn(const OptionValues& values) {
 
 ExitStatus runBake(const OptionValues& values) {
   if (const auto mistake = mistakeIn(values)) return fail(*mistake);
-  const std::optional<LoadedLevel> loaded = loadAndReport(values);
-  if (!loaded) return ExitStatus::BadInput;
-  const Scene scene = loaded->scene();
+  const OpenedLevel opened = loadAndReportWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const Scene scene = opened.result.loaded->scene();
   if (values.has(Option::Shard)) return bakeShard(scene, values);
-  return values.has(Option::Join) ? join(scene, values) : bakeAll(scene, values);
+  return values.has(Option::Join) ? join(scene, values) : bakeAll(opened, values);
 }
 
 }  // namespace
@@ -134,8 +161,8 @@ ExitStatus runBake(const OptionValues& values) {
 Command bakeCommand() {
   return {"bake",
           "bakes the light and says what that took",
-          std::vector<Option>{Option::Output, Option::TimeBudget, Option::Shard, Option::Join,
-                              Option::Quiet} +
+          std::vector<Option>{Option::Output, Option::TimeBudget, Option::MoverStages,
+                              Option::MoverStates, Option::Shard, Option::Join, Option::Quiet} +
               bakeOptions(),
           {},
           runBake};

@@ -37,7 +37,7 @@ tl::expected<ShownLevel, std::string> shownLevel(const OpenedLevel& opened,
 /// Baked only where it shows, unless it is that of several states.
 tl::expected<BakedLight, std::string> lightOf(const ShownLevel& shown, const OpenedLevel& opened,
                                               const Camera& camera, const OptionValues& values) {
-  if (RestStates(shown.shares).count() == 1)
+  if (restStatesFor(shown.shares, values).count() == 1)
     return lightInView(shown.loaded.scene(), camera, values);
   return MovedLight(*opened.result.loaded, opened.source, values).at(shown.loaded, shown.shares);
 }
@@ -100,8 +100,8 @@ Command shotCommand() {
       "shot",
       "bakes and draws one picture, of a level or of a model alone (MODEL.obj); needs no display",
       std::vector<Option>{Option::Output, Option::Camera, Option::Sector, Option::Shot,
-                          Option::Mover, Option::Size, Option::Fov, Option::Time, Option::Light,
-                          Option::Channel, Option::Quiet} +
+                          Option::Mover, Option::MoverStages, Option::Size, Option::Fov,
+                          Option::Time, Option::Light, Option::Channel, Option::Quiet} +
           drawOptions() + lightOptions(),
       {Option::Output},
       runShot};

@@ -2,6 +2,7 @@
 
 #include "cli/command.h"
 #include "inputs/inputs.h"
+#include "measure/tradeoff/mover_trials.h"
 #include "measure/tradeoff/page.h"
 #include "measure/tradeoff/report.h"
 #include "measure/tradeoff/trials.h"
@@ -21,14 +22,24 @@ machine that gets slower meanwhile changes it little; seconds are that times
 what the level's own took, as a median over the whole run. What takes longer
 than the level's own is repeated less often, but once at least.)";
 
+std::string_view whatItMakes(Approximation::Of of) {
+  switch (of) {
+    case Approximation::Of::Bake:
+      return "bakes shorter or longer";
+    case Approximation::Of::Frame:
+      return "frames faster or slower";
+    case Approximation::Of::Movers:
+      return "bakes of movers more or fewer";
+  }
+  return "";
+}
+
 void printList() {
   for (const Approximation& approximation : approximations()) {
     const OptionRow& setting = row(approximation.setting);
     fmt::print("{} {}\n  {}\n", setting.name, setting.value, helpOf(setting));
-    fmt::print("  makes {}; error: {}\n  {}\n",
-               approximation.of == Approximation::Of::Bake ? "bakes shorter or longer"
-                                                           : "frames faster or slower",
-               approximation.bound, approximation.code);
+    fmt::print("  makes {}; error: {}\n  {}\n", whatItMakes(approximation.of), approximation.bound,
+               approximation.code);
   }
 }
 
@@ -71,6 +82,34 @@ tl::expected<TradeoffReport, std::string> measured(const LoadedLevel& loaded,
   return reportOf(std::move(report));
 }
 
+std::vector<int> triedStages() {
+  const auto stages =
+      std::ranges::find(approximations(), Option::MoverStages, &Approximation::setting);
+  std::vector<int> counts;
+  for (const std::string_view value : triedOf(*stages))
+    counts.push_back(static_cast<int>(parseNumbers(value)->front()));
+  return counts;
+}
+
+ExitStatus tradeMovers(const OptionValues& values) {
+  const OpenedLevel opened = loadAndReportWithSource(values);
+  if (!opened.result.loaded) return ExitStatus::BadInput;
+  const LoadedLevel& authored = *opened.result.loaded;
+  if (authored.level.movers.empty())
+    return fail(fmt::format("{}: --movers: the level has no movers", values.level));
+  const auto settings = bakeSettingsFor(authored.scene(), values);
+  if (!settings) return fail(settings.error());
+  MoverTrialSetup setup;
+  setup.threads = threadsFrom(values);
+  setup.clock = steadySeconds;
+  if (const auto repeats = values.number(Option::Repeats))
+    setup.repeats = static_cast<int>(*repeats);
+  const auto trials = measureMovers(authored, opened.source, *settings, triedStages(), setup);
+  if (!trials) return fail(trials.error());
+  fmt::print("{}", values.has(Option::Csv) ? csvOf(*trials) : tableOf(*trials));
+  return ExitStatus::Done;
+}
+
 ExitStatus runTradeoff(const OptionValues& values) {
   if (values.has(Option::List)) {
     printList();
@@ -79,6 +118,7 @@ ExitStatus runTradeoff(const OptionValues& values) {
   if (values.level.empty())
     return fail(
         fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
+  if (values.has(Option::Movers)) return tradeMovers(values);
   const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto report = measured(*loaded, values);
@@ -95,8 +135,8 @@ ExitStatus runTradeoff(const OptionValues& values) {
 Command tradeoffCommand() {
   return {.name = "tradeoff",
           .help = "measures what settings cost on a level, and how far off they are",
-          .options = std::vector<Option>{Option::List, Option::Csv, Option::Report, Option::Size,
-                                         Option::Repeats, Option::Quiet} +
+          .options = std::vector<Option>{Option::List, Option::Csv, Option::Movers, Option::Report,
+                                         Option::Size, Option::Repeats, Option::Quiet} +
                      drawOptions() + bakeOptions(),
           .required = {},
           .run = runTradeoff,

@@ -1,5 +1,6 @@
 #include "desktop/background_baker.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "inputs/inputs.h"
 #include "inputs/moved_light.h"
 #include "measure/level_bench.h"
+#include "settings/mover_light.h"
 #include "settings/settings.h"
 
 namespace hearth {
@@ -212,12 +214,14 @@ LoadResult BackgroundBaker::loaded(Changed changed) {
 void BackgroundBaker::light(bool isFirst, const std::stop_token& stop) {
   const Scene scene = current_->scene();
   const OptionValues values = options();
+  if (values.has(Option::LightFrom)) return takeFromFile();
   const auto settings = bakeSettingsFor(scene, values);
   if (!settings) return refuse(settings.error());
   refusal_.reset();
   const auto cache = values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
   const bool isKept = isFirst && cache && showKept(*cache, *settings);
 
+  memory_.keepBakes(current_->level.movers.empty() ? 1 : moverLightFrom(values).states);
   // Also where the light was kept: from then on an edit asks for little.
   Rebake rebake(memory_, scene, *settings, threadsFrom(values));
   if (!isKept && rebake.texelLightsLeft() > (isFirst ? kWorthADraftAtFirst : kWorthADraft)) {
@@ -233,6 +237,13 @@ void BackgroundBaker::light(bool isFirst, const std::stop_token& stop) {
   if (cache && !unsavedLights()) cache->keep(scene, *settings, *lit->light);
 }
 
+void BackgroundBaker::takeFromFile() {
+  auto light = lightFor(current_->scene(), options());
+  if (!light) return refuse(light.error());
+  isLit_ = true;
+  show(*std::move(light), false);
+}
+
 /// While its progress can be seen.
 std::optional<BakedLight> BackgroundBaker::finish(Rebake& rebake, const std::stop_token& stop) {
   const auto progress = std::make_shared<BakeProgress>();
@@ -242,25 +253,44 @@ std::optional<BakedLight> BackgroundBaker::finish(Rebake& rebake, const std::sto
   return baked;
 }
 
-/// The level is lit: only light that the movers change is found anew, if it was not kept.
+/// The level is lit as authored.
 void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::stop_token& stop) {
   if (!source_ || shares.size() != current_->level.movers.size()) return;
   const OptionValues values = options();
   auto moved = loadedAt(*current_, *source_, shares, values);
   if (!moved) return refuse(moved.error());
-  const Scene scene = moved->scene();
-  const auto cache =
-      values.has(Option::NoCache) || unsavedLights() ? std::nullopt : BakeCache::ofUser();
-  auto light = cache ? cache->find(scene, litBy_) : std::nullopt;
-  if (!light) {
-    Rebake rebake(memory_, scene, litBy_, threadsFrom(values));
-    light = finish(rebake, stop);
-    if (!light) return;
-    if (cache) cache->keep(scene, litBy_, *light);
-  }
+  auto light = values.has(Option::LightFrom) ? lightInFile(moved->scene(), shares)
+                                             : lightOf(moved->scene(), stop);
+  if (!light) return;
   tell({.rest = std::make_shared<const RestLight>(
             RestLight{shares, std::move(moved->geometry), *std::move(light)}),
         .restOf = current_});
+}
+
+/// Only light that the movers change is found anew, if it was not kept.
+std::optional<BakedLight> BackgroundBaker::lightOf(const Scene& moved,
+                                                   const std::stop_token& stop) {
+  const OptionValues values = options();
+  const auto cache =
+      values.has(Option::NoCache) || unsavedLights() ? std::nullopt : BakeCache::ofUser();
+  if (cache)
+    if (auto light = cache->find(moved, litBy_)) return light;
+  Rebake rebake(memory_, moved, litBy_, threadsFrom(values));
+  auto light = finish(rebake, stop);
+  if (light && cache) cache->keep(moved, litBy_, *light);
+  return light;
+}
+
+/// A state that the file does not hold is lit as the nearest one that it holds.
+std::optional<BakedLight> BackgroundBaker::lightInFile(const Scene& moved,
+                                                       const std::vector<double>& shares) {
+  if (missing_.contains(shares)) return std::nullopt;
+  auto light = lightFor(moved, options());
+  if (light) return *std::move(light);
+  missing_.insert(shares);
+  if (missing_.size() == 1)  // of others the same would be told
+    tell({.warnings = {fmt::format("with its movers elsewhere: {}", light.error())}});
+  return std::nullopt;
 }
 
 bool BackgroundBaker::showKept(const BakeCache& cache, const BakeSettings& settings) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -63,7 +64,7 @@ struct LevelNews {
 };
 
 /// Loads and bakes a level on request, in a thread of its own with low priority. A new request
-/// cancels the one before.
+/// cancels the one before. With `--light-from` light is taken from that file instead.
 class BackgroundBaker {
  public:
   /// The time in which the next file of one save follows. Until its lights follow, a level that is
@@ -117,7 +118,10 @@ class BackgroundBaker {
   std::optional<std::string> unsavedLights() const;
   void refuse(std::string mistake);
   void light(bool isFirst, const std::stop_token& stop);
+  void takeFromFile();
   void lightAtRest(const std::vector<double>& shares, const std::stop_token& stop);
+  std::optional<BakedLight> lightOf(const Scene& moved, const std::stop_token& stop);
+  std::optional<BakedLight> lightInFile(const Scene& moved, const std::vector<double>& shares);
   std::optional<BakedLight> finish(Rebake& rebake, const std::stop_token& stop);
   bool isAsked() const { return asked_ || areOptionsNew_ || isOver_; }
   OptionValues options() const;
@@ -147,11 +151,12 @@ class BackgroundBaker {
   std::shared_ptr<const LoadedLevel> current_;
   std::shared_ptr<const LevelSource> source_;  ///< none of a model
   std::optional<ModelFigures> model_;
-  bool isOfFiles_ = true;               ///< the current level; else they have mistakes
-  bool isLit_ = false;                  ///< with its own light, not a draft
-  BakeSettings litBy_;                  ///< if it is
-  std::vector<std::string> mistakes_;   ///< of the files as they were read last
-  std::optional<std::string> refusal_;  ///< why the level is not lit
+  bool isOfFiles_ = true;                  ///< the current level; else they have mistakes
+  bool isLit_ = false;                     ///< with its own light, not a draft
+  std::set<std::vector<double>> missing_;  ///< states that are not in the file of `--light-from`
+  BakeSettings litBy_;                     ///< if it is
+  std::vector<std::string> mistakes_;      ///< of the files as they were read last
+  std::optional<std::string> refusal_;     ///< why the level is not lit
   LightMemory memory_;
   SharedImages images_;  ///< that `textures_` are made of, for this filter
   TextureFilter filter_{};

@@ -93,6 +93,7 @@ tl::expected<std::shared_ptr<const LitLevel>, std::string> LiveLevel::awaitFirst
 
 void LiveLevel::setOptions(const OptionValues& values) {
   if (reload_ == Reload::Yes) baker_.setOptions(values);
+  wanted_.clear();  // a state may have been baked just then, and was stopped
   draw_ = drawSettingsFrom(values);
   if (shown_->renderer.settings() != draw_) shown_ = redrawn(*shown_, draw_);
 }

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -117,22 +115,6 @@ ExitStatus replayHeadless(const Scene& scene, WalkSession& session, const Record
 
 using SharedLevel = std::shared_ptr<const LoadedLevel>;
 using SharedSource = std::shared_ptr<const LevelSource>;
-using SharedLitLevel = std::shared_ptr<const LitLevel>;
-
-/// Bakes while the window answers to the desktop.
-tl::expected<SharedLitLevel, std::string> litBehind(const SharedLevel& loaded,
-                                                    const SharedSource& source,
-                                                    const OptionValues& values) {
-  auto light = std::async(std::launch::async, [&] { return lightFor(loaded->scene(), values); });
-  while (light.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    WalkWindow::answerDesktop();
-  return light.get().map([&](BakedLight baked) {
-    const DrawSettings settings = drawSettingsFrom(values);
-    return std::make_shared<const LitLevel>(
-        loaded, source, std::nullopt, drawnTextures(loaded->textures, settings.textureFilter),
-        std::make_shared<const BakedLight>(std::move(baked)), settings);
-  });
-}
 
 /// Where the place of the window is kept. Pictures of a size of their own have windows that fit.
 std::optional<std::filesystem::path> windowFile(const Plan& plan) {
@@ -172,7 +154,7 @@ tl::expected<Walker, std::string> firstWalker(const Scene& scene, const Plan& pl
   return Walker{.sector = scene.level().meshes.front().sector, .feet = {}, .velocity = {}};
 }
 
-/// Adds options with which a frame fits the time.
+/// Adds options with which a frame of the level as authored fits the time.
 void fitFrames(double milliseconds, const Renderer& renderer, const Eye& eye, const Plan& plan,
                WalkWindow& window, Workers* workers, OptionValues& options) {
   const auto [width, height] =
@@ -207,11 +189,9 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   if (!window)
     return fail(fmt::format("no window can be opened: {}; `{} shot` needs no display",
                             window.error(), values.program));
-  std::optional<LiveLevel> live;
-  if (!values.has(Option::LightFrom))
-    live.emplace(values, loaded, source,
+  LiveLevel live(values, loaded, source,
                  isReloaded(values) ? LiveLevel::Reload::Yes : LiveLevel::Reload::No);
-  auto lit = live ? live->awaitFirst(WalkWindow::answerDesktop) : litBehind(loaded, source, values);
+  const auto lit = live.awaitFirst(WalkWindow::answerDesktop);
   if (!lit) return fail(lit.error());
   Disk disk;
   WalkSettings settings = plan.settings;
@@ -220,32 +200,23 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   settings.config = configFile().value_or("");
   if (const auto file = bookmarksFile(loaded->path); file && !settings.model)
     settings.bookmarks = Bookmarks(disk, *file);
-  settings.writeShot = [&disk, &live, &loaded](const Bookmark& bookmark) {
-    return writeShot(disk, live ? *live->shown()->loaded : *loaded, bookmark);
+  settings.writeShot = [&disk, &live](const Bookmark& bookmark) {
+    return writeShot(disk, *live.shown()->loaded, bookmark);
   };
   Workers workers(threadsFrom(values));
   if (const auto target = values.number(Option::TargetMs)) {
     fitFrames(*target, (*lit)->renderer, firstEye(scene, plan, session), plan, *window, &workers,
               settings.options);
-    if (live) live->setOptions(settings.options);
-    *lit = live ? live->shown() : redrawn(**lit, drawSettingsFrom(settings.options));
+    live.setOptions(settings.options);
   }
 
   ScreenshotFiles screenshots(".", std::filesystem::path(values.level).stem().string());
-  WalkLoop loop(scene, (*lit)->renderer, session, {*window, disk, screenshots, &workers}, settings,
-                source);
+  WalkLoop loop(scene, live.shown()->renderer, session, {*window, disk, screenshots, &workers},
+                settings, source);
   if (plan.replay) loop.replay(plan.replay->inputs);
   // A recording that cannot be written is refused before the walk, not after it.
   if (keepWalk(scene, plan.start, session, values) != ExitStatus::Done) return ExitStatus::BadInput;
-  while (loop.round()) {
-    if (live) {
-      live->update(loop, session, *window);
-    } else if (const auto options = loop.takeChoice()) {
-      const auto next = redrawn(**lit, drawSettingsFrom(*options));
-      loop.continueIn(scene, next->renderer, source);
-      *lit = next;
-    }
-  }
+  while (loop.round()) live.update(loop, session, *window);
   if (const auto file = windowFile(plan)) keepWindowPlace(*file, window->place());
   loop.awaitScreenshots();
   if (!plan.replay) return keepWalk(scene, plan.start, session, values);

@@ -16,11 +16,6 @@ namespace hearth {
 
 namespace {
 
-void warnIfDark(const Level& level, const BakedLight& light, const OptionValues& values) {
-  if (const auto warning = warningIfDark(level, light, values))
-    fmt::print(stderr, "{}\n", *warning);
-}
-
 /// What `work` bakes, its progress shown.
 template <typename Work>
 BakedLight whileShown(const OptionValues& values, ProgressStyle styleWithoutTerminal, Work&& work) {
@@ -33,6 +28,13 @@ std::optional<BakeCache> cacheFor(const OptionValues& values) {
   return values.has(Option::NoCache) ? std::nullopt : BakeCache::ofUser();
 }
 
+Bake bakeAndWarn(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
+                 ProgressStyle styleWithoutTerminal) {
+  Bake bake = bakeWith(scene, settings, values, styleWithoutTerminal);
+  warnIfDark(scene.level(), bake.light, values);
+  return bake;
+}
+
 BakedLight cachedLight(const Scene& scene, const BakeSettings& settings,
                        const OptionValues& values) {
   const auto cache = cacheFor(values);
@@ -42,7 +44,7 @@ BakedLight cachedLight(const Scene& scene, const BakeSettings& settings,
       return std::move(*light);
     }
   }
-  Bake bake = bakeWith(scene, settings, values, ProgressStyle::None);
+  Bake bake = bakeAndWarn(scene, settings, values, ProgressStyle::None);
   if (cache) cache->keep(scene, settings, bake.light);
   return std::move(bake.light);
 }
@@ -68,6 +70,11 @@ std::optional<std::string> warningIfDark(const Level& level, const BakedLight& l
       "{}:1:1: warning: no light reaches any surface, so only sector light shows, at /lights, add "
       "lights or raise their intensity",
       values.level);
+}
+
+void warnIfDark(const Level& level, const BakedLight& light, const OptionValues& values) {
+  if (const auto warning = warningIfDark(level, light, values))
+    fmt::print(stderr, "{}\n", *warning);
 }
 
 OpenedLevel loadLevelOf(const OptionValues& values) {
@@ -104,21 +111,21 @@ int threadsFrom(const OptionValues& values) {
 }
 
 Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
-              ProgressStyle styleWithoutTerminal) {
+              ProgressStyle styleWithoutTerminal, LightMemory* memory) {
   const int threads = threadsFrom(values);
   const auto start = std::chrono::steady_clock::now();
   BakedLight light = whileShown(values, styleWithoutTerminal, [&](BakeProgress& progress) {
-    return bake(scene, settings, threads, &progress);
+    if (!memory) return bake(scene, settings, threads, &progress);
+    return *Rebake(*memory, scene, settings, threads).finish(&progress);  // nothing stops it
   });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  warnIfDark(scene.level(), light, values);
   return Bake{std::move(light), settings, threads, seconds.count()};
 }
 
 tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
                                         ProgressStyle styleWithoutTerminal) {
   return bakeSettingsFor(scene, values).map([&](const BakeSettings& settings) {
-    return bakeWith(scene, settings, values, styleWithoutTerminal);
+    return bakeAndWarn(scene, settings, values, styleWithoutTerminal);
   });
 }
 
@@ -149,7 +156,7 @@ tl::expected<BakedLight, std::string> lightInView(const Scene& scene, const Came
     });
     // Whether anything else is lit shows in a whole bake only.
     if (light.stats.litSurfaces > 0) return light;
-    return bakeWith(scene, settings, values, ProgressStyle::None).light;
+    return bakeAndWarn(scene, settings, values, ProgressStyle::None).light;
   });
 }
 

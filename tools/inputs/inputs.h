@@ -9,6 +9,7 @@
 
 #include "inputs/progress.h"
 #include "light/bakery.h"
+#include "light/rebake.h"
 #include "load/load.h"
 #include "model/open_level.h"
 #include "render/camera.h"
@@ -40,6 +41,8 @@ void printDiagnostics(std::span<const Diagnostic> diagnostics);
 /// The warning to print if no light reaches any surface; nullopt otherwise.
 std::optional<std::string> warningIfDark(const Level& level, const BakedLight& light,
                                          const OptionValues& values);
+/// Prints it to stderr.
+void warnIfDark(const Level& level, const BakedLight& light, const OptionValues& values);
 
 /// The mode of `--light`.
 LightMode lightModeFrom(const OptionValues& values);
@@ -51,14 +54,16 @@ struct Bake {
   double seconds;
 };
 
-/// Bakes with the settings of `bakeSettingsFor(scene, values)`. A terminal shows the progress of a
-/// long bake. If stderr is no terminal, progress is written in the given style.
+/// Bakes with the settings of `bakeSettingsFor(scene, values)`, and warns if all is dark. A
+/// terminal shows the progress of a long bake. If stderr is no terminal, progress is written in the
+/// given style.
 tl::expected<Bake, std::string> bakeFor(const Scene& scene, const OptionValues& values,
                                         ProgressStyle styleWithoutTerminal = ProgressStyle::None);
 
-/// The same with other settings.
+/// Bakes with other settings, without a warning. With a memory, only light is baked that differs
+/// from that of the bakes before.
 Bake bakeWith(const Scene& scene, const BakeSettings& settings, const OptionValues& values,
-              ProgressStyle styleWithoutTerminal);
+              ProgressStyle styleWithoutTerminal, LightMemory* memory = nullptr);
 
 /// The threads that bake.
 int threadsFrom(const OptionValues& values);

@@ -9,6 +9,7 @@
 
 #include "light/blended_light.h"
 #include "load/suggest.h"
+#include "settings/mover_light.h"
 #include "settings/settings.h"
 
 namespace hearth {
@@ -61,6 +62,10 @@ tl::expected<std::vector<double>, std::string> moverSharesFor(const Level& level
   return shares;
 }
 
+RestStates restStatesFor(std::span<const double> shares, const OptionValues& values) {
+  return RestStates(shares, moverLightFrom(values).stages);
+}
+
 tl::expected<LoadedLevel, std::string> loadedAt(const LoadedLevel& authored,
                                                 const LevelSource& source,
                                                 std::span<const double> shares,
@@ -74,18 +79,15 @@ tl::expected<LoadedLevel, std::string> loadedAt(const LoadedLevel& authored,
 
 tl::expected<BakedLight, std::string> MovedLight::at(const LoadedLevel& shown,
                                                      std::span<const double> shares) {
-  const RestStates states(shares);
+  const RestStates states = restStatesFor(shares, values_);
   if (states.count() == 1) return lightFor(shown.scene(), values_);
-  const auto settings = bakeSettingsFor(shown.scene(), values_);
-  if (!settings) return tl::unexpected(settings.error());
   std::vector<LightAtRest> lights;
   for (std::size_t i = 0; i < states.count(); ++i) {
     const auto rest = atRest(states.shares(i));
     if (!rest) return tl::unexpected(rest.error());
     lights.push_back({{authored_.level, (*rest)->geometry}, &(*rest)->light});
   }
-  return blendedLight(shown.scene(), settings->texel, lights, states.weights(),
-                      threadsFrom(values_));
+  return blendedLight(shown.scene(), lights, states.weights(), threadsFrom(values_));
 }
 
 tl::expected<const MovedLight::AtRest*, std::string> MovedLight::atRest(

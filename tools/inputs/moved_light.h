@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "inputs/inputs.h"
+#include "level/mover.h"
 #include "load/load.h"
 #include "load/source.h"
 #include "settings/options.h"
@@ -19,6 +20,9 @@ tl::expected<std::vector<double>, std::string> moverSharesFor(const Level& level
                                                               const OptionValues& values);
 /// The same of a shot of the level, `--mover` apart.
 std::vector<double> moverSharesOf(const Level& level, const Shot& shot);
+
+/// The states at rest that the light at these shares is blended from, by `--mover-stages`.
+RestStates restStatesFor(std::span<const double> shares, const OptionValues& values);
 
 /// The level with its movers at these shares, loaded within the limits of the command line; a copy
 /// of `authored` where all are 0.

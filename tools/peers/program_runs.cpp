@@ -29,7 +29,7 @@ double allowedMegabytes(const BakedLight& light) {
 /// A bake's peak without that of a program that only loads the level.
 Measure peakOfBake(const PeerInputs& inputs, const std::filesystem::path& file,
                    const BakedLight& light) {
-  const Child bakes = ofProgram(inputs, {"bake", file.string(), "--quiet"});
+  const Child bakes = ofProgram(inputs, {"bake", file.string(), "--mover-states", "1", "--quiet"});
   const Child loads = ofProgram(
       inputs, {"shot", file.string(), "--channel", "world", "--size", "8x8", "-o", "loaded.png"});
   return [bakes, loads, allowed = allowedMegabytes(light)]() -> tl::expected<Figures, std::string> {

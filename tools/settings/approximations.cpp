@@ -30,6 +30,10 @@ constexpr std::array kApproximations = {
     Approximation{Option::MiddleShadows, Of::Bake, "holes|solid",
                   "solid: all the light that comes through holes of middle textures",
                   "engine/light/rays/raytracer.cpp"},
+    Approximation{Option::MoverStages, Of::Movers, "0|1|3|7",
+                  "between two heights that are baked light changes evenly: shadows of what moves "
+                  "fade from one place to the next",
+                  "engine/light/blended_light.h"},
     Approximation{Option::TextureFilter, Of::Frame, "nearest|bilinear|mipmapped",
                   "none of the nearest texel, which is what levels are defined to show; mixtures "
                   "and means differ by up to the contrast of neighbouring texels",

@@ -11,7 +11,7 @@ namespace hearth {
 /// Something that Hearth can do more accurately and slower, or less so. Each has a setting, which
 /// is an option of the commands, with a range and a default.
 struct Approximation {
-  enum class Of { Bake, Frame };
+  enum class Of { Bake, Frame, Movers };  ///< of movers: the bakes that their ways take
 
   Option setting;
   Of of;                   ///< what the setting makes slower or faster

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "level/mover.h"
 #include "load/limits.h"
 #include "math/check.h"
 
@@ -28,6 +29,11 @@ constexpr std::array kTable = {
         "the camera and field of view of one of the level's shots; `shot` takes its size, too"},
     OptionRow{Option::Mover, "--mover", ValueKind::EachText, "NAME=SHARE", 0, 1, "as the shot says",
               "where a mover stands: 0 as authored, 1 at its \"to\"; once for each mover"},
+    OptionRow{Option::MoverStages, "--mover-stages", ValueKind::Integer, "COUNT", 0,
+              kMaxMoverStages, "0",
+              "heights of each mover, evenly between its ends, for which light is baked, too"},
+    OptionRow{Option::MoverStates, "--mover-states", ValueKind::Integer, "COUNT", 1, 65536, "32",
+              "states of the movers whose light is kept, that of the level as authored among them"},
     OptionRow{Option::Size, "--size", ValueKind::Text, "WxH", 1, kMaxPictureSide,
               "320x200; in a window, as large as that", "size of the picture in pixels"},
     OptionRow{Option::Fov, "--fov", ValueKind::Number, "DEGREES", 1, 179, "90",
@@ -95,6 +101,8 @@ constexpr std::array kTable = {
     OptionRow{Option::List, "--list", ValueKind::Flag, "", 0, 0, "",
               "only print what is approximated, with its setting and the bound on its error"},
     OptionRow{Option::Csv, "--csv", ValueKind::Flag, "", 0, 0, "", "print CSV"},
+    OptionRow{Option::Movers, "--movers", ValueKind::Flag, "", 0, 0, "",
+              "measure what stages of movers cost, and nothing else"},
     OptionRow{Option::Doors, "--doors", ValueKind::Choice, "moving|open|closed", 0, 0, "moving",
               "doors, lifts and floors move; or nothing does, and doors stand so, with lifts down "
               "where they are open"},

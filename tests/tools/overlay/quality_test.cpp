@@ -36,9 +36,9 @@ class QualityTest : public testing::Test {
     Level level;
     level.bake = authored;
     const Geometry geometry{};
-    const EffectiveSettings effective{authored,
-                                      bakeSettingsFrom({level, geometry}, choice_.options),
-                                      drawSettingsFrom(choice_.options), canBake_};
+    const EffectiveSettings effective{
+        authored, bakeSettingsFrom({level, geometry}, choice_.options),
+        drawSettingsFrom(choice_.options), moverLightFrom(choice_.options), canBake_};
     overlay_.draw(
         now_ += 0.02, [&] { wasChosen_ |= showQuality(effective, choice_); }, picture_);
   }
@@ -94,7 +94,7 @@ TEST(QualityOptions, OfAQualityTakeThePlaceOfSingleOnes) {
 TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
   const auto words = [](std::string_view name) {
     const Quality& quality = *qualityNamed(name);
-    const EffectiveSettings effective{{}, quality.bake.appliedTo({}), quality.draw, true};
+    const EffectiveSettings effective{{}, quality.bake.appliedTo({}), quality.draw, {}, true};
     return bakeInWords(effective, {}) + "; " + framesInWords(effective);
   };
   EXPECT_EQ(words("draft"),
@@ -108,8 +108,8 @@ TEST(QualityInWords, SaysWhatEachQualityWasMeasuredToCost) {
 TEST(QualityInWords, SaysThatLightIsFromAFile) {
   OptionValues options;
   options.set(Option::LightFrom, "x.bake");
-  EXPECT_EQ(bakeInWords({{}, {}, {}, false}, options), "from a file");
-  EXPECT_EQ(bakeInWords({{}, {}, {}, false}, {}), "as the level says") << "as in a replay";
+  EXPECT_EQ(bakeInWords({{}, {}, {}, {}, false}, options), "from a file");
+  EXPECT_EQ(bakeInWords({{}, {}, {}, {}, false}, {}), "as the level says") << "as in a replay";
 }
 
 TEST_F(QualityTest, IsChosenByAClick) {

@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "image/image_file.h"
+#include "light/blended_light.h"
+#include "light/saved_bake.h"
 #include "live_walk.h"
 
 namespace hearth {
@@ -261,19 +263,49 @@ TEST_F(LiveWalk, OptionsThatNoBakeTakesAreToldAndCanBeTakenBack) {
 TEST_F(LiveWalk, LightsADoorThatWasOpened) {
   writeHall();
   begin();
-  const SourcedResult sourced = loadLevelWithSource(levelFile());
-  const LoadedLevel open =
-      *levelAt(*sourced.result.loaded, sourced.source, std::vector{1.0, 0.0}).loaded;
+  const LoadedLevel open = loadAt(std::vector{1.0, 0.0});
   const BakedLight light = bake(open.scene(), open.level.bake, 2);
   stage_.events.push_back(test::down(Key::E));
-  EXPECT_TRUE(comesTo([&] {
-    const Eye eye = eyeOf(open.scene(), session_->walker());
-    return session_->level().shares()[0] == 1 &&
-           stage_.shown == Renderer(open.scene(), open.textures, light)
-                               .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90,
-                                      stage_.window->width, stage_.window->height},
-                                     LightMode::Both);
-  }));
+  EXPECT_TRUE(comesTo(
+      [&] { return session_->level().shares()[0] == 1 && stage_.shown == freshAt(open, light); }));
+}
+
+TEST_F(LiveWalk, LightsADoorFromASavedBakeThatHoldsItsState) {
+  writeHall();
+  const LoadedLevel shut = load();
+  const LoadedLevel open = loadAt(std::vector{1.0, 0.0});
+  BakeSettings coarse;
+  coarse.texel = 0.5;  // which no bake of the level's own has
+  const BakedLight light = bake(open.scene(), coarse, 2);
+  write(folder_ / "x.bake",
+        encodeBake(shut.scene(), bake(shut.scene(), coarse, 2), coarse.texel, "") +
+            encodeBake(open.scene(), light, coarse.texel, ""));
+  values_.set(Option::LightFrom, (folder_ / "x.bake").string());
+  begin();
+  stage_.events.push_back(test::down(Key::E));
+  EXPECT_TRUE(comesTo(
+      [&] { return session_->level().shares()[0] == 1 && stage_.shown == freshAt(open, light); }));
+}
+
+TEST_F(LiveWalk, LightsADoorAsItWasWhereASavedBakeDoesNotHoldItsState) {
+  writeHall();
+  const LoadedLevel shut = load();
+  const BakedLight light = bake(shut.scene(), {}, 2);
+  write(folder_ / "x.bake", encodeBake(shut.scene(), light, BakeSettings{}.texel, ""));
+  values_.set(Option::LightFrom, (folder_ / "x.bake").string());
+  testing::internal::CaptureStderr();
+  begin();
+  stage_.events.push_back(test::down(Key::E));
+  ASSERT_TRUE(comesTo([&] { return session_->level().shares()[0] == 1; }));
+  for (int i = 0; i < 200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(2))) round();
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("with its movers elsewhere: "),
+            std::string::npos);
+  const LoadedLevel open = loadAt(std::vector{1.0, 0.0});
+  BlendedLight as;
+  const LightAtRest rest{{open.level, shut.geometry}, &light};
+  as.setStates({&rest, 1});
+  as.blend(open.scene(), std::vector{1.0});
+  EXPECT_EQ(stage_.shown, freshAt(open, as.light()));
 }
 
 TEST_F(LiveWalk, KeepsADoorOpenWhileItsLightIsEdited) {
@@ -282,17 +314,9 @@ TEST_F(LiveWalk, KeepsADoorOpenWhileItsLightIsEdited) {
   stage_.events.push_back(test::down(Key::E));
   ASSERT_TRUE(comesTo([&] { return session_->level().shares()[0] == 1; }));
   write(lightsFile(), R"([{"x":3,"y":1,"z":2,"intensity":100}])");
-  const SourcedResult sourced = loadLevelWithSource(levelFile());
-  const LoadedLevel open =
-      *levelAt(*sourced.result.loaded, sourced.source, std::vector{1.0, 0.0}).loaded;
+  const LoadedLevel open = loadAt(std::vector{1.0, 0.0});
   const BakedLight light = bake(open.scene(), open.level.bake, 2);
-  EXPECT_TRUE(comesTo([&] {
-    const Eye eye = eyeOf(open.scene(), session_->walker());
-    return stage_.shown == Renderer(open.scene(), open.textures, light)
-                               .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90,
-                                      stage_.window->width, stage_.window->height},
-                                     LightMode::Both);
-  }));
+  EXPECT_TRUE(comesTo([&] { return stage_.shown == freshAt(open, light); }));
   EXPECT_EQ(session_->level().shares()[0], 1);
 }
 

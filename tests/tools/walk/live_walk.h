@@ -10,6 +10,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -133,6 +134,20 @@ class LiveWalk : public LiveStage {
     const BakedLight light = bake(loaded.scene(), *bakeSettingsFor(loaded.scene(), values), 2);
     const Eye eye = session_->eye(session_->level().scene(), 1);
     return Renderer(loaded.scene(), loaded.textures, light, drawSettingsFrom(values))
+        .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
+               stage_.window->height},
+              LightMode::Both);
+  }
+
+  LoadedLevel loadAt(std::span<const double> shares) const {
+    const SourcedResult sourced = loadLevelWithSource(levelFile());
+    return *levelAt(*sourced.result.loaded, sourced.source, shares).loaded;
+  }
+
+  /// What `fresh` draws of the level with its movers at some shares, in light of its own.
+  Image freshAt(const LoadedLevel& moved, const BakedLight& light) const {
+    const Eye eye = eyeOf(moved.scene(), session_->walker());
+    return Renderer(moved.scene(), moved.textures, light)
         .draw({eye.sector, eye.point, eye.angle, eye.pitch, 90, stage_.window->width,
                stage_.window->height},
               LightMode::Both);

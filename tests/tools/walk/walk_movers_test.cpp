@@ -107,14 +107,13 @@ TEST_F(WalkMovers, BetweenItsEndsTheLightIsBlended) {
       *levelAt(place_.loaded, authored_.source, std::vector{share, 0.0}).loaded;
   const std::vector<LightAtRest> states{{place_.loaded.scene(), &place_.light},
                                         {sceneOf(*open), &open->light}};
-  const BakedLight light = blendedLight(there.scene(), place_.loaded.level.bake.texel, states,
-                                        std::vector{1 - share, share}, 2);
+  const BakedLight light = blendedLight(there.scene(), states, std::vector{1 - share, share}, 2);
   EXPECT_EQ(walk.stage.shown, drawn(there.scene(), light));
 }
 
 TEST_F(WalkMovers, StatesThatWereNotNeededForLongestAreForgottenAndWantedAgain) {
   const Renderer still(place_.loaded.scene(), place_.loaded.textures, place_.light);
-  MovedView view(place_.loaded.scene(), still, 1);
+  MovedView view(place_.loaded.scene(), still, {.states = 2});
   const auto show = [&](std::vector<double> shares) {
     view.moveTo(shares);
     view.light(nullptr);

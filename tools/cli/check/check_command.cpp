@@ -79,7 +79,8 @@ ExitStatus runCheck(const OptionValues& values) {
 Command checkCommand() {
   return {"check",
           "bakes, draws every shot and compares it with its golden picture",
-          std::vector<Option>{Option::Golden, Option::Update, Option::Report} + lightOptions(),
+          std::vector<Option>{Option::Golden, Option::Update, Option::Report, Option::MoverStages} +
+              lightOptions(),
           {},
           runCheck,
           LevelFiles::Several};

@@ -83,9 +83,9 @@ class LevelCheck {
         isUpdate_(values.has(Option::Update)),
         folders_(goldenFolders(values.level, values.text(Option::Golden))) {
     findings_.level = values.level;
-    findings_.acceptCommand =
-        fmt::format("{} check {}{} --update", values.program, shellWord(values.level),
-                    typedOptions(values, std::vector{Option::Golden} + lightOptions()));
+    findings_.acceptCommand = fmt::format(
+        "{} check {}{} --update", values.program, shellWord(values.level),
+        typedOptions(values, std::vector{Option::Golden, Option::MoverStages} + lightOptions()));
     findings_.page = folders_.failed / kPage;
   }
 

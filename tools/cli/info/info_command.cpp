@@ -28,7 +28,7 @@ ExitStatus runInfo(const OptionValues& values) {
   if (!bake) return fail(bake.error());
   Contents contents = contentsOf(*loaded, opened.source, *bake);
   contents.movers = moverContents(authored, *shares);
-  if (RestStates(*shares).count() > 1) {
+  if (restStatesFor(*shares, values).count() > 1) {
     const auto blended = MovedLight(authored, opened.source, values).at(*loaded, *shares);
     if (!blended) return fail(blended.error());
     contents.blend = differenceOf(*blended, bake->light);
@@ -50,7 +50,8 @@ Command infoCommand() {
   return {"info",
           "bakes, and prints what the level holds, which features it requires and which engine "
           "features it pays for",
-          std::vector<Option>{Option::Mover, Option::Json, Option::Surfaces} + bakeOptions(),
+          std::vector<Option>{Option::Mover, Option::MoverStages, Option::Json, Option::Surfaces} +
+              bakeOptions(),
           {},
           runInfo};
 }

@@ -37,9 +37,9 @@ std::string rounded(double number) {
 }
 
 std::string errorInWords(const Figure& figure, Approximation::Of of) {
-  return of == Approximation::Of::Bake
-             ? fmt::format("{:g} levels off", figure.off)
-             : fmt::format("{} % of pixels differ", rounded(100 * figure.off));
+  return of == Approximation::Of::Frame
+             ? fmt::format("{} % of pixels differ", rounded(100 * figure.off))
+             : fmt::format("{:g} levels off", figure.off);
 }
 
 std::string words(const std::optional<Figure>& figure, Approximation::Of of) {
@@ -72,11 +72,23 @@ bool showQualities(OptionValues& options) {
 
 // --- Settings, one by one ------------------------------------------------------------------------
 
+/// Of the settings that a setting is one of.
+std::string valueIn(const BakeSettings& bake, const DrawSettings& draw,
+                    const MoverLightSettings& movers, const Approximation& approximation) {
+  switch (approximation.of) {
+    case Approximation::Of::Bake:
+      return valueOf(bake, approximation.setting);
+    case Approximation::Of::Frame:
+      return valueOf(draw, approximation.setting);
+    case Approximation::Of::Movers:
+      return valueOf(movers, approximation.setting);
+  }
+  return "";
+}
+
 /// What holds without any option.
 std::string standardOf(const Approximation& approximation, const EffectiveSettings& effective) {
-  return approximation.of == Approximation::Of::Bake
-             ? valueOf(effective.authored, approximation.setting)
-             : valueOf(DrawSettings{}, approximation.setting);
+  return valueIn(effective.authored, {}, {}, approximation);
 }
 
 /// What can be chosen: what is measured, the level's own and what holds now.
@@ -126,16 +138,16 @@ std::optional<std::string> showValues(const Approximation& approximation,
 bool showSetting(const Approximation& approximation, const EffectiveSettings& effective,
                  OptionValues& options) {
   const Option option = approximation.setting;
-  const bool isOfBake = approximation.of == Approximation::Of::Bake;
+  const bool needsBake = approximation.of != Approximation::Of::Frame;
   const std::string current =
-      isOfBake ? valueOf(effective.bake, option) : valueOf(effective.draw, option);
+      valueIn(effective.bake, effective.draw, effective.movers, approximation);
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   showText(settingNameOf(option));
   showBound(approximation);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
-  ImGui::BeginDisabled(isOfBake && !effective.canBake);
+  ImGui::BeginDisabled(needsBake && !effective.canBake);
   const std::optional<std::string> chosen = showValues(approximation, effective, current);
   ImGui::EndDisabled();
   ImGui::TableNextColumn();

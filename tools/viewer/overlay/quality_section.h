@@ -5,6 +5,7 @@
 
 #include "level/level.h"
 #include "render/draw_settings.h"
+#include "settings/mover_light.h"
 #include "settings/options.h"
 
 namespace hearth {
@@ -21,6 +22,7 @@ struct EffectiveSettings {
   BakeSettings authored;  ///< the file's own
   BakeSettings bake;
   DrawSettings draw;
+  MoverLightSettings movers = {};
   bool canBake = false;  ///< else the light is as it is
 };
 

@@ -1,28 +1,30 @@
 #include "viewer/walk/moved_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace hearth {
 
 namespace {
 
-/// Movers that stand at another end.
-std::ptrdiff_t differences(std::span<const double> a, std::span<const double> b) {
-  std::ptrdiff_t count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] == b[i] ? 0 : 1;
-  return count;
+/// Of all movers together, in shares.
+double distance(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+  return sum;
 }
 
 }  // namespace
 
-MovedView::MovedView(const Scene& authored, const Renderer& still, std::size_t keptStates)
+MovedView::MovedView(const Scene& authored, const Renderer& still,
+                     const MoverLightSettings& settings)
     : geometry_(authored.level(), authored.geometry()),
-      keptStates_(keptStates),
+      settings_(settings),
       known_{
           {std::vector<double>(authored.level().movers.size()), {authored, &still.light()}, {}, 0}},
       renderer_(geometry_.scene(), still.textures(), light_.light(), still.settings()) {
-  around_.find(geometry_.shares());
+  around_.find(geometry_.shares(), settings_.stages);
   setStates();
   light(nullptr);
 }
@@ -30,7 +32,7 @@ MovedView::MovedView(const Scene& authored, const Renderer& still, std::size_t k
 void MovedView::moveTo(std::span<const double> shares) {
   if (std::ranges::equal(shares, geometry_.shares())) return;
   geometry_.setShares(shares);
-  around_.find(shares);
+  around_.find(shares, settings_.stages);
   isLit_ = false;
 }
 
@@ -66,7 +68,7 @@ void MovedView::setStates() {
 
 std::size_t MovedView::nearestKnown(std::span<const double> shares) const {
   const auto nearest = std::ranges::min_element(
-      known_, {}, [&](const Known& known) { return differences(known.shares, shares); });
+      known_, {}, [&](const Known& known) { return distance(known.shares, shares); });
   return static_cast<std::size_t>(nearest - known_.begin());
 }
 
@@ -76,7 +78,7 @@ void MovedView::add(std::shared_ptr<const RestLight> rest) {
   known_.push_back({rest->shares, at, std::move(rest), uses_});
   setStates();
   isLit_ = false;
-  if (known_.size() > 1 + keptStates_) forgetOldest();
+  if (known_.size() > settings_.states) forgetOldest();
 }
 
 /// Unless it is blended now. The level as authored is always kept.

@@ -10,22 +10,20 @@
 #include "light/blended_light.h"
 #include "math/parallel.h"
 #include "render/renderer.h"
+#include "settings/mover_light.h"
 #include "viewer/walk/rest_light.h"
 
 namespace hearth {
 
 /// What frames show of a level whose movers move: its flats at any heights, in light that is
 /// blended from the states at rest around them. A state whose light is not known yet has that of
-/// the known one which fewest movers tell from it.
+/// the known one in which movers stand nearest.
 class MovedView {
  public:
-  /// So many states are kept where not more of them show at once, the level as authored not
-  /// counted.
-  static constexpr std::size_t kKeptStates = 32;
-
   /// At first the light of `still` is known, which draws the level as authored. It must outlive
-  /// this, its level and geometry, too.
-  MovedView(const Scene& authored, const Renderer& still, std::size_t keptStates = kKeptStates);
+  /// this, its level and geometry, too. No more states are kept than `settings` say, unless more
+  /// show at once.
+  MovedView(const Scene& authored, const Renderer& still, const MoverLightSettings& settings = {});
   MovedView(const MovedView&) = delete;
   MovedView& operator=(const MovedView&) = delete;
 
@@ -57,7 +55,7 @@ class MovedView {
   std::size_t nearestKnown(std::span<const double> shares) const;
 
   MovedGeometry geometry_;
-  std::size_t keptStates_;
+  MoverLightSettings settings_;
   std::vector<Known> known_;
   std::size_t uses_ = 0;  ///< how often states were set
   BlendedLight light_;

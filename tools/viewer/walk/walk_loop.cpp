@@ -26,9 +26,10 @@ std::optional<MarkerSpace> markerSpaceOf(const WalkFrame& frame) {
 }
 
 /// None of a level in which nothing can move.
-std::unique_ptr<MovedView> movedViewOf(const Scene& authored, const Renderer& renderer) {
-  return authored.level().movers.empty() ? nullptr
-                                         : std::make_unique<MovedView>(authored, renderer);
+std::unique_ptr<MovedView> movedViewOf(const Scene& authored, const Renderer& renderer,
+                                       const OptionValues& options) {
+  if (authored.level().movers.empty()) return nullptr;
+  return std::make_unique<MovedView>(authored, renderer, moverLightFrom(options));
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ std::unique_ptr<MovedView> movedViewOf(const Scene& authored, const Renderer& re
 WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& session,
                    const WalkHost& host, const WalkSettings& settings,
                    std::shared_ptr<const LevelSource> source)
-    : moved_(movedViewOf(scene, renderer)),
+    : moved_(movedViewOf(scene, renderer, settings.options)),
       scene_(moved_ ? moved_->scene() : scene),
       source_(std::move(source)),
       session_(session),
@@ -59,7 +60,8 @@ WalkLoop::WalkLoop(const Scene& scene, const Renderer& renderer, WalkSession& se
 
 void WalkLoop::continueIn(const Scene& scene, const Renderer& renderer,
                           std::shared_ptr<const LevelSource> source) {
-  const auto before = std::exchange(moved_, movedViewOf(scene, renderer));  // is still shown
+  const auto before =
+      std::exchange(moved_, movedViewOf(scene, renderer, settings_.options));  // is still shown
   scene_ = moved_ ? moved_->scene() : scene;
   source_ = std::move(source);
   screen_.continueIn(scene_, moved_ ? moved_->renderer() : renderer);

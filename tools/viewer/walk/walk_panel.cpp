@@ -106,8 +106,9 @@ std::optional<std::string> WalkPanel::showLightTab(const PanelSubject& subject) 
 
 bool WalkPanel::showQualityTab(const PanelSubject& subject, WalkSettings& settings) {
   QualityChoice choice{settings.options, settings.fov, settings.frameCap};
-  const bool isNew = showQuality(
-      {subject.scene.level().bake, bake_, subject.renderer.settings(), settings.canBake}, choice);
+  const bool isNew = showQuality({subject.scene.level().bake, bake_, subject.renderer.settings(),
+                                  moverLightFrom(settings.options), settings.canBake},
+                                 choice);
   settings.options = choice.options;
   settings.fov = choice.fov;
   settings.frameCap = choice.frameCap;
