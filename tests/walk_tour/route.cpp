@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-#include "worlds/reach.h"
+#include "lint/sector_reach.h"
 
 namespace hearth::test {
 
@@ -24,10 +24,9 @@ Vec2 nearestOf(const Segment& segment, Vec2 p) {
               std::clamp(dot(p - segment.p0, along) / dot(along, along), 0.0, 1.0));
 }
 
-std::optional<std::vector<std::size_t>> moversOnTheWay(const Level& level,
-                                                       const worlds::Passages& passages,
+std::optional<std::vector<std::size_t>> moversOnTheWay(const Level& level, const Passages& passages,
                                                        const std::vector<Spot>& spots) {
-  const worlds::Reach reach(level, passages);
+  const Reach reach(level, passages);
   for (const Spot& spot : spots)
     if (reach.comesTo(spot.sector)) return reach.moversTo(spot.sector);
   return std::nullopt;
@@ -35,7 +34,7 @@ std::optional<std::vector<std::size_t>> moversOnTheWay(const Level& level,
 
 std::vector<Spot> spotsAt(const Level& level, SectorId sector, Vec2 place) {
   std::vector<Spot> spots;
-  for (const SectorId each : worlds::sectorsToUse(level, sector)) spots.push_back({each, place});
+  for (const SectorId each : sectorsToUse(level, sector)) spots.push_back({each, place});
   return spots;
 }
 
@@ -43,16 +42,16 @@ std::vector<Spot> spotsToStart(const Level& level, std::size_t mover) {
   std::vector<Spot> spots;
   for (const MoverSwitch& each : level.switches)
     if (each.mover == mover)
-      for (const SectorId sector : worlds::sectorsToStart(level, each))
+      for (const SectorId sector : sectorsToStart(level, each))
         spots.push_back({sector, middleOf(level[each.segment])});
   return spots;
 }
 
-Distances::Distances(const Level& level, const worlds::Passages& passages, std::vector<Spot> spots,
-                     std::vector<bool> isStarted)
+Distances::Distances(const Level& level, const Passages& passages, std::vector<Spot> spots,
+                     std::vector<MoverEnds> ends)
     : level_(level),
       spots_(std::move(spots)),
-      isStarted_(std::move(isStarted)),
+      ends_(std::move(ends)),
       through_(level.segments.size(), kFar) {
   spread(passages);
 }
@@ -65,7 +64,7 @@ double Distances::within(const Spot& spot) const {
 }
 
 /// Dijkstra's search, from the spots back.
-void Distances::spread(const worlds::Passages& passages) {
+void Distances::spread(const Passages& passages) {
   using Entry = std::pair<double, SegmentId>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto improve = [&](const Segment& segment, double distance) {
@@ -76,7 +75,7 @@ void Distances::spread(const worlds::Passages& passages) {
   const auto improveEntrances = [&](SectorId sector, const auto& distanceFrom) {
     for (const SegmentId id : level_.entrancesOf(level_[sector])) {
       const Segment& segment = level_[id];
-      if (passages.moversToPass(segment.sector, sector, isStarted_))
+      if (passages.moversToPass(segment.sector, sector, ends_))
         improve(segment, distanceFrom(middleOf(segment)));
     }
   };

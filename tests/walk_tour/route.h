@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "level/level.h"
-#include "worlds/passages.h"
+#include "lint/passages.h"
 
 namespace hearth::test {
 
@@ -19,8 +19,7 @@ Vec2 nearestOf(const Segment& segment, Vec2 p);
 
 /// The movers that must be started on the way from the player's start to the first of some spots
 /// that can be come to, in an order in which the switches of each can. None where there is no way.
-std::optional<std::vector<std::size_t>> moversOnTheWay(const Level& level,
-                                                       const worlds::Passages& passages,
+std::optional<std::vector<std::size_t>> moversOnTheWay(const Level& level, const Passages& passages,
                                                        const std::vector<Spot>& spots);
 
 /// Where a place in front of a wall is come to: in its sector, and in those beside it, from which
@@ -33,9 +32,9 @@ std::vector<Spot> spotsToStart(const Level& level, std::size_t mover);
 /// How far it is to the nearest of some spots, from portal to portal.
 class Distances {
  public:
-  /// Through what can be passed once these movers are started.
-  Distances(const Level& level, const worlds::Passages& passages, std::vector<Spot> spots,
-            std::vector<bool> isStarted);
+  /// Through what can be passed with movers at these ends.
+  Distances(const Level& level, const Passages& passages, std::vector<Spot> spots,
+            std::vector<MoverEnds> ends);
 
   /// Metres; infinite where there is no way.
   double from(const Spot& spot) const;
@@ -43,11 +42,11 @@ class Distances {
  private:
   /// Within the sector of the spot.
   double within(const Spot& spot) const;
-  void spread(const worlds::Passages& passages);
+  void spread(const Passages& passages);
 
   const Level& level_;
   std::vector<Spot> spots_;
-  std::vector<bool> isStarted_;  ///< by mover
+  std::vector<MoverEnds> ends_;  ///< by mover
   std::vector<double> through_;  ///< by segment: from its middle and through it
 };
 

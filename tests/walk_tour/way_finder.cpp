@@ -253,12 +253,13 @@ class Way {
  public:
   Way(const Scene& authored, const Walker& start, double leap)
       : level_(authored.level()),
-        passages_(level_, level_.player->stepHeight + leap),
+        passages_(level_, level_.player->stepHeight + leap, level_.player->height),
         leaps_(leap > 0),
         moving_(authored),
         walker_(start),
-        mayHelp_(level_.movers.size()) {
-    for (std::size_t i = 0; i < mayHelp_.size(); ++i) mayHelp_[i] = isLoop(level_.movers[i]);
+        ends_(level_.movers.size(), MoverEnds::Authored) {
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      if (isLoop(level_.movers[i])) ends_[i] = MoverEnds::Both;
   }
 
   tl::expected<std::vector<WalkInput>, std::string> to(const Aim& aim) {
@@ -270,7 +271,7 @@ class Way {
       };
       if (!isThere(walker_, walker_) && !goOn({spotsToStart(level_, mover), isThere}))
         return tl::unexpected(missed(level_.movers[mover].name));
-      mayHelp_[mover] = true;
+      ends_[mover] = MoverEnds::Both;
     }
     if (!goOn(aim)) return tl::unexpected(missed("the aim"));
     return inputs_;
@@ -278,7 +279,7 @@ class Way {
 
  private:
   bool goOn(const Aim& aim) {
-    const Distances distances(level_, passages_, aim.spots, mayHelp_);
+    const Distances distances(level_, passages_, aim.spots, ends_);
     const auto inputs = Search(moving_, distances, leaps_, aim.isReached).find(walker_);
     if (inputs)
       inputs_.insert(inputs_.end(), inputs->begin(), inputs->end());
@@ -293,11 +294,11 @@ class Way {
   }
 
   const Level& level_;
-  worlds::Passages passages_;
+  Passages passages_;
   bool leaps_;
   MovingLevel moving_;
   Walker walker_;
-  std::vector<bool> mayHelp_;  ///< by mover: it was started, or is a loop
+  std::vector<MoverEnds> ends_;  ///< by mover: both once it was started, and of a loop
   std::vector<WalkInput> inputs_;
   double missing_ = 0;
 };

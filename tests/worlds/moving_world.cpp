@@ -12,8 +12,8 @@
 #include "import/doom/map.h"
 #include "import/doom/pieces.h"
 #include "level/locate.h"
+#include "lint/sector_reach.h"
 #include "load/load.h"
-#include "worlds/reach.h"
 
 namespace hearth::worlds {
 
@@ -73,7 +73,7 @@ bool isReached(const Level& level, const Reach& reach, const doom::LineType& typ
 
 std::optional<bool> isExitReached(const doom::Map& map, const Level& level) {
   if (!level.player) return std::nullopt;
-  const Passages passages(level, level.player->stepHeight);
+  const Passages passages(level, level.player->stepHeight, level.player->height);
   const Reach reach(level, passages);
   std::optional<bool> isAnyReached;
   for (const doom::Line& line : map.lines) {

@@ -1,10 +1,10 @@
-#include "worlds/reach.h"
+#include "lint/sector_reach.h"
 
 #include <gtest/gtest.h>
 
 #include "support/level_text.h"
 
-namespace hearth::worlds {
+namespace hearth {
 namespace {
 
 using Reached = std::vector<bool>;
@@ -42,7 +42,7 @@ Level row(Heights middle, double chamberFloor, const std::string& mover, const s
 }
 
 Reached reachedSectors(const Level& level) {
-  const Passages passages(level, level.player->stepHeight);
+  const Passages passages(level, level.player->stepHeight, level.player->height);
   const Reach reach(level, passages);
   Reached reached;
   for (const Sector& sector : level.sectors) reached.push_back(reach.comesTo(sector.id));
@@ -64,7 +64,7 @@ TEST(Reach, goesUpWithLifts) {
 
 TEST(Reach, usesWallsFromBeside) {
   const Level level = row({2, 7}, 2, "", "");
-  const Passages passages(level, level.player->stepHeight);
+  const Passages passages(level, level.player->stepHeight, level.player->height);
   const Reach reach(level, passages);
   EXPECT_TRUE(reach.mayUseWallsOf(SectorId(1)));
   EXPECT_FALSE(reach.mayUseWallsOf(SectorId(2)));
@@ -73,11 +73,11 @@ TEST(Reach, usesWallsFromBeside) {
 TEST(Reach, tellsWhichMoversMustBeStarted) {
   const std::string door = "'door': {'sectors': 'middle', 'part': 'ceiling', 'to': 3}";
   const Level level = row({0, 0}, 0, door, ", 'use': 'door'");
-  const Passages passages(level, level.player->stepHeight);
+  const Passages passages(level, level.player->stepHeight, level.player->height);
   const Reach reach(level, passages);
   EXPECT_EQ(reach.moversTo(SectorId(0)), std::vector<std::size_t>{});
   EXPECT_EQ(reach.moversTo(SectorId(2)), std::vector<std::size_t>{0});
 }
 
 }  // namespace
-}  // namespace hearth::worlds
+}  // namespace hearth
