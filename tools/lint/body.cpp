@@ -252,14 +252,6 @@ class Walks {
   std::map<SectorId, std::vector<bool>> reached_;
 };
 
-/// On the map.
-double areaOf(const Level& level, const Sector& sector) {
-  double twice = 0;
-  for (const Segment& segment : level.segmentsOf(sector))
-    twice += cross(segment.p0 - sector.box.min, segment.p1 - sector.box.min);
-  return twice / 2;
-}
-
 class HindranceFinder {
  public:
   HindranceFinder(const LintedLevel& linted, Findings& findings)
@@ -275,19 +267,13 @@ class HindranceFinder {
       if (!isVisited[from.index()]) continue;
       if (told_.contains(hindrance.next)) continue;
       const std::vector<SectorId> gained = walks.gainedBehind(hindrance);
-      if (areaOf(gained) < kRoom) continue;
+      if (areaOf(scene_.level(), gained) < kRoom) continue;
       told_.insert(gained.begin(), gained.end());
       report(hindrance, body, isCrouching);
     }
   }
 
  private:
-  double areaOf(const std::vector<SectorId>& sectors) const {
-    double area = 0;
-    for (const SectorId sector : sectors) area += hearth::areaOf(scene_.level(), scene_[sector]);
-    return area;
-  }
-
   void report(const Hindrance& hindrance, const Body& body, bool isCrouching) {
     const Place place = authoredWallAt(linted_, hindrance.segment, hindrance.zBottom).place;
     const std::string& name = scene_[hindrance.next].name;

@@ -13,6 +13,7 @@ std::vector<Diagnostic> lintGeometry(const LintedLevel& linted) {
   findImpassable(linted, findings);
   findMisplacedPlayer(linted, findings);
   findIdleMovers(linted, findings);
+  findShutIn(linted, findings);
   return findings.resolve(linted.source.documents);
 }
 

@@ -40,6 +40,8 @@ std::vector<SectorId> outOfReach(const Scene& scene);
 void findMisplacedPlayer(const LintedLevel& linted, Findings& findings);
 /// Movers that nothing starts, and zones of movers that the player cannot get to.
 void findIdleMovers(const LintedLevel& linted, Findings& findings);
+/// Movers that let the player into a small part of the level, and never out again.
+void findShutIn(const LintedLevel& linted, Findings& findings);
 
 // What needs one.
 

@@ -77,6 +77,14 @@ std::vector<std::vector<SectorId>> connectedComponents(
   return parts;
 }
 
+double areaOf(const Level& level, std::span<const SectorId> sectors) {
+  double twice = 0;
+  for (const SectorId sector : sectors)
+    for (const Segment& segment : level.segmentsOf(level[sector]))
+      twice += cross(segment.p0 - level[sector].box.min, segment.p1 - level[sector].box.min);
+  return twice / 2;
+}
+
 MovingWalls::MovingWalls(const Level& level) : isMoving_(level.sectors.size()) {
   for (const Mover& mover : level.movers)
     for (const SectorId sector : mover.sectors) isMoving_[sector.index()] = true;

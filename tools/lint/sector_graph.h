@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "level/level.h"
@@ -23,6 +24,9 @@ std::vector<SectorId> newlyReachableFrom(const std::vector<std::vector<SectorId>
 /// The sectors of each part that two-way links connect, in order.
 std::vector<std::vector<SectorId>> connectedComponents(
     const std::vector<std::vector<SectorId>>& links);
+
+/// Square metres on the map.
+double areaOf(const Level& level, std::span<const SectorId> sectors);
 
 /// Walls at which flats move.
 class MovingWalls {
