@@ -7,6 +7,7 @@
 #include "math/check.h"
 #include "math/trig.h"
 #include "walk/stand.h"
+#include "walk/surroundings.h"
 
 namespace hearth {
 
@@ -101,6 +102,22 @@ std::optional<Walker> carried(const Scene& scene, Walker walker, double from, do
   walker.sector = stand->sector;
   walker.feet = stand->feet;
   return walker;
+}
+
+/// The body where it stands.
+SweepQuery bodyOn(const Level& level, const Walker& walker) {
+  const Body body = bodyOf(level, walker.crouch);
+  const double feet = walker.feet.z;
+  return {walker.feet.xy(), body.radius, 0, {feet, feet, body.height}, feet, feet + body.height};
+}
+
+/// Whether a body still reaches into all sectors that it reached into before. A flat that closes an
+/// opening beside its axis would have part of it in solid.
+bool isWhole(const Surroundings& before, const Scene& scene, const Walker& walker) {
+  const Surroundings after(scene, walker.sector, bodyOn(scene.level(), walker));
+  return std::ranges::all_of(before.sectors(), [&](SectorId sector) {
+    return std::ranges::find(after.sectors(), sector) != after.sectors().end();
+  });
 }
 
 }  // namespace
@@ -225,13 +242,14 @@ void MovingLevel::move(std::size_t index, Walker& walker) {
   const bool isNearWalker =
       isNear(level(), mover, walker.feet.xy(), bodyOf(level(), walker.crouch).radius) &&
       fits(scene(), walker);
+  if (!isNearWalker) return moved_.setShare(index, next.share);
+  const Surroundings before(scene(), walker.sector, bodyOn(level(), walker));
   moved_.setShare(index, next.share);
-  if (!isNearWalker) return;
   const double still = walker.feet.z;
   const auto kept = mover.part == FlatPart::Floor
                         ? carried(scene(), walker, heightAt(now.share), heightAt(next.share))
                         : carried(scene(), walker, still, still);
-  if (kept) {
+  if (kept && isWhole(before, scene(), *kept)) {
     walker = *kept;
     return;
   }

@@ -144,6 +144,22 @@ TEST_F(MovingCastle, TurnsADoorBackThatWouldCrushTheWalker) {
   EXPECT_LT(least, 0.7) << "it has come down to the head";
 }
 
+/// The axis of the body is in the hall, its side in the doorway.
+TEST_F(MovingCastle, TurnsADoorBackThatWouldCrushTheWalkersSide) {
+  stand("hall", {9, 2, 0}, 0);
+  tick({.use = true});
+  tick({}, 30);
+  while (walker.feet.x < 9.8) tick({.forward = 60});
+  double least = 1;
+  for (int i = 0; i < 640; ++i) {
+    tick({});
+    ASSERT_EQ(sector(), "hall");
+    least = std::min(least, share(Gate));
+    ASSERT_GE(level.scene().zCeiling(level.level().sectors[1]), 1.8 - 1e-5);
+  }
+  EXPECT_LT(least, 0.7) << "it has come down to the head";
+}
+
 TEST_F(MovingCastle, StartsWhatIsCrossedFromTheFront) {
   stand("hall", {9, 2, 0}, 0);
   tick({.use = true});
