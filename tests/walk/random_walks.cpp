@@ -10,16 +10,22 @@
 #include <vector>
 
 #include "level/locate.h"
+#include "level/moved_geometry.h"
 #include "level/thing_bodies.h"
 #include "load/load.h"
 #include "math/tolerance.h"
 #include "math/trig.h"
+#include "movers/random_movers.h"
 #include "random_levels/random.h"
 #include "random_levels/random_level.h"
 #include "walk/body.h"
+#include "walk/moving_level.h"
+#include "walk/recording.h"
+#include "walk/walk_clock.h"
 #include "walk/walker.h"
 #include "walk_tests/solid_things.h"
 #include "walk_tests/solids.h"
+#include "walk_tests/starting_movers.h"
 #include "walk_tests/starts.h"
 
 namespace hearth::random_walks {
@@ -46,8 +52,9 @@ bool isIn(const Scene& scene, SectorId sector, Vec3 p) {
 }
 
 /// Inputs that last, as a player's do: now and then some of them change.
-WalkInput changed(WalkInput input, Random& random) {
+WalkInput changed(WalkInput input, bool uses, Random& random) {
   input.toggleFlight = random.chance(0.002);
+  input.use = uses && random.chance(0.05);
   if (!random.chance(0.05)) return input;
   const auto fraction = [&] { return static_cast<int>(random.between(-1, 1) * 127); };
   input.forward = random.chance(0.7) ? 127 : fraction();
@@ -62,12 +69,16 @@ WalkInput changed(WalkInput input, Random& random) {
 
 class Walk {
  public:
-  Walk(const Scene& scene, const Solids& solids, const std::vector<SolidThing>& things,
-       const Walker& start, std::uint64_t seed, int lines)
-      : scene_(scene),
-        solids_(solids),
+  Walk(const Scene& authored, const std::vector<SolidThing>& things, const RecordedStart& start,
+       std::uint64_t seed, int lines)
+      : authored_(authored),
+        moving_(authored),
+        between_(authored.level(), authored.geometry()),
+        scene_(moving_.scene()),
+        solids_(scene_),
         things_(things),
-        walker_(start),
+        walker_(*walkerAtStart(scene_, start)),
+        recording_{start, {}, {}},
         inputs_(seed),
         checks_(seed),
         lines_(lines) {}
@@ -76,9 +87,9 @@ class Walk {
     report_.walks = 1;
     WalkInput input;
     for (int tick = 0; tick < ticks && report_.failures == 0; ++tick) {
-      input = changed(input, inputs_);
+      input = changed(input, !moving_.movers().empty(), inputs_);
       const Walker before = walker_;
-      walker_ = walked(scene_, before, input);
+      advance(input);
       check(before, input);
       if (report_.failures > 0)
         report_.first = fmt::format(
@@ -89,10 +100,25 @@ class Walk {
             before.velocity.x, before.velocity.y, before.velocity.z, before.angle, before.crouch,
             before.isFlying, before.isOnGround);
     }
+    if (!moving_.movers().empty() && report_.failures == 0) replay();
     return report_;
   }
 
  private:
+  void advance(const WalkInput& input) {
+    recording_.inputs.push_back(input);
+    sharesBefore_.assign(moving_.shares().begin(), moving_.shares().end());
+    const std::vector<MoverState> before(moving_.movers().begin(), moving_.movers().end());
+    const Walker walker = moving_.ticked(walker_, input);
+    if (!std::ranges::equal(sharesBefore_, moving_.shares())) {
+      ++report_.whileMoving;
+      solids_ = Solids(scene_);
+    }
+    for (std::size_t i = 0; i < before.size(); ++i)
+      report_.turnedBack += before[i].direction > 0 && moving_.movers()[i].direction < 0;
+    walker_ = walker;
+  }
+
   void fail(std::string fault) {
     if (report_.failures == 0) fault_ = std::move(fault);
     report_.failures = 1;
@@ -106,11 +132,50 @@ class Walk {
     expect(isIn(scene_, walker_.sector, walker_.feet), "the sector does not contain the feet");
     const Eye eye = eyeOf(scene_, walker_);
     expect(isIn(scene_, eye.sector, eye.point), "the sector does not contain the eye");
-    const Eye between = eyeBetween(scene_, before, walker_, checks_.unit());
-    expect(isIn(scene_, between.sector, between.point), "an eye between ticks is nowhere");
+    expectEyeBetween(before);
     expectPhysics(before, input);
     expectFree();
     expectOutOfThings();
+  }
+
+  void expectEyeBetween(const Walker& before) {
+    const double fraction = checks_.unit();
+    // In a tick movers move first and then the walker, in a frame both at once. Where it crosses
+    // into another sector, a flat can be past an eye that is nearer than it moves.
+    const Body body = bodyOf(scene_.level(), walker_.crouch);
+    const double movement = movedBy();
+    if (movement > 0 && movement >= std::min(body.eyeHeight, body.height - body.eyeHeight)) return;
+    for (std::size_t i = 0; i < sharesBefore_.size(); ++i)
+      if (const double share = std::lerp(sharesBefore_[i], moving_.shares()[i], fraction);
+          share != between_.shares()[i])
+        between_.setShare(i, share);
+    const Scene scene = between_.scene();
+    const Eye eye = eyeBetween(scene, before, walker_, fraction);
+    expect(isIn(scene, eye.sector, eye.point), "an eye between ticks is nowhere");
+  }
+
+  /// From its text, whatever the frames: few long ones, which make up for a part of their time
+  /// only, and many short ones.
+  void replay() {
+    recording_.end = recordedState(scene_, walker_);
+    const auto read = readRecording(writeRecording(recording_));
+    expect(read && *read == recording_, "the recording does not come back from its text");
+    if (report_.failures > 0) return;
+    for (const double framesPerSecond : {1.0, 1000.0}) {
+      MovingLevel moving(authored_);
+      Walker walker = *walkerAtStart(moving.scene(), read->start);
+      WalkClock clock;
+      std::size_t tick = 0;
+      for (int frame = 0; tick < read->inputs.size(); ++frame)
+        for (int due = clock.advance(frame / framesPerSecond).ticks;
+             due > 0 && tick < read->inputs.size(); --due)
+          walker = moving.ticked(walker, read->inputs[tick++]);
+      expect(recordedState(moving.scene(), walker) == read->end &&
+                 std::ranges::equal(moving.movers(), moving_.movers()),
+             "a replay ends elsewhere");
+    }
+    ++report_.replays;
+    if (report_.failures > 0) report_.first = fault_;
   }
 
   void count(const Walker& before) {
@@ -136,11 +201,20 @@ class Walk {
     const double reach = speed * kTick + kEdgeInset;
     expect(length(moved.xy()) <= reach, "faster than physics allows");
     const double parts = std::clamp(std::ceil(2 * reach / std::max(body.radius, 1e-9)), 1.0, 16.0);
-    const double lift = parts * body.stepHeight + reach;
+    const double lift = parts * body.stepHeight + reach + movedBy();
     const double rise = std::max({before.velocity.z, walker_.isFlying ? wanted : 3.3});
     const double fall = std::max({-before.velocity.z, walker_.isFlying ? wanted : 0.0});
     expect(moved.z <= rise * kTick + lift, "higher than physics allows");
     expect(-moved.z <= fall * kTick + 9.81 * kTick * kTick + lift, "deeper than physics allows");
+  }
+
+  /// The metres by which flats have moved in this tick.
+  double movedBy() const {
+    double metres = 0;
+    for (std::size_t i = 0; i < sharesBefore_.size(); ++i)
+      metres += std::abs(between_.heightAt(i, moving_.shares()[i]) -
+                         between_.heightAt(i, sharesBefore_[i]));
+    return metres;
   }
 
   void expectOutOfThings() {
@@ -198,10 +272,15 @@ class Walk {
     }
   }
 
-  Scene scene_;
-  const Solids& solids_;
+  Scene authored_;
+  MovingLevel moving_;
+  MovedGeometry between_;  ///< at the time of a frame
+  Scene scene_;            ///< as it moves
+  Solids solids_;
   const std::vector<SolidThing>& things_;
   Walker walker_;
+  std::vector<double> sharesBefore_;  ///< of the movers, a tick ago
+  Recording recording_;
   Random inputs_;
   Random checks_;  // apart, so that other checks see the same walk
   int lines_;
@@ -216,6 +295,39 @@ bool isInAny(const std::vector<SolidThing>& things, const Walker& walker, const 
 }
 
 Report failed(std::string why) { return {.failures = 1, .first = std::move(why)}; }
+
+/// Walks from some views of a level, whose player becomes another one each time.
+Report walkFrom(const std::vector<RandomView>& views, LoadedLevel& loaded,
+                const std::vector<SolidThing>& things, const Effort& effort, std::uint64_t seed) {
+  const Scene scene = loaded.scene();
+  const Solids solids(scene);
+  Random choices(seed);
+  Report report;
+  for (int i = 0; i < effort.walks; ++i) {
+    loaded.level.player = kBodies[static_cast<std::size_t>(i) % kBodies.size()];
+    std::optional<Walker> start;
+    const RandomView* view = nullptr;
+    for (int attempt = 0; !start && attempt < 8; ++attempt) {
+      view = &choices.pickFrom(views);
+      start = standIn(scene, solids, *view);
+    }
+    if (start && isInAny(things, *start, bodyOf(loaded.level, start->crouch))) start.reset();
+    if (!start) {
+      ++report.stuck;
+      continue;
+    }
+    const RecordedStart recorded{view->sector, {view->x, view->y, view->z}, view->angle, 0};
+    Report one = Walk(scene, things, recorded, choices.next(), effort.lines).run(effort.ticks);
+    if (!one.first.empty()) one.first = fmt::format("seed {} walk {}: {}", seed, i, one.first);
+    report += one;
+  }
+  return report;
+}
+
+void makeOnlyTheLevelSolid(LoadedLevel& loaded) {
+  for (Mesh& mesh : loaded.level.meshes) mesh.isSolid = false;
+  addBodies(loaded.level, loaded.geometry);
+}
 
 }  // namespace
 
@@ -232,9 +344,7 @@ std::optional<LoadedLevel> loadRandom(const RandomLevel& random,
   std::filesystem::remove(folder / (random.name + ".json"));
   std::filesystem::remove(folder / (random.name + ".lights.json"));
   if (!result.loaded) return std::nullopt;
-  Level& level = result.loaded->level;
-  for (Mesh& mesh : level.meshes) mesh.isSolid = false;
-  addBodies(level, result.loaded->geometry);
+  makeOnlyTheLevelSolid(*result.loaded);
   return std::move(result.loaded);
 }
 
@@ -260,44 +370,42 @@ Report& Report::operator+=(const Report& other) {
   onThings += other.onThings;
   againstThings += other.againstThings;
   besideOneWay += other.besideOneWay;
+  whileMoving += other.whileMoving;
+  turnedBack += other.turnedBack;
+  replays += other.replays;
   return *this;
 }
 
-Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
-                       int ticks, int lines, int solidThings) {
+Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder,
+                       const Effort& effort, int solidThings) {
   const RandomLevel random = makeRandomLevel(seed);
   std::optional<LoadedLevel> loaded = loadRandom(random, folder);
   if (!loaded) return failed(fmt::format("seed {} does not load", seed));
   const std::vector<SolidThing> things = addSolidThings(*loaded, random, solidThings);
-  const Scene scene = loaded->scene();
-  const Solids solids(scene);
-  Random choices(seed);
-  Report report;
-  for (int i = 0; i < walks; ++i) {
-    loaded->level.player = kBodies[static_cast<std::size_t>(i) % kBodies.size()];
-    std::optional<Walker> start;
-    for (int attempt = 0; !start && attempt < 8; ++attempt)
-      start = standIn(scene, solids, choices.pickFrom(random.views));
-    if (start && isInAny(things, *start, bodyOf(loaded->level, start->crouch))) start.reset();
-    if (!start) {
-      ++report.stuck;
-      continue;
-    }
-    Report one = Walk(scene, solids, things, *start, choices.next(), lines).run(ticks);
-    if (!one.first.empty()) one.first = fmt::format("seed {} walk {}: {}", seed, i, one.first);
-    report += one;
-  }
-  return report;
+  return walkFrom(random.views, *loaded, things, effort, seed);
+}
+
+Report walkMovingLevel(std::uint64_t seed, const std::filesystem::path& folder,
+                       const Effort& effort) {
+  const movers::RandomMovers random(seed, folder);
+  std::optional<LoadedLevel> loaded = random.loaded().result.loaded;
+  if (!loaded) return {};
+  makeOnlyTheLevelSolid(*loaded);
+  Random whims(seed);
+  letStart(loaded->level, whims);
+  return walkFrom(makeRandomLevel(seed).views, *loaded, {}, effort, seed);
 }
 
 std::string inWords(const Report& report) {
   return fmt::format(
       "{} walks, {} ticks: {} on the ground, {} in flight, {} into another sector, {} of these "
       "through flat portals; {} on solid things, {} against their sides; {} beside one-way walls, "
-      "where solids are not looked for; {} starts without room; {} walks failed\n{}",
+      "where solids are not looked for; {} while something moves, which turned back {} times; {} "
+      "walks replayed; {} starts without room; {} walks failed\n{}",
       report.walks, report.ticks, report.onGround, report.inFlight, report.crossings,
-      report.throughFlats, report.onThings, report.againstThings, report.besideOneWay, report.stuck,
-      report.failures, report.first);
+      report.throughFlats, report.onThings, report.againstThings, report.besideOneWay,
+      report.whileMoving, report.turnedBack, report.replays, report.stuck, report.failures,
+      report.first);
 }
 
 }  // namespace hearth::random_walks

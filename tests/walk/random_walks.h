@@ -21,15 +21,29 @@ struct Report {
   std::uint64_t stuck = 0;          ///< starts without room, that are not walked
   std::uint64_t onThings = 0;       ///< ... the walker stood on a solid thing
   std::uint64_t againstThings = 0;  ///< ... or touched one's side
+  std::uint64_t whileMoving = 0;    ///< ... something moved
+  std::uint64_t turnedBack = 0;     ///< movers on the way to `to`, because of the walker
+  std::uint64_t replays = 0;        ///< walks that were replayed
 
   Report& operator+=(const Report& other);
 };
 
-/// Walks a random level of that seed, whose textures are in `folder`, from some of its views. After
-/// every tick so many lines out of the body's axis must be in the air. So many solid things stand
-/// in the level, or hang in its air, none of which the walker may be in.
-Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder, int walks,
-                       int ticks, int lines, int solidThings = 0);
+/// Of the walks through one level.
+struct Effort {
+  int walks;
+  int ticks;  ///< of each walk
+  int lines;  ///< out of the body's axis that must be in the air after every tick
+};
+
+/// Walks a random level of that seed, whose textures are in `folder`, from some of its views. So
+/// many solid things stand in the level, or hang in its air, none of which the walker may be in.
+Report walkRandomLevel(std::uint64_t seed, const std::filesystem::path& folder,
+                       const Effort& effort, int solidThings = 0);
+
+/// The same of a random level in which something moves, and which the walks start. Nothing where
+/// the seed has none. Each walk is recorded, and replayed at few and at many frames a second.
+Report walkMovingLevel(std::uint64_t seed, const std::filesystem::path& folder,
+                       const Effort& effort);
 
 struct WaysReport {
   int asked = 0;      ///< ways that the reference calls open
