@@ -81,6 +81,11 @@ bool isNear(const Level& level, const Mover& mover, Vec2 p, double radius) {
   });
 }
 
+/// A step from one share towards another.
+double approached(double share, double target, double step) {
+  return share < target ? std::min(target, share + step) : std::max(target, share - step);
+}
+
 bool fits(const Scene& scene, const Walker& walker) {
   const Body body = bodyOf(scene.level(), walker.crouch);
   const auto stand = standAt(scene, body, walker.sector, walker.feet, walker.feet.z,
@@ -231,30 +236,52 @@ void MovingLevel::startEntered(const Walker& walker) {
       start(i);
 }
 
+Walker MovingLevel::pushed(const Walker& walker, const MoverShare& towards) {
+  // Small steps: so it goes as far as there is room, and takes the walker past nothing.
+  constexpr double kStep = 0.05;  // metres
+  constexpr int kMostSteps = 64;
+  const auto [mover, share] = towards;
+  const double distance = std::abs(moved_.heightAt(mover, 1) - moved_.heightAt(mover, 0));
+  Walker after = walker;
+  for (int i = 0; i < kMostSteps && shares()[mover] != share; ++i)
+    if (!bring(mover, approached(shares()[mover], share, kStep / distance), after)) break;
+  states_[mover] = {shares()[mover], 0, 0};
+  return after;
+}
+
 /// By one tick, unless that would crush the walker: then it turns back.
 void MovingLevel::move(std::size_t index, Walker& walker) {
   const Mover& mover = level().movers[index];
   const MoverState now = states_[index];
-  const auto heightAt = [&](double share) { return moved_.heightAt(index, share); };
-  const MoverState next = moved(mover, std::abs(heightAt(1) - heightAt(0)), now);
-  states_[index] = next;
-  if (next.share == now.share) return;
+  const double distance = std::abs(moved_.heightAt(index, 1) - moved_.heightAt(index, 0));
+  const MoverState next = moved(mover, distance, now);
+  const bool hasRoom = next.share == now.share || bring(index, next.share, walker);
+  states_[index] = hasRoom ? next : MoverState{now.share, -now.direction, 0};
+}
+
+/// Moves a mover with what stands on it, unless that would crush the walker. Whether it has moved.
+bool MovingLevel::bring(std::size_t index, double share, Walker& walker) {
+  const Mover& mover = level().movers[index];
+  const double before = shares()[index];
   const bool isNearWalker =
       isNear(level(), mover, walker.feet.xy(), bodyOf(level(), walker.crouch).radius) &&
       fits(scene(), walker);
-  if (!isNearWalker) return moved_.setShare(index, next.share);
-  const Surroundings before(scene(), walker.sector, bodyOn(level(), walker));
-  moved_.setShare(index, next.share);
-  const double still = walker.feet.z;
-  const auto kept = mover.part == FlatPart::Floor
-                        ? carried(scene(), walker, heightAt(now.share), heightAt(next.share))
-                        : carried(scene(), walker, still, still);
-  if (kept && isWhole(before, scene(), *kept)) {
-    walker = *kept;
-    return;
+  if (!isNearWalker) {
+    moved_.setShare(index, share);
+    return true;
   }
-  moved_.setShare(index, now.share);
-  states_[index] = {now.share, -now.direction, 0};
+  const Surroundings around(scene(), walker.sector, bodyOn(level(), walker));
+  moved_.setShare(index, share);
+  const bool isFloor = mover.part == FlatPart::Floor;
+  const double from = isFloor ? moved_.heightAt(index, before) : walker.feet.z;
+  const double to = isFloor ? moved_.heightAt(index, share) : walker.feet.z;
+  const auto kept = carried(scene(), walker, from, to);
+  if (kept && isWhole(around, scene(), *kept)) {
+    walker = *kept;
+    return true;
+  }
+  moved_.setShare(index, before);
+  return false;
 }
 
 }  // namespace hearth

@@ -34,6 +34,10 @@ class MovingLevel {
   /// Puts the movers into other states, by index: as they were at another tick.
   void setMovers(std::span<const MoverState> states);
 
+  /// The walker after a hand has pushed a mover towards a share, where it then rests. In one call
+  /// it moves 3.2 m at most, and it stops before it would crush the walker.
+  Walker pushed(const Walker& walker, const MoverShare& towards);
+
   /// One tick. First the use key starts movers; then all movers move, those with floors under the
   /// walker carry it, and those for which it leaves no room turn back; then it walks, and starts
   /// what it crosses or enters.
@@ -47,6 +51,7 @@ class MovingLevel {
   void startCrossed(const Walker& before, const Walker& after);
   void startEntered(const Walker& walker);
   void move(std::size_t mover, Walker& walker);
+  bool bring(std::size_t mover, double share, Walker& walker);
 
   MovedGeometry moved_;
   std::vector<MoverState> states_;

@@ -160,6 +160,43 @@ TEST_F(MovingCastle, TurnsADoorBackThatWouldCrushTheWalkersSide) {
   EXPECT_LT(least, 0.7) << "it has come down to the head";
 }
 
+TEST_F(MovingCastle, RestsWhereAHandHasPushedIt) {
+  stand("hall", {5, 2, 0}, 0);
+  walker = level.pushed(walker, {Gate, 0.5});
+  EXPECT_EQ(share(Gate), 0.5);
+  tick({}, 640);
+  EXPECT_EQ(share(Gate), 0.5);
+  EXPECT_EQ(level.scene().zCeiling(level.level().sectors[1]), 1.5);
+}
+
+TEST_F(MovingCastle, IsNotPushedOntoTheWalkersHead) {
+  stand("hall", {9, 2, 0}, 0);
+  tick({.use = true});
+  tick(kForward, 50);  // into the doorway
+  const Walker before = walker;
+  walker = level.pushed(walker, {Gate, 0});
+  EXPECT_EQ(walker, before);
+  const double top = level.scene().zCeiling(level.level().sectors[1]);
+  EXPECT_GE(top, 1.8 - 1e-5) << "the walker is 1.8 m high";
+  EXPECT_LT(top, 1.8 + 0.05) << "and no farther from it than a step";
+}
+
+TEST_F(MovingCastle, TakesTheWalkerAlongWhenItIsPushed) {
+  stand("lift", {-1, 2, 0}, 0);
+  walker = level.pushed(walker, {Lift, 0.75});
+  EXPECT_EQ(walker.feet.z, 1.5);
+  walker = level.pushed(walker, {Lift, 0.25});
+  EXPECT_EQ(walker.feet.z, 0.5);
+}
+
+TEST_F(MovingCastle, LiftsNobodyWhoStandsBesideWhatIsPushed) {
+  stand("hall", {0.4, 2, 0}, 0);
+  const Walker before = walker;
+  walker = level.pushed(walker, {Lift, 1});
+  EXPECT_EQ(share(Lift), 1);
+  EXPECT_EQ(walker, before);
+}
+
 TEST_F(MovingCastle, StartsWhatIsCrossedFromTheFront) {
   stand("hall", {9, 2, 0}, 0);
   tick({.use = true});
