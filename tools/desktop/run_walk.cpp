@@ -23,6 +23,7 @@
 #include "measure/budget.h"
 #include "model/orbit_view.h"
 #include "render/renderer.h"
+#include "viewer/edit/movers_edit.h"
 #include "viewer/edit/shots_edit.h"
 #include "viewer/input/actions.h"
 #include "viewer/preferences/config.h"
@@ -203,6 +204,10 @@ ExitStatus walkInWindow(const SharedLevel& loaded, const SharedSource& source, c
   settings.writeShot = [&disk, &live](const Bookmark& bookmark) {
     return writeShot(disk, *live.shown()->loaded, bookmark);
   };
+  if (isReloaded(values))
+    settings.writeMover = [&disk, &live](const MoverEdit& edit) {
+      return writeMover(disk, *live.shown()->loaded, edit);
+    };
   Workers workers(threadsFrom(values));
   if (const auto target = values.number(Option::TargetMs)) {
     fitFrames(*target, (*lit)->renderer, firstEye(scene, plan, session), plan, *window, &workers,

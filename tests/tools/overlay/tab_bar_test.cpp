@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "image/pixel_rows.h"
 #include "viewer/overlay/overlay.h"
@@ -28,7 +29,7 @@ class TabBarTest : public testing::Test {
     for (int i = 0; i < 4; ++i) {
       shown_.reset();
       overlay_.draw(
-          now_ += 0.02, [this] { tabs_.show(all_); }, picture_);
+          now_ += 0.02, [this] { tabs_.show(std::span(all_).first(count_)); }, picture_);
     }
   }
 
@@ -43,6 +44,7 @@ class TabBarTest : public testing::Test {
   std::array<Tab, 3> all_ = {{{"A", [this] { shown_ = 0; }},
                               {"B", [this] { shown_ = 1; }},
                               {"C", [this] { shown_ = 2; }}}};
+  std::size_t count_ = 3;
   Overlay overlay_;
   TabBar tabs_;
   PixelBuffer memory_;
@@ -73,6 +75,19 @@ TEST_F(TabBarTest, KeepsItsTabWhereLettersGrow) {
   tabs_.turnTo("C");
   frames();
   picture_ = memory_.rows(1600, 1440);
+  frames();
+  EXPECT_EQ(shown_, 2);
+}
+
+TEST_F(TabBarTest, ShowsAnotherTabWhereTheShownOneIsGone) {
+  tabs_.turnTo("C");
+  frames();
+  count_ = 2;
+  frames();
+  EXPECT_TRUE(shown_);
+  count_ = 3;
+  frames();
+  tabs_.turnTo("C");
   frames();
   EXPECT_EQ(shown_, 2);
 }

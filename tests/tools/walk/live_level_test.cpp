@@ -13,6 +13,7 @@
 #include "light/blended_light.h"
 #include "light/saved_bake.h"
 #include "live_walk.h"
+#include "viewer/edit/movers_edit.h"
 
 namespace hearth {
 namespace {
@@ -318,6 +319,19 @@ TEST_F(LiveWalk, KeepsADoorOpenWhileItsLightIsEdited) {
   const BakedLight light = bake(open.scene(), open.level.bake, 2);
   EXPECT_TRUE(comesTo([&] { return stage_.shown == freshAt(open, light); }));
   EXPECT_EQ(session_->level().shares()[0], 1);
+}
+
+TEST_F(LiveWalk, GoesOnWithAMoverThatItHasWritten) {
+  writeHall();
+  begin();
+  stage_.events = {test::down(Key::E), test::up(Key::E)};
+  ASSERT_TRUE(comesTo([&] { return session_->level().movers()[0].share == 1; }));
+  const MoverEdit edit{"gate", MoverTrigger::None, 0.25};
+  ASSERT_TRUE(writeMover(disk_, *live_->shown()->loaded, edit));
+  ASSERT_TRUE(comesTo([&] { return editOf(session_->level().level().movers[0]) == edit; }));
+  EXPECT_EQ(session_->level().movers()[0].share, 1) << "where it stood";
+  EXPECT_TRUE(writeMover(disk_, *live_->shown()->loaded, {"gate", MoverTrigger::Use, 2}))
+      << "and it can be written again";
 }
 
 TEST_F(LiveWalk, LiftsTheWalkerWithTheFloor) {

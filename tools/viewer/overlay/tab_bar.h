@@ -19,7 +19,7 @@ class TabBar {
   /// From now on shows the tab of that name.
   void turnTo(std::string_view name) { requested_ = name; }
 
-  /// The same tabs each time.
+  /// Where the tab that was shown is not among them any more, shows another.
   void show(std::span<const Tab> tabs);
 
  private:

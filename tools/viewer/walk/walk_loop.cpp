@@ -109,6 +109,7 @@ bool WalkLoop::round() {
   moveFlats();
   aimCamera();
   grant(screen_.show(frame_, panelSubject(), panel_, settings_, now));
+  session_.hold(panel_.heldMover());
   return true;
 }
 
@@ -306,6 +307,7 @@ Eye WalkLoop::eyeOfFrame(double bob) const {
 // --- The panel -----------------------------------------------------------------------------------
 
 PanelSubject WalkLoop::panelSubject() const {
+  const bool canJump = bookmarks_.canJump();
   return {scene_,
           screen_.renderer(),
           source_.get(),
@@ -313,7 +315,9 @@ PanelSubject WalkLoop::panelSubject() const {
           frame_.size,
           markerSpaceOf(frame_),
           !frame_.view.isMapShown && isOfCamera(frame_.view.channel),
-          {bookmarks_.canJump(), settings_.writeShot != nullptr},
+          {canJump, settings_.writeShot != nullptr},
+          frame_.shares,
+          {canJump, canJump && settings_.writeMover},
           model_ ? &model_->figures : nullptr};
 }
 
@@ -328,6 +332,14 @@ void WalkLoop::grant(const PanelRequests& requests) {
   if (requests.preferencesChanged)
     if (const auto written = config_.write(settings_.preferences); !written) say(written.error());
   if (requests.bookmark) say(bookmarks_.grant(*requests.bookmark, session_.level().scene()));
+  if (requests.mover) write(*requests.mover);
+}
+
+/// The level shows it once it is loaded anew.
+void WalkLoop::write(const MoverEdit& edit) {
+  const auto written = settings_.writeMover(edit);
+  if (written) panel_.noteWritten(edit);
+  say(written ? fmt::format("wrote the mover {}", edit.name) : written.error());
 }
 
 }  // namespace hearth

@@ -98,6 +98,7 @@ class WalkLoop {
   void aimCamera();
   PanelSubject panelSubject() const;
   void grant(const PanelRequests& requests);
+  void write(const MoverEdit& edit);
 
   std::unique_ptr<MovedView> moved_;  ///< where the level has movers
   Scene scene_;                       ///< as frames show it

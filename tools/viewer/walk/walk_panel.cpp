@@ -22,11 +22,18 @@ void WalkPanel::toggle() {
   releasePointer();
   if (lightsTool_ && isOpen()) lightsEditor()->open();
   preferencesSection_.giveUp();
+  moversSection_.giveUp();
 }
 
 void WalkPanel::releasePointer() {
   pointer_.release();
+  moversSection_.release();
   if (lightsTool_) lightsTool_->release();
+}
+
+void WalkPanel::forget() {
+  inspector_.forget();
+  moversSection_.forget();
 }
 
 void WalkPanel::editLights(Storage& storage, const std::filesystem::path& file,
@@ -73,6 +80,16 @@ PanelRequests WalkPanel::draw(double now, const PanelSubject& subject, const Fig
   PanelRequests requests;
   if (!isOpen()) return requests;
   if (settings.canBake) bake_ = bakeSettingsFrom(subject.scene, settings.options);
+  const std::vector<Tab> tabs = tabsFor(subject, figures, settings, view, requests);
+  overlay_.draw(
+      now, [&] { tabs_.show(tabs); }, picture);
+  return requests;
+}
+
+/// What they show goes into the settings, the view and the requests.
+std::vector<Tab> WalkPanel::tabsFor(const PanelSubject& subject, const Figures& figures,
+                                    WalkSettings& settings, WalkView& view,
+                                    PanelRequests& requests) {
   std::vector<Tab> tabs = {
       {kLightTab, [&] { requests.copied = showLightTab(subject); }},
       {"View", [&] { showView(view.mode, view.channel); }},
@@ -88,9 +105,12 @@ PanelRequests WalkPanel::draw(double now, const PanelSubject& subject, const Fig
                       requests.bookmark =
                           bookmarksSection_.show(settings.bookmarks, subject.bookmarks);
                     }});
-  overlay_.draw(
-      now, [&] { tabs_.show(tabs); }, picture);
-  return requests;
+  if (!subject.scene.level().movers.empty())
+    tabs.push_back({"Movers", [&] {
+                      requests.mover =
+                          moversSection_.show({subject.scene, subject.moverShares, subject.movers});
+                    }});
+  return tabs;
 }
 
 /// Returns the text to copy to the clipboard, if any.

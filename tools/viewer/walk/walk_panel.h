@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "image/pixel_rows.h"
 #include "load/limits.h"
@@ -16,6 +18,7 @@
 #include "viewer/overlay/inspector.h"
 #include "viewer/overlay/lights_tool.h"
 #include "viewer/overlay/marker_space.h"
+#include "viewer/overlay/movers_section.h"
 #include "viewer/overlay/overlay.h"
 #include "viewer/overlay/pointer.h"
 #include "viewer/overlay/preferences_section.h"
@@ -34,6 +37,8 @@ struct PanelSubject {
   std::optional<MarkerSpace> space;  ///< where lights can be marked, if anywhere
   bool isLevelShown;                 ///< as the camera sees it, rather than a map or a drawing
   BookmarkPermissions bookmarks;
+  std::span<const double> moverShares;  ///< where the scene's movers stand
+  MoverPermissions movers;
   const ModelFigures* model;  ///< if it is a model that is turned
 };
 
@@ -43,6 +48,7 @@ struct PanelRequests {
   bool preferencesChanged = false;         ///< and can be written
   std::optional<std::string> copied = {};  ///< for the clipboard
   std::optional<BookmarkRequest> bookmark = {};
+  std::optional<MoverEdit> mover = {};  ///< to be written
 };
 
 /// The overlay of a walk, with its tabs, and what the mouse does in the picture beside it.
@@ -64,7 +70,12 @@ class WalkPanel {
   /// Lets go of the place that is inspected. Returns whether there was one.
   bool letGo() { return isOpen() && inspector_.letGo(); }
   /// Call it when the level or its light has changed.
-  void forget() { inspector_.forget(); }
+  void forget();
+
+  /// The mover that is dragged, and where to.
+  const std::optional<MoverShare>& heldMover() const { return moversSection_.held(); }
+  /// What was requested of a mover has been written.
+  void noteWritten(const MoverEdit& edit) { moversSection_.noteWritten(edit); }
 
   /// The edited lights, if they can be edited.
   LightsEditor* lightsEditor() { return lightsTool_ ? &lightsTool_->editor() : nullptr; }
@@ -82,6 +93,8 @@ class WalkPanel {
 
  private:
   void handlePointer(const Event& event, const PanelSubject& subject);
+  std::vector<Tab> tabsFor(const PanelSubject& subject, const Figures& figures,
+                           WalkSettings& settings, WalkView& view, PanelRequests& requests);
   std::optional<std::string> showLightTab(const PanelSubject& subject);
   bool showQualityTab(const PanelSubject& subject, WalkSettings& settings);
 
@@ -92,6 +105,7 @@ class WalkPanel {
   std::optional<LightsTool> lightsTool_;
   PreferencesSection preferencesSection_;
   BookmarksSection bookmarksSection_;
+  MoversSection moversSection_;
   BakeSettings bake_;  ///< of the level at hand, by the options
 };
 

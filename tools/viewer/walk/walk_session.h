@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ class WalkSession {
     previous_ = current_;
     previousGait_ = currentGait_;
     std::ranges::copy(level_.shares(), previousShares_.begin());
+    push();
     current_ = level_.ticked(current_, input);
     currentGait_ = walkedOn(currentGait_, previous_, current_);
     if (isRecording_) inputs_.push_back(input);
@@ -44,6 +46,7 @@ class WalkSession {
   /// the recording would not lead there.
   void continueIn(MovingLevel level, const Walker& walker) {
     level_ = std::move(level);
+    held_.reset();
     continueAt(walker);
   }
   /// Goes on from another place.
@@ -52,6 +55,14 @@ class WalkSession {
     previous_ = current_ = walker;
     previousGait_ = currentGait_ = {};
     previousShares_.assign(level_.shares().begin(), level_.shares().end());
+  }
+
+  /// From now on a hand holds this mover, or none. Not while recording: the recording would not
+  /// lead there.
+  void hold(const std::optional<MoverShare>& held) {
+    CHECK(!isRecording_ || !held, inputs_.size());
+    held_ = held;
+    push();
   }
 
   /// As it is since the latest tick.
@@ -88,6 +99,10 @@ class WalkSession {
   const std::vector<WalkInput>& inputs() const { return inputs_; }
 
  private:
+  void push() {
+    if (held_) current_ = level_.pushed(current_, *held_);
+  }
+
   MovingLevel level_;
   bool isRecording_;
   Walker previous_;
@@ -95,6 +110,7 @@ class WalkSession {
   std::vector<double> previousShares_;  ///< by mover
   Gait previousGait_;
   Gait currentGait_;
+  std::optional<MoverShare> held_;
   std::vector<WalkInput> inputs_;
   std::int64_t ticks_ = 0;
 };

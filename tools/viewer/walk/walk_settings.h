@@ -12,6 +12,7 @@
 #include "model/orbit_view.h"
 #include "render/draw_settings.h"
 #include "settings/options.h"
+#include "viewer/edit/movers_edit.h"
 #include "viewer/overlay/automap.h"
 #include "viewer/preferences/bookmarks.h"
 #include "viewer/preferences/preferences.h"
@@ -54,6 +55,9 @@ struct WalkSettings {
   Bookmarks bookmarks = {};
   /// Writes a bookmark into the level's file; empty if that is not possible.
   std::function<tl::expected<void, std::string>(const Bookmark&)> writeShot = {};
+  /// Writes what is edited of a mover into the level's file, which is then loaded anew; empty if
+  /// that is not possible.
+  std::function<tl::expected<void, std::string>(const MoverEdit&)> writeMover = {};
   std::vector<std::string> notes = {};    ///< that stand over the picture at first
   std::optional<TurnedModel> model = {};  ///< if the level is one that was made for a model
 };
