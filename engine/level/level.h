@@ -53,6 +53,15 @@ struct MoverSwitch {
   bool isCrossed;  ///< by walking through it from its front; else by the use key
 };
 
+/// A surface of a wall that shows another texture while a mover that the wall starts is not where
+/// it is authored.
+struct SwitchTexture {
+  SurfaceId surface;
+  std::size_t mover;  ///< index into Level::movers
+  TextureId off;
+  TextureId on;
+};
+
 /// A body that reaches into the air of a sector.
 struct BodyInSector {
   SectorId sector;
@@ -77,8 +86,9 @@ struct Level {
   std::vector<Segment> segments;
   std::vector<FlatPortal> flatPortals;
   std::vector<Mover> movers;
-  std::vector<MoverSwitch> switches;  ///< by segment
-  std::vector<Sprite> sprites;        ///< of two things at one place the later hides the earlier
+  std::vector<MoverSwitch> switches;          ///< by segment
+  std::vector<SwitchTexture> switchTextures;  ///< by surface: of the same one after another
+  std::vector<Sprite> sprites;  ///< of two things at one place the later hides the earlier
   std::vector<Mesh> meshes;
   std::vector<MeshFace> meshFaces;
   std::vector<LightSource> lights;

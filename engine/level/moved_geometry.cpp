@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "level/switch_textures.h"
 #include "level/thing_bodies.h"
 #include "math/check.h"
 
@@ -16,7 +17,7 @@ MovedGeometry::MovedGeometry(const Level& level, const Geometry& authored)
   for (const Mover& mover : level.movers) most = std::max(most, mover.sectors.size());
   moved_.reserve(most);
   findRiders();
-  if (!riders_.empty()) own_ = std::make_unique<Level>(level);
+  if (!riders_.empty() || !level.switchTextures.empty()) own_ = std::make_unique<Level>(level);
 }
 
 void MovedGeometry::findRiders() {
@@ -40,7 +41,9 @@ void MovedGeometry::findRiders() {
 }
 
 void MovedGeometry::setShare(std::size_t mover, double share) {
+  const bool isSwitched = (shares_[mover] > 0) != (share > 0);
   shares_[mover] = share;
+  if (isSwitched && !level_->switchTextures.empty()) showSwitches(*own_, shares_);
   const double height = heightAt(mover, share);
   const bool isFloor = level_->movers[mover].part == FlatPart::Floor;
   moved_.clear();

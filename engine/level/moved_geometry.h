@@ -11,8 +11,9 @@
 
 namespace hearth {
 
-/// The geometry of a level whose movers stand at any shares, and the things that stand on moving
-/// floors. Takes no memory when they move, and none at all for a level without movers.
+/// The geometry of a level whose movers stand at any shares, the things that stand on moving floors
+/// and the textures of switches. Takes no memory when they move, and none at all for a level
+/// without movers.
 class MovedGeometry {
  public:
   /// All movers at share 0, as in `authored`. Level and geometry must outlive it.
@@ -24,7 +25,7 @@ class MovedGeometry {
   /// By mover.
   std::span<const double> shares() const { return shares_; }
 
-  /// Moves one mover (0..1), in a time that depends on it alone, and on what stands on it.
+  /// Moves one mover (0..1), in a time that depends on it, on what stands on it, and on switches.
   void setShare(std::size_t mover, double share);
   /// Moves those whose share differs.
   void setShares(std::span<const double> shares);
@@ -46,7 +47,8 @@ class MovedGeometry {
   void standMesh(const Rider& rider, double height);
 
   const Level* level_;
-  std::unique_ptr<Level> own_;  ///< a copy, in which riders move; null without any
+  std::unique_ptr<Level> own_;  ///< a copy, in which riders move and switches change; null
+                                ///< without any
   const Geometry* authored_;
   Geometry geometry_;
   std::vector<double> shares_;

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "level/switch_textures.h"
 #include "load/level_linker.h"
 #include "load/source.h"
 #include "math/check.h"
@@ -33,6 +34,7 @@ LoadResult levelAt(const LoadedLevel& authored, const LevelSource& source,
                               authored.textures,        authored.path,
                               authored.lights,          authored.files,
                               authored.decodedImages,   authored.textHash};
+  showSwitches(result.loaded->level, shares);
   result.loaded->level.player = playerIn(result.loaded->scene(), authored.level.player);
   return result;
 }

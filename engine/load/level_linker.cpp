@@ -37,6 +37,7 @@ bool linkSectors(Linking& linking) {
   validateRings(linking);
   if (linking.level.segments.empty()) return false;
   addSurfacesAndGeometry(linking);
+  linkSwitchTextures(linking);
   return true;
 }
 

@@ -214,6 +214,7 @@ std::vector<bool> wornIn(const Scene& scene, std::size_t textures) {
     for (const std::vector<SpriteView>& views : sprite.frames)
       for (const SpriteView& view : views) worn[view.texture.index()] = true;
   for (const MeshFace& face : scene.level().meshFaces) worn[face.texture.index()] = true;
+  for (const SwitchTexture& texture : scene.level().switchTextures) worn[texture.on.index()] = true;
   return worn;
 }
 

@@ -56,6 +56,8 @@ BEYOND_SCHEMAS = frozenset("""
     slope_null_below_the_floor slope_of_three_heights slope_passes_the_ceiling slopes_pass_each_other
     sprite_image_broken sprite_image_missing sprite_image_with_a_scale sprite_image_with_extension
     sprite_outside_its_sector sprite_view_missing
+    switch_in_a_stack_that_leads_nowhere switch_of_a_texture_that_it_has_not
+    switch_with_a_missing_image
     stack_z_above_the_ceiling stack_z_does_not_rise stack_z_missing stack_z_on_the_last
     step_down_without_texture step_in_a_stack_without_texture step_up_without_texture
     texture_broken_image texture_meant_for_a_colour texture_missing_far texture_missing_near
@@ -133,7 +135,7 @@ class Schemas(unittest.TestCase):
 
 # Definitions of objects and lists, which have descriptions and examples of their own.
 PARTS = {f"#/$defs/{name}" for name in
-         ("version", "player", "shot", "flat", "slope", "texture", "flatTexture", "middle",
+         ("version", "player", "shot", "flat", "slope", "texture", "flatTexture", "middle", "on",
           "lights", "bake")}
 
 

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "load/source.h"
 #include "load_text.h"
 #include "support/temporary_folder.h"
@@ -15,11 +18,14 @@ const std::string kDoor = "4,0, 5,0, 5,4, 4,4";
 const std::string kYard = "5,0, 9,0, 9,4, 5,4";
 
 /// A hall and a yard, and between them a door that is shut.
-std::string sectorsText() {
+const std::string kHallWalls =
+    "[{'texture': '#808080'}, {'next': 'door', 'texture': '#604020'}, {'texture': '#808080'},"
+    " {'texture': '#808080'}]";
+std::string sectorsText(const std::string& hallWalls) {
   const std::string to = "{{'next': '{}', 'texture': '#604020'}}";
   const std::string solid = "{'texture': '#808080'}";
   const auto to_ = [&](std::string_view next) { return fmt::format(fmt::runtime(to), next); };
-  return sectorText("hall", kHall, fmt::format("[{0}, {1}, {0}, {0}]", solid, to_("door"))) + "," +
+  return sectorText("hall", kHall, hallWalls) + "," +
          sectorText("door", kDoor,
                     fmt::format("[{0}, {1}, {0}, {2}]", solid, to_("yard"), to_("hall")),
                     "'ceiling': {'z': 0, 'texture': '#404040'}") +
@@ -29,12 +35,11 @@ std::string sectorsText() {
 class LoadedMovers : public testing::Test {
  protected:
   SourcedResult load(std::string_view movers, std::string_view more = "") {
-    std::string text = fmt::format("{{'light': 0.5, 'movers': {{{}}}, {} 'sectors': {{{}}}}}",
-                                   movers, more, sectorsText());
-    std::ranges::replace(text, '\'', '"');
-    SourcedResult loaded = loadLevelWithSource(folder_.write("level.json", text));
-    EXPECT_TRUE(loaded.result.loaded) << listed(loaded.result);
-    return loaded;
+    return loadText(movers, more, sectorsText(kHallWalls));
+  }
+  /// With other walls of the hall.
+  SourcedResult loadHall(std::string_view movers, const std::string& walls) {
+    return loadText(movers, "", sectorsText(walls));
   }
 
   static LoadedLevel at(const SourcedResult& loaded, std::vector<double> shares) {
@@ -44,6 +49,16 @@ class LoadedMovers : public testing::Test {
   }
 
  private:
+  SourcedResult loadText(std::string_view movers, std::string_view more,
+                         const std::string& sectors) {
+    std::string text = fmt::format("{{'light': 0.5, 'movers': {{{}}}, {} 'sectors': {{{}}}}}",
+                                   movers, more, sectors);
+    std::ranges::replace(text, '\'', '"');
+    SourcedResult loaded = loadLevelWithSource(folder_.write("level.json", text));
+    EXPECT_TRUE(loaded.result.loaded) << listed(loaded.result);
+    return loaded;
+  }
+
   test::TemporaryFolder folder_;
 };
 
@@ -80,6 +95,39 @@ TEST_F(LoadedMovers, haveTheirSharesInShots) {
       load("'gate': {'sectors': ['door'], 'part': 'ceiling', 'to': 2.5}",
            "'shots': [{'name': 'ajar', 'camera': [1, 2, 1, 0, 0], 'movers': {'gate': 0.25}}],");
   EXPECT_EQ(loaded.result.loaded->level.shots.at(0).movers, (std::vector{MoverShare{0, 0.25}}));
+}
+
+/// The names of the textures that the walls of the hall show, each once.
+std::set<std::string> shownInHall(const LoadedLevel& loaded) {
+  std::set<std::string> names;
+  for (const Surface& surface : loaded.level.surfaces)
+    if (surface.segment && surface.sector == SectorId(0))
+      names.insert(loaded.level.textures[surface.mapping.texture.index()]);
+  return names;
+}
+
+TEST_F(LoadedMovers, changeTheTexturesOfSwitchesThatStartThem) {
+  const std::string lever =
+      "{'texture': '#808080', 'use': ['gate', 'lift'], 'on': {'#808080': '#ff0000'}}";
+  const std::string stack =
+      "{'walls': [{'z': 1, 'texture': '#101010', 'use': 'lift', 'on': {'#101010': '#202020'}},"
+      " {'texture': '#303030'}]}";
+  const std::string solid = "{'texture': '#404040'}";
+  const auto loaded = loadHall(
+      "'gate': {'sectors': ['door'], 'part': 'ceiling', 'to': 2.5},"
+      "'lift': {'sectors': ['yard'], 'part': 'floor', 'to': 1}",
+      fmt::format("[{}, {{'next': 'door', 'texture': '#604020'}}, {}, {}]", lever, stack, solid));
+  using Names = std::set<std::string>;
+  const Names off{"#808080", "#604020", "#101010", "#303030", "#404040"};
+  EXPECT_EQ(shownInHall(*loaded.result.loaded), off);
+  EXPECT_EQ(shownInHall(at(loaded, {0, 0})), off);
+  EXPECT_EQ(shownInHall(at(loaded, {0.1, 0})),
+            (Names{"#ff0000", "#604020", "#101010", "#303030", "#404040"}));
+  EXPECT_EQ(shownInHall(at(loaded, {0, 1})),
+            (Names{"#ff0000", "#604020", "#202020", "#303030", "#404040"}));
+  const LoadedLevel moved = at(loaded, {1, 1});
+  for (const SurfaceId id : moved.scene().shownSurfaces())
+    EXPECT_NE(moved.textures[moved.level[id].mapping.texture.index()].at(0, 0), (Rgb{}));
 }
 
 TEST_F(LoadedMovers, standWhereTheirSharesTakeThem) {

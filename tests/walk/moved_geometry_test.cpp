@@ -76,6 +76,26 @@ TEST(MovedGeometries, MoveAMeshThatStandsOnAFloorWithItsBodyAndForRays) {
   }
 }
 
+TEST(MovedGeometries, ShowTheTexturesOfSwitches) {
+  std::string text = test::hallAndCellarText();
+  const std::string plain = "[{'texture':'#808080'},";
+  text.replace(text.find(plain), plain.size(),
+               "[{'texture':'#808080','use':'gate','on':{'#808080':'#ff0000'}},");
+  const SourcedResult sourced = test::levelWithSourceFrom(text);
+  const LoadedLevel& authored = *sourced.result.loaded;
+  MovedGeometry moved(authored.level, authored.geometry);
+  for (const double share : {0.0, 0.25, 1.0, 0.5, 0.0}) {
+    const std::vector<double> shares{share, 0.5};
+    moved.setShares(shares);
+    const LoadedLevel there = *levelAt(authored, sourced.source, shares).loaded;
+    for (std::size_t i = 0; i < there.level.surfaces.size(); ++i)
+      EXPECT_EQ(moved.level().surfaces[i].mapping.texture, there.level.surfaces[i].mapping.texture);
+    const SurfaceId lever = there.level.switchTextures.at(0).surface;
+    EXPECT_EQ(moved.level().textures[moved.level()[lever].mapping.texture.index()],
+              share > 0 ? "#ff0000" : "#808080");
+  }
+}
+
 TEST(MovedGeometries, CopyNoLevelWhereNothingStandsOnAFloorThatMoves) {
   const SourcedResult sourced = test::hallAndCellar();
   const LoadedLevel& authored = *sourced.result.loaded;

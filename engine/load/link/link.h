@@ -106,6 +106,8 @@ void linkSlopes(Linking& linking);
 LevelDescription descriptionAt(LevelDescription description, std::span<const double> shares);
 /// What moves: its sectors, and the names of movers that walls give.
 void linkMovers(Linking& linking);
+/// The textures of walls that start movers, while these are on their way. After `linkSurfaces`.
+void linkSwitchTextures(Linking& linking);
 // What is asked of the linked level.
 
 /// One-way portals, pairs that open different heights: warnings. After `deriveGeometry`.

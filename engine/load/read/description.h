@@ -49,12 +49,19 @@ struct PortalDescription {
   std::vector<NameReference> cross{};  ///< movers that the player starts by walking through
 };
 
+/// One texture of a switch, and the one in its place while the switch is on.
+struct SwitchTextureDescription {
+  NameReference off;
+  NameReference on;
+};
+
 struct SubWallDescription {
   Place place;
   std::optional<double> z;  ///< its top, above the sector's floor
   Place zPlace;             ///< of `z`, else of the sub-wall
   std::variant<Unreadable, SolidDescription, PortalDescription> kind;
-  std::vector<NameReference> use{};  ///< movers that the use key starts
+  std::vector<NameReference> use{};            ///< movers that the use key starts
+  std::vector<SwitchTextureDescription> on{};  ///< textures while these are on their way
 };
 
 struct StackDescription {
@@ -64,7 +71,8 @@ struct StackDescription {
 struct WallDescription {
   Place place;
   std::variant<Unreadable, SolidDescription, PortalDescription, StackDescription> kind;
-  std::vector<NameReference> use{};  ///< movers that the use key starts
+  std::vector<NameReference> use{};            ///< movers that the use key starts
+  std::vector<SwitchTextureDescription> on{};  ///< textures while these are on their way
 };
 
 struct LoopDescription {

@@ -11,10 +11,10 @@ namespace hearth {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kWallKeys{"texture", "next",  "upper", "lower",
-                                                    "middle",  "walls", "use",   "cross"};
-constexpr std::array<std::string_view, 9> kSubWallKeys{
-    "texture", "next", "upper", "lower", "middle", "walls", "use", "cross", "z"};
+constexpr std::array<std::string_view, 9> kWallKeys{"texture", "next", "upper", "lower", "middle",
+                                                    "walls",   "use",  "on",    "cross"};
+constexpr std::array<std::string_view, 10> kSubWallKeys{
+    "texture", "next", "upper", "lower", "middle", "walls", "use", "on", "cross", "z"};
 /// Those that only a wall that leads somewhere has.
 constexpr std::array<std::string_view, 3> kPortalTextures{"upper", "lower", "middle"};
 constexpr std::array<std::string_view, 4> kPortalKeys{"upper", "lower", "middle", "cross"};
@@ -72,6 +72,23 @@ Kind readSolidOrPortal(Report& report, const Fields& fields) {
   return SolidDescription{*texture};
 }
 
+/// What the use key does in front of a wall: of `Wall` its `use` and `on`.
+template <typename Wall>
+void readSwitch(Report& report, const Fields& fields, Wall& wall) {
+  const auto use = fields.find("use");
+  if (use) wall.use = readReferences(report, *use);
+  const auto on = fields.find("on");
+  if (!on) return;
+  if (!use)
+    return report.error(on->place(), "\"on\" on a wall without \"use\"",
+                        "name the movers that the wall starts");
+  if (!on->isObject()) return reportWrongType(report, *on, "an object of textures by texture");
+  for (const JsonValue::Member& member : on->members()) {
+    const NameReference off{std::string(member.key.text()), member.key.place()};
+    if (auto shown = readReference(report, member.value)) wall.on.push_back({off, *shown});
+  }
+}
+
 SubWallDescription readSubWall(Report& report, JsonValue value) {
   const Fields fields(report, value, kSubWallKeys, kOfTextures);
   SubWallDescription subWall{value.place(), std::nullopt, value.place(), {}};
@@ -86,7 +103,7 @@ SubWallDescription readSubWall(Report& report, JsonValue value) {
   }
   subWall.kind = readSolidOrPortal<decltype(subWall.kind)>(report, fields);
   if (!isGood) subWall.kind = Unreadable{};
-  if (const auto use = fields.find("use")) subWall.use = readReferences(report, *use);
+  readSwitch(report, fields, subWall);
   return subWall;
 }
 
@@ -156,7 +173,7 @@ WallDescription readWall(Report& report, JsonValue value) {
   } else {
     wall.kind = readSolidOrPortal<decltype(wall.kind)>(report, fields);
   }
-  if (const auto use = fields.find("use")) wall.use = readReferences(report, *use);
+  readSwitch(report, fields, wall);
   return wall;
 }
 

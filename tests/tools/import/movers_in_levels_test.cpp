@@ -42,7 +42,7 @@ class ImportedMovers : public testing::Test, protected MapBuilder {
     map.things.push_back({kRoom / 2, kRoom / 2, 0, 1, 7});
     wad_.add("PLAYPAL", palette()).add("PNAMES", patchNames({"PATCH"}));
     std::vector<std::string> textures;
-    for (const char* name : {"UPPER", "LOWER", "WALL", "GRATE"})
+    for (const char* name : {"UPPER", "LOWER", "WALL", "GRATE", "SW1WALL", "SW2WALL", "SW1ODD"})
       textures.push_back(definition(name, 64, 128, {{0, 0, 0}}));
     wad_.add("TEXTURE1", texturesOf(textures)).add("PATCH", plainPatch(64, 128, 9));
     wad_.add("F_START").add("FLOOR", flatOf(1)).add("CEIL", flatOf(2)).add("F_END");
@@ -110,6 +110,24 @@ TEST_F(ImportedMovers, areDoorsThatOneWalksThrough) {
   EXPECT_FALSE(level.switches[0].isCrossed);
   EXPECT_EQ(sectorNameOf(walkedEast(8)), "2");
   EXPECT_EQ(imported_.movers, 1U);
+}
+
+TEST_F(ImportedMovers, changeTheTextureOfASwitchWhileItIsOn) {
+  map.sectors[1].ceiling = 0;
+  setSpecial(0, 103);
+  map.sides[map.lines[0].sides[0].value()].middle = "SW1WALL";
+  const Level& level = load().level;
+  ASSERT_EQ(level.switchTextures.size(), 1U);
+  EXPECT_EQ(level.textures[level.switchTextures[0].off.index()], "wall-sw1wall");
+  EXPECT_EQ(level.textures[level.switchTextures[0].on.index()], "wall-sw2wall");
+}
+
+TEST_F(ImportedMovers, leaveATextureWithoutItsPairAsItIs) {
+  map.sectors[1].ceiling = 0;
+  setSpecial(0, 103);
+  map.sides[map.lines[0].sides[0].value()].middle = "SW1ODD";
+  EXPECT_EQ(load().level.switches.size(), 1U);
+  EXPECT_TRUE(loaded_->level.switchTextures.empty());
 }
 
 TEST_F(ImportedMovers, areStartedByWhoCrossesALineFromEitherSide) {

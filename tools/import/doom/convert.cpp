@@ -94,7 +94,7 @@ class Converter {
   }
 
   /// Doom's lines are used from their front, and crossed from both sides.
-  void addStarts(std::uint32_t h, Json& wall) const {
+  void addStarts(std::uint32_t h, Json& wall) {
     const bool hasFace = plan_.halfEdge(h).face.has_value();
     const Face& face = hasFace ? *plan_.halfEdge(h).face : *plan_.behind(h).face;
     const std::vector<std::size_t> started = plan_.startedBy(face.line);
@@ -102,8 +102,23 @@ class Converter {
     const Line& line = map_.lines[face.line];
     const bool isCrossed = findLineType(line.special)->activation == Activation::Walk;
     const bool isFront = hasFace && face.side == line.sides[0];
-    if (!isCrossed && isFront) wall["use"] = moverNames(started);
+    if (!isCrossed && isFront) {
+      wall["use"] = moverNames(started);
+      addSwitchTextures(h, wall);
+    }
     if (isCrossed && plan_.isPortal(h)) wall["cross"] = moverNames(started);
+  }
+
+  void addSwitchTextures(std::uint32_t h, Json& wall) {
+    Json on = Json::object();
+    for (const ShownPart& part : plan_.partsAtAnyEnd(h)) {
+      if (part.part == WallPart::Middle) continue;
+      const Json& texture = wall[keyOf(part.part)];
+      if (!texture.is_object()) continue;
+      if (const auto switched = materials_.switched(part.texture))
+        on[texture["name"].get<std::string>()] = *switched;
+    }
+    if (!on.empty()) wall["on"] = std::move(on);
   }
 
   Json moverNames(const std::vector<std::size_t>& movers) const {

@@ -75,6 +75,16 @@ Json Materials::hung(const std::string& file, const Hanging& hanging) const {
   return texture;
 }
 
+std::optional<std::string> Materials::switched(const std::string& name) {
+  if (!name.starts_with("SW1") && !name.starts_with("SW2")) return std::nullopt;
+  std::string other = name;
+  other[2] = name[2] == '1' ? '2' : '1';
+  if (!pictures_.hasWall(other)) return std::nullopt;
+  std::string file = "wall-" + fileName(other);
+  if (!draw(file, Kind::Wall, other, "it does not change")) return std::nullopt;
+  return file;
+}
+
 Json Materials::flat(const std::string& name) {
   const std::string file = "flat-" + fileName(name);
   if (!draw(file, Kind::Flat, name, kGrey)) return kPlain;

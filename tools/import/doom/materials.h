@@ -43,6 +43,9 @@ class Materials {
   /// As levels write them. Walls and flats that cannot be drawn are grey.
   nlohmann::ordered_json wall(const std::string& name, const Hanging& hanging);
   nlohmann::ordered_json flat(const std::string& name);
+  /// The name of the image that a switch shows while it is on, in place of this texture: SW1 and
+  /// SW2 begin the names of pairs (https://doomwiki.org/wiki/Switch). None of another texture.
+  std::optional<std::string> switched(const std::string& name);
   /// One sees through its holes. None where it cannot be drawn.
   std::optional<nlohmann::ordered_json> middle(const std::string& name, const Hanging& hanging);
   nlohmann::ordered_json sky();
