@@ -16,7 +16,7 @@ constexpr double kLeap = 0.56;
 
 /// Finds where a mover shuts the player in: with the mover as it comes to rest the player comes to
 /// less than half of what can be reached at all, by area, and with the mover at either end to more.
-/// Half, because who cannot go back to the smaller part of a level may well be meant to go on.
+/// Half, because a player that cannot go back to the smaller part of a level may be meant to go on.
 class ShutInFinder {
  public:
   ShutInFinder(const LintedLevel& linted, Findings& findings)
@@ -43,7 +43,7 @@ class ShutInFinder {
  private:
   bool mayMove(std::size_t mover) const { return has(all_.ends()[mover], MoverEnds::To); }
 
-  /// Whoever a mover shuts in comes to one of these: its own, and those beside them.
+  /// A player that a mover shuts in comes to one of these: its own, and those beside them.
   std::vector<SectorId> sectorsAt(std::size_t mover) const {
     std::vector<SectorId> sectors = level_.movers[mover].sectors;
     for (const SectorId own : level_.movers[mover].sectors)
@@ -59,8 +59,8 @@ class ShutInFinder {
     return isLarge({level_, passages_, within.sectors().front(), ends});
   }
 
-  /// Who waits sees all movers come back that do. Of those that stay nobody knows whether they were
-  /// started, but for the one that is looked at.
+  /// A player that waits sees all movers come back that do. Those that stay may have been started
+  /// or not, except the one that is looked at.
   std::vector<MoverEnds> endsAtRest(std::size_t mover) const {
     std::vector<MoverEnds> ends = all_.ends();
     for (std::size_t i = 0; i < ends.size(); ++i)
