@@ -21,7 +21,7 @@ constexpr float kHeightWidth = 9;
 constexpr float kTriggerWidth = 9;
 constexpr float kSpeedWidth = 11;
 
-/// Metres a second. The loader takes less and more; nobody drags that far.
+/// Metres a second. The loader takes less and more, which is of no use in a drag.
 constexpr double kLeastMoverSpeed = 0.01;
 constexpr double kMostMoverSpeed = 1000;
 constexpr float kSpeedPerPixel = 0.02F;
