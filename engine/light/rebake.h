@@ -38,7 +38,9 @@ class LightMemory {
 };
 
 /// Bakes a level of which earlier versions may have been baked. The result equals that of `bake`
-/// to the byte, counters included, but only light that a change can affect is computed anew. The
+/// to the byte, but only light that a change can affect is computed anew. Kept light counts the
+/// samples and rays with which it was found; a bake may take a few others: where changes far away
+/// make beams doubtful (BeamDoubts), or a mesh covers samples that the light does not reach. The
 /// light of a source on a surface is kept while neither of them changes, nor any sector that rays
 /// between them enter. That of all sources on a mesh is kept likewise.
 class Rebake {

@@ -68,6 +68,12 @@ bool haveSameLight(const LoadedLevel& level, const BakedLight& light, const Load
                             [](const auto* a, const auto* b) { return areSame(a, b); });
 }
 
+/// Whether as many samples see each light.
+bool areSeenAlike(const BakedLight& a, const BakedLight& b) {
+  return std::ranges::equal(a.lightCosts, b.lightCosts, {}, &LightCost::seenSamples,
+                            &LightCost::seenSamples);
+}
+
 /// What follows from heights, things apart.
 bool areSame(const LoadedLevel& a, const Geometry& moved) {
   const Scene one = a.scene();
@@ -153,8 +159,11 @@ class Comparison {
     const BakedLight expected = lightOf(*written.loaded);
     if (!haveSameLight(*moved, light, *written.loaded, expected)) fail("the light differs", shares);
     Rebake rebake(memory_, moved->scene(), coarse(moved->level.bake), 1);
-    if (!haveSameLight(*moved, *rebake.finish(), *written.loaded, expected))
+    const BakedLight again = *rebake.finish();
+    if (!haveSameLight(*moved, again, *written.loaded, expected))
       fail("the light differs that was found with that of other states", shares);
+    if (!areSeenAlike(again, light))
+      fail("other samples see light that was found with that of other states", shares);
     const std::vector<Image> pictures = picturesOf(*moved, light);
     tally_.pictures += std::ssize(pictures);
     if (!std::ranges::equal(pictures, picturesOf(*written.loaded, expected),
