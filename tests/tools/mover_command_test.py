@@ -138,9 +138,10 @@ class Movers(unittest.TestCase):
     def test_are_said_to_be_started_by_walls(self):
         movers = {"gate": GATE["gate"] | {"trigger": "none"}}
         switched = level(movers=movers)
-        switched["sectors"]["hall"]["loops"]["border"]["walls"][0] = SOLID | {"use": "gate"}
+        switched["sectors"]["hall"]["loops"]["border"]["walls"][0] = SOLID | {"use": "gate", "on": {"#808080": "#ff0000"}}
         path = self.write("switched", switched)
         self.assertRegex(self.run_hearth("info", path).stdout, r"\ngate +ceiling +0 +2.5 +1.5 +3 +wall +1 +0\n")
+        self.assertIn("wall whose texture a mover changes", self.run_hearth("info", path).stdout)
         self.assertTrue(json.loads(self.run_hearth("info", path, "--json").stdout)["movers"][0]["startedByWalls"])
 
     def test_have_the_error_of_their_light_told_by_info(self):

@@ -134,6 +134,7 @@ class SpellingCounter {
 
   void countWall(const json& wall) {
     addIf(wall.contains("use") || wall.contains("cross"), FormatFeature::WallThatStarts);
+    addIf(wall.contains("on"), FormatFeature::SwitchTexture);
     for (const char* role : {"texture", "upper", "lower", "middle"})
       if (wall.contains(role)) countTexture(wall[role]);
     if (wall.contains("walls"))

@@ -77,6 +77,7 @@ enum class FormatFeature : std::size_t {
   GridNext,
   Mover,
   WallThatStarts,
+  SwitchTexture,
 };
 
 struct FormatFeatureName {
@@ -152,6 +153,7 @@ inline constexpr std::array kFormatFeatures{
     FormatFeatureName{FormatFeature::GridNext, "grid that leads to another sector"},
     FormatFeatureName{FormatFeature::Mover, "mover"},
     FormatFeatureName{FormatFeature::WallThatStarts, "wall that starts a mover"},
+    FormatFeatureName{FormatFeature::SwitchTexture, "wall whose texture a mover changes"},
 };
 
 /// How often a level uses each.
