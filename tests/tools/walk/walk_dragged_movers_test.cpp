@@ -72,6 +72,12 @@ class PanelWalk : public test::StagedWalk {
     press(x, y);
     send(releaseAt(x, y));
   }
+  /// Presses the use key; the door is ahead.
+  void use() {
+    now(down(Key::E));
+    now(up(Key::E));
+    ticks(100);
+  }
   double share(Movers mover) const { return shares()[mover]; }
 
   Walker begun;
@@ -95,14 +101,10 @@ TEST(WalkDraggedMovers, AreHeldAgainstWhatStartsThem) {
   PanelWalk walk;
   walk.press((kShareLeft + kShareRight) / 2, kFirstRow);
   const double share = walk.share(Gate);
-  walk.now(down(Key::E));  // the door is ahead
-  walk.now(up(Key::E));
-  walk.ticks(100);
+  walk.use();
   EXPECT_NEAR(walk.share(Gate), share, 0.02) << "no farther than a tick";
   walk.release();
-  walk.now(down(Key::E));
-  walk.now(up(Key::E));
-  walk.ticks(100);
+  walk.use();
   EXPECT_EQ(walk.share(Gate), 1);
 }
 
@@ -119,9 +121,7 @@ TEST(WalkDraggedMovers, AreLetGoWhenThePanelClosesOrTheWindowLosesTheFocus) {
     PanelWalk walk;
     walk.press((kShareLeft + kShareRight) / 2, kFirstRow);
     walk.send(event);
-    walk.now(down(Key::E));
-    walk.now(up(Key::E));
-    walk.ticks(100);
+    walk.use();
     EXPECT_EQ(walk.share(Gate), 1);
   }
 }
