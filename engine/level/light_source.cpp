@@ -35,6 +35,12 @@ double LightSource::brightnessAt(double distance) const {
   return curve.empty() ? intensity / (distance * falloff + 1) : curveAt(curve, distance);
 }
 
+double LightSource::brightnessAt(Vec3 point) const {
+  const Vec3 offset = point - position;
+  const double level = brightnessAt(length(offset));
+  return spot ? level * spot->factor(offset) : level;
+}
+
 double LightSource::reach(double level) const {
   const double most = std::max({colorFactor(0), colorFactor(1), colorFactor(2)});
   if (most == 0) return 0;

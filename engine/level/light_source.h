@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "level/ids.h"
+#include "level/spot.h"
 #include "math/vec.h"
 
 namespace hearth {
@@ -15,7 +17,7 @@ struct CurvePoint {
   friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };
 
-/// A point light, or a ball of light if `radius` > 0.
+/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`.
 struct LightSource {
   Vec3 position;
   SectorId sector;
@@ -24,10 +26,13 @@ struct LightSource {
   std::vector<CurvePoint>
       curve;  ///< by rising distance; if not empty, it replaces intensity and falloff
   std::uint8_t color[3] = {255, 255, 255};
-  double radius = 0;  ///< metres
+  double radius = 0;         ///< metres
+  std::optional<Spot> spot;  ///< none: it shines all around
 
-  /// Light in levels at `distance` metres, before colour.
+  /// Light in levels at `distance` metres in full light, before colour.
   double brightnessAt(double distance) const;
+  /// The same at a point, in the light of a spot as seen from its centre.
+  double brightnessAt(Vec3 point) const;
   /// The distance, in metres, beyond which no channel exceeds `cutOff` levels: 0 if none ever does,
   /// infinity if one always does.
   double reach(double cutOff) const;

@@ -58,6 +58,12 @@ double tanDegrees(double angle) {
   return s / c;
 }
 
+Vec3 directionAt(double angle, double pitch) {
+  const SinCos around = sinCosDegrees(angle);
+  const SinCos up = sinCosDegrees(pitch);
+  return {up.cos * around.cos, up.cos * around.sin, up.sin};
+}
+
 double compassDegrees(Vec2 direction) {
   const double x = std::abs(direction.x);
   const double y = std::abs(direction.y);

@@ -18,6 +18,10 @@ SinCos sinCosDegrees(double angle);
 /// For |angle| < 90 degrees.
 double tanDegrees(double angle);
 
+/// The direction of length 1 in which one looks: `angle` degrees on the map, 0 along +x, 90 along
+/// +y, and `pitch` degrees up.
+Vec3 directionAt(double angle, double pitch);
+
 /// The compass direction of a vector in degrees, in [0, 360): 0 along +x, 90 along +y. 0 for the
 /// null vector.
 double compassDegrees(Vec2 direction);

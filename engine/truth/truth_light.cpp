@@ -75,7 +75,7 @@ double TruthSource::unshaded(const LightSource& light, const SurfacePoint& place
   if (std::abs(dot(place.normal, toLight)) <= kInPlane) return 0;
   const double distance = length(toLight);
   const double cosine = lambert ? std::max(0.0, dot(place.normal, toLight)) / distance : 1;
-  return light.brightnessAt(distance) * cosine;
+  return light.brightnessAt(place.point) * cosine;
 }
 
 bool TruthSource::sees(const AirPoint& origin, const SurfacePoint& place) const {
@@ -137,8 +137,7 @@ double TruthLight::from(std::size_t light, const SurfacePoint& place) const {
 
 double TruthLight::from(std::size_t light, const AirPoint& place) const {
   const LightSource& source = level_.lights[light];
-  return source.brightnessAt(length(source.position - place.point)) *
-         sources_[light].seenFraction(place);
+  return source.brightnessAt(place.point) * sources_[light].seenFraction(place);
 }
 
 double TruthLight::seenFraction(std::size_t light, const SurfacePoint& place) const {

@@ -50,4 +50,19 @@ double missOfSlope(const std::vector<CurvePoint>& curve, double metres, double t
   return std::abs(slope) * texel * texel / (4 * metres);
 }
 
+double jumpOfSpot(const LightSource& light, Vec3 place, double slack) {
+  if (!light.spot || light.spot->inner() != light.spot->outer()) return 0;
+  const Vec3 offset = place - light.position;
+  return std::abs(light.spot->beyondEdge(offset)) <= slack ? light.brightnessAt(length(offset)) : 0;
+}
+
+double missOfSpot(const Spot& spot, double metres, double texel) {
+  const double range = spot.cosInner() - spot.cosOuter();
+  if (range == 0) return 1;
+  // The profile's first two derivatives are 3/2 and 6 at most, over the range; those of the cosine
+  // 1/d and 2/d^2, along each axis of the texels.
+  const double bend = (6 / (range * range) + 3 / range) / (metres * metres);
+  return std::min(1.0, bend * texel * texel / 4);
+}
+
 }  // namespace hearth::agreement

@@ -23,4 +23,11 @@ double missAtBends(const std::vector<CurvePoint>& curve,
 /// because the distance to the light does not grow evenly.
 double missOfSlope(const std::vector<CurvePoint>& curve, double metres, double texel);
 
+/// Levels by which a spot's light jumps no farther than `slack` metres from a place.
+double jumpOfSpot(const LightSource& light, Vec3 place, double slack);
+
+/// Fraction of a spot's light by which it misses the spot's profile, `metres` from the light over
+/// texels of `texel` metres.
+double missOfSpot(const Spot& spot, double metres, double texel);
+
 }  // namespace hearth::agreement

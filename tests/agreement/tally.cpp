@@ -117,7 +117,7 @@ std::string table(const Tally& tally) {
       "left out of exact light: {} texel over 1/8 m, {} light nearer than 0.3 m (0.7 m with "
       "lambert), "
       "{} samples inside a mesh or in a wall, "
-      "{} shadow's edge between texels, {} jump or sharp bend of a curve between texels, "
+      "{} shadow's edge between texels, {} jump or sharp bend of a curve or spot between texels, "
       "{} clipping at full between texels, "
       "{} steep light at an edge beyond which texels are centred\n",
       tally.leftOut[0], tally.leftOut[1], tally.leftOut[2], tally.leftOut[3], tally.leftOut[4],
@@ -126,7 +126,7 @@ std::string table(const Tally& tally) {
   for (const auto& list : {kTestedFractions, kExcusedFractions})
     for (const FractionName& of : list)
       text += fmt::format("{}: {:.6f}\n", of.name, fractions.*of.fraction);
-  text += fmt::format("at edge because of a jump of a curve: {}\n", tally.atJumps);
+  text += fmt::format("at edge because of a jump of a curve or spot: {}\n", tally.atJumps);
   text += fmt::format("{} levels, {} views, {} holes\n", tally.levels, tally.views, tally.holes);
   return text;
 }

@@ -43,6 +43,19 @@ std::vector<WeightedDistance> distancesTo(const LightSource& light, const PatchL
   return places;
 }
 
+/// Whether all places of a patch get all of a spot's light, or all get none.
+bool isSpotEven(const LightSource& light, const PatchLight& patch, const SurfacePoint& hit) {
+  const auto factorAt = [&](Vec3 p) { return light.spot->factor(p - light.position); };
+  const double here = factorAt(hit.point);
+  const auto isSame = [&](const TexelSample& sample) {
+    return factorAt(sample.place.point) == here;
+  };
+  return (here == 0 || here == 1) &&
+         std::ranges::all_of(patch.texels, [&](const TexelLight* texel) {
+           return std::ranges::all_of(texel->samples, isSame);
+         });
+}
+
 }  // namespace
 
 double PatchLight::interpolated(std::size_t channel) const {
@@ -149,7 +162,8 @@ Channels TexelTruth::stepAround(const TexelSample& sample) {
   Channels steps{};
   for (std::size_t i = 0; i < level_.lights.size(); ++i) {
     const double here = truth_.from(i, sample.place);
-    double greatest = 0;
+    // Beyond the edge of the surface, where no ring leads, light may be another, too.
+    double greatest = jumpOfSpot(level_.lights[i], sample.place.point, kHairs.back());
     for (const SurfacePoint& place : places)
       greatest = std::max(greatest, std::abs(truth_.from(i, place) - here));
     if (greatest > kStep) add(steps, i, greatest);
@@ -180,6 +194,7 @@ bool TexelTruth::isAtJump(const PatchLight& patch) const {
         const double hair = kHairs.back();
         if (!texel->sees[k][i]) continue;
         if (jumpsBetween(light.curve, distance - hair, distance + hair) > kStep) return true;
+        if (jumpOfSpot(light, texel->samples[k].place.point, hair) > kStep) return true;
       }
   return false;
 }
@@ -198,9 +213,12 @@ Channels TexelTruth::missAtCurves(const PatchLight& patch, const SurfacePoint& h
   Channels miss{};
   for (std::size_t i = 0; i < level_.lights.size(); ++i) {
     const LightSource& light = level_.lights[i];
-    if (light.curve.empty() || !patch.texels[0]->sees[0][i]) continue;
-    const std::vector<WeightedDistance> places = distancesTo(light, patch);
+    if (!patch.texels[0]->sees[0][i]) continue;
     const double here = length(light.position - hit.point);
+    if (light.spot && !isSpotEven(light, patch, hit))
+      add(miss, i, light.brightnessAt(here) * missOfSpot(*light.spot, here, level_.bake.texel));
+    if (light.curve.empty()) continue;
+    const std::vector<WeightedDistance> places = distancesTo(light, patch);
     const auto [nearest, farthest] = std::ranges::minmax(places, {}, &WeightedDistance::metres);
     add(miss, i,
         jumpsBetween(light.curve, std::min(here, nearest.metres), std::max(here, farthest.metres)) +

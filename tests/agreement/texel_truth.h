@@ -62,7 +62,7 @@ class TexelTruth {
   bool seesAlike(const PatchLight& patch, const SurfacePoint& hit) const;
 
   /// Levels by which light interpolated between the texels can miss that at `hit` because of jumps,
-  /// bends and steepness of the lights' curves. `hit` must see what they see.
+  /// bends and steepness of the lights' curves and spots. `hit` must see what they see.
   Channels missAtCurves(const PatchLight& patch, const SurfacePoint& hit) const;
 
   /// Levels by which the texels' light is another than where their samples' centres are, at the

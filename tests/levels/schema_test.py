@@ -54,6 +54,7 @@ BEYOND_SCHEMAS = frozenset("""
     shot_above_the_ceiling shot_in_two_sectors shots_of_one_name sidewall_without_texture
     sky_without_texture slope_in_line slope_in_line_of_three slope_is_no_plane
     slope_null_below_the_floor slope_of_three_heights slope_passes_the_ceiling slopes_pass_each_other
+    spot_inner_beyond_outer
     sprite_image_broken sprite_image_missing sprite_image_with_a_scale sprite_image_with_extension
     sprite_outside_its_sector sprite_view_missing
     switch_in_a_stack_that_leads_nowhere switch_of_a_texture_that_it_has_not

@@ -53,6 +53,21 @@ TEST(BakeCost, isNoRaysWhereAllOfALightArrivesOrNoneCanCome) {
   }
 }
 
+TEST(BakeCost, ofASpotIsOfWhatLiesNearItsCone) {
+  for (const char* radius : {"0", "0.1"}) {
+    const std::string lamp = std::string("[{'x':1,'y':1,'z':2,'radius':") + radius;
+    const LightCost all = twoRooms(lamp + "}]").light().lightCosts.at(0);
+    const LightCost spot =
+        twoRooms(lamp + ",'spot':{'pitch':-90,'outer':25}}]").light().lightCosts.at(0);
+    EXPECT_LT(spot.samples, all.samples / 2);
+    EXPECT_LT(spot.seenSamples, spot.samples) << "no more than its cone counts as seen";
+    EXPECT_GT(spot.seenSamples, 0);
+    const LightCost needle =
+        twoRooms(lamp + ",'spot':{'pitch':-90,'outer':0.01}}]").light().lightCosts.at(0);
+    EXPECT_EQ(needle.seenSamples, 0) << "no sample lies in it";
+  }
+}
+
 TEST(BakeCost, isRaysAtTheEdgeOfAShadowAndOfABallMore) {
   const auto costOf = [](const std::string& lights) {
     return twoRooms(lights, 2, kL).light().lightCosts.at(0);

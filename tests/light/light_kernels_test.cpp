@@ -116,6 +116,25 @@ TEST_F(LightKernelsTest, findLevelsAsALightSourceHasThem) {
   });
 }
 
+TEST_F(LightKernelsTest, applySpotsAsALightSourceHasThem) {
+  LightSource source;
+  source.position = light_;
+  source.intensity = 181.7;
+  for (const Spot& spot : {Spot(30, -40, 10, 50), Spot(210, 70, 0, 180), Spot(0, 0, 180, 180),
+                           Spot(90, -90, 60, 60), Spot(90, 90, 0, 0)}) {
+    source.spot = spot;
+    forEachInstructionSet([&] {
+      const BrightnessKernels& kernels = brightnessKernels();
+      std::vector<double> distances(kCount);
+      std::vector<double> levels(kCount, source.intensity);
+      kernels.findDistances(samples_.arrays(), kCount, light_, distances.data());
+      kernels.applySpot(samples_.arrays(), distances.data(), kCount, light_, spot, levels.data());
+      for (std::size_t i = 0; i < kCount; ++i)
+        EXPECT_EQ(levels[i], source.brightnessAt(samples_.at(i))) << i;
+    });
+  }
+}
+
 TEST_F(LightKernelsTest, findLevelsOnACurveAsALightSourceHasThem) {
   std::vector<double> distances = between(0, 12);
   // At a point of the curve, and where it jumps.

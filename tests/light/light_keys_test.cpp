@@ -55,6 +55,26 @@ TEST(LightKeys, lambertMultipliesByTheCosineAtEverySurface) {
   }
 }
 
+TEST(LightKeys, spotLightsAConeOnly) {
+  // 2 m above the floor, straight down: full up to 1 m from the middle, none beyond 2 m.
+  for (const char* radius : {"0", "0.05"}) {
+    const BakedRoom room(roomWith(""),
+                         fmt::format("[{{'x':3,'y':2,'z':2,'intensity':200,'radius':{},"
+                                     "'spot':{{'pitch':-90,'inner':26.565051177,'outer':45}}}}]",
+                                     radius));
+    const double inner = 2 / std::sqrt(5.0);
+    const double outer = std::sqrt(0.5);
+    for (const double away : {0.1, 0.6, 0.9, 1.2, 1.5, 1.8, 2.2, 2.6}) {
+      const double cosine = 2 / std::hypot(2, away);
+      const double t = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
+      EXPECT_NEAR(room.at(SurfaceKind::Floor, {3 + away, 2, 0}), 200 * t * t * (3 - 2 * t), 2.5)
+          << away;
+    }
+    EXPECT_EQ(room.at(SurfaceKind::Ceiling, {3.2, 2, 3}), 0);
+    EXPECT_EQ(room.at(SurfaceKind::Solid, {3, 4, 2.5}), 0);
+  }
+}
+
 TEST(LightKeys, aBallWhoseMiddleLiesInAPlaneDoesNotLightIt) {
   const BakedRoom room(roomWith(""), "[{'x':3,'y':2,'z':0,'radius':0.5}]");
   EXPECT_EQ(room.at(SurfaceKind::Floor, {4, 3, 0}), 0);

@@ -42,6 +42,7 @@ LoadedLevel withBalls(LoadedLevel loaded) {
     level.lights[i].intensity = 255;
     level.lights[i].falloff = 0;
     level.lights[i].curve.clear();
+    level.lights[i].spot.reset();
   }
   return loaded;
 }

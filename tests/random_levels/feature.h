@@ -82,6 +82,9 @@ enum class Feature {
   CurveOfOnePoint,
   CurveFromBeyondZero,
   CurveGoesOnPastItsEnd,
+  SpotLight,
+  SpotWithAHardEdge,
+  SpotWiderThanAPlane,
   FourSamples,
   NineSamples,
   Lambert,
@@ -131,7 +134,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 120> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 123> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -206,6 +209,9 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 120> kFeatures
     {Feature::CurveOfOnePoint, "curve of one point"},
     {Feature::CurveFromBeyondZero, "curve that begins beyond distance 0"},
     {Feature::CurveGoesOnPastItsEnd, "curve that shines on past its end"},
+    {Feature::SpotLight, "spotlight"},
+    {Feature::SpotWithAHardEdge, "spotlight with a hard edge"},
+    {Feature::SpotWiderThanAPlane, "spotlight wider than a plane"},
     {Feature::FourSamples, "four samples a texel"},
     {Feature::NineSamples, "nine samples a texel"},
     {Feature::Lambert, "lambert"},

@@ -257,6 +257,11 @@ std::string lightsJson(const Model& model, const std::vector<RandomLight>& light
     }
     for (const auto& point : light.curve) json["curve"].push_back(pairOf(point));
     if (!light.color.empty()) json["color"] = light.color;
+    if (light.spot)
+      json["spot"] = {{"angle", number(light.spot->angle)},
+                      {"pitch", number(light.spot->pitch)},
+                      {"inner", number(light.spot->inner)},
+                      {"outer", number(light.spot->outer)}};
     list.push_back(std::move(json));
   }
   if (spelling.hasLightArray) return list.dump(1) + "\n";

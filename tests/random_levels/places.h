@@ -17,6 +17,14 @@ struct Place {
   Vec3 position;
 };
 
+/// Degrees, as in a lights file.
+struct RandomSpot {
+  double angle = 0;
+  double pitch = 0;
+  double inner = 0;
+  double outer = 0;
+};
+
 struct RandomLight {
   Place place;
   bool namesSector = true;
@@ -24,6 +32,7 @@ struct RandomLight {
   double falloff = 0;
   std::vector<std::array<double, 2>> curve;  ///< when not empty, instead of these: m, levels
   std::string color;                         ///< "#rrggbb"; none when empty
+  std::optional<RandomSpot> spot;
 };
 
 /// Finds places for lights and cameras, and notes what is special about them.

@@ -15,6 +15,7 @@
 #include "random_levels/placed_models.h"
 #include "random_levels/places.h"
 #include "random_levels/slopes.h"
+#include "random_levels/spots.h"
 #include "random_levels/sprites.h"
 #include "random_levels/storeys.h"
 #include "random_levels/walls.h"
@@ -154,6 +155,13 @@ std::vector<PlacedModel> chooseModels(std::uint64_t seed, const Model& model,
   return placeModels(random, model, views, sprites, features);
 }
 
+/// By numbers of their own, too.
+void chooseSpots(std::uint64_t seed, std::vector<RandomLight>& lights,
+                 std::set<Feature>& features) {
+  Random random(seed ^ 0x53706f7473u);
+  if (random.chance(0.4)) makeSpots(random, lights, features);
+}
+
 Model makeModel(Random& random) {
   while (true) {
     const LevelStyle style = chooseStyle(random);
@@ -228,6 +236,7 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   std::vector<RandomLight> lights = places.lights(static_cast<std::size_t>(random.between(0, 6)));
   Spelling spelling = chooseSpelling(random, model);
   makeColorsAndCurves(random, lights, level.features);
+  chooseSpots(seed, lights, level.features);
   chooseBake(random, spelling, level.features);
   const std::vector<RandomSprite> sprites = chooseSprites(seed, model, level.views, level.features);
   const std::vector<PlacedModel> models =

@@ -1362,9 +1362,10 @@ class Info(InFolder):
     def test_the_tutorial_shows_every_feature_of_the_format_but_those_of_gaol_maze_things_and_movers(self):
         unused = [name for name, count in self.features_of("tutorial.json").items()
                   if count == 0 and not re.search("sprite|mesh|grid|mover", name)]
-        self.assertEqual(unused, ["middle texture"])
+        self.assertEqual(unused, ["middle texture", "light with a spot"])
         self.assertGreater(self.features_of("gaol.json")["middle texture"], 0)
         self.assertGreater(self.features_of("maze.json")["grid"], 0)
+        self.assertGreater(self.features_of("maze.json")["light with a spot"], 0)
 
 
 def lint(level):

@@ -270,12 +270,15 @@ class PlanDrawing {
       taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
       const std::string color = hex({light.color[0], light.color[1], light.color[2]});
       add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\">"
-          "<title>light at z {:g}, {}, radius {:g}</title></circle>\n",
+          "<title>light at z {:g}, {}, radius {:g}{}</title></circle>\n",
           at.x, at.y, radius, color, light.position.z,
           light.curve.empty()
               ? fmt::format("intensity {:g}, falloff {:g}", light.intensity, light.falloff)
               : std::string("with a curve"),
-          light.radius);
+          light.radius,
+          light.spot ? fmt::format(", spot of {:g} degrees towards angle {:g}, pitch {:g}",
+                                   light.spot->outer(), light.spot->angle(), light.spot->pitch())
+                     : "");
     }
   }
 

@@ -112,7 +112,7 @@ std::size_t mostAt(const Scene& scene, Vec3 p, SectorId sector) {
   const std::vector<LightSource>& lights = scene.level().lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const LightSource& light = lights[i];
-    const double brought = light.brightnessAt(length(p - light.position));
+    const double brought = light.brightnessAt(p);
     if (most.first && brought <= most.second) continue;
     const std::pair here(raytracer.sees(Raytracer::sourceOf(scene, light), p, sector), brought);
     if (here > most) best = i, most = here;

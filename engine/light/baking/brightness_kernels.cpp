@@ -70,6 +70,24 @@ void applyCosine(const SampleArrays& samples, const double* distances, std::size
   });
 }
 
+void applySpot(const SampleArrays& samples, const double* distances, std::size_t count, Vec3 light,
+               const Spot& spot, double* levels) {
+  const double range = spot.cosInner() - spot.cosOuter();
+  forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
+    // No sample is at distance 0, as above.
+    const auto along = dotOf(d, offsetsFrom(d, light, samples, k), spot.direction());
+    const auto cosine = hn::Div(along, hn::LoadU(d, distances + k));
+    const auto one = hn::Set(d, 1.0);
+    const auto t = hn::Div(hn::Sub(cosine, hn::Set(d, spot.cosOuter())), hn::Set(d, range));
+    const auto smooth =
+        hn::Mul(hn::Mul(t, t), hn::Sub(hn::Set(d, 3.0), hn::Mul(hn::Set(d, 2.0), t)));
+    const auto isFull = hn::Ge(hn::Max(cosine, hn::Set(d, -1.0)), hn::Set(d, spot.cosInner()));
+    const auto isLit = hn::Gt(cosine, hn::Set(d, spot.cosOuter()));
+    const auto factor = hn::IfThenElse(isFull, one, hn::IfThenElseZero(isLit, smooth));
+    hn::StoreU(hn::Mul(hn::LoadU(d, levels + k), factor), d, levels + k);
+  });
+}
+
 void applySeen(const double* seen, const double* distances, std::size_t count, double reach,
                double* levels) {
   forEachLanes(count, [&](auto d, std::size_t k) HWY_ATTR {
@@ -107,6 +125,7 @@ const BrightnessKernels& targetBrightnessKernels() {
       .findLevels = findLevels,
       .findLevelsOnCurve = findLevelsOnCurve,
       .applyCosine = applyCosine,
+      .applySpot = applySpot,
       .applySeen = applySeen,
       .addToSums = addToSums,
       .findMeans = findMeans,

@@ -24,6 +24,9 @@ struct BrightnessKernels {
   /// Multiplies levels by the cosine of the angle between a normal of length 1 and the light.
   void (*applyCosine)(const SampleArrays& samples, const double* distances, std::size_t count,
                       Vec3 light, Vec3 normal, double* levels);
+  /// Multiplies levels by the factor of a spot at the position of its light, see Spot::factor.
+  void (*applySpot)(const SampleArrays& samples, const double* distances, std::size_t count,
+                    Vec3 light, const Spot& spot, double* levels);
   /// Multiplies levels by the fraction of the light that is seen, and by 0 beyond `reach` metres.
   void (*applySeen)(const double* seen, const double* distances, std::size_t count, double reach,
                     double* levels);

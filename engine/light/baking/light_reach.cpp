@@ -30,7 +30,23 @@ LightReach::LightReach(const Level& level, const BakeSettings& settings)
     metres_.push_back(light.reach(settings.cutOff));
     radii_.push_back(settings.softSamples == 0 ? 0 : light.radius);
     positions_.push_back(light.position);
+    spots_.push_back(light.spot);
   }
+}
+
+bool LightReach::isInSpot(std::size_t spot, const Box3& box) const {
+  const double radius = length(box.max - box.min) / 2;
+  const Vec3 offset = 0.5 * (box.min + box.max) - positions_[spot];
+  const double rounding = roundingOf(largestCoordinate(positions_[spot]) + length(offset));
+  return spots_[spot]->beyondEdge(offset) <= radius + kAuthorNoise + rounding;
+}
+
+bool LightReach::isAllInSpot(std::size_t light, std::span<const Vec3> corners, double slack) const {
+  const std::optional<Spot>& spot = spots_[light];
+  if (!spot) return true;
+  return spot->outer() <= 90 && std::ranges::all_of(corners, [&](Vec3 corner) {
+           return spot->beyondEdge(corner - positions_[light]) < -slack;
+         });
 }
 
 std::vector<std::size_t> LightReach::reaching(const Box3& box) const {

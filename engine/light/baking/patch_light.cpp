@@ -53,7 +53,9 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
                                 const SamplePoint& at) {
   LightCost& cost = costs_[index];
   ++cost.samples;
-  if (length(light(index).position - at.point) >= visibilities_.reach.metres(index)) return 0;
+  if (length(light(index).position - at.point) >= visibilities_.reach.metres(index) ||
+      !visibilities_.reach.isInSpot(index, at.point))
+    return 0;
   const auto& [shaft, outcome] = shafts_.toPoint(index, at.target, surface().normal);
   const double seen = visibility.seenFraction(FacePoint{at.target, surface().normal, place_.mesh},
                                               shaft, outcome, cost.rays);

@@ -41,15 +41,18 @@ bool SampleRays::isAllInReach(std::size_t index, const TargetBox& targets) const
   // Rays arrive less than this from samples, and rounding is less.
   constexpr double kBeside = 1e-3;  // metres
   const double most = reach(index) - kBeside;
-  return most > 0 && std::ranges::all_of(targets.corners(), [&](Vec3 corner) {
-           const Vec3 toLight = light(index).position - corner;
-           return dot(toLight, toLight) < most * most;
-         });
+  const auto isNear = [&](Vec3 corner) {
+    const Vec3 toLight = light(index).position - corner;
+    return dot(toLight, toLight) < most * most;
+  };
+  return most > 0 && std::ranges::all_of(targets.corners(), isNear) &&
+         visibilities_.reach.isAllInSpot(index, targets.corners(), kBeside);
 }
 
 bool SampleRays::isInReach(std::size_t index, const SamplePoint& at) const {
   const Vec3 toLight = light(index).position - at.point;
-  return dot(toLight, toLight) < reach(index) * reach(index);
+  return dot(toLight, toLight) < reach(index) * reach(index) &&
+         visibilities_.reach.isInSpot(index, at.point);
 }
 
 }  // namespace hearth

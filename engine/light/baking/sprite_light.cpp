@@ -13,7 +13,7 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
     const LightSource& light = scene.level().lights[i];
     const double distance = length(point - light.position);
     if (distance > visibilities.reach.metres(i)) continue;
-    const double brightness = light.brightnessAt(distance);
+    const double brightness = light.brightnessAt(point);
     if (brightness <= 0) continue;
     sums.add(0, 0, light,
              brightness * visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays));

@@ -102,6 +102,9 @@ const std::vector<double>& SurfaceLight::brightness(std::size_t index, const Sam
                        brightness_.data());
   else
     kernels.findLevelsOnCurve(distances_.data(), count, source.curve, brightness_.data());
+  if (source.spot)
+    kernels.applySpot(points, distances_.data(), count, source.position, *source.spot,
+                      brightness_.data());
   if (lambert_)
     for (const auto& [surface, first, ofRun] : blocks.runs())
       kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,

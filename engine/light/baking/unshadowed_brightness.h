@@ -14,7 +14,7 @@ inline double unshadowedBrightness(const LightSource& light, double reach, Vec3 
   const Vec3 toLight = light.position - point;
   const double distance = length(toLight);
   if (distance >= reach) return 0;
-  const double level = light.brightnessAt(distance);
+  const double level = light.brightnessAt(point);
   if (!lambert) return level;
   // The middle of a ball can lie behind a plane that a part of it lights.
   return level * std::max(0.0, dot(toLight, normal) / distance);

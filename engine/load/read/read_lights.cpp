@@ -11,8 +11,9 @@ namespace hearth {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kLightKeys{
-    "x", "y", "z", "sector", "intensity", "falloff", "curve", "color", "radius"};
+constexpr std::array<std::string_view, 10> kLightKeys{
+    "x", "y", "z", "sector", "intensity", "falloff", "curve", "color", "radius", "spot"};
+constexpr std::array<std::string_view, 4> kSpotKeys{"angle", "pitch", "inner", "outer"};
 constexpr std::array<std::string_view, 3> kFileKeys{"version", "lights", "bake"};
 constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
 
@@ -62,6 +63,30 @@ void readCurve(Report& report, const Fields& fields, LightSource& source) {
   for (const JsonValue element : value->elements()) readCurvePoint(report, element, source.curve);
 }
 
+void readSpot(Report& report, const Fields& ofLight, LightSource& source) {
+  const std::optional<JsonValue> value = ofLight.find("spot");
+  if (!value) return;
+  constexpr NumberRange kUpright{-90, 90};  // degrees
+  constexpr NumberRange kOpening{0, 180};   // degrees
+  const Fields fields(report, *value, kSpotKeys);
+  double angle = 0;
+  double pitch = 0;
+  double inner = 0;
+  double outer = 0;
+  bool isGood = fields.isObject() &&
+                fields.require("outer", "give the angle at which the light ends").has_value();
+  isGood &= fields.read("angle", kAngle, angle);
+  isGood &= fields.read("pitch", kUpright, pitch);
+  isGood &= fields.read("inner", kOpening, inner);
+  isGood &= fields.read("outer", kOpening, outer);
+  if (!isGood) return;
+  if (inner > outer)
+    return report.error(value->place(),
+                        fmt::format("\"inner\" {} is more than \"outer\" {}", inner, outer),
+                        fmt::format("give \"inner\" {} at most, or a larger \"outer\"", outer));
+  source.spot.emplace(angle, pitch, inner, outer);
+}
+
 std::optional<LightDescription> readLight(Report& report, JsonValue value) {
   const Fields fields(report, value, kLightKeys);
   LightDescription light;
@@ -79,6 +104,7 @@ std::optional<LightDescription> readLight(Report& report, JsonValue value) {
   fields.read("radius", kLength, source.radius);
   readColor(report, fields, source);
   readCurve(report, fields, source);
+  readSpot(report, fields, source);
   return isGood ? std::optional(light) : std::nullopt;
 }
 

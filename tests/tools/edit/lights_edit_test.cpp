@@ -119,6 +119,28 @@ TEST(LightsEditTest, WritesCurvesAndPutsIntensityInTheirPlace) {
             R"([{"x":1,"y":2,"z":3,"radius":1,"intensity":9}])");
 }
 
+TEST(LightsEditTest, ChangesOneNumberOfASpot) {
+  const auto turn = [](LightDescription& light) { light.source.spot = Spot(90, -60, 20, 30); };
+  EXPECT_EQ(afterChange(R"([{"x":1,"y":2,"z":3,"spot":{ "//":"lamp", "pitch":-6e1, "inner":2e1,)"
+                        R"( "outer":30, "angle":45 }}])",
+                        0, turn),
+            R"([{"x":1,"y":2,"z":3,"spot":{ "//":"lamp", "pitch":-6e1, "inner":2e1,)"
+            R"( "outer":30, "angle":90 }}])");
+  EXPECT_EQ(afterChange(R"([{"x":1,"y":2,"z":3,"spot":{"outer":30}}])", 0, turn),
+            R"([{"x":1,"y":2,"z":3,"spot":{"outer":30, "angle": 90, "pitch": -60, "inner": 20}}])");
+}
+
+TEST(LightsEditTest, MakesASpotAndTakesItOut) {
+  const std::string all = R"([{"x":1,"y":2,"z":3}])";
+  const std::string cone =
+      R"([{"x":1,"y":2,"z":3,"spot":{"angle": 0, "pitch": -90, "inner": 20, "outer": 40.5}}])";
+  EXPECT_EQ(
+      afterChange(all, 0,
+                  [](LightDescription& light) { light.source.spot = Spot(0, -90, 20, 40.5); }),
+      cone);
+  EXPECT_EQ(afterChange(cone, 0, [](LightDescription& light) { light.source.spot.reset(); }), all);
+}
+
 TEST(LightsEditTest, AddsALightLikeTheLast) {
   EXPECT_EQ(afterAdd(R"([{"x":1,"y":2,"z":3}])", lightAt({4, 5.125, 1e-3})),
             R"([{"x":1,"y":2,"z":3},{"x":4,"y":5.125,"z":0.001}])");

@@ -114,6 +114,21 @@ TEST(Inspect, tellsWhatWouldMakeAFaintLightEnough) {
   EXPECT_EQ(reasonAt(brighter, "west", {2.5, 2, 1.5}, {1, 0, 0}), "");
 }
 
+TEST(Inspect, namesASpotThatShinesElsewhere) {
+  const LoadedLevel loaded = halves("", lamp(2, 2, 1.5, ",'spot':{'pitch':-90,'outer':30}"));
+  EXPECT_EQ(reasonAt(loaded, "west", {2.5, 2, 1.5}, {1, 0, 0}),
+            "outside its spot, which ends 30 degrees from its direction: turn it, or give it a "
+            "larger \"outer\"");
+}
+
+TEST(Inspect, tellsWhatWouldMakeASpotEnoughWhereItsLightEnds) {
+  // Half of it goes at a right angle to its direction.
+  const LoadedLevel loaded =
+      halves("", lamp(2, 2, 1.5, ",'intensity':6,'spot':{'angle':90,'outer':180}"));
+  EXPECT_EQ(reasonAt(loaded, "west", {2.5, 2, 1.5}, {1, 0, 0}),
+            "too weak here: 3 of 255 at 8 m; intensity 130 instead of 6 would give 64");
+}
+
 TEST(Inspect, namesALightInThePlaneOfTheSurface) {
   const LoadedLevel loaded = halves("", lamp(5, 2, 1.5), 1);
   EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 0.5}, {1, 0, 0}),

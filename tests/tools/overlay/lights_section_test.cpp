@@ -175,6 +175,30 @@ TEST_F(LightsSectionTest, AddsAndTakesOutPointsOfACurve) {
   EXPECT_EQ(editor().bytes(), one) << "the last point stays";
 }
 
+TEST_F(LightsSectionTest, MakesALightASpotWithAFieldForEachOfItsAngles) {
+  constexpr int kSpotBegin = kFieldsEnd - 20;
+  constexpr int kSpotEnd = kFieldsEnd + 100;
+  click(60, kFirstRow);
+  for (int y = kSpotBegin; y < kSpotEnd && !light().spot; y += 7) click(kFieldLeft - 12, y);
+  ASSERT_TRUE(light().spot);
+  const Spot first = *light().spot;
+  EXPECT_EQ(first.pitch(), -90) << "it points down";
+  const std::string bytes = editor().bytes();
+  std::set<std::string> found;
+  for (int y = kSpotBegin; y < kSpotEnd; y += 7)
+    for (const int column : {0, 1}) {
+      drag(kFieldLeft + 20 + 3 * column * kColumn / 2, y);
+      if (!light().spot || editor().bytes() == bytes) continue;
+      if (light().spot->angle() != first.angle()) found.insert("angle");
+      if (light().spot->pitch() != first.pitch()) found.insert("pitch");
+      if (light().spot->inner() != first.inner()) found.insert("inner");
+      if (light().spot->outer() != first.outer()) found.insert("outer");
+      editor().undo();
+      EXPECT_EQ(editor().bytes(), bytes) << "a drag is one step";
+    }
+  EXPECT_EQ(found, (std::set<std::string>{"angle", "pitch", "inner", "outer"}));
+}
+
 TEST_F(LightsSectionTest, HidesTheMarksWhichAreNotPickedThen) {
   click(60, kFirstRow);
   LightDescription ahead = editor().pickedLight();

@@ -62,6 +62,7 @@ class SpellingCounter {
       addIf(light.contains("curve"), FormatFeature::LightCurve);
       addIf(light.contains("color"), FormatFeature::LightColor);
       addIf(light.contains("radius"), FormatFeature::LightRadius);
+      addIf(light.contains("spot"), FormatFeature::LightSpot);
     });
   }
 

@@ -75,6 +75,9 @@ std::vector<EngineFeatureUse> engineFeatureUses(const LoadedLevel& loaded,
        "are white, and one number"},
       {"lights with a radius", light.spheres.lights, std::ssize(level.lights),
        "are points: a ray to a sample at most"},
+      {"lights with a spot",
+       count(level.lights, [](const LightSource& source) { return source.spot.has_value(); }),
+       std::ssize(level.lights), "shine all around: no cone to test"},
   };
 }
 

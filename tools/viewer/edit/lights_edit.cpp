@@ -18,8 +18,9 @@ namespace hearth {
 namespace {
 
 /// In the order in which a light has them.
-constexpr std::array<std::string_view, 9> kLightKeys{
-    "x", "y", "z", "sector", "radius", "intensity", "falloff", "curve", "color"};
+constexpr std::array<std::string_view, 10> kLightKeys{
+    "x", "y", "z", "sector", "radius", "intensity", "falloff", "curve", "color", "spot"};
+constexpr std::array<std::string_view, 4> kSpotKeys{"angle", "pitch", "inner", "outer"};
 
 /// The shortest that reads as the same number.
 std::string spelled(double number) { return fmt::format("{}", number + 0.0); }  // not -0
@@ -34,6 +35,19 @@ std::string spelled(const std::vector<CurvePoint>& curve) {
     text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", spelled(point.distance),
                         spelled(point.level));
   return fmt::format("[{}]", text);
+}
+
+std::array<double, kSpotKeys.size()> numbersOf(const Spot& spot) {
+  return {spot.angle(), spot.pitch(), spot.inner(), spot.outer()};
+}
+
+std::string spelled(const Spot& spot) {
+  std::string text;
+  const auto numbers = numbersOf(spot);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text +=
+        fmt::format("{}\"{}\": {}", i == 0 ? "" : ", ", kSpotKeys.at(i), spelled(numbers.at(i)));
+  return fmt::format("{{{}}}", text);
 }
 
 /// Bytes that are no UTF-8 are not kept.
@@ -74,6 +88,8 @@ std::vector<Member> changes(const LightDescription& from, const LightDescription
   }
   if (!std::ranges::equal(from.source.color, to.source.color))
     members.push_back({"color", spelled(to.source.color)});
+  if (from.source.spot && !to.source.spot) members.push_back({"spot", std::nullopt});
+  if (!from.source.spot && to.source.spot) members.push_back({"spot", spelled(*to.source.spot)});
   return members;
 }
 
@@ -92,6 +108,18 @@ Replacement with(std::string_view json, std::size_t light, const Member& member)
     return hasMember(json, light, member.key) ? withoutMember(json, light, member.key)
                                               : Replacement{light, "", ""};
   return withMember(json, light, {std::string(member.key), *member.value}, keysBefore(member.key));
+}
+
+/// One number of the light's spot.
+Replacement withSpotNumber(std::string_view json, std::size_t light, std::string_view key,
+                           double number) {
+  const std::vector<MemberRange> ofLight = membersAt(json, light);
+  const std::size_t spot = std::ranges::find(ofLight, "spot", &MemberRange::name)->value.begin;
+  const std::vector<MemberRange> members = membersAt(json, spot);
+  if (members.size() == 1 && members[0].name != key)
+    return {members[0].value.end, "", fmt::format(R"(, "{}": {})", key, spelled(number))};
+  return withMember(json, spot, {std::string(key), spelled(number)},
+                    {kSpotKeys.begin(), kSpotKeys.end()});
 }
 
 /// Where the array of lights begins.
@@ -159,9 +187,20 @@ std::optional<std::string> LightsEdit::edit(Change&& change) {
 
 std::optional<std::string> LightsEdit::set(std::size_t light, const LightDescription& to) {
   return edit([&] {
+    const std::optional<Spot>& spot = lights_.lights[light].source.spot;
     for (const Member& member : changes(lights_.lights[light], to))
       history_.replace(with(history_.text(), offsetOf(light), member));
+    if (spot && to.source.spot) changeSpot(light, *spot, *to.source.spot);
   });
+}
+
+void LightsEdit::changeSpot(std::size_t light, const Spot& from, const Spot& to) {
+  const auto before = numbersOf(from);
+  const auto after = numbersOf(to);
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (before.at(i) != after.at(i))
+      history_.replace(
+          withSpotNumber(history_.text(), offsetOf(light), kSpotKeys.at(i), after.at(i)));
 }
 
 std::optional<std::string> LightsEdit::setComment(std::size_t light, const std::string& comment) {

@@ -60,6 +60,8 @@ class LightsEdit {
   template <typename Change>
   std::optional<std::string> edit(Change&& change);
   std::optional<std::string> read();
+  /// Writes what differs into the text.
+  void changeSpot(std::size_t light, const Spot& from, const Spot& to);
   std::size_t offsetOf(std::size_t light) const { return lights_.lights[light].place.offset; }
 
   std::string file_;

@@ -49,7 +49,7 @@ bool HemisphereSample::isLitBy(const LightSource& light) const {
   point.radius = 0;
   const TruthSource source(scene_.level(), meshes_, point, 1);
   return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
-    const double level = light.brightnessAt(length(light.position - place.point));
+    const double level = light.brightnessAt(place.point);
     return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;
   });
 }

@@ -99,7 +99,7 @@ class Follower {
   LightFinding glance(std::size_t index) const {
     const LightSource& light = scene_.level().lights[index];
     const double distance = length(light.position - place_.point);
-    return {index, LightReason::NotReached, distance, light.brightnessAt(distance),
+    return {index, LightReason::NotReached, distance, light.brightnessAt(place_.point),
             TruthSource::unshaded(light, place_, settings_.lambert)};
   }
 
@@ -148,6 +148,8 @@ class Follower {
     const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
     const double level = isCutOff ? 0 : finding.unshaded * finding.seenFraction;
     finding.adds = level * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
+    finding.reason = LightReason::OutsideSpot;
+    if (light.spot && finding.level == 0 && light.brightnessAt(finding.distance) > 0) return;
     finding.reason = LightReason::TooWeak;
     if (isCutOff || finding.unshaded * brightestFraction(light) < kVisibleLevel) return;
     finding.reason = LightReason::Lights;

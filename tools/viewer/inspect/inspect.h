@@ -12,11 +12,12 @@ namespace hearth {
 /// Why a point of a surface gets as much of a light as it does.
 enum class LightReason : std::uint8_t {
   Lights,
-  TooWeak,     ///< at this distance, whether or not anything stands between
-  FacesAway,   ///< it is behind the plane of the surface
-  InPlane,     ///< it lies in that plane
-  Blocked,     ///< something stands between
-  NotReached,  ///< its light passes the place in another part of the level
+  TooWeak,      ///< at this distance, whether or not anything stands between
+  OutsideSpot,  ///< its spot shines elsewhere
+  FacesAway,    ///< it is behind the plane of the surface
+  InPlane,      ///< it lies in that plane
+  Blocked,      ///< something stands between
+  NotReached,   ///< its light passes the place in another part of the level
 };
 
 /// One light, at a point of a surface.

@@ -25,8 +25,10 @@ double lowered(double number) {
 std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& finding) {
   const double fraction = brightestFraction(light);
   if (fraction == 0) return std::nullopt;
-  const double cosine = finding.level > 0 ? finding.unshaded / finding.level : 1;
-  const double needed = kClearLevel / (fraction * cosine);
+  // The cosine, and what a spot leaves of its light.
+  const double full = light.brightnessAt(finding.distance);
+  const double shading = full > 0 ? finding.unshaded / full : 1;
+  const double needed = kClearLevel / (fraction * shading);
   if (!light.curve.empty()) return Remedy{.curveLevel = raised(needed)};
   // What makes `brightnessAt` the level that is needed.
   const double falloff = (light.intensity / needed - 1) / finding.distance;

@@ -182,6 +182,11 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
                                                    : "";
     case LightReason::TooWeak:
       return weakWords(level.lights[finding.light], finding);
+    case LightReason::OutsideSpot:
+      return fmt::format(
+          "outside its spot, which ends {:g} degrees from its direction: turn it, or "
+          "give it a larger \"outer\"",
+          level.lights[finding.light].spot->outer());
     case LightReason::FacesAway:
       return facesAwayWords(level.lights[finding.light], place);
     case LightReason::InPlane:

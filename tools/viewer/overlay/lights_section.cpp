@@ -130,6 +130,12 @@ constexpr FieldRange kFalloff{0,
                               "At d metres there is intensity / (d x falloff + 1): 0.3 for a lamp "
                               "that fills a hall, 0.8 for a pool of light."};
 
+constexpr FieldRange kAngle{-1e6, 1e6, 0.5, 0, "%.1f deg", "On the map: 0 along x, 90 along y."};
+constexpr FieldRange kPitch{-90, 90, 0.5, 0, "%.1f deg", "Upwards; below 0 downwards."};
+
+/// Of a light that becomes a spot: straight down.
+const Spot kFirstSpot(0, -90, 20, 40);
+
 /// As wide as was asked for.
 bool showNumber(const char* id, double& value, const FieldRange& range) {
   const double speed = std::max(range.perPixel, range.fractionPerPixel * std::abs(value));
@@ -168,6 +174,42 @@ bool showPosition(Vec3& position) {
   show("##y", position.y);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   show("##z", position.z);
+  return isChanged;
+}
+
+/// Two fields side by side.
+bool showPair(const char* name, double& first, const FieldRange& ofFirst, double& second,
+              const FieldRange& ofSecond) {
+  showLabel(name);
+  ImGui::PushID(name);
+  const float width = widthOfEach(2);
+  ImGui::SetNextItemWidth(width);
+  bool isChanged = showNumber("##first", first, ofFirst);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(width);
+  isChanged |= showNumber("##second", second, ofSecond);
+  ImGui::PopID();
+  return isChanged;
+}
+
+bool showSpot(std::optional<Spot>& spot) {
+  showLabel("spot");
+  bool isOn = spot.has_value();
+  bool isChanged = ImGui::Checkbox("##spot", &isOn);
+  showTip("Light goes out around one direction only.");
+  if (isChanged) spot = isOn ? std::optional(kFirstSpot) : std::nullopt;
+  if (!spot) return isChanged;
+  double angle = spot->angle();
+  double pitch = spot->pitch();
+  double inner = spot->inner();
+  double outer = spot->outer();
+  const FieldRange toInner{0, outer,      0.25,
+                           0, "%.1f deg", "From the direction, up to which light is full."};
+  const FieldRange toOuter{inner, 180,        0.25,
+                           0,     "%.1f deg", "From the direction, where light ends."};
+  isChanged |= showPair("angle, pitch", angle, kAngle, pitch, kPitch);
+  isChanged |= showPair("inner, outer", inner, toInner, outer, toOuter);
+  if (isChanged) spot = Spot(angle, pitch, inner, outer);
   return isChanged;
 }
 
@@ -257,6 +299,7 @@ bool showFields(LightDescription& light) {
   isChanged |= showField("radius", source.radius, kRadius);
   isChanged |= showStrength(source);
   isChanged |= showColor(source);
+  isChanged |= showSpot(source.spot);
   return isChanged;
 }
 
