@@ -16,6 +16,7 @@ struct BakeSettings {
   double cutOff = 0;
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
+  double reflectance = 1;  ///< 0..1, of all textures, by which their own is multiplied
   /// No light passes through the holes of masked middle textures, and no texel is asked for one.
   bool solidMaskedMiddles = false;
 

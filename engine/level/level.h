@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "level/area_lights.h"
 #include "level/bake_settings.h"
 #include "level/face_tree.h"
 #include "level/ids.h"
@@ -92,6 +93,11 @@ struct Level {
   std::vector<Mesh> meshes;
   std::vector<MeshFace> meshFaces;
   std::vector<LightSource> lights;
+  std::vector<Sun> suns;
+  SkyLight sky;
+  std::vector<Emitter> emitters;
+  std::vector<Vec3> reflectances;  ///< by TextureId: means of what is no hole, 0..1; may be shorter
+                                   ///< than `textures`, whose others reflect nothing
   BakeSettings bake;
   std::optional<Player> player;
   std::vector<Shot> shots;

@@ -9,13 +9,14 @@ namespace {
 
 void add(Hash& hash, const BakeSettings& settings) {
   // By name, so that no new member is forgotten.
-  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, solidMaskedMiddles] =
-      settings;
+  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, reflectance,
+               solidMaskedMiddles] = settings;
   hash.addReal(texel);
   hash.addReal(cutOff);
   for (const int number :
        {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMaskedMiddles ? 1 : 0})
     hash.addWhole(static_cast<std::uint64_t>(number));
+  if (bounces > 0) hash.addReal(reflectance);
 }
 
 }  // namespace

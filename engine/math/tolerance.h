@@ -25,6 +25,10 @@ inline constexpr double kShortestWall = kPositionSlack;
 /// slack that positions have.
 inline constexpr double kInPlane = 1e-6;
 
+/// Sine of an angle. A sun no higher above a plane lies in it, and does not light it: more than the
+/// rounding of directions, and less than kInPlane at 1 km.
+inline constexpr double kInPlaneSine = 1e-10;
+
 /// Metres. An eye or a light on the very border of its sector is moved this far inside, so that
 /// every wall is either clearly in front of it or clearly behind: 1000 times the rounding of
 /// coordinates of 4 km, and a millionth of a pixel at 1 mm.

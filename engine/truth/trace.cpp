@@ -193,6 +193,12 @@ TruthHit traceLook(const Level& level, SectorId sector, Vec3 origin, Vec3 direct
   return std::get<TruthHit>(follow(level, sector, ray, kNever, meetInAir));
 }
 
+TruthHit traceGather(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
+                     const MeetInAir& meetInAir) {
+  const Ray ray = makeRay(origin, direction, RayKind::Gather);
+  return std::get<TruthHit>(follow(level, sector, ray, kNever, meetInAir));
+}
+
 std::optional<TruthHit> traceLight(const Level& level, SectorId sector, Vec3 origin,
                                    const SurfacePoint& to, const MeetInAir& meetInAir) {
   Ray ray = makeRay(origin, to.point - origin, RayKind::Light);

@@ -33,9 +33,10 @@ struct TruthHit : SurfacePoint {
 };
 
 enum class RayKind {
-  Look,   ///< ends at skies
-  Light,  ///< passes skies, beyond which the sides of sky sectors are endless; masked
-          ///< middle textures stop it from either side
+  Look,    ///< ends at skies
+  Light,   ///< passes skies, beyond which the sides of sky sectors are endless; masked
+           ///< middle textures stop it from either side
+  Gather,  ///< ends at skies; masked middle textures stop it from either side
 };
 
 /// Follows the ray from `origin` through portals, stacks and flat portals to the first surface that
@@ -62,6 +63,10 @@ using MeetInAir = std::function<std::optional<TruthHit>(const AirStretch&)>;
 /// As `trace` for a look, but asks at each stretch of air, from the origin on, what is met in it.
 TruthHit traceLook(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
                    const MeetInAir& meetInAir);
+
+/// As `traceLook`, but for light that comes from the surface that the ray meets.
+TruthHit traceGather(const Level& level, SectorId sector, Vec3 origin, Vec3 direction,
+                     const MeetInAir& meetInAir = {});
 
 /// The first surface that light from `origin`, as above, meets on its way to a point of a surface
 /// of the level. A masked middle texture is met at that point even if it has a hole there.

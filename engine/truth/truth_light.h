@@ -58,18 +58,36 @@ class TruthSource {
   int count_ = 1;  ///< with those that shine nowhere
 };
 
-/// The light at points of surfaces, of meshes and of the air as the file format defines it, not as
-/// any bake samples it: the reference for bakes.
+/// One sun, as points of surfaces and of the air see it.
+class TruthSun {
+ public:
+  /// Keeps references to the level and its meshes. The disc of a sun with a size is so many points.
+  TruthSun(const Level& level, const TruthMeshes& meshes, const Sun& sun, int discPoints);
+
+  /// The levels that the sun adds, before its colour; with `lambert` times the cosine.
+  double at(const SurfacePoint& place, bool lambert) const;
+  double at(const AirPoint& place) const;
+
+ private:
+  const Level& level_;
+  const TruthMeshes& meshes_;
+  const Sun& sun_;
+  std::vector<Vec3> directions_;  ///< spread evenly over its solid angle, of length 1
+};
+
+/// The light of lights and suns at points of surfaces, of meshes and of the air as the file format
+/// defines it, not as any bake samples it: the reference for bakes.
 class TruthLight {
  public:
   /// Of a ball. The fraction of it that lies before a plane is right within 0.4 % then.
   static constexpr int kBallPoints = 20000;
 
-  /// Keeps a reference to the level. A ball of light is so many points.
+  /// Keeps a reference to the level. A ball of light is so many points, and so is the disc of a
+  /// sun.
   explicit TruthLight(const Level& level, int ballPoints = kBallPoints);
 
   /// Levels (255 is full) of red, green and blue, neither clamped nor rounded: the sum over the
-  /// lights that see the point.
+  /// lights that see the point, and the suns.
   Vec3 at(const SurfacePoint& place) const;
   /// The same of a point in the air of its sector, off its walls and flats: without a cosine.
   Vec3 at(const AirPoint& place) const;
@@ -78,6 +96,9 @@ class TruthLight {
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
   double from(std::size_t light, const AirPoint& place) const;
+  /// The same of the sun of that index.
+  double fromSun(std::size_t sun, const SurfacePoint& place) const;
+  double fromSun(std::size_t sun, const AirPoint& place) const;
 
   /// The fraction of the light that sees the point, 0..1.
   double seenFraction(std::size_t light, const SurfacePoint& place) const;
@@ -96,6 +117,7 @@ class TruthLight {
   const Level& level_;
   std::shared_ptr<const TruthMeshes> meshes_;  ///< at one address, as the sources refer to them
   std::vector<TruthSource> sources_;           ///< by index of light
+  std::vector<TruthSun> suns_;                 ///< by index of sun
 };
 
 }  // namespace hearth

@@ -141,25 +141,44 @@ std::vector<Polygon> facesAsPolygons(const Level& level, const Mesh& mesh) {
   return faces;
 }
 
-/// A line of light, in a level, to a point or to a face that it lights.
+/// A line of light in a level. Its parameters are those of the ray that is traced along it.
 class LightLine {
  public:
-  LightLine(const Level& level, Vec3 origin, Vec3 end, std::optional<std::uint32_t> litFace)
-      : meeting_(level, origin, end - origin), metres_(length(end - origin)), litFace_(litFace) {}
+  /// A part of it, in metres from its origin.
+  struct Part {
+    double from;
+    double to;
+  };
+
+  /// It meets faces in this part only, and not the face on which it starts or which it lights.
+  LightLine(const Level& level, Vec3 origin, Vec3 direction, Part part,
+            std::optional<std::uint32_t> itsFace)
+      : meeting_(level, origin, direction),
+        origin_(origin),
+        direction_(direction),
+        metresPerT_(length(direction)),
+        part_(part),
+        itsFace_(itsFace) {}
+
+  Vec3 origin() const { return origin_; }
+  Vec3 at(double t) const { return origin_ + t * direction_; }
 
   /// What of a mesh stops it in a stretch of air.
   std::optional<TruthHit> stopAt(const Mesh& mesh, const AirStretch& air) const {
-    const AirStretch airMetres{air.sector, air.tEnter * metres_, air.tLeave * metres_};
+    const AirStretch airMetres{air.sector, air.tEnter * metresPerT_, air.tLeave * metresPerT_};
     return meeting_.nearestOf(mesh, [&](std::uint32_t face, const FaceCrossing& crossing) {
-      const double at = crossing.t * metres_;
-      return face != litFace_ && at < metres_ - kArrival && isIn(airMetres, at);
+      const double at = crossing.t * metresPerT_;
+      return face != itsFace_ && part_.from < at && at < part_.to && isIn(airMetres, at);
     });
   }
 
  private:
   MeshMeeting meeting_;
-  double metres_;  ///< its length
-  std::optional<std::uint32_t> litFace_;
+  Vec3 origin_;
+  Vec3 direction_;
+  double metresPerT_;
+  Part part_;
+  std::optional<std::uint32_t> itsFace_;
 };
 
 }  // namespace
@@ -217,11 +236,29 @@ std::optional<TruthHit> TruthMeshes::nearest(Vec3 origin, Vec3 direction,
 
 MeetInAir TruthMeshes::shadowsOn(Vec3 origin, Vec3 end,
                                  std::optional<std::uint32_t> litFace) const {
+  if (origin == end) return {};
+  const Vec3 direction = end - origin;
+  const LightLine::Part part{0, length(direction) - kArrival};
+  return nearestOn(LightLine(level_, origin, direction, part, litFace), 1);
+}
+
+MeetInAir TruthMeshes::facesAhead(Vec3 origin, Vec3 direction,
+                                  std::optional<std::uint32_t> startFace) const {
+  double farthest = 0;
+  for (const auto& [min, max] : bounds_)
+    if (min.x <= max.x) farthest = std::max(farthest, length(min - origin) + length(max - min));
+  const LightLine::Part part{kArrival, std::numeric_limits<double>::infinity()};
+  return nearestOn(LightLine(level_, origin, direction, part, startFace), farthest);
+}
+
+/// Of what casts a shadow on the line up to `tEnd`.
+template <typename Line>
+MeetInAir TruthMeshes::nearestOn(const Line& line, double tEnd) const {
   std::vector<std::size_t> onTheWay;
   for (std::size_t i = 0; i < level_.meshes.size(); ++i)
-    if (level_.meshes[i].castsShadow && mayMeet(bounds_[i], origin, end)) onTheWay.push_back(i);
-  if (onTheWay.empty() || origin == end) return {};
-  const LightLine line(level_, origin, end, litFace);
+    if (level_.meshes[i].castsShadow && mayMeet(bounds_[i], line.origin(), line.at(tEnd)))
+      onTheWay.push_back(i);
+  if (onTheWay.empty()) return {};
   return [this, line, onTheWay = std::move(onTheWay)](const AirStretch& air) {
     std::optional<TruthHit> nearest;
     for (const std::size_t i : onTheWay) {

@@ -36,6 +36,12 @@ class TruthMeshes {
   MeetInAir shadowsOn(Vec3 origin, Vec3 end,
                       std::optional<std::uint32_t> litFace = std::nullopt) const;
 
+  /// What of a mesh that casts a shadow a ray of light meets in the air, from whichever side: the
+  /// nearest face farther from the origin than kArrival. Not the face on which the ray starts.
+  /// `direction` is of length 1. As above.
+  MeetInAir facesAhead(Vec3 origin, Vec3 direction,
+                       std::optional<std::uint32_t> startFace = std::nullopt) const;
+
   /// Whether a mesh is in a sector.
   bool isIn(SurfaceId mesh, SectorId sector) const;
 
@@ -48,6 +54,9 @@ class TruthMeshes {
 
   static Bounds boundsOf(std::span<const MeshFace> faces);
   static bool mayMeet(const Bounds& bounds, Vec3 origin, Vec3 end);
+
+  template <typename Line>
+  MeetInAir nearestOn(const Line& line, double tEnd) const;
 
   const Level& level_;
   std::vector<Bounds> bounds_;           ///< of all meshes in their order

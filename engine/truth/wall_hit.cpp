@@ -146,7 +146,7 @@ class Meeting {
   /// What hangs in the opening. That on the other side stops light, too, and is not lit by it.
   std::optional<TruthHit> hangingIn(SegmentId twin, const Sector& next) const {
     if (const auto seen = maskedMiddle(id_, part_, next.ceiling.z)) return seen;
-    if (!isLight()) return std::nullopt;
+    if (ray_.kind == RayKind::Look) return std::nullopt;
     const Segment& far = level_[twin];
     const WallPart part = partAt(far, level_[far.sector], point_.z);
     const Portal* back = std::get_if<Portal>(&part.kind);
