@@ -20,8 +20,8 @@ enum class LightFilter {
   Bilinear,  ///< a mixture of the four texels around it
 };
 
-/// Settings that make frames less accurate and faster. By default frames are as levels/README.md
-/// says.
+/// What frames may approximate, or smooth. Only larger pixels make them faster. By default frames
+/// are as levels/README.md says.
 struct DrawSettings {
   TextureFilter textureFilter = TextureFilter::Nearest;
   LightFilter lightFilter = LightFilter::Bilinear;

@@ -52,9 +52,9 @@ HWY_INLINE void store(Doubles number, std::uint32_t* to) {
   hn::Store(hn::TruncateTo(tag, bits), tag, to);
 }
 
-/// The number of a texel of which `size` lie one behind the other.
-HWY_INLINE Doubles numberOf(Doubles line, Doubles place, int size) {
-  return hn::Add(hn::Mul(line, all(size)), place);
+/// The number of a texel at a place of a line: a column of an image, or a row of a lightmap.
+HWY_INLINE Doubles texelNumber(Doubles line, Doubles place, int lineLength) {
+  return hn::Add(hn::Mul(line, all(lineLength)), place);
 }
 
 template <typename Rows>
@@ -63,8 +63,8 @@ inline void findTexelsIn(PixelBlock& block, const GroupMapping& mapping, const T
   const Repeating columns(image.width());
   forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
     const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
-    store(numberOf(columns.texel(at(mapping.u, lane, parameter)),
-                   rows.texel(at(mapping.v, lane, parameter)), image.height()),
+    store(texelNumber(columns.texel(at(mapping.u, lane, parameter)),
+                      rows.texel(at(mapping.v, lane, parameter)), image.height()),
           &block.texels[0][pixel]);
   });
 }
@@ -97,7 +97,7 @@ inline void findFaceTexels(const FaceColumn& column, const double* raySlopes, in
   const Repeating across(image.width());
   const Repeating down(image.height());
   forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles u, Doubles v) HWY_ATTR {
-    store(numberOf(across.texel(u), down.texel(v), image.height()), &places.texels[0][row]);
+    store(texelNumber(across.texel(u), down.texel(v), image.height()), &places.texels[0][row]);
   });
 }
 
@@ -106,7 +106,7 @@ HWY_INLINE void storeMinusFraction(Doubles fraction, std::uint32_t* to) {
   const Doubles minus =
       hn::Sub(all(0x10000), hn::Floor(hn::Add(hn::Mul(fraction, all(0x8000)), all(0.5))));
   const Doubles number = hn::IfThenElseZero(hn::Lt(minus, all(0x10000)), minus);
-  store(numberOf(number, number, 0x10000), to);
+  store(hn::Mul(number, all(0x10001)), to);  // in both fields of the word
 }
 
 /// Of pixels of a block or of rows of a face.
@@ -118,12 +118,12 @@ HWY_INLINE void storeMix(Doubles across, Doubles down, Mix& mix, std::size_t pla
 
 /// The four texels around places on an image of this height, and how they are mixed.
 template <typename Texels, typename Mix>
-HWY_INLINE void storeAround(const Between& across, const Between& down, int height, Texels& texels,
-                            Mix& mix, std::size_t place) {
-  store(numberOf(across.first, down.first, height), &texels[0][place]);
-  store(numberOf(across.next, down.first, height), &texels[1][place]);
-  store(numberOf(across.first, down.next, height), &texels[2][place]);
-  store(numberOf(across.next, down.next, height), &texels[3][place]);
+HWY_INLINE void storeAround(const TexelPair& across, const TexelPair& down, int height,
+                            Texels& texels, Mix& mix, std::size_t place) {
+  store(texelNumber(across.first, down.first, height), &texels[0][place]);
+  store(texelNumber(across.next, down.first, height), &texels[1][place]);
+  store(texelNumber(across.first, down.next, height), &texels[2][place]);
+  store(texelNumber(across.next, down.next, height), &texels[3][place]);
   storeMix(across.fraction, down.fraction, mix, place);
 }
 
@@ -133,8 +133,8 @@ inline void findTexelsAroundIn(PixelBlock& block, const GroupMapping& mapping, c
   const Repeating columns(image.width());
   forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
     const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
-    storeAround(columns.between(at(mapping.u, lane, parameter)),
-                rows.between(at(mapping.v, lane, parameter)), image.height(), block.texels,
+    storeAround(columns.around(at(mapping.u, lane, parameter)),
+                rows.around(at(mapping.v, lane, parameter)), image.height(), block.texels,
                 block.betweenTexels, pixel);
   });
 }
@@ -149,8 +149,8 @@ inline void findFaceTexelsAround(const FaceColumn& column, const double* raySlop
   const Repeating columns(image.width());
   const Repeating rowsOfImage(image.height());
   forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles u, Doubles v) HWY_ATTR {
-    storeAround(columns.between(u), rowsOfImage.between(v), image.height(), places.texels,
-                places.between, row);
+    storeAround(columns.around(u), rowsOfImage.around(v), image.height(), places.texels, places.mix,
+                row);
   });
 }
 
@@ -168,11 +168,11 @@ inline void findLightTexels(PixelBlock& block, const GroupMapping& mapping,
   const Vec2 first = centreOfFirst(rect);
   forEachDoubles(block, [&](std::size_t pixel, std::size_t lane) HWY_ATTR {
     const Doubles parameter = hn::Load(kDouble, &block.parameters[pixel]);
-    const Between across =
-        betweenKept(hn::Sub(at(mapping.s, lane, parameter), all(first.x)), rect.width);
-    const Between down =
-        betweenKept(hn::Sub(at(mapping.t, lane, parameter), all(first.y)), rect.height);
-    store(hn::Mul(numberOf(down.first, across.first, rect.width), all(lightmap.channels)),
+    const TexelPair across =
+        keptAround(hn::Sub(at(mapping.s, lane, parameter), all(first.x)), rect.width);
+    const TexelPair down =
+        keptAround(hn::Sub(at(mapping.t, lane, parameter), all(first.y)), rect.height);
+    store(hn::Mul(texelNumber(down.first, across.first, rect.width), all(lightmap.channels)),
           &block.lightTexels[pixel]);
     storeMix(filtered(across.fraction, filter), filtered(down.fraction, filter),
              block.betweenLightTexels, pixel);
@@ -184,12 +184,11 @@ inline void findFaceLight(const FaceColumn& column, const double* raySlopes, int
   const TexelRect& rect = lightmap.rect;
   const Vec2 first = centreOfFirst(rect);
   forEachOfFace(column, raySlopes, rows, [&](std::size_t row, Doubles s, Doubles t) HWY_ATTR {
-    const Between across = betweenKept(hn::Sub(s, all(first.x)), rect.width);
-    const Between down = betweenKept(hn::Sub(t, all(first.y)), rect.height);
-    store(hn::Mul(numberOf(down.first, across.first, rect.width), all(lightmap.channels)),
+    const TexelPair across = keptAround(hn::Sub(s, all(first.x)), rect.width);
+    const TexelPair down = keptAround(hn::Sub(t, all(first.y)), rect.height);
+    store(hn::Mul(texelNumber(down.first, across.first, rect.width), all(lightmap.channels)),
           &places.texels[0][row]);
-    storeMix(filtered(across.fraction, filter), filtered(down.fraction, filter), places.between,
-             row);
+    storeMix(filtered(across.fraction, filter), filtered(down.fraction, filter), places.mix, row);
   });
 }
 

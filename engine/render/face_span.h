@@ -27,7 +27,7 @@ inline FaceCorners cornersBefore(const Projection& projection, const MeshFace& f
 
 /// A face of a mesh before the eye. Rays are (1, slant, ray slope): 1 m ahead, to the right and up,
 /// see Projection. Of a large model most are not in the cache when they are needed. So what tells
-/// where a face shows lies together, in two cache lines, and what colours it in the next one.
+/// where a face shows lies together, in two cache lines, and what colours it behind that.
 struct alignas(64) FaceFront {
   ColumnRange columns;  ///< outside which it does not show
   /// A ray meets the face where its product with none of these is negative: homogeneous edge

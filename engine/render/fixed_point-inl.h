@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -38,13 +37,13 @@ template <std::size_t kCount>
 struct alignas(64) FixedNumbers : std::array<std::uint32_t, kCount> {};
 
 /// Places on an axis that are linear down each column.
-struct Down {
+struct ColumnPlaces {
   FixedNumbers<PixelBlock::kLanes> start;  ///< in the first row of the block
   FixedNumbers<PixelBlock::kLanes> step;   ///< to the next row
 };
 
 /// Places on an axis that are linear across each row.
-struct Across {
+struct RowPlaces {
   FixedNumbers<PixelBlock::kRows> start;  ///< in the first column
   FixedNumbers<PixelBlock::kRows> step;   ///< to the next column
 
@@ -59,8 +58,10 @@ struct Across {
 /// texel that rounding could matter; those pixels are noted.
 ///
 /// How near: a place is the sum of a start and at most 31 steps, each of which is off by half of a
-/// 2^-32 of a repeat. That is 16 of these units, or `size` times as many 2^-32 of a texel; and of
-/// all that is added up to start and steps nothing is larger than kMaxRepeats.
+/// 2^-32 of a repeat. That is 16 of these units, or `size` times as many 2^-32 of a texel. Both
+/// ends of a column or row, also before the image's edge is subtracted, are no larger than
+/// kMaxRepeats. Only where the eye is farther than that from what it sees, larger terms add up to
+/// them.
 template <bool kIsPowerOfTwo>
 class FixedAxis {
  public:

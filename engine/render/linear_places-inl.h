@@ -50,7 +50,7 @@ HWY_INLINE Doubles fromZero(const LaneAffine&, std::size_t, Doubles) { return al
 /// The places, less `offset`, down the columns of what is upright. False if they are too large.
 template <typename Along>
 inline bool findDown(const PixelBlock& block, const Along& along, double offset, const Scale& scale,
-                     Down& down) {
+                     ColumnPlaces& down) {
   const double first = block.raySlopes[0];
   const double last = block.raySlopes[block.rows - 1];
   const double perRow = (last - first) / std::max(1, block.rows - 1);
@@ -68,7 +68,9 @@ inline bool findDown(const PixelBlock& block, const Along& along, double offset,
   return areSmall;
 }
 
-/// The depths of a level plane in the rows of a block.
+/// The depths of a level plane in the rows of a block. Rounding may take them out of the sector,
+/// unlike those of SpanMapping::depthAt, but FixedAxis is unsure of all texels that it could
+/// change.
 struct alignas(64) RowDepths : std::array<double, PixelBlock::kRows> {};
 
 inline void findDepths(const PixelBlock& block, const GroupMapping& mapping, RowDepths& depths) {
@@ -120,7 +122,7 @@ struct RowAxis {
 
 /// The places across the rows of a level plane. False if they are too large, as at the horizon.
 inline bool findAcross(const PixelBlock& block, const RowDepths& depths, const RowAxis& along,
-                       const Scale& scale, Across& across) {
+                       const Scale& scale, RowPlaces& across) {
   const auto isSmall = [&](double depth) {
     return depth >= 0 && along.largestAt(depth) < scale.largest;
   };
@@ -137,7 +139,7 @@ inline bool findAcross(const PixelBlock& block, const RowDepths& depths, const R
 
 /// Calls visit(pixel, lane, place) for as many pixels at once as a register of words holds.
 template <typename Visit>
-HWY_INLINE void forEachDown(const PixelBlock& block, const Down& down, Visit&& visit) {
+HWY_INLINE void forEachDown(const PixelBlock& block, const ColumnPlaces& down, Visit&& visit) {
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kWord)) {
     Words place = hn::Load(kWord, &down.start[lane]);
     const Words step = hn::Load(kWord, &down.step[lane]);
@@ -150,16 +152,16 @@ HWY_INLINE void forEachDown(const PixelBlock& block, const Down& down, Visit&& v
 
 /// Calls visit(pixel, place on the first axis, place on the second one) likewise.
 template <typename Visit>
-HWY_INLINE void forEachAcross(const PixelBlock& block, const Across& first, const Across& second,
-                              Visit&& visit) {
+HWY_INLINE void forEachAcross(const PixelBlock& block, const RowPlaces& first,
+                              const RowPlaces& second, Visit&& visit) {
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kWord))
     for (std::size_t row = 0; row < static_cast<std::size_t>(block.rows); ++row)
       visit(row * kLanes + lane, first.at(row, lane), second.at(row, lane));
 }
 
 template <typename Rows>
-inline bool findTexelsDown(PixelBlock& block, const FixedNumbers<kLanes>& columns, const Down& down,
-                           Rows rows) {
+inline bool findTexelsDown(PixelBlock& block, const FixedNumbers<kLanes>& columns,
+                           const ColumnPlaces& down, Rows rows) {
   forEachDown(block, down, [&](std::size_t pixel, std::size_t lane, Words place) HWY_ATTR {
     const Words number = hn::Add(hn::Load(kWord, &columns[lane]), rows.texel(place));
     hn::Store(number, kWord, &block.texels[0][pixel]);
@@ -170,7 +172,7 @@ inline bool findTexelsDown(PixelBlock& block, const FixedNumbers<kLanes>& column
 inline bool findTexelsDown(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
   const int height = image.height();
   const Scale scale = mapping.isSky ? kSkyScale : repeatScale(height);
-  Down down;
+  ColumnPlaces down;
   if (!findDown(block, mapping.v, 0, scale, down)) return false;
   const Repeating across(image.width());
   FixedNumbers<kLanes> columns;
@@ -182,7 +184,7 @@ inline bool findTexelsDown(PixelBlock& block, const GroupMapping& mapping, const
 }
 
 template <bool kIsPowerOfTwo>
-inline bool findTexelsAcross(PixelBlock& block, const Across& u, const Across& v,
+inline bool findTexelsAcross(PixelBlock& block, const RowPlaces& u, const RowPlaces& v,
                              const Texture& image) {
   FixedAxis<kIsPowerOfTwo> columns(image.width());
   FixedAxis<kIsPowerOfTwo> rows(image.height());
@@ -200,8 +202,8 @@ inline bool findTexelsAcross(PixelBlock& block, const Across& u, const Across& v
 inline bool findTexelsAcross(PixelBlock& block, const GroupMapping& mapping, const Texture& image) {
   RowDepths depths;
   findDepths(block, mapping, depths);
-  Across u;
-  Across v;
+  RowPlaces u;
+  RowPlaces v;
   if (!findAcross(block, depths, RowAxis(mapping.u), repeatScale(image.width()), u)) return false;
   if (!findAcross(block, depths, RowAxis(mapping.v), repeatScale(image.height()), v)) return false;
   return isPowerOfTwo(image.width()) && isPowerOfTwo(image.height())
@@ -228,23 +230,23 @@ inline bool findLightDown(PixelBlock& block, const GroupMapping& mapping, const 
                           LightFilter filter) {
   const TexelRect& rect = lightmap.rect;
   const Vec2 first = centreOfFirst(rect);
-  Down down;
+  ColumnPlaces down;
   if (!findDown(block, mapping.t, first.y, kLightScale, down)) return false;
   FixedNumbers<kLanes> columns;
   FixedNumbers<kLanes> across;
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kDouble)) {
-    const Between between =
-        betweenKept(hn::Sub(at(mapping.s, lane, all(0)), all(first.x)), rect.width);
-    store(hn::Mul(between.first, all(lightmap.channels)), &columns[lane]);
-    storeMinusFraction(filtered(between.fraction, filter), &across[lane]);
+    const TexelPair pair =
+        keptAround(hn::Sub(at(mapping.s, lane, all(0)), all(first.x)), rect.width);
+    store(hn::Mul(pair.first, all(lightmap.channels)), &columns[lane]);
+    storeMinusFraction(filtered(pair.fraction, filter), &across[lane]);
   }
   const FixedLightAxis rows(rect.height, filter);
   const Words bytesPerRow = allWords(static_cast<std::uint32_t>(rect.width * lightmap.channels));
   forEachDown(block, down, [&](std::size_t pixel, std::size_t lane, Words place) HWY_ATTR {
-    const LightPlace between = rows.at(hn::BitCast(kSigned, place));
+    const LightPlace row = rows.at(hn::BitCast(kSigned, place));
     const Words number =
-        hn::Add(hn::Mul(wordsOf(between.first), bytesPerRow), hn::Load(kWord, &columns[lane]));
-    storeLight(number, hn::Load(kWord, &across[lane]), between.minusFraction, block, pixel);
+        hn::Add(hn::Mul(wordsOf(row.first), bytesPerRow), hn::Load(kWord, &columns[lane]));
+    storeLight(number, hn::Load(kWord, &across[lane]), row.minusFraction, block, pixel);
   });
   return true;
 }
@@ -255,8 +257,8 @@ inline bool findLightAcross(PixelBlock& block, const GroupMapping& mapping,
   const Vec2 first = centreOfFirst(rect);
   RowDepths depths;
   findDepths(block, mapping, depths);
-  Across s;
-  Across t;
+  RowPlaces s;
+  RowPlaces t;
   if (!findAcross(block, depths, RowAxis(mapping.s, first.x), kLightScale, s)) return false;
   if (!findAcross(block, depths, RowAxis(mapping.t, first.y), kLightScale, t)) return false;
   const FixedLightAxis columns(rect.width, filter);

@@ -46,7 +46,7 @@ struct FaceRows {
   }
 };
 
-/// The rays of a column on a face, along which two numbers change that are so much at the eye.
+/// How two quantities with these gradients change along the rays of one column.
 FaceColumn columnOf(const FaceFront& front, double slant, const FaceGradient& u, double uScale,
                     const FaceGradient& v, double vScale) {
   const auto along = [slant](Vec3 perMetre, double scale) {
@@ -54,6 +54,33 @@ FaceColumn columnOf(const FaceFront& front, double slant, const FaceGradient& u,
   };
   return {along(front.nearness, 1), uScale * u.atEye, vScale * v.atEye, along(u.perMetre, uScale),
           along(v.perMetre, vScale)};
+}
+
+/// In each lane, the first span that is not painted to its end.
+using SpanByLane = std::array<const FaceSpan*, Strip::kColumns>;
+
+/// The spans of a group lie lane by lane.
+SpanByLane firstByLane(const FaceGroup& group) {
+  SpanByLane first;
+  first.fill(group.spans.data() + group.spans.size());
+  for (std::size_t i = group.spans.size(); i-- > 0;) first[group.spans[i].lane] = &group.spans[i];
+  return first;
+}
+
+/// Calls `visit(span, column)` for the spans that have rows in a block, and leaves in `next` those
+/// that end below it or lie there.
+template <typename Visit>
+void forEachSpanIn(const PixelBlock& block, const FaceGroup& group, SpanByLane& next,
+                   Visit&& visit) {
+  const FaceSpan* const end = group.spans.data() + group.spans.size();
+  const int rowEnd = block.firstRow + block.rows;
+  for (std::size_t lane = 0; lane < Strip::kColumns; ++lane)
+    for (const FaceSpan*& span = next[lane]; span != end && span->lane == lane; ++span) {
+      if (span->rowBegin >= rowEnd) break;
+      if (end - span > kAhead) prefetch(*span[kAhead].front);
+      visit(*span, group.firstColumn + static_cast<int>(lane));
+      if (span->rowEnd > rowEnd) break;
+    }
 }
 
 }  // namespace
@@ -70,25 +97,14 @@ void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& bloc
   block.columns = {{}, group.rowBegin, group.rowEnd};
   block.columns.rows.begin.fill(group.rowBegin);
   block.columns.rows.end.fill(group.rowEnd);
-  // By lane, the first span that is not painted to its end.
-  std::array<const FaceSpan*, Strip::kColumns> next;
-  const FaceSpan* const end = group.spans.data() + group.spans.size();
-  next.fill(end);
-  for (std::size_t i = group.spans.size(); i-- > 0;) next[group.spans[i].lane] = &group.spans[i];
+  SpanByLane next = firstByLane(group);
   forEachBlock(group, block, [&] {
     block.colors[0].fill(kHoleBit);
     if (light.varies()) block.lightTexels.fill(0);
-    const int rowEnd = block.firstRow + block.rows;
-    for (std::size_t lane = 0; lane < Strip::kColumns; ++lane) {
-      for (const FaceSpan*& span = next[lane]; span != end && span->lane == lane; ++span) {
-        if (span->rowBegin >= rowEnd) break;
-        if (end - span > kAhead) prefetch(*span[kAhead].front);
-        const int column = group.firstColumn + static_cast<int>(lane);
-        colorFace(*span, column, areMixed, block);
-        if (light.varies()) lightFace(*span, column, material, block);
-        if (span->rowEnd > rowEnd) break;
-      }
-    }
+    forEachSpanIn(block, group, next, [&](const FaceSpan& span, int column) {
+      colorFace(span, column, areMixed, block);
+      if (light.varies()) lightFace(span, column, material, block);
+    });
     if (areWhite)
       for (std::uint32_t& color : block.colors[0]) color |= color == kHoleBit ? 0 : 0xFFFFFF;
     kernels_.shade(block, texels, light, strip.row(block.firstRow));
@@ -110,7 +126,7 @@ void SpanPainter::colorFace(const FaceSpan& span, int column, bool areMixed,
   const std::size_t pixel = rows.firstPixel(span);
   for (std::size_t i = 0; i < (areMixed ? 4 : 1); ++i)
     fetchColumn(image, places.texels[i].data(), rows.count, &block.colors[i][pixel]);
-  if (areMixed) rows.put(places.between, pixel, block.betweenTexels);
+  if (areMixed) rows.put(places.mix, pixel, block.betweenTexels);
 }
 
 /// Gives the same rows their places on the lightmap.
@@ -128,7 +144,7 @@ void SpanPainter::lightFace(const FaceSpan& span, int column, const Material& ma
                          settings_.lightFilter, places);
   const std::size_t pixel = rows.firstPixel(span);
   rows.put(places.texels[0], pixel, block.lightTexels);
-  rows.put(places.between, pixel, block.betweenLightTexels);
+  rows.put(places.mix, pixel, block.betweenLightTexels);
 }
 
 /// The size of a face's image that fits its pixels.

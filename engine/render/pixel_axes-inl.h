@@ -11,13 +11,10 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 
 #include "render/group_mapping.h"
 #include "render/lane_registers-inl.h"
-#include "render/pixel_block.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hearth::HWY_NAMESPACE {
@@ -44,7 +41,7 @@ HWY_INLINE Doubles wholeTexels(Doubles x) { return hn::Floor(clamped(x, -0x1p50,
 
 /// Two neighbouring texels, and how far a pixel is from the centre of the first to that of the
 /// next.
-struct Between {
+struct TexelPair {
   Doubles first;
   Doubles next;
   Doubles fraction;
@@ -57,7 +54,7 @@ class Repeating {
 
   HWY_INLINE Doubles texel(Doubles x) const { return repeated(wholeTexels(x)); }
 
-  HWY_INLINE Between between(Doubles x) const {
+  HWY_INLINE TexelPair around(Doubles x) const {
     const Doubles fromCentre = hn::Sub(x, all(0.5));
     const Doubles whole = wholeTexels(fromCentre);
     const Doubles first = repeated(whole);
@@ -82,7 +79,7 @@ class Repeating {
 
 /// `x`, from the centre of the first texel, taken back to the centres of the first and the last of
 /// so many. The texel before the last is the last to have a next one.
-HWY_INLINE Between betweenKept(Doubles x, double size) {
+HWY_INLINE TexelPair keptAround(Doubles x, double size) {
   const Doubles last = all(size - 1);
   const Doubles kept = hn::Max(hn::Min(x, last), all(0));
   const Doubles first = hn::Floor(hn::Min(kept, all(std::max(0.0, size - 2))));
@@ -95,7 +92,7 @@ class SkyRows {
   explicit SkyRows(int size) : size_(size) {}
 
   HWY_INLINE Doubles texel(Doubles x) const { return hn::Floor(clamped(x, 0.5, size_ - 0.5)); }
-  HWY_INLINE Between between(Doubles x) const { return betweenKept(hn::Sub(x, all(0.5)), size_); }
+  HWY_INLINE TexelPair around(Doubles x) const { return keptAround(hn::Sub(x, all(0.5)), size_); }
 
  private:
   double size_;

@@ -11,7 +11,6 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <cstdint>
 
 #include "render/pixel_block.h"
@@ -132,14 +131,14 @@ HWY_INLINE Words colorsOf(const Channels& channels) {
   return hn::Or(outer, hn::And(middle, allWords(0xFF00)));
 }
 
-/// `first`, or what lies between it and the next one, of which it is the larger by `drop`. How far
-/// between is less than 0, in 2^-15: so it can be all of the way, and both ends are exact.
-HWY_INLINE Words between(Words first, Words drop, Words minusFraction) {
+/// first - fraction * drop, where `drop` is first - next. `minusFraction` is -fraction in 2^-15,
+/// because 1 would not fit in 16 bits, but -1 does: so both ends are exact.
+HWY_INLINE Words mixed(Words first, Words drop, Words minusFraction) {
   return sumOfFields(first, productOfFields(drop, minusFraction));
 }
 
 /// How far a pixel is from the left to the right texels and from the upper to the lower ones, as
-/// between() takes it.
+/// mixed() takes it.
 struct Weights {
   Words across;
   Words down;
@@ -150,7 +149,7 @@ struct NeighbourRows {
   Words upper;
   Words drop;  ///< to the lower row
 
-  HWY_INLINE Words at(Words down) const { return between(upper, drop, down); }
+  HWY_INLINE Words at(Words down) const { return mixed(upper, drop, down); }
 };
 
 /// A 2x2 neighbourhood of texels, one or two channels of it.
@@ -161,8 +160,8 @@ struct Neighbourhood {
   Words lowerDrop;
 
   HWY_INLINE NeighbourRows rowsAt(Words across) const {
-    const Words upper = between(upperLeft, upperDrop, across);
-    const Words lower = between(lowerLeft, lowerDrop, across);
+    const Words upper = mixed(upperLeft, upperDrop, across);
+    const Words lower = mixed(lowerLeft, lowerDrop, across);
     return {upper, differenceOfFields(upper, lower)};
   }
   HWY_INLINE Words at(const Weights& weights) const {
@@ -207,9 +206,8 @@ HWY_INLINE ColorNeighbourhood neighbourhoodOf(const Channels& upperLeft, const C
 HWY_INLINE Words shaded(Words colors, const Channels& shown) {
   const Words outer = hn::And(colors, allWords(0x00FF00FF));
   const Words middle = hn::And(hn::ShiftRight<8>(colors), allWords(0x00FF00FF));
-  // A byte b twice is 257 b, and 257 * 256 * 255 / 2^16 is almost 256: what comes out is less than
-  // a 256th of a level times 2 too small. So halves are rounded up, as they should be, by adding
-  // 130.
+  // A byte b twice is 257 b, and 257 * 256 * 255 / 2^16 is almost 256. Results are in 1/256 of a
+  // level, and less than 2/256 too small. Adding 130, half a level and 2/256, rounds halves up.
   const auto product = [](Words bytes, Words levels) HWY_ATTR {
     const Words bytesTwice = hn::Or(bytes, hn::ShiftLeft<8>(bytes));
     return hn::Add(highProductOfFields(bytesTwice, levels), allWords(130 * 0x10001));

@@ -50,11 +50,11 @@ struct FaceRowPlaces {
   struct Mix {
     Rows across;
     Rows down;
-  } between;
+  } mix;
 };
 
-/// Loops over the pixels of a block, as many at once as the registers of a processor hold. The
-/// results are the same to the bit on every processor.
+/// Loops over the pixels of a block, or over the rows of a face in one column, as many at once as
+/// the registers of a processor hold. The results are the same to the bit on every processor.
 struct PixelKernels {
   /// The parameters of the pixels.
   void (*findParameters)(PixelBlock& block, const GroupMapping& mapping);

@@ -223,8 +223,8 @@ class LightBetween {
   KeptTexels<decltype(texels_.around(0))> kept_;
 };
 
-/// The same where all pixels of a column are between the same two columns of texels, and equally
-/// far from them.
+/// The same where all pixels of a column lie at the same fraction of the way between the same two
+/// columns of texels.
 template <typename Texels>
 class ColumnLightBetween {
  public:

@@ -62,7 +62,8 @@ const std::vector<ColumnHit>& RayExits::closest(SectorId sector, std::optional<S
   return closest;
 }
 
-/// Calls `met(k, hit)` for windows k and the segments, except the one whose fronts they show.
+/// Calls `met(k, hit)` for each window k and each segment but `except` whose front shows in the
+/// window's column.
 template <typename Met>
 void RayExits::meetSegments(SectorId sector, std::optional<SegmentId> except,
                             const std::vector<Window>& windows, Met&& met) {

@@ -10,8 +10,8 @@ namespace hearth {
 
 namespace {
 
-/// Of two products that differ by more of their size, quotients of their factors are rounded to
-/// different numbers, or to the same, but not the other way round: a thousand times their rounding.
+/// If two products differ by more than this fraction, quotients of their factors keep their order,
+/// or round to the same number: a thousand times their rounding.
 constexpr double kClearly = 1e-12;
 
 /// The first column whose centre is not left of x.

@@ -76,7 +76,7 @@ SpanGroups::Added SpanGroups::add(std::uint32_t owner, SurfaceId surface, int st
 }
 
 void SpanGroups::addFaces(SurfaceId mesh, int strip, std::span<const FaceSpan> faces) {
-  // As if it had spans in all columns. Then no later span joins it, or a group before it.
+  // As if it had spans in all columns. So `linkFor` never takes it, nor a group before it.
   append(strip, {kNone, mesh.value, faceGroupCount_, kAllLanes, true});
   if (faceGroupCount_ == faceGroups_.size()) faceGroups_.emplace_back();
   FaceGroup& group = faceGroups_[faceGroupCount_++];
@@ -105,7 +105,7 @@ SpanGroups::Link& SpanGroups::linkFor(std::uint32_t owner, int strip, LaneSet la
     Link& link = links_[index];
     if ((link.lanes & lanes) != 0) {
       if (order_ == Order::LastToFirst) break;
-    } else if (!link.isOfFaces && link.owner == owner && rowBegin < groups_[link.index].rowEnd &&
+    } else if (link.owner == owner && rowBegin < groups_[link.index].rowEnd &&
                groups_[link.index].rowBegin < rowEnd) {
       return link;
     }

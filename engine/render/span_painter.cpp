@@ -106,17 +106,24 @@ void SpanPainter::count(const Material& material, std::size_t spans, std::size_t
 
 void SpanPainter::findPlaces(const GroupTexels& texels, const GroupLight& light,
                              const GroupMapping& mapping, PixelBlock& block) const {
-  const bool hasTexels = !texels.image || (!texels.areMixed && kernels_.findLinearTexels(
-                                                                   block, mapping, *texels.image));
-  const bool hasLight =
-      !light.varies() ||
-      kernels_.findLinearLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
+  const bool hasTexels = !texels.image || findTexelsInFixedPoint(texels, mapping, block);
+  const bool hasLight = !light.varies() || findLightInFixedPoint(light, mapping, block);
   if (hasTexels && hasLight) return;
   kernels_.findParameters(block, mapping);
-  if (!hasTexels)
-    (texels.areMixed ? kernels_.findTexelsAround : kernels_.findTexels)(block, mapping,
-                                                                        *texels.image);
+  if (!hasTexels && texels.areMixed) kernels_.findTexelsAround(block, mapping, *texels.image);
+  if (!hasTexels && !texels.areMixed) kernels_.findTexels(block, mapping, *texels.image);
   if (!hasLight) kernels_.findLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
+}
+
+/// False where that cannot tell them.
+bool SpanPainter::findTexelsInFixedPoint(const GroupTexels& texels, const GroupMapping& mapping,
+                                         PixelBlock& block) const {
+  return !texels.areMixed && kernels_.findLinearTexels(block, mapping, *texels.image);
+}
+
+bool SpanPainter::findLightInFixedPoint(const GroupLight& light, const GroupMapping& mapping,
+                                        PixelBlock& block) const {
+  return kernels_.findLinearLightTexels(block, mapping, *light.lightmap, settings_.lightFilter);
 }
 
 /// `view` is what a sprite shows, `face` is one of a mesh.

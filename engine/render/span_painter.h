@@ -24,7 +24,7 @@ struct Material {
   const Surface& surface;
   const MipMap& texture;
   const Lightmap* lightmap;  ///< null where no light reaches the surface
-  LitPlaces lit;             ///< nowhere on sky
+  LitPlaces lit;             ///< nowhere on skies and sprites
   double sectorLight;        ///< 0..1; sky and some sprites are bright by themselves
 
   const Texture& image() const { return texture.full(); }
@@ -96,6 +96,10 @@ class SpanPainter {
   /// Of the texels and the light of a block's pixels; `mapping` is on the image of `texels`.
   void findPlaces(const GroupTexels& texels, const GroupLight& light, const GroupMapping& mapping,
                   PixelBlock& block) const;
+  bool findTexelsInFixedPoint(const GroupTexels& texels, const GroupMapping& mapping,
+                              PixelBlock& block) const;
+  bool findLightInFixedPoint(const GroupLight& light, const GroupMapping& mapping,
+                             PixelBlock& block) const;
 
   Scene scene_;
   const std::vector<MipMap>& textures_;

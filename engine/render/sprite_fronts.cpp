@@ -100,7 +100,6 @@ void SpriteFronts::find(const Scene& scene, const SpriteIndex& index, const Came
   nearToFar_.clear();
   unsorted_.clear();
   for (const std::uint32_t i : found_) {
-    // In the order in which they lie in memory.
     const Sprite& sprite = scene.level().sprites[i];
     const auto [view, rect] = shownOf(sprite, projection, camera.seconds);
     const SpriteFront front(sprite, view, rect, projection, camera.width);

@@ -146,9 +146,9 @@ void SpriteSpans::findStanding(const Look& look, const SpriteFront& front) {
     scratch_.standing.push_back({&front, met.nearest, rows, met.depth, met.fraction});
 }
 
-/// Whether what is at the entry shows in the sector before it, or there is none.
+/// Whether what is at the entry shows in the sector before it. Only windows that lie in an opening
+/// have an entry.
 bool SpriteSpans::isBeforeEntry(const Look& look, const SpriteFront& front) const {
-  if (!look.entry.from) return true;
   const std::span<const SpriteFront> before = scratch_.fronts.of(*look.entry.from);
   return std::ranges::find(before, front.surface(), &SpriteFront::surface) != before.end();
 }

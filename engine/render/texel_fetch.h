@@ -10,8 +10,8 @@ namespace hearth {
 /// vectors, take longer.
 void fetchColors(PixelBlock& block, const GroupTexels& texels);
 
-/// Those of some rows of one lane, which stay no holes. `colors` is the lane's first pixel, of rows
-/// of eight.
+/// Reads the colours of some rows of one lane, and clears their hole bit. `colors` is the lane's
+/// first pixel, of rows of eight.
 void fetchColumn(const Texture& image, const std::uint32_t* numbers, int rows,
                  std::uint32_t* colors);
 

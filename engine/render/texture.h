@@ -16,8 +16,8 @@ namespace hearth {
 /// Set in texels that are holes.
 inline constexpr std::uint32_t kHoleBit = std::uint32_t{1} << 31;
 
-/// An image as spans read it: pixels as in PixelRows, column by column, because the spans of walls
-/// and skies go down a column.
+/// An image as spans read it: pixels as in PixelRows, column by column, so that the rows of a wall
+/// in one column of the picture lie side by side.
 class Texture {
  public:
   using Texel = std::uint32_t;  ///< a pixel, and kHoleBit where it is a hole

@@ -107,21 +107,22 @@ class Visibility {
              run.continuesIn(windows[i], hits[i]))
         run.add(windows[i], hits[i]);
       if (hasSprites_ || hasMeshes_)
-        showThings(run, viewport.from, std::span(windows).subspan(first, i - first));
+        showThings(run, entryThrough(viewport.from, std::span(windows).subspan(first, i - first)));
       show(run);
     }
   }
 
-  void showThings(const ColumnRun& run, std::optional<SectorId> from,
-                  std::span<const Window> windows) {
+  /// Of a run whose columns are those of some windows.
+  static RunEntry entryThrough(std::optional<SectorId> from, std::span<const Window> windows) {
     RunEntry entry;
     entry.from = from;
     for (const Window& window : windows)
       entry.depths[static_cast<std::size_t>(window.column % Strip::kColumns)] = window.depth;
-    showThings(run, entry);
+    return entry;
   }
 
-  /// Before what is behind them: the sprites that are before the meshes, then these.
+  /// Adds the sprites and meshes of the run's sector before what lies behind it is looked at:
+  /// `overLevel` is filled from near to far. Sprites come first, as far as no mesh hides them.
   void showThings(const ColumnRun& run, const RunEntry& entry) {
     const bool meshesShow = hasMeshes_ && meshes_.find(run, entry, lookedThrough_);
     if (hasSprites_) sprites_.show(run, entry, meshesShow ? &meshes_ : nullptr, found_.overLevel);
