@@ -135,12 +135,12 @@ ExitStatus runBench(const OptionValues& values) {
   if (!shares) return fail(shares.error());
   const auto loaded = loadedAt(*opened.result.loaded, opened.source, *shares, values);
   if (!loaded) return fail(loaded.error());
-  const auto settings = bakeSettingsFor(loaded->scene(), values);
+  const auto settings = bakeSettingsFor((*loaded)->scene(), values);
   if (!settings) return fail(settings.error());
   const int threads = threadsFrom(values);
   const int repeats = static_cast<int>(values.number(Option::Repeats).value_or(kBenchRepeats));
   const BenchReport report =
-      measure(*loaded, *settings, drawSettingsFrom(values), threads, repeats, steadySeconds);
+      measure(**loaded, *settings, drawSettingsFrom(values), threads, repeats, steadySeconds);
   if (values.has(Option::Json))
     fmt::print("{}\n", toJson(report, thisMachine()).dump(1));
   else

@@ -20,7 +20,7 @@ namespace {
 
 /// The level at the shares that the options ask for.
 struct ShownLevel {
-  LoadedLevel loaded;
+  MovedLevel level;
   std::vector<double> shares;  ///< by mover
 };
 
@@ -38,14 +38,14 @@ tl::expected<ShownLevel, std::string> shownLevel(const OpenedLevel& opened,
 tl::expected<BakedLight, std::string> lightOf(const ShownLevel& shown, const OpenedLevel& opened,
                                               const Camera& camera, const OptionValues& values) {
   if (restStatesFor(shown.shares, values).count() == 1)
-    return lightInView(shown.loaded.scene(), camera, values);
-  return MovedLight(*opened.result.loaded, opened.source, values).at(shown.loaded, shown.shares);
+    return lightInView(shown.level->scene(), camera, values);
+  return MovedLight(*opened.result.loaded, opened.source, values).at(*shown.level, shown.shares);
 }
 
 /// The picture that the options ask for.
 tl::expected<Image, std::string> picture(const ShownLevel& shown, const OpenedLevel& opened,
                                          const Camera& camera, const OptionValues& values) {
-  const LoadedLevel& loaded = shown.loaded;
+  const LoadedLevel& loaded = *shown.level;
   const std::optional<std::string> channel = values.text(Option::Channel);
   if (channel)
     if (auto geometry = drawGeometry(loaded.scene(), camera, *channel)) return *std::move(geometry);
@@ -85,7 +85,7 @@ ExitStatus runShot(const OptionValues& values) {
   if (!opened.result.loaded) return ExitStatus::BadInput;
   const auto shown = shownLevel(opened, values);
   if (!shown) return fail(shown.error());
-  const auto camera = cameraFor(shown->loaded.scene(), values, {320, 200});
+  const auto camera = cameraFor(shown->level->scene(), values, {320, 200});
   if (!camera) return fail(camera.error());
   const auto image = picture(*shown, opened, *camera, values);
   if (!image) return fail(image.error());

@@ -25,7 +25,7 @@ std::optional<std::string> StateBakes::bakeOthers() {
   for (const std::vector<double>& shares : std::span(states_).subspan(1)) {
     const auto level = loadedAt(authored(), opened_.source, shares, values_);
     if (!level) return level.error();
-    const Bake bake = add(level->scene());
+    const Bake bake = add((*level)->scene());
     ++figures_.count;
     figures_.seconds += bake.seconds;
     figures_.bytes += bake.light.stats.bytes;

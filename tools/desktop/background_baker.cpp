@@ -257,13 +257,13 @@ std::optional<BakedLight> BackgroundBaker::finish(Rebake& rebake, const std::sto
 void BackgroundBaker::lightAtRest(const std::vector<double>& shares, const std::stop_token& stop) {
   if (!source_ || shares.size() != current_->level.movers.size()) return;
   const OptionValues values = options();
-  auto moved = loadedAt(*current_, *source_, shares, values);
+  const auto moved = loadedAt(*current_, *source_, shares, values);
   if (!moved) return refuse(moved.error());
-  auto light = values.has(Option::LightFrom) ? lightInFile(moved->scene(), shares)
-                                             : lightOf(moved->scene(), stop);
+  auto light = values.has(Option::LightFrom) ? lightInFile((*moved)->scene(), shares)
+                                             : lightOf((*moved)->scene(), stop);
   if (!light) return;
   tell({.rest = std::make_shared<const RestLight>(
-            RestLight{shares, std::move(moved->geometry), *std::move(light)}),
+            RestLight{shares, (*moved)->geometry, *std::move(light)}),
         .restOf = current_});
 }
 

@@ -66,13 +66,13 @@ RestStates restStatesFor(std::span<const double> shares, const OptionValues& val
   return RestStates(shares, moverLightFrom(values).stages);
 }
 
-tl::expected<LoadedLevel, std::string> loadedAt(const LoadedLevel& authored,
-                                                const LevelSource& source,
-                                                std::span<const double> shares,
-                                                const OptionValues& values) {
-  if (std::ranges::count(shares, 0.0) == std::ssize(shares)) return authored;
+tl::expected<MovedLevel, std::string> loadedAt(const LoadedLevel& authored,
+                                               const LevelSource& source,
+                                               std::span<const double> shares,
+                                               const OptionValues& values) {
+  if (std::ranges::count(shares, 0.0) == std::ssize(shares)) return MovedLevel(authored);
   LoadResult result = levelAt(authored, source, shares, limitsFrom(values));
-  if (result.loaded) return *std::move(result.loaded);
+  if (result.loaded) return MovedLevel(*std::move(result.loaded));
   const auto error = std::ranges::find(result.diagnostics, true, &Diagnostic::isError);
   return tl::unexpected(fmt::format("with its movers so: {}", format(*error)));
 }
@@ -93,12 +93,11 @@ tl::expected<BakedLight, std::string> MovedLight::at(const LoadedLevel& shown,
 tl::expected<const MovedLight::AtRest*, std::string> MovedLight::atRest(
     const std::vector<double>& shares) {
   if (const auto found = rests_.find(shares); found != rests_.end()) return &found->second;
-  auto level = loadedAt(authored_, source_, shares, values_);
+  const auto level = loadedAt(authored_, source_, shares, values_);
   if (!level) return tl::unexpected(level.error());
-  auto light = lightFor(level->scene(), values_);
+  auto light = lightFor((*level)->scene(), values_);
   if (!light) return tl::unexpected(light.error());
-  const auto [rest, isNew] =
-      rests_.emplace(shares, AtRest{std::move(level->geometry), *std::move(light)});
+  const auto [rest, isNew] = rests_.emplace(shares, AtRest{(*level)->geometry, *std::move(light)});
   return &rest->second;
 }
 

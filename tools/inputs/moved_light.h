@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "inputs/inputs.h"
@@ -24,12 +26,28 @@ std::vector<double> moverSharesOf(const Level& level, const Shot& shot);
 /// The states at rest that the light at these shares is blended from, by `--mover-stages`.
 RestStates restStatesFor(std::span<const double> shares, const OptionValues& values);
 
-/// The level with its movers at these shares, loaded within the limits of the command line; a copy
-/// of `authored` where all are 0.
-tl::expected<LoadedLevel, std::string> loadedAt(const LoadedLevel& authored,
-                                                const LevelSource& source,
-                                                std::span<const double> shares,
-                                                const OptionValues& values);
+/// A level with its movers at some shares: the authored one itself, of which there is no second,
+/// or another.
+class MovedLevel {
+ public:
+  /// Keeps a reference.
+  explicit MovedLevel(const LoadedLevel& authored) : authored_(&authored) {}
+  explicit MovedLevel(LoadedLevel&& moved) : moved_(std::move(moved)) {}
+
+  const LoadedLevel& operator*() const { return moved_ ? *moved_ : *authored_; }
+  const LoadedLevel* operator->() const { return &**this; }
+
+ private:
+  const LoadedLevel* authored_ = nullptr;
+  std::optional<LoadedLevel> moved_;
+};
+
+/// The level with its movers at these shares, loaded within the limits of the command line;
+/// `authored`, which must outlive it, where all are 0.
+tl::expected<MovedLevel, std::string> loadedAt(const LoadedLevel& authored,
+                                               const LevelSource& source,
+                                               std::span<const double> shares,
+                                               const OptionValues& values);
 
 /// The light of a level wherever its movers stand. Each state at rest is taken from the cache or
 /// baked once, when its light is first asked for.

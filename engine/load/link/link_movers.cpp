@@ -85,23 +85,21 @@ class SwitchLinker {
   void link(SegmentId segment) {
     // A wall may be split into several segments, and stand for many walls.
     const WallDescription& wall = linking_.describedWall(segment);
-    add({segment, std::nullopt, 0, false}, wall.use);
-    addCrossed(segment, 0, wall.kind);
+    if (wall.switched) {
+      add({segment, std::nullopt, 0, false}, wall.switched->use);
+      add({segment, 0, 0, true}, wall.switched->cross);
+    }
     const auto* stack = std::get_if<StackDescription>(&wall.kind);
     if (!stack) return;
     for (std::uint32_t i = 0; i < stack->subWalls.size(); ++i) {
-      add({segment, i, 0, false}, stack->subWalls[i].use);
-      addCrossed(segment, i, stack->subWalls[i].kind);
+      const SubWallDescription& subWall = stack->subWalls[i];
+      if (!subWall.switched) continue;
+      add({segment, i, 0, false}, subWall.switched->use);
+      add({segment, i, 0, true}, subWall.switched->cross);
     }
   }
 
  private:
-  template <typename Kind>
-  void addCrossed(SegmentId segment, std::uint32_t subWall, const Kind& kind) {
-    if (const auto* portal = std::get_if<PortalDescription>(&kind))
-      add({segment, subWall, 0, true}, portal->cross);
-  }
-
   void add(MoverSwitch made, const std::vector<NameReference>& names) {
     for (const NameReference& name : names) {
       if (unknown_.contains(name.place)) continue;  // has been reported

@@ -21,11 +21,12 @@ class SwitchTextureLinker {
     if (isStandIn) return;  // for a wall with a mistake, which is reported
     const WallDescription& wall = linking_.describedWall(id);
     const std::span<const WallSurfaces> walls = linking_.level.surfacesOf(linking_.level[id]);
-    add(id, std::nullopt, wall.on, walls);
+    if (wall.switched) add(id, std::nullopt, wall.switched->on, walls);
     const auto* stack = std::get_if<StackDescription>(&wall.kind);
     if (!stack) return;
     for (std::uint32_t i = 0; i < stack->subWalls.size(); ++i)
-      add(id, i, stack->subWalls[i].on, walls.subspan(i, 1));
+      if (const auto& switched = stack->subWalls[i].switched)
+        add(id, i, switched->on, walls.subspan(i, 1));
   }
 
   /// By surface, as the level has them.

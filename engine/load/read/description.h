@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,7 +47,6 @@ struct PortalDescription {
   std::optional<TextureDescription> upper;
   std::optional<TextureDescription> lower;
   std::optional<TextureDescription> maskedMiddle;
-  std::vector<NameReference> cross{};  ///< movers that the player starts by walking through
 };
 
 /// One texture of a switch, and the one in its place while the switch is on.
@@ -55,13 +55,19 @@ struct SwitchTextureDescription {
   NameReference on;
 };
 
+/// How a wall starts movers.
+struct SwitchDescription {
+  std::vector<NameReference> cross;          ///< of these, a player who walks through it
+  std::vector<NameReference> use;            ///< of these, the use key in front of it
+  std::vector<SwitchTextureDescription> on;  ///< textures while these are on their way
+};
+
 struct SubWallDescription {
   Place place;
   std::optional<double> z;  ///< its top, above the sector's floor
   Place zPlace;             ///< of `z`, else of the sub-wall
   std::variant<Unreadable, SolidDescription, PortalDescription> kind;
-  std::vector<NameReference> use{};            ///< movers that the use key starts
-  std::vector<SwitchTextureDescription> on{};  ///< textures while these are on their way
+  std::shared_ptr<const SwitchDescription> switched{};  ///< null for most walls, which are many
 };
 
 struct StackDescription {
@@ -71,8 +77,7 @@ struct StackDescription {
 struct WallDescription {
   Place place;
   std::variant<Unreadable, SolidDescription, PortalDescription, StackDescription> kind;
-  std::vector<NameReference> use{};            ///< movers that the use key starts
-  std::vector<SwitchTextureDescription> on{};  ///< textures while these are on their way
+  std::shared_ptr<const SwitchDescription> switched{};  ///< null for most walls, which are many
 };
 
 struct LoopDescription {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "load/json/fields.h"
 #include "load/read/read.h"
@@ -40,7 +42,6 @@ std::optional<PortalDescription> readPortal(Report& report, const Fields& fields
   const std::optional<NameReference> reference = readReference(report, next);
   if (!isGood || !reference) return std::nullopt;
   portal.next = *reference;
-  if (const auto cross = fields.find("cross")) portal.cross = readReferences(report, *cross);
   if (both) portal.upper = portal.lower = both;
   return portal;
 }
@@ -72,21 +73,33 @@ Kind readSolidOrPortal(Report& report, const Fields& fields) {
   return SolidDescription{*texture};
 }
 
-/// What the use key does in front of a wall: of `Wall` its `use` and `on`.
-template <typename Wall>
-void readSwitch(Report& report, const Fields& fields, Wall& wall) {
-  const auto use = fields.find("use");
-  if (use) wall.use = readReferences(report, *use);
-  const auto on = fields.find("on");
-  if (!on) return;
-  if (!use)
-    return report.error(on->place(), "\"on\" on a wall without \"use\"",
-                        "name the movers that the wall starts");
-  if (!on->isObject()) return reportWrongType(report, *on, "an object of textures by texture");
-  for (const JsonValue::Member& member : on->members()) {
-    const NameReference off{std::string(member.key.text()), member.key.place()};
-    if (auto shown = readReference(report, member.value)) wall.on.push_back({off, *shown});
+std::vector<SwitchTextureDescription> readSwitchTextures(Report& report, JsonValue on) {
+  std::vector<SwitchTextureDescription> textures;
+  if (!on.isObject()) {
+    reportWrongType(report, on, "an object of textures by texture");
+    return textures;
   }
+  for (const JsonValue::Member& member : on.members()) {
+    const NameReference off{std::string(member.key.text()), member.key.place()};
+    if (auto shown = readReference(report, member.value)) textures.push_back({off, *shown});
+  }
+  return textures;
+}
+
+/// Null where it starts none.
+std::shared_ptr<const SwitchDescription> readSwitch(Report& report, const Fields& fields) {
+  const auto cross = fields.find("cross");
+  const auto use = fields.find("use");
+  const auto on = fields.find("on");
+  if (on && !use)
+    report.error(on->place(), "\"on\" on a wall without \"use\"",
+                 "name the movers that the wall starts");
+  if (!cross && !use) return nullptr;
+  SwitchDescription description;
+  if (cross) description.cross = readReferences(report, *cross);
+  if (use) description.use = readReferences(report, *use);
+  if (use && on) description.on = readSwitchTextures(report, *on);
+  return std::make_shared<const SwitchDescription>(std::move(description));
 }
 
 SubWallDescription readSubWall(Report& report, JsonValue value) {
@@ -103,7 +116,7 @@ SubWallDescription readSubWall(Report& report, JsonValue value) {
   }
   subWall.kind = readSolidOrPortal<decltype(subWall.kind)>(report, fields);
   if (!isGood) subWall.kind = Unreadable{};
-  readSwitch(report, fields, subWall);
+  subWall.switched = readSwitch(report, fields);
   return subWall;
 }
 
@@ -173,7 +186,7 @@ WallDescription readWall(Report& report, JsonValue value) {
   } else {
     wall.kind = readSolidOrPortal<decltype(wall.kind)>(report, fields);
   }
-  readSwitch(report, fields, wall);
+  wall.switched = readSwitch(report, fields);
   return wall;
 }
 

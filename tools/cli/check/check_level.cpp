@@ -127,11 +127,12 @@ class LevelCheck {
     for (const auto& [shares, shots] : shotsAt) {
       const auto moved = loadedAt(authored, source, shares, values_);
       if (!moved) return tl::unexpected(moved.error());
-      const auto light = movedLight.at(*moved, shares);
+      const auto light = movedLight.at(**moved, shares);
       if (!light) return tl::unexpected(light.error());
-      const Renderer renderer(moved->scene(), moved->textures, *light, drawSettingsFrom(values_));
+      const LoadedLevel& shown = **moved;
+      const Renderer renderer(shown.scene(), shown.textures, *light, drawSettingsFrom(values_));
       for (const std::size_t i : shots)
-        pictures[i] = renderer.draw(cameraOf(moved->level.shots[i]), LightMode::Both);
+        pictures[i] = renderer.draw(cameraOf(shown.level.shots[i]), LightMode::Both);
     }
     return pictures;
   }

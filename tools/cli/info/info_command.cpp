@@ -22,24 +22,25 @@ ExitStatus runInfo(const OptionValues& values) {
   const LoadedLevel& authored = *opened.result.loaded;
   const auto shares = moverSharesFor(authored.level, values);
   if (!shares) return fail(shares.error());
-  const auto loaded = loadedAt(authored, opened.source, *shares, values);
-  if (!loaded) return fail(loaded.error());
-  const auto bake = bakeFor(loaded->scene(), values);
+  const auto moved = loadedAt(authored, opened.source, *shares, values);
+  if (!moved) return fail(moved.error());
+  const LoadedLevel& loaded = **moved;
+  const auto bake = bakeFor(loaded.scene(), values);
   if (!bake) return fail(bake.error());
-  Contents contents = contentsOf(*loaded, opened.source, *bake);
+  Contents contents = contentsOf(loaded, opened.source, *bake);
   contents.movers = moverContents(authored, *shares);
   if (restStatesFor(*shares, values).count() > 1) {
-    const auto blended = MovedLight(authored, opened.source, values).at(*loaded, *shares);
+    const auto blended = MovedLight(authored, opened.source, values).at(loaded, *shares);
     if (!blended) return fail(blended.error());
     contents.blend = differenceOf(*blended, bake->light);
   }
   if (!values.has(Option::Json)) {
-    printInfo(*loaded, contents);
+    printInfo(loaded, contents);
     return ExitStatus::Done;
   }
-  nlohmann::ordered_json object = infoToJson(*loaded, contents);
+  nlohmann::ordered_json object = infoToJson(loaded, contents);
   if (values.has(Option::Surfaces))
-    object["bake"]["surfaces"] = texelGridsToJson(loaded->scene(), bake->light);
+    object["bake"]["surfaces"] = texelGridsToJson(loaded.scene(), bake->light);
   fmt::print("{}\n", object.dump(2));
   return ExitStatus::Done;
 }
