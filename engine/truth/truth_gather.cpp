@@ -16,7 +16,7 @@ namespace {
 /// A texture reflects no more than this, so that light in a closed room ends.
 constexpr double kMostReflected = 0.95;
 
-/// The square of the standard error of a mean.
+/// The standard error of the mean of independent means.
 Vec3 errorOf(const std::vector<Vec3>& means, Vec3 mean) {
   const auto count = static_cast<double>(means.size());
   Vec3 squares;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "truth/truth_light.h"
 
 namespace hearth {
+
+class GatherRays;
 
 /// What a point gets from areas, in levels (255 is full) of red, green and blue.
 struct AreaLight {
@@ -49,9 +49,9 @@ class TruthGather {
   class Random;
 
   template <typename DirectionAt>
-  Estimate estimate(const class GatherRays& rays, const Effort& effort, Random random,
+  Estimate estimate(const GatherRays& rays, const Effort& effort, Random random,
                     DirectionAt&& directionAt) const;
-  AreaLight arriving(const class GatherRays& rays, Vec3 direction, Random& random) const;
+  AreaLight arriving(const GatherRays& rays, Vec3 direction, Random& random) const;
   Vec3 emittedBy(const TruthHit& hit) const;
   Vec3 reflectanceOf(const TruthHit& hit) const;
   bool isFront(const TruthHit& hit, Vec3 direction) const;

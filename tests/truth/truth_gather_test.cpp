@@ -15,7 +15,7 @@
 namespace hearth {
 namespace {
 
-/// All textures reflect so much, and surfaces in the last sector's ceiling shine where they are to.
+/// All textures reflect so much.
 Level withReflectance(const TestLevel& test, double reflectance, int bounces) {
   Level level = test.level();
   level.reflectances.assign(level.textures.size(), {reflectance, reflectance, reflectance});
@@ -34,7 +34,7 @@ double geometricSum(double reflectance, int bounces) {
   return sum;
 }
 
-/// Of a point in the middle of every flat and wall of the sectors.
+/// A point of each solid wall, and of the floor and the ceiling a little before it.
 std::vector<SurfacePoint> placesIn(const Level& level) {
   std::vector<SurfacePoint> places;
   for (std::size_t i = 0; i < level.sectors.size(); ++i) {
@@ -48,7 +48,6 @@ std::vector<SurfacePoint> placesIn(const Level& level) {
       const double z = 0.7 * sector.floor.z + 0.3 * sector.ceiling.z;
       places.push_back(
           {SurfaceKind::Solid, SectorId(i), id, {middle.x, middle.y, z}, {normal.x, normal.y, 0}});
-      // A little before the wall.
       const Vec2 before = middle + 0.1 * normal;
       places.push_back({SurfaceKind::Floor,
                         SectorId(i),
