@@ -36,9 +36,16 @@ double LightSource::brightnessAt(double distance) const {
 }
 
 double LightSource::brightnessAt(Vec3 point) const {
+  if (sun) return intensity;
   const Vec3 offset = point - position;
   const double level = brightnessAt(length(offset));
   return spot ? level * spot->factor(offset) : level;
+}
+
+Vec3 LightSource::directionFrom(Vec3 point) const {
+  if (sun) return sun->direction();
+  const Vec3 toLight = position - point;
+  return (1 / length(toLight)) * toLight;
 }
 
 double LightSource::reach(double level) const {

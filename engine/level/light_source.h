@@ -6,6 +6,7 @@
 
 #include "level/ids.h"
 #include "level/spot.h"
+#include "level/sun.h"
 #include "math/vec.h"
 
 namespace hearth {
@@ -17,22 +18,26 @@ struct CurvePoint {
   friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };
 
-/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`.
+/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`. Or a sun:
+/// then it has no place, and only `intensity` and `color` count.
 struct LightSource {
   Vec3 position;
   SectorId sector;
-  double intensity = 255;  ///< levels at distance 0
+  double intensity = 255;  ///< levels at distance 0, or of a sun
   double falloff = 0;      ///< per metre: brightness is intensity / (1 + falloff * distance)
   std::vector<CurvePoint>
       curve;  ///< by rising distance; if not empty, it replaces intensity and falloff
   std::uint8_t color[3] = {255, 255, 255};
   double radius = 0;         ///< metres
   std::optional<Spot> spot;  ///< none: it shines all around
+  std::optional<Sun> sun;    ///< none: it has a place
 
   /// Light in levels at `distance` metres in full light, before colour.
   double brightnessAt(double distance) const;
-  /// The same at a point, in the light of a spot as seen from its centre.
+  /// The same at a point, in the light of a spot as seen from its centre, or in that of a sun.
   double brightnessAt(Vec3 point) const;
+  /// Of length 1, from a point that is not the light's own place.
+  Vec3 directionFrom(Vec3 point) const;
   /// The distance, in metres, beyond which no channel exceeds `cutOff` levels: 0 if none ever does,
   /// infinity if one always does.
   double reach(double cutOff) const;

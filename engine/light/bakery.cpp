@@ -75,7 +75,7 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
     const auto& [id, texels] = jobs[job];
     const std::size_t i = id.index();
     SurfaceLight surface(scene, baked.surfaces, visibilities, settings.lambert, id);
-    for (const std::size_t light : surface.facing()) visibilities.fine(light).prefetchBeams();
+    for (const std::size_t light : surface.facing()) visibilities.prefetchBeams(light);
     baked.lightmaps[i] = bakeSurface(surface, texels, settings, done);
     const std::scoped_lock lock(lightCostsMutex);
     baked.surfaceCosts[i] = {surface.facing().size(), addTo(baked.lightCosts, surface.costs())};

@@ -126,16 +126,18 @@ void addHoles(Hash& hash, const TexelHoles& holes) {
 
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) {
   // By name, so that no new member is forgotten.
-  const auto& [position, sector, intensity, falloff, curve, color, radius, spot] = light;
+  const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun] = light;
   hash.addPoint(position);
   hash.addWhole(sectorNumber);
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
   hash.addWhole(curve.size());
   for (const auto& [distance, level] : curve) hash.addPoint(Vec2{distance, level});
   for (const std::uint8_t channel : color) hash.addWhole(channel);
-  if (!spot) return;
-  for (const double number : {spot->angle(), spot->pitch(), spot->inner(), spot->outer()})
-    hash.addReal(number);
+  if (spot)
+    for (const double number : {spot->angle(), spot->pitch(), spot->inner(), spot->outer()})
+      hash.addReal(number);
+  if (sun)
+    for (const double number : {sun->angle(), sun->pitch(), sun->size()}) hash.addReal(number);
 }
 
 }  // namespace hearth

@@ -352,8 +352,7 @@ Rebake::Baker::Contribution Rebake::Baker::contributionOf(std::size_t light,
 
 /// Those that decide which part of a light shines.
 void Rebake::Baker::addSectorsOf(std::size_t light, SectorSet& sectors) const {
-  for (const auto* visibility : {&visibilities_.fine(light), &visibilities_.rough(light)})
-    for (const SectorId sector : visibility->sectors()) sectors.add(sector);
+  for (const SectorId sector : visibilities_.sectorsOf(light)) sectors.add(sector);
 }
 
 std::vector<LightMemory::Kept::Number> Rebake::Baker::numbersOf(const SectorSet& sectors) const {

@@ -1,22 +1,36 @@
 #include "truth/gather_rays.h"
 
+#include <algorithm>
+
 #include "level/locate.h"
+#include "math/predicates.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
 
-bool isInAir(const Level& level, const Sector& sector, Vec3 p) {
-  return contains(level, sector, p.xy()) && p.z >= sector.authoredBottom(p.xy()) - kPositionSlack &&
-         p.z <= sector.authoredTop(p.xy()) + kPositionSlack;
+/// Whether a point of the map is in a sector's outline, or misses it by no more than so much.
+bool isOver(const Level& level, const Sector& sector, Vec2 p, double slack) {
+  return contains(level, sector, p) ||
+         std::ranges::any_of(level.segmentsOf(sector), [&](const Segment& wall) {
+           return length(nearestOnSegment(wall.p0, wall.p1, p) - p) < slack;
+         });
 }
 
-/// Of a point of a mesh, which may be in several.
+bool isInAir(const Level& level, const Sector& sector, Vec3 p, double slack) {
+  return isOver(level, sector, p.xy(), slack) && p.z >= sector.authoredBottom(p.xy()) - slack &&
+         p.z <= sector.authoredTop(p.xy()) + slack;
+}
+
+/// Of a point of a mesh, which may be in several: the first that it is in or, if there is none, on
+/// the border of.
 std::optional<SectorId> sectorAround(const Level& level, const TruthMeshes& meshes, SurfaceId mesh,
                                      Vec3 p) {
-  for (std::size_t i = 0; i < level.sectors.size(); ++i)
-    if (meshes.isIn(mesh, SectorId(i)) && isInAir(level, level.sectors[i], p)) return SectorId(i);
+  for (const double slack : {0.0, kPositionSlack})
+    for (std::size_t i = 0; i < level.sectors.size(); ++i)
+      if (meshes.isIn(mesh, SectorId(i)) && isInAir(level, level.sectors[i], p, slack))
+        return SectorId(i);
   return std::nullopt;
 }
 

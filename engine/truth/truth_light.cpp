@@ -73,6 +73,10 @@ double TruthSource::seenFraction(const AirPoint& place) const {
 }
 
 double TruthSource::unshaded(const LightSource& light, const SurfacePoint& place, bool lambert) {
+  if (light.sun) {
+    const double cosine = std::max(0.0, dot(place.normal, light.sun->direction()));
+    return light.intensity * (lambert ? cosine : 1);
+  }
   const Vec3 toLight = light.position - place.point;
   if (std::abs(dot(place.normal, toLight)) <= kInPlane) return 0;
   const double distance = length(toLight);
@@ -113,16 +117,16 @@ std::optional<TruthHit> TruthSource::firstMet(const SurfacePoint& place) const {
 }
 
 TruthSun::TruthSun(const Level& level, const TruthMeshes& meshes, const Sun& sun, int discPoints)
-    : level_(level), meshes_(meshes), sun_(sun) {
+    : level_(level), meshes_(meshes) {
   const Vec3 middle = sun.direction();
-  if (sun.size == 0) {
+  if (sun.size() == 0) {
     directions_ = {middle};
     return;
   }
-  const Vec3 right = directionAt(sun.angle - 90, 0);
+  const Vec3 right = directionAt(sun.angle() - 90, 0);
   const Vec3 up = cross(middle, right);
   // Equal parts of a cosine are equal solid angles (Archimedes).
-  const double least = sinCosDegrees(sun.size / 2).cos;
+  const double least = sinCosDegrees(sun.size() / 2).cos;
   for (int i = 1; i <= discPoints; ++i) {
     const double cosine = std::lerp(least, 1.0, (spread(i, 2) + 1) / 2);
     const double sine = std::sqrt(1 - cosine * cosine);
@@ -131,29 +135,38 @@ TruthSun::TruthSun(const Level& level, const TruthMeshes& meshes, const Sun& sun
   }
 }
 
-double TruthSun::at(const SurfacePoint& place, bool lambert) const {
+double TruthSun::seenFraction(const SurfacePoint& place) const {
   const SurfacePoint lit = litSideOf(level_, place);
   const GatherRays rays(level_, meshes_, lit);
   const auto seen = std::ranges::count_if(directions_, [&](Vec3 direction) {
     return dot(lit.normal, direction) > kInPlaneSine && rays.seesSky(direction);
   });
-  const double cosine = lambert ? std::max(0.0, dot(lit.normal, sun_.direction())) : 1;
-  return sun_.intensity * cosine * static_cast<double>(seen) /
-         static_cast<double>(directions_.size());
+  return static_cast<double>(seen) / static_cast<double>(directions_.size());
 }
 
-double TruthSun::at(const AirPoint& place) const {
+double TruthSun::seenFraction(const AirPoint& place) const {
   const GatherRays rays(level_, meshes_, place.point, place.sector);
   const auto seen =
       std::ranges::count_if(directions_, [&](Vec3 direction) { return rays.seesSky(direction); });
-  return sun_.intensity * static_cast<double>(seen) / static_cast<double>(directions_.size());
+  return static_cast<double>(seen) / static_cast<double>(directions_.size());
+}
+
+std::optional<TruthHit> TruthSun::firstMet(const SurfacePoint& place) const {
+  const GatherRays rays(level_, meshes_, litSideOf(level_, place));
+  for (const Vec3 direction : directions_) {
+    const std::optional<TruthHit> met = rays.firstMet(direction);
+    if (met && !isSky(met->kind)) return met;
+  }
+  return std::nullopt;
 }
 
 TruthLight::TruthLight(const Level& level, int ballPoints)
     : level_(level), meshes_(std::make_shared<TruthMeshes>(level)) {
   for (const LightSource& light : level.lights)
-    sources_.emplace_back(level, *meshes_, light, ballPoints);
-  for (const Sun& sun : level.suns) suns_.emplace_back(level, *meshes_, sun, ballPoints);
+    if (light.sun)
+      sources_.emplace_back(TruthSun(level, *meshes_, *light.sun, ballPoints));
+    else
+      sources_.emplace_back(TruthSource(level, *meshes_, light, ballPoints));
 }
 
 template <typename Place>
@@ -164,8 +177,6 @@ Vec3 TruthLight::sumAt(const Place& place) const {
     sum = sum +
           from(i, place) * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
   }
-  for (std::size_t i = 0; i < suns_.size(); ++i)
-    sum = sum + fromSun(i, place) * level_.suns[i].color;
   return sum;
 }
 
@@ -178,20 +189,14 @@ double TruthLight::from(std::size_t light, const SurfacePoint& place) const {
 }
 
 double TruthLight::from(std::size_t light, const AirPoint& place) const {
-  const LightSource& source = level_.lights[light];
-  return source.brightnessAt(place.point) * sources_[light].seenFraction(place);
-}
-
-double TruthLight::fromSun(std::size_t sun, const SurfacePoint& place) const {
-  return suns_[sun].at(place, level_.bake.lambert);
-}
-
-double TruthLight::fromSun(std::size_t sun, const AirPoint& place) const {
-  return suns_[sun].at(place);
+  const double seen =
+      std::visit([&](const auto& source) { return source.seenFraction(place); }, sources_[light]);
+  return level_.lights[light].brightnessAt(place.point) * seen;
 }
 
 double TruthLight::seenFraction(std::size_t light, const SurfacePoint& place) const {
-  return sources_[light].seenFraction(place);
+  return std::visit([&](const auto& source) { return source.seenFraction(place); },
+                    sources_[light]);
 }
 
 double TruthLight::unshaded(std::size_t light, const SurfacePoint& place) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "truth/trace.h"
@@ -64,19 +65,21 @@ class TruthSun {
   /// Keeps references to the level and its meshes. The disc of a sun with a size is so many points.
   TruthSun(const Level& level, const TruthMeshes& meshes, const Sun& sun, int discPoints);
 
-  /// The levels that the sun adds, before its colour; with `lambert` times the cosine.
-  double at(const SurfacePoint& place, bool lambert) const;
-  double at(const AirPoint& place) const;
+  /// The fraction of its disc that sees the point, 0..1.
+  double seenFraction(const SurfacePoint& place) const;
+  double seenFraction(const AirPoint& place) const;
+
+  /// As for a TruthSource, of the first surface on the way towards it.
+  std::optional<TruthHit> firstMet(const SurfacePoint& place) const;
 
  private:
   const Level& level_;
   const TruthMeshes& meshes_;
-  const Sun& sun_;
   std::vector<Vec3> directions_;  ///< spread evenly over its solid angle, of length 1
 };
 
-/// The light of lights and suns at points of surfaces, of meshes and of the air as the file format
-/// defines it, not as any bake samples it: the reference for bakes.
+/// The light of lights, suns among them, at points of surfaces, of meshes and of the air as the
+/// file format defines it, not as any bake samples it: the reference for bakes.
 class TruthLight {
  public:
   /// Of a ball. The fraction of it that lies before a plane is right within 0.4 % then.
@@ -87,7 +90,7 @@ class TruthLight {
   explicit TruthLight(const Level& level, int ballPoints = kBallPoints);
 
   /// Levels (255 is full) of red, green and blue, neither clamped nor rounded: the sum over the
-  /// lights that see the point, and the suns.
+  /// lights that see the point.
   Vec3 at(const SurfacePoint& place) const;
   /// The same of a point in the air of its sector, off its walls and flats: without a cosine.
   Vec3 at(const AirPoint& place) const;
@@ -96,9 +99,6 @@ class TruthLight {
   /// point.
   double from(std::size_t light, const SurfacePoint& place) const;
   double from(std::size_t light, const AirPoint& place) const;
-  /// The same of the sun of that index.
-  double fromSun(std::size_t sun, const SurfacePoint& place) const;
-  double fromSun(std::size_t sun, const AirPoint& place) const;
 
   /// The fraction of the light that sees the point, 0..1.
   double seenFraction(std::size_t light, const SurfacePoint& place) const;
@@ -116,8 +116,7 @@ class TruthLight {
 
   const Level& level_;
   std::shared_ptr<const TruthMeshes> meshes_;  ///< at one address, as the sources refer to them
-  std::vector<TruthSource> sources_;           ///< by index of light
-  std::vector<TruthSun> suns_;                 ///< by index of sun
+  std::vector<std::variant<TruthSource, TruthSun>> sources_;  ///< by index of light
 };
 
 }  // namespace hearth

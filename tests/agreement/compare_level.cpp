@@ -60,7 +60,10 @@ Channels same(double level) { return {level, level, level}; }
 
 /// With lights and samples as truth can follow them.
 Level comparable(Level level) {
-  for (LightSource& light : level.lights) light.radius = 0;
+  for (LightSource& light : level.lights) {
+    light.radius = 0;
+    if (light.sun) light.sun.emplace(light.sun->angle(), light.sun->pitch(), 0);
+  }
   if (!level.bake.samples) level.bake.samples = 1;
   return level;
 }
@@ -228,7 +231,7 @@ class Comparison {
     if (level_.bake.texel > kFineTexel) return LeftOut::CoarseTexel;
     const double near = level_.bake.lambert ? kNearLightWithCosine : kNearLight;
     for (const LightSource& light : level_.lights)
-      if (length(light.position - hit.point) < near) return LeftOut::NearLight;
+      if (!light.sun && length(light.position - hit.point) < near) return LeftOut::NearLight;
     if (patch.lacksSamples()) return LeftOut::InsideMesh;
     if (!truth_.seesAlike(patch, hit)) return LeftOut::ShadowEdge;
     return std::nullopt;

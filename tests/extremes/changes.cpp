@@ -241,6 +241,16 @@ void turnThings(Json& level, double degrees) {
                [degrees](Json& thing) { thing["angle"] = thing.value("angle", 0.0) + degrees; });
 }
 
+/// The directions of spots and suns; `turned` gives the new angle of an old one.
+template <typename Turned>
+void turnLights(Json& file, Turned&& turned) {
+  const auto turn = [&](Json& light) { light["angle"] = turned(light.value("angle", 0.0)); };
+  for (Json& light : file["lights"])
+    if (light.contains("spot")) turn(light["spot"]);
+  if (file.contains("suns"))
+    for (Json& sun : file["suns"]) turn(sun);
+}
+
 void turnCameras(Json& level, double degrees) {
   if (level.contains("player") && level["player"].contains("angle"))
     level["player"]["angle"] = level["player"]["angle"].get<double>() + degrees;
@@ -399,6 +409,7 @@ LevelFiles turned(const LevelFiles& original, double degrees) {
                           .length = same});
     turnThings(files.level, degrees);
     turnCameras(files.level, degrees);
+    turnLights(files.lights, [degrees](double angle) { return angle + degrees; });
   });
 }
 
@@ -413,6 +424,7 @@ LevelFiles mirrored(const LevelFiles& original) {
                           .length = same});
     for (Json& shot : files.level["shots"])
       shot["camera"][3] = 180 - shot["camera"][3].get<double>();
+    turnLights(files.lights, [](double angle) { return 180 - angle; });
   });
 }
 

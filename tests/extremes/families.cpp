@@ -119,6 +119,7 @@ bool hasLightInLineWithWall(const Level& level) {
   return std::ranges::any_of(level.lights, [&](const LightSource& light) {
     return std::ranges::any_of(level.segments, [&](const Segment& wall) {
       const Vec2 along = (1 / wall.length) * (wall.p1 - wall.p0);
+      if (light.sun) return std::abs(cross(along, light.sun->direction().xy())) < 2e-6;
       return std::abs(cross(along, light.position.xy() - wall.p0)) < 2e-6;
     });
   });
@@ -210,7 +211,7 @@ LightDifference expectDistanceMeansLittle(std::uint64_t seed, double metres) {
 }
 
 LightDifference expectSmallnessMeansLittle(std::uint64_t seed) {
-  const LevelFiles files = withoutThings(randomFiles(seed));
+  const LevelFiles files = withPointSuns(withoutThings(randomFiles(seed)));
   const LitLevel before(files);
   const LitLevel after(scaled(files, 1e-3));
   expectSameTexturesOffEdges(before, after);

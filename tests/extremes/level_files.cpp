@@ -70,6 +70,14 @@ LevelFiles randomFiles(std::uint64_t seed) {
                              .length = toGrid});
 }
 
+LevelFiles withPointSuns(LevelFiles files) {
+  Json lights = Json::parse(files.lights);
+  if (lights.contains("suns"))
+    for (Json& sun : lights["suns"]) sun.erase("size");
+  files.lights = lights.dump();
+  return files;
+}
+
 LevelFiles filesOf(std::string_view level, std::string_view lights) {
   return {parsed(level).dump(), asObject(parsed(lights)).dump(), test::inTree("textures")};
 }

@@ -20,6 +20,10 @@ struct LevelFiles {
 /// moved and scaled by whole numbers and powers of two without rounding one coordinate.
 LevelFiles randomFiles(std::uint64_t seed);
 
+/// The same with suns that are points. Of a small level a penumbra is as narrow as the micrometre
+/// by which samples on an edge are moved inside.
+LevelFiles withPointSuns(LevelFiles files);
+
 /// A level from text in which single quotes stand for double ones.
 LevelFiles filesOf(std::string_view level, std::string_view lights = "[]");
 

@@ -177,9 +177,10 @@ bool holdPositions(const Level& level, SectorId sector, SectorGeometry heights) 
   const auto isHeld = [&](SectorId in, Vec3 p) {
     return in != sector || (heights.zFloor < p.z && p.z < heights.zCeiling);
   };
-  return std::ranges::all_of(
-             level.lights,
-             [&](const LightSource& light) { return isHeld(light.sector, light.position); }) &&
+  return std::ranges::all_of(level.lights,
+                             [&](const LightSource& light) {
+                               return light.sun || isHeld(light.sector, light.position);
+                             }) &&
          std::ranges::all_of(level.shots,
                              [&](const Shot& shot) { return isHeld(shot.sector, shot.eye); });
 }

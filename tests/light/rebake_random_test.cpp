@@ -86,7 +86,7 @@ class Draft {
 
  private:
   void edit() {
-    switch (whims_.below(9)) {
+    switch (whims_.below(10)) {
       case 0:
         return moveVertex();
       case 1:
@@ -102,6 +102,8 @@ class Draft {
         return turnLight();
       case 7:
         return moveLight();
+      case 8:
+        return turnSun();
       default:
         return addOrDropLight();
     }
@@ -158,6 +160,16 @@ class Draft {
     if (spot.is_null()) spot = {{"inner", 20}, {"outer", 60}};
     spot["angle"] = 45.0 * whims_.numberBelow(8);
     spot["pitch"] = 45.0 * (whims_.numberBelow(5) - 2);
+  }
+
+  /// Of a level that has none it rises. An array of lights has no suns.
+  void turnSun() {
+    if (!lights_.contains("lights")) return;
+    Json& suns = lights_["suns"];
+    if (suns.empty()) suns = Json::array({Json::object()});
+    suns[0]["angle"] = 15 * whims_.numberBelow(24);
+    suns[0]["pitch"] = 1 + 11 * whims_.numberBelow(9);
+    suns[0]["size"] = whims_.below(3) == 0 ? 6 : 0;
   }
 
   void addOrDropLight() {

@@ -85,6 +85,10 @@ enum class Feature {
   SpotLight,
   SpotWithAHardEdge,
   SpotWiderThanAPlane,
+  SunLight,
+  SunWithASize,
+  SunAtTheZenith,
+  SunAtTheHorizon,
   FourSamples,
   NineSamples,
   Lambert,
@@ -134,7 +138,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 123> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 127> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -212,6 +216,10 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 123> kFeatures
     {Feature::SpotLight, "spotlight"},
     {Feature::SpotWithAHardEdge, "spotlight with a hard edge"},
     {Feature::SpotWiderThanAPlane, "spotlight wider than a plane"},
+    {Feature::SunLight, "sun"},
+    {Feature::SunWithASize, "sun with a size"},
+    {Feature::SunAtTheZenith, "sun at the zenith"},
+    {Feature::SunAtTheHorizon, "sun near the horizon"},
     {Feature::FourSamples, "four samples a texel"},
     {Feature::NineSamples, "nine samples a texel"},
     {Feature::Lambert, "lambert"},

@@ -221,6 +221,15 @@ Json thingsJson(const Model& model, const std::vector<RandomSprite>& sprites,
   return things;
 }
 
+Json sunJson(const RandomSun& sun) {
+  Json json{{"angle", number(sun.angle)},
+            {"pitch", number(sun.pitch)},
+            {"intensity", number(sun.intensity)}};
+  if (sun.size > 0) json["size"] = number(sun.size);
+  if (!sun.color.empty()) json["color"] = sun.color;
+  return json;
+}
+
 }  // namespace
 
 std::string levelJson(const Model& model, const std::string& name,
@@ -245,7 +254,7 @@ std::string levelJson(const Model& model, const std::string& name,
 }
 
 std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
-                       const Spelling& spelling) {
+                       const std::vector<RandomSun>& suns, const Spelling& spelling) {
   Json list = Json::array();
   for (const RandomLight& light : lights) {
     const Vec3 p = light.place.position;
@@ -268,7 +277,8 @@ std::string lightsJson(const Model& model, const std::vector<RandomLight>& light
   Json bake{{"texel", number(spelling.texel)}};
   if (spelling.samples != 1) bake["samples"] = spelling.samples;
   if (spelling.lambert) bake["lambert"] = true;
-  const Json file{{"version", 1}, {"lights", list}, {"bake", bake}};
+  Json file{{"version", 1}, {"lights", list}, {"bake", bake}};
+  for (const RandomSun& sun : suns) file["suns"].push_back(sunJson(sun));
   return file.dump(1) + "\n";
 }
 

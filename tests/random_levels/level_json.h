@@ -6,6 +6,7 @@
 #include "random_levels/placed_models.h"
 #include "random_levels/places.h"
 #include "random_levels/sprites.h"
+#include "random_levels/suns.h"
 
 namespace hearth::random_levels {
 
@@ -27,6 +28,6 @@ std::string levelJson(const Model& model, const std::string& name,
                       const std::vector<RandomSprite>& sprites,
                       const std::vector<PlacedModel>& models, const Spelling& spelling);
 std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
-                       const Spelling& spelling);
+                       const std::vector<RandomSun>& suns, const Spelling& spelling);
 
 }  // namespace hearth::random_levels

@@ -18,6 +18,7 @@
 #include "random_levels/spots.h"
 #include "random_levels/sprites.h"
 #include "random_levels/storeys.h"
+#include "random_levels/suns.h"
 #include "random_levels/walls.h"
 
 namespace hearth {
@@ -162,6 +163,14 @@ void chooseSpots(std::uint64_t seed, std::vector<RandomLight>& lights,
   if (random.chance(0.4)) makeSpots(random, lights, features);
 }
 
+/// Under at least one sky. The lights file of an array has none.
+std::vector<RandomSun> chooseSuns(std::uint64_t seed, const Spelling& spelling,
+                                  std::set<Feature>& features) {
+  Random random(seed ^ 0x53756e73u);
+  if (spelling.hasLightArray || !features.contains(Feature::SkyCeiling)) return {};
+  return random.chance(0.5) ? makeSuns(random, features) : std::vector<RandomSun>{};
+}
+
 Model makeModel(Random& random) {
   while (true) {
     const LevelStyle style = chooseStyle(random);
@@ -242,8 +251,9 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   const std::vector<PlacedModel> models =
       chooseModels(seed, model, level.views, sprites, level.features);
   level.levelJson = levelJson(model, level.name, level.views, sprites, models, spelling);
-  level.lightsJson = lightsJson(model, lights, spelling);
-  if (lights.empty()) level.features.insert(Feature::NoLights);
+  const std::vector<RandomSun> suns = chooseSuns(seed, spelling, level.features);
+  level.lightsJson = lightsJson(model, lights, suns, spelling);
+  if (lights.empty() && suns.empty()) level.features.insert(Feature::NoLights);
   const bool hasArrays = spelling.hasSectorArray || spelling.hasLoopArrays;
   const bool hasObjects = !spelling.hasSectorArray || !spelling.hasLoopArrays;
   if (hasArrays) level.features.insert(Feature::Arrays);

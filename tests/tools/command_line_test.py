@@ -1226,10 +1226,15 @@ class Map(InFolder):
     def test_has_a_key_of_its_signs(self):
         plan = self.plan(self.level)
         words = [text.text for text in plan.iter(self.SVG + "text") if text.get("class") == "key"]
-        self.assertTrue({"light", "player", "sprite", "shot: from the dot, into the angle"} <= set(words), words)
+        self.assertTrue({"light", "sun, and the way it shines", "player", "sprite", "shot: from the dot, into the angle"} <= set(words), words)
         shots = json.loads(self.level.read_text())["shots"]
         self.assertEqual(len(self.eyes(plan, "shot")), len(shots) + 1)
         self.assertEqual(len(self.eyes(plan, "player")), 2)
+
+    def test_has_suns_on_the_side_from_which_they_shine(self):
+        plan = self.plan(SOURCE / "levels/gaol.json")
+        titles = [title.text for title in plan.iter(self.SVG + "title")]
+        self.assertIn("sun towards angle 101, pitch 50, intensity 230, size 0 degrees", titles)
 
     def test_tells_walls_steps_openings_and_one_way_portals_apart(self):
         drawn = {path.get("class"): path.get("d", "").count("M")
@@ -1362,8 +1367,9 @@ class Info(InFolder):
     def test_the_tutorial_shows_every_feature_of_the_format_but_those_of_gaol_maze_things_and_movers(self):
         unused = [name for name, count in self.features_of("tutorial.json").items()
                   if count == 0 and not re.search("sprite|mesh|grid|mover", name)]
-        self.assertEqual(unused, ["middle texture", "light with a spot"])
+        self.assertEqual(unused, ["middle texture", "light with a spot", "sun"])
         self.assertGreater(self.features_of("gaol.json")["middle texture"], 0)
+        self.assertGreater(self.features_of("gaol.json")["sun"], 0)
         self.assertGreater(self.features_of("maze.json")["grid"], 0)
         self.assertGreater(self.features_of("maze.json")["light with a spot"], 0)
 

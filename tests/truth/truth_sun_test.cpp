@@ -15,16 +15,24 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+/// A white sun.
+LightSource sunOf(Sun sun, double intensity = 255) {
+  LightSource light;
+  light.sun = sun;
+  light.intensity = intensity;
+  return light;
+}
+
 /// A yard of 40 x 40 m whose walls end in the sky at 3 m.
 struct Yard {
   TestLevel test;
   SectorId yard = test.addBox("yard", {0, 0}, {40, 40}, {0, 3});
   Level level;
 
-  explicit Yard(const Sun& sun) {
+  explicit Yard(const LightSource& sun) {
     test.sector(yard).ceiling.isSky = true;
     level = test.finished();
-    level.suns = {sun};
+    level.lights = {sun};
   }
 
   SurfacePoint wallPoint(std::size_t wall, Vec3 point, Vec3 normal) const {
@@ -34,16 +42,19 @@ struct Yard {
 
 TEST(TruthSun, ShinesOnAllThatLooksIntoTheSkyTowardsIt) {
   // Its light comes from +x.
-  const Yard yard({.angle = 0, .pitch = 45, .intensity = 200, .color = {1, 0.5, 0}});
+  LightSource sun = sunOf({0, 45, 0}, 200);
+  sun.color[1] = 51;
+  sun.color[2] = 0;
+  const Yard yard(sun);
   const TruthLight light(yard.level);
-  EXPECT_EQ(light.at(floorPoint(yard.yard, {20, 20})), (Vec3{200, 100, 0}));
+  EXPECT_EQ(light.at(floorPoint(yard.yard, {20, 20})), (Vec3{200, 40, 0}));
   EXPECT_EQ(light.at(yard.wallPoint(3, {0, 20, 1}, {1, 0, 0})).x, 200);
   EXPECT_EQ(light.at(yard.wallPoint(1, {40, 20, 1}, {-1, 0, 0})).x, 0) << "it is behind that";
   EXPECT_EQ(light.at(yard.wallPoint(0, {20, 0, 1}, {0, 1, 0})).x, 0) << "it is in its plane";
 }
 
 TEST(TruthSun, MakesAShadowAsLongAsAWallIsHighOverTheTangent) {
-  const Yard yard({.angle = 0, .pitch = 30});
+  const Yard yard(sunOf({0, 30, 0}));
   const TruthLight light(yard.level);
   const double shadow = 3 / std::tan(30 * kDegree);
   EXPECT_EQ(light.at(floorPoint(yard.yard, {40 - shadow + 1e-6, 20})).x, 0);
@@ -51,7 +62,7 @@ TEST(TruthSun, MakesAShadowAsLongAsAWallIsHighOverTheTangent) {
 }
 
 TEST(TruthSun, LambertMultipliesByTheCosine) {
-  Yard yard({.angle = 0, .pitch = 30, .intensity = 100});
+  Yard yard(sunOf({0, 30, 0}, 100));
   yard.level.bake.lambert = true;
   const TruthLight light(yard.level);
   EXPECT_NEAR(light.at(floorPoint(yard.yard, {20, 20})).x, 50, 1e-12);
@@ -61,7 +72,7 @@ TEST(TruthSun, LambertMultipliesByTheCosine) {
 
 TEST(TruthSun, WithASizeMakesAPenumbraOfTheSegmentsOfItsDisc) {
   const double size = 4;
-  const Yard yard({.angle = 0, .pitch = 30, .intensity = 1, .size = size});
+  const Yard yard(sunOf({0, 30, size}, 1));
   const TruthLight light(yard.level);
   for (const double degrees : {-1.9, -1.0, -0.3, 0.0, 0.7, 1.6}) {
     // From here the top of the wall stands so far above the middle of the disc.
@@ -79,7 +90,7 @@ TEST(TruthSun, ShinesThroughAnOpeningAndNotThroughACeiling) {
   test.sector(yard).ceiling.isSky = true;
   test.link(room, yard);
   Level level = test.finished();
-  level.suns = {{.angle = 0, .pitch = 20}};
+  level.lights = {sunOf({0, 20, 0})};
   const TruthLight light(level);
   // The yard's far wall is 5 m high, the opening 3 m.
   const double beyondWall = 16 - 5 / std::tan(20 * kDegree);
@@ -100,7 +111,7 @@ TEST(TruthSun, EndsInTheStepBetweenSkiesOfDifferentHeight) {
   test.sector(low).ceiling.isSky = true;
   test.link(high, low);
   Level level = test.finished();
-  level.suns = {{.angle = 0, .pitch = 45}};
+  level.lights = {sunOf({0, 45, 0})};
   const TruthLight light(level);
   // Over the lower sector the line is 4 m up and above its sky: the sun is seen whatever is there.
   EXPECT_EQ(light.at(floorPoint(high, {4, 4})).x, 255);
@@ -111,7 +122,7 @@ TEST(TruthSun, CastsShadowsOfMeshes) {
   hall.test.sector(hall.hall).ceiling.isSky = true;
   hall.addCube({4, 4});
   Level level = hall.test.finished();
-  level.suns = {{.angle = 0, .pitch = 45}};
+  level.lights = {sunOf({0, 45, 0})};
   const TruthLight light(level);
   EXPECT_EQ(light.at(floorPoint(hall.hall, {3.5, 4.5})).x, 0);
   EXPECT_EQ(light.at(floorPoint(hall.hall, {2.9, 4.5})).x, 255);

@@ -265,6 +265,10 @@ class PlanDrawing {
 
   void drawLights() {
     for (const LightSource& light : scene_.level().lights) {
+      if (light.sun) {
+        drawSun(light);
+        continue;
+      }
       const Vec2 at = toPaper(light.position.xy());
       const double radius = std::max(5.0, scale_ * light.radius);
       taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
@@ -280,6 +284,33 @@ class PlanDrawing {
                                    light.spot->outer(), light.spot->angle(), light.spot->pitch())
                      : "");
     }
+  }
+
+  /// In the margin, on the side from which it shines. Its ray is as long as the sun is low.
+  void drawSun(const LightSource& light) {
+    const Sun& sun = *light.sun;
+    const Vec2 towards = directionAt(sun.angle(), 0).xy();
+    const Vec2 half = 0.5 * scale_ * size_ + Vec2{kMargin / 2, kMargin / 2};
+    const double away = std::min(half.x / std::max(std::abs(towards.x), 1e-9),
+                                 half.y / std::max(std::abs(towards.y), 1e-9));
+    const Vec2 at = toPaper(frame_.min + 0.5 * size_) + away * towards;
+    const std::string title = fmt::format(
+        "<title>sun towards angle {:g}, pitch {:g}, intensity {:g}, size {:g} degrees</title>",
+        sun.angle(), sun.pitch(), light.intensity, sun.size());
+    drawSunSign(at, -1 * towards, length(sun.direction().xy()),
+                hex({light.color[0], light.color[1], light.color[2]}), title);
+  }
+
+  /// A disc, and a line along its rays.
+  void drawSunSign(Vec2 at, Vec2 along, double slant, std::string_view color,
+                   std::string_view title) {
+    constexpr double kRadius = 7;
+    constexpr double kLongestRay = 24;
+    const Vec2 end = at + (kRadius + kLongestRay * slant) * along;
+    taken_.push_back({at - Vec2{kRadius, kRadius}, at + Vec2{kRadius, kRadius}});
+    add("<g class=\"light\">{}<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>"
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"{}\"/></g>\n",
+        title, at.x, at.y, end.x, end.y, at.x, at.y, kRadius, color);
   }
 
   static std::string diamond(Vec2 at) {
@@ -401,6 +432,8 @@ class PlanDrawing {
     add("<circle class=\"light\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"#ffe8c8\"/>\n",
         kMargin + 18, row);
     double column = explain("light", kMargin + 44, row);
+    drawSunSign({column + 8, row}, {1, 0}, 0.5, "#ffe8c8", "");
+    column = explain("sun, and the way it shines", column + 36, row);
     add("<path class=\"mesh\" d=\"M{:.2f},{:.2f}h16v10h-16zl16,10\"/>\n", column, row - 5);
     column = explain("mesh", column + 28, row);
     add("<path class=\"sprite\" d=\"{}\"/>\n", diamond({column + 10, row}));

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "light/baking/sun_visibility.h"
 #include "light/rays/raytracer.h"
 #include "lint/authored_wall.h"
 
@@ -103,8 +104,15 @@ Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
   return surface.toWorld(brightest);
 }
 
-/// The light that brings most to a point of a surface, of those that it sees. Balls of light are
-/// taken for points.
+bool sees(const Scene& scene, const Raytracer& raytracer, const LightSource& light, Vec3 p,
+          SectorId sector) {
+  if (!light.sun) return raytracer.sees(Raytracer::sourceOf(scene, light), p, sector);
+  std::int64_t rays = 0;
+  return SunVisibility(scene, *light.sun, 0, false).seenFractionFromAir(p, sector, rays) > 0;
+}
+
+/// The light that brings most to a point of a surface, of those that it sees. Balls of light, and
+/// suns with a size, are taken for points.
 std::size_t mostAt(const Scene& scene, Vec3 p, SectorId sector) {
   const Raytracer raytracer(scene);
   std::size_t best = 0;
@@ -114,7 +122,7 @@ std::size_t mostAt(const Scene& scene, Vec3 p, SectorId sector) {
     const LightSource& light = lights[i];
     const double brought = light.brightnessAt(p);
     if (most.first && brought <= most.second) continue;
-    const std::pair here(raytracer.sees(Raytracer::sourceOf(scene, light), p, sector), brought);
+    const std::pair here(sees(scene, raytracer, light, p, sector), brought);
     if (here > most) best = i, most = here;
   }
   return best;
@@ -128,6 +136,11 @@ bool isDark(const BakedLight& light, std::size_t surface) {
 
 std::string nameOf(const Level& level, const Surface& surface) {
   return fmt::format("{} of sector \"{}\"", name(surface.kind), level[surface.sector].name);
+}
+
+std::string nameOf(const Level& level, const LightSource& light) {
+  return light.sun ? "the sun"
+                   : fmt::format("the light in sector \"{}\"", level[light.sector].name);
 }
 
 class BlackFinder {
@@ -227,7 +240,7 @@ class OverexposedFinder {
   void report(std::size_t light, const Glare& glare) {
     const int others = glare.surfaces - 1;
     findings_.add(
-        FindingKind::Overexposed, linted_.source.lights.lights[light].place,
+        FindingKind::Overexposed, linted_.source.lights.at(light).place,
         fmt::format("with this light {:.0f} % of {}{} has more than twice the light that can be "
                     "shown",
                     100 * glare.fraction, nameOf(level_, level_.surfaces[glare.worst]),
@@ -264,15 +277,14 @@ void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, 
   const std::vector<std::size_t> useless = dimOf(linted.scene(), dim, settings, threads);
   for (const std::size_t light : dim) {
     const bool isUseless = std::ranges::binary_search(useless, light);
-    const std::string& sector = level[level.lights[light].sector].name;
+    const std::string name = nameOf(level, level.lights[light]);
     findings.add(
         isUseless ? FindingKind::UselessLight : FindingKind::WeakLight,
-        linted.source.lights.lights[light].place,
-        isUseless ? fmt::format("the light in sector \"{}\" reaches no surface", sector)
-                  : fmt::format("the light in sector \"{}\" brings no surface more than {} of 255 "
-                                "levels",
-                                sector, kWeak),
-        isUseless ? "raise its intensity, move it or remove it"
+        linted.source.lights.at(light).place,
+        isUseless ? fmt::format("{} reaches no surface", name)
+                  : fmt::format("{} brings no surface more than {} of 255 levels", name, kWeak),
+        isUseless ? level.lights[light].sun ? "turn it to where some sky is seen, or remove it"
+                                            : "raise its intensity, move it or remove it"
                   : "raise its \"intensity\", of which 255 is full light");
   }
 }

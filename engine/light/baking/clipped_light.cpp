@@ -87,7 +87,7 @@ class ClippedLight {
   const LeftOut& leftOut() const { return left_; }
 
   void add(std::size_t light, TexelSums& sums) {
-    if (surface_.radiusOf(light) > 0)
+    if (surface_.isSoft(light))
       addSoft(light, sums);
     else
       addHard(light, sums);

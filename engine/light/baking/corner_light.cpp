@@ -17,7 +17,7 @@ constexpr double kUnknown = -1;
 
 /// The fraction of a ball's volume in front of a plane that is so far behind its centre; of a point
 /// all or nothing.
-double fractionInFront(double inFront, double radius) {
+double fractionOfBall(double inFront, double radius) {
   if (std::abs(inFront) <= kInPlane) return 0;
   if (radius == 0) return inFront > 0 ? 1 : 0;
   const double height = std::clamp((inFront / radius + 1) / 2, 0.0, 1.0);
@@ -46,7 +46,7 @@ void CornerLight::placeCorners(std::span<const LitMesh::SmallFace> faces) {
       const Vec3 point = faceAt(face).corners[k];
       const auto [entry, isNew] =
           found.try_emplace(coordinates(point), static_cast<std::uint32_t>(corners_.size()));
-      if (isNew) corners_.push_back({point, isInAir(scene_, place_.sectors, point)});
+      if (isNew) corners_.push_back({point, sectorAround(scene_, place_.sectors, point)});
       ofFace[k] = entry->second;
     }
   }
@@ -64,13 +64,12 @@ TexelSums CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
 void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,
                       TexelSums& sums) {
   const LightSource& light = scene_.level().lights[index];
-  const double radius = visibilities_.reach.radius(index);
   seen_.assign(corners_.size(), kUnknown);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const MeshFace& face = faceAt(faces[i]);
     const Vec3 front = frontOf(face);
     const Vec3 normal = (1 / length(front)) * front;
-    const double inFront = fractionInFront(dot(normal, light.position - face.corners[0]), radius);
+    const double inFront = fractionInFront(index, face, normal);
     if (!(inFront > 0)) continue;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t corner = cornerFor(ofFaces_[i], static_cast<std::size_t>(k));
@@ -82,11 +81,19 @@ void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> fac
   }
 }
 
+/// Of a light: as much of it as is in front of the face, by the face's unit normal.
+double CornerLight::fractionInFront(std::size_t index, const MeshFace& face, Vec3 normal) const {
+  if (const SunVisibility* sun = visibilities_.sun(index)) return sun->fractionInFront(normal);
+  const LightSource& light = scene_.level().lights[index];
+  return fractionOfBall(dot(normal, light.position - face.corners[0]),
+                        visibilities_.reach.radius(index));
+}
+
 /// The corner itself or, if it lies in no air, another one of the face.
 std::uint32_t CornerLight::cornerFor(const CornersOfFace& ofFace, std::size_t corner) const {
   for (std::size_t k = 0; k < ofFace.size(); ++k) {
     const std::uint32_t other = ofFace[(corner + k) % ofFace.size()];
-    if (corners_[other].isInAir) return other;
+    if (corners_[other].sector) return other;
   }
   return ofFace[corner];
 }
@@ -102,11 +109,20 @@ double CornerLight::seenFraction(std::size_t light, std::uint32_t corner) {
   if (seen >= 0) return seen;
   LightCost& cost = costs_[light];
   ++cost.samples;
-  const auto& [shaft, outcome] = shafts_->toPoint(light, corners_[corner].point, {0, 0, 1});
-  seen = visibilities_.fine(light).seenFractionFromCorner(corners_[corner].point, place_.mesh,
-                                                          shaft, outcome, cost.rays);
+  seen = seenFractionFrom(corners_[corner], light, cost.rays);
   if (seen > 0) ++cost.seenSamples;
   return seen;
+}
+
+double CornerLight::seenFractionFrom(const Corner& corner, std::size_t light, std::int64_t& rays) {
+  if (const SunVisibility* sun = visibilities_.sun(light)) {
+    if (!corner.sector) return 0;
+    return sun->seenFractionFromCorner(corner.point, place_.mesh, *corner.sector,
+                                       place_.lights.shaftTowards(light), rays);
+  }
+  const auto& [shaft, outcome] = shafts_->toPoint(light, corner.point, {0, 0, 1});
+  return visibilities_.fine(light).seenFractionFromCorner(corner.point, place_.mesh, shaft, outcome,
+                                                          rays);
 }
 
 }  // namespace hearth

@@ -32,7 +32,7 @@ class CornerLight {
  private:
   struct Corner {
     Vec3 point;
-    bool isInAir;
+    std::optional<SectorId> sector;  ///< of the mesh's, around it; none if it lies in no air
   };
   /// Indices into `corners_`.
   using CornersOfFace = std::array<std::uint32_t, 3>;
@@ -41,7 +41,9 @@ class CornerLight {
   void add(std::size_t light, std::span<const LitMesh::SmallFace> faces, TexelSums& sums);
   std::uint32_t cornerFor(const CornersOfFace& ofFace, std::size_t corner) const;
   TargetBox boxOfCorners() const;
+  double fractionInFront(std::size_t light, const MeshFace& face, Vec3 normal) const;
   double seenFraction(std::size_t light, std::uint32_t corner);
+  double seenFractionFrom(const Corner& corner, std::size_t light, std::int64_t& rays);
   const MeshFace& faceAt(const LitMesh::SmallFace& face) const {
     return scene_.level().facesOf(scene_.level().meshes[place_.mesh])[face.face];
   }

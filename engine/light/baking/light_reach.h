@@ -12,7 +12,7 @@
 
 namespace hearth {
 
-/// Where the lights of a level are, and how far they reach. Lights are indices.
+/// Where the lights of a level are, and how far they reach: suns everywhere. Lights are indices.
 class LightReach {
  public:
   LightReach(const Level& level, const BakeSettings& settings);
@@ -20,8 +20,10 @@ class LightReach {
   std::size_t lights() const { return metres_.size(); }
   /// Metres beyond which a light is left out, see LightSource::reach.
   double metres(std::size_t light) const { return metres_[light]; }
-  /// Metres; 0 for a light that is baked as a point.
+  /// Metres; 0 for a light that is baked as a point, and for a sun.
   double radius(std::size_t light) const { return radii_[light]; }
+  /// Whether points can see a part of it: a ball, or a sun with a size.
+  bool isSoft(std::size_t light) const { return areSoft_[light]; }
 
   /// Whether the light reaches a point of a box, or misses it by no more than authors' files are
   /// inexact. A spot may reach none even then, but all that it lights is reached.
@@ -48,6 +50,7 @@ class LightReach {
 
   std::vector<double> metres_;
   std::vector<double> radii_;
+  std::vector<bool> areSoft_;
   std::vector<Vec3> positions_;
   std::vector<std::optional<Spot>> spots_;
   BoxTree onMap_;

@@ -369,6 +369,14 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
       regions_(std::move(regions)),
       lights_(reach.lights()) {}
 
+std::vector<SectorId> LightVisibilities::sectorsOf(std::size_t light) const {
+  if (sun(light)) return {};
+  SectorSet sectors;
+  for (const LightVisibility* visibility : {&fine(light), &rough(light)})
+    for (const SectorId sector : visibility->sectors()) sectors.add(sector);
+  return sectors.sorted();
+}
+
 void LightVisibilities::makeReady(std::size_t index) const {
   // Of all lights together; an equal part for each, so that the order in which they are found
   // does not matter.
@@ -376,11 +384,20 @@ void LightVisibilities::makeReady(std::size_t index) const {
   Light& light = lights_[index];
   std::call_once(light.once, [&] {
     const LightSource& source = scene_.level().lights[index];
+    const int roughSamples = (settings_.softSamples + 3) / 4;
+    if (source.sun) {
+      const auto of = [&](int softSamples) {
+        return SunVisibility(scene_, *source.sun, softSamples, settings_.solidMaskedMiddles);
+      };
+      light.sun.emplace(of(settings_.softSamples));
+      light.roughSun.emplace(of(roughSamples));
+      return light.isReady.store(true, std::memory_order_release);
+    }
     const auto visibility = [&](int softSamples) {
       return std::make_unique<LightVisibility>(scene_, source, softSamples,
                                                settings_.solidMaskedMiddles);
     };
-    if (reach.radius(index) > 0) light.rough = visibility((settings_.softSamples + 3) / 4);
+    if (reach.isSoft(index)) light.rough = visibility(roughSamples);
     const std::optional<Box> region =
         regions_.empty() ? std::nullopt : std::optional(regions_[index]);
     auto fine = visibility(settings_.softSamples);

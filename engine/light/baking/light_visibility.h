@@ -11,19 +11,14 @@
 
 #include "level/scene.h"
 #include "light/baking/light_reach.h"
+#include "light/baking/light_target.h"
+#include "light/baking/sun_visibility.h"
 #include "light/beam_tree/beam_tree.h"
 #include "light/grid/plane.h"
 #include "light/rays/raytracer.h"
 #include "math/box.h"
 
 namespace hearth {
-
-/// A point of a surface to be lit.
-struct LightTarget {
-  Vec3 point;       ///< where rays arrive, on the border of the air of `sector`
-  SectorId sector;  ///< whose air the surface bounds
-  Plane plane;      ///< the surface's, its normal into the air
-};
 
 /// A grid of cells over a disc of radius 1, shared by all samples of a light. Many of its points
 /// are equally far from the centre, so values that depend only on this distance are computed once.
@@ -50,9 +45,9 @@ struct DiscCells {
       insideDistances;  ///< of the points where a cell is integrated (kWholeCell), cell by cell
 };
 
-/// Answers which fraction of a light a point of a surface sees: all or nothing of a point light,
-/// the fraction of its volume of a ball. If a wall runs through a ball, the part that the centre
-/// does not see does not shine.
+/// Answers which fraction of a light with a place a point of a surface sees: all or nothing of a
+/// point light, the fraction of its volume of a ball. If a wall runs through a ball, the part that
+/// the centre does not see does not shine.
 class LightVisibility {
  public:
   /// `softSamples` is for balls: the disc that a point sees of a ball is divided into about so many
@@ -124,8 +119,9 @@ class LightVisibility {
   std::vector<SectorId> sectors_;
 };
 
-/// How points see the lights of a level. Each light is made ready when it is asked for: parts of a
-/// bake need few of them. Any thread may ask.
+/// How points see the lights of a level: of a light with a place `fine` and `rough` tell, of a sun
+/// `sun` and `roughSun`. Each light is made ready when it is asked for: parts of a bake need few of
+/// them. Any thread may ask.
 class LightVisibilities {
  public:
   LightVisibilities(const Scene& scene, const BakeSettings& settings);
@@ -140,6 +136,17 @@ class LightVisibilities {
     const Light& its = ready(light);
     return its.rough ? *its.rough : *its.fine;
   }
+  /// Null for a light with a place.
+  const SunVisibility* sun(std::size_t light) const {
+    return scene_.level().lights[light].sun ? &*ready(light).sun : nullptr;
+  }
+  const SunVisibility& roughSun(std::size_t light) const { return *ready(light).roughSun; }
+  /// See LightVisibility; suns have no beams.
+  void prefetchBeams(std::size_t light) const {
+    if (!sun(light)) fine(light).prefetchBeams();
+  }
+  /// Those that decide which part of a light shines: none for a sun.
+  std::vector<SectorId> sectorsOf(std::size_t light) const;
 
  private:
   struct Light {
@@ -147,6 +154,8 @@ class LightVisibilities {
     std::atomic<bool> isReady = false;
     std::unique_ptr<const LightVisibility> fine;
     std::unique_ptr<const LightVisibility> rough;  ///< of a ball
+    std::optional<SunVisibility> sun;
+    std::optional<SunVisibility> roughSun;
   };
 
   const Light& ready(std::size_t light) const {

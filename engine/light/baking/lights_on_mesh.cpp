@@ -1,12 +1,26 @@
 #include "light/baking/lights_on_mesh.h"
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 #include "math/box3.h"
 #include "math/tolerance.h"
 
 namespace hearth {
+
+namespace {
+
+/// Adds the shaft between a light and targets, unless it is dark. Returns whether it did.
+template <typename AnyShaft, typename From>
+bool addShaft(const Scene& scene, const From& from, const ShaftTargets& targets,
+              std::vector<AnyShaft>& shafts) {
+  shafts.emplace_back(scene);
+  if (shafts.back().follow(from, targets, nullptr) != TargetVisibility::Dark) return true;
+  shafts.pop_back();
+  return false;
+}
+
+}  // namespace
 
 Box3 boxOf(const Level& level, const LitMesh& lit) {
   Box3 box = level.faceTrees[level.meshIndexOf(lit.surface)].box();
@@ -31,22 +45,25 @@ LightsOnMesh::LightsOnMesh(const Scene& scene, const LightVisibilities& visibili
                            const LitMesh& lit, std::span<const SectorId> sectors) {
   const Box3 box = boxOf(scene.level(), lit);
   const ShaftTargets targets{TargetBox::around(box), sectors};
-  for (const std::size_t i : visibilities.reach.reaching(box)) {
-    Shaft shaft(scene);
-    if (shaft.follow(visibilities.fine(i).shaftLight(), targets, nullptr) == TargetVisibility::Dark)
-      continue;
-    lights_.push_back(i);
-    shafts_.push_back(std::move(shaft));
-  }
+  for (const std::size_t i : visibilities.reach.reaching(box))
+    if (mayShineOn(scene, visibilities, i, targets)) lights_.push_back(i);
 }
 
-const Shaft& LightsOnMesh::shaftFrom(std::size_t light) const {
-  return shafts_[static_cast<std::size_t>(std::ranges::lower_bound(lights_, light) -
-                                          lights_.begin())];
+/// Keeps the shaft of a light that may.
+bool LightsOnMesh::mayShineOn(const Scene& scene, const LightVisibilities& visibilities,
+                              std::size_t light, const ShaftTargets& targets) {
+  if (const SunVisibility* sun = visibilities.sun(light))
+    return addShaft(scene, sun->cone(), targets, skyShafts_);
+  return addShaft(scene, visibilities.fine(light).shaftLight(), targets, shafts_);
+}
+
+std::size_t LightsOnMesh::placeOf(std::size_t light) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(lights_, light) - lights_.begin());
 }
 
 void LightsOnMesh::addSectorsTo(SectorSet& sectors) const {
   for (const Shaft& shaft : shafts_) shaft.addSectorsTo(sectors);
+  for (const SkyShaft& shaft : skyShafts_) shaft.addSectorsTo(sectors);
 }
 
 }  // namespace hearth

@@ -1,6 +1,7 @@
 #include "light/baking/patch_light.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "light/baking/sample_rays.h"
 #include "light/baking/unshadowed_brightness.h"
@@ -31,7 +32,7 @@ PatchLight::PatchLight(const Scene& scene, const LightVisibilities& visibilities
       shafts_(scene, visibilities, boxOf(*patch.front()), place),
       costs_(scene.level().lights.size()) {
   for (const std::size_t i : place.lights.lights())
-    if (isInFront(light(i), radiusOf(i), surface()) &&
+    if (isInFront(scene.level(), visibilities.reach, i, surface()) &&
         distanceTo(surface(), light(i).position) < visibilities.reach.metres(i) + kAuthorNoise)
       facing_.push_back(i);
 }
@@ -57,8 +58,19 @@ double PatchLight::seenFraction(const LightVisibility& visibility, std::size_t i
       !visibilities_.reach.isInSpot(index, at.point))
     return 0;
   const auto& [shaft, outcome] = shafts_.toPoint(index, at.target, surface().normal);
-  const double seen = visibility.seenFraction(FacePoint{at.target, surface().normal, place_.mesh},
-                                              shaft, outcome, cost.rays);
+  const double seen = visibility.seenFraction(facePointAt(at), shaft, outcome, cost.rays);
+  if (seen > 0) ++cost.seenSamples;
+  return seen;
+}
+
+double PatchLight::seenFraction(const SunVisibility& sun, std::size_t index,
+                                const SamplePoint& at) {
+  LightCost& cost = costs_[index];
+  ++cost.samples;
+  const std::optional<SectorId> sector = sectorAround(scene_, place_.sectors, at.target);
+  if (!sector) return 0;
+  const double seen =
+      sun.seenFraction(facePointAt(at), *sector, place_.lights.shaftTowards(index), cost.rays);
   if (seen > 0) ++cost.seenSamples;
   return seen;
 }

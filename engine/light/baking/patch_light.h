@@ -48,7 +48,7 @@ class PatchLight : public PatchPlaces {
 
   const std::vector<std::size_t>& facing() const { return facing_; }
   const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
-  double radiusOf(std::size_t light) const { return visibilities_.reach.radius(light); }
+  bool isSoft(std::size_t light) const { return visibilities_.reach.isSoft(light); }
   int channels() const;
 
   PatchSamples inBlocks(std::vector<SamplePoint> samples, int columns) const {
@@ -61,9 +61,11 @@ class PatchLight : public PatchPlaces {
   }
   const std::vector<double>& seenFractions(std::size_t light, const PatchSamples& samples);
   double seenFraction(std::size_t light, const SamplePoint& at) {
+    if (const SunVisibility* sun = visibilities_.sun(light)) return seenFraction(*sun, light, at);
     return seenFraction(visibilities_.fine(light), light, at);
   }
   double roughlySeenFraction(std::size_t light, const SamplePoint& at) {
+    if (visibilities_.sun(light)) return seenFraction(visibilities_.roughSun(light), light, at);
     return seenFraction(visibilities_.rough(light), light, at);
   }
   double unshadowedBrightness(std::size_t light, const SamplePoint& at) const;
@@ -74,6 +76,10 @@ class PatchLight : public PatchPlaces {
 
  private:
   double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at);
+  double seenFraction(const SunVisibility& sun, std::size_t light, const SamplePoint& at);
+  FacePoint facePointAt(const SamplePoint& at) const {
+    return {at.target, surface().normal, place_.mesh};
+  }
 
   Scene scene_;
   const LightVisibilities& visibilities_;

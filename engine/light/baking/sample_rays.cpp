@@ -7,17 +7,34 @@
 
 namespace hearth {
 
-bool isInFront(const LightSource& light, double radius, const LitSurface& surface) {
+bool isInFront(const Level& level, const LightReach& reach, std::size_t index,
+               const LitSurface& surface) {
+  const LightSource& light = level.lights[index];
+  if (light.sun)
+    return dot(surface.normal, light.sun->direction()) >
+           kInPlaneSine - (reach.isSoft(index) ? light.sun->sinRadius() : 0);
   const double distance = surface.distanceInFront(light.position);
-  return std::abs(distance) > kInPlane && distance > -radius;
+  return std::abs(distance) > kInPlane && distance > -reach.radius(index);
 }
 
 bool SampleRays::canShineOn(std::size_t index, SurfaceId surface) const {
-  return surface == id_ || isInFront(light(index), radiusOf(index), *surfaces_[surface.index()]);
+  return surface == id_ ||
+         isInFront(scene_.level(), visibilities_.reach, index, *surfaces_[surface.index()]);
 }
 
-double SampleRays::seenFraction(const LightVisibility& visibility, std::size_t index,
+double SampleRays::seenFraction(const LightVisibility& visibility, std::size_t light,
                                 const SamplePoint& at, const KnownRays* known) {
+  return seenFractionBy(visibility, light, at, known);
+}
+
+double SampleRays::seenFraction(const SunVisibility& sun, std::size_t light, const SamplePoint& at,
+                                const KnownSkyRays* known) {
+  return seenFractionBy(sun, light, at, known);
+}
+
+template <typename Visibility, typename Known>
+double SampleRays::seenFractionBy(const Visibility& visibility, std::size_t index,
+                                  const SamplePoint& at, const Known* known) {
   if (!canShineOn(index, at.surface)) return 0;
   const LitSurface& there = *surfaces_[at.surface.index()];
   LightCost& cost = costs_[index];

@@ -26,6 +26,12 @@ struct KnownRays {
   TargetVisibility outcome;
 };
 
+/// The same of rays towards a sun.
+struct KnownSkyRays {
+  const SkyShaft& shaft;
+  TargetVisibility outcome;
+};
+
 /// Traces rays to find which fraction of a light a sample sees. All samples are of one surface.
 class SampleRays {
  public:
@@ -51,8 +57,8 @@ class SampleRays {
     return visibilities_.rough(light);
   }
   double reach(std::size_t light) const { return visibilities_.reach.metres(light); }
-  /// Metres; 0 for a point light.
-  double radiusOf(std::size_t light) const { return visibilities_.reach.radius(light); }
+  /// Null for a light with a place.
+  const SunVisibility* sun(std::size_t light) const { return visibilities_.sun(light); }
   /// The set that records which sectors rays of the light enter; null if nothing records them.
   SectorSet* enteredSectors(std::size_t light) {
     return dependencies_ ? &dependencies_->sectorsOf(light) : nullptr;
@@ -65,6 +71,8 @@ class SampleRays {
   /// Which fraction of a light the point sees, 0..1.
   double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at,
                       const KnownRays* known);
+  double seenFraction(const SunVisibility& sun, std::size_t light, const SamplePoint& at,
+                      const KnownSkyRays* known);
   /// The same if nothing hides the light from the point: 1, or 0 if the light is too far away.
   double unoccludedFraction(std::size_t light, const SamplePoint& at);
 
@@ -79,6 +87,9 @@ class SampleRays {
   const std::vector<LightCost>& costs() const { return costs_; }
 
  private:
+  template <typename Visibility, typename Known>
+  double seenFractionBy(const Visibility& visibility, std::size_t light, const SamplePoint& at,
+                        const Known* known);
   bool isInReach(std::size_t light, const SamplePoint& at) const;
 
   Scene scene_;
@@ -89,8 +100,9 @@ class SampleRays {
   std::vector<LightCost> costs_;
 };
 
-/// Whether any part of the light can shine on the plane of the surface. No part of a ball can if
-/// its centre lies in the plane.
-bool isInFront(const LightSource& light, double radius, const LitSurface& surface);
+/// Whether any part of a light of a level can shine on the plane of the surface. No part of a ball
+/// can if its centre lies in the plane.
+bool isInFront(const Level& level, const LightReach& reach, std::size_t light,
+               const LitSurface& surface);
 
 }  // namespace hearth

@@ -11,12 +11,13 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   TexelSums sums(kSpriteTexel, kChannels);
   for (const std::size_t i : visibilities.reach.reaching({point, point})) {
     const LightSource& light = scene.level().lights[i];
-    const double distance = length(point - light.position);
-    if (distance > visibilities.reach.metres(i)) continue;
+    if (!light.sun && length(point - light.position) > visibilities.reach.metres(i)) continue;
     const double brightness = light.brightnessAt(point);
     if (brightness <= 0) continue;
-    sums.add(0, 0, light,
-             brightness * visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays));
+    const SunVisibility* const sun = visibilities.sun(i);
+    const double seen = sun ? sun->seenFractionFromAir(point, sprite.sector, rays)
+                            : visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays);
+    sums.add(0, 0, light, brightness * seen);
   }
   return sums;
 }

@@ -25,8 +25,7 @@ Box3 boxAround(std::span<const Vec3> points) {
 std::vector<std::size_t> lightsFacing(const Level& level, const LightReach& reach,
                                       const LitSurface& surface) {
   std::vector<std::size_t> lights = reach.reaching(boxAround(surface, surface.texels));
-  std::erase_if(
-      lights, [&](std::size_t i) { return !isInFront(level.lights[i], reach.radius(i), surface); });
+  std::erase_if(lights, [&](std::size_t i) { return !isInFront(level, reach, i, surface); });
   return lights;
 }
 
@@ -39,6 +38,7 @@ SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
       rays_(scene, surfaces, visibilities, id, dependencies),
       shafts_(rays_),
       beams_(rays_, shafts_),
+      suns_(rays_),
       facing_(lightsFacing(scene.level(), visibilities.reach, surface())) {}
 
 int SurfaceLight::channels() const {
@@ -63,10 +63,8 @@ SampleBlocks SurfaceLight::inBlocks(std::vector<SamplePoint> samples, int column
 const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
                                                        const SampleBlocks& blocks) {
   seen_.assign(blocks.samples().size(), 0);
-  if (method_ == VisibilityMethod::Shafts && rays_.visibility(light).beams())
-    beams_.find(light, blocks, seen_);
-  else if (method_ == VisibilityMethod::Shafts)
-    shafts_.find(light, blocks, blocks.whole(), seen_);
+  if (method_ == VisibilityMethod::Shafts)
+    findSeen(light, blocks);
   else
     for (std::size_t i = 0; i < seen_.size(); ++i)
       if (const SamplePoint& at = blocks.samples()[i]; !at.isSpare)
@@ -74,11 +72,24 @@ const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
   return seen_;
 }
 
+void SurfaceLight::findSeen(std::size_t light, const SampleBlocks& blocks) {
+  if (rays_.sun(light))
+    suns_.find(light, blocks, seen_);
+  else if (rays_.visibility(light).beams())
+    beams_.find(light, blocks, seen_);
+  else
+    shafts_.find(light, blocks, blocks.whole(), seen_);
+}
+
 double SurfaceLight::seenFraction(std::size_t light, const SamplePoint& at) {
+  if (const SunVisibility* sun = rays_.sun(light))
+    return rays_.seenFraction(*sun, light, at, nullptr);
   return rays_.seenFraction(rays_.visibility(light), light, at, nullptr);
 }
 
 double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& at) {
+  if (rays_.sun(light))
+    return rays_.seenFraction(rays_.visibilities().roughSun(light), light, at, nullptr);
   const LightVisibility& visibility = rays_.roughVisibility(light);
   return method_ == VisibilityMethod::Shafts ? shafts_.seenFraction(visibility, light, at)
                                              : rays_.seenFraction(visibility, light, at, nullptr);
@@ -90,12 +101,29 @@ double SurfaceLight::unshadowedBrightness(std::size_t index, const SamplePoint& 
 }
 
 const std::vector<double>& SurfaceLight::brightness(std::size_t index, const SampleBlocks& blocks) {
-  const BrightnessKernels& kernels = brightnessKernels();
-  const LightSource& source = light(index);
-  const SampleArrays points = blocks.points();
   const std::size_t count = seen_.size();
   distances_.resize(count);
   brightness_.resize(count);
+  findLevels(index, blocks);
+  brightnessKernels().applySeen(seen_.data(), distances_.data(), count, rays_.reach(index),
+                                brightness_.data());
+  return brightness_;
+}
+
+/// Of samples that see all of the light, and their distances from it.
+void SurfaceLight::findLevels(std::size_t index, const SampleBlocks& blocks) {
+  const LightSource& source = light(index);
+  const BrightnessKernels& kernels = brightnessKernels();
+  const SampleArrays points = blocks.points();
+  const std::size_t count = seen_.size();
+  if (source.sun) {
+    std::ranges::fill(distances_, 0);
+    for (const auto& [surface, first, ofRun] : blocks.runs())
+      std::fill_n(brightness_.begin() + static_cast<std::ptrdiff_t>(first), ofRun,
+                  hearth::unshadowedBrightness(source, rays_.reach(index), {},
+                                               rays_.surface(surface).normal, lambert_));
+    return;
+  }
   kernels.findDistances(points, count, source.position, distances_.data());
   if (source.curve.empty())
     kernels.findLevels(distances_.data(), count, source.intensity, source.falloff,
@@ -109,8 +137,6 @@ const std::vector<double>& SurfaceLight::brightness(std::size_t index, const Sam
     for (const auto& [surface, first, ofRun] : blocks.runs())
       kernels.applyCosine(points.from(first), &distances_[first], ofRun, source.position,
                           rays_.surface(surface).normal, &brightness_[first]);
-  kernels.applySeen(seen_.data(), distances_.data(), count, rays_.reach(index), brightness_.data());
-  return brightness_;
 }
 
 }  // namespace hearth

@@ -7,6 +7,7 @@
 #include "light/baking/sample_beams.h"
 #include "light/baking/sample_rays.h"
 #include "light/baking/sample_shafts.h"
+#include "light/baking/sample_suns.h"
 #include "light/baking/surface_places.h"
 
 namespace hearth {
@@ -40,8 +41,8 @@ class SurfaceLight : public SurfacePlaces {
   /// Those of them that reach some texels. Samples may lie outside their texels, and so see others.
   std::vector<std::size_t> facing(const TexelRect& texels) const;
   const LightSource& light(std::size_t index) const { return rays_.light(index); }
-  /// Metres; 0 for a point light.
-  double radiusOf(std::size_t light) const { return rays_.radiusOf(light); }
+  /// Whether samples can see a part of a light.
+  bool isSoft(std::size_t light) const { return rays_.visibilities().reach.isSoft(light); }
   /// 3 where one of the facing lights is coloured, else 1.
   int channels() const;
 
@@ -70,11 +71,15 @@ class SurfaceLight : public SurfacePlaces {
   const std::vector<LightCost>& costs() const { return rays_.costs(); }
 
  private:
+  void findSeen(std::size_t light, const SampleBlocks& blocks);
+  void findLevels(std::size_t light, const SampleBlocks& blocks);
+
   bool lambert_;
   VisibilityMethod method_;
   SampleRays rays_;
   SampleShafts shafts_;
   SampleBeams beams_;
+  SampleSuns suns_;
   std::vector<std::size_t> facing_;
   std::vector<double> seen_;
   std::vector<double> distances_;  ///< from a light to samples, metres

@@ -75,6 +75,14 @@ bool PatchPlaces::isLeftOut(const SamplePoint& at) const {
   return !isInAir(scene_, sectors_, at.target);
 }
 
+std::optional<SectorId> sectorAround(const Scene& scene, std::span<const SectorId> sectors,
+                                     Vec3 point) {
+  for (const double slack : {0.0, kPositionSlack})
+    for (const SectorId sector : sectors)
+      if (contains(scene, scene[sector], point, slack)) return sector;
+  return std::nullopt;
+}
+
 bool isInAir(const Scene& scene, std::span<const SectorId> sectors, Vec3 point) {
   return std::ranges::any_of(sectors, [&](SectorId sector) {
     return contains(scene, scene[sector], point, kPositionSlack);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -74,7 +75,11 @@ class PatchPlaces {
   SamplePlacement placement_;
 };
 
-/// Whether a point lies in the air of one of some sectors, or on its border.
+/// The first of some sectors in whose air a point lies; if there is none, the first on the border
+/// of whose air it does.
+std::optional<SectorId> sectorAround(const Scene& scene, std::span<const SectorId> sectors,
+                                     Vec3 point);
+/// Whether there is such a sector.
 bool isInAir(const Scene& scene, std::span<const SectorId> sectors, Vec3 point);
 
 }  // namespace hearth

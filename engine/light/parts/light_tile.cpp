@@ -134,7 +134,7 @@ class TileList {
   LightCounts counted(std::span<const std::size_t> lights, Counts&& isOne) const {
     LightCounts counts;
     for (const std::size_t light : lights)
-      if (isOne(light)) ++(reach_.radius(light) > 0 ? counts.balls : counts.points);
+      if (isOne(light)) ++(reach_.isSoft(light) ? counts.balls : counts.points);
     return counts;
   }
 

@@ -68,8 +68,7 @@ TexelSums TileBaker::baked(const LightTile& tile) const {
 TexelSums TileBaker::ofSurface(const LightTile& tile) const {
   SurfaceLight surface(scene_, level_.surfaces, visibilities_, settings_.lambert,
                        SurfaceId(tile.map.index));
-  for (const std::size_t light : surface.facing(tile.texels))
-    visibilities_.fine(light).prefetchBeams();
+  for (const std::size_t light : surface.facing(tile.texels)) visibilities_.prefetchBeams(light);
   return sumsOfTile(surface, tile.texels, settings_);
 }
 

@@ -1,425 +1,27 @@
 #include "light/rays/raytracer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <span>
 
-#include "level/face_ray.h"
 #include "level/locate.h"
-#include "level/masked_middle.h"
-#include "level/openings.h"
 #include "light/ray_error.h"
-#include "math/box3.h"
-#include "math/predicates.h"
+#include "light/rays/ray_walk.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
 
-/// Metres before the end of a ray that no mesh stops.
-constexpr double kThroughMeshes = std::numeric_limits<double>::infinity();
+/// Metres. Beyond all of a level, and the same for all levels: no ray depends on how large its
+/// level is.
+constexpr double kToSky = kPreciseReach;
 
-/// Where the ray leaves a sector over its outline.
-struct Exit {
-  const Segment* segment;
-  double t;
-};
-
-bool areApart(const Box3& a, const Box3& b) {
-  return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y ||
-         a.max.z < b.min.z || b.max.z < a.min.z;
+/// Metres from a point of a face within which no mesh stops a ray from there along `way`: as much
+/// as rounding may move its crossing with the face itself.
+double slackAt(const FacePoint& point, Vec3 way) {
+  const double rounding = roundingOf(largestCoordinate(point.point) + length(way)) * length(way);
+  return kArrival + rounding / dot(point.normal, way);
 }
-
-/// A ray on the map.
-struct PlanRay {
-  Vec2 origin;
-  Vec2 delta;
-  double tSector;  ///< where it came into the sector
-  double length2;  ///< square of its length in space
-
-  double tBegin() const { return tSector - 2 * kNearTie * std::max(tSector, 1.0); }
-  /// Beyond its end it does not matter what it meets.
-  double tEnd() const { return 1 + 2 * kArrival / std::sqrt(length2); }
-};
-
-/// All walls and meshes of a sector.
-struct AllWalls {
-  Scene scene;
-
-  /// Calls `visit(wall)` for all that the ray meets before `nearest()`, and for others.
-  template <typename Visit, typename Nearest>
-  void visit(SectorId sector, const PlanRay& ray, Visit&& visit, Nearest&& nearest) const {
-    const std::span<const Segment> walls = scene.segmentsOf(scene[sector]);
-    const WallGrid* const grid = scene.level().wallGridOf(scene[sector]);
-    if (!grid) {
-      for (const Segment& wall : walls) visit(wall);
-      return;
-    }
-    const double tEnd = ray.tEnd();
-    grid->alongRay(ray.origin, ray.delta, ray.tBegin(), [&](CellId cell) {
-      for (const std::uint32_t i : grid->wallsIn(cell)) visit(walls[i]);
-      return std::min(nearest(), tEnd);
-    });
-  }
-  std::span<const MeshInSector> meshesIn(SectorId sector) const {
-    return scene.level().meshesIn(sector);
-  }
-};
-
-/// Those that the rays of a shaft can meet.
-struct ShaftWalls {
-  const Shaft& shaft;
-
-  template <typename Visit, typename Nearest>
-  void visit(SectorId sector, const PlanRay&, Visit&& visit, Nearest&&) const {
-    for (const Segment* wall : shaft.wallsIn(sector)) visit(*wall);
-  }
-  std::span<const MeshInSector> meshesIn(SectorId sector) const { return shaft.meshesIn(sector); }
-};
-
-template <typename Walls>
-class Walk {
- public:
-  Walk(const Scene& scene, Walls walls, const Raytracer::Source& source, Vec3 target,
-       bool solidMaskedMiddles, SectorSet* met)
-      : scene_(scene),
-        walls_(walls),
-        solidMaskedMiddles_(solidMaskedMiddles),
-        met_(met),
-        origin_(source.position),
-        delta_(target - source.position),
-        planLength2_(dot(delta_.xy(), delta_.xy())),
-        length2_(dot(delta_, delta_)),
-        sector_(source.sector) {}
-
-  /// To where the ray, going on, comes to in the end.
-  void passGate(const Shaft::Gate& gate) {
-    const Segment& wall = *gate.wall;
-    sector_ = gate.opening->next;
-    t_ = crossingOf(wall, sideOf(wall.p0), sideOf(wall.p1));
-    entry_ = &scene_[gate.opening->twin];
-  }
-
-  /// Whether the ray's end is a point on the border of the air of `goal` that it reaches. Meshes
-  /// stop it, except within `slack` metres of its end.
-  bool arrivesAt(SectorId goal, double slack) {
-    for (std::size_t step = 0; step < stepLimit(); ++step) {
-      const Exit exit = findExit();
-      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0));
-      if (meetsMesh(hit ? hit->t : exit.t, slack)) return false;
-      if (hit) {
-        if (sector_ == goal && isAtEnd(hit->t)) return true;
-        if (!crossFlatPortal(*hit)) return false;
-        continue;
-      }
-      if (sector_ == goal && isAtEnd(exit.t)) return true;
-      if (exit.t > 1 && !isNearEnd(exit.t)) return liesBehindFlatPortal(goal);
-      if (!pass(exit, isAtEnd(exit.t) ? kArrival : 0)) return false;
-    }
-    return false;
-  }
-
-  /// The sector of the ray's end, a point of the air; none where it does not get there. Walls and
-  /// flats stop it except within `slack` metres of its end, meshes except within `meshSlack`. (A
-  /// point of the air lies on no surface that would stop the ray; a mesh may touch one.)
-  std::optional<SectorId> sectorAtEnd(double slack, double meshSlack) {
-    const auto endsWithin = [&](double t) {
-      return slack > 0 && t >= 1 - slack / std::sqrt(length2_);
-    };
-    for (std::size_t step = 0; step < stepLimit(); ++step) {
-      const Exit exit = findExit();
-      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0));
-      if (meetsMesh(hit ? hit->t : exit.t, meshSlack)) return std::nullopt;
-      if (hit) {
-        if (crossFlatPortal(*hit)) continue;
-        return endsWithin(hit->t) ? std::optional(sector_) : std::nullopt;
-      }
-      if (exit.t > 1) return sector_;
-      if (pass(exit, 0)) continue;
-      return endsWithin(exit.t) ? std::optional(sector_) : std::nullopt;
-    }
-    return std::nullopt;
-  }
-
-  /// Whether it passes all faces that it may meet, except within `slack` metres of its end; none if
-  /// the sectors on its way must tell.
-  std::optional<bool> passesFacesOf(const Shaft& shaft, double slack) const {
-    const auto faces = shaft.faces();
-    if (!faces) return std::nullopt;
-    if (faces->empty()) return true;
-    const FaceRay ray(origin_, delta_);
-    const double metres = std::sqrt(length2_);
-    const double tFrom = std::max(0.0, t_ - kPositionSlack / metres);
-    const double tTo = 1 - slack / metres;
-    std::optional<bool> passes = true;
-    for (const auto& [face, stopsAll] : *faces) {
-      if (!ray.meets(*face, tFrom, tTo)) continue;
-      if (stopsAll) return false;
-      passes.reset();
-    }
-    return passes;
-  }
-
-  /// Whether the ray first meets the back of a face, of meshes that are in the sector where it
-  /// starts.
-  bool meetsBackFirst() {
-    const std::span<const MeshInSector> meshes = scene_.level().meshesIn(sector_);
-    faceRay_.emplace(origin_, delta_);
-    for (std::size_t step = 0; step < stepLimit(); ++step) {
-      const Exit exit = findExit();
-      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, 1.0));
-      const double tLeave = std::min(hit ? hit->t : exit.t, 1.0);
-      if (const auto crossing = nearestFace(meshes, tLeave)) return !crossing->isFront;
-      if (hit ? !crossFlatPortal(*hit) : exit.t > 1 || !pass(exit, 0)) return false;
-    }
-    return false;
-  }
-
- private:
-  /// No line through a level that means something crosses so many sectors.
-  std::size_t stepLimit() const { return 4 * scene_.level().segments.size() + 16; }
-
-  /// Within kArrival of the ray's end. (Asked of each ray, so without root and division.)
-  bool isNearEnd(double t) const { return (1 - t) * (1 - t) * length2_ <= kArrival * kArrival; }
-  bool isAtEnd(double t) const { return t >= 1 || isNearEnd(t); }
-
-  /// Signed distance (scaled) of a vertex to the right of the ray; the same bits for all segments
-  /// that share the vertex, so that no ray slips between two of them.
-  double sideOf(Vec2 p) const { return cross(delta_.xy(), p - origin_.xy()); }
-
-  double crossingOf(const Segment& segment, double side0, double side1) const {
-    // In a fixed order of the end points, so that a segment and its twin agree to the bit.
-    const bool swap = lessXY(segment.p1, segment.p0);
-    const Vec2 a = swap ? segment.p1 : segment.p0;
-    const Vec2 b = swap ? segment.p0 : segment.p1;
-    const double sideA = swap ? side1 : side0;
-    const double sideB = swap ? side0 : side1;
-    return dot(lerp(a, b, sideA / (sideA - sideB)) - origin_.xy(), delta_.xy()) / planLength2_;
-  }
-
-  bool isBeyondEntry(const Segment& segment, double t) const {
-    const double tiny = kNearTie * std::max(t_, kNearTie);
-    if (t > t_ + tiny) return true;
-    if (t < t_ - tiny) return false;
-    return !entry_ || meetsFirst(origin_.xy(), entry_->p0, entry_->p1, segment.p0, segment.p1);
-  }
-
-  /// The first segment seen from its front beyond where the ray came into the sector.
-  Exit findExit() const {
-    if (met_) met_->add(sector_);
-    Exit best{nullptr, std::numeric_limits<double>::infinity()};
-    if (planLength2_ == 0) return best;
-    const auto meet = [&](const Segment& segment) {
-      const double side0 = sideOf(segment.p0);
-      const double side1 = sideOf(segment.p1);
-      if (side0 >= 0 || side1 < 0) return;
-      const double t = crossingOf(segment, side0, side1);
-      if (t > best.t + kNearTie * best.t || !isBeyondEntry(segment, t)) return;
-      if (t >= best.t - kNearTie * best.t && best.segment &&
-          !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
-        return;
-      best = {&segment, t};
-    };
-    walls_.visit(sector_, PlanRay{origin_.xy(), delta_.xy(), t_, length2_}, meet,
-                 [&] { return best.t; });
-    return best;
-  }
-
-  double zAt(double t) const { return origin_.z + t * delta_.z; }
-  Vec2 planAt(double t) const { return origin_.xy() + t * delta_.xy(); }
-
-  struct FlatHit {
-    double t;
-    bool isFloor;
-  };
-
-  /// Where, up to tEnd, the ray first meets the sector's floor or ceiling (slopes included, which
-  /// may come through one another; skies are none to light).
-  std::optional<FlatHit> meetsFlat(double tEnd) const {
-    const Sector& sector = scene_[sector_];
-    std::optional<FlatHit> first;
-    if (!sector.floor.isSky && (delta_.z < 0 || sector.floorSlope))
-      if (const auto t = meetsPlane(tEnd, 1, [&](Vec2 p) { return scene_.airBottom(sector, p); }))
-        first = FlatHit{*t, true};
-    if (!sector.ceiling.isSky && (delta_.z > 0 || sector.ceilingSlope))
-      if (const auto t = meetsPlane(tEnd, -1, [&](Vec2 p) { return scene_.airTop(sector, p); }))
-        if (!first || *t < first->t) first = FlatHit{*t, false};
-    return first;
-  }
-
-  template <typename HeightAt>
-  std::optional<double> meetsPlane(double tEnd, double sign, HeightAt&& heightAt) const {
-    const auto clearance = [&](double t) { return sign * (zAt(t) - heightAt(planAt(t))); };
-    const double atEnd = clearance(tEnd);
-    if (atEnd >= 0) return std::nullopt;
-    const double atStart = std::max(0.0, clearance(t_));
-    return t_ + (tEnd - t_) * (atStart / (atStart - atEnd));
-  }
-
-  /// Whether a mesh stops the ray in its sector, which it leaves, or in which it meets a flat, at
-  /// `tLeave`. A face in the very plane of an opening or a flat portal stops it on either side.
-  bool meetsMesh(double tLeave, double slack) {
-    if (scene_.level().meshes.empty() || slack == kThroughMeshes) return false;
-    const std::span<const MeshInSector> meshes = walls_.meshesIn(sector_);
-    if (meshes.empty()) return false;
-    if (!faceRay_) faceRay_.emplace(origin_, delta_);
-    const double metres = std::sqrt(length2_);
-    const double hair = kPositionSlack / metres;
-    const double tBegin = std::max(0.0, t_ - hair);
-    const double tEnd = std::min(tLeave + hair, 1 - slack / metres);
-    return std::ranges::any_of(meshes, [&](const MeshInSector& at) {
-      return scene_.level().meshes[at.mesh].castsShadow && meetsFace(at.mesh, tBegin, tEnd);
-    });
-  }
-
-  bool meetsFace(std::uint32_t mesh, double tBegin, double tEnd) const {
-    const Level& level = scene_.level();
-    return level.faceTrees[mesh].stops(level.facesOf(level.meshes[mesh]), *faceRay_, tBegin, tEnd);
-  }
-
-  bool isHere(std::uint32_t mesh) const {
-    const std::span<const MeshInSector> here = scene_.level().meshesIn(sector_);
-    const auto found = std::ranges::lower_bound(here, mesh, {}, &MeshInSector::mesh);
-    return found != here.end() && found->mesh == mesh;
-  }
-
-  /// Of meshes that have an inside, from the origin on in the sector where the ray is. Up to
-  /// kArrival apart things touch: what the origin touches is its surface, a face that touches what
-  /// ends the air is in it, and a back comes before a front that it touches.
-  std::optional<FaceRay::Crossing> nearestFace(std::span<const MeshInSector> meshes,
-                                               double tLeave) const {
-    const double tie = kArrival / std::sqrt(length2_);
-    const double tFrom = std::max(t_ - tie, tie);
-    const Box3 box = boxAround(tFrom, tLeave + tie);
-    std::optional<FaceRay::Crossing> nearest;
-    for (const MeshInSector& at : meshes) {
-      const Mesh& mesh = scene_.level().meshes[at.mesh];
-      // Of many meshes in a sector most are elsewhere.
-      if (areApart(box, scene_.level().faceTrees[at.mesh].box())) continue;
-      if (!mesh.castsShadow || mesh.isTwoSided || !isHere(at.mesh)) continue;
-      const auto crossing = scene_.level().faceTrees[at.mesh].nearest(
-          scene_.level().facesOf(mesh), *faceRay_, tFrom, tLeave + tie, tie);
-      if (crossing && (!nearest || crossing->place(tie) < nearest->place(tie))) nearest = crossing;
-    }
-    return nearest;
-  }
-
-  /// Around the ray between two parameters, and what it may touch there.
-  Box3 boxAround(double tFrom, double tTo) const {
-    Box3 box;
-    box.add(origin_ + tFrom * delta_);
-    box.add(origin_ + tTo * delta_);
-    const double slack =
-        kArrival + roundingOf(largestCoordinate(box.min) + largestCoordinate(box.max));
-    const Vec3 margin{slack, slack, slack};
-    return {box.min - margin, box.max + margin};
-  }
-
-  const std::vector<SectorId>& membersBehind(const Flat& flat, bool isFloor) const {
-    const FlatPortal& flatPortal = scene_[*flat.flatPortal];
-    return isFloor ? flatPortal.lower : flatPortal.upper;
-  }
-
-  /// A surface can lie in the very plane of a flat portal: a slope that touches it.
-  bool liesBehindFlatPortal(SectorId goal) const {
-    const Sector& sector = scene_[sector_];
-    const auto leadsToGoal = [&](const Flat& flat, double z, bool isFloor) {
-      return flat.flatPortal && std::abs(zAt(1) - z) <= kArrival &&
-             std::ranges::find(membersBehind(flat, isFloor), goal) !=
-                 membersBehind(flat, isFloor).end() &&
-             contains(scene_.level(), scene_[goal], planAt(1));
-    };
-    return leadsToGoal(sector.floor, scene_.zFloor(sector), true) ||
-           leadsToGoal(sector.ceiling, scene_.zCeiling(sector), false);
-  }
-
-  bool crossFlatPortal(FlatHit hit) {
-    const Sector& sector = scene_[sector_];
-    const Flat& flat = hit.isFloor ? sector.floor : sector.ceiling;
-    if (!flat.flatPortal) return false;
-    sector_ = memberAt(flat, hit);
-    t_ = hit.t;
-    entry_ = nullptr;
-    return true;
-  }
-
-  /// The sector behind a flat portal that the ray is in. Along a border of two of them it is the
-  /// one whose outline the ray's crossings say, so that it leaves what it was in.
-  SectorId memberAt(const Flat& flat, FlatHit hit) const {
-    for (const SectorId member : membersBehind(flat, hit.isFloor))
-      if (isInside(scene_[member], hit.t)) return member;
-    return sectorAcross(scene_.level(), scene_[*flat.flatPortal],
-                        hit.isFloor ? FlatPortalSide::Lower : FlatPortalSide::Upper, planAt(hit.t));
-  }
-
-  /// Whether the ray leaves the sector once more often than it comes in, beyond t.
-  bool isInside(const Sector& sector, double t) const {
-    int leaves = 0;
-    for (const Segment& segment : scene_.segmentsOf(sector)) {
-      const double side0 = sideOf(segment.p0);
-      const double side1 = sideOf(segment.p1);
-      if ((side0 >= 0) == (side1 >= 0) || crossingOf(segment, side0, side1) <= t) continue;
-      leaves += side0 < 0 ? 1 : -1;
-    }
-    return leaves == 1;
-  }
-
-  /// Goes through the opening of the exit at the ray's height, or within `slack` metres of that, if
-  /// there is one.
-  bool pass(const Exit& exit, double slack) {
-    for (const LightOpening& opening : scene_.lightOpeningsOf(*exit.segment)) {
-      if (!isOpenAt(opening, exit.t, slack)) continue;
-      if (slack == 0 && isStoppedByMaskedMiddle(opening, exit.t)) return false;
-      sector_ = opening.next;
-      t_ = exit.t;
-      entry_ = &scene_[opening.twin];
-      return true;
-    }
-    return false;
-  }
-
-  /// Whether the opening, and the slopes of the sector behind it, leave the ray's height free.
-  bool isOpenAt(const LightOpening& opening, double t, double slack) const {
-    const double z = zAt(t);
-    if (z < opening.zBottom - slack || z > opening.zTop + slack) return false;
-    const Sector& next = scene_[opening.next];
-    if (!next.floorSlope && !next.ceilingSlope) return true;
-    const Segment& twin = scene_[opening.twin];
-    const double fraction = length(planAt(t) - twin.p0) / twin.length;
-    const AirColumn air = scene_.airAt(twin, std::clamp(fraction, 0.0, 1.0));
-    return (!next.floorSlope || z >= air.zBottom - slack) &&
-           (!next.ceilingSlope || z <= air.zTop + slack);
-  }
-
-  /// Whether the ray meets what hangs in an opening, on either side, and is no hole.
-  bool isStoppedByMaskedMiddle(const LightOpening& opening, double t) const {
-    return std::ranges::any_of(scene_.maskedMiddlesIn(opening), [&](SurfaceId id) {
-      const SurfaceGeometry& middle = scene_.geometryOf(id);
-      const Vec2 p = planAt(t);
-      const double z = zAt(t);
-      return middle.zBottom <= z && z <= middle.zTop &&
-             (solidMaskedMiddles_ || isSolidAt(scene_, id, {p.x, p.y, z}));
-    });
-  }
-
-  Scene scene_;
-  Walls walls_;
-  bool solidMaskedMiddles_;
-  SectorSet* met_;
-  Vec3 origin_;
-  Vec3 delta_;
-  double planLength2_;
-  double length2_;
-
-  std::optional<FaceRay> faceRay_;  ///< the ray, once meshes are asked
-
-  SectorId sector_;                 ///< where the ray is ...
-  double t_ = 0;                    ///< ... since this fraction of its way ...
-  const Segment* entry_ = nullptr;  ///< ... through this segment of the sector, if through one
-};
 
 }  // namespace
 
@@ -432,12 +34,14 @@ Raytracer::Source Raytracer::sourceOf(const Scene& scene, const LightSource& lig
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, SectorSet* met) const {
-  return Walk(scene_, AllWalls{scene_}, source, target, solidMaskedMiddles_, met)
+  return RayWalk(scene_, AllWalls{scene_}, source, target - source.position, solidMaskedMiddles_,
+                 met)
       .arrivesAt(sector, kArrival);
 }
 
 bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const Shaft& shaft) const {
-  Walk walk(scene_, ShaftWalls{shaft}, source, target, solidMaskedMiddles_, nullptr);
+  RayWalk walk(scene_, ShaftWalls<Shaft>{shaft}, source, target - source.position,
+               solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
   const std::optional<bool> passes = walk.passesFacesOf(shaft, kArrival);
   if (passes && (!*passes || shaft.isOpenButForFaces())) return *passes;
@@ -446,22 +50,21 @@ bool Raytracer::sees(const Source& source, Vec3 target, SectorId sector, const S
 
 std::optional<SectorId> Raytracer::sectorAt(const Source& source, Vec3 point,
                                             SectorSet* met) const {
-  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, met)
+  return RayWalk(scene_, AllWalls{scene_}, source, point - source.position, solidMaskedMiddles_,
+                 met)
       .sectorAtEnd(0, kThroughMeshes);
 }
 
 bool Raytracer::reaches(const Source& source, Vec3 point, SectorId sector) const {
-  return Walk(scene_, AllWalls{scene_}, source, point, solidMaskedMiddles_, nullptr)
+  return RayWalk(scene_, AllWalls{scene_}, source, point - source.position, solidMaskedMiddles_,
+                 nullptr)
              .sectorAtEnd(0, kArrival) == sector;
 }
 
 bool Raytracer::sees(const Source& source, const FacePoint& target, const Shaft& shaft) const {
-  const Vec3 toSource = source.position - target.point;
-  // By as much rounding may move the crossing with the face itself.
-  const double rounding =
-      roundingOf(largestCoordinate(target.point) + length(toSource)) * length(toSource);
-  const double slack = kArrival + rounding / dot(target.normal, toSource);
-  Walk walk(scene_, ShaftWalls{shaft}, source, target.point, solidMaskedMiddles_, nullptr);
+  const double slack = slackAt(target, source.position - target.point);
+  RayWalk walk(scene_, ShaftWalls<Shaft>{shaft}, source, target.point - source.position,
+               solidMaskedMiddles_, nullptr);
   if (shaft.gate()) walk.passGate(*shaft.gate());
   const std::optional<bool> passes = walk.passesFacesOf(shaft, slack);
   if (passes && (!*passes || shaft.isOpenButForFaces())) return *passes;
@@ -469,6 +72,24 @@ bool Raytracer::sees(const Source& source, const FacePoint& target, const Shaft&
   return arrived &&
          std::ranges::any_of(scene_.level().meshesIn(*arrived),
                              [&](const MeshInSector& at) { return at.mesh == target.mesh; });
+}
+
+bool Raytracer::seesSky(const Source& point, Vec3 direction, SectorSet* met) const {
+  return RayWalk(scene_, AllWalls{scene_}, point, direction, solidMaskedMiddles_, met, kToSky)
+      .endsInSky(kArrival);
+}
+
+bool Raytracer::seesSky(const Source& point, Vec3 direction, const SkyShaft& shaft) const {
+  return RayWalk(scene_, ShaftWalls<SkyShaft>{shaft}, point, direction, solidMaskedMiddles_,
+                 nullptr, kToSky)
+      .endsInSky(kArrival);
+}
+
+bool Raytracer::seesSky(const Source& start, const FacePoint& point, Vec3 direction,
+                        const SkyShaft& shaft) const {
+  return RayWalk(scene_, ShaftWalls<SkyShaft>{shaft}, start, direction, solidMaskedMiddles_,
+                 nullptr, kToSky)
+      .endsInSky(slackAt(point, direction));
 }
 
 Vec3 Raytracer::pastMeshes(Vec3 point, Vec3 normal, SectorId sector) const {
@@ -483,7 +104,7 @@ Vec3 Raytracer::pastMeshes(Vec3 point, Vec3 normal, SectorId sector) const {
 bool Raytracer::isInsideMesh(Vec3 point, Vec3 normal, SectorId sector, SectorSet* met) const {
   const Vec3 way = pastMeshes(point, normal, sector);
   if (way == Vec3{}) return false;
-  return Walk(scene_, AllWalls{scene_}, {point, sector}, point + way, solidMaskedMiddles_, met)
+  return RayWalk(scene_, AllWalls{scene_}, {point, sector}, way, solidMaskedMiddles_, met)
       .meetsBackFirst();
 }
 

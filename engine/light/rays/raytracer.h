@@ -6,6 +6,7 @@
 #include "light/rays/face_point.h"
 #include "light/rays/id_set.h"
 #include "light/rays/shaft.h"
+#include "light/rays/sky_shaft.h"
 
 namespace hearth {
 
@@ -18,7 +19,7 @@ class Raytracer {
   explicit Raytracer(const Scene& scene, bool solidMaskedMiddles = false)
       : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles) {}
 
-  /// Where the line from a light to a point starts.
+  /// Where a line starts.
   struct Source {
     Vec3 position;  ///< inside `sector` (above or below it where that is sky), off its walls
     SectorId sector;
@@ -44,6 +45,16 @@ class Raytracer {
   /// True when it arrives at a point of a mesh's face, in a sector that the mesh is in. The source
   /// is in front of the face, and the ray one of the shaft.
   bool sees(const Source& source, const FacePoint& target, const Shaft& shaft) const;
+
+  /// Whether the line from a point of a surface, on the border of the air of its sector, or from
+  /// one of the air first meets a sky in a direction of length 1, which leads before the surface.
+  /// `met` as above.
+  bool seesSky(const Source& point, Vec3 direction, SectorSet* met = nullptr) const;
+  /// The same for a ray of a shaft.
+  bool seesSky(const Source& point, Vec3 direction, const SkyShaft& shaft) const;
+  /// The same from a point of a mesh's face, and in the air of its sector: nudgedInside.
+  bool seesSky(const Source& start, const FacePoint& point, Vec3 direction,
+               const SkyShaft& shaft) const;
 
   /// Whether the line along a surface's normal, from a point of the surface on the border of the
   /// air of `sector`, first meets the back of a face: the point lies inside a mesh. Meshes that

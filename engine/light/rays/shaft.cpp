@@ -4,90 +4,15 @@
 #include <cmath>
 #include <limits>
 
-#include "level/openings.h"
 #include "light/grid/slope_reach.h"
 #include "light/ray_error.h"
+#include "light/rays/passage.h"
 #include "light/rays/target_air.h"
 #include "math/check.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
 namespace hearth {
-
-namespace {
-
-EndHeights flatLine(double z) { return {z, z}; }
-
-/// What an opening is to the part of the hull that meets its wall.
-struct Passage {
-  const ShaftHull::Slice& hull;
-  bool isShut = false;  ///< nothing of the hull passes
-  bool isOpen = true;   ///< all of it does
-
-  void letThroughAbove(EndHeights line) {
-    isShut |= hull.isBelow(line);
-    isOpen &= hull.isAbove(line);
-  }
-  void letThroughBelow(EndHeights line) {
-    isShut |= hull.isAbove(line);
-    isOpen &= hull.isBelow(line);
-  }
-};
-
-/// The lines along a stretch of a wall that its sector's air ends at.
-struct AirLines {
-  EndHeights bottom;
-  EndHeights top;
-};
-
-AirLines airAlong(const Scene& scene, const Segment& wall, double from, double to) {
-  const AirColumn first = scene.airAt(wall, from);
-  const AirColumn last = scene.airAt(wall, to);
-  return {{first.zBottom, last.zBottom}, {first.zTop, last.zTop}};
-}
-
-/// Whether light meets a flat, or the slope on it: flat portals let it through, skies too.
-bool isSolid(const Flat& flat) { return !flat.isSky && !flat.flatPortal; }
-
-/// What is beyond a flat portal has left the sector through it, and is nothing to the opening.
-void addHeights(const Scene& scene, const Sector& sector, const LightOpening& opening,
-                Passage& passage) {
-  if (sector.floor.flatPortal && opening.zBottom <= scene.zFloor(sector))
-    passage.isShut |= passage.hull.isBelow(flatLine(opening.zBottom));
-  else
-    passage.letThroughAbove(flatLine(opening.zBottom));
-  if (sector.ceiling.flatPortal && opening.zTop >= scene.zCeiling(sector))
-    passage.isShut |= passage.hull.isAbove(flatLine(opening.zTop));
-  else
-    passage.letThroughBelow(flatLine(opening.zTop));
-}
-
-/// Of the sector's own slopes rays meet those that are no skies; of the next sector's all.
-void addSlopes(const Scene& scene, const Sector& sector, const Segment& wall,
-               const LightOpening& opening, Passage& passage) {
-  const double from = passage.hull.from;
-  const double to = passage.hull.to;
-  if (sector.floorSlope || sector.ceilingSlope) {
-    const AirLines near = airAlong(scene, wall, from, to);
-    if (sector.floorSlope && isSolid(sector.floor)) passage.letThroughAbove(near.bottom);
-    if (sector.ceilingSlope && isSolid(sector.ceiling)) passage.letThroughBelow(near.top);
-  }
-  const Sector& next = scene[opening.next];
-  if (next.floorSlope || next.ceilingSlope) {
-    const AirLines far = airAlong(scene, scene[opening.twin], 1 - from, 1 - to);
-    if (next.floorSlope) passage.letThroughAbove(far.bottom);
-    if (next.ceilingSlope) passage.letThroughBelow(far.top);
-  }
-}
-
-/// Some of what comes to a masked middle texture may meet a hole and some not.
-void addMaskedMiddles(const Scene& scene, const LightOpening& opening, Passage& passage) {
-  for (const SurfaceId id : scene.maskedMiddlesIn(opening))
-    passage.isOpen &= passage.hull.isAbove(flatLine(scene.geometryOf(id).zTop)) ||
-                      passage.hull.isBelow(flatLine(scene.geometryOf(id).zBottom));
-}
-
-}  // namespace
 
 TargetVisibility Shaft::follow(const ShaftLight& light, const ShaftTargets& targets,
                                const Shaft* within) {
@@ -248,17 +173,11 @@ void Shaft::meetWall(const Sector& sector, SectorId id, const Segment& wall) {
 }
 
 void Shaft::meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Met& met) {
-  const bool isBelowFlat =
-      sector.floor.flatPortal && slice.isBelow(flatLine(scene_.zFloor(sector)));
-  const bool isAboveFlat =
-      sector.ceiling.flatPortal && slice.isAbove(flatLine(scene_.zCeiling(sector)));
-  if (isBelowFlat || isAboveFlat) return;  // no ray is in the sector any more
+  if (haveLeftBefore(scene_, sector, *met.wall, slice, SkyIs::Passed)) return;
   met.stops = true;
   for (const LightOpening& opening : scene_.lightOpeningsOf(*met.wall)) {
-    Passage passage{slice};
-    addHeights(scene_, sector, opening, passage);
-    addSlopes(scene_, sector, *met.wall, opening, passage);
-    addMaskedMiddles(scene_, opening, passage);
+    const Passage passage =
+        passageThrough(scene_, sector, *met.wall, opening, slice, SkyIs::Passed);
     if (!passage.isShut) exits_.push_back(&opening);
     if (passage.isOpen) met.stops = false;
   }

@@ -10,12 +10,9 @@
 #include "level/scene.h"
 #include "light/rays/id_set.h"
 #include "light/rays/shaft_hull.h"
+#include "light/rays/shaft_targets.h"
 
 namespace hearth {
-
-/// What several rays from a light to some targets meet: each of them a surface before its target,
-/// none of them, or one or the other.
-enum class TargetVisibility { Dark, Lit, Unknown };
 
 /// Where the rays of a light start.
 struct ShaftLight {
@@ -24,12 +21,6 @@ struct ShaftLight {
   std::vector<SectorId> sectors;  ///< in which rays start
   /// Whether no ray starts in the parts of the ball behind walls of its sector.
   bool isCutByWalls = false;
-};
-
-/// Where rays go.
-struct ShaftTargets {
-  TargetBox box;
-  std::span<const SectorId> sectors;  ///< whose air the targets bound
 };
 
 /// Follows all rays from a light to a box of targets at once, through the openings that their hull

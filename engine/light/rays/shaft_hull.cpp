@@ -76,6 +76,62 @@ ShaftHull::ShaftHull(Vec3 center, double radius, const TargetBox& targets)
   addAboveAndBelow(isWall ? (1 / length(along)) * along : turned90(axis));
 }
 
+/// All relative to one of the targets, as if that were a point light that shines on the others, for
+/// a half-space that the rays do not leave contains them if it contains the targets.
+ShaftHull::ShaftHull(const SunCone& sun, const TargetBox& targets)
+    : center_(targets.storage[0]), radius_(0), count_(targets.count), reach_(sun.reach) {
+  double low = 0;
+  double high = 0;
+  double size = largestCoordinate(center_) + reach_;
+  for (std::size_t i = 0; i < count_; ++i) {
+    targets_[i] = targets.storage[i] - center_;
+    size = std::max(size, largestCoordinate(targets.storage[i]) + reach_);
+    low = std::min(low, targets_[i].z);
+    high = std::max(high, targets_[i].z);
+  }
+  noise_ = roundingOf(size);
+  margin_ = rayMargin(noise_);
+  const bool goesDown = sun.direction.z <= sun.sinRadius;
+  lows_.add({{}, low - (goesDown ? reach_ : 0) - margin_});
+  highs_.add({{}, high + reach_ + margin_});
+  if (dot(targets.normal, sun.direction) >= sun.sinRadius) addPlane(Vec3{} - targets.normal);
+  if (length(sun.direction.xy()) > sun.sinRadius + kSteepest)
+    addAroundSun(sun);
+  else
+    addAroundZenith(sun, low);
+}
+
+/// Upright planes along the axes, where the zenith is in the sun's disc or nearly so. At the height
+/// of the highest air rays are no farther beside their start than the lowest of them.
+void ShaftHull::addAroundZenith(const SunCone& sun, double lowestTarget) {
+  const double onMap = length(sun.direction.xy());
+  const double sine = sun.direction.z * sun.cosRadius - onMap * sun.sinRadius;
+  const double cosine = onMap * sun.cosRadius + sun.direction.z * sun.sinRadius;
+  const double height = std::max(0.0, sun.zHighest - center_.z - lowestTarget);
+  const double beside = sine > 0 ? std::min(reach_, height * cosine / sine) : reach_;
+  for (const Vec2 normal : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}})
+    sides_.add({normal, farthest({normal.x, normal.y, 0}) + beside + margin_});
+}
+
+/// The cone of directions lies in a wedge of the map, and between two sloped planes.
+void ShaftHull::addAroundSun(const SunCone& sun) {
+  const double onMap = length(sun.direction.xy());
+  const Vec2 axis = (1 / onMap) * sun.direction.xy();
+  const double sine = sun.sinRadius / onMap;  // of half the wedge's angle
+  const double cosine = std::sqrt(1 - sine * sine);
+  const Vec2 back = -sine * axis;
+  for (const Vec2 normal :
+       {cosine * turned90(axis) + back, -cosine * turned90(axis) + back, Vec2{} - axis})
+    addPlane({normal.x, normal.y, 0});
+  const auto addTilted = [&](double sinElevation, double cosElevation, double side) {
+    const Vec2 tilted = -side * sinElevation * axis;
+    addPlane({tilted.x, tilted.y, side * cosElevation});
+  };
+  const auto [z, s, c] = std::array{sun.direction.z, sun.sinRadius, sun.cosRadius};
+  addTilted(z * c + onMap * s, onMap * c - z * s, 1);   // of the highest rays
+  addTilted(z * c - onMap * s, onMap * c + z * s, -1);  // of the lowest
+}
+
 void ShaftHull::addAround(Vec2 axis) {
   std::array<Vec2, 8> onMap;
   for (std::size_t i = 0; i < count_; ++i) onMap[i] = targets_[i].xy();

@@ -24,15 +24,24 @@ struct TargetBox {
   std::span<const Vec3> corners() const { return {storage.data(), count}; }
 };
 
+/// Where rays towards a sun go: to all points of its disc, a cone of directions.
+struct SunCone {
+  Vec3 direction;        ///< unit, towards its middle
+  double sinRadius = 0;  ///< of the angle to its rim, less than 90 degrees
+  double cosRadius = 1;
+  double reach = 0;     ///< metres: no ray goes as far in the level
+  double zHighest = 0;  ///< of its air
+};
+
 /// Heights above the two ends of a part of a wall, with a straight line between them.
 struct EndHeights {
   double from;
   double to;
 };
 
-/// A convex body that contains all rays from a ball or point light to a box of targets, and
-/// everything less than `margin` away from them. Upright planes bound it at the sides, which are
-/// lines in plan, and sloped planes bound it above and below.
+/// A convex body that contains all rays between a ball or point light, or a sun, and a box of
+/// targets, and everything less than `margin` away from them. Upright planes bound it at the sides,
+/// which are lines in plan, and sloped planes bound it above and below.
 ///
 /// A half-space whose border touches the ball and the box contains their hull, whatever its
 /// direction. So directions may be chosen to fit well, and only the distance of each plane must be
@@ -49,6 +58,7 @@ class ShaftHull {
   };
 
   ShaftHull(Vec3 center, double radius, const TargetBox& targets);
+  ShaftHull(const SunCone& sun, const TargetBox& targets);
 
   /// The part of a wall that the body meets.
   class Slice {
@@ -73,7 +83,8 @@ class ShaftHull {
   using Outline = Few<Vec2, 16>;
   Outline outlineIn(const Box& box) const;
 
-  /// Distances from a line of the map, positive in front of it: along its unit normal.
+  /// Distances from a line of the map, positive in front of it: along its unit normal. (Those of
+  /// the light are for one with a place.)
   struct Distances {
     double minOfLight;
     double maxOfLight;
@@ -122,12 +133,14 @@ class ShaftHull {
   bool anyPlane(IsBeyond&& isBeyond) const;
   void addPlane(Vec3 normal);
   void addAround(Vec2 axis);
+  void addAroundZenith(const SunCone& sun, double lowestTarget);
+  void addAroundSun(const SunCone& sun);
   void addAboveAndBelow(Vec2 along);
   double farthest(Vec3 normal) const;
   std::span<const Vec3> targets() const { return {targets_.data(), count_}; }
 
   // All but `center_` relative to it.
-  Vec3 center_;
+  Vec3 center_;  ///< of the light; towards a sun, one of the targets
   double radius_;
   std::array<Vec3, 8> targets_;
   std::size_t count_;

@@ -38,6 +38,7 @@ class PositionLinker {
 
   void linkLights(const LightsDescription& lights) {
     for (const LightDescription& light : lights.lights) linkLight(light);
+    for (const LightDescription& sun : lights.suns) linking_.level.lights.push_back(sun.source);
     linking_.level.bake = lights.bake;
   }
 
@@ -76,7 +77,7 @@ void linkLights(Linking& linking, const LightsDescription& lights) {
 }
 
 bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
-  if (!lights.lights.empty() || description.light) return false;
+  if (!lights.lights.empty() || !lights.suns.empty() || description.light) return false;
   for (const SectorDescription& sector : description.sectors)
     if (sector.light) return false;
   return true;

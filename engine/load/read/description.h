@@ -244,6 +244,7 @@ struct MeshDescription : ThingDescription {
   Mesh mesh;                             ///< all else
 };
 
+/// Of a light with a place, or of a sun.
 struct LightDescription {
   Place place;
   std::optional<NameReference> sector;
@@ -268,7 +269,14 @@ struct LevelDescription {
 
 struct LightsDescription {
   std::vector<LightDescription> lights;
+  std::vector<LightDescription> suns;
   BakeSettings bake;
+
+  /// Of both, in the order of the level's lights: the suns come last.
+  std::size_t count() const { return lights.size() + suns.size(); }
+  const LightDescription& at(std::size_t light) const {
+    return light < lights.size() ? lights[light] : suns[light - lights.size()];
+  }
 };
 
 }  // namespace hearth

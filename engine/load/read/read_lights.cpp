@@ -14,7 +14,8 @@ namespace {
 constexpr std::array<std::string_view, 10> kLightKeys{
     "x", "y", "z", "sector", "intensity", "falloff", "curve", "color", "radius", "spot"};
 constexpr std::array<std::string_view, 4> kSpotKeys{"angle", "pitch", "inner", "outer"};
-constexpr std::array<std::string_view, 3> kFileKeys{"version", "lights", "bake"};
+constexpr std::array<std::string_view, 5> kSunKeys{"angle", "pitch", "intensity", "color", "size"};
+constexpr std::array<std::string_view, 4> kFileKeys{"version", "lights", "suns", "bake"};
 constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
 
 constexpr std::string_view kAutoSamples = "auto";
@@ -108,6 +109,28 @@ std::optional<LightDescription> readLight(Report& report, JsonValue value) {
   return isGood ? std::optional(light) : std::nullopt;
 }
 
+std::optional<LightDescription> readSun(Report& report, JsonValue value) {
+  constexpr NumberRange kAboveHorizon{1, 90};  // degrees
+  constexpr NumberRange kDiameter{0, 20};      // degrees
+  const Fields fields(report, value, kSunKeys);
+  LightDescription light;
+  light.place = value.place();
+  double angle = 0;
+  double pitch = 0;
+  double size = 0;
+  bool isGood = fields.isObject();
+  isGood &= fields.require("angle", "give the direction in which one sees the sun").has_value();
+  isGood &= fields.require("pitch", "give the sun's height over the horizon").has_value();
+  isGood &= fields.read("angle", kAngle, angle);
+  isGood &= fields.read("pitch", kAboveHorizon, pitch);
+  isGood &= fields.read("size", kDiameter, size);
+  fields.read("intensity", kLevels, light.source.intensity);
+  readColor(report, fields, light.source);
+  if (!isGood) return std::nullopt;
+  light.source.sun.emplace(angle, pitch, size);
+  return light;
+}
+
 bool isSquare(int number) {
   const int root = static_cast<int>(std::lround(std::sqrt(number)));
   return root * root == number;
@@ -140,16 +163,30 @@ BakeSettings readBake(Report& report, JsonValue value) {
   return bake;
 }
 
+/// Suns count as lights.
+void checkCount(Report& report, JsonValue list, std::size_t count, const LoadLimits& limits) {
+  if (count > limits.lights)
+    report.error(list.place(), fmt::format("{} lights are more than {}", count, limits.lights),
+                 "raise the limit with --max-lights");
+}
+
 void readLightList(Report& report, JsonValue value, const LoadLimits& limits,
                    LightsDescription& lights) {
   if (!value.isArray()) return reportWrongType(report, value, "an array of lights");
-  if (const std::size_t count = value.size(); count > limits.lights) {
-    report.error(value.place(), fmt::format("{} lights are more than {}", count, limits.lights),
-                 "raise the limit with --max-lights");
-    return;
-  }
+  checkCount(report, value, value.size(), limits);
+  if (value.size() > limits.lights) return;
   for (const JsonValue element : value.elements())
     if (auto light = readLight(report, element)) lights.lights.push_back(*std::move(light));
+}
+
+void readSuns(Report& report, JsonValue value, const LoadLimits& limits,
+              LightsDescription& lights) {
+  if (!value.isArray()) return reportWrongType(report, value, "an array of suns");
+  const std::size_t count = lights.lights.size() + value.size();
+  checkCount(report, value, count, limits);
+  if (count > limits.lights) return;
+  for (const JsonValue element : value.elements())
+    if (auto sun = readSun(report, element)) lights.suns.push_back(*std::move(sun));
 }
 
 bool isLevel(JsonValue root) {
@@ -176,6 +213,7 @@ LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& l
   checkVersion(report, fields);
   if (const auto list = fields.require("lights", "give an array of lights"))
     readLightList(report, *list, limits, lights);
+  if (const auto suns = fields.find("suns")) readSuns(report, *suns, limits, lights);
   if (const auto bake = fields.find("bake")) lights.bake = readBake(report, *bake);
   return lights;
 }

@@ -9,6 +9,7 @@
 
 #include "loaded.h"
 #include "render/renderer.h"
+#include "support/in_tree.h"
 #include "support/level_text.h"
 #include "truth/truth_light.h"
 #include "viewer/inspect/words.h"
@@ -127,6 +128,49 @@ TEST(Inspect, tellsWhatWouldMakeASpotEnoughWhereItsLightEnds) {
       halves("", lamp(2, 2, 1.5, ",'intensity':6,'spot':{'angle':90,'outer':180}"));
   EXPECT_EQ(reasonAt(loaded, "west", {2.5, 2, 1.5}, {1, 0, 0}),
             "too weak here: 3 of 255 at 8 m; intensity 130 instead of 6 would give 64");
+}
+
+/// A yard with a roofed half in the west, where the ceiling is as high as the sky.
+LoadedLevel underHalfASky(const std::string& sun) {
+  const std::string level =
+      "{'light':0,'textures':'" + test::inTree("textures").string() + "','sectors':{" +
+      test::sectorText("west", "0,0, 5,0, 5,4, 0,4", 0, 3,
+                       "[" + kSolid + ",{'next':'east'}," + kSolid + "," + kSolid + "]") +
+      ",'east':{'floor':{'texture':'#808080'},"
+      "'ceiling':{'z':3,'texture':'sky','parallax':true},'loops':{'border':{"
+      "'v':[5,0, 10,0, 10,4, 5,4],'walls':[" +
+      kSolid + "," + kSolid + "," + kSolid + ",{'next':'west'}]}}}}}";
+  return test::levelFrom(level, "{'lights':[],'suns':[" + sun + "]}");
+}
+
+TEST(Inspect, tellsWhatASunGives) {
+  const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60,'intensity':200}");
+  const TruthHit lit = lookedAt(loaded.level, "east", {7, 2, 1}, {0, 0, -1});
+  const Inspection found = inspected(loaded.scene(), lit);
+  EXPECT_EQ(found.lights.at(0).adds.x, 200);
+  EXPECT_EQ(found.sum.x, 200);
+  EXPECT_EQ(reasonWords(loaded.level, found.place, found.lights.at(0)), "");
+}
+
+TEST(Inspect, namesWhatHidesASun) {
+  const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60,'intensity':200}");
+  EXPECT_EQ(
+      reasonAt(loaded, "west", {1, 2, 1}, {0, 0, -1}),
+      "blocked by ceiling of west (2.732, 2, 3): open a way to the sky there, or turn the sun");
+}
+
+TEST(Inspect, namesTheSideOfASun) {
+  const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60}");
+  EXPECT_EQ(reasonAt(loaded, "east", {7, 2, 1}, {1, 0, 0}),
+            "faces away: this surface looks to the other side of the sky");
+  EXPECT_EQ(reasonAt(loaded, "east", {7, 2, 1}, {0, 1, 0}),
+            "in the plane of this surface, which it only grazes: turn the sun");
+}
+
+TEST(Inspect, tellsHowStrongASunMustBe) {
+  const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60,'intensity':3}");
+  EXPECT_EQ(reasonAt(loaded, "east", {7, 2, 1}, {0, 0, -1}),
+            "too weak here: 3 of 255; intensity 64 instead of 3 would give 64");
 }
 
 TEST(Inspect, namesALightInThePlaneOfTheSurface) {

@@ -60,6 +60,12 @@ TEST(UselessLights, AreThoseThatGiveNoLight) {
             (Places{"2:2 /1 [useless-light]", "3:2 /2 [useless-light]"}));
 }
 
+TEST(UselessLights, AreSunsThatNoSkyLetsIn) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(lit, "{ 'lights': [],\n'suns': [{ 'angle': 0, 'pitch': 45 }] }"),
+            (Places{"2:10 /suns/0 [useless-light]"}));
+}
+
 TEST(UselessLights, MayShineLessFarThanToASurface) {
   const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
   EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'curve': [[0, 200], [1.9, 0]] }]"),

@@ -64,6 +64,8 @@ class SpellingCounter {
       addIf(light.contains("radius"), FormatFeature::LightRadius);
       addIf(light.contains("spot"), FormatFeature::LightSpot);
     });
+    if (file.is_object() && file.contains("suns"))
+      forEachChild(file["suns"], [&](const json&) { counts_.add(FormatFeature::Sun); });
   }
 
  private:

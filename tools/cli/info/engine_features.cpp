@@ -78,6 +78,8 @@ std::vector<EngineFeatureUse> engineFeatureUses(const LoadedLevel& loaded,
       {"lights with a spot",
        count(level.lights, [](const LightSource& source) { return source.spot.has_value(); }),
        std::ssize(level.lights), "shine all around: no cone to test"},
+      {"lights that are suns", light.suns.lights, std::ssize(level.lights),
+       "have a place: no ray is followed to the sky"},
   };
 }
 

@@ -51,6 +51,7 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
     object["kinds"][std::string(name(static_cast<SurfaceKind>(i)))] = toJson(report.kinds[i]);
   object["points"] = toJson(report.points);
   object["balls"] = toJson(report.spheres);
+  object["suns"] = toJson(report.suns);
   object["coloredLights"] = report.coloredLights;
   object["uselessLights"] = report.uselessLights;
   return object;

@@ -76,6 +76,7 @@ void printLight(const Contents& contents) {
   printLine("bytes that even lightmaps spare", light.all.sparedBytes());
   printLights("point lights", light.points);
   printLights("spherical lights", light.spheres);
+  printLights("suns", light.suns);
   printLine("lights that reach nothing", light.uselessLights);
 }
 

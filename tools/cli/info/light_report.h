@@ -43,6 +43,7 @@ struct LightReport {
   SurfaceReport all;
   LightKindReport points;
   LightKindReport spheres;
+  LightKindReport suns;
   std::int64_t coloredLights = 0;
   std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
 };

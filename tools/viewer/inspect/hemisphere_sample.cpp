@@ -45,13 +45,19 @@ HemisphereSample::HemisphereSample(const Scene& scene, const TruthMeshes& meshes
 }
 
 bool HemisphereSample::isLitBy(const LightSource& light) const {
+  const auto lightsAny = [&](const auto& source) {
+    return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
+      const double level = light.brightnessAt(place.point);
+      return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;
+    });
+  };
+  if (light.sun) {
+    const Sun point(light.sun->angle(), light.sun->pitch(), 0);
+    return lightsAny(TruthSun(scene_.level(), meshes_, point, 1));
+  }
   LightSource point = light;
   point.radius = 0;
-  const TruthSource source(scene_.level(), meshes_, point, 1);
-  return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
-    const double level = light.brightnessAt(place.point);
-    return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;
-  });
+  return lightsAny(TruthSource(scene_.level(), meshes_, point, 1));
 }
 
 }  // namespace hearth

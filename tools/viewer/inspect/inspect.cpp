@@ -24,7 +24,10 @@ constexpr double kLiftStep = 0.1;
 constexpr int kLifts = 30;
 
 /// Of a ball: to its points, and from there.
-int raysOf(const LightSource& light) { return light.radius > 0 ? 2 * kInspectedBallPoints : 1; }
+int raysOf(const LightSource& light) {
+  const bool isSoft = light.sun ? light.sun->size() > 0 : light.radius > 0;
+  return isSoft ? 2 * kInspectedBallPoints : 1;
+}
 
 /// Metres by which a height is off a range; 0 in it.
 double missedBy(double z, double zBottom, double zTop) {
@@ -98,7 +101,8 @@ class Follower {
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
     const LightSource& light = scene_.level().lights[index];
-    const double distance = length(light.position - place_.point);
+    const double distance =
+        light.sun ? std::numeric_limits<double>::infinity() : length(light.position - place_.point);
     return {index, LightReason::NotReached, distance, light.brightnessAt(place_.point),
             TruthSource::unshaded(light, place_, settings_.lambert)};
   }
@@ -111,7 +115,7 @@ class Follower {
     if (finding.comesNear || finding.level * brightestFraction(light) < kVisibleLevel)
       return raysOf(light);
     finding.comesNear = hemisphere_.isLitBy(light);
-    if (!finding.comesNear || finding.reason != LightReason::Blocked)
+    if (light.sun || !finding.comesNear || finding.reason != LightReason::Blocked)
       return raysOf(light) + kHemisphereRays;
     finding.lift = liftToSee(light);
     return raysOf(light) + kHemisphereRays + 2 * kLifts;
@@ -134,18 +138,40 @@ class Follower {
            TruthSource(scene_.level(), meshes_, lifted, 1).seenFraction(place_) > 0;
   }
 
+  /// Why no part of a light shines on the plane of the place, if so.
+  std::optional<LightReason> behindPlane(const LightSource& light, double inFront) const {
+    const double inPlane = light.sun ? kInPlaneSine : kInPlane;
+    const double radius = light.sun ? light.sun->sinRadius() : light.radius;
+    const bool isCut = light.sun && radius > 0;  // a disc, half of which is in front
+    if (std::abs(inFront) <= inPlane && !isCut) return LightReason::InPlane;
+    if (inFront + radius <= inPlane) return LightReason::FacesAway;
+    return std::nullopt;
+  }
+
   void followToPlace(LightFinding& finding) const {
     const LightSource& light = scene_.level().lights[finding.light];
-    const double front = dot(place_.normal, light.position - place_.point);
-    finding.reason = LightReason::InPlane;
-    if (std::abs(front) <= kInPlane) return;
-    finding.reason = LightReason::FacesAway;
-    if (front + light.radius <= kInPlane) return;
+    const double inFront =
+        dot(place_.normal, light.sun ? light.sun->direction() : light.position - place_.point);
+    if (const auto reason = behindPlane(light, inFront)) {
+      finding.reason = *reason;
+      return;
+    }
+    if (light.sun)
+      followTo(light, TruthSun(scene_.level(), meshes_, *light.sun, kInspectedBallPoints), inFront,
+               finding);
+    else
+      followTo(light, TruthSource(scene_.level(), meshes_, light, kInspectedBallPoints), inFront,
+               finding);
+  }
 
-    const TruthSource source(scene_.level(), meshes_, light, kInspectedBallPoints);
+  template <typename Source>
+  void followTo(const LightSource& light, const Source& source, double inFront,
+                LightFinding& finding) const {
     finding.seenFraction = source.seenFraction(place_);
-    if (finding.seenFraction == 0 && front < 0) return;
-    const bool isCutOff = !(finding.distance < light.reach(settings_.cutOff));
+    finding.reason = LightReason::FacesAway;
+    if (finding.seenFraction == 0 && inFront < 0) return;
+    const double reach = light.reach(settings_.cutOff);
+    const bool isCutOff = light.sun ? reach == 0 : !(finding.distance < reach);
     const double level = isCutOff ? 0 : finding.unshaded * finding.seenFraction;
     finding.adds = level * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
     finding.reason = LightReason::OutsideSpot;
@@ -155,7 +181,8 @@ class Follower {
     finding.reason = LightReason::Lights;
     if (finding.seenFraction > 0) return;
     finding.blocker = source.firstMet(place_);
-    const bool isBefore = finding.blocker && (finding.blocker->t - 1) * finding.distance < kArrival;
+    const bool isBefore =
+        finding.blocker && (light.sun || (finding.blocker->t - 1) * finding.distance < kArrival);
     finding.reason = isBefore ? LightReason::Blocked : LightReason::NotReached;
     if (!isBefore) finding.blocker.reset();
   }

@@ -24,10 +24,10 @@ enum class LightReason : std::uint8_t {
 struct LightFinding {
   std::size_t light;  ///< its index in the level, and in its file
   LightReason reason;
-  double distance;                                 ///< metres, from its middle
+  double distance;                                 ///< metres, from its middle; of a sun infinity
   double level;                                    ///< at that distance, before colour
   double unshaded;                                 ///< levels, if nothing stood between; white
-  double seenFraction = 0;                         ///< of a ball, 0..1; of a point 0 or 1
+  double seenFraction = 0;                         ///< of a ball or disc, 0..1; of a point 0 or 1
   Vec3 adds = {};                                  ///< levels of red, green and blue
   std::optional<TruthHit> blocker = std::nullopt;  ///< what stands between, if that is the reason
   /// For a blocked light that is near: by how many metres it must be raised (lowered if negative)

@@ -101,7 +101,7 @@ std::string placeOfModel(const LevelSource& source, std::size_t mesh) {
 }
 
 std::string placeOfLight(const LevelSource& source, std::size_t light) {
-  return formatPlace(source, source.lights.lights[light].place);
+  return formatPlace(source, source.lights.at(light).place);
 }
 
 }  // namespace hearth

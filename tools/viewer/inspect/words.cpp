@@ -55,8 +55,9 @@ std::string remedyWords(const LightSource& light, const LightFinding& finding) {
 
 std::string weakWords(const LightSource& light, const LightFinding& finding) {
   const std::string_view cosine = finding.unshaded < finding.level ? ", grazing the surface" : "";
-  return fmt::format("too weak here: {} of 255 at {} m{}; {}", rounded(finding.level, 2),
-                     rounded(finding.distance, 2), cosine, remedyWords(light, finding));
+  const std::string at = light.sun ? "" : fmt::format(" at {} m", rounded(finding.distance, 2));
+  return fmt::format("too weak here: {} of 255{}{}; {}", rounded(finding.level, 2), at, cosine,
+                     remedyWords(light, finding));
 }
 
 /// The way to the front of a surface, along the axis that is nearest to it.
@@ -68,12 +69,17 @@ std::string_view sideWords(Vec3 normal) {
 }
 
 std::string facesAwayWords(const LightSource& light, const SurfacePoint& place) {
+  if (light.sun) return "faces away: this surface looks to the other side of the sky";
   const double behind = dot(place.normal, place.point - light.position);
   return fmt::format("faces away: it is {} m behind this surface; move it to this side, {}",
                      rounded(behind, 2), sideWords(place.normal));
 }
 
 std::string blockedWords(const Level& level, const LightFinding& finding) {
+  if (level.lights[finding.light].sun)
+    return fmt::format("blocked by {} ({}): open a way to the sky there, or turn the sun",
+                       surfaceWords(level, *finding.blocker),
+                       pointWords(finding.blocker->point, ", "));
   const std::string advice =
       finding.lift ? fmt::format("{} it {} m or more", *finding.lift > 0 ? "raise" : "lower",
                                  rounded(std::abs(*finding.lift), 1))
@@ -190,6 +196,8 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
     case LightReason::FacesAway:
       return facesAwayWords(level.lights[finding.light], place);
     case LightReason::InPlane:
+      if (level.lights[finding.light].sun)
+        return "in the plane of this surface, which it only grazes: turn the sun";
       return fmt::format("in the plane of this surface: move it off the plane, {}",
                          sideWords(place.normal));
     case LightReason::Blocked:

@@ -199,7 +199,8 @@ class Section {
                                               {corner.x + line, corner.y + line},
                                               imColor(colorOf(level_.lights[finding.light])));
     ImGui::TextUnformatted(name.data());
-    showColumns(left, fmt::format("{:.2f} m", finding.distance),
+    const bool isSun = level_.lights[finding.light].sun.has_value();
+    showColumns(left, isSun ? "sun" : fmt::format("{:.2f} m", finding.distance),
                 levelWords(brightest(finding.adds)));
   }
 
@@ -224,7 +225,7 @@ class Section {
 
 std::string InspectedSurface::nameOf(std::size_t light) const {
   if (!source) return lightName(light, "");
-  const Place place = source->lights.lights[light].place;
+  const Place place = source->lights.at(light).place;
   return lightName(light, commentAt(source->documents[place.document].text, place.offset));
 }
 

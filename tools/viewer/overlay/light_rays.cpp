@@ -28,6 +28,9 @@ constexpr Rgb kPlace = {255, 255, 255};
 /// Metres before the eye from which on lines are drawn.
 constexpr double kNear = kAuthorNoise;
 
+/// Metres of a ray towards a sun that are drawn: beyond all that is near.
+constexpr double kToSun = 1000;
+
 enum class Stroke { Whole, Dashed };
 
 /// Draws lines of the world into the picture of a camera.
@@ -115,10 +118,10 @@ class WorldLines {
 };
 
 void drawRay(const LightFinding& finding, const LightSource& light, Vec3 place, WorldLines& lines) {
-  if (finding.adds != Vec3{})
-    return lines.draw(light.position, place, colorOf(light), Stroke::Whole);
-  const Vec3 end = finding.blocker ? finding.blocker->point : light.position;
-  lines.draw(light.position, end, colorOf(light), Stroke::Whole);
+  const Vec3 from = light.sun ? place + kToSun * light.sun->direction() : light.position;
+  if (finding.adds != Vec3{}) return lines.draw(from, place, colorOf(light), Stroke::Whole);
+  const Vec3 end = finding.blocker ? finding.blocker->point : from;
+  lines.draw(from, end, colorOf(light), Stroke::Whole);
   lines.draw(end, place, kStopped, Stroke::Dashed);
   if (finding.blocker) lines.drawCross(end, kStopped);
 }

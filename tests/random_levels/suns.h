@@ -1,0 +1,25 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "random_levels/feature.h"
+#include "random_levels/model.h"
+#include "random_levels/random.h"
+
+namespace hearth::random_levels {
+
+/// Angles in degrees, as in a lights file.
+struct RandomSun {
+  double angle = 0;
+  double pitch = 90;
+  double intensity = 255;
+  double size = 0;
+  std::string color;  ///< "#rrggbb"; none when empty
+};
+
+/// A sun or two, high and low, also along walls and edges of shadows; notes which kinds.
+std::vector<RandomSun> makeSuns(Random& random, std::set<Feature>& features);
+
+}  // namespace hearth::random_levels
