@@ -237,7 +237,8 @@ Replacement withObject(std::string_view json, std::size_t array,
   if (elements.empty()) return withFirstObject(json, array, members);
   const TextRange last = elements.back();
   const std::vector<MemberRange> like = membersAt(json, last.begin);
-  const ObjectManner manner = mannerOf(json, last.begin, like, lastOf(like, {"x", "y", "z"}));
+  const ObjectManner manner =
+      mannerOf(json, last.begin, like, lastOf(like, {"x", "y", "z", "angle", "pitch"}));
   const std::size_t before =
       elements.size() > 1 ? json.find(',', elements[elements.size() - 2].end) : array;
   const std::string_view blanks = json.substr(before + 1, last.begin - before - 1);

@@ -73,7 +73,7 @@ Replacement withoutComment(std::string_view json, std::size_t object);
 Replacement withoutMember(std::string_view json, std::size_t object, std::string_view key);
 
 /// Puts an object at the end of an array, in the manner of the last one there, which has the
-/// members `x`, `y` and `z`; in an empty array in that of the whole text.
+/// members `x`, `y` and `z`, or `angle` and `pitch`; in an empty array in that of the whole text.
 Replacement withObject(std::string_view json, std::size_t array,
                        const std::vector<SpelledMember>& members);
 /// Takes an element out with one of its commas.

@@ -42,7 +42,7 @@ std::string after(std::string_view text, Edit&& edit) {
 template <typename Change>
 std::string afterChange(std::string_view text, std::size_t light, Change&& change) {
   return after(text, [&](LightsEdit& lights) {
-    LightDescription to = lights.lights().lights[light];
+    LightDescription to = lights.lights().at(light);
     change(to);
     return lights.set(light, to);
   });
@@ -139,6 +139,42 @@ TEST(LightsEditTest, MakesASpotAndTakesItOut) {
                   [](LightDescription& light) { light.source.spot = Spot(0, -90, 20, 40.5); }),
       cone);
   EXPECT_EQ(afterChange(cone, 0, [](LightDescription& light) { light.source.spot.reset(); }), all);
+}
+
+LightDescription sunAt(double angle, double pitch) {
+  LightDescription sun;
+  sun.source.sun.emplace(angle, pitch, 0);
+  return sun;
+}
+
+TEST(LightsEditTest, ChangesASunWhichComesAfterTheLights) {
+  const std::string text =
+      R"({"lights":[{"x":1,"y":2,"z":3}],"suns":[{"angle":10,"pitch":4.50,"size":1}]})";
+  EXPECT_EQ(afterChange(text, 1,
+                        [](LightDescription& sun) {
+                          sun.source.sun.emplace(12.5, 4.5, 2);
+                          sun.source.intensity = 90;
+                        }),
+            R"({"lights":[{"x":1,"y":2,"z":3}],)"
+            R"("suns":[{"angle":12.5,"pitch":4.50,"intensity":90,"size":2}]})");
+  EXPECT_EQ(afterRemove(text, 1), R"({"lights":[{"x":1,"y":2,"z":3}],"suns":[]})");
+}
+
+TEST(LightsEditTest, AddsASunAndTheirListWhereThereIsNone) {
+  EXPECT_EQ(afterAdd(R"({"lights":[],"suns":[{"pitch":5,"angle":1}]})", sunAt(-30, 45)),
+            R"({"lights":[],"suns":[{"pitch":5,"angle":1},{"angle":-30,"pitch":45}]})");
+  EXPECT_EQ(afterAdd(R"({"version":1,"lights":[],"bake":{}})", sunAt(0, 90)),
+            R"({"version":1,"lights":[],"suns":[{"angle":0,"pitch":90}],"bake":{}})");
+  EXPECT_EQ(afterAdd(R"({"lights": []})", sunAt(0, 90)),
+            R"({"lights": [], "suns": [{ "angle": 0, "pitch": 90 }]})");
+}
+
+TEST(LightsEditTest, RefusesASunInAnArrayOfLights) {
+  LightsEdit lights = opened("[]");
+  EXPECT_EQ(lights.add(sunAt(0, 90)),
+            "the file is an array of lights: write { \"lights\": [...] } to give it suns");
+  EXPECT_EQ(lights.bytes(), "[]");
+  EXPECT_FALSE(lights.canUndo());
 }
 
 TEST(LightsEditTest, AddsALightLikeTheLast) {

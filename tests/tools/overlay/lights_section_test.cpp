@@ -244,6 +244,66 @@ TEST_F(LightsSectionTest, HasButtonsThatAddDeleteUndoRedoAndSave) {
   EXPECT_EQ(fs::file_size(file_), editor().bytes().size());
 }
 
+class SunsSectionTest : public LightsSectionTest {
+ protected:
+  SunsSectionTest() {
+    std::ofstream(file_) << R"({"lights":[{"x":2,"y":3,"z":2.5}],"suns":[{"angle":5,"pitch":10}]})";
+    editor().openAgain();
+  }
+  const LightSource& sun() { return editor().lights().suns.at(0).source; }
+};
+
+TEST_F(SunsSectionTest, HasAFieldForEachNumber) {
+  const std::string bytes = editor().bytes();
+  click(60, kFirstRow + kRow);
+  ASSERT_EQ(editor().picked(), 1);
+  std::set<std::string> found;
+  for (int y = kFieldsBegin; y < kFieldsEnd; y += 7)
+    for (const int column : {0, 1}) {
+      drag(kFieldLeft + 20 + 3 * column * kColumn / 2, y);
+      if (editor().bytes() == bytes) continue;
+      if (sun().sun->angle() != 5) found.insert("angle");
+      if (sun().sun->pitch() != 10) found.insert("pitch");
+      if (sun().sun->size() != 0) found.insert("size");
+      if (sun().intensity != 255) found.insert("intensity");
+      editor().undo();
+      EXPECT_EQ(editor().bytes(), bytes) << "a drag is one step";
+    }
+  EXPECT_EQ(found, (std::set<std::string>{"angle", "pitch", "size", "intensity"}));
+}
+
+TEST_F(SunsSectionTest, IsDraggedAcrossTheSky) {
+  const MarkerSpace view(camera_);
+  const Vec2 mark = *view.pixelTowards(sun().sun->direction());
+  const Vec2 there = mark + Vec2{20, -9};
+  EXPECT_TRUE(tool_.handle({PointerEvent::Kind::Press, mark}, view, camera_.height));
+  EXPECT_EQ(editor().picked(), 1);
+  EXPECT_TRUE(tool_.handle({PointerEvent::Kind::Move, there}, view, camera_.height));
+  EXPECT_TRUE(tool_.handle({PointerEvent::Kind::Release, there}, view, camera_.height));
+  const Vec2 now = *view.pixelTowards(sun().sun->direction());
+  EXPECT_NEAR(now.x, there.x, 0.1);
+  EXPECT_NEAR(now.y, there.y, 0.1);
+  EXPECT_GT(sun().sun->pitch(), 10);
+  editor().undo();
+  EXPECT_EQ(sun().sun->pitch(), 10);
+}
+
+TEST_F(SunsSectionTest, StaysAboveTheHorizon) {
+  const MarkerSpace view(camera_);
+  const Vec2 mark = *view.pixelTowards(sun().sun->direction());
+  tool_.handle({PointerEvent::Kind::Press, mark}, view, camera_.height);
+  tool_.handle({PointerEvent::Kind::Move, mark + Vec2{0, 90}}, view, camera_.height);
+  EXPECT_EQ(sun().sun->pitch(), 1);
+}
+
+TEST_F(SunsSectionTest, IsAddedWhereTheCameraLooks) {
+  for (int x = 270; x < 360 && editor().lights().suns.size() == 1; x += 8) click(x, kButtons);
+  ASSERT_EQ(editor().lights().suns.size(), 2);
+  EXPECT_EQ(editor().picked(), 2);
+  EXPECT_EQ(editor().pickedLight().source.sun->angle(), camera_.angle);
+  EXPECT_EQ(editor().pickedLight().source.sun->pitch(), 30);
+}
+
 TEST_F(LightsSectionTest, OffersToReadAFileThatWasChanged) {
   click(12, kButtons);
   std::ofstream(file_) << "[]";

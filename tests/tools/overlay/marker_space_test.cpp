@@ -71,6 +71,18 @@ TEST(MarkerSpaceTest, DragsAlongAnAxisThatRunsAwayWithoutLeaps) {
   EXPECT_EQ(view.dragged(middle, {400, 100}, Axis::X), middle);
 }
 
+TEST(MarkerSpaceTest, HasTheDirectionsOfTheView) {
+  const MarkerSpace view(camera());
+  const Vec2 pixel{100, 60};
+  const Vec3 direction = view.directionAt(pixel);
+  const auto back = view.pixelTowards(1 / length(direction) * direction);
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->x, pixel.x, 1e-6);
+  EXPECT_NEAR(back->y, pixel.y, 1e-6);
+  EXPECT_FALSE(view.pixelTowards(-1 * direction)) << "behind the eye";
+  EXPECT_FALSE(MarkerSpace(MapScale{{320, 200}, {1, 2}, 10}).pixelTowards(direction));
+}
+
 TEST(MarkerSpaceTest, DragsOnTheMapAlongAnAxis) {
   const MarkerSpace map(MapScale{{320, 200}, {1, 2}, 10});
   expectNear(map.dragged({3, 1, 99}, {300, 205}, Axis::X), {-1, 1, 99});

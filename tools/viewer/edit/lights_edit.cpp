@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -17,9 +18,10 @@ namespace hearth {
 
 namespace {
 
-/// In the order in which a light has them.
-constexpr std::array<std::string_view, 10> kLightKeys{
-    "x", "y", "z", "sector", "radius", "intensity", "falloff", "curve", "color", "spot"};
+/// In the order in which a light, or a sun, has them.
+constexpr std::array<std::string_view, 13> kLightKeys{
+    "angle",     "pitch",   "x",     "y",     "z",    "sector", "radius",
+    "intensity", "falloff", "curve", "color", "spot", "size"};
 constexpr std::array<std::string_view, 4> kSpotKeys{"angle", "pitch", "inner", "outer"};
 
 /// The shortest that reads as the same number.
@@ -60,8 +62,23 @@ struct Member {
   std::optional<std::string> value;  ///< spelled; none: the light has no such key
 };
 
+/// What differs of two suns, key by key.
+std::vector<Member> changesOfSun(const LightSource& from, const LightSource& to) {
+  std::vector<Member> members;
+  const auto add = [&members](std::string_view key, double before, double after) {
+    if (before != after) members.push_back({key, spelled(after)});
+  };
+  add("angle", from.sun->angle(), to.sun->angle());
+  add("pitch", from.sun->pitch(), to.sun->pitch());
+  add("intensity", from.intensity, to.intensity);
+  if (!std::ranges::equal(from.color, to.color)) members.push_back({"color", spelled(to.color)});
+  add("size", from.sun->size(), to.sun->size());
+  return members;
+}
+
 /// What differs, key by key.
 std::vector<Member> changes(const LightDescription& from, const LightDescription& to) {
+  if (from.source.sun) return changesOfSun(from.source, to.source);
   std::vector<Member> members;
   const auto add = [&members](std::string_view key, const auto& before, const auto& after) {
     if (before != after) members.push_back({key, spelled(after)});
@@ -122,14 +139,32 @@ Replacement withSpotNumber(std::string_view json, std::size_t light, std::string
                     {kSpotKeys.begin(), kSpotKeys.end()});
 }
 
-/// Where the array of lights begins.
-std::size_t listIn(const Document& document) {
+/// Where the array under a key begins, if there is one.
+std::optional<std::size_t> listIn(const Document& document, std::string_view key) {
   const JsonValue root(document, 0, 0);
-  if (root.isArray()) return root.place().offset;
+  if (root.isArray()) return key == "lights" ? std::optional(root.place().offset) : std::nullopt;
   const std::vector<JsonValue::Member> members = root.members();
   const auto found = std::ranges::find_if(
-      members, [](const JsonValue::Member& member) { return member.key.text() == "lights"; });
+      members, [&](const JsonValue::Member& member) { return member.key.text() == key; });
+  if (found == members.end()) return std::nullopt;
   return found->value.place().offset;
+}
+
+/// What is written of an added light in any case.
+std::vector<SpelledMember> placeOf(const LightSource& light) {
+  if (light.sun)
+    return {{"angle", spelled(light.sun->angle())}, {"pitch", spelled(light.sun->pitch())}};
+  return {{"x", spelled(light.position.x)},
+          {"y", spelled(light.position.y)},
+          {"z", spelled(light.position.z)}};
+}
+
+/// A light of which that is all.
+LightDescription plainAt(const LightSource& light) {
+  LightDescription plain;
+  plain.source.position = light.position;
+  if (light.sun) plain.source.sun.emplace(light.sun->angle(), light.sun->pitch(), 0);
+  return plain;
 }
 
 }  // namespace
@@ -161,7 +196,8 @@ std::optional<std::string> LightsEdit::read() {
     lights = readLights(report, JsonValue(documents[0], 0, 0), limits_);
   if (report.hasErrors()) return format(report.resolve(documents).front());
   lights_ = std::move(lights);
-  list_ = listIn(documents[0]);
+  list_ = *listIn(documents[0], "lights");
+  suns_ = listIn(documents[0], "suns");
   return std::nullopt;
 }
 
@@ -187,8 +223,8 @@ std::optional<std::string> LightsEdit::edit(Change&& change) {
 
 std::optional<std::string> LightsEdit::set(std::size_t light, const LightDescription& to) {
   return edit([&] {
-    const std::optional<Spot>& spot = lights_.lights[light].source.spot;
-    for (const Member& member : changes(lights_.lights[light], to))
+    const std::optional<Spot>& spot = lights_.at(light).source.spot;
+    for (const Member& member : changes(lights_.at(light), to))
       history_.replace(with(history_.text(), offsetOf(light), member));
     if (spot && to.source.spot) changeSpot(light, *spot, *to.source.spot);
   });
@@ -214,23 +250,36 @@ std::optional<std::string> LightsEdit::setComment(std::size_t light, const std::
 
 std::optional<std::string> LightsEdit::add(const LightDescription& light,
                                            const std::string& comment) {
+  const bool isSun = light.source.sun.has_value();
+  if (isSun && history_.text()[rootOf(history_.text())] == '[')
+    return "the file is an array of lights: write { \"lights\": [...] } to give it suns";
   return edit([&] {
     std::vector<SpelledMember> members;
     if (!comment.empty()) members.push_back({"//", spelled(comment)});
-    for (const auto& [key, value] :
-         {std::pair("x", light.source.position.x), std::pair("y", light.source.position.y),
-          std::pair("z", light.source.position.z)})
-      members.push_back({key, spelled(value)});
-    LightDescription plain;
-    plain.source.position = light.source.position;
-    for (const Member& member : changes(plain, light))
+    std::ranges::copy(placeOf(light.source), std::back_inserter(members));
+    for (const Member& member : changes(plainAt(light.source), light))
       if (member.value) members.push_back({std::string(member.key), *member.value});
-    history_.replace(withObject(history_.text(), list_, members));
+    if (isSun && !suns_) addListOfSuns();
+    history_.replace(withObject(history_.text(), isSun ? *suns_ : list_, members));
   });
 }
 
+/// An empty one.
+void LightsEdit::addListOfSuns() {
+  const std::string_view text = history_.text();
+  const std::vector<MemberRange> members = membersAt(text, rootOf(text));
+  history_.replace(members.size() == 1
+                       ? Replacement{members[0].value.end, "", R"(, "suns": [])"}
+                       : withMember(text, rootOf(text), {"suns", "[]"}, {"version", "lights"}));
+  read();
+}
+
 std::optional<std::string> LightsEdit::remove(std::size_t light) {
-  return edit([&] { history_.replace(withoutElement(history_.text(), list_, light)); });
+  return edit([&] {
+    const std::size_t lights = lights_.lights.size();
+    history_.replace(light < lights ? withoutElement(history_.text(), list_, light)
+                                    : withoutElement(history_.text(), *suns_, light - lights));
+  });
 }
 
 void LightsEdit::undo() {

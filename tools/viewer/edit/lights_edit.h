@@ -13,7 +13,8 @@
 
 namespace hearth {
 
-/// The text of a lights file while it is edited. Edits keep the order, spelling and blanks of all
+/// The text of a lights file while it is edited. Its lights are counted in the order of the file,
+/// suns last. Edits keep the order, spelling and blanks of all
 /// other text. The text always loads, apart from the places of lights: only a level knows where
 /// there is air.
 class LightsEdit {
@@ -35,8 +36,8 @@ class LightsEdit {
   std::optional<std::string> set(std::size_t light, const LightDescription& to);
   /// Sets the comment that `commentOf` returns; an empty one is removed.
   std::optional<std::string> setComment(std::size_t light, const std::string& comment);
-  /// Adds a light at the end: its comment, if any, its position, and all that differs from the
-  /// defaults.
+  /// Adds a light, or a sun, at the end of its list: its comment, if any, its position or
+  /// direction, and all that differs from the defaults.
   std::optional<std::string> add(const LightDescription& light, const std::string& comment = "");
   std::optional<std::string> remove(std::size_t light);
 
@@ -62,14 +63,16 @@ class LightsEdit {
   std::optional<std::string> read();
   /// Writes what differs into the text.
   void changeSpot(std::size_t light, const Spot& from, const Spot& to);
-  std::size_t offsetOf(std::size_t light) const { return lights_.lights[light].place.offset; }
+  std::size_t offsetOf(std::size_t light) const { return lights_.at(light).place.offset; }
+  void addListOfSuns();
 
   std::string file_;
   LoadLimits limits_;
   bool hasByteOrderMark_;
   EditHistory history_;
-  LightsDescription lights_;  ///< as the text has them
-  std::size_t list_ = 0;      ///< where the array of lights begins
+  LightsDescription lights_;         ///< as the text has them
+  std::size_t list_ = 0;             ///< where the array of lights begins
+  std::optional<std::size_t> suns_;  ///< where that of suns begins, if there is one
 };
 
 /// A coordinate as a drag gives it, in whole millimetres.

@@ -40,7 +40,7 @@ bool LightsEditor::read() {
 }
 
 void LightsEditor::keepPickInRange() {
-  if (picked_ && *picked_ >= lights().lights.size()) picked_.reset();
+  if (picked_ && *picked_ >= lights().count()) picked_.reset();
 }
 
 void LightsEditor::take(const std::optional<std::string>& mistake) {
@@ -57,7 +57,7 @@ void LightsEditor::setComment(const std::string& comment) {
 
 void LightsEditor::add(const LightDescription& light, const std::string& comment) {
   const auto mistake = edit_->add(light, comment);
-  if (!mistake) picked_ = lights().lights.size() - 1;
+  if (!mistake) picked_ = (light.source.sun ? lights().count() : lights().lights.size()) - 1;
   take(mistake);
 }
 

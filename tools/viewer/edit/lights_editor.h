@@ -35,7 +35,7 @@ class LightsEditor {
   /// One of the lights, if any.
   std::optional<std::size_t> picked() const { return picked_; }
   void pick(std::optional<std::size_t> light) { picked_ = light; }
-  const LightDescription& pickedLight() const { return lights().lights[*picked_]; }
+  const LightDescription& pickedLight() const { return lights().at(*picked_); }
 
   // As those of LightsEdit; `message` says why an edit is refused.
   void set(const LightDescription& to);         ///< the light that is picked

@@ -53,6 +53,9 @@ void showButtons(LightsTool& tool, const Scene& scene, const Camera& camera) {
   bool areShown = tool.areMarksShown();
   if (ImGui::Checkbox("marks", &areShown)) tool.showMarks(areShown);
   showTip("Of lights, in the picture. Behind walls they are hollow.");
+  ImGui::SameLine();
+  if (showButton("add sun", true)) tool.addSun(camera);
+  showTip("Where the camera looks. Its light comes in wherever the sky is seen.");
   ImGui::SameLine(0, letters(kGap));
   showText(editor.isUnsaved() ? "(not saved)" : "");
 }
@@ -68,7 +71,7 @@ void showRow(LightsTool& tool, std::size_t i) {
   LightsEditor& editor = tool.editor();
   const float height = ImGui::GetTextLineHeight();
   ImGui::PushID(static_cast<int>(i));
-  ImGui::ColorButton("##color", swatchOf(editor.lights().lights[i].source),
+  ImGui::ColorButton("##color", swatchOf(editor.lights().at(i).source),
                      ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
                      {height, height});
   ImGui::SameLine();
@@ -90,7 +93,7 @@ void showList(LightsTool& tool, bool scrollsToPicked) {
       ImGui::SetScrollY(line * static_cast<float>(*editor.picked()) +
                         ImGui::GetStyle().WindowPadding.y);
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(editor.lights().lights.size()));
+    clipper.Begin(static_cast<int>(editor.lights().count()));
     while (clipper.Step())
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
         showRow(tool, static_cast<std::size_t>(i));
@@ -132,6 +135,12 @@ constexpr FieldRange kFalloff{0,
 
 constexpr FieldRange kAngle{-1e6, 1e6, 0.5, 0, "%.1f deg", "On the map: 0 along x, 90 along y."};
 constexpr FieldRange kPitch{-90, 90, 0.5, 0, "%.1f deg", "Upwards; below 0 downwards."};
+
+constexpr FieldRange kHeight{1, 90, 0.25, 0, "%.1f deg", "Over the horizon; 90 is overhead."};
+constexpr FieldRange kSunSize{
+    0, 20, 0.05, 0, "%.2f deg", "Across its disc, which makes soft shadows. 0: a point."};
+constexpr FieldRange kSunIntensity{0,    kLargest,      1,
+                                   0.01, "%.1f of 255", "Levels of light where all of it is seen."};
 
 /// Of a light that becomes a spot: straight down.
 const Spot kFirstSpot(0, -90, 20, 40);
@@ -207,8 +216,8 @@ bool showSpot(std::optional<Spot>& spot) {
                            0, "%.1f deg", "From the direction, up to which light is full."};
   const FieldRange toOuter{inner, 180,        0.25,
                            0,     "%.1f deg", "From the direction, where light ends."};
-  isChanged |= showPair("angle, pitch", angle, kAngle, pitch, kPitch);
-  isChanged |= showPair("inner, outer", inner, toInner, outer, toOuter);
+  isChanged |= showPair("direction", angle, kAngle, pitch, kPitch);
+  isChanged |= showPair("cone", inner, toInner, outer, toOuter);
   if (isChanged) spot = Spot(angle, pitch, inner, outer);
   return isChanged;
 }
@@ -292,8 +301,20 @@ bool showSector(LightDescription& light) {
   return true;
 }
 
+bool showFieldsOfSun(LightSource& source) {
+  double angle = source.sun->angle();
+  double pitch = source.sun->pitch();
+  double size = source.sun->size();
+  bool isChanged = showPair("direction", angle, kAngle, pitch, kHeight);
+  isChanged |= showField("size", size, kSunSize);
+  if (isChanged) source.sun.emplace(angle, pitch, size);
+  isChanged |= showField("intensity", source.intensity, kSunIntensity);
+  return showColor(source) || isChanged;
+}
+
 bool showFields(LightDescription& light) {
   LightSource& source = light.source;
+  if (source.sun) return showFieldsOfSun(source);
   bool isChanged = showPosition(source.position);
   isChanged |= showSector(light);
   isChanged |= showField("radius", source.radius, kRadius);

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "level/locate.h"
 #include "light/rays/raytracer.h"
 #include "load/positions.h"
+#include "math/trig.h"
 #include "viewer/overlay/light_rays.h"
 #include "viewer/overlay/overlay.h"
 
@@ -32,10 +34,33 @@ constexpr double kFirstFalloff = 0.5;
 /// And before a surface.
 constexpr double kMaxBefore = 1;
 
+/// Degrees.
+constexpr double kLowestNewSun = 30;
+
 /// The sector of a point that the eye sees.
 std::optional<SectorId> seenAt(const Scene& scene, const Camera& camera, Vec3 point) {
   const Vec3 eye = nudgedInside(scene, scene[camera.sector], camera.eye);
   return Raytracer(scene).sectorAt({eye, camera.sector}, point);
+}
+
+/// Where a light has its mark.
+std::optional<Vec2> markOf(const LightSource& light, const MarkerSpace& space) {
+  return light.sun ? space.pixelTowards(light.sun->direction()) : space.pixelOf(light.position);
+}
+
+/// Whether something hides a light from the eye.
+bool isHidden(const Scene& scene, const Camera& camera, const LightSource& light) {
+  if (!light.sun) return !seenAt(scene, camera, light.position);
+  const Vec3 eye = nudgedInside(scene, scene[camera.sector], camera.eye);
+  return !Raytracer(scene).seesSky({eye, camera.sector}, light.sun->direction());
+}
+
+/// A sun in a direction, to hundredths of a degree; above the horizon.
+Sun sunTowards(Vec3 direction, double size) {
+  constexpr double kPerRadian = 180 / std::numbers::pi;
+  const auto rounded = [](double degrees) { return std::round(100 * degrees) / 100; };
+  const double pitch = kPerRadian * std::atan2(direction.z, length(direction.xy()));
+  return {rounded(compassDegrees(direction.xy())), std::clamp(rounded(pitch), 1.0, 90.0), size};
 }
 
 /// A drag along both sides of a map goes where the mouse has gone farther.
@@ -104,8 +129,8 @@ std::optional<std::size_t> LightsTool::lightAt(Vec2 pixel, const MarkerSpace& sp
   if (!areMarksShown_) return std::nullopt;
   std::optional<std::size_t> nearest;
   double least = kReach * letterScale(pictureHeight);
-  for (std::size_t i = 0; i < editor_.lights().lights.size(); ++i) {
-    const auto mark = space.pixelOf(editor_.lights().lights[i].source.position);
+  for (std::size_t i = 0; i < editor_.lights().count(); ++i) {
+    const auto mark = markOf(editor_.lights().at(i).source, space);
     if (!mark || length(*mark - pixel) > least) continue;
     least = length(*mark - pixel);
     nearest = i;
@@ -124,7 +149,7 @@ bool LightsTool::handle(const PointerEvent& event, const MarkerSpace& space, int
       editor_.pick(light);
       editor_.beginDrag();
       const LightDescription& picked = editor_.pickedLight();
-      grip_ = Grip{picked, *space.pixelOf(picked.source.position) - event.pixel};
+      grip_ = Grip{picked, *markOf(picked.source, space) - event.pixel};
       section_.reveal();
       return true;
     }
@@ -142,6 +167,7 @@ bool LightsTool::handle(const PointerEvent& event, const MarkerSpace& space, int
 
 void LightsTool::dragTo(const PointerEvent& event, const MarkerSpace& space) {
   LightDescription light = grip_->light;
+  if (light.source.sun) return dragSunTo(event.pixel + grip_->toMark, space);
   Vec3& position = light.source.position;
   const auto mark = space.pixelOf(position);
   if (!mark) return;  // the eye has turned away from it
@@ -153,8 +179,16 @@ void LightsTool::dragTo(const PointerEvent& event, const MarkerSpace& space) {
   editor_.set(light);
 }
 
+void LightsTool::dragSunTo(Vec2 pixel, const MarkerSpace& space) {
+  if (space.isMap()) return;
+  LightDescription light = grip_->light;
+  light.source.sun = sunTowards(space.directionAt(pixel), light.source.sun->size());
+  editor_.set(light);
+}
+
 std::optional<LightsTool::Drag> LightsTool::drag() const {
   if (!grip_ || !editor_.isDragging() || !editor_.picked()) return std::nullopt;
+  if (editor_.pickedLight().source.sun) return std::nullopt;
   return Drag{editor_.pickedLight().source.position, grip_->axis};
 }
 
@@ -193,7 +227,7 @@ void LightsTool::showMarks(bool areShown) {
 
 void LightsTool::pick(std::size_t light) {
   release();
-  if (light >= editor_.lights().lights.size()) return;
+  if (light >= editor_.lights().count()) return;
   editor_.pick(light);
   section_.reveal();
 }
@@ -220,6 +254,15 @@ void LightsTool::addBefore(const Scene& scene, const Camera& camera) {
     sector = seenAt(scene, camera, position);
   }
   add(scene, position, sector);
+}
+
+void LightsTool::addSun(const Camera& camera) {
+  release();
+  LightDescription light;
+  const double pitch = std::clamp(std::round(camera.pitch), kLowestNewSun, 90.0);
+  light.source.sun.emplace(std::round(camera.angle), pitch, 0);
+  editor_.add(light);
+  section_.reveal();
 }
 
 void LightsTool::addBefore(const Scene& scene, const SurfacePoint& place) {
@@ -253,15 +296,15 @@ void LightsTool::draw(const Scene& scene, const Camera& camera, const MarkerSpac
   constexpr Rgb kRim = {0, 0, 0};
   constexpr Rgb kPickedRim = {255, 255, 255};
   const auto drawLight = [&](std::size_t i) {
-    const LightSource& light = editor_.lights().lights[i].source;
-    const auto pixel = space.pixelOf(light.position);
+    const LightSource& light = editor_.lights().at(i).source;
+    const auto pixel = markOf(light, space);
     if (!pixel || !isNear(*pixel, picture)) return;
-    const bool isHidden = !space.isMap() && !seenAt(scene, camera, light.position);
+    const bool isHollow = !space.isMap() && isHidden(scene, camera, light);
     const bool isPicked = editor_.picked() == i;
-    const Rgb rim = isHidden ? colorOf(light) : kRim;
-    drawMark(picture, *pixel, {colorOf(light), isPicked ? kPickedRim : rim, isHidden});
+    const Rgb rim = isHollow ? colorOf(light) : kRim;
+    drawMark(picture, *pixel, {colorOf(light), isPicked ? kPickedRim : rim, isHollow});
   };
-  for (std::size_t i = 0; i < editor_.lights().lights.size(); ++i) drawLight(i);
+  for (std::size_t i = 0; i < editor_.lights().count(); ++i) drawLight(i);
   if (editor_.picked()) drawLight(*editor_.picked());  // over all others
 }
 

@@ -43,7 +43,7 @@ class LightsTool {
   /// Ends a drag.
   void release();
 
-  /// What is being dragged.
+  /// What is being dragged, if it has a place.
   struct Drag {
     Vec3 position;
     std::optional<Axis> axis;  ///< along which alone
@@ -51,6 +51,7 @@ class LightsTool {
   std::optional<Drag> drag() const;
 
   /// A mark for each light: hollow and dim where `scene` hides it from the camera, but on the map.
+  /// Suns have theirs where they stand in the sky, and none on the map.
   void draw(const Scene& scene, const Camera& camera, const MarkerSpace& space,
             const PixelRows& picture) const;
 
@@ -62,12 +63,15 @@ class LightsTool {
   void pick(std::size_t light);
   /// Puts a light before the eye.
   void addBefore(const Scene& scene, const Camera& camera);
+  /// Puts a sun where the camera looks, but not near the horizon.
+  void addSun(const Camera& camera);
   /// Puts a light a metre before a surface, or half as far as there is air.
   void addBefore(const Scene& scene, const SurfacePoint& place);
 
  private:
   std::optional<std::size_t> lightAt(Vec2 pixel, const MarkerSpace& space, int pictureHeight) const;
   void dragTo(const PointerEvent& event, const MarkerSpace& space);
+  void dragSunTo(Vec2 pixel, const MarkerSpace& space);
   void add(const Scene& scene, Vec3 position, std::optional<SectorId> sector);
 
   /// What holds the light that is dragged.

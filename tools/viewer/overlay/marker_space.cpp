@@ -71,6 +71,19 @@ std::optional<Vec2> MarkerSpace::pixelOf(Vec3 world) const {
   return pixelIn(std::get<Projection>(space_), world);
 }
 
+std::optional<Vec2> MarkerSpace::pixelTowards(Vec3 direction) const {
+  if (isMap()) return std::nullopt;
+  constexpr double kFar = 1e6;  // metres: what is that far away stands still as the eye moves
+  const auto& view = std::get<Projection>(space_);
+  return pixelIn(view, view.eye() + kFar * direction);
+}
+
+Vec3 MarkerSpace::directionAt(Vec2 pixel) const {
+  const auto& view = std::get<Projection>(space_);
+  const Vec2 ray = view.rayOf(pixel.x);
+  return {ray.x, ray.y, view.raySlopeAt(pixel.y)};
+}
+
 Vec3 MarkerSpace::dragged(Vec3 from, Vec2 pixel, std::optional<Axis> axis) const {
   Vec3 to = from;
   if (const auto* map = std::get_if<MapScale>(&space_))

@@ -25,6 +25,11 @@ class MarkerSpace {
   /// far as the pixel lies along it in the picture. Changed coordinates are whole millimetres.
   Vec3 dragged(Vec3 from, Vec2 pixel, std::optional<Axis> axis = {}) const;
 
+  /// Where what is infinitely far away stands in the picture: none on the map.
+  std::optional<Vec2> pixelTowards(Vec3 direction) const;
+  /// What is seen at a pixel, of any length. Expects: not the map.
+  Vec3 directionAt(Vec2 pixel) const;
+
   bool isMap() const { return std::holds_alternative<MapScale>(space_); }
 
  private:
