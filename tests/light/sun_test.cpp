@@ -181,6 +181,22 @@ TEST(Sun, IsNotSeenInARoomWithoutSky) {
   for (const auto& map : room.light().lightmaps) EXPECT_FALSE(map);
 }
 
+/// The light of a sprite is that of its middle: here the origin, which suns have instead of a
+/// place.
+TEST(Sun, ThatIsLeftOutLightsNoSpriteEither) {
+  const std::string level = levelText(
+      "'yard':{'floor':{'z':-0.5,'texture':'#808080'},"
+      "'ceiling':{'z':3,'texture':'sky','parallax':true},"
+      "'loops':{'border':{'v':[-9,-9, 9,-9, 9,9, -9,9],'walls':{'texture':'#808080'}}}}",
+      "{'sprite':'straw','x':0,'y':0,'z':-0.5,'size':[1,1]}");
+  const LoadedLevel loaded = levelFrom(level, sunText(0, 45, ",'intensity':90"));
+  const std::size_t sprite = loaded.level.sprites.at(0).surface.index();
+  BakeSettings settings = loaded.level.bake;
+  EXPECT_EQ(bake(loaded.scene(), settings, 1).lightmaps[sprite]->at(0, 0), 90);
+  settings.cutOff = 100;
+  EXPECT_FALSE(bake(loaded.scene(), settings, 1).lightmaps[sprite]);
+}
+
 TEST(Sun, AtTheZenithLightsTheFloorUpToTheWalls) {
   for (const double size : {0.0, 20.0}) {
     const BakedRoom room(yard(), sunText(0, 90, fmt::format(",'size':{}", size)));

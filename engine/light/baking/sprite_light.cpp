@@ -1,5 +1,6 @@
 #include "light/baking/sprite_light.h"
 
+#include "light/baking/unshadowed_brightness.h"
 #include "math/parallel.h"
 
 namespace hearth {
@@ -11,8 +12,9 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   TexelSums sums(kSpriteTexel, kChannels);
   for (const std::size_t i : visibilities.reach.reaching({point, point})) {
     const LightSource& light = scene.level().lights[i];
-    if (!light.sun && length(point - light.position) > visibilities.reach.metres(i)) continue;
-    const double brightness = light.brightnessAt(point);
+    constexpr bool kLambert = false;  // the air has no normal
+    const double brightness =
+        unshadowedBrightness(light, visibilities.reach.metres(i), point, {}, kLambert);
     if (brightness <= 0) continue;
     const SunVisibility* const sun = visibilities.sun(i);
     const double seen = sun ? sun->seenFractionFromAir(point, sprite.sector, rays)
