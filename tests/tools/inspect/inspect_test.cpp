@@ -131,7 +131,7 @@ TEST(Inspect, tellsWhatWouldMakeASpotEnoughWhereItsLightEnds) {
 }
 
 /// A yard with a roofed half in the west, where the ceiling is as high as the sky.
-LoadedLevel underHalfASky(const std::string& sun) {
+LoadedLevel underHalfASky(const std::string& sun, const std::string& bake = "{}") {
   const std::string level =
       "{'light':0,'textures':'" + test::inTree("textures").string() + "','sectors':{" +
       test::sectorText("west", "0,0, 5,0, 5,4, 0,4", 0, 3,
@@ -140,7 +140,7 @@ LoadedLevel underHalfASky(const std::string& sun) {
       "'ceiling':{'z':3,'texture':'sky','parallax':true},'loops':{'border':{"
       "'v':[5,0, 10,0, 10,4, 5,4],'walls':[" +
       kSolid + "," + kSolid + "," + kSolid + ",{'next':'west'}]}}}}}";
-  return test::levelFrom(level, "{'lights':[],'suns':[" + sun + "]}");
+  return test::levelFrom(level, "{'lights':[],'suns':[" + sun + "],'bake':" + bake + "}");
 }
 
 TEST(Inspect, tellsWhatASunGives) {
@@ -165,6 +165,13 @@ TEST(Inspect, namesTheSideOfASun) {
             "faces away: this surface looks to the other side of the sky");
   EXPECT_EQ(reasonAt(loaded, "east", {7, 2, 1}, {0, 1, 0}),
             "in the plane of this surface, which it only grazes: turn the sun");
+}
+
+TEST(Inspect, namesTheSideOfASunOfWhichAPartIsInFrontIfTheCosineLeavesNothing) {
+  // The middle of its disc is 5 degrees behind the wall, its rim 5 degrees before it.
+  const LoadedLevel loaded = underHalfASky("{'angle':-5,'pitch':20,'size':20}", "{'lambert':true}");
+  EXPECT_EQ(reasonAt(loaded, "east", {7, 2, 2.5}, {0, -1, 0}),
+            "faces away: this surface looks to the other side of the sky");
 }
 
 TEST(Inspect, tellsHowStrongASunMustBe) {

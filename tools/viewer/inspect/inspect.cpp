@@ -169,7 +169,8 @@ class Follower {
                 LightFinding& finding) const {
     finding.seenFraction = source.seenFraction(place_);
     finding.reason = LightReason::FacesAway;
-    if (finding.seenFraction == 0 && inFront < 0) return;
+    // Of a middle behind the plane the cosine leaves nothing.
+    if (inFront < 0 && (finding.seenFraction == 0 || settings_.lambert)) return;
     const double reach = light.reach(settings_.cutOff);
     const bool isCutOff = light.sun ? reach == 0 : !(finding.distance < reach);
     const double level = isCutOff ? 0 : finding.unshaded * finding.seenFraction;
