@@ -3,8 +3,8 @@
 #include "level/ids.h"
 #include "math/vec.h"
 
-/// Lights that are areas of a level. Intensities are levels (255 is full), colours the
-/// factors of red, green and blue, 0..1.
+/// Lights that are areas of a level. Intensities are levels (255 is full), colours the factors of
+/// red, green and blue, 0..1.
 namespace hearth {
 
 /// All skies of a level, as one dome of the same radiance.

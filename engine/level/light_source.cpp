@@ -42,12 +42,6 @@ double LightSource::brightnessAt(Vec3 point) const {
   return spot ? level * spot->factor(offset) : level;
 }
 
-Vec3 LightSource::directionFrom(Vec3 point) const {
-  if (sun) return sun->direction();
-  const Vec3 toLight = position - point;
-  return (1 / length(toLight)) * toLight;
-}
-
 double LightSource::reach(double level) const {
   const double most = std::max({colorFactor(0), colorFactor(1), colorFactor(2)});
   if (most == 0) return 0;

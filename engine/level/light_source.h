@@ -36,8 +36,6 @@ struct LightSource {
   double brightnessAt(double distance) const;
   /// The same at a point, in the light of a spot as seen from its centre, or in that of a sun.
   double brightnessAt(Vec3 point) const;
-  /// Of length 1, from a point that is not the light's own place.
-  Vec3 directionFrom(Vec3 point) const;
   /// The distance, in metres, beyond which no channel exceeds `cutOff` levels: 0 if none ever does,
   /// infinity if one always does.
   double reach(double cutOff) const;

@@ -128,7 +128,7 @@ void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) 
   // By name, so that no new member is forgotten.
   const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun] = light;
   hash.addPoint(position);
-  hash.addWhole(sectorNumber);
+  hash.addWhole(sun ? 0 : sectorNumber);
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
   hash.addWhole(curve.size());
   for (const auto& [distance, level] : curve) hash.addPoint(Vec2{distance, level});

@@ -32,7 +32,7 @@ void addMesh(Hash& hash, const Level& level, const Mesh& mesh);
 /// Adds which texels of a masked middle texture are holes; nothing where none is.
 void addHoles(Hash& hash, const TexelHoles& holes);
 
-/// Adds a light. `sector` stands for its sector.
+/// Adds a light. `sector` stands for its sector, if it has one.
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sector);
 
 }  // namespace hearth

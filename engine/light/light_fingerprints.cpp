@@ -160,7 +160,7 @@ class Printer {
 
   std::uint64_t printOf(const LightSource& light) const {
     Hash hash;
-    addLight(hash, light, light.sun ? 0 : names_[light.sector.index()]);
+    addLight(hash, light, names_[light.sector.index()]);
     return hash.value();
   }
 

@@ -25,8 +25,7 @@ std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
   Hash hash;
   hash.addWhole(geometryHash(scene, settings.texel));
   hash.addWhole(scene.level().lights.size());
-  for (const LightSource& light : scene.level().lights)
-    addLight(hash, light, light.sun ? 0 : light.sector.value);
+  for (const LightSource& light : scene.level().lights) addLight(hash, light, light.sector.value);
   add(hash, settings);
   return hash.value();
 }

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "light/baking/sun_visibility.h"
 #include "light/rays/raytracer.h"
 #include "lint/authored_wall.h"
 
@@ -106,9 +105,8 @@ Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
 
 bool sees(const Scene& scene, const Raytracer& raytracer, const LightSource& light, Vec3 p,
           SectorId sector) {
-  if (!light.sun) return raytracer.sees(Raytracer::sourceOf(scene, light), p, sector);
-  std::int64_t rays = 0;
-  return SunVisibility(scene, *light.sun, 0, false).seenFractionFromAir(p, sector, rays) > 0;
+  return light.sun ? raytracer.seesSky({p, sector}, light.sun->direction())
+                   : raytracer.sees(Raytracer::sourceOf(scene, light), p, sector);
 }
 
 /// The light that brings most to a point of a surface, of those that it sees. Balls of light, and

@@ -402,7 +402,7 @@ class RayWalk {
   Vec3 delta_;
   double planLength2_;
   double length2_;
-  double tTarget_;  ///< where it ends
+  double tTarget_;  ///< where it ends: 1, or far away for a ray to the sky
 
   std::optional<FaceRay> faceRay_;  ///< the ray, once meshes are asked
   double meshesFrom_ = 0;           ///< fraction of its way before which no mesh stops the ray

@@ -81,17 +81,11 @@ const Shaft::MetSector& Shaft::meet(SectorId id) {
   const auto count = [&] { return static_cast<std::uint32_t>(mets_.size()); };
   MetSector met{id, count(), 0, 0, 0, 0};
   const Sector& sector = scene_[id];
-  const WallGrid* const grid = scene_.level().wallGridOf(sector);
-  if (within_) {
+  if (within_)
     for (const Segment* wall : within_->wallsIn(id)) meetWall(sector, id, *wall);
-  } else if (grid) {
-    near_.clear();
-    const ShaftHull::Outline outline = hull_->outlineIn(grown(grid->box(), grid->metresPerCell()));
-    grid->addUnder(outline.all(), near_);
-    for (const std::uint32_t i : near_) meetWall(sector, id, scene_.segmentsOf(sector)[i]);
-  } else {
-    for (const Segment& wall : scene_.segmentsOf(sector)) meetWall(sector, id, wall);
-  }
+  else
+    hull_->forEachWallNear(scene_.level(), sector, near_,
+                           [&](const Segment& wall) { meetWall(sector, id, wall); });
   met.end = count();
   meetMeshes(met);
   findScreens(met);

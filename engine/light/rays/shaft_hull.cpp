@@ -10,9 +10,6 @@ namespace hearth {
 
 namespace {
 
-/// A plane steeper than this bounds no heights: they would be far off, by rounding too.
-constexpr double kSteepest = 1e-3;  // cosine
-
 /// The lines that touch a disc round the origin and one of several points, and have all of these on
 /// one side, by their unit normals away from them. None where the disc holds all points.
 struct Tangents {
@@ -91,14 +88,13 @@ ShaftHull::ShaftHull(const SunCone& sun, const TargetBox& targets)
   }
   noise_ = roundingOf(size);
   margin_ = rayMargin(noise_);
-  const bool goesDown = sun.direction.z <= sun.sinRadius;
-  lows_.add({{}, low - (goesDown ? reach_ : 0) - margin_});
+  lows_.add({{}, low - (sun.goesUp() ? 0 : reach_) - margin_});
   highs_.add({{}, high + reach_ + margin_});
   if (dot(targets.normal, sun.direction) >= sun.sinRadius) addPlane(Vec3{} - targets.normal);
-  if (length(sun.direction.xy()) > sun.sinRadius + kSteepest)
-    addAroundSun(sun);
-  else
+  if (sun.isUpright())
     addAroundZenith(sun, low);
+  else
+    addAroundSun(sun);
 }
 
 /// Upright planes along the axes, where the zenith is in the sun's disc or nearly so. At the height

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,6 +25,9 @@ struct TargetBox {
   std::span<const Vec3> corners() const { return {storage.data(), count}; }
 };
 
+/// Cosine. A plane steeper than this bounds no heights: they would be far off, by rounding too.
+inline constexpr double kSteepest = 1e-3;
+
 /// Where rays towards a sun go: to all points of its disc, a cone of directions.
 struct SunCone {
   Vec3 direction;        ///< unit, towards its middle
@@ -31,6 +35,10 @@ struct SunCone {
   double cosRadius = 1;
   double reach = 0;     ///< metres: no ray goes as far in the level
   double zHighest = 0;  ///< of its air
+
+  bool goesUp() const { return direction.z > sinRadius; }
+  /// Whether some ray rises nearly straight up: it may end at a flat before it crosses a wall.
+  bool isUpright() const { return length(direction.xy()) <= sinRadius + kSteepest; }
 };
 
 /// Heights above the two ends of a part of a wall, with a straight line between them.
@@ -82,6 +90,23 @@ class ShaftHull {
   /// The convex outline on the map of what the body has in a box, or of somewhat more.
   using Outline = Few<Vec2, 16>;
   Outline outlineIn(const Box& box) const;
+
+  /// Calls `visit(wall)` for the walls of a sector that the body may meet, and for others. `near`
+  /// is room for their indices.
+  template <typename Visit>
+  void forEachWallNear(const Level& level, const Sector& sector,
+                       std::pmr::vector<std::uint32_t>& near, Visit&& visit) const {
+    const std::span<const Segment> walls = level.segmentsOf(sector);
+    const WallGrid* const grid = level.wallGridOf(sector);
+    if (!grid) {
+      for (const Segment& wall : walls) visit(wall);
+      return;
+    }
+    near.clear();
+    const Outline outline = outlineIn(grown(grid->box(), grid->metresPerCell()));
+    grid->addUnder(outline.all(), near);
+    for (const std::uint32_t i : near) visit(walls[i]);
+  }
 
   /// Distances from a line of the map, positive in front of it: along its unit normal. (Those of
   /// the light are for one with a place.)

@@ -9,13 +9,6 @@
 
 namespace hearth {
 
-namespace {
-
-/// Whether the direction lies so high that rays may end at a flat before they cross a wall.
-constexpr double kNearZenith = 1e-3;  // cosine of the elevation
-
-}  // namespace
-
 TargetVisibility SkyShaft::follow(const SunCone& sun, const ShaftTargets& targets,
                                   const SkyShaft* within) {
   within_ = within;
@@ -26,7 +19,7 @@ TargetVisibility SkyShaft::follow(const SunCone& sun, const ShaftTargets& target
   sectors_.clear();
   arrives_ = isStopped_ = false;
   for (const SectorId sector : targets.sectors) enter(sector);
-  for (std::size_t i = 0; i < sectors_.size(); ++i) visit(sectors_[i].id);
+  for (std::size_t i = 0; i < sectors_.size(); ++i) visit(i);
   if (!arrives_) return TargetVisibility::Dark;
   return isStopped_ || !meshes_.empty() ? TargetVisibility::Unknown : TargetVisibility::Lit;
 }
@@ -53,30 +46,24 @@ void SkyShaft::enter(SectorId id) {
   sectors_.push_back({id, 0, 0, 0, 0});
 }
 
-void SkyShaft::visit(SectorId id) {
-  const Sector& sector = scene_[id];
-  const auto firstWall = static_cast<std::uint32_t>(walls_.size());
-  const auto firstMesh = static_cast<std::uint32_t>(meshes_.size());
-  meetWalls(sector);
-  meetFlats(sector);
+void SkyShaft::visit(std::size_t index) {
+  const auto sizeOf = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
+  const SectorId id = sectors_[index].id;
+  MetSector met{id, sizeOf(walls_), 0, sizeOf(meshes_), 0};
+  meetWalls(scene_[id]);
+  meetFlats(scene_[id]);
   meetMeshes(id);
-  *std::ranges::find(sectors_, id, &MetSector::id) = {
-      id, firstWall, static_cast<std::uint32_t>(walls_.size()), firstMesh,
-      static_cast<std::uint32_t>(meshes_.size())};
+  met.end = sizeOf(walls_);
+  met.meshesEnd = sizeOf(meshes_);
+  sectors_[index] = met;
 }
 
 void SkyShaft::meetWalls(const Sector& sector) {
-  const WallGrid* const grid = scene_.level().wallGridOf(sector);
-  if (within_) {
+  if (within_)
     for (const Segment* wall : within_->wallsIn(sector.id)) meetWall(sector, *wall);
-  } else if (grid) {
-    near_.clear();
-    const ShaftHull::Outline outline = hull_->outlineIn(grown(grid->box(), grid->metresPerCell()));
-    grid->addUnder(outline.all(), near_);
-    for (const std::uint32_t i : near_) meetWall(sector, scene_.segmentsOf(sector)[i]);
-  } else {
-    for (const Segment& wall : scene_.segmentsOf(sector)) meetWall(sector, wall);
-  }
+  else
+    hull_->forEachWallNear(scene_.level(), sector, near_,
+                           [&](const Segment& wall) { meetWall(sector, wall); });
 }
 
 /// Whether no ray can leave the sector through a wall, which the hull may touch nevertheless.
@@ -111,9 +98,8 @@ void SkyShaft::meetWall(const Sector& sector, const Segment& wall) {
 /// All rays cross walls in the end, which tell whether they come too high or too low before:
 /// except upright ones, and those that end in a step between two skies, or go down.
 void SkyShaft::meetFlats(const Sector& sector) {
-  const bool goesUp = sun_->direction.z > sun_->sinRadius;
-  const bool isUpright = length(sun_->direction.xy()) < sun_->sinRadius + kNearZenith;
-  if (sector.ceiling.isSky) arrives_ |= isUpright || !goesUp;
+  const bool isUpright = sun_->isUpright();
+  if (sector.ceiling.isSky) arrives_ |= isUpright || !sun_->goesUp();
   if (sector.floor.isSky) arrives_ = true;
   if (isUpright) isStopped_ |= !sector.ceiling.isSky && !sector.ceiling.flatPortal;
   const auto [zFloor, zCeiling] = scene_.geometryOf(sector);

@@ -45,7 +45,7 @@ class SkyShaft {
 
   const MetSector* find(SectorId sector) const;
   void enter(SectorId sector);
-  void visit(SectorId sector);
+  void visit(std::size_t index);
   void meetWalls(const Sector& sector);
   void meetWall(const Sector& sector, const Segment& wall);
   bool isHarmless(const Segment& wall) const;

@@ -14,9 +14,8 @@
 namespace hearth {
 
 /// The text of a lights file while it is edited. Its lights are counted in the order of the file,
-/// suns last. Edits keep the order, spelling and blanks of all
-/// other text. The text always loads, apart from the places of lights: only a level knows where
-/// there is air.
+/// suns last. Edits keep the order, spelling and blanks of all other text. The text always loads,
+/// apart from the places of lights: only a level knows where there is air.
 class LightsEdit {
  public:
   /// Of a file's bytes; `file` is how messages name it. The error is the first mistake in them.
