@@ -11,22 +11,16 @@
 #include "level/masked_middle.h"
 #include "level/openings.h"
 #include "light/ray_error.h"
+#include "light/rays/plan_line.h"
 #include "light/rays/ray_walls.h"
 #include "light/rays/raytracer.h"
 #include "math/box3.h"
-#include "math/predicates.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 /// Metres before the end of a ray that no mesh stops.
 inline constexpr double kThroughMeshes = std::numeric_limits<double>::infinity();
-
-/// Where the ray leaves a sector over its outline.
-struct Exit {
-  const Segment* segment;
-  double t;
-};
 
 inline bool areApart(const Box3& a, const Box3& b) {
   return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y ||
@@ -47,16 +41,15 @@ class RayWalk {
         met_(met),
         origin_(source.position),
         delta_(delta),
-        planLength2_(dot(delta_.xy(), delta_.xy())),
         length2_(dot(delta_, delta_)),
-        tTarget_(times),
+        line_(origin_.xy(), delta_.xy(), length2_, times),
         sector_(source.sector) {}
 
   /// To where the ray, going on, comes to in the end.
   void passGate(const Shaft::Gate& gate) {
     const Segment& wall = *gate.wall;
     sector_ = gate.opening->next;
-    t_ = crossingOf(wall, sideOf(wall.p0), sideOf(wall.p1));
+    t_ = line_.crossingOf(wall);
     entry_ = &scene_[gate.opening->twin];
   }
 
@@ -86,14 +79,14 @@ class RayWalk {
     meshesFrom_ = slack / std::sqrt(length2_);
     for (std::size_t step = 0; step < stepLimit(); ++step) {
       const Exit exit = findExit();
-      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, tTarget_));
+      const std::optional<FlatHit> hit = meetsFlat(std::min(exit.t, line_.tEnd()));
       if (meetsMesh(hit ? hit->t : exit.t, 0)) return false;
       if (hit) {
         if (flatOf(*hit).isSky) return true;
         if (!crossFlatPortal(*hit)) return false;
         continue;
       }
-      if (exit.t > tTarget_ || !pass(exit, 0)) return false;
+      if (exit.t > line_.tEnd() || !pass(exit, 0)) return false;
       if (isBeyondSky()) return true;
     }
     return false;
@@ -163,50 +156,13 @@ class RayWalk {
   bool isNearEnd(double t) const { return (1 - t) * (1 - t) * length2_ <= kArrival * kArrival; }
   bool isAtEnd(double t) const { return t >= 1 || isNearEnd(t); }
 
-  /// Signed distance (scaled) of a vertex to the right of the ray; the same bits for all segments
-  /// that share the vertex, so that no ray slips between two of them.
-  double sideOf(Vec2 p) const { return cross(delta_.xy(), p - origin_.xy()); }
-
-  double crossingOf(const Segment& segment, double side0, double side1) const {
-    // In a fixed order of the end points, so that a segment and its twin agree to the bit.
-    const bool swap = lessXY(segment.p1, segment.p0);
-    const Vec2 a = swap ? segment.p1 : segment.p0;
-    const Vec2 b = swap ? segment.p0 : segment.p1;
-    const double sideA = swap ? side1 : side0;
-    const double sideB = swap ? side0 : side1;
-    return dot(lerp(a, b, sideA / (sideA - sideB)) - origin_.xy(), delta_.xy()) / planLength2_;
-  }
-
-  bool isBeyondEntry(const Segment& segment, double t) const {
-    const double tiny = kNearTie * std::max(t_, kNearTie);
-    if (t > t_ + tiny) return true;
-    if (t < t_ - tiny) return false;
-    return !entry_ || meetsFirst(origin_.xy(), entry_->p0, entry_->p1, segment.p0, segment.p1);
-  }
-
-  /// The first segment seen from its front beyond where the ray came into the sector.
   Exit findExit() const {
     if (met_) met_->add(sector_);
-    Exit best{nullptr, std::numeric_limits<double>::infinity()};
-    if (planLength2_ == 0) return best;
-    const auto meet = [&](const Segment& segment) {
-      const double side0 = sideOf(segment.p0);
-      const double side1 = sideOf(segment.p1);
-      if (side0 >= 0 || side1 < 0) return;
-      const double t = crossingOf(segment, side0, side1);
-      if (t > best.t + kNearTie * best.t || !isBeyondEntry(segment, t)) return;
-      if (t >= best.t - kNearTie * best.t && best.segment &&
-          !meetsFirst(origin_.xy(), segment.p0, segment.p1, best.segment->p0, best.segment->p1))
-        return;
-      best = {&segment, t};
-    };
-    walls_.visit(sector_, PlanRay{origin_.xy(), delta_.xy(), t_, length2_, tTarget_}, meet,
-                 [&] { return best.t; });
-    return best;
+    return line_.exitOf(walls_, sector_, t_, entry_);
   }
 
   double zAt(double t) const { return origin_.z + t * delta_.z; }
-  Vec2 planAt(double t) const { return origin_.xy() + t * delta_.xy(); }
+  Vec2 planAt(double t) const { return line_.at(t); }
 
   struct FlatHit {
     double t;
@@ -259,7 +215,7 @@ class RayWalk {
     const double metres = std::sqrt(length2_);
     const double hair = kPositionSlack / metres;
     const double tBegin = std::max(meshesFrom_, t_ - hair);
-    const double tEnd = std::min(tLeave + hair, tTarget_ - slack / metres);
+    const double tEnd = std::min(tLeave + hair, line_.tEnd() - slack / metres);
     return std::ranges::any_of(meshes, [&](const MeshInSector& at) {
       return scene_.level().meshes[at.mesh].castsShadow && meetsFace(at.mesh, tBegin, tEnd);
     });
@@ -339,21 +295,9 @@ class RayWalk {
   /// one whose outline the ray's crossings say, so that it leaves what it was in.
   SectorId memberAt(const Flat& flat, FlatHit hit) const {
     for (const SectorId member : membersBehind(flat, hit.isFloor))
-      if (isInside(scene_[member], hit.t)) return member;
+      if (line_.isInside(scene_.segmentsOf(scene_[member]), hit.t)) return member;
     return sectorAcross(scene_.level(), scene_[*flat.flatPortal],
                         hit.isFloor ? FlatPortalSide::Lower : FlatPortalSide::Upper, planAt(hit.t));
-  }
-
-  /// Whether the ray leaves the sector once more often than it comes in, beyond t.
-  bool isInside(const Sector& sector, double t) const {
-    int leaves = 0;
-    for (const Segment& segment : scene_.segmentsOf(sector)) {
-      const double side0 = sideOf(segment.p0);
-      const double side1 = sideOf(segment.p1);
-      if ((side0 >= 0) == (side1 >= 0) || crossingOf(segment, side0, side1) <= t) continue;
-      leaves += side0 < 0 ? 1 : -1;
-    }
-    return leaves == 1;
   }
 
   /// Goes through the opening of the exit at the ray's height, or within `slack` metres of that, if
@@ -400,9 +344,8 @@ class RayWalk {
   SectorSet* met_;
   Vec3 origin_;
   Vec3 delta_;
-  double planLength2_;
   double length2_;
-  double tTarget_;  ///< where it ends: 1, or far away for a ray to the sky
+  PlanLine line_;  ///< to where it ends: 1, or far away for a ray to the sky
 
   std::optional<FaceRay> faceRay_;  ///< the ray, once meshes are asked
   double meshesFrom_ = 0;           ///< fraction of its way before which no mesh stops the ray
