@@ -7,12 +7,6 @@
 /// red, green and blue, 0..1.
 namespace hearth {
 
-/// All skies of a level, as one dome of the same radiance.
-struct SkyLight {
-  double intensity = 0;  ///< at level ground in the open
-  Vec3 color{1, 1, 1};
-};
-
 /// All surfaces of a level that wear a texture shine, from their front: not its skies, sprites and
 /// middle textures.
 struct Emitter {

@@ -36,14 +36,18 @@ double LightSource::brightnessAt(double distance) const {
 }
 
 double LightSource::brightnessAt(Vec3 point) const {
-  if (sun) return intensity;
+  if (!hasPlace()) return intensity;
   const Vec3 offset = point - position;
   const double level = brightnessAt(length(offset));
   return spot ? level * spot->factor(offset) : level;
 }
 
+double LightSource::greatestFactor() const {
+  return std::max({colorFactor(0), colorFactor(1), colorFactor(2)});
+}
+
 double LightSource::reach(double level) const {
-  const double most = std::max({colorFactor(0), colorFactor(1), colorFactor(2)});
+  const double most = greatestFactor();
   if (most == 0) return 0;
   const double white = level / most;
   if (!curve.empty()) return reachOf(curve, white);

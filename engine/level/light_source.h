@@ -18,19 +18,22 @@ struct CurvePoint {
   friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };
 
-/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`. Or a sun:
-/// then it has no place, and only `intensity` and `color` count.
+/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`. Or a sun or
+/// the sky: then it has no place, and only `intensity` and `color` count.
 struct LightSource {
   Vec3 position;
   SectorId sector;
-  double intensity = 255;  ///< levels at distance 0, or of a sun
+  double intensity = 255;  ///< levels at distance 0, of a sun, or of the sky above level ground
   double falloff = 0;      ///< per metre: brightness is intensity / (1 + falloff * distance)
   std::vector<CurvePoint>
       curve;  ///< by rising distance; if not empty, it replaces intensity and falloff
   std::uint8_t color[3] = {255, 255, 255};
   double radius = 0;         ///< metres
   std::optional<Spot> spot;  ///< none: it shines all around
-  std::optional<Sun> sun;    ///< none: it has a place
+  std::optional<Sun> sun;
+  bool isSky = false;  ///< all skies of a level, as one dome
+
+  bool hasPlace() const { return !sun && !isSky; }
 
   /// Light in levels at `distance` metres in full light, before colour.
   double brightnessAt(double distance) const;
@@ -41,6 +44,7 @@ struct LightSource {
   double reach(double cutOff) const;
   /// The factor of the light in a channel: 0 red, 1 green, 2 blue.
   double colorFactor(int channel) const { return color[channel] / 255.0; }
+  double greatestFactor() const;
   bool isColored() const { return color[0] != color[1] || color[1] != color[2]; }
 
   friend bool operator==(const LightSource&, const LightSource&) = default;

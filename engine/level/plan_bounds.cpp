@@ -23,7 +23,7 @@ Box boundsOfSectors(const Level& level, double maxSide) {
 Box planBounds(const Level& level) {
   Box used;
   for (const LightSource& light : level.lights)
-    if (!light.sun) used.add(light.position.xy());
+    if (light.hasPlace()) used.add(light.position.xy());
   for (const Shot& shot : level.shots) used.add(shot.eye.xy());
   if (level.player) used.add(level.player->eye.xy());
   const Box bounds = boundsOfSectors(level, kMaxSizeRatio * used.longerSide());

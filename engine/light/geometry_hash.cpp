@@ -126,9 +126,10 @@ void addHoles(Hash& hash, const TexelHoles& holes) {
 
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) {
   // By name, so that no new member is forgotten.
-  const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun] = light;
+  const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun, isSky] =
+      light;
   hash.addPoint(position);
-  hash.addWhole(sun ? 0 : sectorNumber);
+  hash.addWhole(light.hasPlace() ? sectorNumber : 0);
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
   hash.addWhole(curve.size());
   for (const auto& [distance, level] : curve) hash.addPoint(Vec2{distance, level});
@@ -138,6 +139,7 @@ void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) 
       hash.addReal(number);
   if (sun)
     for (const double number : {sun->angle(), sun->pitch(), sun->size()}) hash.addReal(number);
+  if (isSky) hash.addText("sky");
 }
 
 }  // namespace hearth

@@ -374,6 +374,7 @@ std::vector<std::shared_ptr<const LightMemory::Kept::Mesh>> Rebake::Baker::litMe
     const LightsOnMesh& lights = lighter_.lightsOf(mesh);
     lights.addSectorsTo(met);
     for (const std::size_t light : lights.lights()) addSectorsOf(light, met);
+    met.add(std::exchange(found[i]->met, {}));
     meshes[mesh] =
         std::make_shared<const Mesh>(Mesh{lightsOn(mesh), numbersOf(met), *std::move(found[i])});
   }
@@ -420,7 +421,7 @@ void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> sur
 BakedLight Rebake::Baker::draft() const {
   BakeSettings points = settings_;
   points.softSamples = 0;
-  const LightVisibilities visibilities(scene_, points);
+  const LightVisibilities visibilities(scene_, points, LightVisibilities::Purpose::Draft);
   BakedLight baked;
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(surfaces_.size());

@@ -64,6 +64,11 @@ Vec3 directionAt(double angle, double pitch) {
   return {up.cos * around.cos, up.cos * around.sin, up.sin};
 }
 
+double atan(double tangent) {
+  const double x = std::abs(tangent);
+  return std::copysign(x <= 1 ? atanSeries(x) : kPi / 2 - atanSeries(1 / x), tangent);
+}
+
 double compassDegrees(Vec2 direction) {
   const double x = std::abs(direction.x);
   const double y = std::abs(direction.y);

@@ -22,6 +22,9 @@ double tanDegrees(double angle);
 /// +y, and `pitch` degrees up.
 Vec3 directionAt(double angle, double pitch);
 
+/// The angle, in radians, whose tangent is any number or an infinity.
+double atan(double tangent);
+
 /// The compass direction of a vector in degrees, in [0, 360): 0 along +x, 90 along +y. 0 for the
 /// null vector.
 double compassDegrees(Vec2 direction);

@@ -46,7 +46,10 @@ GatherRays::GatherRays(const Level& level, const TruthMeshes& meshes, const Surf
 }
 
 GatherRays::GatherRays(const Level& level, const TruthMeshes& meshes, Vec3 point, SectorId sector)
-    : level_(level), meshes_(meshes), origin_(point), sector_(sector) {}
+    : level_(level),
+      meshes_(meshes),
+      origin_(nudgedInside(level, level[sector], point)),
+      sector_(sector) {}
 
 std::optional<TruthHit> GatherRays::firstMet(Vec3 direction) const {
   if (!sector_) return std::nullopt;

@@ -14,7 +14,7 @@ class GatherRays {
   /// From a surface into the air before it. Keeps references to the level and its meshes. It has no
   /// rays where a point of a mesh lies in no air of a sector that the mesh is in.
   GatherRays(const Level& level, const TruthMeshes& meshes, const SurfacePoint& place);
-  /// From a point inside the air of a sector.
+  /// From a point inside the air of a sector, or on its border.
   GatherRays(const Level& level, const TruthMeshes& meshes, Vec3 point, SectorId sector);
 
   /// The first surface that it meets in a direction of length 1: a sky, a surface from its front, a

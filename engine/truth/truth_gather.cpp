@@ -76,6 +76,14 @@ class TruthGather::Random {
   std::uint64_t state_;
 };
 
+TruthGather::TruthGather(const Level& level, const TruthLight& direct)
+    : level_(level), direct_(direct) {
+  for (const LightSource& light : level.lights)
+    if (light.isSky)
+      sky_ =
+          light.intensity * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
+}
+
 TruthGather::Estimate TruthGather::at(const SurfacePoint& place, const Effort& effort) const {
   const SurfacePoint lit = litSideOf(level_, place);
   const GatherRays rays(level_, direct_.meshes(), lit);
@@ -123,7 +131,7 @@ AreaLight TruthGather::arriving(const GatherRays& rays, Vec3 direction, Random& 
   for (int bounce = 0; hit; ++bounce) {
     if (isSky(hit->kind)) {
       Vec3& fallen = bounce == 0 ? light.sky : light.bounced;
-      fallen = fallen + level_.sky.intensity * product(reflected, level_.sky.color);
+      fallen = fallen + product(reflected, sky_);
       return light;
     }
     if (!isFront(*hit, direction)) return light;

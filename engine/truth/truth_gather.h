@@ -36,7 +36,7 @@ class TruthGather {
   };
 
   /// Keeps references to the level and to the light of its lights and suns.
-  TruthGather(const Level& level, const TruthLight& direct) : level_(level), direct_(direct) {}
+  TruthGather(const Level& level, const TruthLight& direct);
 
   /// The same for the same effort, whatever was asked before.
   Estimate at(const SurfacePoint& place, const Effort& effort) const;
@@ -58,6 +58,7 @@ class TruthGather {
 
   const Level& level_;
   const TruthLight& direct_;
+  Vec3 sky_;  ///< levels at level ground in the open
 };
 
 }  // namespace hearth

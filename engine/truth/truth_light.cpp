@@ -165,6 +165,8 @@ TruthLight::TruthLight(const Level& level, int ballPoints)
   for (const LightSource& light : level.lights)
     if (light.sun)
       sources_.emplace_back(TruthSun(level, *meshes_, *light.sun, ballPoints));
+    else if (!light.hasPlace())
+      sources_.emplace_back(TruthOfNoDirection());
     else
       sources_.emplace_back(TruthSource(level, *meshes_, light, ballPoints));
 }

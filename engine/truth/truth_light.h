@@ -78,8 +78,13 @@ class TruthSun {
   std::vector<Vec3> directions_;  ///< spread evenly over its solid angle, of length 1
 };
 
-/// The light of lights, suns among them, at points of surfaces, of meshes and of the air as the
-/// file format defines it, not as any bake samples it: the reference for bakes.
+/// A light that is an area has no single direction: see TruthGather.
+struct TruthOfNoDirection {
+  static double seenFraction(const auto&) { return 0; }
+};
+
+/// The light of lights, suns among them, but for areas, at points of surfaces, of meshes and of the
+/// air as the file format defines it, not as any bake samples it: the reference for bakes.
 class TruthLight {
  public:
   /// Of a ball. The fraction of it that lies before a plane is right within 0.4 % then.
@@ -116,7 +121,8 @@ class TruthLight {
 
   const Level& level_;
   std::shared_ptr<const TruthMeshes> meshes_;  ///< at one address, as the sources refer to them
-  std::vector<std::variant<TruthSource, TruthSun>> sources_;  ///< by index of light
+  std::vector<std::variant<TruthSource, TruthSun, TruthOfNoDirection>>
+      sources_;  ///< by index of light
 };
 
 }  // namespace hearth

@@ -42,6 +42,9 @@ LightDifference expectOrderMeansLittle(std::uint64_t seed);
 /// does.
 LightDifference expectDistanceMeansLittle(std::uint64_t seed, double metres);
 
+/// Whether the level of a seed has light of the sky.
+bool hasLightOfSky(std::uint64_t seed);
+
 /// Of a thousandth of its size a level shows the same but on edges. Returns how light changes.
 LightDifference expectSmallnessMeansLittle(std::uint64_t seed);
 

@@ -78,6 +78,13 @@ LevelFiles withPointSuns(LevelFiles files) {
   return files;
 }
 
+LevelFiles withoutSky(LevelFiles files) {
+  Json lights = Json::parse(files.lights);
+  lights.erase("sky");
+  files.lights = lights.dump();
+  return files;
+}
+
 LevelFiles filesOf(std::string_view level, std::string_view lights) {
   return {parsed(level).dump(), asObject(parsed(lights)).dump(), test::inTree("textures")};
 }

@@ -24,6 +24,9 @@ LevelFiles randomFiles(std::uint64_t seed);
 /// by which samples on an edge are moved inside.
 LevelFiles withPointSuns(LevelFiles files);
 
+/// The same without the light of the sky, which is interpolated over each surface.
+LevelFiles withoutSky(LevelFiles files);
+
 /// A level from text in which single quotes stand for double ones.
 LevelFiles filesOf(std::string_view level, std::string_view lights = "[]");
 

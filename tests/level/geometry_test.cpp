@@ -179,7 +179,7 @@ bool holdPositions(const Level& level, SectorId sector, SectorGeometry heights) 
   };
   return std::ranges::all_of(level.lights,
                              [&](const LightSource& light) {
-                               return light.sun || isHeld(light.sector, light.position);
+                               return !light.hasPlace() || isHeld(light.sector, light.position);
                              }) &&
          std::ranges::all_of(level.shots,
                              [&](const Shot& shot) { return isHeld(shot.sector, shot.eye); });

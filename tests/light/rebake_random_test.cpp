@@ -86,7 +86,7 @@ class Draft {
 
  private:
   void edit() {
-    switch (whims_.below(10)) {
+    switch (whims_.below(11)) {
       case 0:
         return moveVertex();
       case 1:
@@ -104,6 +104,8 @@ class Draft {
         return moveLight();
       case 8:
         return turnSun();
+      case 9:
+        return changeSky();
       default:
         return addOrDropLight();
     }
@@ -170,6 +172,12 @@ class Draft {
     suns[0]["angle"] = 15 * whims_.numberBelow(24);
     suns[0]["pitch"] = 1 + 11 * whims_.numberBelow(9);
     suns[0]["size"] = whims_.below(3) == 0 ? 6 : 0;
+  }
+
+  void changeSky() {
+    if (!lights_.contains("lights")) return;
+    lights_["sky"]["intensity"] = 50.0 * whims_.numberBelow(4);
+    if (whims_.below(2)) lights_["sky"]["color"] = "#a0c0ff";
   }
 
   void addOrDropLight() {

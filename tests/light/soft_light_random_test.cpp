@@ -37,7 +37,7 @@ std::vector<SamplePoint> placesOn(const Scene& scene, const LitSurfaces& surface
 LoadedLevel withBalls(LoadedLevel loaded) {
   Level& level = loaded.level;
   level.bake.lambert = false;
-  std::erase_if(level.lights, [](const LightSource& light) { return light.sun.has_value(); });
+  std::erase_if(level.lights, [](const LightSource& light) { return !light.hasPlace(); });
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     level.lights[i].radius = 0.1 + 0.13 * static_cast<double>(i % 4);
     level.lights[i].intensity = 255;

@@ -89,6 +89,7 @@ enum class Feature {
   SunWithASize,
   SunAtTheZenith,
   SunAtTheHorizon,
+  LightOfSky,
   FourSamples,
   NineSamples,
   Lambert,
@@ -138,7 +139,7 @@ enum class Feature {
 };
 
 /// All features with their names, in the order of the enumeration.
-inline constexpr std::array<std::pair<Feature, std::string_view>, 127> kFeatures{{
+inline constexpr std::array<std::pair<Feature, std::string_view>, 128> kFeatures{{
     {Feature::EqualFloors, "neighbours' floors equal"},
     {Feature::EqualCeilings, "neighbours' ceilings equal"},
     {Feature::CeilingAtNeighboursFloor, "ceiling at the neighbour's floor"},
@@ -220,6 +221,7 @@ inline constexpr std::array<std::pair<Feature, std::string_view>, 127> kFeatures
     {Feature::SunWithASize, "sun with a size"},
     {Feature::SunAtTheZenith, "sun at the zenith"},
     {Feature::SunAtTheHorizon, "sun near the horizon"},
+    {Feature::LightOfSky, "light of the sky"},
     {Feature::FourSamples, "four samples a texel"},
     {Feature::NineSamples, "nine samples a texel"},
     {Feature::Lambert, "lambert"},

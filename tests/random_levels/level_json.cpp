@@ -254,7 +254,7 @@ std::string levelJson(const Model& model, const std::string& name,
 }
 
 std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
-                       const std::vector<RandomSun>& suns, const Spelling& spelling) {
+                       const FarLights& farLights, const Spelling& spelling) {
   Json list = Json::array();
   for (const RandomLight& light : lights) {
     const Vec3 p = light.place.position;
@@ -278,7 +278,11 @@ std::string lightsJson(const Model& model, const std::vector<RandomLight>& light
   if (spelling.samples != 1) bake["samples"] = spelling.samples;
   if (spelling.lambert) bake["lambert"] = true;
   Json file{{"version", 1}, {"lights", list}, {"bake", bake}};
-  for (const RandomSun& sun : suns) file["suns"].push_back(sunJson(sun));
+  for (const RandomSun& sun : farLights.suns) file["suns"].push_back(sunJson(sun));
+  if (farLights.sky) {
+    file["sky"] = {{"intensity", number(farLights.sky->intensity)}};
+    if (!farLights.sky->color.empty()) file["sky"]["color"] = farLights.sky->color;
+  }
   return file.dump(1) + "\n";
 }
 

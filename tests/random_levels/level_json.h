@@ -28,6 +28,6 @@ std::string levelJson(const Model& model, const std::string& name,
                       const std::vector<RandomSprite>& sprites,
                       const std::vector<PlacedModel>& models, const Spelling& spelling);
 std::string lightsJson(const Model& model, const std::vector<RandomLight>& lights,
-                       const std::vector<RandomSun>& suns, const Spelling& spelling);
+                       const FarLights& farLights, const Spelling& spelling);
 
 }  // namespace hearth::random_levels

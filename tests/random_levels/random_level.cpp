@@ -164,11 +164,15 @@ void chooseSpots(std::uint64_t seed, std::vector<RandomLight>& lights,
 }
 
 /// Under at least one sky. The lights file of an array has none.
-std::vector<RandomSun> chooseSuns(std::uint64_t seed, const Spelling& spelling,
-                                  std::set<Feature>& features) {
-  Random random(seed ^ 0x53756e73u);
+FarLights chooseFarLights(std::uint64_t seed, const Spelling& spelling,
+                          std::set<Feature>& features) {
   if (spelling.hasLightArray || !features.contains(Feature::SkyCeiling)) return {};
-  return random.chance(0.5) ? makeSuns(random, features) : std::vector<RandomSun>{};
+  FarLights lights;
+  Random ofSuns(seed ^ 0x53756e73u);
+  if (ofSuns.chance(0.5)) lights.suns = makeSuns(ofSuns, features);
+  Random ofSky(seed ^ 0x536b79u);
+  if (ofSky.chance(0.3)) lights.sky = makeSky(ofSky, features);
+  return lights;
 }
 
 Model makeModel(Random& random) {
@@ -251,9 +255,9 @@ RandomLevel makeRandomLevel(std::uint64_t seed) {
   const std::vector<PlacedModel> models =
       chooseModels(seed, model, level.views, sprites, level.features);
   level.levelJson = levelJson(model, level.name, level.views, sprites, models, spelling);
-  const std::vector<RandomSun> suns = chooseSuns(seed, spelling, level.features);
-  level.lightsJson = lightsJson(model, lights, suns, spelling);
-  if (lights.empty() && suns.empty()) level.features.insert(Feature::NoLights);
+  const FarLights farLights = chooseFarLights(seed, spelling, level.features);
+  level.lightsJson = lightsJson(model, lights, farLights, spelling);
+  if (lights.empty() && farLights.areNone()) level.features.insert(Feature::NoLights);
   const bool hasArrays = spelling.hasSectorArray || spelling.hasLoopArrays;
   const bool hasObjects = !spelling.hasSectorArray || !spelling.hasLoopArrays;
   if (hasArrays) level.features.insert(Feature::Arrays);

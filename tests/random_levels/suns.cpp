@@ -27,4 +27,12 @@ std::vector<RandomSun> makeSuns(Random& random, std::set<Feature>& features) {
   return suns;
 }
 
+RandomSky makeSky(Random& random, std::set<Feature>& features) {
+  RandomSky sky;
+  sky.intensity = random.pick({40.0, 100.0, 200.0});
+  if (random.chance(0.3)) sky.color = random.pick({"#a0c0ff", "#808080"});
+  features.insert(Feature::LightOfSky);
+  return sky;
+}
+
 }  // namespace hearth::random_levels

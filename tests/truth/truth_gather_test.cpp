@@ -28,6 +28,13 @@ void makeAllShine(Level& level, double intensity) {
     level.emitters.push_back({TextureId(i), intensity, {1, 1, 1}});
 }
 
+void addSky(Level& level, double intensity) {
+  LightSource sky;
+  sky.isSky = true;
+  sky.intensity = intensity;
+  level.lights.push_back(sky);
+}
+
 double geometricSum(double reflectance, int bounces) {
   double sum = 0;
   for (int k = 0; k <= bounces; ++k) sum += std::pow(reflectance, k);
@@ -191,12 +198,14 @@ TEST(TruthGather, LevelGroundInTheOpenHasTheIntensityOfTheSky) {
   const SectorId plain = test.addBox("plain", {-500, -500}, {500, 500}, {0, 0.01});
   test.sector(plain).ceiling.isSky = true;
   Level level = test.finished();
-  level.sky = {120, {1, 0.5, 0.25}};
+  addSky(level, 120);
+  level.lights.back().color[1] = 102;
+  level.lights.back().color[2] = 51;
   const TruthLight direct(level);
   const Vec3 sky = TruthGather(level, direct).at(floorPoint(plain, {0, 0})).light.sky;
   EXPECT_NEAR(sky.x, 120, 0.05);
-  EXPECT_NEAR(sky.y, 60, 0.05);
-  EXPECT_NEAR(sky.z, 30, 0.05);
+  EXPECT_NEAR(sky.y, 48, 0.05);
+  EXPECT_NEAR(sky.z, 24, 0.05);
 }
 
 TEST(TruthGather, ASkyThroughAShaftHasTheFormFactorOfItsOpening) {
@@ -204,7 +213,7 @@ TEST(TruthGather, ASkyThroughAShaftHasTheFormFactorOfItsOpening) {
   const SectorId shaft = test.addBox("shaft", {0, 0}, {2, 3}, {0, 5});
   test.sector(shaft).ceiling.isSky = true;
   Level level = test.finished();
-  level.sky.intensity = 100;
+  addSky(level, 100);
   const TruthLight direct(level);
   const TruthGather gather(level, direct);
   const double opening = parallelFactor(0.5, 1, 5) + parallelFactor(1.5, 1, 5) +
@@ -220,7 +229,7 @@ TEST(TruthGather, AStepBetweenSkiesIsSky) {
   test.sector(low).ceiling.isSky = true;
   test.link(high, low);
   Level level = test.finished();
-  level.sky.intensity = 100;
+  addSky(level, 100);
   const TruthLight direct(level);
   const TruthGather gather(level, direct);
   // From the wall across, at the height of the lower sky: the step and the ceiling are sky.
@@ -265,7 +274,7 @@ TEST(TruthGather, APointOfAirTakesHalfOfAnOpenSky) {
   const SectorId plain = test.addBox("plain", {-500, -500}, {500, 500}, {0, 1});
   test.sector(plain).ceiling.isSky = true;
   Level level = test.finished();
-  level.sky.intensity = 100;
+  addSky(level, 100);
   const TruthLight direct(level);
   const auto found = TruthGather(level, direct).at(AirPoint{{0, 0, 0.999}, plain});
   EXPECT_NEAR(found.light.sky.x, 50, 0.3);

@@ -105,12 +105,14 @@ Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
 
 bool sees(const Scene& scene, const Raytracer& raytracer, const LightSource& light, Vec3 p,
           SectorId sector) {
-  return light.sun ? raytracer.seesSky({p, sector}, light.sun->direction())
-                   : raytracer.sees(Raytracer::sourceOf(scene, light), p, sector);
+  constexpr Vec3 kUp{0, 0, 1};
+  if (!light.hasPlace())
+    return raytracer.seesSky({p, sector}, light.sun ? light.sun->direction() : kUp);
+  return raytracer.sees(Raytracer::sourceOf(scene, light), p, sector);
 }
 
 /// The light that brings most to a point of a surface, of those that it sees. Balls of light, and
-/// suns with a size, are taken for points.
+/// suns with a size, are taken for points, and the sky for what is overhead.
 std::size_t mostAt(const Scene& scene, Vec3 p, SectorId sector) {
   const Raytracer raytracer(scene);
   std::size_t best = 0;
@@ -137,6 +139,7 @@ std::string nameOf(const Level& level, const Surface& surface) {
 }
 
 std::string nameOf(const Level& level, const LightSource& light) {
+  if (light.isSky) return "the sky";
   return light.sun ? "the sun"
                    : fmt::format("the light in sector \"{}\"", level[light.sector].name);
 }
@@ -263,6 +266,12 @@ Level dimmed(Level level) {
   return level;
 }
 
+std::string_view remedyOfUseless(const LightSource& light) {
+  if (light.isSky) return "raise its intensity, open a way to some sky, or remove it";
+  return light.sun ? "turn it to where some sky is seen, or remove it"
+                   : "raise its intensity, move it or remove it";
+}
+
 /// Bakes by itself, since light from a cache does not say which lamps it came from.
 void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
                        Findings& findings) {
@@ -276,14 +285,13 @@ void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, 
   for (const std::size_t light : dim) {
     const bool isUseless = std::ranges::binary_search(useless, light);
     const std::string name = nameOf(level, level.lights[light]);
-    findings.add(
-        isUseless ? FindingKind::UselessLight : FindingKind::WeakLight,
-        linted.source.lights.at(light).place,
-        isUseless ? fmt::format("{} reaches no surface", name)
-                  : fmt::format("{} brings no surface more than {} of 255 levels", name, kWeak),
-        isUseless ? level.lights[light].sun ? "turn it to where some sky is seen, or remove it"
-                                            : "raise its intensity, move it or remove it"
-                  : "raise its \"intensity\", of which 255 is full light");
+    findings.add(isUseless ? FindingKind::UselessLight : FindingKind::WeakLight,
+                 linted.source.lights.at(light).place,
+                 isUseless
+                     ? fmt::format("{} reaches no surface", name)
+                     : fmt::format("{} brings no surface more than {} of 255 levels", name, kWeak),
+                 isUseless ? remedyOfUseless(level.lights[light])
+                           : "raise its \"intensity\", of which 255 is full light");
   }
 }
 

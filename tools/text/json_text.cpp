@@ -90,14 +90,24 @@ ObjectManner mannerOf(std::string_view json, std::size_t object,
   return manner;
 }
 
-/// The last of those that are named.
-std::size_t lastOf(const std::vector<MemberRange>& members,
-                   const std::vector<std::string_view>& names) {
+/// The last of those that are named, if there is one.
+std::optional<std::size_t> lastOf(const std::vector<MemberRange>& members,
+                                  const std::vector<std::string_view>& names) {
   const auto found = std::find_if(members.rbegin(), members.rend(), [&](const MemberRange& member) {
     return std::ranges::find(names, member.name) != names.end();
   });
-  CHECK(found != members.rend(), names.size());
+  if (found == members.rend()) return std::nullopt;
   return static_cast<std::size_t>(members.rend() - found) - 1;
+}
+
+/// Puts a member before all that an object has.
+Replacement withFirst(std::string_view json, std::size_t object,
+                      const std::vector<MemberRange>& members, std::string_view key,
+                      std::string_view value) {
+  if (members.empty()) return {object + 1, "", fmt::format("\"{}\": {}", key, value)};
+  const ObjectManner manner = mannerOf(json, object, members, members.size() > 1 ? 1 : 0);
+  return {members.front().key.begin, "",
+          fmt::format("\"{}\"{}{},{}", key, manner.colon, value, manner.beforeKey)};
 }
 
 bool hasBlanks(std::string_view json) {
@@ -201,9 +211,10 @@ Replacement withMember(std::string_view json, std::size_t object, const SpelledM
   const std::vector<MemberRange> members = membersAt(json, object);
   const auto found = std::ranges::find(members, member.key, &MemberRange::name);
   if (found != members.end()) return replacing(json, found->value, member.value);
-  const std::size_t anchor = lastOf(members, earlier);
-  const ObjectManner manner = mannerOf(json, object, members, anchor);
-  const std::size_t at = members[anchor].value.end;
+  const std::optional<std::size_t> anchor = lastOf(members, earlier);
+  if (!anchor) return withFirst(json, object, members, member.key, member.value);
+  const ObjectManner manner = mannerOf(json, object, members, *anchor);
+  const std::size_t at = members[*anchor].value.end;
   return {at, "",
           fmt::format(",{}\"{}\"{}{}", manner.beforeKey, member.key, manner.colon, member.value)};
 }
@@ -219,9 +230,7 @@ Replacement withComment(std::string_view json, std::size_t object, std::string_v
   const std::vector<MemberRange> members = membersAt(json, object);
   if (const auto old = commentIn(json, members))
     return replacing(json, members[*old].value, std::string(comment));
-  const ObjectManner manner = mannerOf(json, object, members, 1);
-  return {members.front().key.begin, "",
-          fmt::format("\"//\"{}{},{}", manner.colon, comment, manner.beforeKey)};
+  return withFirst(json, object, members, "//", comment);
 }
 
 Replacement withoutComment(std::string_view json, std::size_t object) {
@@ -238,7 +247,7 @@ Replacement withObject(std::string_view json, std::size_t array,
   const TextRange last = elements.back();
   const std::vector<MemberRange> like = membersAt(json, last.begin);
   const ObjectManner manner =
-      mannerOf(json, last.begin, like, lastOf(like, {"x", "y", "z", "angle", "pitch"}));
+      mannerOf(json, last.begin, like, *lastOf(like, {"x", "y", "z", "angle", "pitch"}));
   const std::size_t before =
       elements.size() > 1 ? json.find(',', elements[elements.size() - 2].end) : array;
   const std::string_view blanks = json.substr(before + 1, last.begin - before - 1);

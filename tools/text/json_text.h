@@ -60,12 +60,11 @@ struct SpelledMember {
 };
 
 /// Gives the object's member a value. One that is not there yet comes behind the last of those
-/// that `earlier` names, with blanks as before that. Expects: the object has two members at least,
-/// and one of those.
+/// that `earlier` names, with blanks as before that; if there is none, before all that it has.
 Replacement withMember(std::string_view json, std::size_t object, const SpelledMember& member,
                        const std::vector<std::string_view>& earlier);
 /// Gives the object a comment, spelled, in place of the first one that it has, else before all that
-/// it has. Expects: the object has two members at least.
+/// it has.
 Replacement withComment(std::string_view json, std::size_t object, std::string_view comment);
 /// Takes the first comment out. Expects: the object has one.
 Replacement withoutComment(std::string_view json, std::size_t object);

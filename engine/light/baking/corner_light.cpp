@@ -34,10 +34,12 @@ CornerLight::CornerLight(const Scene& scene, const LightVisibilities& visibiliti
       visibilities_(visibilities),
       lambert_(lambert),
       place_(place),
+      areas_(visibilities.areas()),
       costs_(scene.level().lights.size()) {}
 
 void CornerLight::placeCorners(std::span<const LitMesh::SmallFace> faces) {
   corners_.clear();
+  ofAreas_.clear();
   ofFaces_.clear();
   std::map<std::tuple<double, double, double>, std::uint32_t> found;
   for (const LitMesh::SmallFace& face : faces) {
@@ -64,6 +66,7 @@ TexelSums CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
 void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,
                       TexelSums& sums) {
   const LightSource& light = scene_.level().lights[index];
+  if (light.isSky) return addArea(index, faces, sums);
   seen_.assign(corners_.size(), kUnknown);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const MeshFace& face = faceAt(faces[i]);
@@ -78,6 +81,49 @@ void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> fac
       if (brightness > 0)
         sums.add(k, static_cast<int>(i), light, brightness * inFront * seenFraction(index, corner));
     }
+  }
+}
+
+void CornerLight::addArea(std::size_t index, std::span<const LitMesh::SmallFace> faces,
+                          TexelSums& sums) {
+  if (ofAreas_.empty()) findAreas(faces, costs_[index].rays);
+  const LightSource& light = scene_.level().lights[index];
+  const double brightness =
+      unshadowedBrightness(light, visibilities_.reach.metres(index), {}, {}, lambert_);
+  const std::size_t count = areas_.lights().size();
+  const auto area = static_cast<std::size_t>(std::ranges::lower_bound(areas_.lights(), index) -
+                                             areas_.lights().begin());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double seen = ofAreas_[(3 * i + k) * count + area];
+      ++costs_[index].samples;
+      if (seen > 0) ++costs_[index].seenSamples;
+      if (brightness * seen > 0)
+        sums.add(static_cast<int>(k), static_cast<int>(i), light, brightness * seen);
+    }
+}
+
+/// At each corner for all faces there at once: their normals differ.
+void CornerLight::findAreas(std::span<const LitMesh::SmallFace> faces, std::int64_t& slices) {
+  const std::size_t count = areas_.lights().size();
+  ofAreas_.assign(3 * faces.size() * count, 0);
+  std::vector<std::vector<std::size_t>> uses(corners_.size());  // corners of faces
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) uses[cornerFor(ofFaces_[i], k)].push_back(3 * i + k);
+  std::vector<Vec3> normals;
+  std::vector<double> fractions;
+  for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
+    const auto& [point, sector] = corners_[corner];
+    if (!sector || uses[corner].empty()) continue;
+    normals.clear();
+    for (const std::size_t use : uses[corner]) {
+      const Vec3 front = frontOf(faceAt(faces[use / 3]));
+      normals.push_back((1 / length(front)) * front);
+    }
+    fractions.assign(normals.size() * count, 0);
+    areas_.findOnMesh(point, *sector, normals, fractions, slices, &met_);
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      std::copy_n(&fractions[k * count], count, &ofAreas_[uses[corner][k] * count]);
   }
 }
 

@@ -28,6 +28,8 @@ class CornerLight {
 
   /// One for each light of the level, in their order.
   const std::vector<LightCost>& costs() const { return costs_; }
+  /// The sectors that light of areas comes through.
+  const SectorSet& met() const { return met_; }
 
  private:
   struct Corner {
@@ -41,6 +43,8 @@ class CornerLight {
   void add(std::size_t light, std::span<const LitMesh::SmallFace> faces, TexelSums& sums);
   std::uint32_t cornerFor(const CornersOfFace& ofFace, std::size_t corner) const;
   TargetBox boxOfCorners() const;
+  void addArea(std::size_t light, std::span<const LitMesh::SmallFace> faces, TexelSums& sums);
+  void findAreas(std::span<const LitMesh::SmallFace> faces, std::int64_t& slices);
   double fractionInFront(std::size_t light, const MeshFace& face, Vec3 normal) const;
   double seenFraction(std::size_t light, std::uint32_t corner);
   double seenFractionFrom(const Corner& corner, std::size_t light, std::int64_t& rays);
@@ -56,6 +60,9 @@ class CornerLight {
   std::vector<CornersOfFace> ofFaces_;  ///< in the order of the faces
   std::optional<MeshShafts> shafts_;    ///< to these
   std::vector<double> seen_;            ///< by corner, of the light at hand; below 0 if unknown
+  AreaVisibility areas_;
+  SectorSet met_;                ///< that light of areas comes through
+  std::vector<double> ofAreas_;  ///< fractions of all, of each corner of each face; once found
   std::vector<LightCost> costs_;
 };
 

@@ -12,7 +12,8 @@
 
 namespace hearth {
 
-/// Where the lights of a level are, and how far they reach: suns everywhere. Lights are indices.
+/// Where the lights of a level are, and how far they reach: suns and the sky everywhere. Lights are
+/// indices.
 class LightReach {
  public:
   LightReach(const Level& level, const BakeSettings& settings);
@@ -20,9 +21,9 @@ class LightReach {
   std::size_t lights() const { return metres_.size(); }
   /// Metres beyond which a light is left out, see LightSource::reach.
   double metres(std::size_t light) const { return metres_[light]; }
-  /// Metres; 0 for a light that is baked as a point, and for a sun.
+  /// Metres; 0 for a light that is baked as a point, or has no place.
   double radius(std::size_t light) const { return radii_[light]; }
-  /// Whether points can see a part of it: a ball, or a sun with a size.
+  /// Whether points can see a part of it: a ball, a sun with a size, or the sky.
   bool isSoft(std::size_t light) const { return areSoft_[light]; }
 
   /// Whether the light reaches a point of a box, or misses it by no more than authors' files are

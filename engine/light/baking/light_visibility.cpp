@@ -358,19 +358,22 @@ void LightVisibility::prefetchBeams() const {
   if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
-LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings)
-    : LightVisibilities(scene, settings, LightReach(scene.level(), settings), {}) {}
+LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
+                                     Purpose purpose)
+    : LightVisibilities(scene, settings, LightReach(scene.level(), settings), {}, purpose) {}
 
 LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
-                                     const LightReach& itsReach, std::vector<Box> regions)
+                                     const LightReach& itsReach, std::vector<Box> regions,
+                                     Purpose purpose)
     : reach(itsReach),
       scene_(scene),
       settings_(settings),
       regions_(std::move(regions)),
+      purpose_(purpose),
       lights_(reach.lights()) {}
 
 std::vector<SectorId> LightVisibilities::sectorsOf(std::size_t light) const {
-  if (sun(light)) return {};
+  if (!scene_.level().lights[light].hasPlace()) return {};
   SectorSet sectors;
   for (const LightVisibility* visibility : {&fine(light), &rough(light)})
     for (const SectorId sector : visibility->sectors()) sectors.add(sector);

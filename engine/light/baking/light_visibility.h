@@ -14,6 +14,7 @@
 #include "light/baking/light_target.h"
 #include "light/baking/sun_visibility.h"
 #include "light/beam_tree/beam_tree.h"
+#include "light/gather/area_visibility.h"
 #include "light/grid/plane.h"
 #include "light/rays/raytracer.h"
 #include "math/box.h"
@@ -120,14 +121,17 @@ class LightVisibility {
 };
 
 /// How points see the lights of a level: of a light with a place `fine` and `rough` tell, of a sun
-/// `sun` and `roughSun`. Each light is made ready when it is asked for: parts of a bake need few of
-/// them. Any thread may ask.
+/// `sun` and `roughSun`, of the sky `areas`. Each light is made ready when it is asked for: parts
+/// of a bake need few of them. Any thread may ask.
 class LightVisibilities {
  public:
-  LightVisibilities(const Scene& scene, const BakeSettings& settings);
+  /// For a draft the light of areas is found at few places.
+  enum class Purpose { Bake, Draft };
+  LightVisibilities(const Scene& scene, const BakeSettings& settings,
+                    Purpose purpose = Purpose::Bake);
   /// Finds only beams to points of these parts of the map, one for each light, which may be empty.
   LightVisibilities(const Scene& scene, const BakeSettings& settings, const LightReach& itsReach,
-                    std::vector<Box> regions);
+                    std::vector<Box> regions, Purpose purpose = Purpose::Bake);
 
   const LightReach reach;
   const LightVisibility& fine(std::size_t light) const { return *ready(light).fine; }
@@ -136,16 +140,19 @@ class LightVisibilities {
     const Light& its = ready(light);
     return its.rough ? *its.rough : *its.fine;
   }
-  /// Null for a light with a place.
+  /// Null for what is no sun.
   const SunVisibility* sun(std::size_t light) const {
     return scene_.level().lights[light].sun ? &*ready(light).sun : nullptr;
   }
   const SunVisibility& roughSun(std::size_t light) const { return *ready(light).roughSun; }
-  /// See LightVisibility; suns have no beams.
+  /// A new one: each of the threads that ask needs its own.
+  AreaVisibility areas() const { return {scene_, settings_.solidMaskedMiddles}; }
+  bool isDraft() const { return purpose_ == Purpose::Draft; }
+  /// See LightVisibility; what has no place has no beams.
   void prefetchBeams(std::size_t light) const {
-    if (!sun(light)) fine(light).prefetchBeams();
+    if (scene_.level().lights[light].hasPlace()) fine(light).prefetchBeams();
   }
-  /// Those that decide which part of a light shines: none for a sun.
+  /// Those that decide which part of a light shines: none for what has no place.
   std::vector<SectorId> sectorsOf(std::size_t light) const;
 
  private:
@@ -167,6 +174,7 @@ class LightVisibilities {
   Scene scene_;
   BakeSettings settings_;
   std::vector<Box> regions_;  ///< none if beams lead everywhere
+  Purpose purpose_;
   mutable std::vector<Light> lights_;
 };
 

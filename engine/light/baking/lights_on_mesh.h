@@ -23,8 +23,8 @@ TargetBox boxOf(const LitSurface& patch);
 Box3 boxOf(const Level& level, const LitMesh& lit);
 
 /// The lights that may shine on a mesh, each with its shaft to the whole mesh: shafts to parts of
-/// it lie within that, and rays towards suns. A light too far away is none of them, nor one that
-/// walls hide altogether.
+/// it lie within that, and rays towards suns; the sky has none. A light too far away is none of
+/// them, nor one that walls hide altogether.
 class LightsOnMesh {
  public:
   /// `lit` is the mesh on its texel grids, `sectors` are those that the mesh is in.
@@ -39,7 +39,7 @@ class LightsOnMesh {
   const SkyShaft& shaftTowards(std::size_t sun) const {
     return skyShafts_[placeOf(sun) - shafts_.size()];
   }
-  /// Adds the sectors that rays of these can enter on their way to the mesh.
+  /// Adds the sectors that rays of these can enter on their way to the mesh, but for the sky's.
   void addSectorsTo(SectorSet& sectors) const;
 
  private:

@@ -28,6 +28,7 @@ struct MeshLighter::Result {
   std::optional<Lightmap> light;
   std::vector<LightCost> costs;  ///< by light
   std::size_t facingLights = 0;
+  SectorSet met;
 };
 
 std::vector<std::vector<SectorId>> sectorsOfMeshes(const Level& level) {
@@ -70,12 +71,12 @@ MeshLighter::Result MeshLighter::done(const Job& job, BakeProgress& progress) co
     CornerLight corners(scene_, visibilities_, settings_.lambert, place);
     std::optional<Lightmap> light = corners.find(job.faces).toLightmap(1);
     progress.add(job.texels());
-    return {std::move(light), corners.costs(), 0};
+    return {std::move(light), corners.costs(), 0, corners.met()};
   }
   const LitSurfaces patch{job.patch->surface};
   PatchLight lit(scene_, visibilities_, settings_.lambert, place, patch);
   std::optional<Lightmap> light = bakeSurface(lit, lit.surface().texels, settings_, progress);
-  return {std::move(light), lit.costs(), lit.facing().size()};
+  return {std::move(light), lit.costs(), lit.facing().size(), lit.met()};
 }
 
 std::int64_t MeshLighter::texelsOf(std::span<const std::uint32_t> meshes) const {
@@ -99,11 +100,12 @@ std::vector<std::optional<MeshLight>> MeshLighter::find(std::span<const std::uin
     std::optional<MeshLight>& mesh = found[jobs[i].index];
     if (!results[i]) mesh.reset();
     if (!mesh) continue;
-    auto& [light, costs, facingLights] = *results[i];
+    auto& [light, costs, facingLights, met] = *results[i];
     const std::vector<std::size_t>& lights = lightsOf(jobs[i].mesh).lights();
     mesh->costs.resize(lights.size());
     for (std::size_t k = 0; k < lights.size(); ++k) mesh->costs[k] += costs[lights[k]];
     mesh->facingLights = std::max(mesh->facingLights, facingLights);
+    mesh->met.add(met);
     parts[jobs[i].index].push_back({jobs[i].patch, jobs[i].faces, std::move(light)});
   }
   for (std::size_t i = 0; i < meshes.size(); ++i)

@@ -12,6 +12,7 @@
 #include "light/baking/lights_on_mesh.h"
 #include "light/light_cost.h"
 #include "light/lightmap.h"
+#include "light/rays/id_set.h"
 
 namespace hearth {
 
@@ -20,6 +21,7 @@ struct MeshLight {
   std::optional<Lightmap> lightmap;  ///< of all its faces
   std::vector<LightCost> costs;      ///< of its LightsOnMesh
   std::size_t facingLights = 0;      ///< the most that lie before one of its patches
+  SectorSet met;                     ///< sectors that light of areas comes through
 };
 
 /// The sectors that each mesh is in.

@@ -75,6 +75,20 @@ double PatchLight::seenFraction(const SunVisibility& sun, std::size_t index,
   return seen;
 }
 
+AreaLattice& PatchLight::areas() {
+  if (!areas_)
+    areas_.emplace(scene_, visibilities_, *this,
+                   [this](const SamplePoint& at, AreaVisibility& areas, std::span<double> fractions,
+                          std::int64_t& slices, SectorSet& met) {
+                     const auto sector = sectorAround(scene_, place_.sectors, at.target);
+                     const Vec3 normal = surface().normal;
+                     if (sector)
+                       areas.findOnMesh(at.target, *sector, {&normal, 1}, fractions, slices, &met);
+                     return sector.has_value();
+                   });
+  return *areas_;
+}
+
 double PatchLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {
   return hearth::unshadowedBrightness(light(index), visibilities_.reach.metres(index), at.point,
                                       surface().normal, lambert_);

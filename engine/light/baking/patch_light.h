@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "level/scene.h"
+#include "light/baking/area_lattice.h"
 #include "light/baking/light_visibility.h"
 #include "light/baking/lights_on_mesh.h"
 #include "light/baking/mesh_shafts.h"
@@ -61,10 +63,12 @@ class PatchLight : public PatchPlaces {
   }
   const std::vector<double>& seenFractions(std::size_t light, const PatchSamples& samples);
   double seenFraction(std::size_t light, const SamplePoint& at) {
+    if (this->light(light).isSky) return areas().seenFraction(light, at, costs_[light]);
     if (const SunVisibility* sun = visibilities_.sun(light)) return seenFraction(*sun, light, at);
     return seenFraction(visibilities_.fine(light), light, at);
   }
   double roughlySeenFraction(std::size_t light, const SamplePoint& at) {
+    if (this->light(light).isSky) return areas().seenFraction(light, at, costs_[light]);
     if (visibilities_.sun(light)) return seenFraction(visibilities_.roughSun(light), light, at);
     return seenFraction(visibilities_.rough(light), light, at);
   }
@@ -73,8 +77,11 @@ class PatchLight : public PatchPlaces {
 
   /// One for each light of the level, in their order.
   const std::vector<LightCost>& costs() const { return costs_; }
+  /// The sectors that light of areas comes through.
+  SectorSet met() const { return areas_ ? areas_->met() : SectorSet(); }
 
  private:
+  AreaLattice& areas();
   double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at);
   double seenFraction(const SunVisibility& sun, std::size_t light, const SamplePoint& at);
   FacePoint facePointAt(const SamplePoint& at) const {
@@ -86,6 +93,7 @@ class PatchLight : public PatchPlaces {
   bool lambert_;
   const MeshPlace& place_;
   MeshShafts shafts_;
+  std::optional<AreaLattice> areas_;  ///< once it is asked
   std::vector<std::size_t> facing_;
   std::vector<LightCost> costs_;
   std::vector<double> seen_;

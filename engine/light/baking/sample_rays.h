@@ -83,6 +83,7 @@ class SampleRays {
   void countSeenSamples(std::size_t light, std::int64_t samples) {
     costs_[light].seenSamples += samples;
   }
+  LightCost& cost(std::size_t light) { return costs_[light]; }
   /// In the order of the level's lights.
   const std::vector<LightCost>& costs() const { return costs_; }
 

@@ -1,5 +1,8 @@
 #include "light/baking/sprite_light.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "light/baking/unshadowed_brightness.h"
 #include "math/parallel.h"
 
@@ -10,16 +13,23 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   const Vec3 point = lightPointOf(scene, sprite);
   constexpr int kChannels = 3;
   TexelSums sums(kSpriteTexel, kChannels);
+  AreaVisibility areas = visibilities.areas();
+  std::vector<double> ofAreas(areas.lights().size());
+  if (!ofAreas.empty()) areas.findFromAir(point, sprite.sector, ofAreas, rays);
+  const auto seenFraction = [&](std::size_t i) {
+    if (const auto area = std::ranges::find(areas.lights(), i); area != areas.lights().end())
+      return ofAreas[static_cast<std::size_t>(area - areas.lights().begin())];
+    if (const SunVisibility* const sun = visibilities.sun(i))
+      return sun->seenFractionFromAir(point, sprite.sector, rays);
+    return visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays);
+  };
   for (const std::size_t i : visibilities.reach.reaching({point, point})) {
     const LightSource& light = scene.level().lights[i];
     constexpr bool kLambert = false;  // the air has no normal
     const double brightness =
         unshadowedBrightness(light, visibilities.reach.metres(i), point, {}, kLambert);
     if (brightness <= 0) continue;
-    const SunVisibility* const sun = visibilities.sun(i);
-    const double seen = sun ? sun->seenFractionFromAir(point, sprite.sector, rays)
-                            : visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays);
-    sums.add(0, 0, light, brightness * seen);
+    sums.add(0, 0, light, brightness * seenFraction(i));
   }
   return sums;
 }

@@ -39,6 +39,7 @@ SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
       shafts_(rays_),
       beams_(rays_, shafts_),
       suns_(rays_),
+      areas_(rays_, *this),
       facing_(lightsFacing(scene.level(), visibilities.reach, surface())) {}
 
 int SurfaceLight::channels() const {
@@ -73,7 +74,9 @@ const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
 }
 
 void SurfaceLight::findSeen(std::size_t light, const SampleBlocks& blocks) {
-  if (rays_.sun(light))
+  if (rays_.light(light).isSky)
+    areas_.find(light, blocks, seen_);
+  else if (rays_.sun(light))
     suns_.find(light, blocks, seen_);
   else if (rays_.visibility(light).beams())
     beams_.find(light, blocks, seen_);
@@ -82,12 +85,14 @@ void SurfaceLight::findSeen(std::size_t light, const SampleBlocks& blocks) {
 }
 
 double SurfaceLight::seenFraction(std::size_t light, const SamplePoint& at) {
+  if (rays_.light(light).isSky) return areas_.seenFraction(light, at);
   if (const SunVisibility* sun = rays_.sun(light))
     return rays_.seenFraction(*sun, light, at, nullptr);
   return rays_.seenFraction(rays_.visibility(light), light, at, nullptr);
 }
 
 double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& at) {
+  if (rays_.light(light).isSky) return areas_.seenFraction(light, at);
   if (rays_.sun(light))
     return rays_.seenFraction(rays_.visibilities().roughSun(light), light, at, nullptr);
   const LightVisibility& visibility = rays_.roughVisibility(light);
@@ -116,7 +121,7 @@ void SurfaceLight::findLevels(std::size_t index, const SampleBlocks& blocks) {
   const BrightnessKernels& kernels = brightnessKernels();
   const SampleArrays points = blocks.points();
   const std::size_t count = seen_.size();
-  if (source.sun) {
+  if (!source.hasPlace()) {
     std::ranges::fill(distances_, 0);
     for (const auto& [surface, first, ofRun] : blocks.runs())
       std::fill_n(brightness_.begin() + static_cast<std::ptrdiff_t>(first), ofRun,

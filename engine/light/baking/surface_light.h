@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "light/baking/light_dependencies.h"
+#include "light/baking/sample_areas.h"
 #include "light/baking/sample_beams.h"
 #include "light/baking/sample_rays.h"
 #include "light/baking/sample_shafts.h"
@@ -80,6 +81,7 @@ class SurfaceLight : public SurfacePlaces {
   SampleShafts shafts_;
   SampleBeams beams_;
   SampleSuns suns_;
+  SampleAreas areas_;
   std::vector<std::size_t> facing_;
   std::vector<double> seen_;
   std::vector<double> distances_;  ///< from a light to samples, metres

@@ -14,6 +14,7 @@ template <typename Id>
 class IdSet {
  public:
   void add(Id id) { ids_.insert(id.value); }
+  void add(const IdSet& others) { ids_.insert(others.ids_.begin(), others.ids_.end()); }
 
   /// In rising order.
   std::vector<Id> sorted() const {

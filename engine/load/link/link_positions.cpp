@@ -39,6 +39,7 @@ class PositionLinker {
   void linkLights(const LightsDescription& lights) {
     for (const LightDescription& light : lights.lights) linkLight(light);
     for (const LightDescription& sun : lights.suns) linking_.level.lights.push_back(sun.source);
+    if (lights.sky) linking_.level.lights.push_back(lights.sky->source);
     linking_.level.bake = lights.bake;
   }
 
@@ -77,7 +78,9 @@ void linkLights(Linking& linking, const LightsDescription& lights) {
 }
 
 bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
-  if (!lights.lights.empty() || !lights.suns.empty() || description.light) return false;
+  const bool isSkyDark = !lights.sky || lights.sky->source.intensity == 0;
+  if (!lights.lights.empty() || !lights.suns.empty() || !isSkyDark || description.light)
+    return false;
   for (const SectorDescription& sector : description.sectors)
     if (sector.light) return false;
   return true;

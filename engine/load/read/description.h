@@ -244,7 +244,7 @@ struct MeshDescription : ThingDescription {
   Mesh mesh;                             ///< all else
 };
 
-/// Of a light with a place, or of a sun.
+/// Of a light with a place, of a sun, or of the sky.
 struct LightDescription {
   Place place;
   std::optional<NameReference> sector;
@@ -270,12 +270,15 @@ struct LevelDescription {
 struct LightsDescription {
   std::vector<LightDescription> lights;
   std::vector<LightDescription> suns;
+  std::optional<LightDescription> sky;
   BakeSettings bake;
 
-  /// Of both, in the order of the level's lights: the suns come last.
-  std::size_t count() const { return lights.size() + suns.size(); }
+  /// Of all, in the order of the level's lights: what has no place comes last, the suns before the
+  /// sky.
+  std::size_t count() const { return lights.size() + suns.size() + (sky ? 1 : 0); }
   const LightDescription& at(std::size_t light) const {
-    return light < lights.size() ? lights[light] : suns[light - lights.size()];
+    if (light < lights.size()) return lights[light];
+    return light < lights.size() + suns.size() ? suns[light - lights.size()] : *sky;
   }
 };
 

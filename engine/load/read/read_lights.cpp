@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 10> kLightKeys{
     "x", "y", "z", "sector", "intensity", "falloff", "curve", "color", "radius", "spot"};
 constexpr std::array<std::string_view, 4> kSpotKeys{"angle", "pitch", "inner", "outer"};
 constexpr std::array<std::string_view, 5> kSunKeys{"angle", "pitch", "intensity", "color", "size"};
-constexpr std::array<std::string_view, 4> kFileKeys{"version", "lights", "suns", "bake"};
+constexpr std::array<std::string_view, 2> kSkyKeys{"intensity", "color"};
+constexpr std::array<std::string_view, 5> kFileKeys{"version", "lights", "suns", "sky", "bake"};
 constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
 
 constexpr std::string_view kAutoSamples = "auto";
@@ -131,6 +132,18 @@ std::optional<LightDescription> readSun(Report& report, JsonValue value) {
   return light;
 }
 
+std::optional<LightDescription> readSky(Report& report, JsonValue value) {
+  const Fields fields(report, value, kSkyKeys);
+  LightDescription light;
+  light.place = value.place();
+  light.source.isSky = true;
+  light.source.intensity = 0;
+  if (!fields.isObject()) return std::nullopt;
+  fields.read("intensity", kLevels, light.source.intensity);
+  readColor(report, fields, light.source);
+  return light;
+}
+
 bool isSquare(int number) {
   const int root = static_cast<int>(std::lround(std::sqrt(number)));
   return root * root == number;
@@ -214,6 +227,7 @@ LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& l
   if (const auto list = fields.require("lights", "give an array of lights"))
     readLightList(report, *list, limits, lights);
   if (const auto suns = fields.find("suns")) readSuns(report, *suns, limits, lights);
+  if (const auto sky = fields.find("sky")) lights.sky = readSky(report, *sky);
   if (const auto bake = fields.find("bake")) lights.bake = readBake(report, *bake);
   return lights;
 }

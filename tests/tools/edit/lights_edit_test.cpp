@@ -169,6 +169,61 @@ TEST(LightsEditTest, AddsASunAndTheirListWhereThereIsNone) {
             R"({"lights": [], "suns": [{ "angle": 0, "pitch": 90 }]})");
 }
 
+LightDescription skyOf(double intensity) {
+  LightDescription sky;
+  sky.source.isSky = true;
+  sky.source.intensity = intensity;
+  return sky;
+}
+
+TEST(LightsEditTest, ChangesTheSkyWhichComesLast) {
+  const std::string text =
+      R"({"lights":[],"suns":[{"angle":1,"pitch":5}],"sky":{"intensity":50},"bake":{}})";
+  EXPECT_EQ(afterChange(text, 1,
+                        [](LightDescription& sky) {
+                          sky.source.intensity = 75;
+                          sky.source.color[0] = 0;
+                        }),
+            R"({"lights":[],"suns":[{"angle":1,"pitch":5}],)"
+            R"("sky":{"intensity":75, "color":"#00ffff"},"bake":{}})");
+  EXPECT_EQ(afterRemove(text, 1), R"({"lights":[],"suns":[{"angle":1,"pitch":5}],"bake":{}})");
+}
+
+TEST(LightsEditTest, KeepsASkyThatHasBecomeDark) {
+  EXPECT_EQ(afterChange(R"({"lights":[],"sky":{"intensity":50}})", 0,
+                        [](LightDescription& sky) { sky.source.intensity = 0; }),
+            R"({"lights":[],"sky":{"intensity":0}})");
+}
+
+/// Which other lights never are.
+TEST(LightsEditTest, ChangesASkyThatSaysLittle) {
+  const auto brightened = [](LightDescription& sky) { sky.source.intensity = 9; };
+  EXPECT_EQ(afterChange(R"({"lights":[],"sky":{}})", 0, brightened),
+            R"({"lights":[],"sky":{"intensity": 9}})");
+  EXPECT_EQ(afterChange(R"({"lights":[],"sky":{"color":"#00ff00"}})", 0, brightened),
+            R"({"lights":[],"sky":{"intensity":9, "color":"#00ff00"}})");
+  for (const auto& [before, after] :
+       {std::pair(R"({"lights":[],"sky":{}})", R"({"lights":[],"sky":{"//": "dusk"}})"),
+        std::pair(R"({"lights":[],"sky":{"intensity":9}})",
+                  R"({"lights":[],"sky":{"//":"dusk", "intensity":9}})")}) {
+    LightsEdit lights = opened(before);
+    EXPECT_FALSE(lights.setComment(0, "dusk"));
+    EXPECT_EQ(lights.bytes(), after);
+    EXPECT_EQ(lights.commentOf(0), "dusk");
+  }
+}
+
+TEST(LightsEditTest, AddsTheSkyWhereThereIsNone) {
+  EXPECT_EQ(afterAdd(R"({"version":1,"lights":[],"suns":[],"bake":{}})", skyOf(100)),
+            R"({"version":1,"lights":[],"suns":[],"sky":{ "intensity": 100 },"bake":{}})");
+  EXPECT_EQ(afterAdd(R"({"lights": []})", skyOf(100)),
+            R"({"lights": [], "sky": { "intensity": 100 }})");
+  LightsEdit lights = opened("[]");
+  EXPECT_EQ(lights.add(skyOf(100)),
+            "the file is an array of lights: write { \"lights\": [...] } to give it a sky");
+  EXPECT_EQ(lights.bytes(), "[]");
+}
+
 TEST(LightsEditTest, RefusesASunInAnArrayOfLights) {
   LightsEdit lights = opened("[]");
   EXPECT_EQ(lights.add(sunAt(0, 90)),

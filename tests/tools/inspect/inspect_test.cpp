@@ -152,6 +152,26 @@ TEST(Inspect, tellsWhatASunGives) {
   EXPECT_EQ(reasonWords(loaded.level, found.place, found.lights.at(0)), "");
 }
 
+LoadedLevel underHalfALitSky() {
+  LoadedLevel loaded = underHalfASky("");
+  LightSource sky;
+  sky.isSky = true;
+  sky.intensity = 200;
+  loaded.level.lights.push_back(sky);
+  return loaded;
+}
+
+TEST(Inspect, tellsHowMuchOfTheSkyArrives) {
+  const LoadedLevel loaded = underHalfALitSky();
+  const TruthHit lit = lookedAt(loaded.level, "east", {7, 2, 1}, {0, 0, -1});
+  const Inspection found = inspected(loaded.scene(), lit);
+  EXPECT_NEAR(found.sum.x, found.lightmap->shown.x, 1.5);
+  EXPECT_EQ(reasonWords(loaded.level, found.place, found.lights.at(0)),
+            "40 % of what level ground in the open gets");
+  EXPECT_EQ(reasonAt(loaded, "west", {1, 2, 1}, {0, 0, 1}),
+            "not seen: no straight way leads from here to the sky");
+}
+
 TEST(Inspect, namesWhatHidesASun) {
   const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60,'intensity':200}");
   EXPECT_EQ(
@@ -257,8 +277,10 @@ void forPixelsOfShots(const Scene& scene, Check&& check) {
   }
 }
 
+/// Without the sky, whose light is defined by an integral.
 void expectAsDefined(const std::string& path) {
-  const LoadedLevel place = loaded(path);
+  LoadedLevel place = loaded(path);
+  std::erase_if(place.level.lights, [](const LightSource& light) { return light.isSky; });
   const Level& level = place.level;
   const Scene scene = place.scene();
   const TruthLight truth(level, kInspectedBallPoints);

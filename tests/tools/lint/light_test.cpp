@@ -66,6 +66,12 @@ TEST(UselessLights, AreSunsThatNoSkyLetsIn) {
             (Places{"2:10 /suns/0 [useless-light]"}));
 }
 
+TEST(UselessLights, IsASkyThatNoRoomIsOpenTo) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(lit, "{ 'lights': [],\n'sky': { 'intensity': 100 } }"),
+            (Places{"2:8 /sky [useless-light]"}));
+}
+
 TEST(UselessLights, MayShineLessFarThanToASurface) {
   const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
   EXPECT_EQ(placesInLight(lit, "[{ 'x': 2, 'y': 2, 'z': 2, 'curve': [[0, 200], [1.9, 0]] }]"),

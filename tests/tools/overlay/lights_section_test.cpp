@@ -304,6 +304,20 @@ TEST_F(SunsSectionTest, IsAddedWhereTheCameraLooks) {
   EXPECT_EQ(editor().pickedLight().source.sun->pitch(), 30);
 }
 
+TEST_F(SunsSectionTest, AddsTheSkyOnce) {
+  for (int x = 270; x < 500 && !editor().lights().sky; x += 8) {
+    click(x, kButtons);
+    while (editor().lights().suns.size() > 1) editor().undo();
+  }
+  ASSERT_TRUE(editor().lights().sky);
+  EXPECT_EQ(editor().picked(), 2);
+  EXPECT_EQ(editor().pickedLight().source.intensity, 100);
+  const std::string bytes = editor().bytes();
+  for (int y = kFieldsBegin; y < kFieldsEnd && editor().bytes() == bytes; y += 7)
+    drag(kFieldLeft + 20, y);
+  EXPECT_NE(editor().pickedLight().source.intensity, 100);
+}
+
 TEST_F(LightsSectionTest, OffersToReadAFileThatWasChanged) {
   click(12, kButtons);
   std::ofstream(file_) << "[]";

@@ -176,7 +176,7 @@ void countGeometry(const Scene& scene, FeatureCounts& counts) {
     if (mesh.isTwoSided) counts.add(FormatFeature::TwoSidedMesh);
   }
   for (const LightSource& light : level.lights) {
-    if (light.sun) continue;
+    if (!light.hasPlace()) continue;
     const Sector& sector = level[light.sector];
     if (light.position.z > sector.ceiling.z) counts.add(FormatFeature::LightAboveSky);
     if (light.position.z < sector.floor.z) counts.add(FormatFeature::LightBelowSky);

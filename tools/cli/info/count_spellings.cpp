@@ -66,6 +66,7 @@ class SpellingCounter {
     });
     if (file.is_object() && file.contains("suns"))
       forEachChild(file["suns"], [&](const json&) { counts_.add(FormatFeature::Sun); });
+    addIf(file.is_object() && file.contains("sky"), FormatFeature::LightOfSky);
   }
 
  private:

@@ -80,6 +80,8 @@ std::vector<EngineFeatureUse> engineFeatureUses(const LoadedLevel& loaded,
        std::ssize(level.lights), "shine all around: no cone to test"},
       {"lights that are suns", light.suns.lights, std::ssize(level.lights),
        "have a place: no ray is followed to the sky"},
+      {"light of the sky", light.skies.lights, std::ssize(level.lights),
+       "come from one direction: nothing is gathered"},
   };
 }
 

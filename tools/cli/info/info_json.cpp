@@ -52,6 +52,7 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
   object["points"] = toJson(report.points);
   object["balls"] = toJson(report.spheres);
   object["suns"] = toJson(report.suns);
+  object["skies"] = toJson(report.skies);
   object["coloredLights"] = report.coloredLights;
   object["uselessLights"] = report.uselessLights;
   return object;

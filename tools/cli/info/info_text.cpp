@@ -77,6 +77,7 @@ void printLight(const Contents& contents) {
   printLights("point lights", light.points);
   printLights("spherical lights", light.spheres);
   printLights("suns", light.suns);
+  printLights("skies", light.skies);
   printLine("lights that reach nothing", light.uselessLights);
 }
 

@@ -44,6 +44,7 @@ struct LightReport {
   LightKindReport points;
   LightKindReport spheres;
   LightKindReport suns;
+  LightKindReport skies;  ///< one, or none; its rays are slices
   std::int64_t coloredLights = 0;
   std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
 };

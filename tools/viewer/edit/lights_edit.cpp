@@ -62,6 +62,14 @@ struct Member {
   std::optional<std::string> value;  ///< spelled; none: the light has no such key
 };
 
+/// What differs of two skies, key by key.
+std::vector<Member> changesOfSky(const LightSource& from, const LightSource& to) {
+  std::vector<Member> members;
+  if (from.intensity != to.intensity) members.push_back({"intensity", spelled(to.intensity)});
+  if (!std::ranges::equal(from.color, to.color)) members.push_back({"color", spelled(to.color)});
+  return members;
+}
+
 /// What differs of two suns, key by key.
 std::vector<Member> changesOfSun(const LightSource& from, const LightSource& to) {
   std::vector<Member> members;
@@ -78,6 +86,7 @@ std::vector<Member> changesOfSun(const LightSource& from, const LightSource& to)
 
 /// What differs, key by key.
 std::vector<Member> changes(const LightDescription& from, const LightDescription& to) {
+  if (from.source.isSky) return changesOfSky(from.source, to.source);
   if (from.source.sun) return changesOfSun(from.source, to.source);
   std::vector<Member> members;
   const auto add = [&members](std::string_view key, const auto& before, const auto& after) {
@@ -152,6 +161,7 @@ std::optional<std::size_t> listIn(const Document& document, std::string_view key
 
 /// What is written of an added light in any case.
 std::vector<SpelledMember> placeOf(const LightSource& light) {
+  if (light.isSky) return {};
   if (light.sun)
     return {{"angle", spelled(light.sun->angle())}, {"pitch", spelled(light.sun->pitch())}};
   return {{"x", spelled(light.position.x)},
@@ -159,11 +169,20 @@ std::vector<SpelledMember> placeOf(const LightSource& light) {
           {"z", spelled(light.position.z)}};
 }
 
+std::string objectOf(const std::vector<SpelledMember>& members) {
+  std::string text;
+  for (const SpelledMember& member : members)
+    text += fmt::format("{}\"{}\": {}", text.empty() ? " " : ", ", member.key, member.value);
+  return fmt::format("{{{} }}", text);
+}
+
 /// A light of which that is all.
 LightDescription plainAt(const LightSource& light) {
   LightDescription plain;
   plain.source.position = light.position;
   if (light.sun) plain.source.sun.emplace(light.sun->angle(), light.sun->pitch(), 0);
+  plain.source.isSky = light.isSky;
+  if (light.isSky) plain.source.intensity = 0;
   return plain;
 }
 
@@ -251,34 +270,43 @@ std::optional<std::string> LightsEdit::setComment(std::size_t light, const std::
 std::optional<std::string> LightsEdit::add(const LightDescription& light,
                                            const std::string& comment) {
   const bool isSun = light.source.sun.has_value();
-  if (isSun && history_.text()[rootOf(history_.text())] == '[')
-    return "the file is an array of lights: write { \"lights\": [...] } to give it suns";
+  if (!light.source.hasPlace() && history_.text()[rootOf(history_.text())] == '[')
+    return fmt::format(
+        "the file is an array of lights: write {{ \"lights\": [...] }} to give it {}",
+        isSun ? "suns" : "a sky");
   return edit([&] {
     std::vector<SpelledMember> members;
     if (!comment.empty()) members.push_back({"//", spelled(comment)});
     std::ranges::copy(placeOf(light.source), std::back_inserter(members));
     for (const Member& member : changes(plainAt(light.source), light))
       if (member.value) members.push_back({std::string(member.key), *member.value});
-    if (isSun && !suns_) addListOfSuns();
+    if (light.source.isSky) return addMember("sky", objectOf(members));
+    if (isSun && !suns_) addMember("suns", "[]");
     history_.replace(withObject(history_.text(), isSun ? *suns_ : list_, members));
   });
 }
 
-/// An empty one.
-void LightsEdit::addListOfSuns() {
+/// To the file.
+void LightsEdit::addMember(std::string_view key, std::string_view value) {
   const std::string_view text = history_.text();
   const std::vector<MemberRange> members = membersAt(text, rootOf(text));
-  history_.replace(members.size() == 1
-                       ? Replacement{members[0].value.end, "", R"(, "suns": [])"}
-                       : withMember(text, rootOf(text), {"suns", "[]"}, {"version", "lights"}));
+  history_.replace(
+      members.size() == 1
+          ? Replacement{members[0].value.end, "", fmt::format(R"(, "{}": {})", key, value)}
+          : withMember(text, rootOf(text), {std::string(key), std::string(value)},
+                       {"version", "lights", "suns"}));
   read();
 }
 
 std::optional<std::string> LightsEdit::remove(std::size_t light) {
   return edit([&] {
+    const std::string_view text = history_.text();
     const std::size_t lights = lights_.lights.size();
-    history_.replace(light < lights ? withoutElement(history_.text(), list_, light)
-                                    : withoutElement(history_.text(), *suns_, light - lights));
+    if (lights_.at(light).source.isSky)
+      history_.replace(withoutMember(text, rootOf(text), "sky"));
+    else
+      history_.replace(light < lights ? withoutElement(text, list_, light)
+                                      : withoutElement(text, *suns_, light - lights));
   });
 }
 

@@ -14,8 +14,9 @@
 namespace hearth {
 
 /// The text of a lights file while it is edited. Its lights are counted in the order of the file,
-/// suns last. Edits keep the order, spelling and blanks of all other text. The text always loads,
-/// apart from the places of lights: only a level knows where there is air.
+/// suns before the sky, which comes last. Edits keep the order, spelling and blanks of all other
+/// text. The text always loads, apart from the places of lights: only a level knows where there is
+/// air.
 class LightsEdit {
  public:
   /// Of a file's bytes; `file` is how messages name it. The error is the first mistake in them.
@@ -63,7 +64,7 @@ class LightsEdit {
   /// Writes what differs into the text.
   void changeSpot(std::size_t light, const Spot& from, const Spot& to);
   std::size_t offsetOf(std::size_t light) const { return lights_.at(light).place.offset; }
-  void addListOfSuns();
+  void addMember(std::string_view key, std::string_view value);
 
   std::string file_;
   LoadLimits limits_;

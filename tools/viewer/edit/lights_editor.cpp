@@ -57,7 +57,12 @@ void LightsEditor::setComment(const std::string& comment) {
 
 void LightsEditor::add(const LightDescription& light, const std::string& comment) {
   const auto mistake = edit_->add(light, comment);
-  if (!mistake) picked_ = (light.source.sun ? lights().count() : lights().lights.size()) - 1;
+  const std::size_t suns = lights().lights.size() + lights().suns.size();
+  if (!mistake)
+    picked_ = (light.source.isSky ? lights().count()
+               : light.source.sun ? suns
+                                  : lights().lights.size()) -
+              1;
   take(mistake);
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "level/locate.h"
+#include "light/gather/area_visibility.h"
 #include "math/tolerance.h"
 #include "truth/truth_light.h"
 #include "truth/truth_meshes.h"
@@ -101,15 +102,17 @@ class Follower {
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
     const LightSource& light = scene_.level().lights[index];
-    const double distance =
-        light.sun ? std::numeric_limits<double>::infinity() : length(light.position - place_.point);
-    return {index, LightReason::NotReached, distance, light.brightnessAt(place_.point),
-            TruthSource::unshaded(light, place_, settings_.lambert)};
+    const double distance = light.hasPlace() ? length(light.position - place_.point)
+                                             : std::numeric_limits<double>::infinity();
+    return {
+        index, LightReason::NotReached, distance, light.brightnessAt(place_.point),
+        light.isSky ? light.intensity : TruthSource::unshaded(light, place_, settings_.lambert)};
   }
 
   /// Returns how many rays that took, at most.
   int follow(LightFinding& finding) const {
     const LightSource& light = scene_.level().lights[finding.light];
+    if (light.isSky) return followSky(light, finding);
     followToPlace(finding);
     finding.comesNear = finding.seenFraction > 0 && finding.level > 0;
     if (finding.comesNear || finding.level * brightestFraction(light) < kVisibleLevel)
@@ -122,6 +125,27 @@ class Follower {
   }
 
  private:
+  /// Returns how many slices that took.
+  int followSky(const LightSource& light, LightFinding& finding) const {
+    finding.reason = LightReason::TooWeak;
+    if (light.reach(settings_.cutOff) == 0) return 0;
+    AreaVisibility areas(scene_, settings_.solidMaskedMiddles);
+    std::vector<double> fractions(areas.lights().size());
+    std::int64_t slices = 0;
+    const SurfacePoint place = litSideOf(scene_.level(), place_);
+    if (place.mesh)
+      areas.findOnMesh(place.point, place.sector, {&place.normal, 1}, fractions, slices);
+    else
+      areas.findOnSurface(place.point, place.sector, place.normal, fractions, slices);
+    const auto area = std::ranges::find(areas.lights(), finding.light) - areas.lights().begin();
+    finding.seenFraction = fractions[static_cast<std::size_t>(area)];
+    finding.adds = finding.seenFraction * light.intensity *
+                   Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
+    finding.comesNear = finding.seenFraction > 0;
+    finding.reason = finding.seenFraction > 0 ? LightReason::Lights : LightReason::NoneSeen;
+    return static_cast<int>(slices);
+  }
+
   /// The least that is enough, of some.
   std::optional<double> liftToSee(const LightSource& light) const {
     for (int i = 1; i <= kLifts; ++i)

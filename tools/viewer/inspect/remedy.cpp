@@ -26,11 +26,11 @@ std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& fi
   const double fraction = brightestFraction(light);
   if (fraction == 0) return std::nullopt;
   // The cosine, and what a spot leaves of its light.
-  const double full = light.sun ? light.intensity : light.brightnessAt(finding.distance);
+  const double full = light.hasPlace() ? light.brightnessAt(finding.distance) : light.intensity;
   const double shading = full > 0 ? finding.unshaded / full : 1;
   const double needed = kClearLevel / (fraction * shading);
   if (!light.curve.empty()) return Remedy{.curveLevel = raised(needed)};
-  if (light.sun) return Remedy{.intensity = raised(needed)};
+  if (!light.hasPlace()) return Remedy{.intensity = raised(needed)};
   // What makes `brightnessAt` the level that is needed.
   const double falloff = (light.intensity / needed - 1) / finding.distance;
   if (falloff >= kLeastFalloff) return Remedy{.falloff = lowered(falloff)};

@@ -55,7 +55,8 @@ std::string remedyWords(const LightSource& light, const LightFinding& finding) {
 
 std::string weakWords(const LightSource& light, const LightFinding& finding) {
   const std::string_view cosine = finding.unshaded < finding.level ? ", grazing the surface" : "";
-  const std::string at = light.sun ? "" : fmt::format(" at {} m", rounded(finding.distance, 2));
+  const std::string at =
+      light.hasPlace() ? fmt::format(" at {} m", rounded(finding.distance, 2)) : "";
   return fmt::format("too weak here: {} of 255{}{}; {}", rounded(finding.level, 2), at, cosine,
                      remedyWords(light, finding));
 }
@@ -182,6 +183,9 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
                         const LightFinding& finding) {
   switch (finding.reason) {
     case LightReason::Lights:
+      if (level.lights[finding.light].isSky)
+        return fmt::format("{:.0f} % of what level ground in the open gets",
+                           100 * finding.seenFraction);
       if (finding.seenFraction < 1)
         return fmt::format("{:.0f} % of it seen", 100 * finding.seenFraction);
       return brightest(finding.adds) < kFaintLevel ? weakWords(level.lights[finding.light], finding)
@@ -204,6 +208,8 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
       return blockedWords(level, finding);
     case LightReason::NotReached:
       return "not reached: it shines in a part of the level from which no straight way leads here";
+    case LightReason::NoneSeen:
+      return "not seen: no straight way leads from here to the sky";
   }
   return "";
 }

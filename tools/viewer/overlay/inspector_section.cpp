@@ -199,9 +199,11 @@ class Section {
                                               {corner.x + line, corner.y + line},
                                               imColor(colorOf(level_.lights[finding.light])));
     ImGui::TextUnformatted(name.data());
-    const bool isSun = level_.lights[finding.light].sun.has_value();
-    showColumns(left, isSun ? "sun" : fmt::format("{:.2f} m", finding.distance),
-                levelWords(brightest(finding.adds)));
+    const LightSource& light = level_.lights[finding.light];
+    const std::string away = light.isSky ? "sky"
+                             : light.sun ? "sun"
+                                         : fmt::format("{:.2f} m", finding.distance);
+    showColumns(left, away, levelWords(brightest(finding.adds)));
   }
 
   void offerLight(std::size_t light) {

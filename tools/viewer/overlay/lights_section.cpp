@@ -18,9 +18,8 @@ namespace hearth {
 
 namespace {
 
-constexpr int kRows = 6;               // of the list that show at once
-constexpr float kLightNameWidth = 11;  // of a field, in letters
-constexpr float kGap = 3;
+constexpr int kRows = 6;                         // of the list that show at once
+constexpr float kLightNameWidth = 11;            // of a field, in letters
 constexpr double kLargest = 1e9;                 // of all fields; the loader takes no more
 constexpr std::size_t kLongestLightName = 1000;  // bytes
 
@@ -48,7 +47,7 @@ void showButtons(LightsTool& tool, const Scene& scene, const Camera& camera) {
   showTip("Ctrl+Y, or Ctrl+Shift+Z");
   ImGui::SameLine();
   if (showButton("save", editor.isUnsaved())) tool.save(scene);
-  showTip("Ctrl+S");
+  showTip("Ctrl+S. It is grey while all is saved.");
   ImGui::SameLine();
   bool areShown = tool.areMarksShown();
   if (ImGui::Checkbox("marks", &areShown)) tool.showMarks(areShown);
@@ -56,8 +55,9 @@ void showButtons(LightsTool& tool, const Scene& scene, const Camera& camera) {
   ImGui::SameLine();
   if (showButton("add sun", true)) tool.addSun(camera);
   showTip("Where the camera looks. Its light comes in wherever the sky is seen.");
-  ImGui::SameLine(0, letters(kGap));
-  showText(editor.isUnsaved() ? "(not saved)" : "");
+  ImGui::SameLine();
+  if (showButton("add sky", !editor.lights().sky)) tool.addSky();
+  showTip("Light from all of the sky, wherever it is seen.");
 }
 
 // --- The list ------------------------------------------------------------------------------------
@@ -141,6 +141,8 @@ constexpr FieldRange kSunSize{
     0, 20, 0.05, 0, "%.2f deg", "Across its disc, which makes soft shadows. 0: a point."};
 constexpr FieldRange kSunIntensity{0,    kLargest,      1,
                                    0.01, "%.1f of 255", "Levels of light where all of it is seen."};
+constexpr FieldRange kSkyIntensity{
+    0, kLargest, 1, 0.01, "%.1f of 255", "Levels of light on level ground in the open."};
 
 /// Of a light that becomes a spot: straight down.
 const Spot kFirstSpot(0, -90, 20, 40);
@@ -312,8 +314,14 @@ bool showFieldsOfSun(LightSource& source) {
   return showColor(source) || isChanged;
 }
 
+bool showFieldsOfSky(LightSource& source) {
+  const bool isChanged = showField("intensity", source.intensity, kSkyIntensity);
+  return showColor(source) || isChanged;
+}
+
 bool showFields(LightDescription& light) {
   LightSource& source = light.source;
+  if (source.isSky) return showFieldsOfSky(source);
   if (source.sun) return showFieldsOfSun(source);
   bool isChanged = showPosition(source.position);
   isChanged |= showSector(light);

@@ -37,14 +37,18 @@ constexpr double kMaxBefore = 1;
 /// Degrees.
 constexpr double kLowestNewSun = 30;
 
+/// Levels. Shadows show beside what a sun adds.
+constexpr double kNewSky = 100;
+
 /// The sector of a point that the eye sees.
 std::optional<SectorId> seenAt(const Scene& scene, const Camera& camera, Vec3 point) {
   const Vec3 eye = nudgedInside(scene, scene[camera.sector], camera.eye);
   return Raytracer(scene).sectorAt({eye, camera.sector}, point);
 }
 
-/// Where a light has its mark.
+/// Where a light has its mark; the sky has none.
 std::optional<Vec2> markOf(const LightSource& light, const MarkerSpace& space) {
+  if (light.isSky) return std::nullopt;
   return light.sun ? space.pixelTowards(light.sun->direction()) : space.pixelOf(light.position);
 }
 
@@ -188,7 +192,7 @@ void LightsTool::dragSunTo(Vec2 pixel, const MarkerSpace& space) {
 
 std::optional<LightsTool::Drag> LightsTool::drag() const {
   if (!grip_ || !editor_.isDragging() || !editor_.picked()) return std::nullopt;
-  if (editor_.pickedLight().source.sun) return std::nullopt;
+  if (!editor_.pickedLight().source.hasPlace()) return std::nullopt;
   return Drag{editor_.pickedLight().source.position, grip_->axis};
 }
 
@@ -261,6 +265,15 @@ void LightsTool::addSun(const Camera& camera) {
   LightDescription light;
   const double pitch = std::clamp(std::round(camera.pitch), kLowestNewSun, 90.0);
   light.source.sun.emplace(std::round(camera.angle), pitch, 0);
+  editor_.add(light);
+  section_.reveal();
+}
+
+void LightsTool::addSky() {
+  release();
+  LightDescription light;
+  light.source.isSky = true;
+  light.source.intensity = kNewSky;
   editor_.add(light);
   section_.reveal();
 }

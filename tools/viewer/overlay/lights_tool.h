@@ -65,6 +65,8 @@ class LightsTool {
   void addBefore(const Scene& scene, const Camera& camera);
   /// Puts a sun where the camera looks, but not near the horizon.
   void addSun(const Camera& camera);
+  /// To a file that has none.
+  void addSky();
   /// Puts a light a metre before a surface, or half as far as there is air.
   void addBefore(const Scene& scene, const SurfacePoint& place);
 

@@ -1,0 +1,175 @@
+#include "light/gather/area_visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "level/locate.h"
+#include "math/tolerance.h"
+#include "math/trig.h"
+
+namespace hearth {
+
+namespace {
+
+/// Slices to begin with, and the most: steps are halved up to six times ...
+constexpr int kFirstSlices = 16;
+constexpr int kMostSlices = kFirstSlices << 6;
+/// ... while that changes the light by more levels than this.
+constexpr double kChange = 0.3;
+
+/// Of length 1, all around. None runs along an axis: walls do, and their corners lie in line.
+Vec2 directionOf(int slice) {
+  constexpr double kOffAxis = 0.0573;  // degrees
+  const SinCos at = sinCosDegrees(kOffAxis + 360.0 * slice / kMostSlices);
+  return {at.cos, at.sin};
+}
+
+/// Of the angle whose tangent is a slope.
+double sineOf(double slope) {
+  return std::abs(slope) == kStraightUp ? std::copysign(1.0, slope)
+                                        : slope / std::sqrt(1 + slope * slope);
+}
+
+/// The slopes of directions before a plane; `ahead` is the part of its normal in their compass
+/// direction.
+SlopeRange slopesBefore(Vec3 normal, double ahead) {
+  if (normal.z == 0) return ahead > 0 ? SlopeRange{-kStraightUp, kStraightUp} : SlopeRange{0, 0};
+  const double inPlane = -ahead / normal.z;
+  return normal.z > 0 ? SlopeRange{inPlane, kStraightUp} : SlopeRange{-kStraightUp, inPlane};
+}
+
+/// The integral from level up to a slope, with a the angle, of (ahead cos a + up sin a) cos a.
+double cosineUpTo(double slope, double ahead, double up) {
+  const double sine = sineOf(slope);
+  double sum = up * sine * sine;
+  if (ahead != 0) {
+    const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+    sum += ahead * (hearth::atan(slope) + sine * cosine);
+  }
+  return sum / 2;
+}
+
+std::vector<std::size_t> areasOf(const Level& level) {
+  std::vector<std::size_t> areas;
+  for (std::size_t i = 0; i < level.lights.size(); ++i)
+    if (level.lights[i].isSky) areas.push_back(i);
+  return areas;
+}
+
+}  // namespace
+
+/// Between two slices, by their numbers, and where their values begin in `inSlices_`.
+struct AreaVisibility::Step {
+  int from;
+  int to;
+  std::size_t atFrom;
+  std::size_t atTo;
+};
+
+AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles)
+    : scene_(scene), lights_(areasOf(scene.level())), slice_(scene, solidMaskedMiddles) {
+  for (const std::size_t i : lights_) {
+    const LightSource& light = scene.level().lights[i];
+    changes_.push_back(kChange / std::max(kChange, light.intensity * light.greatestFactor()));
+  }
+}
+
+/// The integral over the compass of what slices have, as a fraction of `whole`.
+template <typename InSlice>
+void AreaVisibility::integrate(InSlice&& inSlice, double whole, std::span<double> fractions,
+                               std::int64_t& slices) {
+  inSlices_.clear();
+  sums_.assign(fractions.size(), 0);
+  whole_ = whole;
+  constexpr int kWidth = kMostSlices / kFirstSlices;
+  const std::size_t first = slice(0, inSlice, slices);
+  std::size_t atFrom = first;
+  for (int i = 1; i <= kFirstSlices; ++i) {
+    const std::size_t atTo = i < kFirstSlices ? slice(i * kWidth, inSlice, slices) : first;
+    addStep({(i - 1) * kWidth, i * kWidth, atFrom, atTo}, inSlice, slices);
+    atFrom = atTo;
+  }
+  for (std::size_t k = 0; k < fractions.size(); ++k)
+    fractions[k] = std::clamp(sums_[k] / whole, 0.0, 1.0);
+}
+
+template <typename InSlice>
+void AreaVisibility::addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices) {
+  constexpr double kAround = 2 * std::numbers::pi;
+  const int middle = (step.from + step.to) / 2;
+  const double half = kAround * (middle - step.from) / kMostSlices;
+  const std::size_t atMiddle = slice(middle, inSlice, slices);
+  const auto meanOfEnds = [&](std::size_t k) {
+    return (inSlices_[step.atFrom + k] + inSlices_[step.atTo + k]) / 2;
+  };
+  bool changes = false;
+  for (std::size_t k = 0; k < sums_.size(); ++k)
+    changes |= half * std::abs(inSlices_[atMiddle + k] - meanOfEnds(k)) >
+               changes_[k % lights_.size()] * whole_;
+  if (changes && middle - step.from > 1) {
+    addStep({step.from, middle, step.atFrom, atMiddle}, inSlice, slices);
+    addStep({middle, step.to, atMiddle, step.atTo}, inSlice, slices);
+    return;
+  }
+  for (std::size_t k = 0; k < sums_.size(); ++k)
+    sums_[k] += half * (inSlices_[atMiddle + k] + meanOfEnds(k));
+}
+
+/// Returns where its values begin.
+template <typename InSlice>
+std::size_t AreaVisibility::slice(int number, const InSlice& inSlice, std::int64_t& slices) {
+  const std::size_t first = inSlices_.size();
+  inSlices_.resize(first + sums_.size());
+  ++slices;
+  inSlice(directionOf(number), std::span(inSlices_).subspan(first));
+  return first;
+}
+
+void AreaVisibility::findBefore(const SliceStart& start, std::span<const Vec3> normals,
+                                std::span<double> fractions, std::int64_t& slices, SectorSet* met) {
+  const auto inSlice = [&](Vec2 direction, std::span<double> sums) {
+    const auto aheadOf = [&](Vec3 normal) { return dot(normal.xy(), direction); };
+    SlopeRange beforeAny{kStraightUp, -kStraightUp};
+    for (const Vec3 normal : normals) {
+      const SlopeRange before = slopesBefore(normal, aheadOf(normal));
+      if (before.isEmpty()) continue;
+      beforeAny = {std::min(beforeAny.from, before.from), std::max(beforeAny.to, before.to)};
+    }
+    const std::vector<SlopeRange>& skies = slice_.skies(start, direction, beforeAny, met);
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+      const double ahead = aheadOf(normals[k]);
+      const SlopeRange before = slopesBefore(normals[k], ahead);
+      for (const SlopeRange sky : skies)
+        if (const SlopeRange seen = common(sky, before); !seen.isEmpty())
+          sums[k * lights_.size()] +=
+              cosineUpTo(seen.to, ahead, normals[k].z) - cosineUpTo(seen.from, ahead, normals[k].z);
+    }
+  };
+  integrate(inSlice, std::numbers::pi, fractions, slices);
+}
+
+void AreaVisibility::findOnSurface(Vec3 point, SectorId sector, Vec3 normal,
+                                   std::span<double> fractions, std::int64_t& slices,
+                                   SectorSet* met) {
+  findBefore({point, sector, kArrival}, {&normal, 1}, fractions, slices, met);
+}
+
+/// A point of a mesh may lie in the plane of a wall.
+void AreaVisibility::findOnMesh(Vec3 point, SectorId sector, std::span<const Vec3> normals,
+                                std::span<double> fractions, std::int64_t& slices, SectorSet* met) {
+  const Vec3 inside = nudgedInside(scene_, scene_[sector], point);
+  findBefore({inside, sector, kPositionSlack}, normals, fractions, slices, met);
+}
+
+void AreaVisibility::findFromAir(Vec3 point, SectorId sector, std::span<double> fractions,
+                                 std::int64_t& slices) {
+  const auto inSlice = [&](Vec2 direction, std::span<double> sums) {
+    for (const SlopeRange seen :
+         slice_.skies({point, sector, kArrival}, direction, {-kStraightUp, kStraightUp}, nullptr))
+      sums[0] += sineOf(seen.to) - sineOf(seen.from);
+  };
+  integrate(inSlice, 4 * std::numbers::pi, fractions, slices);
+}
+
+}  // namespace hearth

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "level/scene.h"
+#include "light/gather/slice.h"
+
+namespace hearth {
+
+/// Answers which fraction of the light of areas arrives at a point: the cosine to its normal,
+/// integrated over the directions in which it first meets the area, over pi. So all light of the
+/// sky arrives at level ground in the open. (Radiosity calls it a form factor: M. Cohen and J.
+/// Wallace, "Radiosity and Realistic Image Synthesis", 1993, chapter 4.)
+///
+/// In each of some compass directions a slice tells the slopes in question, over which the cosine
+/// is integrated exactly. Between compass directions the trapezoid rule halves its steps while that
+/// changes something.
+class AreaVisibility {
+ public:
+  /// Of all lights of the level that are areas. `solidMaskedMiddles`: see BakeSettings.
+  AreaVisibility(const Scene& scene, bool solidMaskedMiddles);
+
+  /// Those lights, by index, rising.
+  const std::vector<std::size_t>& lights() const { return lights_; }
+
+  /// At a point of a surface on the border of the air of a sector: the fraction of each, 0..1, in
+  /// their order. Adds the number of slices to `slices`, and the sectors that these enter to `met`,
+  /// if any.
+  void findOnSurface(Vec3 point, SectorId sector, Vec3 normal, std::span<double> fractions,
+                     std::int64_t& slices, SectorSet* met = nullptr);
+  /// The same for a point of a mesh, in the air of a sector, on faces of some normals: first the
+  /// fractions of all lights on the first.
+  void findOnMesh(Vec3 point, SectorId sector, std::span<const Vec3> normals,
+                  std::span<double> fractions, std::int64_t& slices, SectorSet* met = nullptr);
+  /// Of a point inside the air of a sector: of all directions, those that end in the area.
+  void findFromAir(Vec3 point, SectorId sector, std::span<double> fractions, std::int64_t& slices);
+
+ private:
+  struct Step;
+
+  void findBefore(const SliceStart& start, std::span<const Vec3> normals,
+                  std::span<double> fractions, std::int64_t& slices, SectorSet* met);
+  template <typename InSlice>
+  void integrate(InSlice&& inSlice, double whole, std::span<double> fractions,
+                 std::int64_t& slices);
+  template <typename InSlice>
+  void addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices);
+  template <typename InSlice>
+  std::size_t slice(int number, const InSlice& inSlice, std::int64_t& slices);
+
+  Scene scene_;
+  std::vector<std::size_t> lights_;
+  std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices
+  Slice slice_;
+  std::vector<double> inSlices_;  ///< of those of the point at hand, one after the other
+  std::vector<double> sums_;
+  double whole_ = 0;
+};
+
+}  // namespace hearth

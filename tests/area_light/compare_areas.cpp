@@ -1,0 +1,188 @@
+#include "area_light/compare_areas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "light/bakery.h"
+#include "light/baking/mesh_light.h"
+#include "light/baking/surface_places.h"
+#include "math/check.h"
+#include "random_levels/random.h"
+#include "random_levels/random_level.h"
+#include "truth/truth_gather.h"
+#include "truth/truth_light.h"
+
+namespace hearth::area_light {
+
+namespace {
+
+constexpr int kTexelsOfSurface = 4;
+constexpr int kSmallFacesOfMesh = 6;
+constexpr TruthGather::Effort kEffort{.side = 24, .rounds = 6, .seed = 1};
+
+/// Without lights that are no areas, and one sample to a texel: its middle.
+Level withAreasOnly(Level level) {
+  std::erase_if(level.lights,
+                [](const LightSource& light) { return light.hasPlace() || light.sun; });
+  if (level.lights.empty()) {
+    LightSource sky;
+    sky.isSky = true;
+    sky.intensity = 200;
+    level.lights.push_back(sky);
+  }
+  level.bake.samples = 1;
+  return level;
+}
+
+class Comparison {
+ public:
+  Comparison(Level level, const Geometry& geometry, std::string_view name)
+      : level_(std::move(level)),
+        scene_(level_, geometry),
+        name_(name),
+        baked_(bake(scene_, level_.bake, 1)),
+        direct_(level_),
+        gather_(level_, direct_),
+        sectors_(sectorsOfMeshes(level_)),
+        random_(level_.surfaces.size()) {
+    tally_.levels = 1;
+    for (const LightCost& cost : baked_.lightCosts) {
+      tally_.slices += cost.rays;
+      tally_.samples += cost.samples;
+    }
+  }
+
+  AreaTally compare() {
+    for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
+      if (baked_.surfaces[i]) compareSurface(SurfaceId(i));
+    for (std::uint32_t i = 0; i < level_.meshes.size(); ++i) compareMesh(i);
+    for (const Sprite& sprite : level_.sprites) compareSprite(sprite);
+    return tally_;
+  }
+
+ private:
+  std::string placeOf(SurfaceKind kind, SectorId sector, Vec3 p) const {
+    return fmt::format("{}: {} of {} at {:.3f} {:.3f} {:.3f}", name_, name(kind),
+                       level_[sector].name, p.x, p.y, p.z);
+  }
+
+  /// In the first channel, clamped as lightmaps are.
+  void add(SurfaceKind kind, double baked, const TruthGather::Estimate& truth,
+           const std::string& at) {
+    tally_.add(kind, baked, std::min(255.0, truth.light.sum().x), truth.standardError.sum().x, at);
+  }
+
+  void compareSurface(SurfaceId id) {
+    const SurfacePlaces places(scene_, baked_.surfaces, id);
+    const LitSurface& lit = *baked_.surfaces[id.index()];
+    for (int k = 0; k < kTexelsOfSurface; ++k) {
+      const int i = lit.texels.i0 + static_cast<int>(random_.between(0, lit.texels.width - 1));
+      const int j = lit.texels.j0 + static_cast<int>(random_.between(0, lit.texels.height - 1));
+      const SamplePoint at = places.place({i + 0.5, j + 0.5});
+      if (at.isMoved || places.isLeftOut(at) || !lit.outline.contains({i + 0.5, j + 0.5})) continue;
+      const Surface& there = level_[at.surface];
+      const auto truth = gather_.at(SurfacePoint{there.kind, there.sector, there.segment, at.target,
+                                                 baked_.surfaces[at.surface.index()]->normal},
+                                    kEffort);
+      const std::optional<Lightmap>& map = baked_.lightmaps[id.index()];
+      add(level_[id].kind, map ? map->at(i, j) : 0, truth,
+          placeOf(level_[id].kind, there.sector, at.point));
+    }
+  }
+
+  void compareMesh(std::uint32_t index) {
+    const LitMesh& lit = baked_.meshes[index];
+    for (const LitMesh::Patch& patch : lit.patches) compareTexel(index, patch);
+    for (int k = 0; k < kSmallFacesOfMesh && !lit.smallFaces.empty(); ++k)
+      compareSmallFace(index, lit.smallFaces[random_.below(lit.smallFaces.size())].face);
+  }
+
+  /// Of a patch: one that has a point of some face.
+  void compareTexel(std::uint32_t index, const LitMesh::Patch& patch) {
+    const Mesh& mesh = level_.meshes[index];
+    const std::uint32_t face = mesh.firstFace + patch.faces[random_.below(patch.faces.size())];
+    const auto& [a, b, c] = level_.meshFaces[face].corners;
+    const Vec2 texel = patch.surface.grid.toTexels((1 / 3.0) * (a + b + c));
+    const int i = static_cast<int>(std::floor(texel.x));
+    const int j = static_cast<int>(std::floor(texel.y));
+    const LitSurfaces alone{patch.surface};
+    const SamplePoint at = PatchPlaces(scene_, sectors_[index], alone).place({i + 0.5, j + 0.5});
+    if (at.isMoved) return;
+    const TexelRect& rect = patch.surface.texels;
+    const std::optional<Lightmap>& map = baked_.lightmaps[mesh.surface.index()];
+    compareFace(index, face, at.point,
+                map ? map->at(patch.i + i - rect.i0, patch.j + j - rect.j0) : 0);
+  }
+
+  /// In its middle, if light is found at all of its corners.
+  void compareSmallFace(std::uint32_t index, std::uint32_t face) {
+    const Mesh& mesh = level_.meshes[index];
+    const MeshFace& its = level_.meshFaces[mesh.firstFace + face];
+    const auto isFound = [&](Vec3 corner) { return isInAir(scene_, sectors_[index], corner); };
+    if (!std::ranges::all_of(its.corners, isFound)) return;
+    const auto& [a, b, c] = its.corners;
+    const Vec3 middle = (1 / 3.0) * (a + b + c);
+    const Vec2 at = placeOn(baked_.meshes[index], face, its, middle);
+    const std::optional<Lightmap>& map = baked_.lightmaps[mesh.surface.index()];
+    compareFace(index, mesh.firstFace + face, middle, map ? map->sample(at.x, at.y) : 0);
+  }
+
+  void compareFace(std::uint32_t index, std::uint32_t face, Vec3 p, double found) {
+    if (!isInAir(scene_, sectors_[index], p)) return;
+    const Mesh& mesh = level_.meshes[index];
+    const Vec3 front = frontOf(level_.meshFaces[face]);
+    SurfacePoint place{SurfaceKind::Mesh, mesh.sector, std::nullopt, p,
+                       (1 / length(front)) * front};
+    place.mesh = mesh.surface;
+    place.face = face;
+    add(SurfaceKind::Mesh, found, gather_.at(place, kEffort),
+        placeOf(SurfaceKind::Mesh, mesh.sector, p));
+  }
+
+  void compareSprite(const Sprite& sprite) {
+    const Vec3 p = lightPointOf(scene_, sprite);
+    const std::optional<Lightmap>& map = baked_.lightmaps[sprite.surface.index()];
+    const SurfaceKind kind = level_[sprite.surface].kind;
+    add(kind, map ? map->at(0, 0) : 0, gather_.at(AirPoint{p, sprite.sector}, kEffort),
+        placeOf(kind, sprite.sector, p));
+  }
+
+  Level level_;
+  Scene scene_;
+  std::string name_;
+  BakedLight baked_;
+  TruthLight direct_;
+  TruthGather gather_;
+  std::vector<std::vector<SectorId>> sectors_;  ///< by mesh
+  random_levels::Random random_;
+  AreaTally tally_;
+};
+
+bool hasSky(const Level& level) {
+  return std::ranges::any_of(level.sectors, [](const Sector& sector) {
+    return sector.ceiling.isSky || sector.floor.isSky;
+  });
+}
+
+}  // namespace
+
+AreaTally compareAreas(LoadedLevel loaded, std::string_view name) {
+  return Comparison(withAreasOnly(std::move(loaded.level)), loaded.geometry, name).compare();
+}
+
+AreaTally compareRandomLevel(std::uint64_t seed, const std::filesystem::path& folder) {
+  const RandomLevel random = makeRandomLevel(seed);
+  CHECK(writeRandomLevel(folder, random), seed);
+  LoadResult result = loadLevel(folder / (random.name + ".json"));
+  CHECK(result.loaded, seed);
+  std::filesystem::remove(folder / (random.name + ".json"));
+  std::filesystem::remove(folder / (random.name + ".lights.json"));
+  if (!hasSky(result.loaded->level)) return {};
+  return compareAreas(*std::move(result.loaded), fmt::format("seed {}", seed));
+}
+
+}  // namespace hearth::area_light

@@ -1,0 +1,220 @@
+// The light of the sky, as it is baked.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "light/gather/area_visibility.h"
+#include "light/gather/light_lattice.h"
+#include "support/baked_room.h"
+#include "support/in_tree.h"
+#include "support/level_text.h"
+#include "support/models.h"
+
+namespace hearth {
+namespace {
+
+using test::BakedRoom;
+using test::levelFrom;
+using test::sectorText;
+
+/// Level ground under the sky.
+std::string underSky(std::string_view name, std::string_view vertices, double height,
+                     std::string_view walls = "{'texture':'#808080'}") {
+  return fmt::format(
+      "'{}':{{'floor':{{'texture':'#808080'}},"
+      "'ceiling':{{'z':{},'texture':'sky','parallax':true}},"
+      "'loops':{{'border':{{'v':[{}],'walls':{}}}}}}}",
+      name, height, vertices, walls);
+}
+
+std::string levelText(std::string_view sectors, std::string_view things = "") {
+  return fmt::format("{{'light':0,'textures':'{}','sectors':{{{}}},'things':[{}]}}",
+                     test::inTree("textures").string(), sectors, things);
+}
+
+std::string skyText(double intensity, std::string_view more = "", std::string_view bake = "{}") {
+  return fmt::format("{{'lights':[],'sky':{{'intensity':{}{}}},'bake':{}}}", intensity, more, bake);
+}
+
+/// The fraction of a sky at a point of a floor.
+double onFloor(const LoadedLevel& loaded, Vec3 p) {
+  AreaVisibility areas(loaded.scene(), false);
+  double fraction = 0;
+  std::int64_t slices = 0;
+  areas.findOnSurface(p, SectorId(0), {0, 0, 1}, {&fraction, 1}, slices);
+  return fraction;
+}
+
+/// Of a rectangle, parallel to a plane and so far above it, over one of its corners (Lambert).
+double factorOfCorner(double a, double b, double height) {
+  const double x = a / height;
+  const double y = b / height;
+  const double ofX = x / std::sqrt(1 + x * x);
+  const double ofY = y / std::sqrt(1 + y * y);
+  return (ofX * std::atan(y / std::sqrt(1 + x * x)) + ofY * std::atan(x / std::sqrt(1 + y * y))) /
+         (2 * std::numbers::pi);
+}
+
+TEST(Sky, GivesLevelGroundInTheOpenItsIntensity) {
+  const LoadedLevel loaded = levelFrom(
+      levelText(underSky("plain", "-500,-500, 500,-500, 500,500, -500,500", 0.001)), skyText(120));
+  EXPECT_NEAR(onFloor(loaded, {0, 0, 0}), 1, 1e-9);
+  EXPECT_NEAR(onFloor(loaded, {499, -499.5, 0}), 1, 1e-5);
+}
+
+TEST(Sky, ThroughAShaftHasTheFormFactorOfItsOpening) {
+  for (const double height : {0.5, 2.0, 10.0}) {
+    const LoadedLevel loaded =
+        levelFrom(levelText(underSky("shaft", "0,0, 2,0, 2,3, 0,3", height)), skyText(100));
+    for (const Vec2 p : {Vec2{1, 1.5}, Vec2{0.5, 1}, Vec2{0.01, 2.9}}) {
+      const double opening =
+          factorOfCorner(p.x, p.y, height) + factorOfCorner(2 - p.x, p.y, height) +
+          factorOfCorner(p.x, 3 - p.y, height) + factorOfCorner(2 - p.x, 3 - p.y, height);
+      EXPECT_NEAR(onFloor(loaded, {p.x, p.y, 0}), opening, 0.003) << height;
+    }
+  }
+}
+
+TEST(Sky, LightsWallsByHalfOfItAtMostAndCeilingsNot) {
+  const BakedRoom room(
+      levelText(underSky("yard", "0,0, 200,0, 200,200, 0,200", 4, "{'texture':'#808080'}")),
+      skyText(200, ",'color':'#ff8000'", "{'texel':0.5}"));
+  EXPECT_NEAR(room.at(SurfaceKind::Floor, {100, 100, 0}), 200, 1);
+  EXPECT_NEAR(room.at(SurfaceKind::Floor, {100, 100, 0}, "", 1), 200 * 128 / 255.0, 1);
+  EXPECT_EQ(room.at(SurfaceKind::Floor, {100, 100, 0}, "", 2), 0);
+  EXPECT_NEAR(room.at(SurfaceKind::Solid, {0, 100, 3.5}), 100, 2);
+}
+
+TEST(Sky, WhateverLambertSaysHasTheCosine) {
+  const std::string yard = levelText(underSky("yard", "0,0, 8,0, 8,8, 0,8", 3));
+  const BakedRoom with(yard, skyText(200, "", "{'lambert':true}"));
+  const BakedRoom without(yard, skyText(200));
+  for (const Vec3 p : {Vec3{4, 4, 0}, Vec3{1, 7, 0}})
+    EXPECT_EQ(with.at(SurfaceKind::Floor, p), without.at(SurfaceKind::Floor, p));
+}
+
+TEST(Sky, IsDarkInARoomWithoutSky) {
+  const BakedRoom room(levelText(sectorText("room", "0,0, 8,0, 8,8, 0,8", 0, 3)), skyText(200));
+  for (const auto& map : room.light().lightmaps) EXPECT_FALSE(map);
+}
+
+/// Two rooms of which walls stand back to back.
+TEST(Sky, DoesNotLeakThroughThinWalls) {
+  const BakedRoom room(levelText(sectorText("room", "0,0, 8,0, 8,8, 0,8", 0, 3) + "," +
+                                 underSky("yard", "8,0, 16,0, 16,8, 8,8", 3)),
+                       skyText(255));
+  EXPECT_EQ(room.at(SurfaceKind::Floor, {7.95, 4, 0}, "room"), 0);
+  EXPECT_EQ(room.at(SurfaceKind::Solid, {8, 4, 2.9}, "room"), 0);
+  EXPECT_GT(room.at(SurfaceKind::Solid, {8, 4, 2.9}, "yard"), 100);
+}
+
+/// Half of them end in an endless sky, and half of these in front of a wall.
+TEST(Sky, AtPointsOfTheAirComesFromAllDirections) {
+  const LoadedLevel loaded =
+      levelFrom(levelText(underSky("plain", "0,0, 2000,0, 2000,2000, 0,2000", 2.5)), skyText(255));
+  AreaVisibility areas(loaded.scene(), false);
+  double fraction = 0;
+  std::int64_t slices = 0;
+  areas.findFromAir({1000, 1000, 2}, SectorId(0), {&fraction, 1}, slices);
+  EXPECT_NEAR(fraction, 0.5, 0.001);
+  areas.findFromAir({1e-6, 1000, 2}, SectorId(0), {&fraction, 1}, slices);
+  EXPECT_NEAR(fraction, 0.25, 0.001);
+}
+
+/// On the ground beside a box of 1 m, on the box, and inside of what it covers.
+TEST(Sky, IsHiddenByMeshesAndLightsThem) {
+  const std::string level = levelText(underSky("yard", "-50,-50, 50,-50, 50,50, -50,50", 2),
+                                      "{'mesh':'box.obj','x':0,'y':0}");
+  const BakedRoom room(
+      levelFrom(level, skyText(200, "", "{'texel':0.1}"), {{"box.obj", test::kBoxModel}}));
+  EXPECT_NEAR(room.onMesh({0, 0, 1}, {0, 0, 1}), 200, 6);
+  EXPECT_NEAR(room.onMesh({0.5, 0, 0.5}, {1, 0, 0}), 97, 4);
+  const double beside = room.at(SurfaceKind::Floor, {0.55, 0, 0});
+  EXPECT_GT(beside, 100);
+  EXPECT_LT(beside, 130) << "half of the sky is behind the box, but for what is beside it";
+  EXPECT_GT(room.at(SurfaceKind::Floor, {5, 0, 0}), 195);
+}
+
+/// Under a roof, 8 m deep, that is open towards a yard. The yard's sky is low: what comes over it
+/// is sky, too.
+TEST(Sky, IsSeenThroughTheStepBetweenTwoSkyCeilings) {
+  const auto walls = [](std::string_view next, int portal) {
+    std::string text;
+    for (int i = 0; i < 4; ++i)
+      text += fmt::format("{}{}", i == 0 ? "" : ",",
+                          i == portal ? fmt::format("{{'next':'{}','texture':'#808080'}}", next)
+                                      : std::string("{'texture':'#808080'}"));
+    return fmt::format("[{}]", text);
+  };
+  const auto fractionAt = [&](double height) {
+    return onFloor(
+        levelFrom(levelText(underSky("high", "0,0, 8,0, 8,8, 0,8", 8, walls("low", 1)) + "," +
+                            underSky("low", "8,0, 9,0, 9,8, 8,8", height, walls("high", 3))),
+                  skyText(100)),
+        {7.9, 4, 0});
+  };
+  EXPECT_GT(fractionAt(1), fractionAt(8) + 0.2) << "the wall beyond the low yard hides less";
+}
+
+TEST(Sky, HasNoSeamWhereAFloorIsCut) {
+  const auto walls = [](std::string_view next, int portal) {
+    std::string text;
+    for (int i = 0; i < 4; ++i)
+      text += fmt::format("{}{}", i == 0 ? "" : ",",
+                          i == portal ? fmt::format("{{'next':'{}'}}", next)
+                                      : std::string("{'texture':'#808080'}"));
+    return fmt::format("[{}]", text);
+  };
+  const BakedRoom whole(levelText(underSky("yard", "0,0, 14.2,0, 14.2,8, 0,8", 3)), skyText(255));
+  const BakedRoom cut(
+      levelText(underSky("west", "0,0, 6.3,0, 6.3,8, 0,8", 3, walls("east", 1)) + "," +
+                underSky("east", "6.3,0, 14.2,0, 14.2,8, 6.3,8", 3, walls("west", 3))),
+      skyText(255));
+  for (double x = 6; x < 6.6; x += 0.05)
+    for (double y = 0.3; y < 8; y += 0.7) {
+      const std::string_view sector = x < 6.3 ? "west" : "east";
+      EXPECT_NEAR(cut.at(SurfaceKind::Floor, {x, y, 0}, sector),
+                  whole.at(SurfaceKind::Floor, {x, y, 0}), 1.5)
+          << x << ' ' << y;
+    }
+}
+
+TEST(LightLattice, InterpolatesWhatIsEvenAndDividesWhereItIsNot) {
+  int asked = 0;
+  const auto step = [&](Vec2 p, std::span<double> values) {
+    ++asked;
+    values[0] = 3 + 0.01 * p.x;
+    values[1] = p.x < 40 ? 0 : 1;
+    return true;
+  };
+  const TexelRect texels{-7, 3, 100, 50};
+  LightLattice lattice(texels, 16, {0.1, 0.1}, LightLattice::Parts::AsNeeded, step);
+  for (double y = 3; y <= 53; y += 3.7)
+    for (double x = -7; x <= 93; x += 1.3) {
+      EXPECT_NEAR(lattice.at({x, y}, 0), 3 + 0.01 * x, 1e-12);
+      if (x < 39 || x > 41) {
+        EXPECT_EQ(lattice.at({x, y}, 1), x < 40 ? 0 : 1) << x;
+      }
+    }
+  EXPECT_LT(asked, 101 * 51 / 4);
+  EXPECT_NEAR(lattice.at({-100, 20}, 0), lattice.at({-7, 20}, 0), 0) << "the nearest";
+}
+
+TEST(LightLattice, TakesNothingFromWhereThereIsNoLight) {
+  const auto hole = [&](Vec2 p, std::span<double> values) {
+    values[0] = p.x < 20 ? 1 : -1000;
+    return p.x < 20;
+  };
+  LightLattice lattice({0, 0, 40, 8}, 16, {0.1}, LightLattice::Parts::AsNeeded, hole);
+  for (double x = 0; x < 20; x += 0.5) EXPECT_EQ(lattice.at({x, 4}, 0), 1) << x;
+  EXPECT_EQ(lattice.at({30, 4}, 0), 0);
+}
+
+}  // namespace
+}  // namespace hearth
