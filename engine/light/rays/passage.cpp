@@ -11,7 +11,7 @@ class Narrowing {
  public:
   explicit Narrowing(const ShaftHull::Slice& hull) : hull_(hull) {}
 
-  const Passage& passage() const { return passage_; }
+  const ShaftPassage& passage() const { return passage_; }
 
   void letThroughAbove(EndHeights line) {
     passage_.isShut |= hull_.isBelow(line);
@@ -65,7 +65,7 @@ class Narrowing {
 
  private:
   const ShaftHull::Slice& hull_;
-  Passage passage_;
+  ShaftPassage passage_;
 };
 
 }  // namespace
@@ -76,8 +76,8 @@ AirLines airAlong(const Scene& scene, const Segment& wall, double from, double t
   return {{first.zBottom, last.zBottom}, {first.zTop, last.zTop}};
 }
 
-Passage passageThrough(const Scene& scene, const Sector& sector, const Segment& wall,
-                       const LightOpening& opening, const ShaftHull::Slice& slice, SkyIs sky) {
+ShaftPassage passageThrough(const Scene& scene, const Sector& sector, const Segment& wall,
+                            const LightOpening& opening, const ShaftHull::Slice& slice, SkyIs sky) {
   Narrowing narrowing(slice);
   narrowing.addHeights(scene, sector, opening, sky);
   narrowing.addSlopes(scene, sector, wall, opening);

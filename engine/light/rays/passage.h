@@ -9,14 +9,14 @@ namespace hearth {
 enum class SkyIs { Passed, TheEnd };
 
 /// What an opening of a wall lets through of the rays of a shaft.
-struct Passage {
+struct ShaftPassage {
   bool isShut = false;  ///< none
   bool isOpen = true;   ///< all
 };
 
 /// `slice` is what the shaft's hull has of the wall.
-Passage passageThrough(const Scene& scene, const Sector& sector, const Segment& wall,
-                       const LightOpening& opening, const ShaftHull::Slice& slice, SkyIs sky);
+ShaftPassage passageThrough(const Scene& scene, const Sector& sector, const Segment& wall,
+                            const LightOpening& opening, const ShaftHull::Slice& slice, SkyIs sky);
 
 /// Whether no ray is in the sector any more where it would meet its wall: all have left through a
 /// flat portal, or ended in its sky.

@@ -170,7 +170,7 @@ void Shaft::meetOpenings(const Sector& sector, const ShaftHull::Slice& slice, Me
   if (haveLeftBefore(scene_, sector, *met.wall, slice, SkyIs::Passed)) return;
   met.stops = true;
   for (const LightOpening& opening : scene_.lightOpeningsOf(*met.wall)) {
-    const Passage passage =
+    const ShaftPassage passage =
         passageThrough(scene_, sector, *met.wall, opening, slice, SkyIs::Passed);
     if (!passage.isShut) exits_.push_back(&opening);
     if (passage.isOpen) met.stops = false;

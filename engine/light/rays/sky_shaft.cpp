@@ -88,7 +88,8 @@ void SkyShaft::meetWall(const Sector& sector, const Segment& wall) {
   if (haveLeftBefore(scene_, sector, wall, *slice, SkyIs::TheEnd)) return;
   bool stops = true;
   for (const LightOpening& opening : scene_.lightOpeningsOf(wall)) {
-    const Passage passage = passageThrough(scene_, sector, wall, opening, *slice, SkyIs::TheEnd);
+    const ShaftPassage passage =
+        passageThrough(scene_, sector, wall, opening, *slice, SkyIs::TheEnd);
     if (!passage.isShut) enter(opening.next);
     if (passage.isOpen) stops = false;
   }
