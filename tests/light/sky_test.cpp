@@ -33,6 +33,15 @@ std::string underSky(std::string_view name, std::string_view vertices, double he
       name, height, vertices, walls);
 }
 
+/// Of four walls, one of which leads to another sector.
+std::string wallsTo(std::string_view next, int portal) {
+  std::string walls;
+  for (int i = 0; i < 4; ++i)
+    walls += fmt::format("{}{{{}'texture':'#808080'}}", i == 0 ? "" : ",",
+                         i == portal ? fmt::format("'next':'{}',", next) : "");
+  return fmt::format("[{}]", walls);
+}
+
 std::string levelText(std::string_view sectors, std::string_view things = "") {
   return fmt::format("{{'light':0,'textures':'{}','sectors':{{{}}},'things':[{}]}}",
                      test::inTree("textures").string(), sectors, things);
@@ -141,21 +150,12 @@ TEST(Sky, IsHiddenByMeshesAndLightsThem) {
   EXPECT_GT(room.at(SurfaceKind::Floor, {5, 0, 0}), 195);
 }
 
-/// Under a roof, 8 m deep, that is open towards a yard. The yard's sky is low: what comes over it
-/// is sky, too.
+/// Beside a yard whose sky is low: what comes over that is sky, too.
 TEST(Sky, IsSeenThroughTheStepBetweenTwoSkyCeilings) {
-  const auto walls = [](std::string_view next, int portal) {
-    std::string text;
-    for (int i = 0; i < 4; ++i)
-      text += fmt::format("{}{}", i == 0 ? "" : ",",
-                          i == portal ? fmt::format("{{'next':'{}','texture':'#808080'}}", next)
-                                      : std::string("{'texture':'#808080'}"));
-    return fmt::format("[{}]", text);
-  };
   const auto fractionAt = [&](double height) {
     return onFloor(
-        levelFrom(levelText(underSky("high", "0,0, 8,0, 8,8, 0,8", 8, walls("low", 1)) + "," +
-                            underSky("low", "8,0, 9,0, 9,8, 8,8", height, walls("high", 3))),
+        levelFrom(levelText(underSky("high", "0,0, 8,0, 8,8, 0,8", 8, wallsTo("low", 1)) + "," +
+                            underSky("low", "8,0, 9,0, 9,8, 8,8", height, wallsTo("high", 3))),
                   skyText(100)),
         {7.9, 4, 0});
   };
@@ -163,18 +163,10 @@ TEST(Sky, IsSeenThroughTheStepBetweenTwoSkyCeilings) {
 }
 
 TEST(Sky, HasNoSeamWhereAFloorIsCut) {
-  const auto walls = [](std::string_view next, int portal) {
-    std::string text;
-    for (int i = 0; i < 4; ++i)
-      text += fmt::format("{}{}", i == 0 ? "" : ",",
-                          i == portal ? fmt::format("{{'next':'{}'}}", next)
-                                      : std::string("{'texture':'#808080'}"));
-    return fmt::format("[{}]", text);
-  };
   const BakedRoom whole(levelText(underSky("yard", "0,0, 14.2,0, 14.2,8, 0,8", 3)), skyText(255));
   const BakedRoom cut(
-      levelText(underSky("west", "0,0, 6.3,0, 6.3,8, 0,8", 3, walls("east", 1)) + "," +
-                underSky("east", "6.3,0, 14.2,0, 14.2,8, 6.3,8", 3, walls("west", 3))),
+      levelText(underSky("west", "0,0, 6.3,0, 6.3,8, 0,8", 3, wallsTo("east", 1)) + "," +
+                underSky("east", "6.3,0, 14.2,0, 14.2,8, 6.3,8", 3, wallsTo("west", 3))),
       skyText(255));
   for (double x = 6; x < 6.6; x += 0.05)
     for (double y = 0.3; y < 8; y += 0.7) {

@@ -1,7 +1,5 @@
 #include "light/baking/area_lattice.h"
 
-#include <algorithm>
-
 namespace hearth {
 
 /// How far the fractions may be off: as much as makes a level.
@@ -9,18 +7,12 @@ std::vector<double> AreaLattice::tolerancesOf(const Level& level,
                                               std::span<const std::size_t> lights) {
   constexpr double kTolerance = 1;  // level
   std::vector<double> tolerances;
-  for (const std::size_t i : lights) {
-    const LightSource& light = level.lights[i];
-    tolerances.push_back(kTolerance /
-                         std::max(kTolerance, light.intensity * light.greatestFactor()));
-  }
+  for (const std::size_t i : lights) tolerances.push_back(fractionFor(kTolerance, level.lights[i]));
   return tolerances;
 }
 
 double AreaLattice::seenFraction(std::size_t light, const SamplePoint& at, LightCost& cost) {
-  const auto place = std::ranges::lower_bound(areas_.lights(), light) - areas_.lights().begin();
-  const double seen =
-      lattice_.at(surface_.grid.toTexels(at.point), static_cast<std::size_t>(place));
+  const double seen = lattice_.at(surface_.grid.toTexels(at.point), areas_.placeOf(light));
   ++cost.samples;
   if (seen > 0) ++cost.seenSamples;
   cost.rays += std::exchange(slices_, 0);

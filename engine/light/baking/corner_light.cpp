@@ -91,8 +91,7 @@ void CornerLight::addArea(std::size_t index, std::span<const LitMesh::SmallFace>
   const double brightness =
       unshadowedBrightness(light, visibilities_.reach.metres(index), {}, {}, lambert_);
   const std::size_t count = areas_.lights().size();
-  const auto area = static_cast<std::size_t>(std::ranges::lower_bound(areas_.lights(), index) -
-                                             areas_.lights().begin());
+  const std::size_t area = areas_.placeOf(index);
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const double seen = ofAreas_[(3 * i + k) * count + area];

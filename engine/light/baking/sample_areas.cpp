@@ -26,8 +26,10 @@ void SampleAreas::find(std::size_t light, const SampleBlocks& blocks, std::span<
 }
 
 double SampleAreas::seenFraction(std::size_t light, const SamplePoint& at) {
+  const std::int64_t before = rays_.cost(light).rays;
   const double seen = lattice().seenFraction(light, at, rays_.cost(light));
-  recordMet(light);
+  // Most samples lie between nodes that are known.
+  if (rays_.cost(light).rays != before) recordMet(light);
   return seen;
 }
 

@@ -1,6 +1,5 @@
 #include "light/baking/sprite_light.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "light/baking/unshadowed_brightness.h"
@@ -17,8 +16,7 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   std::vector<double> ofAreas(areas.lights().size());
   if (!ofAreas.empty()) areas.findFromAir(point, sprite.sector, ofAreas, rays);
   const auto seenFraction = [&](std::size_t i) {
-    if (const auto area = std::ranges::find(areas.lights(), i); area != areas.lights().end())
-      return ofAreas[static_cast<std::size_t>(area - areas.lights().begin())];
+    if (scene.level().lights[i].isSky) return ofAreas[areas.placeOf(i)];
     if (const SunVisibility* const sun = visibilities.sun(i))
       return sun->seenFractionFromAir(point, sprite.sector, rays);
     return visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays);

@@ -69,10 +69,8 @@ struct AreaVisibility::Step {
 
 AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles)
     : scene_(scene), lights_(areasOf(scene.level())), slice_(scene, solidMaskedMiddles) {
-  for (const std::size_t i : lights_) {
-    const LightSource& light = scene.level().lights[i];
-    changes_.push_back(kChange / std::max(kChange, light.intensity * light.greatestFactor()));
-  }
+  for (const std::size_t i : lights_)
+    changes_.push_back(fractionFor(kChange, scene.level().lights[i]));
 }
 
 /// The integral over the compass of what slices have, as a fraction of `whole`.

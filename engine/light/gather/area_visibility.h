@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +10,12 @@
 #include "light/gather/slice.h"
 
 namespace hearth {
+
+/// The fraction of a light that is an area which makes so many levels in its brightest channel; all
+/// if it makes less.
+inline double fractionFor(double levels, const LightSource& light) {
+  return levels / std::max(levels, light.intensity * light.greatestFactor());
+}
 
 /// Answers which fraction of the light of areas arrives at a point: the cosine to its normal,
 /// integrated over the directions in which it first meets the area, over pi. So all light of the
@@ -25,6 +32,10 @@ class AreaVisibility {
 
   /// Those lights, by index, rising.
   const std::vector<std::size_t>& lights() const { return lights_; }
+  /// The place of one of them among them.
+  std::size_t placeOf(std::size_t light) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(lights_, light) - lights_.begin());
+  }
 
   /// At a point of a surface on the border of the air of a sector: the fraction of each, 0..1, in
   /// their order. Adds the number of slices to `slices`, and the sectors that these enter to `met`,

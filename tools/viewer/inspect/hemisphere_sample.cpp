@@ -48,7 +48,7 @@ bool HemisphereSample::isLitBy(const LightSource& light) const {
   const auto lightsAny = [&](const auto& source) {
     return std::ranges::any_of(seen_, [&](const SurfacePoint& place) {
       const double level = light.brightnessAt(place.point);
-      return level * brightestFraction(light) >= kVisibleLevel && source.seenFraction(place) > 0;
+      return level * light.greatestFactor() >= kVisibleLevel && source.seenFraction(place) > 0;
     });
   };
   if (light.sun) {

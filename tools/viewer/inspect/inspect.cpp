@@ -115,7 +115,7 @@ class Follower {
     if (light.isSky) return followSky(light, finding);
     followToPlace(finding);
     finding.comesNear = finding.seenFraction > 0 && finding.level > 0;
-    if (finding.comesNear || finding.level * brightestFraction(light) < kVisibleLevel)
+    if (finding.comesNear || finding.level * light.greatestFactor() < kVisibleLevel)
       return raysOf(light);
     finding.comesNear = hemisphere_.isLitBy(light);
     if (light.sun || !finding.comesNear || finding.reason != LightReason::Blocked)
@@ -137,8 +137,7 @@ class Follower {
       areas.findOnMesh(place.point, place.sector, {&place.normal, 1}, fractions, slices);
     else
       areas.findOnSurface(place.point, place.sector, place.normal, fractions, slices);
-    const auto area = std::ranges::find(areas.lights(), finding.light) - areas.lights().begin();
-    finding.seenFraction = fractions[static_cast<std::size_t>(area)];
+    finding.seenFraction = fractions[areas.placeOf(finding.light)];
     finding.adds = finding.seenFraction * light.intensity *
                    Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
     finding.comesNear = finding.seenFraction > 0;
@@ -202,7 +201,7 @@ class Follower {
     finding.reason = LightReason::OutsideSpot;
     if (light.spot && finding.level == 0 && light.brightnessAt(finding.distance) > 0) return;
     finding.reason = LightReason::TooWeak;
-    if (isCutOff || finding.unshaded * brightestFraction(light) < kVisibleLevel) return;
+    if (isCutOff || finding.unshaded * light.greatestFactor() < kVisibleLevel) return;
     finding.reason = LightReason::Lights;
     if (finding.seenFraction > 0) return;
     finding.blocker = source.firstMet(place_);
@@ -241,10 +240,6 @@ void findLights(const Scene& scene, const BakeSettings& settings, Inspection& fo
 }
 
 }  // namespace
-
-double brightestFraction(const LightSource& light) {
-  return std::max({light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)});
-}
 
 Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,
                    const TruthHit& place) {

@@ -67,9 +67,6 @@ inline constexpr int kInspectedBallPoints = 128;
 /// Levels. A light that adds less to each channel is too weak.
 inline constexpr double kVisibleLevel = 1;
 
-/// The factor of a light in its brightest channel.
-double brightestFraction(const LightSource& light);
-
 /// Follows the lights of the level to a place, with the settings of its bake. With many lights that
 /// takes up to some tens of milliseconds.
 Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,

@@ -23,7 +23,7 @@ double lowered(double number) {
 }  // namespace
 
 std::optional<Remedy> remedyFor(const LightSource& light, const LightFinding& finding) {
-  const double fraction = brightestFraction(light);
+  const double fraction = light.greatestFactor();
   if (fraction == 0) return std::nullopt;
   // The cosine, and what a spot leaves of its light.
   const double full = light.hasPlace() ? light.brightnessAt(finding.distance) : light.intensity;
