@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "level/area_lights.h"
 #include "level/bake_settings.h"
 #include "level/face_tree.h"
 #include "level/ids.h"
@@ -92,8 +91,7 @@ struct Level {
   std::vector<Sprite> sprites;  ///< of two things at one place the later hides the earlier
   std::vector<Mesh> meshes;
   std::vector<MeshFace> meshFaces;
-  std::vector<LightSource> lights;  ///< those with a place first, then the suns, then the sky
-  std::vector<Emitter> emitters;
+  std::vector<LightSource> lights;  ///< those with a place first, then the suns, the sky, emitters
   std::vector<Vec3> reflectances;  ///< by TextureId: means of what is no hole, 0..1; may be shorter
                                    ///< than `textures`, whose others reflect nothing
   BakeSettings bake;

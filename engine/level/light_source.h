@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "level/ids.h"
@@ -18,8 +19,8 @@ struct CurvePoint {
   friend constexpr bool operator==(CurvePoint, CurvePoint) = default;
 };
 
-/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`. Or a sun or
-/// the sky: then it has no place, and only `intensity` and `color` count.
+/// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`. Or a sun, the
+/// sky, or an emitter: then it has no place, and only `intensity` and `color` count.
 struct LightSource {
   Vec3 position;
   SectorId sector;
@@ -31,9 +32,13 @@ struct LightSource {
   double radius = 0;         ///< metres
   std::optional<Spot> spot;  ///< none: it shines all around
   std::optional<Sun> sun;
-  bool isSky = false;  ///< all skies of a level, as one dome
+  bool isSky = false;   ///< all skies of a level, as one dome
+  std::string texture;  ///< of an emitter: all surfaces that wear it shine, from their front; not
+                        ///< skies, sprites and middle textures. Else empty
 
-  bool hasPlace() const { return !sun && !isSky; }
+  bool isEmitter() const { return !texture.empty(); }
+  bool isArea() const { return isSky || isEmitter(); }
+  bool hasPlace() const { return !sun && !isArea(); }
 
   /// Light in levels at `distance` metres in full light, before colour.
   double brightnessAt(double distance) const;

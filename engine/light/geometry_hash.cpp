@@ -126,8 +126,8 @@ void addHoles(Hash& hash, const TexelHoles& holes) {
 
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) {
   // By name, so that no new member is forgotten.
-  const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun, isSky] =
-      light;
+  const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun, isSky,
+               texture] = light;
   hash.addPoint(position);
   hash.addWhole(light.hasPlace() ? sectorNumber : 0);
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
@@ -140,6 +140,7 @@ void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) 
   if (sun)
     for (const double number : {sun->angle(), sun->pitch(), sun->size()}) hash.addReal(number);
   if (isSky) hash.addText("sky");
+  if (light.isEmitter()) hash.addText("emitter " + texture);
 }
 
 }  // namespace hearth

@@ -77,11 +77,14 @@ class TruthGather::Random {
 };
 
 TruthGather::TruthGather(const Level& level, const TruthLight& direct)
-    : level_(level), direct_(direct) {
-  for (const LightSource& light : level.lights)
-    if (light.isSky)
-      sky_ =
-          light.intensity * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
+    : level_(level), direct_(direct), emitted_(level.textures.size()) {
+  for (const LightSource& light : level.lights) {
+    const Vec3 levels =
+        light.intensity * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
+    if (light.isSky) sky_ = levels;
+    for (std::size_t i = 0; i < emitted_.size(); ++i)
+      if (light.isEmitter() && level.textures[i] == light.texture) emitted_[i] = levels;
+  }
 }
 
 TruthGather::Estimate TruthGather::at(const SurfacePoint& place, const Effort& effort) const {
@@ -155,8 +158,7 @@ bool TruthGather::isFront(const TruthHit& hit, Vec3 direction) const {
 
 Vec3 TruthGather::emittedBy(const TruthHit& hit) const {
   if (hit.kind == SurfaceKind::MaskedMiddle) return {};
-  const auto found = std::ranges::find(level_.emitters, hit.texture->texture, &Emitter::texture);
-  return found == level_.emitters.end() ? Vec3{} : found->intensity * found->color;
+  return emitted_[hit.texture->texture.index()];
 }
 
 Vec3 TruthGather::reflectanceOf(const TruthHit& hit) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "truth/truth_light.h"
 
@@ -58,7 +59,8 @@ class TruthGather {
 
   const Level& level_;
   const TruthLight& direct_;
-  Vec3 sky_;  ///< levels at level ground in the open
+  Vec3 sky_;                   ///< levels at level ground in the open
+  std::vector<Vec3> emitted_;  ///< levels, by TextureId
 };
 
 }  // namespace hearth

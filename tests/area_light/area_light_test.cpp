@@ -13,14 +13,13 @@
 namespace hearth::area_light {
 namespace {
 
-TEST(AreaLight, ofRandomLevelsIsThatOfTruth) {
-  constexpr std::size_t kLevels = 60;
+void compareRandomLevels(std::size_t levels, Areas areas) {
   const auto folder =
       std::filesystem::temp_directory_path() / fmt::format("hearth-area-light-{}", ::getpid());
   ASSERT_TRUE(writeRandomLevelTextures(folder / "textures"));
-  std::vector<AreaTally> tallies(kLevels);
-  parallelFor(kLevels, availableThreads(),
-              [&](std::size_t i) { tallies[i] = compareRandomLevel(1 + i, folder); });
+  std::vector<AreaTally> tallies(levels);
+  parallelFor(levels, availableThreads(),
+              [&](std::size_t i) { tallies[i] = compareRandomLevel(1 + i, areas, folder); });
   std::filesystem::remove_all(folder);
   AreaTally all;
   for (const AreaTally& tally : tallies) all += tally;
@@ -31,6 +30,10 @@ TEST(AreaLight, ofRandomLevelsIsThatOfTruth) {
   EXPECT_LE(static_cast<double>(sum.far), 0.005 * static_cast<double>(sum.places));
   EXPECT_EQ(all.spills, 0) << all.spill;
 }
+
+TEST(AreaLight, ofSkiesIsThatOfTruth) { compareRandomLevels(60, Areas::Sky); }
+
+TEST(AreaLight, ofSurfacesThatShineIsThatOfTruth) { compareRandomLevels(30, Areas::Emitters); }
 
 }  // namespace
 }  // namespace hearth::area_light

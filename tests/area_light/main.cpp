@@ -11,9 +11,11 @@
 
 namespace {
 
+using hearth::area_light::Areas;
 using hearth::area_light::AreaTally;
 
-AreaTally compareRandomLevels(std::uint64_t count, std::uint64_t firstSeed, int threads) {
+AreaTally compareRandomLevels(std::uint64_t count, std::uint64_t firstSeed, Areas areas,
+                              int threads) {
   const auto folder = std::filesystem::temp_directory_path() /
                       fmt::format("hearth-area-light-{}", std::random_device{}());
   if (const auto written = hearth::writeRandomLevelTextures(folder / "textures"); !written) {
@@ -22,7 +24,7 @@ AreaTally compareRandomLevels(std::uint64_t count, std::uint64_t firstSeed, int 
   }
   std::vector<AreaTally> tallies(count);
   hearth::parallelFor(count, threads, [&](std::size_t i) {
-    tallies[i] = hearth::area_light::compareRandomLevel(firstSeed + i, folder);
+    tallies[i] = hearth::area_light::compareRandomLevel(firstSeed + i, areas, folder);
   });
   std::filesystem::remove_all(folder);
   AreaTally all;
@@ -30,14 +32,14 @@ AreaTally compareRandomLevels(std::uint64_t count, std::uint64_t firstSeed, int 
   return all;
 }
 
-AreaTally compareFiles(const std::vector<std::string>& files) {
+AreaTally compareFiles(const std::vector<std::string>& files, Areas areas) {
   AreaTally all;
   for (const std::string& file : files) {
     hearth::LoadResult result = hearth::loadLevel(file);
     for (const hearth::Diagnostic& diagnostic : result.diagnostics)
       fmt::print(stderr, "{}\n", hearth::format(diagnostic));
     if (!result.loaded) std::exit(2);
-    all += hearth::area_light::compareAreas(*std::move(result.loaded), file);
+    all += hearth::area_light::compareAreas(*std::move(result.loaded), areas, file);
   }
   return all;
 }
@@ -49,15 +51,18 @@ int main(int argc, char** argv) {
   std::vector<std::string> files;
   std::uint64_t count = 2000;
   std::uint64_t firstSeed = 1;
+  bool haveEmitters = false;
   int threads = hearth::availableThreads();
   app.add_option("LEVEL", files, "level files; default: random levels");
   app.add_option("--levels", count, "random levels")->capture_default_str();
   app.add_option("--seed", firstSeed, "seed of the first")->capture_default_str();
+  app.add_flag("--emitters", haveEmitters, "surfaces shine instead of the sky");
   app.add_option("--threads", threads, "random levels compared at a time")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  const AreaTally tally =
-      files.empty() ? compareRandomLevels(count, firstSeed, threads) : compareFiles(files);
+  const Areas areas = haveEmitters ? Areas::Emitters : Areas::Sky;
+  const AreaTally tally = files.empty() ? compareRandomLevels(count, firstSeed, areas, threads)
+                                        : compareFiles(files, areas);
   fmt::print("{}", hearth::area_light::table(tally));
   const hearth::area_light::Errors sum = tally.sum();
   constexpr double kMostRms = 2;         // levels

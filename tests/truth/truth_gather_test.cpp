@@ -23,9 +23,15 @@ Level withReflectance(const TestLevel& test, double reflectance, int bounces) {
   return level;
 }
 
+void addEmitter(Level& level, const std::string& texture, double intensity) {
+  LightSource emitter;
+  emitter.texture = texture;
+  emitter.intensity = intensity;
+  level.lights.push_back(emitter);
+}
+
 void makeAllShine(Level& level, double intensity) {
-  for (std::size_t i = 0; i < level.textures.size(); ++i)
-    level.emitters.push_back({TextureId(i), intensity, {1, 1, 1}});
+  for (const std::string& texture : level.textures) addEmitter(level, texture, intensity);
 }
 
 void addSky(Level& level, double intensity) {
@@ -180,7 +186,7 @@ TEST(TruthGather, ACeilingThatShinesGivesTheFormFactorsOfRectangles) {
   LitHall hall;
   hall.test.finished();
   Level level = hall.test.level();
-  level.emitters = {{level[hall.hall].ceiling.texture->texture, 100, {1, 1, 1}}};
+  addEmitter(level, level.textures[level[hall.hall].ceiling.texture->texture.index()], 100);
   const TruthLight direct(level);
   const TruthGather gather(level, direct);
   const double below = parallelFactor(3, 2, 4) + parallelFactor(5, 2, 4) + parallelFactor(3, 6, 4) +
@@ -243,7 +249,7 @@ TEST(TruthGather, AllThatAnEmitterGivesIsTaken) {
   LitHall hall;
   hall.test.finished();
   Level level = hall.test.level();
-  level.emitters = {{level[hall.hall].floor.texture->texture, 100, {1, 1, 1}}};
+  addEmitter(level, level.textures[level[hall.hall].floor.texture->texture.index()], 100);
   const TruthLight direct(level);
   const TruthGather gather(level, direct);
   double taken = 0;
@@ -287,14 +293,15 @@ TEST(TruthGather, MeshesHideWhatIsBehindThemAndShine) {
   hall.add(lid);
   hall.test.finished();
   Level level = hall.test.level();
-  level.emitters = {{level[hall.hall].ceiling.texture->texture, 100, {1, 1, 1}}};
+  addEmitter(level, level.textures[level[hall.hall].ceiling.texture->texture.index()], 100);
   const TruthLight direct(level);
   const auto below = TruthGather(level, direct).at(floorPoint(hall.hall, {2, 2}));
   const double ceiling =
       parallelFactor(2, 2, 4) + 2 * parallelFactor(6, 2, 4) + parallelFactor(6, 6, 4);
   const double hidden = 4 * parallelFactor(1, 1, 2);
   expectWithin(below, &Vec3::x, 100 * (ceiling - hidden), "below a table");
-  level.emitters = {{lid.front().texture, 100, {1, 1, 1}}};
+  level.lights.clear();
+  addEmitter(level, level.textures[lid.front().texture.index()], 100);
   const SurfacePoint above{SurfaceKind::Ceiling, hall.hall, std::nullopt, {2, 2, 4}, {0, 0, -1}};
   expectWithin(TruthGather(level, direct).at(above), &Vec3::x, 100 * hidden, "above it");
   EXPECT_EQ(TruthGather(level, direct).at(floorPoint(hall.hall, {2, 2})).light.emitted.x, 0)

@@ -66,7 +66,7 @@ TexelSums CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
 void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,
                       TexelSums& sums) {
   const LightSource& light = scene_.level().lights[index];
-  if (light.isSky) return addArea(index, faces, sums);
+  if (light.isArea()) return addArea(index, faces, sums);
   seen_.assign(corners_.size(), kUnknown);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const MeshFace& face = faceAt(faces[i]);

@@ -29,7 +29,7 @@ LightReach::LightReach(const Level& level, const BakeSettings& settings)
   for (const LightSource& light : level.lights) {
     metres_.push_back(light.reach(settings.cutOff));
     radii_.push_back(settings.softSamples == 0 || !light.hasPlace() ? 0 : light.radius);
-    areSoft_.push_back(radii_.back() > 0 || light.isSky ||
+    areSoft_.push_back(radii_.back() > 0 || light.isArea() ||
                        (light.sun && light.sun->size() > 0 && settings.softSamples > 0));
     positions_.push_back(light.position);
     spots_.push_back(light.spot);

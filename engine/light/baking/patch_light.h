@@ -63,12 +63,12 @@ class PatchLight : public PatchPlaces {
   }
   const std::vector<double>& seenFractions(std::size_t light, const PatchSamples& samples);
   double seenFraction(std::size_t light, const SamplePoint& at) {
-    if (this->light(light).isSky) return areas().seenFraction(light, at, costs_[light]);
+    if (this->light(light).isArea()) return areas().seenFraction(light, at, costs_[light]);
     if (const SunVisibility* sun = visibilities_.sun(light)) return seenFraction(*sun, light, at);
     return seenFraction(visibilities_.fine(light), light, at);
   }
   double roughlySeenFraction(std::size_t light, const SamplePoint& at) {
-    if (this->light(light).isSky) return areas().seenFraction(light, at, costs_[light]);
+    if (this->light(light).isArea()) return areas().seenFraction(light, at, costs_[light]);
     if (visibilities_.sun(light)) return seenFraction(visibilities_.roughSun(light), light, at);
     return seenFraction(visibilities_.rough(light), light, at);
   }

@@ -10,7 +10,7 @@ namespace hearth {
 bool isInFront(const Level& level, const LightReach& reach, std::size_t index,
                const LitSurface& surface) {
   const LightSource& light = level.lights[index];
-  if (light.isSky) return true;
+  if (light.isArea()) return true;
   if (light.sun)
     return dot(surface.normal, light.sun->direction()) >
            kInPlaneSine - (reach.isSoft(index) ? light.sun->sinRadius() : 0);

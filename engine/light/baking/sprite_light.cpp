@@ -16,7 +16,7 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   std::vector<double> ofAreas(areas.lights().size());
   if (!ofAreas.empty()) areas.findFromAir(point, sprite.sector, ofAreas, rays);
   const auto seenFraction = [&](std::size_t i) {
-    if (scene.level().lights[i].isSky) return ofAreas[areas.placeOf(i)];
+    if (scene.level().lights[i].isArea()) return ofAreas[areas.placeOf(i)];
     if (const SunVisibility* const sun = visibilities.sun(i))
       return sun->seenFractionFromAir(point, sprite.sector, rays);
     return visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays);

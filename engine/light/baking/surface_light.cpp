@@ -74,7 +74,7 @@ const std::vector<double>& SurfaceLight::seenFractions(std::size_t light,
 }
 
 void SurfaceLight::findSeen(std::size_t light, const SampleBlocks& blocks) {
-  if (rays_.light(light).isSky)
+  if (rays_.light(light).isArea())
     areas_.find(light, blocks, seen_);
   else if (rays_.sun(light))
     suns_.find(light, blocks, seen_);
@@ -85,14 +85,14 @@ void SurfaceLight::findSeen(std::size_t light, const SampleBlocks& blocks) {
 }
 
 double SurfaceLight::seenFraction(std::size_t light, const SamplePoint& at) {
-  if (rays_.light(light).isSky) return areas_.seenFraction(light, at);
+  if (rays_.light(light).isArea()) return areas_.seenFraction(light, at);
   if (const SunVisibility* sun = rays_.sun(light))
     return rays_.seenFraction(*sun, light, at, nullptr);
   return rays_.seenFraction(rays_.visibility(light), light, at, nullptr);
 }
 
 double SurfaceLight::roughlySeenFraction(std::size_t light, const SamplePoint& at) {
-  if (rays_.light(light).isSky) return areas_.seenFraction(light, at);
+  if (rays_.light(light).isArea()) return areas_.seenFraction(light, at);
   if (rays_.sun(light))
     return rays_.seenFraction(rays_.visibilities().roughSun(light), light, at, nullptr);
   const LightVisibility& visibility = rays_.roughVisibility(light);

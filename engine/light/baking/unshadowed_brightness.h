@@ -15,7 +15,7 @@ inline double unshadowedBrightness(const LightSource& light, double reach, Vec3 
                                    bool lambert) {
   if (!light.hasPlace()) {
     if (reach == 0) return 0;
-    if (light.isSky) return light.intensity;
+    if (light.isArea()) return light.intensity;
     return light.intensity * (lambert ? std::max(0.0, dot(light.sun->direction(), normal)) : 1);
   }
   const Vec3 toLight = light.position - point;

@@ -50,13 +50,6 @@ double cosineUpTo(double slope, double ahead, double up) {
   return sum / 2;
 }
 
-std::vector<std::size_t> areasOf(const Level& level) {
-  std::vector<std::size_t> areas;
-  for (std::size_t i = 0; i < level.lights.size(); ++i)
-    if (level.lights[i].isSky) areas.push_back(i);
-  return areas;
-}
-
 }  // namespace
 
 /// Between two slices, by their numbers, and where their values begin in `inSlices_`.
@@ -68,8 +61,8 @@ struct AreaVisibility::Step {
 };
 
 AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles)
-    : scene_(scene), lights_(areasOf(scene.level())), slice_(scene, solidMaskedMiddles) {
-  for (const std::size_t i : lights_)
+    : scene_(scene), slice_(scene, solidMaskedMiddles) {
+  for (const std::size_t i : lights())
     changes_.push_back(fractionFor(kChange, scene.level().lights[i]));
 }
 
@@ -104,7 +97,7 @@ void AreaVisibility::addStep(const Step& step, const InSlice& inSlice, std::int6
   bool changes = false;
   for (std::size_t k = 0; k < sums_.size(); ++k)
     changes |= half * std::abs(inSlices_[atMiddle + k] - meanOfEnds(k)) >
-               changes_[k % lights_.size()] * whole_;
+               changes_[k % changes_.size()] * whole_;
   if (changes && middle - step.from > 1) {
     addStep({step.from, middle, step.atFrom, atMiddle}, inSlice, slices);
     addStep({middle, step.to, atMiddle, step.atTo}, inSlice, slices);
@@ -134,13 +127,13 @@ void AreaVisibility::findBefore(const SliceStart& start, std::span<const Vec3> n
       if (before.isEmpty()) continue;
       beforeAny = {std::min(beforeAny.from, before.from), std::max(beforeAny.to, before.to)};
     }
-    const std::vector<SlopeRange>& skies = slice_.skies(start, direction, beforeAny, met);
+    const std::vector<AreaInSlice>& areas = slice_.areas(start, direction, beforeAny, met);
     for (std::size_t k = 0; k < normals.size(); ++k) {
       const double ahead = aheadOf(normals[k]);
       const SlopeRange before = slopesBefore(normals[k], ahead);
-      for (const SlopeRange sky : skies)
-        if (const SlopeRange seen = common(sky, before); !seen.isEmpty())
-          sums[k * lights_.size()] +=
+      for (const auto& [slopes, light] : areas)
+        if (const SlopeRange seen = common(slopes, before); !seen.isEmpty())
+          sums[k * lights().size() + light] +=
               cosineUpTo(seen.to, ahead, normals[k].z) - cosineUpTo(seen.from, ahead, normals[k].z);
     }
   };
@@ -163,9 +156,9 @@ void AreaVisibility::findOnMesh(Vec3 point, SectorId sector, std::span<const Vec
 void AreaVisibility::findFromAir(Vec3 point, SectorId sector, std::span<double> fractions,
                                  std::int64_t& slices) {
   const auto inSlice = [&](Vec2 direction, std::span<double> sums) {
-    for (const SlopeRange seen :
-         slice_.skies({point, sector, kArrival}, direction, {-kStraightUp, kStraightUp}, nullptr))
-      sums[0] += sineOf(seen.to) - sineOf(seen.from);
+    for (const auto& [slopes, light] :
+         slice_.areas({point, sector, kArrival}, direction, {-kStraightUp, kStraightUp}, nullptr))
+      sums[light] += sineOf(slopes.to) - sineOf(slopes.from);
   };
   integrate(inSlice, 4 * std::numbers::pi, fractions, slices);
 }

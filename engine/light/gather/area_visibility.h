@@ -31,11 +31,9 @@ class AreaVisibility {
   AreaVisibility(const Scene& scene, bool solidMaskedMiddles);
 
   /// Those lights, by index, rising.
-  const std::vector<std::size_t>& lights() const { return lights_; }
+  const std::vector<std::size_t>& lights() const { return slice_.lights().lights(); }
   /// The place of one of them among them.
-  std::size_t placeOf(std::size_t light) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(lights_, light) - lights_.begin());
-  }
+  std::size_t placeOf(std::size_t light) const { return slice_.lights().placeOf(light); }
 
   /// At a point of a surface on the border of the air of a sector: the fraction of each, 0..1, in
   /// their order. Adds the number of slices to `slices`, and the sectors that these enter to `met`,
@@ -63,9 +61,8 @@ class AreaVisibility {
   std::size_t slice(int number, const InSlice& inSlice, std::int64_t& slices);
 
   Scene scene_;
-  std::vector<std::size_t> lights_;
-  std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices
   Slice slice_;
+  std::vector<double> changes_;   ///< of the fraction of each, that are worth more slices
   std::vector<double> inSlices_;  ///< of those of the point at hand, one after the other
   std::vector<double> sums_;
   double whole_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "level/locate.h"
 #include "level/masked_middle.h"
@@ -40,13 +42,13 @@ bool clip(Vec2& a, Vec2& b, double atA, double atB) {
 
 }  // namespace
 
-const std::vector<SlopeRange>& Slice::skies(const SliceStart& start, Vec2 direction,
-                                            SlopeRange slopes, SectorSet* met) {
+const std::vector<AreaInSlice>& Slice::areas(const SliceStart& start, Vec2 direction,
+                                             SlopeRange slopes, SectorSet* met) {
   start_ = start;
   direction_ = direction;
   met_ = met;
   line_.emplace(start.point.xy(), direction, 1, kPreciseReach);
-  skies_.clear();
+  areas_.clear();
   branches_.clear();
   if (!slopes.isEmpty()) branches_.push_back({start.sector, 0, 0, nullptr, slopes});
   // No lines through a level that means something are divided so often.
@@ -56,7 +58,7 @@ const std::vector<SlopeRange>& Slice::skies(const SliceStart& start, Vec2 direct
     branches_.pop_back();
     advance(branch);
   }
-  return skies_;
+  return areas_;
 }
 
 /// Of the line from the start to a height `t` metres along the map.
@@ -64,6 +66,10 @@ double Slice::slopeTo(double z, double t) const {
   const double rise = z - start_.point.z;
   if (t > 0) return rise / t;
   return rise == 0 ? 0 : std::copysign(kStraightUp, rise);
+}
+
+void Slice::see(SlopeRange slopes, std::optional<AreaLights::Place> light) {
+  if (light && !slopes.isEmpty()) areas_.push_back({slopes, *light});
 }
 
 void Slice::advance(const Branch& branch) {
@@ -102,10 +108,10 @@ void Slice::meetFlat(const Branch& branch, double t, SlopeRange slopes, bool isF
   if (slopes.isEmpty()) return;
   const Sector& sector = scene_[branch.sector];
   const Flat& flat = isFloor ? sector.floor : sector.ceiling;
-  if (flat.isSky)
-    skies_.push_back(slopes);
-  else if (flat.flatPortal)
-    crossFlatPortal(branch, t, slopes, isFloor);
+  if (flat.isSky) return see(slopes, lights_.sky());
+  if (flat.flatPortal) return crossFlatPortal(branch, t, slopes, isFloor);
+  const SurfaceId surface = *(isFloor ? sector.floorSurface : sector.ceilingSurface);
+  see(slopes, lights_.ofTexture(scene_[surface].mapping.texture));
 }
 
 /// Lines cross its plane the nearer the steeper they are. `tEnd` is where they leave the sector.
@@ -156,10 +162,41 @@ SectorId Slice::memberAt(const FlatPortal& flatPortal, bool isFloor, double t) c
 
 void Slice::meetWall(const Border& border, SlopeRange slopes) {
   if (slopes.isEmpty()) return;
+  if (lights_.haveSurfaces()) seePieces(border, slopes);
   for (const LightOpening& opening : scene_.lightOpeningsOf(*border.segment)) {
     const SlopeRange open = common(slopes, slopesThrough(opening, border));
     if (!open.isEmpty()) passMiddles(opening, border, open);
   }
+}
+
+/// Whatever of a wall shines.
+void Slice::seePieces(const Border& border, SlopeRange slopes) {
+  for (const auto& [zBottom, zTop, content] : scene_.piecesOf(*border.segment)) {
+    const SlopeRange piece = common(slopes, {slopeTo(zBottom, border.t), slopeTo(zTop, border.t)});
+    if (const Opening* opening = std::get_if<Opening>(&content)) {
+      seeSidewalls(*opening, border, piece);
+      continue;
+    }
+    const Surface& surface = scene_[std::get<SurfaceId>(content)];
+    if (!isSky(surface.kind)) see(piece, lights_.ofTexture(surface.mapping.texture));
+  }
+}
+
+/// Where the next sector's slopes stand in an opening; that of its floor is in front.
+void Slice::seeSidewalls(const Opening& opening, const Border& border, SlopeRange slopes) {
+  const Sector& next = scene_[opening.next];
+  const Vec2 p = line_->at(border.t);
+  const auto seeSide = [&](SurfaceId side, SlopeRange covered) {
+    see(common(slopes, covered), lights_.ofTexture(scene_[side].mapping.texture));
+  };
+  double bottom = -kStraightUp;
+  if (opening.floorSidewall) {
+    bottom = slopeTo(scene_.airBottom(next, p), border.t);
+    seeSide(*opening.floorSidewall, {-kStraightUp, bottom});
+  }
+  if (opening.ceilingSidewall)
+    seeSide(*opening.ceilingSidewall,
+            {std::max(bottom, slopeTo(scene_.airTop(next, p), border.t)), kStraightUp});
 }
 
 /// Of lines that come through the opening into the air behind it, or a sky.
@@ -199,10 +236,7 @@ void Slice::passMiddles(const LightOpening& opening, const Border& border, Slope
 void Slice::enter(const LightOpening& opening, double t, SlopeRange slopes) {
   const Sector& next = scene_[opening.next];
   const Vec2 p = line_->at(t);
-  const auto endInSky = [&](SlopeRange beyond) {
-    beyond = common(beyond, slopes);
-    if (!beyond.isEmpty()) skies_.push_back(beyond);
-  };
+  const auto endInSky = [&](SlopeRange beyond) { see(common(beyond, slopes), lights_.sky()); };
   SlopeRange rest = slopes;
   if (next.floor.isSky) {
     const double bottom = slopeTo(scene_.airBottom(next, p), t);
@@ -220,6 +254,7 @@ void Slice::enter(const LightOpening& opening, double t, SlopeRange slopes) {
 /// Those in the sector, before lines leave it.
 void Slice::meetMeshes(const Branch& branch, const Border& border) {
   meshes_.clear();
+  cuts_.clear();
   const Level& level = scene_.level();
   const auto mayMeet = [&](const Box3& box) { return mayBlock(box, branch, border); };
   for (const MeshInSector& at : level.meshesIn(branch.sector)) {
@@ -227,10 +262,22 @@ void Slice::meetMeshes(const Branch& branch, const Border& border) {
     if (!mesh.castsShadow || !mayMeet(level.faceTrees[at.mesh].box())) continue;
     const std::span<const MeshFace> faces = level.facesOf(mesh);
     level.faceTrees[at.mesh].anyFace(mayMeet, [&](std::uint32_t face) {
-      if (const std::optional<InPlane> cut = cutOf(faces[face])) block(*cut, branch, border);
+      const std::optional<InPlane> whole = cutOf(faces[face]);
+      const std::optional<InPlane> cut = whole ? inAir(*whole, branch, border) : std::nullopt;
+      if (cut) block(*cut, branch, lightOf(faces[face], mesh.isTwoSided));
       return false;
     });
   }
+  forEachShining(cuts_, hidden_, [&](SlopeRange slopes, AreaLights::Place light) {
+    see(common(slopes, branch.slopes), light);
+  });
+}
+
+/// The light that it gives towards the start.
+std::optional<AreaLights::Place> Slice::lightOf(const MeshFace& face, bool isTwoSided) const {
+  if (!lights_.haveFaces()) return std::nullopt;
+  const bool isFront = dot(frontOf(face), start_.point - face.corners[0]) > 0;
+  return isFront || isTwoSided ? lights_.ofTexture(face.texture) : std::nullopt;
 }
 
 /// Whether what is in a box may stop lines that nothing has stopped so far.
@@ -249,7 +296,9 @@ bool Slice::mayBlock(const Box3& box, const Branch& branch, const Border& border
   const double high = box.max.z + kPositionSlack - start_.point.z;
   const SlopeRange slopes =
       common({low / (low < 0 ? first : last), high / (high > 0 ? first : last)}, branch.slopes);
-  return !slopes.isEmpty() && !meshes_.covers(slopes);
+  if (slopes.isEmpty()) return false;
+  // What is hidden by none of those so far may hide one that shines.
+  return lights_.haveFaces() || !meshes_.covers(slopes);
 }
 
 /// The part of a face in the slice's plane.
@@ -269,13 +318,16 @@ std::optional<Slice::InPlane> Slice::cutOf(const MeshFace& face) const {
   return InPlane{ends[0], ends[1]};
 }
 
-/// Up to kPositionSlack beyond the sector's outline: a face in the plane of an opening stops lines
-/// on either side. A start may lie in the plane of a flat, where so much would be steep.
-void Slice::block(InPlane cut, const Branch& branch, const Border& border) {
+/// Its part in the sector's air, up to kPositionSlack beyond the outline: a face in the plane of an
+/// opening stops lines on either side. A start may lie in the plane of a flat, where so much would
+/// be steep.
+std::optional<Slice::InPlane> Slice::inAir(InPlane cut, const Branch& branch,
+                                           const Border& border) const {
   auto& [a, b] = cut;
   const double tFirst = std::max(branch.tIn - kPositionSlack, start_.slack);
   const double tLast = border.t + kPositionSlack;
-  if (!clip(a, b, a.x - tFirst, b.x - tFirst) || !clip(a, b, tLast - a.x, tLast - b.x)) return;
+  if (!clip(a, b, a.x - tFirst, b.x - tFirst) || !clip(a, b, tLast - a.x, tLast - b.x))
+    return std::nullopt;
   const Sector& sector = scene_[branch.sector];
   const auto overFloor = [&](Vec2 p) {
     return start_.point.z + p.y - scene_.airBottom(sector, line_->at(p.x)) + kHeightNoise;
@@ -284,9 +336,16 @@ void Slice::block(InPlane cut, const Branch& branch, const Border& border) {
     return scene_.airTop(sector, line_->at(p.x)) - start_.point.z - p.y + kHeightNoise;
   };
   if (!clip(a, b, overFloor(a), overFloor(b)) || !clip(a, b, underCeiling(a), underCeiling(b)))
-    return;
-  const auto [from, to] = std::minmax({a.y / a.x, b.y / b.x});
-  meshes_.add(common({from, to}, branch.slopes));
+    return std::nullopt;
+  return cut;
+}
+
+void Slice::block(InPlane cut, const Branch& branch, std::optional<AreaLights::Place> light) {
+  auto& [a, b] = cut;
+  if (a.y / a.x > b.y / b.x) std::swap(a, b);
+  const SlopeRange slopes{a.y / a.x, b.y / b.x};
+  meshes_.add(common(slopes, branch.slopes));
+  if (lights_.haveFaces() && !slopes.isEmpty()) cuts_.push_back({slopes, 1 / a.x, 1 / b.x, light});
 }
 
 }  // namespace hearth

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "light/gather/area_lights.h"
 #include "light/gather/blocked_slopes.h"
+#include "light/gather/face_cuts.h"
 #include "light/rays/id_set.h"
 #include "light/rays/plan_line.h"
 #include "math/box3.h"
@@ -19,6 +21,12 @@ struct SliceStart {
   double slack;  ///< metres from the point within which no mesh stops a line
 };
 
+/// Slopes whose lines first meet an area that shines.
+struct AreaInSlice {
+  SlopeRange slopes;
+  AreaLights::Place light;
+};
+
 /// Follows all straight lines from a point in one compass direction at once: those of a vertical
 /// half-plane. On the map they are one ray, which crosses the walls of sectors; how high each line
 /// is there, its slope tells. So a sector's flats, and what opens in its wall, divide the slopes
@@ -29,12 +37,16 @@ class Slice {
  public:
   /// `solidMaskedMiddles`: see BakeSettings.
   Slice(const Scene& scene, bool solidMaskedMiddles)
-      : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles) {}
+      : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles), lights_(scene.level()) {}
 
-  /// The slopes, among `slopes`, of lines that first meet a sky, in no order. `direction` has
-  /// length 1. `met`, if any, gets the sectors that lines enter. Valid until the next call.
-  const std::vector<SlopeRange>& skies(const SliceStart& start, Vec2 direction, SlopeRange slopes,
-                                       SectorSet* met);
+  /// Those of the level.
+  const AreaLights& lights() const { return lights_; }
+
+  /// The slopes, among `slopes`, of lines that first meet a sky or a surface that shines, in no
+  /// order. `direction` has length 1. `met`, if any, gets the sectors that lines enter. Valid until
+  /// the next call.
+  const std::vector<AreaInSlice>& areas(const SliceStart& start, Vec2 direction, SlopeRange slopes,
+                                        SectorSet* met);
 
  private:
   /// Lines that are in one sector.
@@ -58,6 +70,7 @@ class Slice {
   };
 
   double slopeTo(double z, double t) const;
+  void see(SlopeRange slopes, std::optional<AreaLights::Place> light);
   void advance(const Branch& branch);
   void divide(const Branch& branch, const Border& border, SlopeRange slopes);
   double whereAirEnds(const Branch& branch, const Border& border) const;
@@ -66,16 +79,21 @@ class Slice {
   void findCrossings(std::span<const SectorId> members, double from, double to);
   SectorId memberAt(const FlatPortal& flatPortal, bool isFloor, double t) const;
   void meetWall(const Border& border, SlopeRange slopes);
+  void seePieces(const Border& border, SlopeRange slopes);
+  void seeSidewalls(const Opening& opening, const Border& border, SlopeRange slopes);
   SlopeRange slopesThrough(const LightOpening& opening, const Border& border) const;
   void passMiddles(const LightOpening& opening, const Border& border, SlopeRange slopes);
   void enter(const LightOpening& opening, double t, SlopeRange slopes);
   void meetMeshes(const Branch& branch, const Border& border);
   bool mayBlock(const Box3& box, const Branch& branch, const Border& border) const;
   std::optional<InPlane> cutOf(const MeshFace& face) const;
-  void block(InPlane cut, const Branch& branch, const Border& border);
+  std::optional<AreaLights::Place> lightOf(const MeshFace& face, bool isTwoSided) const;
+  std::optional<InPlane> inAir(InPlane cut, const Branch& branch, const Border& border) const;
+  void block(InPlane cut, const Branch& branch, std::optional<AreaLights::Place> light);
 
   Scene scene_;
   bool solidMaskedMiddles_;
+  AreaLights lights_;
 
   SliceStart start_{};
   Vec2 direction_{};
@@ -83,9 +101,11 @@ class Slice {
   SectorSet* met_ = nullptr;
   std::vector<Branch> branches_;   ///< that are left to follow
   BlockedSlopes meshes_;           ///< by those of the branch at hand
+  std::vector<FaceCut> cuts_;      ///< those that block; only if any faces shine
+  BlockedSlopes hidden_;           ///< of the one at hand
   BlockedSlopes middles_;          ///< by what is solid of those in the opening at hand
   std::vector<double> crossings_;  ///< of a flat portal's members
-  std::vector<SlopeRange> skies_;
+  std::vector<AreaInSlice> areas_;
 };
 
 }  // namespace hearth

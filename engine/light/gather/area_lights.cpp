@@ -1,0 +1,22 @@
+#include "light/gather/area_lights.h"
+
+namespace hearth {
+
+AreaLights::AreaLights(const Level& level) : ofTextures_(level.textures.size()) {
+  for (std::size_t i = 0; i < level.lights.size(); ++i) {
+    const LightSource& light = level.lights[i];
+    if (!light.isArea()) continue;
+    const auto place = static_cast<Place>(lights_.size());
+    lights_.push_back(i);
+    if (light.isSky) sky_ = place;
+    for (std::size_t texture = 0; texture < level.textures.size(); ++texture)
+      if (light.isEmitter() && level.textures[texture] == light.texture)
+        ofTextures_[texture] = place;
+    haveSurfaces_ |= light.isEmitter();
+  }
+  haveFaces_ = haveSurfaces_ && std::ranges::any_of(level.meshFaces, [this](const MeshFace& face) {
+                 return ofTexture(face.texture).has_value();
+               });
+}
+
+}  // namespace hearth
