@@ -24,8 +24,10 @@ struct CurvePoint {
 struct LightSource {
   Vec3 position;
   SectorId sector;
-  double intensity = 255;  ///< levels at distance 0, of a sun, or of the sky above level ground
-  double falloff = 0;      ///< per metre: brightness is intensity / (1 + falloff * distance)
+  /// Levels at distance 0, of a sun, of the sky above level ground, or of an emitter at a surface
+  /// that sees nothing else.
+  double intensity = 255;
+  double falloff = 0;  ///< per metre: brightness is intensity / (1 + falloff * distance)
   std::vector<CurvePoint>
       curve;  ///< by rising distance; if not empty, it replaces intensity and falloff
   std::uint8_t color[3] = {255, 255, 255};

@@ -4,12 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <vector>
 
 namespace hearth {
 namespace {
 
-/// From one slope to another; upright at so many metres if both are the same.
+/// From one slope to another, and so many metres away on the map at each.
 FaceCut faceFrom(double fromSlope, double fromMetres, double toSlope, double toMetres,
                  std::optional<AreaLights::Place> light = std::nullopt) {
   return {{fromSlope, toSlope}, 1 / fromMetres, 1 / toMetres, light};

@@ -9,10 +9,10 @@ AreaLights::AreaLights(const Level& level) : ofTextures_(level.textures.size()) 
     const auto place = static_cast<Place>(lights_.size());
     lights_.push_back(i);
     if (light.isSky) sky_ = place;
+    if (!light.isEmitter()) continue;
+    haveSurfaces_ = true;
     for (std::size_t texture = 0; texture < level.textures.size(); ++texture)
-      if (light.isEmitter() && level.textures[texture] == light.texture)
-        ofTextures_[texture] = place;
-    haveSurfaces_ |= light.isEmitter();
+      if (level.textures[texture] == light.texture) ofTextures_[texture] = place;
   }
   haveFaces_ = haveSurfaces_ && std::ranges::any_of(level.meshFaces, [this](const MeshFace& face) {
                  return ofTexture(face.texture).has_value();

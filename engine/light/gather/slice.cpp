@@ -297,7 +297,7 @@ bool Slice::mayBlock(const Box3& box, const Branch& branch, const Border& border
   const SlopeRange slopes =
       common({low / (low < 0 ? first : last), high / (high > 0 ? first : last)}, branch.slopes);
   if (slopes.isEmpty()) return false;
-  // What is hidden by none of those so far may hide one that shines.
+  // Boxes come in no order: one that others cover may be in front of a face that shines.
   return lights_.haveFaces() || !meshes_.covers(slopes);
 }
 
@@ -340,6 +340,7 @@ std::optional<Slice::InPlane> Slice::inAir(InPlane cut, const Branch& branch,
   return cut;
 }
 
+/// Takes a part of a face out of the branch.
 void Slice::block(InPlane cut, const Branch& branch, std::optional<AreaLights::Place> light) {
   auto& [a, b] = cut;
   if (a.y / a.x > b.y / b.x) std::swap(a, b);
